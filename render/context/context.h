@@ -1,0 +1,32 @@
+// A GL context, wherever it comes from. No window system, ImGui or clipboard in here.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pabd {
+
+class GlContext {
+ public:
+  virtual ~GlContext() = default;
+  virtual void make_current() = 0;
+  virtual void* proc_address(const char* name) = 0;
+  virtual void framebuffer_size(int& width, int& height) const = 0;  // 0×0 when off-screen only
+  virtual void present() = 0;                                        // no-op when off-screen
+  virtual std::string name() const = 0;  // "EGL device 0", "EGL surfaceless", "OSMesa"
+};
+
+enum class Backend { automatic, egl, osmesa };
+
+// One candidate that was tried, and why it was not taken (empty: it was).
+struct ContextAttempt {
+  std::string name;
+  std::string failure;
+};
+
+// Tries EGL device list, EGL surfaceless, OSMesa in this order (or only the named ones) for GL 3.3 core or better.
+// Fills `attempts`. Throws Error(no_gl) with every attempt and the package or container flag that helps.
+std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts);
+
+}  // namespace pabd

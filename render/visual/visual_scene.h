@@ -1,0 +1,74 @@
+// What is to be seen, without GL: a flat list of things with colours. Built from const simulation data by
+// build_visual.h, drawn by render/gl. Metres, y up, right-handed; colours are linear-light RGB in 0 … 1.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace pabd {
+
+using Vec3f = Eigen::Vector3f;
+using Vec4f = Eigen::Vector4f;
+using Mat4f = Eigen::Matrix4f;
+
+enum class Primitive : std::uint8_t {
+  cube,        // edges 2, centred
+  sphere,      // radius 1
+  cylinder,    // radius 1, y from -1 to 1, capped
+  hemisphere,  // radius 1, y ≥ 0
+  cone,        // radius 1 at y = 0, tip at y = 1
+  disc,        // radius 1 in the plane y = 0, seen from both sides
+};
+inline constexpr int kPrimitiveCount = 6;
+
+struct Instance {
+  Mat4f transform;  // primitive to world
+  Vec4f color;      // linear RGB, opacity
+  bool shadow = true;   // casts a shadow
+  bool shaded = true;   // false: flat colour (glyphs that encode a value)
+};
+
+// A polyline piece. Drawn as a camera-facing quad of two triangles, never GL_LINES.
+struct Line {
+  Vec3f a, b;
+  Vec4f color;
+  float width;  // pixels at 720 px frame height
+  bool on_top = false;  // not hidden by bodies
+};
+
+struct Label {
+  Vec3f position;
+  std::string text;  // UTF-8; painted by the overlay
+};
+
+struct Ground {
+  Vec3f normal{0, 1, 0};
+  float offset = 0;
+};
+
+struct Camera {
+  Vec3f eye{6, 4, 8};
+  Vec3f target{0, 1, 0};
+  Vec3f up{0, 1, 0};
+  float fov = 45;  // vertical, degrees
+};
+
+// World to clip space for a frame of the given aspect (width / height); near and far fit `extent` (scene radius).
+Mat4f view_matrix(const Camera& camera);
+Mat4f projection_matrix(const Camera& camera, float aspect, float near_plane, float far_plane);
+
+struct VisualScene {
+  std::vector<Instance> instances[kPrimitiveCount];  // by Primitive
+  std::vector<Line> lines;
+  std::vector<Label> labels;
+  std::vector<Ground> grounds;  // fixed planes, drawn with a fading grid
+  Camera camera;
+  Vec3f light_direction{-0.4f, -1.0f, -0.55f};  // the way the light travels; need not be unit
+  Vec3f centre{0, 0, 0};  // bounding sphere of what moves, for shadow and depth range
+  float radius = 5;
+
+  void clear();
+};
+
+}  // namespace pabd

@@ -1,0 +1,28 @@
+// Mass and second moment of the solid shapes, in closed form.
+//
+//   m      mass                                   kg      scalar
+//   J      second moment  J = ∫ ρ r rᵀ dV         kg m²   3×3, diagonal for the shapes of this file
+//
+// J is not the inertia tensor I; the two are related by J = ½ tr(I) 1 − I. The affine mass matrix is
+// M = ∫ ρ s sᵀ dV = diag(m, J) with s = [1; r].
+#pragma once
+
+#include "sim/body/shape.h"
+
+namespace pabd {
+
+struct MassProperties {
+  double mass;
+  Mat3 J;
+};
+
+// Volume in m³; 0 for a plane.
+double volume(const Shape& shape);
+
+// Mass properties for a uniform density in kg/m³. Precondition: the shape is solid (not a plane), density > 0.
+MassProperties mass_properties(const Shape& shape, double density);
+
+// The inertia tensor I = tr(J) 1 − J that belongs to J.
+inline Mat3 inertia_tensor(const Mat3& J) { return J.trace() * Mat3::Identity() - J; }
+
+}  // namespace pabd

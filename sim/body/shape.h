@@ -1,0 +1,46 @@
+// Shapes of bodies, in the body frame (origin at the centre of mass). Metres.
+#pragma once
+
+#include <variant>
+
+#include "sim/math/types.h"
+
+namespace pabd {
+
+struct Box {
+  Vec3 half;  // half edge lengths along x, y, z
+};
+
+struct Sphere {
+  double radius;
+};
+
+struct Capsule {
+  double radius;
+  double length;  // of the straight part along y, between the centres of the two caps
+};
+
+// Half space below the plane {x : normal·x = offset}. Always fixed; its pose is the identity.
+struct Plane {
+  Vec3 normal;  // unit
+  double offset;
+};
+
+using Shape = std::variant<Box, Sphere, Capsule, Plane>;
+
+struct Aabb {
+  Vec3 lo;
+  Vec3 hi;
+};
+
+// Axis-aligned bounds of `shape` at pose (c, R), world frame. A plane has infinite bounds.
+Aabb bounds(const Shape& shape, const Vec3& c, const Mat3& R);
+
+// Radius of the smallest origin-centred sphere that holds the shape (infinite for a plane).
+double bounding_radius(const Shape& shape);
+
+// Half the smallest width of the shape: how deep a thing may travel into it before the nearest way out is on
+// the other side (infinite for a plane).
+double inner_radius(const Shape& shape);
+
+}  // namespace pabd

@@ -1,0 +1,34 @@
+// The changing part of a simulation: plain arrays, one entry a body, plus the friction memory of the contacts.
+#pragma once
+
+#include <vector>
+
+#include "sim/math/types.h"
+
+namespace pabd {
+
+struct Pose {
+  Vec3 c;  // centre of mass, world
+  Mat3 R;  // rotation, body to world
+};
+
+// Tangential stretch that a sticking contact carries from one step to the next (see bond/friction.h).
+struct FrictionAnchor {
+  std::uint64_t pair;     // (min body << 32) | max body: the two bodies in order of number
+  std::uint32_t feature;  // which contact of the pair
+  Vec3 stretch;           // in the frame of the body that owns the normal; metres
+};
+
+struct State {
+  double time = 0;            // s
+  std::int64_t step = 0;      // steps since the start
+  std::vector<Vec3> c;        // centre of mass, world; m
+  std::vector<Mat3> R;        // rotation, body to world
+  std::vector<Vec3> v;        // velocity of the centre of mass; m/s
+  std::vector<Vec3> omega;    // angular velocity, world; rad/s
+  std::vector<FrictionAnchor> anchors;  // sorted by (pair, feature)
+
+  Index size() const { return static_cast<Index>(c.size()); }
+};
+
+}  // namespace pabd

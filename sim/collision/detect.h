@@ -1,0 +1,37 @@
+// Discrete collision detection: contact points between bodies at given poses.
+#pragma once
+
+#include <vector>
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+
+namespace pabd {
+
+// One contact point, S(17). World frame, at the poses given to `detect`.
+struct ContactPoint {
+  Index a, b;             // a owns the normal (the face); b the point. Not ordered by number
+  Vec3 y_a, y_b;          // points on the two surfaces
+  Vec3 n;                 // unit, outward from a towards b
+  double d;               // (y_b − y_a)·n, negative when the bodies overlap; m
+  std::uint32_t feature;  // stays the same for the same corner or edge pair from step to step
+};
+
+// Bounds and pair lists kept between calls so that a warm call does not allocate.
+struct CollisionWorkspace {
+  std::vector<Aabb> boxes;
+  std::vector<Index> order;
+  std::vector<std::pair<Index, Index>> pairs;
+  std::vector<std::vector<ContactPoint>> partial;  // a bucket a chunk of pairs, joined in order
+};
+
+// Fills `out` with every contact point whose d is below `reach`[a] + `reach`[b].
+//   c, R     poses, one entry a body (m; rotation matrices)
+//   reach    how far beyond its surface a body looks for contacts, ≥ 0, one entry a body; m
+//   skip     sorted list of pairs (a < b) that never collide, for jointed bodies
+// Two fixed bodies never meet. The result is sorted by (min(a,b), max(a,b), feature) and does not depend on `threads`.
+void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
+            const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip, int threads,
+            CollisionWorkspace& workspace, std::vector<ContactPoint>& out);
+
+}  // namespace pabd

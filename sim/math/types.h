@@ -1,0 +1,21 @@
+// Short names for the fixed-size matrices of the method, and the one index type.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+
+namespace pabd {
+
+using Vec3 = Eigen::Vector3d;
+using Vec4 = Eigen::Vector4d;
+using Mat3 = Eigen::Matrix3d;
+using Mat4 = Eigen::Matrix4d;
+using Mat34 = Eigen::Matrix<double, 3, 4>;
+using Quat = Eigen::Quaterniond;
+
+using Index = std::int32_t;  // body, bond and contact numbers
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+}  // namespace pabd

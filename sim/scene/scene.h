@@ -1,0 +1,41 @@
+// A scene file, validated and expanded: everything a run needs.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+#include "sim/solver/params.h"
+
+namespace pabd {
+
+struct CameraDesc {
+  Vec3 eye{6, 4, 8};
+  Vec3 target{0, 1, 0};
+  double fov = 45;  // vertical, degrees
+};
+
+struct Scene {
+  std::string name;
+  Params params;
+  Model model;
+  State initial;
+  std::vector<std::pair<Index, Index>> skip;  // pairs that never collide, a < b, sorted
+  std::optional<CameraDesc> camera;           // absent: the viewer frames the scene
+  std::string hash;                           // 16 hex digits over the resolved scene (after --set), platform independent
+};
+
+// Reads, validates and expands a scene. `overrides` are "key.path=value" strings as given to --set; a value is JSON,
+// or a bare word taken as a string. Throws Error(bad_input) naming file, JSON pointer or line, what was expected and
+// the remedy; Error(file) when the file cannot be read.
+Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+// The same from text; `source` names it in messages, `folder` is what paths in it are relative to.
+Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path& folder,
+                  const std::vector<std::string>& overrides = {});
+
+}  // namespace pabd

@@ -1,0 +1,52 @@
+// Everything a person tunes while a simulation runs. It may change between any two steps without rebuilding the
+// model; every limit below is checked by `check_params`, which the scene reader and the panels both use.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/math/types.h"
+#include "sim/potential/barrier.h"
+
+namespace pabd {
+
+enum class SolverMethod : std::uint8_t { sissm, descent, newton, automatic };
+enum class Projection : std::uint8_t { polar, weighted };  // used by sissm; descent is weighted by construction
+
+struct SolverParams {
+  SolverMethod method = SolverMethod::automatic;
+  int iterations = 20;                        // cap per step, 1 … 100000
+  double tolerance = 1e-6;                    // relative step at which the solve stops early; 0: never
+  double relaxation = 0.5;                    // of the Jacobi step of sissm, (0, 1]
+  Projection projection = Projection::polar;  // polar: the paper's; weighted: Deviation D1
+};
+
+struct ContactParams {
+  BarrierKind barrier = BarrierKind::polynomial;
+  int N = 3;                    // highest order of the polynomial, 1 … 32
+  double d_hat = 0.01;          // contact thickness d̂; m, > 0
+  std::optional<double> kappa;  // stiffness κ; J, > 0. Empty: "auto", see resolve_kappa
+  double onset = 0.2;           // onset width ε, [0, 1)
+  double mu_static = 0.5;       // friction, ≥ 0
+  double mu_dynamic = 0.5;      // friction, ≥ 0, not above mu_static
+};
+
+struct Params {
+  Vec3 gravity{0, -9.81, 0};  // m/s²
+  double h = 1.0 / 60;        // time step; s, 1e-6 … 1
+  SolverParams solver;
+  ContactParams contact;
+};
+
+// Empty when every parameter is in range; otherwise one line: scene key, value, what was expected. The key is
+// the scene file's JSON pointer ("/contact/d_hat") so that callers can name the place.
+struct ParamError {
+  std::string pointer;
+  std::string message;
+};
+std::optional<ParamError> check_params(const Params& params);
+
+const char* to_string(SolverMethod method);  // "sissm", "descent", "newton", "auto"
+const char* to_string(Projection projection);
+
+}  // namespace pabd

@@ -1,0 +1,27 @@
+// Records of a run, and the files written from them (formats: README of this folder).
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+#include "sim/solver/report.h"
+
+namespace pabd {
+
+// 16 hex digits over time, step, poses, velocities and friction anchors, bit by bit: equal states, equal hash.
+std::string state_hash(const State& state);
+
+void write_steps_header(std::ostream& out);
+void write_steps_row(std::ostream& out, const StepReport& report);
+void write_iterations_header(std::ostream& out);
+void write_iterations_rows(std::ostream& out, const StepReport& report);  // one row an IterationRecord
+
+// State JSON. Numbers are printed so that reading them gives the same bits.
+std::string state_to_json(const Model& model, const State& state);
+// Throws Error(bad_input) when the text is malformed or does not fit the model (names, count, finite, unit rotations).
+State state_from_json(const Model& model, const std::string& text, const std::string& source);
+
+}  // namespace pabd
