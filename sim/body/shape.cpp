@@ -1,0 +1,48 @@
+// Bounds and radii of the shapes.
+//
+//   c, R   pose of the body                              m, rotation body → world
+//   half   half edge lengths of a box                    m
+//   y      axis of a capsule, the body's own y axis      unit
+#include "sim/body/shape.h"
+
+#include <limits>
+
+namespace pabd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Half extent of the bounds along the three world axes: the support function of the shape in x, y and z.
+Vec3 extent(const Box& box, const Mat3& R) { return R.cwiseAbs() * box.half; }
+Vec3 extent(const Sphere& sphere, const Mat3&) { return Vec3::Constant(sphere.radius); }
+Vec3 extent(const Capsule& capsule, const Mat3& R) {
+  return (0.5 * capsule.length) * R.col(1).cwiseAbs() + Vec3::Constant(capsule.radius);
+}
+Vec3 extent(const Plane&, const Mat3&) { return Vec3::Constant(kInfinity); }
+
+struct BoundingRadius {
+  double operator()(const Box& box) const { return box.half.norm(); }
+  double operator()(const Sphere& sphere) const { return sphere.radius; }
+  double operator()(const Capsule& capsule) const { return 0.5 * capsule.length + capsule.radius; }
+  double operator()(const Plane&) const { return kInfinity; }
+};
+
+struct InnerRadius {
+  double operator()(const Box& box) const { return box.half.minCoeff(); }
+  double operator()(const Sphere& sphere) const { return sphere.radius; }
+  double operator()(const Capsule& capsule) const { return capsule.radius; }
+  double operator()(const Plane&) const { return kInfinity; }
+};
+
+}  // namespace
+
+Aabb bounds(const Shape& shape, const Vec3& c, const Mat3& R) {
+  const Vec3 e = std::visit([&](const auto& s) { return extent(s, R); }, shape);
+  return {c - e, c + e};
+}
+
+double bounding_radius(const Shape& shape) { return std::visit(BoundingRadius{}, shape); }
+
+double inner_radius(const Shape& shape) { return std::visit(InnerRadius{}, shape); }
+
+}  // namespace pabd
