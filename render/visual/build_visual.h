@@ -11,15 +11,16 @@
 namespace pabd {
 
 struct VisualOptions {
-  bool bonds = false;     // bond points as small spheres (for contacts: y_i and y_j)
-  bool contacts = false;  // normal arrows and discs coloured by d/d̂
-  double d_hat = 0.01;    // for the colours; m
-  double glyph_scale = 0; // size of glyphs in m; 0: from the size of the bodies
+  bool bonds = false;      // bond points as small spheres (for contacts: y_i and y_j)
+  bool contacts = false;   // normal arrows and discs coloured by d/d̂
+  double d_hat = 0.01;     // for the colours; m
+  double glyph_scale = 0;  // size of glyphs in m; 0: from the size of the bodies
 };
 
-// Fills `out` (reusing its memory). Fixed planes become `grounds`. `report` may lack contact reports. The camera is left alone.
-void build_visual(const Model& model, const State& state, const StepReport& report, const VisualOptions& options,
-                  VisualScene& out);
+// Fills `out` (reusing its memory). Fixed planes become `grounds`. `report` may lack contact reports. The
+// camera is left alone.
+void build_visual(const Model& model, const State& state, const StepReport& report,
+                  const VisualOptions& options, VisualScene& out);
 
 // A camera that frames the movable bodies from a pleasing angle.
 Camera frame_camera(const Model& model, const State& state, double aspect);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,17 +24,18 @@ enum class Primitive : std::uint8_t {
 inline constexpr int kPrimitiveCount = 6;
 
 struct Instance {
-  Mat4f transform;  // primitive to world
-  Vec4f color;      // linear RGB, opacity
-  bool shadow = true;   // casts a shadow
-  bool shaded = true;   // false: flat colour (glyphs that encode a value)
+  Mat4f transform;     // primitive to world
+  Vec4f color;         // linear RGB, opacity
+  bool shadow = true;  // casts a shadow
+  bool shaded = true;  // false: flat colour (glyphs that encode a value)
+  bool xray = false;   // a glyph: where a body hides it, it shows through faintly
 };
 
 // A polyline piece. Drawn as a camera-facing quad of two triangles, never GL_LINES.
 struct Line {
   Vec3f a, b;
   Vec4f color;
-  float width;  // pixels at 720 px frame height
+  float width;          // pixels at 720 px frame height
   bool on_top = false;  // not hidden by bodies
 };
 
@@ -54,8 +56,11 @@ struct Camera {
   float fov = 45;  // vertical, degrees
 };
 
-// World to clip space for a frame of the given aspect (width / height); near and far fit `extent` (scene radius).
+// World to eye space: x right, y up, the camera looks along −z. An eye in its target or an `up` along the
+// line of sight gets a substitute direction, so that the matrix is always a rigid motion.
 Mat4f view_matrix(const Camera& camera);
+// Eye to clip space (GL: z in −w … w) for a frame of the given aspect (width / height); 0 < near_plane <
+// far_plane, m.
 Mat4f projection_matrix(const Camera& camera, float aspect, float near_plane, float far_plane);
 
 struct VisualScene {
@@ -65,7 +70,7 @@ struct VisualScene {
   std::vector<Ground> grounds;  // fixed planes, drawn with a fading grid
   Camera camera;
   Vec3f light_direction{-0.4f, -1.0f, -0.55f};  // the way the light travels; need not be unit
-  Vec3f centre{0, 0, 0};  // bounding sphere of what moves, for shadow and depth range
+  Vec3f centre{0, 0, 0};                        // bounding sphere of what moves, for shadow and depth range
   float radius = 5;
 
   void clear();

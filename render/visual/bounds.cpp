@@ -1,0 +1,53 @@
+// The sphere around what is to be seen.
+#include "render/visual/bounds.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pabd {
+namespace {
+
+// Fixed bodies up to this many times the radius of the movable ones belong to the picture; larger ones are
+// scenery.
+constexpr double kScenery = 3.0;
+
+bool is_plane(const Model& model, Index body) { return std::holds_alternative<Plane>(model.shape[body]); }
+
+template <class Accept>
+std::optional<BoundingSphere> sphere_around(const Model& model, const State& state, Accept accept) {
+  const double inf = std::numeric_limits<double>::infinity();
+  Vec3 lo = Vec3::Constant(inf);
+  Vec3 hi = Vec3::Constant(-inf);
+  for (Index i = 0; i < model.size(); ++i) {
+    if (is_plane(model, i) || !has_finite_pose(state, i) || !accept(i)) continue;
+    const Aabb box = bounds(model.shape[i], state.c[i], state.R[i]);
+    lo = lo.cwiseMin(box.lo);
+    hi = hi.cwiseMax(box.hi);
+  }
+  if (!(lo.array() <= hi.array()).all()) return std::nullopt;
+  const Vec3 centre = 0.5 * (lo + hi);
+  double radius = 0;
+  for (Index i = 0; i < model.size(); ++i) {
+    if (is_plane(model, i) || !has_finite_pose(state, i) || !accept(i)) continue;
+    radius = std::max(radius, (state.c[i] - centre).norm() + bounding_radius(model.shape[i]));
+  }
+  return BoundingSphere{centre, std::max(radius, 1e-6)};
+}
+
+}  // namespace
+
+bool has_finite_pose(const State& state, Index body) {
+  return state.c[body].allFinite() && state.R[body].allFinite();
+}
+
+std::optional<BoundingSphere> bounding_sphere(const Model& model, const State& state) {
+  const auto movable = sphere_around(model, state, [&](Index i) { return !model.fixed[i]; });
+  if (!movable) return sphere_around(model, state, [](Index) { return true; });
+  return sphere_around(model, state, [&](Index i) {
+    if (!model.fixed[i]) return true;
+    const double reach = (state.c[i] - movable->centre).norm() + bounding_radius(model.shape[i]);
+    return reach <= kScenery * movable->radius;
+  });
+}
+
+}  // namespace pabd

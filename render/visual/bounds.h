@@ -1,0 +1,25 @@
+// The sphere around what is to be seen: for the camera, the shadow map and the depth range.
+#pragma once
+
+#include <optional>
+
+#include "render/visual/visual_scene.h"
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+
+namespace pabd {
+
+struct BoundingSphere {
+  Vec3 centre;    // m, world
+  double radius;  // m, > 0
+};
+
+// True when every number of the body's pose is finite: others cannot be drawn.
+bool has_finite_pose(const State& state, Index body);
+
+// Sphere around the movable bodies (centre: of their common axis-aligned box), and around those fixed ones
+// that are not much larger than the rest. Without a movable body: around the fixed ones. Planes never count.
+// Empty when nothing is left.
+std::optional<BoundingSphere> bounding_sphere(const Model& model, const State& state);
+
+}  // namespace pabd

@@ -1,0 +1,83 @@
+// Bodies as instances of primitives; contacts and bonds as glyphs.
+//
+//   c, R       pose of a body                             State
+//   S          scale of the primitive: half edges, radius
+//   transform  [R S | c]                                  primitive to world
+#include "render/visual/build_visual.h"
+
+#include "render/visual/bounds.h"
+#include "render/visual/contact_glyphs.h"
+#include "render/visual/palette.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kStandardGravity = 9.81;  // m/s², for the weight that arrows are measured against
+
+struct BodyPainter {
+  VisualScene& out;
+  Vec3 c;
+  Mat3 R;
+  Vec4f color;
+
+  // A primitive with its centre at `local` in the body frame and scaled by `scale` along the body's axes.
+  void add(Primitive primitive, const Vec3& local, const Vec3& scale) const {
+    Mat4f m = Mat4f::Identity();
+    m.block<3, 3>(0, 0) = (R * scale.asDiagonal()).cast<float>();
+    m.block<3, 1>(0, 3) = (c + R * local).cast<float>();
+    out.instances[static_cast<int>(primitive)].push_back({m, color});
+  }
+
+  void operator()(const Box& box) const { add(Primitive::cube, Vec3::Zero(), box.half); }
+
+  void operator()(const Sphere& sphere) const {
+    add(Primitive::sphere, Vec3::Zero(), Vec3::Constant(sphere.radius));
+  }
+
+  void operator()(const Capsule& capsule) const {
+    const double r = capsule.radius;
+    const double h = 0.5 * capsule.length;
+    if (h > 0) add(Primitive::cylinder, Vec3::Zero(), {r, h, r});
+    add(Primitive::hemisphere, {0, h, 0}, {r, r, r});
+    // Turned about x, not mirrored: the faces keep their orientation.
+    const BodyPainter turned{out, c, R * Vec3(1, -1, -1).asDiagonal(), color};
+    turned.add(Primitive::hemisphere, {0, h, 0}, {r, r, r});
+  }
+
+  void operator()(const Plane& plane) const {
+    out.grounds.push_back({plane.normal.cast<float>(), static_cast<float>(plane.offset)});
+  }
+};
+
+// A typical weight in N: the mean over movable bodies; 1 when nothing moves.
+double typical_weight(const Model& model) {
+  double mass = 0;
+  int count = 0;
+  for (Index i = 0; i < model.size(); ++i) {
+    if (model.fixed[i]) continue;
+    mass += model.mass[i];
+    ++count;
+  }
+  return mass > 0 ? kStandardGravity * mass / count : 1.0;
+}
+
+}  // namespace
+
+void build_visual(const Model& model, const State& state, const StepReport& report,
+                  const VisualOptions& options, VisualScene& out) {
+  out.clear();
+  for (Index i = 0; i < model.size(); ++i) {
+    if (!has_finite_pose(state, i)) continue;  // nothing sensible can be drawn
+    std::visit(BodyPainter{out, state.c[i], state.R[i], body_color(i, model.fixed[i] != 0)}, model.shape[i]);
+  }
+  if (options.bonds || options.contacts) {
+    const double scale = options.glyph_scale > 0 ? options.glyph_scale : default_glyph_scale(model);
+    add_contact_glyphs(report, options, scale, typical_weight(model), out);
+  }
+  if (const auto around = bounding_sphere(model, state)) {
+    out.centre = around->centre.cast<float>();
+    out.radius = static_cast<float>(around->radius);
+  }
+}
+
+}  // namespace pabd

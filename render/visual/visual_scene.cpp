@@ -1,0 +1,13 @@
+// Emptying a visual scene without giving its memory back.
+#include "render/visual/visual_scene.h"
+
+namespace pabd {
+
+void VisualScene::clear() {
+  for (auto& list : instances) list.clear();
+  lines.clear();
+  labels.clear();
+  grounds.clear();
+}
+
+}  // namespace pabd
