@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/body/shape.h"
@@ -15,6 +16,7 @@ struct Model {
   std::vector<double> mass;         // kg; 0 for a fixed body
   std::vector<Mat3> J;              // kg m², body frame; zero for a fixed body
   std::vector<std::uint8_t> fixed;  // 1: never moves
+  std::vector<std::pair<Index, Index>> no_collide;  // pairs a < b that never touch, sorted
 
   Index size() const { return static_cast<Index>(shape.size()); }
 };

@@ -2,7 +2,8 @@
 //
 //   d        signed distance                                   m
 //   d̂        thickness: Ψ = 0 for d ≥ d̂                        m
-//   κ        stiffness                                         J for polynomial and even; J/m² for log (S(4) has
+//   κ        stiffness                                         J for polynomial and even; J/m² for log (S(4)
+//   has
 //                                                              the factor (d − d̂)², so B is in m² there)
 //   N        highest order of the sum, 1 … kMaxOrder
 //   ε        onset width: slope of the n = 1 term is ramped up over d̂(1−ε) < d < d̂ (Deviation D2)
@@ -45,7 +46,8 @@ BarrierValue evaluate(const Barrier& barrier, double d);
 // The split of the supplement, S(6), exact for the printed sum (errata E1, E2). polynomial and even only.
 Split binomial_split(const Barrier& barrier, double d);
 
-// max(Ψ'', Ψ'/(d − d̂)) as stiffness: a quadratic model that majorises the convex Ψ towards d̂ (method notes §2).
+// max(Ψ'', Ψ'/(d − d̂)) as stiffness: a quadratic model that majorises the convex Ψ towards d̂ (method notes
+// §2).
 Split tangent_split(const Barrier& barrier, double d);
 
 }  // namespace pabd

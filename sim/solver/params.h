@@ -1,5 +1,5 @@
-// Everything a person tunes while a simulation runs. It may change between any two steps without rebuilding the
-// model; every limit below is checked by `check_params`, which the scene reader and the panels both use.
+// Everything a person tunes while a simulation runs. It may change between any two steps without rebuilding
+// the model; every limit below is checked by `check_params`, which the scene reader and the panels both use.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,20 @@
 namespace pabd {
 
 enum class SolverMethod : std::uint8_t { sissm, descent, newton, automatic };
-enum class Projection : std::uint8_t { polar, weighted };  // used by sissm; descent is weighted by construction
+
+// How a body's affine model becomes a rigid pose. automatic: polar for sissm, tangent for descent.
+//   polar     nearest rotation to the affine matrix, the supplement's; sissm only (descent reads it as
+//   automatic) weighted  exact minimiser of the body's isotropic quadratic model over SE(3) (Deviation D1)
+//   tangent   Newton step in the tangent space with separate normal and tangential weights (Deviation D5);
+//   descent only
+enum class Projection : std::uint8_t { automatic, polar, weighted, tangent };
 
 struct SolverParams {
   SolverMethod method = SolverMethod::automatic;
-  int iterations = 20;                        // cap per step, 1 … 100000
-  double tolerance = 1e-6;                    // relative step at which the solve stops early; 0: never
-  double relaxation = 0.5;                    // of the Jacobi step of sissm, (0, 1]
-  Projection projection = Projection::polar;  // polar: the paper's; weighted: Deviation D1
+  int iterations = 20;      // cap per step, 1 … 100000
+  double tolerance = 1e-6;  // relative step at which the solve stops early; 0: never
+  double relaxation = 0.5;  // of the Jacobi step of sissm, (0, 1]
+  Projection projection = Projection::automatic;
 };
 
 struct ContactParams {

@@ -19,18 +19,18 @@ struct IterationRecord {
   double max_penetration_after;   // the same after the projection onto SO(3); m
   double min_gap_before;          // smallest d before and after the projection; m; +inf without contacts
   double min_gap_after;
-  double max_joint_error;         // m
-  double projection_change;       // largest ‖A − R‖ (Frobenius) over bodies
+  double max_joint_error;    // m
+  double projection_change;  // largest ‖A − R‖ (Frobenius) over bodies
 };
 
 // One contact at the end of a step, in world coordinates.
 struct ContactReport {
-  Index a, b;          // a owns the normal
-  Vec3 y_a, y_b;       // the two points; d = (y_b − y_a)·n
-  Vec3 n;              // unit, from a to b
-  double d;            // m
-  double normal_force; // f_n = −Ψ'(d) ≥ 0; N
-  Vec3 friction;       // friction force on b; N
+  Index a, b;           // a owns the normal
+  Vec3 y_a, y_b;        // the two points; d = (y_b − y_a)·n
+  Vec3 n;               // unit, from a to b
+  double d;             // m
+  double normal_force;  // f_n = −Ψ'(d) ≥ 0; N
+  Vec3 friction;        // friction force on b; N
   bool sticking;
 };
 
@@ -46,18 +46,19 @@ struct StepReport {
   SolverMethod method = SolverMethod::descent;
   StepStatus status = StepStatus::iteration_limit;
   int iterations = 0;
-  double kinetic = 0;    // J
-  double potential = 0;  // −Σ m g·c; J
-  double elastic = 0;    // energy in contacts and bonds; J
-  double kappa = 0;      // resolved contact κ; J
-  int contacts = 0;      // with d < d̂
+  double kinetic = 0;          // J
+  double potential = 0;        // −Σ m g·c; J
+  double elastic = 0;          // energy in contacts and bonds; J
+  double kappa = 0;            // resolved contact κ; J
+  int contacts = 0;            // with d < d̂
   double max_penetration = 0;  // m
   double min_gap = 0;          // m; +inf without contacts
   double max_joint_error = 0;  // m
   double residual = 0;         // of the last iteration
   PhaseTimes times;
-  std::vector<IterationRecord> records;         // one an iteration; empty unless StepOptions::record_iterations
-  std::vector<ContactReport> contact_reports;   // contacts with d < d̂; empty unless StepOptions::report_contacts
+  std::vector<IterationRecord> records;  // one an iteration; empty unless StepOptions::record_iterations
+  std::vector<ContactReport>
+      contact_reports;  // contacts with d < d̂; empty unless StepOptions::report_contacts
 };
 
 }  // namespace pabd

@@ -16,8 +16,8 @@ struct StepOptions {
   int threads = 1;                 // results are bit-identical for every value
 };
 
-// Scratch memory that survives from step to step so that a step does not allocate once it is warm. Holds nothing
-// that influences a result: a fresh one gives the same bytes.
+// Scratch memory that survives from step to step so that a step does not allocate once it is warm. Holds
+// nothing that influences a result: a fresh one gives the same bytes.
 class StepWorkspace {
  public:
   StepWorkspace();
@@ -33,8 +33,8 @@ class StepWorkspace {
 };
 
 // Advances `state` by params.h. Precondition: check_params(params) is empty, state.size() == model.size().
-// Never throws for physics: a step that leaves the numbers reports StepStatus::non_finite and keeps the state of
-// its start. `report` is overwritten; its vectors are reused.
+// Never throws for physics: a step that leaves the numbers reports StepStatus::non_finite and keeps the state
+// of its start. `report` is overwritten; its vectors are reused.
 void step(const Model& model, const Params& params, const StepOptions& options, State& state,
           StepWorkspace& workspace, StepReport& report);
 

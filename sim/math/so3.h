@@ -1,0 +1,53 @@
+// The rotation group SO(3): exponential, logarithm, and the nearest rotation to a 3×3 matrix.
+//
+//   w       rotation vector: axis times angle, right-hand rule     rad    3
+//   R       rotation matrix                                               3×3
+#pragma once
+
+#include <cmath>
+
+#include "sim/math/types.h"
+
+namespace pabd {
+
+// [w]: the matrix with [w] x = w × x.
+inline Mat3 skew(const Vec3& w) {
+  Mat3 W;
+  W << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return W;
+}
+
+// Twice the axial vector of the skew part of X: (X₃₂ − X₂₃, X₁₃ − X₃₁, X₂₁ − X₁₂).
+inline Vec3 axial(const Mat3& X) { return {X(2, 1) - X(1, 2), X(0, 2) - X(2, 0), X(1, 0) - X(0, 1)}; }
+
+// exp([w]).
+inline Mat3 exp_so3(const Vec3& w) {
+  const double a = w.norm();
+  if (a < 1e-8) {
+    const Mat3 W = skew(w);
+    return Mat3::Identity() + W + 0.5 * W * W;
+  }
+  return Eigen::AngleAxisd(a, w / a).toRotationMatrix();
+}
+
+// The rotation vector with exp([w]) = R and ‖w‖ ≤ π. Through the quaternion: accurate near 0 and near π.
+inline Vec3 log_so3(const Mat3& R) {
+  Quat q(R);
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  const double sine = q.vec().norm();
+  if (sine < 1e-12) return 2.0 * q.vec();
+  return (2.0 * std::atan2(sine, q.w()) / sine) * q.vec();
+}
+
+// One Newton step to the orthogonal matrix nearest to a matrix that is almost orthogonal: removes rounding
+// drift.
+inline Mat3 reorthonormalized(const Mat3& R) {
+  return R * (1.5 * Mat3::Identity() - 0.5 * R.transpose() * R);
+}
+
+// The rotation that maximises tr(Rᵀ B), for any finite B (also with det B < 0 or rank 1). `guess` should be a
+// rotation near the answer: three Newton steps in the tangent space are then enough; where they are not,
+// Davenport's eigenvalue form decides. Never fails: for B = 0 the guess is returned.
+Mat3 project_to_so3(const Mat3& B, const Mat3& guess);
+
+}  // namespace pabd

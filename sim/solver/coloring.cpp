@@ -1,0 +1,70 @@
+#include "sim/solver/coloring.h"
+
+#include <algorithm>
+
+namespace pabd {
+namespace {
+
+void list_ends(const Model& model, StepWorkspace::Impl& w) {
+  const std::size_t n = model.shape.size();
+  w.first_end.assign(n + 1, 0);
+  for (const ContactBond& bond : w.bonds) {
+    if (!model.fixed[bond.a]) ++w.first_end[bond.a + 1];
+    if (!model.fixed[bond.b]) ++w.first_end[bond.b + 1];
+  }
+  for (std::size_t i = 0; i < n; ++i) w.first_end[i + 1] += w.first_end[i];
+  w.ends.resize(static_cast<std::size_t>(w.first_end[n]));
+  for (std::size_t k = 0; k < w.bonds.size(); ++k) {
+    const ContactBond& bond = w.bonds[k];
+    const auto number = static_cast<Index>(k);
+    if (!model.fixed[bond.a]) w.ends[w.first_end[bond.a]++] = {number, true};
+    if (!model.fixed[bond.b]) w.ends[w.first_end[bond.b]++] = {number, false};
+  }
+  for (std::size_t i = n; i > 0; --i) w.first_end[i] = w.first_end[i - 1];  // undo the advance
+  w.first_end[0] = 0;
+}
+
+// The smallest colour that no neighbour has.
+Index free_color(const Model& model, const StepWorkspace::Impl& w, Index body) {
+  std::uint64_t used = 0;
+  Index beyond = 0;  // smallest colour above all neighbours, for the rare body with 64 colours around it
+  for (const BondEnd& end : w.ends_of(body)) {
+    const ContactBond& bond = w.bonds[end.bond];
+    const Index other = end.is_a ? bond.b : bond.a;
+    if (model.fixed[other] || w.color[other] < 0) continue;
+    if (w.color[other] < 64) used |= std::uint64_t{1} << w.color[other];
+    beyond = std::max(beyond, w.color[other] + 1);
+  }
+  for (Index k = 0; k < 64; ++k) {
+    if (!(used >> k & 1)) return k;
+  }
+  return beyond;
+}
+
+}  // namespace
+
+void color_bodies(const Model& model, StepWorkspace::Impl& w) {
+  list_ends(model, w);
+  const Index n = model.size();
+  w.color.assign(static_cast<std::size_t>(n), -1);
+  w.first_of_color.clear();
+  Index colors = 0;
+  for (Index i = 0; i < n; ++i) {
+    if (w.ends_of(i).empty()) continue;
+    w.color[i] = free_color(model, w, i);
+    colors = std::max(colors, w.color[i] + 1);
+  }
+  w.first_of_color.assign(static_cast<std::size_t>(colors) + 1, 0);
+  for (Index i = 0; i < n; ++i) {
+    if (w.color[i] >= 0) ++w.first_of_color[w.color[i] + 1];
+  }
+  for (Index k = 0; k < colors; ++k) w.first_of_color[k + 1] += w.first_of_color[k];
+  w.colored.resize(static_cast<std::size_t>(w.first_of_color[colors]));
+  for (Index i = 0; i < n; ++i) {
+    if (w.color[i] >= 0) w.colored[w.first_of_color[w.color[i]]++] = i;
+  }
+  for (Index k = colors; k > 0; --k) w.first_of_color[k] = w.first_of_color[k - 1];
+  w.first_of_color[0] = 0;
+}
+
+}  // namespace pabd

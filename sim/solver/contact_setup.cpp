@@ -1,0 +1,130 @@
+#include "sim/solver/contact_setup.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "sim/solver/parallel.h"
+
+namespace pabd {
+namespace {
+
+// Distance a body's surface may travel in the step.
+double travel(const Model& model, const State& state, const StepWorkspace::Impl& w, double h, Index i) {
+  if (model.fixed[i]) return 0;
+  return (w.c_star[i] - state.c[i]).norm() + h * w.omega[i].norm() * bounding_radius(model.shape[i]);
+}
+
+std::uint64_t pair_key(Index a, Index b) {
+  const auto [lo, hi] = std::minmax(a, b);
+  return static_cast<std::uint64_t>(lo) << 32 | static_cast<std::uint32_t>(hi);
+}
+
+// The top bit tells which body owns the normal: an anchor is lost when the owner changes, its frame being
+// another.
+std::uint32_t owned_feature(Index a, Index b, std::uint32_t feature) {
+  return (feature & 0x7fffffffu) | (a > b ? 0x80000000u : 0u);
+}
+
+void match_anchors(const std::vector<FrictionAnchor>& anchors, std::vector<ContactBond>& bonds) {
+  auto next = anchors.begin();
+  for (ContactBond& bond : bonds) {
+    const auto key = std::make_tuple(pair_key(bond.a, bond.b), owned_feature(bond.a, bond.b, bond.feature));
+    while (next != anchors.end() && std::make_tuple(next->pair, next->feature) < key) ++next;
+    if (next == anchors.end()) return;
+    if (std::make_tuple(next->pair, next->feature) == key)
+      bond.stretch = next->stretch - bond.n * bond.n.dot(next->stretch);
+  }
+}
+
+ContactBond make_bond(const ContactPoint& p, const Pose& a, const Pose& b, const Pose& a0, const Pose& b0) {
+  ContactBond bond;
+  bond.a = p.a;
+  bond.b = p.b;
+  bond.feature = p.feature;
+  bond.n = a.R.transpose() * p.n;
+  bond.r_b = b.R.transpose() * (p.y_b - b.c);
+  bond.r_a = a0.R.transpose() * (b0.c + b0.R * bond.r_b - a0.c);
+  bond.gap = bond.n.dot(bond.r_a - a.R.transpose() * (p.y_a - a.c));
+  bond.stretch.setZero();
+  bond.limit = 0;
+  return bond;
+}
+
+}  // namespace
+
+void find_contacts(const Model& model, const Params& params, const State& state, int threads,
+                   StepWorkspace::Impl& w) {
+  const Index n = model.size();
+  const ContactParams& contact = params.contact;
+  w.law = {Barrier{contact.barrier, contact.N, contact.d_hat, resolve_kappa(model, params), contact.onset}, 0,
+           contact.mu_static, contact.mu_dynamic};
+  w.law.k_t = w.law.barrier.kappa / (contact.d_hat * contact.d_hat);
+  if (contact.barrier == BarrierKind::log) w.law.k_t = w.law.barrier.kappa;  // κ is in J/m² there
+
+  // A body that flies farther than half its own thickness could come out on the other side of what it meets:
+  // it is looked at where the step starts, with its whole way as reach (Deviation D7).
+  w.reach.resize(static_cast<std::size_t>(n));
+  w.c = w.c_star;
+  w.R = w.R_star;
+  for (Index i = 0; i < n; ++i) {
+    const double way = travel(model, state, w, params.h, i);
+    w.reach[i] = 0.5 * contact.d_hat + way;
+    if (!model.fixed[i] &&
+        (way > 0.5 * inner_radius(model.shape[i]) || contact.barrier == BarrierKind::log)) {
+      w.c[i] = state.c[i];
+      w.R[i] = state.R[i];
+    }
+  }
+  detect(model, w.c, w.R, w.reach, model.no_collide, threads, w.collision, w.points);
+
+  w.bonds.clear();
+  for (const ContactPoint& p : w.points) {
+    w.bonds.push_back(make_bond(p, {w.c[p.a], w.R[p.a]}, {w.c[p.b], w.R[p.b]}, {state.c[p.a], state.R[p.a]},
+                                {state.c[p.b], state.R[p.b]}));
+  }
+  std::sort(w.bonds.begin(), w.bonds.end(), [](const ContactBond& x, const ContactBond& y) {
+    return std::make_tuple(pair_key(x.a, x.b), owned_feature(x.a, x.b, x.feature)) <
+           std::make_tuple(pair_key(y.a, y.b), owned_feature(y.a, y.b, y.feature));
+  });
+  match_anchors(state.anchors, w.bonds);
+}
+
+void initial_guess(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w) {
+  w.c = w.c_star;
+  w.R = w.R_star;
+  if (params.contact.barrier == BarrierKind::log) {
+    for (const Index i : w.colored) {
+      w.c[i] = state.c[i];
+      w.R[i] = state.R[i];
+    }
+    return;
+  }
+  const Vec3 fall = params.h * params.h * params.gravity;
+  for (const ContactBond& bond : w.bonds) {
+    if (bond.gap >= w.law.barrier.d_hat) continue;
+    if (!model.fixed[bond.a]) w.c[bond.a] = w.c_star[bond.a] - fall;
+    if (!model.fixed[bond.b]) w.c[bond.b] = w.c_star[bond.b] - fall;
+  }
+}
+
+void update_friction_limits(int threads, StepWorkspace::Impl& w) {
+  if (w.law.mu_static == 0) return;
+  parallel_for(threads, w.bonds.size(), [&](std::size_t k) {
+    ContactBond& bond = w.bonds[k];
+    bond.limit =
+        friction_limit(w.law, contact_state(bond, w.c[bond.a], w.R[bond.a], w.c[bond.b], w.R[bond.b]));
+  });
+}
+
+void store_anchors(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors) {
+  anchors.clear();
+  for (const ContactBond& bond : w.bonds) {
+    if (!(bond.limit > 0)) continue;
+    const ContactState s = contact_state(bond, w.c[bond.a], w.R[bond.a], w.c[bond.b], w.R[bond.b]);
+    const double scale = friction_weight(w.law, bond.limit, s.u.norm()) / w.law.k_t;  // 1 while it sticks
+    anchors.push_back({pair_key(bond.a, bond.b), owned_feature(bond.a, bond.b, bond.feature),
+                       scale * (w.R[bond.a].transpose() * s.u)});
+  }
+}
+
+}  // namespace pabd

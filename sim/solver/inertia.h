@@ -1,0 +1,27 @@
+// The inertia part of the incremental potential E for one body, and its derivatives on SE(3).
+//
+//   E_in = 1/(2h²) tr[(Q − Q*) M (Q − Q*)ᵀ],  M = diag(m, J)
+//        = m ‖c − c*‖²/(2h²) + tr[(R − R*) J (R − R*)ᵀ]/(2h²)
+//
+// For R ← exp([δω]) R and X = R* J Rᵀ:  ∂E/∂ω = −axial(X)/h²,  ∂²E/∂ω² = (tr(X) 1 − X_s)/h², X_s its
+// symmetric part.
+#pragma once
+
+#include "sim/math/so3.h"
+
+namespace pabd {
+
+struct Inertia {
+  double m;     // kg
+  Mat3 J;       // kg m², body frame
+  Vec3 c_star;  // predicted pose
+  Mat3 R_star;
+  double inv_h2;  // 1/h²; s⁻²
+};
+
+inline double inertia_energy(const Inertia& in, const Vec3& c, const Mat3& R) {
+  const Mat3 D = R - in.R_star;
+  return 0.5 * in.inv_h2 * (in.m * (c - in.c_star).squaredNorm() + (D * in.J).cwiseProduct(D).sum());
+}
+
+}  // namespace pabd

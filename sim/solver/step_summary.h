@@ -1,0 +1,19 @@
+// Numbers that a step reports about the state it ends in.
+#pragma once
+
+#include "sim/body/state.h"
+#include "sim/solver/solve.h"
+
+namespace pabd {
+
+// Kinetic and potential energy of all movable bodies; J. E_kin = ½ m v² + ½ ωᵀ R I Rᵀ ω, E_pot = −m g·c.
+double kinetic_energy(const Model& model, const State& state);
+double potential_energy(const Model& model, const Params& params, const State& state);
+
+// Smallest d over all contact bonds at the current iterate; +inf without any.
+double smallest_gap(const StepWorkspace::Impl& w);
+
+// elastic, contacts, max_penetration, min_gap and, if asked, contact_reports at the current iterate.
+void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepReport& report);
+
+}  // namespace pabd

@@ -1,0 +1,180 @@
+// One time step, in the order of the algorithm.
+
+#include "sim/solver/time_step.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "sim/math/so3.h"
+#include "sim/solver/coloring.h"
+#include "sim/solver/contact_setup.h"
+#include "sim/solver/free_flight.h"
+#include "sim/solver/parallel.h"
+#include "sim/solver/solve.h"
+#include "sim/solver/step_summary.h"
+
+namespace pabd {
+namespace {
+
+class Stopwatch {
+ public:
+  double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+// 1. Q* = [c*, R*]: free flight of every body.
+void predict(const Model& model, const Params& params, const State& state, int threads,
+             StepWorkspace::Impl& w) {
+  w.c_star = state.c;
+  w.R_star = state.R;
+  w.v = state.v;
+  w.omega = state.omega;
+  parallel_for(threads, model.shape.size(), [&](std::size_t i) {
+    if (!model.fixed[i])
+      free_flight(model.J[i], params.gravity, params.h, w.c_star[i], w.R_star[i], w.v[i], w.omega[i]);
+  });
+}
+
+// 4. v ← v + (c − c*)/h, ω ← ω + log(R R*ᵀ)/h.
+void update_velocities(const Params& params, StepWorkspace::Impl& w) {
+  for (const Index i : w.colored) {
+    w.R[i] = reorthonormalized(w.R[i]);
+    w.v[i] += (w.c[i] - w.c_star[i]) / params.h;
+    w.omega[i] += log_so3(w.R[i] * w.R_star[i].transpose()) / params.h;
+  }
+}
+
+bool all_finite(const StepWorkspace::Impl& w) {
+  double sum = 0;
+  for (std::size_t i = 0; i < w.c.size(); ++i)
+    sum += 0.0 * (w.c[i].sum() + w.R[i].sum() + w.v[i].sum() + w.omega[i].sum());
+  return sum == 0;  // 0 · x is NaN for an infinite or undefined x
+}
+
+void record(const SolveContext& s, double residual, double gap_before, StepReport& report) {
+  IterationRecord r;
+  r.energy = incremental_potential(s);
+  r.residual = residual;
+  r.min_gap_after = smallest_gap(s.w);
+  r.min_gap_before = report.method == SolverMethod::sissm ? gap_before : r.min_gap_after;
+  r.max_penetration_before = std::max(0.0, -r.min_gap_before);
+  r.max_penetration_after = std::max(0.0, -r.min_gap_after);
+  r.max_joint_error = 0;
+  r.projection_change = 0;
+  if (report.method == SolverMethod::sissm) {
+    for (const Index i : s.w.colored) r.projection_change = std::max(r.projection_change, s.w.projected[i]);
+  }
+  report.records.push_back(r);
+}
+
+// 3. Iterates until the bodies move by less than `tolerance` · d̂, or the cap.
+void solve(const SolveContext& s, const StepOptions& options, StepReport& report) {
+  StepWorkspace::Impl& w = s.w;
+  report.status = w.colored.empty() ? StepStatus::converged : StepStatus::iteration_limit;
+  if (w.colored.empty()) return;
+  w.moved.assign(w.c.size(), 0.0);
+  w.projected.assign(w.c.size(), 0.0);
+  w.A.resize(w.c.size());
+  for (int k = 0; k < s.params.solver.iterations; ++k) {
+    update_friction_limits(s.threads, w);
+    double gap_before = 0;
+    if (report.method == SolverMethod::sissm) {
+      sissm_iteration(s, options.record_iterations ? &gap_before : nullptr);
+    } else {
+      descent_sweep(s, k % 2 == 1);
+    }
+    ++report.iterations;
+    report.residual = 0;
+    for (const Index i : w.colored) report.residual = std::max(report.residual, w.moved[i]);
+    if (options.record_iterations) record(s, report.residual, gap_before, report);
+    if (!std::isfinite(report.residual)) return;
+    if (report.residual < s.params.solver.tolerance) {
+      report.status = StepStatus::converged;
+      return;
+    }
+  }
+}
+
+// The log barrier has no force for a pair that overlaps: such a start is reported, not solved.
+bool is_infeasible(const StepWorkspace::Impl& w) {
+  return w.law.barrier.kind == BarrierKind::log && smallest_gap(w) <= 0;
+}
+
+void clear(StepReport& report) {
+  std::vector<IterationRecord> records = std::move(report.records);
+  std::vector<ContactReport> contacts = std::move(report.contact_reports);
+  records.clear();
+  contacts.clear();
+  report = StepReport{};
+  report.records = std::move(records);
+  report.contact_reports = std::move(contacts);
+}
+
+}  // namespace
+
+void step(const Model& model, const Params& params, const StepOptions& options, State& state,
+          StepWorkspace& workspace, StepReport& report) {
+  StepWorkspace::Impl& w = workspace.impl();
+  const Stopwatch total;
+  clear(report);
+  report.step = state.step + 1;
+  report.time = state.time + params.h;
+  report.method =
+      params.solver.method == SolverMethod::automatic ? SolverMethod::descent : params.solver.method;
+
+  predict(model, params, state, options.threads, w);        // 1. free flight: Q*
+  find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
+  color_bodies(model, w);
+  initial_guess(model, params, state, w);
+  report.times.collision = total.ms();
+  report.kappa = w.law.barrier.kappa;
+
+  const Stopwatch solving;
+  const bool feasible = !is_infeasible(w);
+  if (feasible) solve({model, params, options.threads, w}, options, report);  // 3. minimise E
+  update_friction_limits(options.threads, w);
+  update_velocities(params, w);  // 4. velocities
+  report.times.solve = solving.ms();
+
+  if (!feasible || !all_finite(w)) {
+    report.status = StepStatus::non_finite;
+    report.times.total = total.ms();
+    return;
+  }
+  state.c.swap(w.c);
+  state.R.swap(w.R);
+  state.v.swap(w.v);
+  state.omega.swap(w.omega);
+  w.c = state.c;
+  w.R = state.R;
+  store_anchors(w, state.anchors);
+  state.step = report.step;
+  state.time = report.time;
+  summarize_contacts(w, options.report_contacts, report);
+  report.kinetic = kinetic_energy(model, state);
+  report.potential = potential_energy(model, params, state);
+  report.times.total = total.ms();
+}
+
+const char* to_string(StepStatus status) {
+  switch (status) {
+    case StepStatus::converged:
+      return "converged";
+    case StepStatus::iteration_limit:
+      return "iteration_limit";
+    case StepStatus::non_finite:
+      return "non_finite";
+  }
+  return "?";
+}
+
+StepWorkspace::StepWorkspace() : impl_(std::make_unique<Impl>()) {}
+StepWorkspace::~StepWorkspace() = default;
+StepWorkspace::StepWorkspace(StepWorkspace&&) noexcept = default;
+StepWorkspace& StepWorkspace::operator=(StepWorkspace&&) noexcept = default;
+
+}  // namespace pabd

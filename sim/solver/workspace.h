@@ -1,0 +1,55 @@
+// Arrays that one step fills and the next reuses. Nothing here influences a result from one step to the next.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/body/state.h"
+#include "sim/bond/contact_bond.h"
+#include "sim/collision/detect.h"
+#include "sim/solver/time_step.h"
+
+namespace pabd {
+
+// One end of a contact bond, in the list of its body.
+struct BondEnd {
+  Index bond;
+  bool is_a;
+};
+
+struct StepWorkspace::Impl {
+  // Predicted poses Q* and current iterate, one entry a body.
+  std::vector<Vec3> c_star, c;
+  std::vector<Mat3> R_star, R;
+  std::vector<Vec3> v, omega;  // velocities of free flight
+
+  // Contacts of the step.
+  CollisionWorkspace collision;
+  std::vector<double> reach;
+  std::vector<ContactPoint> points;
+  std::vector<ContactBond> bonds;
+  ContactLaw law;
+
+  // Which bonds end at which body: ends[first_end[i]] … ends[first_end[i + 1] − 1].
+  std::vector<Index> first_end;
+  std::vector<BondEnd> ends;
+
+  // Bodies that have bonds, grouped by colour: no two of one colour share a bond.
+  std::vector<Index> color;    // per body, −1: nothing to solve
+  std::vector<Index> colored;  // body numbers, colour by colour
+  std::vector<Index> first_of_color;
+
+  // sissm: affine iterate before the projection.
+  std::vector<Mat3> A;
+  std::vector<Vec3> c_next;
+  std::vector<Mat3> R_next;
+  std::vector<double> moved;      // per body: displacement in this iteration over d̂
+  std::vector<double> projected;  // per body: ‖A − R‖
+
+  std::span<const BondEnd> ends_of(Index body) const {
+    const auto i = static_cast<std::size_t>(body);
+    return {ends.data() + first_end[i], static_cast<std::size_t>(first_end[i + 1] - first_end[i])};
+  }
+};
+
+}  // namespace pabd
