@@ -54,7 +54,7 @@ struct ContactState {
   double d;
 };
 
-// One contact as a quadratic model at the current poses; weights majorise the energy near them.
+// One contact as a quadratic model at the current poses.
 struct ContactForce {
   double energy;
   double first;    // Ψ'(d) ≤ 0; N

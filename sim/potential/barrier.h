@@ -46,8 +46,7 @@ BarrierValue evaluate(const Barrier& barrier, double d);
 // The split of the supplement, S(6), exact for the printed sum (errata E1, E2). polynomial and even only.
 Split binomial_split(const Barrier& barrier, double d);
 
-// max(Ψ'', Ψ'/(d − d̂)) as stiffness: a quadratic model that majorises the convex Ψ towards d̂ (method notes
-// §2).
+// max(Ψ'', Ψ'/(d − d̂)) as stiffness: Newton's, raised where its step would pass d̂ (method notes §2).
 Split tangent_split(const Barrier& barrier, double d);
 
 }  // namespace pabd

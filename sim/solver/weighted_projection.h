@@ -23,7 +23,7 @@ struct AffineModel {
 
 enum class WeightKind {
   binomial,  // φ⁺/d of S(6), as printed
-  tangent,   // majorising
+  tangent,   // max(Newton, secant to d̂)
 };
 
 AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, WeightKind weights);
