@@ -1,0 +1,54 @@
+// One simulation that is being run: the scene it came from, what is tuned, where the bodies are now, what
+// happened so far. The command line and the window send the same commands to it. No drawing and no printing
+// in here; any number of sessions may live side by side.
+#pragma once
+
+#include "app/session/history.h"
+#include "sim/scene/scene.h"
+#include "sim/solver/time_step.h"
+
+namespace pabd {
+
+class Session {
+ public:
+  // `threads` ≥ 1; results do not depend on it.
+  explicit Session(Scene scene, int threads = 1);
+
+  const Scene& scene() const { return scene_; }
+  const Model& model() const { return scene_.model; }
+  const Params& params() const { return params_; }
+  const State& state() const { return state_; }
+  const StepReport& report() const { return report_; }  // of the last step; energies only before the first
+  const History& history() const { return history_; }
+  double kappa() const;  // resolved contact stiffness; J
+
+  // What later steps put into their reports. Neither changes a result.
+  void record_iterations(bool on) { options_.record_iterations = on; }
+  void report_contacts(bool on) { options_.report_contacts = on; }
+
+  // One time step. A step that left the numbers says so in its report and leaves the state as it was.
+  const StepReport& step();
+
+  // Back to the scene's initial state and parameters; the history is forgotten.
+  void reset();
+
+  // Takes effect at the next step. Throws Error(bad_input) naming the parameter; the old ones stay then.
+  void set_params(const Params& params);
+
+  // Continues from another state of the same model, the history is forgotten. Throws Error(bad_input) when it
+  // does not fit the model.
+  void set_state(State state);
+
+ private:
+  void describe_start();
+
+  Scene scene_;
+  Params params_;
+  State state_;
+  StepOptions options_;
+  StepWorkspace workspace_;
+  StepReport report_;
+  History history_;
+};
+
+}  // namespace pabd

@@ -1,0 +1,177 @@
+// The layers of the project hold: who may include whom, how long a file may be, and that every test runs.
+//
+// Sources are read as text. A rule names a folder and what no include line in it may begin with.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMaxLines = 400;
+
+struct Source {
+  std::string path;  // from the repository root
+  std::string text;
+  std::vector<std::string> includes;
+  std::size_t lines = 0;
+};
+
+// Every C++ file of the repository's own folders, sorted by path.
+const std::vector<Source>& sources() {
+  static const std::vector<Source> all = [] {
+    std::vector<Source> found;
+    const fs::path root = PABD_SOURCE_DIR;
+    const std::regex include("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]");
+    for (const char* folder : {"app", "render", "sim", "tests"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".cpp" && extension != ".h") continue;
+        Source source;
+        source.path = fs::relative(entry.path(), root).string();
+        std::ifstream file(entry.path());
+        for (std::string line; std::getline(file, line); ++source.lines) {
+          source.text += line + "\n";
+          std::smatch match;
+          if (std::regex_search(line, match, include)) source.includes.push_back(match[1]);
+        }
+        found.push_back(std::move(source));
+      }
+    }
+    std::sort(found.begin(), found.end(), [](const Source& a, const Source& b) { return a.path < b.path; });
+    return found;
+  }();
+  return all;
+}
+
+bool begins_with_any(const std::string& text, const std::vector<std::string>& starts) {
+  return std::any_of(starts.begin(), starts.end(),
+                     [&](const std::string& start) { return text.starts_with(start); });
+}
+
+const std::vector<std::string> kGl = {"GL/",  "GLES",   "EGL/",       "GLFW/",
+                                      "KHR/", "epoxy/", "render/gl/", "render/context/"};
+const std::vector<std::string> kImGui = {"imgui", "ImGui"};
+const std::vector<std::string> kPrinting = {"iostream", "cstdio",        "stdio.h",
+                                            "print",    "fmt/ostream.h", "fmt/color.h"};
+
+// "path includes what" for every include in `folder` that begins with one of `forbidden`.
+std::vector<std::string> violations(const std::string& folder, const std::vector<std::string>& forbidden) {
+  std::vector<std::string> found;
+  for (const Source& source : sources()) {
+    if (!source.path.starts_with(folder)) continue;
+    for (const std::string& include : source.includes) {
+      if (begins_with_any(include, forbidden)) found.push_back(source.path + " includes " + include);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("there is something to check") {
+  for (const char* folder : {"sim/", "render/", "app/", "tests/"}) {
+    CHECK(std::any_of(sources().begin(), sources().end(),
+                      [&](const Source& s) { return s.path.starts_with(folder); }));
+  }
+  // The scanner sees an include: this very file has one.
+  CHECK_FALSE(violations("tests/structure/", {"catch2/"}).empty());
+}
+
+TEST_CASE("sim knows nothing of drawing, printing or the program") {
+  using List = std::vector<std::string>;
+  CHECK(violations("sim/", kGl) == List{});
+  CHECK(violations("sim/", kImGui) == List{});
+  CHECK(violations("sim/", kPrinting) == List{});
+  CHECK(violations("sim/", {"render/", "app/", "tests/", "stb", "CLI/"}) == List{});
+}
+
+TEST_CASE("inside sim, data flows one way") {
+  // Each may use those before it and itself.
+  const std::vector<std::string> order = {"math",  "body",   "potential", "collision", "bond",
+                                          "joint", "solver", "scene",     "trace"};
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    std::vector<std::string> later;
+    for (std::size_t j = i + 1; j < order.size(); ++j) later.push_back("sim/" + order[j] + "/");
+    // A scene and a report hold parameters and potentials, which know nothing of the rest.
+    CHECK(violations("sim/" + order[i] + "/", later) == std::vector<std::string>{});
+  }
+}
+
+TEST_CASE("render's parts keep apart") {
+  using List = std::vector<std::string>;
+  CHECK(violations("render/", {"app/", "tests/", "CLI/"}) == List{});
+  CHECK(violations("render/visual/", kGl) == List{});
+  CHECK(violations("render/visual/", kImGui) == List{});
+  CHECK(violations("render/output/", kGl) == List{});
+  CHECK(violations("render/output/", kImGui) == List{});
+  CHECK(violations("render/output/",
+                   {"render/visual/", "sim/math/", "sim/body/", "sim/solver/", "sim/scene/"}) == List{});
+  CHECK(violations("render/context/", kImGui) == List{});
+  CHECK(violations("render/context/", {"render/gl/", "render/visual/", "render/output/"}) == List{});
+}
+
+TEST_CASE("one file of render knows Dear ImGui") {
+  std::set<std::string> files;
+  for (const Source& source : sources()) {
+    if (!source.path.starts_with("render/")) continue;
+    for (const std::string& include : source.includes) {
+      if (begins_with_any(include, kImGui)) files.insert(source.path);
+    }
+  }
+  CAPTURE(files);
+  CHECK(files.size() <= 1);
+}
+
+TEST_CASE("app's parts keep apart") {
+  using List = std::vector<std::string>;
+  CHECK(violations("app/plots/", kGl) == List{});
+  CHECK(violations("app/plots/", {"app/session/", "app/cli/", "app/overlay/", "CLI/"}) == List{});
+  CHECK(violations("app/session/", kGl) == List{});
+  CHECK(violations("app/session/", kImGui) == List{});
+  CHECK(violations("app/session/", kPrinting) == List{});
+  CHECK(violations("app/session/", {"render/", "app/cli/", "app/overlay/", "app/plots/", "CLI/"}) == List{});
+  CHECK(violations("app/overlay/", {"app/cli/", "CLI/"}) == List{});
+}
+
+TEST_CASE("files are short and say what they are") {
+  for (const Source& source : sources()) {
+    CAPTURE(source.path, source.lines);
+    CHECK(source.lines <= kMaxLines);
+    if (source.path != "tests/catch_main.cpp") CHECK(source.text.starts_with("//"));
+    if (source.path.ends_with(".h")) CHECK(source.text.find("#pragma once") != std::string::npos);
+  }
+}
+
+TEST_CASE("every test runs and can fail") {
+  // Hidden, tolerated and empty tests prove nothing. (Spelled in pieces so that this list does not find
+  // itself.)
+  const std::vector<std::string> forbidden = {
+      std::string("\"[") + ".",       std::string("[") + "!mayfail", std::string("[") + "!shouldfail",
+      std::string("[") + "!hide",     std::string("SUCCEED") + "(",  std::string("REQUIRE(") + "true)",
+      std::string("CHECK(") + "true)"};
+  for (const Source& source : sources()) {
+    if (!source.path.starts_with("tests/")) continue;
+    for (const std::string& word : forbidden) {
+      CAPTURE(source.path, word);
+      CHECK(source.text.find(word) == std::string::npos);
+    }
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(PABD_SOURCE_DIR) / "tests")) {
+    if (entry.path().filename() != "CMakeLists.txt") continue;
+    std::ifstream file(entry.path());
+    std::ostringstream text;
+    text << file.rdbuf();
+    for (const char* word : {"DISABLED", "SKIP_RETURN_CODE", "SKIP_REGULAR_EXPRESSION", "WILL_FAIL"}) {
+      CAPTURE(entry.path(), word);
+      CHECK(text.str().find(word) == std::string::npos);
+    }
+  }
+}
