@@ -9,22 +9,38 @@ namespace pabd {
 
 class AtomicFile {
  public:
-  // Opens a temporary file beside `path`. Throws Error(file) with path and reason.
+  // Opens a temporary file beside `path`. Throws Error(file) with path, reason and remedy.
+  // A link is followed, so that the file it names is replaced and not the link. A device or a pipe
+  // (/dev/stdout) cannot be replaced and is written directly.
   explicit AtomicFile(std::filesystem::path path);
   ~AtomicFile();  // removes the temporary file unless committed
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  void write(const void* data, std::size_t size);  // throws Error(file)
+  // Small writes are collected, so an error may show at a later write or at commit. Throws Error(file).
+  void write(const void* data, std::size_t size);
   void write(std::string_view text) { write(text.data(), text.size()); }
-  void commit();  // flush, fsync, rename; throws Error(file)
+  void commit();  // flush, fsync, rename; throws Error(file). Once only.
 
+  // For a program that writes the file by name, such as an encoder.
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
-  std::filesystem::path path_;
+  void open_temporary();
+  void flush();
+  [[noreturn]] void fail(const std::string& what, int reason) const;
+
+  std::filesystem::path path_;    // as the caller named it: for messages
+  std::filesystem::path target_;  // links followed
   std::filesystem::path temporary_;
+  std::string buffer_;
   int fd_ = -1;
+  bool direct_ = false;  // a device or a pipe
+  bool committed_ = false;
 };
+
+// Throws the Error(file) that AtomicFile(path) would throw: to learn of a missing folder before hours of
+// simulating.
+void check_creatable(const std::filesystem::path& path);
 
 }  // namespace pabd

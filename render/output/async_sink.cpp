@@ -1,0 +1,105 @@
+// A FrameSink that writes in the background.
+#include "render/output/async_sink.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+using clock = std::chrono::steady_clock;
+
+double ms_since(clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(clock::now() - start).count();
+}
+
+}  // namespace
+
+AsyncSink::AsyncSink(std::unique_ptr<FrameSink> inner, int capacity)
+    : inner_(std::move(inner)), ring_(static_cast<std::size_t>(std::max(1, capacity))) {
+  worker_ = std::thread([this] { work(); });
+}
+
+AsyncSink::~AsyncSink() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+    dropping_ = true;
+  }
+  changed_.notify_all();
+  if (worker_.joinable()) worker_.join();
+}
+
+void AsyncSink::write(const Image& frame) {
+  std::unique_lock lock(mutex_);
+  if (ending_) throw Error(ExitCode::defect, "a frame was written after the end of the output");
+  const auto start = clock::now();
+  changed_.wait(lock, [this] { return count_ < ring_.size() || failure_; });
+  waiting_ms_ += ms_since(start);
+  if (failure_) std::rethrow_exception(failure_);
+  Image& slot = ring_[(first_ + count_) % ring_.size()];
+  // Only this thread adds frames, and the worker does not look at a slot before it is counted.
+  lock.unlock();
+  slot = frame;
+  lock.lock();
+  ++count_;
+  lock.unlock();
+  changed_.notify_all();
+}
+
+void AsyncSink::finish() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (ending_) throw Error(ExitCode::defect, "the output was ended twice");
+    ending_ = true;
+  }
+  changed_.notify_all();
+  const auto start = clock::now();
+  worker_.join();
+  const auto joined = clock::now();
+  waiting_ms_ += ms_since(start);
+  if (failure_) std::rethrow_exception(failure_);
+  inner_->finish();
+  busy_ms_ += ms_since(joined);
+  waiting_ms_ += ms_since(joined);
+}
+
+void AsyncSink::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return count_ > 0 || ending_; });
+    if (count_ == 0 || dropping_) return;
+    const Image& frame = ring_[first_];
+    lock.unlock();
+    const auto start = clock::now();
+    std::exception_ptr failure;
+    try {
+      inner_->write(frame);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const double took = ms_since(start);
+    lock.lock();
+    busy_ms_ += took;
+    first_ = (first_ + 1) % ring_.size();
+    --count_;
+    failure_ = failure;
+    changed_.notify_all();
+    if (failure) return;
+  }
+}
+
+double AsyncSink::busy_ms() const {
+  const std::lock_guard lock(mutex_);
+  return busy_ms_;
+}
+
+double AsyncSink::waiting_ms() const {
+  const std::lock_guard lock(mutex_);
+  return waiting_ms_;
+}
+
+}  // namespace pabd

@@ -1,0 +1,183 @@
+// A file that appears under its name only when it is whole.
+#include "render/output/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <utility>
+
+#include "render/output/descriptor.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t buffer_size = 1 << 16;
+constexpr std::size_t longest_name = 255;  // NAME_MAX of the usual file systems
+
+fs::path folder_of(const fs::path& path) {
+  const fs::path folder = path.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+// The remedy for the reasons that have one.
+std::string remedy(int reason, const fs::path& path) {
+  switch (reason) {
+    case ENOENT:
+      return fmt::format("; create the folder: mkdir -p {}", folder_of(path).string());
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "; choose a folder that you may write to";
+    case ENOSPC:
+    case EDQUOT:
+      return "; free some space or choose another disk";
+    case EFBIG:
+      return "; raise the limit on file sizes (ulimit -f)";
+    case ENAMETOOLONG:
+      return "; choose a shorter name";
+    default:
+      return "";
+  }
+}
+
+[[noreturn]] void fail_for(const fs::path& path, const std::string& what, int reason) {
+  throw Error(ExitCode::file,
+              fmt::format("{}: {}: {}{}", path.string(), what, system_reason(reason), remedy(reason, path)));
+}
+
+void check_folder(const fs::path& path) {
+  const fs::path folder = folder_of(path);
+  struct stat info;
+  if (::stat(folder.c_str(), &info) == 0) {
+    if (!S_ISDIR(info.st_mode)) {
+      throw Error(ExitCode::file, fmt::format("{}: {} is a file, not a folder; choose another folder",
+                                              path.string(), folder.string()));
+    }
+    return;
+  }
+  const int reason = errno;
+  if (reason == ENOENT) {
+    throw Error(ExitCode::file, fmt::format("{}: the folder {} does not exist; create it: mkdir -p {}",
+                                            path.string(), folder.string(), folder.string()));
+  }
+  fail_for(path, fmt::format("the folder {} cannot be used", folder.string()), reason);
+}
+
+std::string random_letters() {
+  static constexpr char alphabet[] = "abcdefghijklmnopqrstuvwxyz234567";
+  unsigned char bytes[6] = {};
+  if (::getrandom(bytes, sizeof bytes, 0) != static_cast<ssize_t>(sizeof bytes)) {
+    timespec now = {};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    for (int i = 0; i < 6; ++i)
+      bytes[i] = static_cast<unsigned char>((now.tv_nsec >> (4 * i)) ^ (::getpid() >> i));
+  }
+  std::string text;
+  for (unsigned char byte : bytes) text += alphabet[byte % 32];
+  return text;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(path_) {
+  if (path_.empty()) throw Error(ExitCode::file, "an output file needs a name; none was given");
+  check_folder(path_);
+  if (path_.filename().empty()) {
+    throw Error(ExitCode::file, fmt::format("{}: this names a folder; add a file name", path_.string()));
+  }
+
+  struct stat info;
+  if (::stat(path_.c_str(), &info) == 0) {
+    std::error_code ignored;
+    const fs::path resolved = fs::canonical(path_, ignored);
+    if (S_ISDIR(info.st_mode)) {
+      throw Error(ExitCode::file, fmt::format("{}: this is a folder; add a file name", path_.string()));
+    }
+    if (!S_ISREG(info.st_mode)) {
+      direct_ = true;
+      temporary_ = path_;
+      fd_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+      if (fd_ < 0) fail("cannot be opened", errno);
+      return;
+    }
+    if (::access(path_.c_str(), W_OK) != 0) fail("exists and cannot be replaced", errno);
+    if (!resolved.empty()) target_ = resolved;
+    open_temporary();
+    // Replacing a file keeps who may read it. Not being allowed to is no reason to lose the result.
+    if (::fchmod(fd_, info.st_mode & 07777) != 0) return;
+  } else {
+    open_temporary();
+  }
+}
+
+void AtomicFile::open_temporary() {
+  std::string name = target_.filename().string();
+  if (name.size() > longest_name) fail("cannot be created", ENAMETOOLONG);
+  name.resize(std::min(name.size(), longest_name - 12));
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    temporary_ = target_.parent_path() / fmt::format(".{}.{}.tmp", name, random_letters());
+    // mkstemp would give 0600; 0666 leaves the choice to the user's umask, as for any other file.
+    fd_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd_ >= 0) return;
+    if (errno != EEXIST && errno != EINTR) fail("cannot be created", errno);
+  }
+  fail("cannot be created", EEXIST);
+}
+
+AtomicFile::~AtomicFile() {
+  if (fd_ >= 0) ::close(fd_);
+  if (!committed_ && !direct_) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::fail(const std::string& what, int reason) const { fail_for(path_, what, reason); }
+
+void AtomicFile::write(const void* data, std::size_t size) {
+  if (fd_ < 0) throw Error(ExitCode::defect, fmt::format("{}: written after commit", path_.string()));
+  if (size == 0) return;
+  if (buffer_.size() + size > buffer_size) flush();
+  if (size < buffer_size) {
+    buffer_.append(static_cast<const char*>(data), size);
+    return;
+  }
+  const BlockSigpipe no_signal;  // a direct target may be a pipe
+  if (const int reason = write_all(fd_, data, size)) fail("could not be written", reason);
+}
+
+void AtomicFile::flush() {
+  if (buffer_.empty()) return;
+  const BlockSigpipe no_signal;
+  if (const int reason = write_all(fd_, buffer_.data(), buffer_.size())) fail("could not be written", reason);
+  buffer_.clear();
+}
+
+void AtomicFile::commit() {
+  if (fd_ < 0) throw Error(ExitCode::defect, fmt::format("{}: committed twice", path_.string()));
+  flush();
+  // Devices and some network folders know no fsync: EINVAL, which says nothing about the data.
+  if (::fsync(fd_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("could not be written", errno);
+  const int closed = ::close(std::exchange(fd_, -1));
+  if (closed != 0 && errno != EINTR) fail("could not be closed", errno);
+  if (!direct_ && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail("could not get its name", errno);
+  committed_ = true;
+  if (direct_) return;
+
+  // The name itself lives in the folder: without this it can be lost in a power cut.
+  const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;  // a folder that may be written but not read
+  const int synced = ::fsync(folder);
+  const int why = errno;
+  ::close(folder);
+  if (synced != 0 && why == EIO) fail("its folder could not be written", why);
+}
+
+void check_creatable(const fs::path& path) { const AtomicFile probe(path); }
+
+}  // namespace pabd

@@ -1,0 +1,47 @@
+// Checked reading and writing of POSIX descriptors.
+#pragma once
+
+#include <signal.h>
+
+#include <cstddef>
+#include <string>
+
+namespace pabd {
+
+// Owns a descriptor.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() { close(); }
+  Descriptor(Descriptor&& other) noexcept : fd_(other.fd_) { other.fd_ = -1; }
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  int get() const { return fd_; }
+  void close();
+
+ private:
+  int fd_ = -1;
+};
+
+// While it lives, writing to a pipe without reader gives EPIPE in this thread instead of ending the process,
+// and other threads and the process's signal handlers stay as they are: a library must not set the handler of
+// its program.
+class BlockSigpipe {
+ public:
+  BlockSigpipe();
+  ~BlockSigpipe();
+  BlockSigpipe(const BlockSigpipe&) = delete;
+  BlockSigpipe& operator=(const BlockSigpipe&) = delete;
+
+ private:
+  sigset_t previous_;
+  bool was_pending_ = false;
+};
+
+// Writes all bytes, through interruptions, short writes and non-blocking descriptors. Returns 0 or errno.
+int write_all(int fd, const void* data, std::size_t size);
+
+// The system's text for an errno value, in lower case: "no space left on device".
+std::string system_reason(int number);
+
+}  // namespace pabd

@@ -1,0 +1,95 @@
+// Chooses and checks where frames go, before the first one is made.
+#include "render/output/frame_sink.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <regex>
+
+#include "render/output/sinks.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ExitCode::bad_input, message); }
+
+void check_options(const std::string& out, const SinkOptions& options) {
+  const auto fits = [](int side) { return side >= 1 && side <= png_largest_side; };
+  if (!fits(options.width) || !fits(options.height)) {
+    refuse(fmt::format("{}: frames of {}x{} pixels; expected 1 to {} a side", out, options.width,
+                       options.height, png_largest_side));
+  }
+  if (!std::isfinite(options.fps) || options.fps < 0.01 || options.fps > 1000) {
+    refuse(fmt::format("{}: {} frames a second; expected 0.01 to 1000", out, options.fps));
+  }
+  if (options.first_frame < 0)
+    refuse(fmt::format("{}: first frame {}; numbers start at 0", out, options.first_frame));
+  if (options.first_frame > 0 && !is_frame_template(out)) {
+    refuse(fmt::format("{}: only numbered PNG files can be resumed; use a name like frames/{{frame:04}}.png",
+                       out));
+  }
+}
+
+void check_absent(const fs::path& path) {
+  struct stat info;
+  // A device or pipe is not overwritten but written to.
+  if (::stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode)) {
+    refuse(fmt::format("{}: exists already; choose another name, or replace it with --force", path.string()));
+  }
+}
+
+void check_sequence(const std::string& out, const SinkOptions& options) {
+  const int existing = options.force ? -1 : first_existing_frame(out, options.first_frame);
+  if (existing < 0) return;
+  const char* remedy = options.first_frame == 0
+                           ? "continue after the last frame with --resume, or replace the frames with --force"
+                           : "remove the frames after the gap, or replace them with --force";
+  refuse(fmt::format("{}: exists already; {}", frame_path(out, existing).string(), remedy));
+}
+
+}  // namespace
+
+void check_frame_size(const Image& frame, const SinkOptions& options) {
+  const std::size_t bytes =
+      static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height) * 3;
+  if (frame.width == options.width && frame.height == options.height && frame.rgb.size() == bytes) return;
+  throw Error(ExitCode::defect,
+              fmt::format("a frame of {}x{} pixels with {} bytes was written; expected {}x{}", frame.width,
+                          frame.height, frame.rgb.size(), options.width, options.height));
+}
+
+std::unique_ptr<FrameSink> make_sink(const std::string& out, const SinkOptions& options) {
+  check_options(out, options);
+  if (out == "-") return make_raw_sink(STDOUT_FILENO, "stdout", options);
+
+  const fs::path path(out);
+  const std::string extension = path.extension().string();
+  const std::string name = path.filename().string();
+  if (extension == ".png") {
+    if (std::regex_search(name, std::regex("%[0-9]*[di]"))) {
+      refuse(
+          fmt::format("{}: %d is not the way to number frames here; write {{frame}} or {{frame:04}}", out));
+    }
+    if (is_frame_template(out) || name.find_first_of("{}") != std::string::npos) {
+      check_sequence(out, options);
+      return make_png_sequence_sink(out, options);
+    }
+    if (!options.force) check_absent(path);
+    return make_last_png_sink(out, options);
+  }
+  if (is_frame_template(out)) {
+    refuse(fmt::format("{}: numbered frames are PNG files; end the name with .png", out));
+  }
+  if (extension == ".mp4" || extension == ".webm" || extension == ".gif") {
+    if (!options.force) check_absent(path);
+    return make_video_sink(out, options);
+  }
+  refuse(fmt::format(
+      "{}: unknown kind of output; expected a name that ends in .mp4, .webm, .gif or .png, or -", out));
+}
+
+}  // namespace pabd

@@ -1,0 +1,64 @@
+// Which renderers give the same pixels, told from GL_RENDERER.
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "render/output/compare.h"
+
+namespace pabd {
+namespace {
+
+std::string lower(const std::string& text) {
+  std::string result;
+  for (char c : text) result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+// "llvmpipe (LLVM 15.0.6, 256 bits)": the vector width decides how Mesa rounds.
+std::string llvmpipe_class(const std::string& name) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 3> widths = {
+      {{"128 bits", "llvmpipe-sse"}, {"256 bits", "llvmpipe-avx"}, {"512 bits", "llvmpipe-avx512"}}};
+  for (const auto& [bits, result] : widths) {
+    if (name.find(bits) != std::string::npos) return result;
+  }
+  return "llvmpipe";
+}
+
+}  // namespace
+
+std::string renderer_class(const std::string& gl_renderer) {
+  const std::string name = lower(gl_renderer);
+  if (name.starts_with("llvmpipe")) return llvmpipe_class(name);
+
+  std::string word;  // also safe as a folder name
+  for (char c : name) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+    if (letter) {
+      word += c;
+    } else if (!word.empty()) {
+      break;
+    }
+  }
+  // Layers over another driver are their own class: their pixels are not the driver's.
+  for (const char* layer : {"softpipe", "zink", "virgl", "angle", "d3d12", "svga3d"}) {
+    if (word == layer) return word;
+  }
+  constexpr std::array<std::pair<std::string_view, const char*>, 11> makers = {{{"nvidia", "nvidia"},
+                                                                                {"geforce", "nvidia"},
+                                                                                {"quadro", "nvidia"},
+                                                                                {"tesla", "nvidia"},
+                                                                                {"radeon", "amd"},
+                                                                                {"amd", "amd"},
+                                                                                {"intel", "intel"},
+                                                                                {"apple", "apple"},
+                                                                                {"mali", "mali"},
+                                                                                {"adreno", "adreno"},
+                                                                                {"videocore", "videocore"}}};
+  for (const auto& [part, maker] : makers) {
+    if (name.find(part) != std::string::npos) return maker;
+  }
+  return word.empty() ? "unknown" : word;
+}
+
+}  // namespace pabd

@@ -1,0 +1,168 @@
+// Frames as a video: mp4 (H.264), webm (VP9) or gif, encoded by the ffmpeg program.
+//
+// The same frames give the same bytes on every machine with the same ffmpeg: no dates, no program names, a
+// fixed number of threads. The file gets its name only when ffmpeg ended well and encoded every frame.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "render/output/atomic_file.h"
+#include "render/output/encoder_process.h"
+#include "render/output/sinks.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+void append(Arguments& arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+}
+
+// RGB to the colours that players expect of HD video, with exact rounding, and the tags that say so.
+const char* const to_bt709 =
+    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,format="
+    "yuv420p";
+const Arguments bt709_tags = {"-color_primaries", "bt709", "-color_trc",   "bt709",
+                              "-colorspace",      "bt709", "-color_range", "tv"};
+
+// A picture a second at least that a player can jump to.
+std::string key_interval(double fps) {
+  return fmt::format("{}", std::max(1, static_cast<int>(std::lround(2 * fps))));
+}
+
+Arguments mp4(double fps) {
+  Arguments list = {"-vf",      to_bt709, "-c:v", "libx264", "-preset",
+                    "veryfast", "-crf",   "18",   "-g",      key_interval(fps)};
+  append(list, bt709_tags);
+  append(list, {"-movflags", "+faststart", "-f", "mp4"});
+  return list;
+}
+
+Arguments webm(double fps) {
+  Arguments list = {"-vf",     to_bt709, "-c:v",          "libvpx-vp9", "-crf",      "24",
+                    "-b:v",    "0",      "-deadline",     "good",       "-cpu-used", "4",
+                    "-row-mt", "1",      "-tile-columns", "2",          "-g",        key_interval(fps)};
+  append(list, bt709_tags);
+  append(list, {"-f", "webm"});
+  return list;
+}
+
+// A palette for each frame: one for all would need all frames in memory.
+Arguments gif() {
+  return {
+      "-filter_complex",
+      "[0:v]split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=bayer:bayer_scale=4",
+      "-loop",
+      "0",
+      "-f",
+      "gif"};
+}
+
+class VideoSink : public FrameSink {
+ public:
+  VideoSink(std::string path, const SinkOptions& options)
+      : path_(std::move(path)), options_(options), width_(options.width), height_(options.height) {
+    const std::string kind = std::filesystem::path(path_).extension().string();
+    if (kind == ".mp4") {  // H.264 in 4:2:0 needs even sides
+      width_ += width_ % 2;
+      height_ += height_ % 2;
+    }
+    // GIF counts in 1/100 s and viewers slow down what lasts only one of them.
+    if (kind == ".gif") every_ = static_cast<long>(std::ceil(options.fps / 50 - 1e-9));
+    every_ = std::max(every_, 1L);
+    const double fps = options.fps / static_cast<double>(every_);
+
+    file_.emplace(path_);
+    Arguments list = {"-nostdin",
+                      "-hide_banner",
+                      "-nostats",
+                      "-loglevel",
+                      "error",
+                      "-progress",
+                      "pipe:1",
+                      "-f",
+                      "rawvideo",
+                      "-pixel_format",
+                      "rgb24",
+                      "-video_size",
+                      fmt::format("{}x{}", width_, height_),
+                      "-framerate",
+                      fmt::format("{:.10g}", fps),
+                      "-i",
+                      "pipe:0",
+                      "-an"};
+    append(list, kind == ".mp4" ? mp4(fps) : kind == ".webm" ? webm(fps) : gif());
+    append(list, {"-threads", "4", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
+    // "file:" so that a name with a colon is not taken for an address.
+    append(list, {"-y", "file:" + file_->temporary().string()});
+    encoder_.emplace(path_, list);
+  }
+
+  void write(const Image& frame) override {
+    check_frame_size(frame, options_);
+    const bool kept = written_++ % every_ == 0;
+    if (!kept) return;
+    ++sent_;
+    if (width_ == frame.width && height_ == frame.height) {
+      encoder_->write(frame.rgb.data(), frame.rgb.size());
+    } else {
+      pad(frame);
+      encoder_->write(padded_.rgb.data(), padded_.rgb.size());
+    }
+  }
+
+  void finish() override {
+    if (sent_ == 0) throw Error(ExitCode::encoder, fmt::format("{}: there was no frame to encode", path_));
+    const long encoded = encoder_->finish();
+    if (encoded != sent_) {
+      throw Error(
+          ExitCode::encoder,
+          fmt::format(
+              "{}: ffmpeg ended well but reported {} frames of {}; the video was not kept, write it again",
+              path_, encoded, sent_));
+    }
+    std::error_code unknown;
+    const auto bytes = std::filesystem::file_size(file_->temporary(), unknown);
+    if (!unknown && bytes == 0 && std::filesystem::is_regular_file(file_->temporary(), unknown)) {
+      throw Error(ExitCode::encoder, fmt::format("{}: ffmpeg ended well but wrote nothing", path_));
+    }
+    file_->commit();
+  }
+
+ private:
+  // Repeats the last column and row: a black line at the border would be seen.
+  void pad(const Image& frame) {
+    padded_.resize(width_, height_);
+    const auto from_stride = static_cast<std::size_t>(frame.width) * 3;
+    const auto to_stride = static_cast<std::size_t>(width_) * 3;
+    for (int y = 0; y < height_; ++y) {
+      const auto* from =
+          frame.rgb.data() + static_cast<std::size_t>(std::min(y, frame.height - 1)) * from_stride;
+      auto* to = padded_.rgb.data() + static_cast<std::size_t>(y) * to_stride;
+      std::copy(from, from + from_stride, to);
+      if (to_stride > from_stride) std::copy(from + from_stride - 3, from + from_stride, to + from_stride);
+    }
+  }
+
+  std::string path_;
+  SinkOptions options_;
+  int width_, height_;  // of the video
+  long every_ = 1;      // one of so many frames is kept
+  long written_ = 0;
+  long sent_ = 0;
+  Image padded_;
+  std::optional<AtomicFile> file_;  // outlives the encoder, which writes into it
+  std::optional<EncoderProcess> encoder_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSink> make_video_sink(const std::string& path, const SinkOptions& options) {
+  return std::make_unique<VideoSink>(path, options);
+}
+
+}  // namespace pabd
