@@ -2,10 +2,12 @@
 
 #include "sim/solver/time_step.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
@@ -39,12 +41,16 @@ void predict(const Model& model, const Params& params, const State& state, int t
   });
 }
 
-// 4. v ← v + (c − c*)/h, ω ← ω + log(R R*ᵀ)/h.
-void update_velocities(const Params& params, StepWorkspace::Impl& w) {
+// 4. v ← v + (c − c*)/h. The spin gets the angular impulse that the minimiser of E implies, −axial(R* J
+// Rᵀ)/h, which is I log(R R*ᵀ)/h to first order and exactly the contacts' r × f h (Deviation D8).
+void update_velocities(const Model& model, const Params& params, StepWorkspace::Impl& w) {
   for (const Index i : w.colored) {
     w.R[i] = reorthonormalized(w.R[i]);
     w.v[i] += (w.c[i] - w.c_star[i]) / params.h;
-    w.omega[i] += log_so3(w.R[i] * w.R_star[i].transpose()) / params.h;
+    const Mat3 I = inertia_tensor(model.J[i]);
+    const Vec3 spin = w.R_star[i] * (I * (w.R_star[i].transpose() * w.omega[i])) -
+                      axial(w.R_star[i] * model.J[i] * w.R[i].transpose()) / params.h;
+    w.omega[i] = w.R[i] * I.llt().solve(w.R[i].transpose() * spin);
   }
 }
 
@@ -137,7 +143,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   const bool feasible = !is_infeasible(w);
   if (feasible) solve({model, params, options.threads, w}, options, report);  // 3. minimise E
   update_friction_limits(options.threads, w);
-  update_velocities(params, w);  // 4. velocities
+  update_velocities(model, params, w);  // 4. velocities
   report.times.solve = solving.ms();
 
   if (!feasible || !all_finite(w)) {

@@ -1,0 +1,147 @@
+// Contact forces against statics and conservation laws.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sim/math/so3.h"
+#include "tests/physics/scenario.h"
+
+using namespace pabd;
+using testing::World;
+
+namespace {
+
+Barrier barrier_of(const World& world) {
+  const ContactParams& c = world.params.contact;
+  return {c.barrier, c.N, c.d_hat, resolve_kappa(world.model, world.params), c.onset};
+}
+
+// The gap at which one contact carries `force`, by bisection.
+double equilibrium_gap(const Barrier& barrier, double force) {
+  double lo = 1e-9 * barrier.d_hat, hi = barrier.d_hat;
+  for (int k = 0; k < 200; ++k) {
+    const double mid = 0.5 * (lo + hi);
+    (-evaluate(barrier, mid).first > force ? lo : hi) = mid;
+  }
+  return lo;
+}
+
+}  // namespace
+
+TEST_CASE("a sphere rests on a plane at the gap where −Ψ'(d) = m g, to 1e-6") {
+  for (const SolverMethod method : {SolverMethod::descent, SolverMethod::sissm}) {
+    for (const BarrierKind kind : {BarrierKind::polynomial, BarrierKind::even, BarrierKind::log}) {
+      World world;
+      world.params.solver.method = method;
+      world.params.solver.iterations = 60;
+      world.params.contact.barrier = kind;
+      world.params.contact.N = 4;
+      world.params.contact.kappa = kind == BarrierKind::log ? 5e5 : 5.0;
+      world.add_ground();
+      const double mass = 20;
+      const Index ball = world.add(Sphere{0.5}, mass, {0, 0.5 + 0.008, 0});
+      testing::run(world, 600);
+      const double gap = world.state.c[ball].y() - 0.5;
+      const double expected = equilibrium_gap(barrier_of(world), mass * 9.81);
+      INFO(to_string(method) << " " << to_string(kind));
+      CHECK(gap == Approx(expected).epsilon(1e-6));
+      CHECK(world.state.v[ball].norm() < 1e-9);
+    }
+  }
+}
+
+TEST_CASE("with κ auto a crate rests on four contacts that each carry a quarter of its weight") {
+  World world;
+  world.add_ground();
+  world.add_cube(1, 1000, {0, 0.509, 0});
+  StepReport last;
+  testing::run(world, 300, {false, true, 1}, [&](const StepReport& r) { last = r; });
+  REQUIRE(last.contact_reports.size() == 4);
+  for (const ContactReport& c : last.contact_reports) {
+    CHECK(c.normal_force == Approx(1000 * 9.81 / 4).epsilon(1e-6));
+    CHECK(c.friction.norm() < 1e-6);
+  }
+}
+
+TEST_CASE("the change of momentum and spin is the impulse of the reported contact forces") {
+  World world;
+  world.params.solver.iterations = 2000;
+  world.params.solver.tolerance = 1e-13;
+  world.params.contact.mu_static = world.params.contact.mu_dynamic = 0.3;
+  world.add_ground();
+  const Mat3 tilt = exp_so3({0.3, 0.5, -0.4});
+  const double mass = 100;
+  const Index box = world.add(Box{{0.5, 0.3, 0.4}}, mass, {0, 0.62, 0}, tilt);
+  world.state.v[box] = {1, -3, 0.5};
+  world.state.omega[box] = {1, -2, 0.7};
+  const auto spin = [&] {
+    const Mat3& R = world.state.R[box];
+    return Vec3(R * inertia_tensor(world.model.J[box]) * R.transpose() * world.state.omega[box]);
+  };
+  const double h = world.params.h;
+  int hits = 0;
+  for (int k = 0; k < 30; ++k) {
+    const Vec3 p0 = mass * world.state.v[box], L0 = spin();
+    StepReport report;
+    testing::run(world, 1, {false, true, 1}, [&](const StepReport& r) { report = r; });
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    for (const ContactReport& c : report.contact_reports) {
+      const Vec3 f = c.normal_force * c.n + c.friction;  // on b: the box
+      force += f;
+      torque += (c.y_b - world.state.c[box]).cross(f);
+    }
+    if (force.norm() > 1) ++hits;
+    CHECK((mass * world.state.v[box] - p0 - h * (force + mass * world.params.gravity)).norm() < 1e-6 * mass);
+    CHECK((spin() - L0 - h * torque).norm() < 1e-6 * mass);
+  }
+  CHECK(hits > 3);
+}
+
+TEST_CASE("two free boxes that collide keep their common momentum") {
+  World world;
+  world.params.gravity.setZero();
+  world.params.solver.iterations = 2000;
+  world.params.solver.tolerance = 1e-13;
+  const Index a = world.add_cube(1, 5, {-0.8, 0, 0});
+  const Index b = world.add_cube(1, 20, {0.8, 0.3, 0.1}, exp_so3({0.2, 0.4, 0.1}));
+  world.state.v[a] = {4, 0, 0};
+  testing::run(world, 60);
+  const Vec3 momentum = 5 * world.state.v[a] + 20 * world.state.v[b];
+  CHECK((momentum - Vec3(20, 0, 0)).norm() < 1e-6);
+  CHECK(world.state.v[b].x() > 0.1);  // it was hit
+}
+
+TEST_CASE("boxes that start 0.1 inside each other separate and gain no more than the barrier held") {
+  for (const SolverMethod method : {SolverMethod::descent, SolverMethod::sissm}) {
+    World world;
+    world.params.gravity.setZero();
+    world.params.solver.method = method;
+    world.params.solver.iterations = 100;
+    world.params.contact.d_hat = 0.05;
+    world.params.contact.kappa = 50;
+    world.add_cube(1, 1000, {0, 0.5, 0});
+    world.add_cube(1, 1000, {0.2, 1.4, 0.1});
+    const double stored = 4 * evaluate(barrier_of(world), -0.1).value;  // four corners of the overlap
+    StepReport last;
+    testing::run(world, 240, {}, [&](const StepReport& r) {
+      CHECK(r.status != StepStatus::non_finite);
+      CHECK(r.kinetic + r.elastic <= stored * (1 + 1e-9));
+      last = r;
+    });
+    INFO(to_string(method));
+    CHECK(last.max_penetration == 0);
+    CHECK(last.contacts == 0);
+    CHECK(last.kinetic > 0);
+  }
+}
+
+TEST_CASE("a log barrier that starts in penetration is reported, never silently force-free") {
+  World world;
+  world.params.contact.barrier = BarrierKind::log;
+  world.add_ground();
+  world.add(Sphere{0.5}, 20, {0, 0.49, 0});
+  const State before = world.state;
+  testing::run(world, 1, {}, [&](const StepReport& r) { CHECK(r.status == StepStatus::non_finite); });
+  CHECK(world.state.c[1] == before.c[1]);
+  CHECK(world.state.step == 0);
+}

@@ -1,0 +1,62 @@
+// Stacks stay where they are.
+
+#include <catch2/catch.hpp>
+
+#include "tests/physics/scenario.h"
+
+using namespace pabd;
+using testing::World;
+
+namespace {
+
+World stack(int count, BarrierKind kind) {
+  World world;
+  world.params.contact.barrier = kind;
+  world.params.contact.N = kind == BarrierKind::even ? 4 : 3;
+  world.params.contact.d_hat = 0.02;
+  world.params.solver.method = SolverMethod::descent;
+  world.add_ground();
+  for (int k = 0; k < count; ++k) world.add_cube(1, 1000, {0, 0.5 + 0.019 + 1.019 * k, 0});
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE("a stack of ten cubes is at rest after 5 s: below 1e-12 J, no penetration, drift below 1e-3 m") {
+  for (const BarrierKind kind : {BarrierKind::polynomial, BarrierKind::even}) {
+    World world = stack(10, kind);
+    StepReport last;
+    double worst = 0;
+    testing::run(world, 300, {}, [&](const StepReport& r) {
+      last = r;
+      worst = std::max(worst, r.max_penetration);
+    });
+    INFO(to_string(kind));
+    CHECK(last.kinetic < 1e-12);
+    CHECK(worst == 0);
+    for (Index i = 1; i <= 10; ++i) {
+      CHECK(std::abs(world.state.c[i].x()) < 1e-3);
+      CHECK(std::abs(world.state.c[i].z()) < 1e-3);
+    }
+  }
+}
+
+TEST_CASE("a pyramid of 55 bricks stands for 5 s") {
+  World world;
+  world.params.solver.method = SolverMethod::descent;
+  world.add_ground();
+  const double d = world.params.contact.d_hat;
+  for (int row = 0; row < 10; ++row) {
+    for (int k = 0; k < 10 - row; ++k) {
+      world.add(Box{{0.5, 0.25, 0.25}}, 250,
+                {(k - 0.5 * (9 - row)) * (1 + d), 0.25 + 0.95 * d + row * (0.5 + 0.95 * d), 0});
+    }
+  }
+  const Index top = world.model.size() - 1;
+  const Vec3 start = world.state.c[top];
+  StepReport last;
+  testing::run(world, 300, {}, [&](const StepReport& r) { last = r; });
+  CHECK(last.max_penetration == 0);
+  CHECK((world.state.c[top] - start).norm() < 0.01);
+  CHECK(last.kinetic < 1e-6);
+}
