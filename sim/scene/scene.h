@@ -20,18 +20,19 @@ struct CameraDesc {
 };
 
 struct Scene {
-  std::string name;
+  std::string name;         // the file's stem when it gives none
+  std::string description;  // one line for lists of scenes; may be empty
   Params params;
   Model model;
   State initial;
   std::vector<std::pair<Index, Index>> skip;  // pairs that never collide, a < b, sorted
   std::optional<CameraDesc> camera;           // absent: the viewer frames the scene
-  std::string hash;                           // 16 hex digits over the resolved scene (after --set), platform independent
+  std::string hash;  // 16 hex digits over the resolved scene (after --set), platform independent
 };
 
-// Reads, validates and expands a scene. `overrides` are "key.path=value" strings as given to --set; a value is JSON,
-// or a bare word taken as a string. Throws Error(bad_input) naming file, JSON pointer or line, what was expected and
-// the remedy; Error(file) when the file cannot be read.
+// Reads, validates and expands a scene. `overrides` are "key.path=value" strings as given to --set; a value
+// is JSON, or a bare word taken as a string. Throws Error(bad_input) naming file, JSON pointer or line, what
+// was expected and the remedy; Error(file) when the file cannot be read.
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 // The same from text; `source` names it in messages, `folder` is what paths in it are relative to.

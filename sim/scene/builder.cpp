@@ -1,0 +1,85 @@
+// See builder.h.
+#include "sim/scene/builder.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+#include <unordered_set>
+
+#include "sim/body/mass_properties.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+
+namespace {
+
+MassProperties solid_mass(const BodySpec& body, const Node& place) {
+  const double v = volume(body.shape);
+  const double density = body.mass.mass ? *body.mass.mass / v : body.mass.density.value_or(kDefaultDensity);
+  MassProperties p = mass_properties(body.shape, density);
+  if (body.mass.mass) p.mass = *body.mass.mass;  // exactly what the file says, without the rounding of ρV
+  if (!kMassRange.contains(p.mass)) {
+    place.fail(fmt::format("the body {} has a mass of {} kg; expected {} to {}, change its size or density",
+                           in_quotes(body.name), p.mass, kMassRange.lo, kMassRange.hi));
+  }
+  return p;
+}
+
+}  // namespace
+
+MassSpec read_mass(const ObjectReader& in) {
+  if (in.has("mass") && in.has("density")) {
+    in.fail_key("mass", "a body has a mass or a density, not both; remove one of them");
+  }
+  return {in.optional_number("mass", kMassRange), in.optional_number("density", kDensityRange)};
+}
+
+void SceneBuilder::reserve(std::int64_t count, const Node& place) {
+  announced_ += count;
+  if (announced_ > kMostBodies) {
+    place.fail(fmt::format("the scene would have {} bodies; expected at most {}", announced_, kMostBodies));
+  }
+  const auto n = static_cast<std::size_t>(announced_);
+  model.name.reserve(n);
+  model.shape.reserve(n);
+  model.mass.reserve(n);
+  model.J.reserve(n);
+  model.fixed.reserve(n);
+  state.c.reserve(n);
+  state.R.reserve(n);
+  state.v.reserve(n);
+  state.omega.reserve(n);
+}
+
+void SceneBuilder::add(BodySpec&& body, const Node& place) {
+  if (!(body.c.cwiseAbs().maxCoeff() <= kFarthest)) {
+    place.fail(fmt::format("the body {} would be at [{}, {}, {}]; expected coordinates within {} m",
+                           in_quotes(body.name), body.c.x(), body.c.y(), body.c.z(), kFarthest));
+  }
+  const MassProperties p = body.fixed ? MassProperties{0, Mat3::Zero()} : solid_mass(body, place);
+  model.name.push_back(std::move(body.name));
+  model.shape.push_back(body.shape);
+  model.mass.push_back(p.mass);
+  model.J.push_back(p.J);
+  model.fixed.push_back(body.fixed ? 1 : 0);
+  state.c.push_back(body.c);
+  state.R.push_back(body.R);
+  state.v.push_back(body.v);
+  state.omega.push_back(body.omega);
+}
+
+void SceneBuilder::finish(const ReadContext& context, std::size_t listed) const {
+  std::unordered_set<std::string_view> seen;
+  seen.reserve(model.name.size());
+  for (std::size_t i = 0; i < model.name.size(); ++i) {
+    if (seen.insert(model.name[i]).second) continue;
+    std::size_t first = 0;
+    while (model.name[first] != model.name[i]) ++first;
+    fail_at(context, i < listed ? fmt::format("/bodies/{}/name", i) : "/generate",
+            fmt::format("bodies {} and {} are both named {}; expected different names", first, i,
+                        in_quotes(model.name[i])));
+  }
+}
+
+}  // namespace pabd

@@ -1,0 +1,59 @@
+// Collects bodies into a Model and a State, and refuses what no simulation can hold: duplicate names, masses
+// and places out of bounds, too many bodies. Internal to sim/scene.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+#include "sim/scene/reader.h"
+
+namespace pabd {
+
+inline constexpr std::int64_t kMostBodies = 4'000'000;
+inline constexpr double kFarthest = 1e6;         // |coordinate| of a position; m
+inline constexpr double kDefaultDensity = 1000;  // kg/m³
+
+inline constexpr Range kSizeRange{1e-6, 1e6, "m"};
+inline constexpr Range kPositionRange{-kFarthest, kFarthest, "m"};
+inline constexpr Range kDensityRange{1e-6, 1e9, "kg/m³"};
+inline constexpr Range kMassRange{1e-9, 1e12, "kg"};
+
+// Mass or density of a movable body. Without either: the default density.
+struct MassSpec {
+  std::optional<double> mass;     // kg
+  std::optional<double> density;  // kg/m³
+};
+
+// Reads "mass" or "density"; both together are refused.
+MassSpec read_mass(const ObjectReader& in);
+
+struct BodySpec {
+  std::string name;
+  Shape shape = Box{Vec3::Constant(0.5)};
+  MassSpec mass;
+  bool fixed = false;
+  Vec3 c = Vec3::Zero();      // m
+  Mat3 R = Mat3::Identity();  // body to world
+  Vec3 v = Vec3::Zero();      // m/s
+  Vec3 omega = Vec3::Zero();  // rad/s
+};
+
+class SceneBuilder {
+ public:
+  // Announces `count` more bodies; `place` is blamed when the total is above kMostBodies.
+  void reserve(std::int64_t count, const Node& place);
+  void add(BodySpec&& body, const Node& place);
+
+  // Call once at the end. Refuses duplicate names; the first `listed` bodies are those of "bodies".
+  void finish(const ReadContext& context, std::size_t listed) const;
+
+  Model model;
+  State state;
+
+ private:
+  std::int64_t announced_ = 0;
+};
+
+}  // namespace pabd

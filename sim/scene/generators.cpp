@@ -1,0 +1,66 @@
+// Picks the generator of each entry of "generate". See generators.h.
+#include "sim/scene/generators.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "sim/scene/keys.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+
+namespace {
+
+using Function = void (*)(const ObjectReader&, const GeneratorContext&, SceneBuilder&);
+
+struct Generator {
+  std::string_view type;
+  std::span<const std::string_view> keys;
+  Function function;
+};
+
+constexpr Generator kGenerators[] = {{"stack", keys::stack, generate_stack},
+                                     {"wall", keys::wall, generate_wall},
+                                     {"pyramid", keys::pyramid, generate_pyramid},
+                                     {"pile", keys::pile, generate_pile}};
+
+const Generator& find_generator(const Node& node) {
+  if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
+  const auto it = node.value().find("type");
+  if (it == node.value().end()) {
+    fail_at(node.context(), node.pointer() + "/type",
+            "missing; expected \"stack\", \"wall\", \"pyramid\" or \"pile\"");
+  }
+  const Node type(*it, node, "type");
+  if (type.is_word("chain") || type.is_word("net")) {
+    type.fail(
+        fmt::format("{} needs joints, which are not supported by this version; use \"stack\", \"wall\", "
+                    "\"pyramid\" or \"pile\"",
+                    type.text(10)));
+  }
+  Choice choices[std::size(kGenerators)];
+  for (std::size_t i = 0; i < std::size(kGenerators); ++i)
+    choices[i] = {kGenerators[i].type, static_cast<int>(i)};
+  return kGenerators[type.choice(choices)];
+}
+
+}  // namespace
+
+void run_generators(const ObjectReader& scene, double d_hat, SceneBuilder& out) {
+  const auto list = scene.find("generate");
+  if (!list) return;
+  const std::size_t count = list->array_size();
+  int used[std::size(kGenerators)] = {};  // how often each type was seen, so that default names differ
+  for (std::size_t i = 0; i < count; ++i) {
+    const Node node = list->element(i);
+    const Generator& generator = find_generator(node);
+    const ObjectReader in(node, generator.keys);
+    in.record("generate", generator.type);
+    const int n = ++used[&generator - kGenerators];
+    const std::string prefix = n == 1 ? std::string(generator.type) : fmt::format("{}{}", generator.type, n);
+    generator.function(in, {d_hat, prefix}, out);
+  }
+}
+
+}  // namespace pabd

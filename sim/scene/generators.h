@@ -1,0 +1,26 @@
+// Generators: a few lines in a file that stand for many bodies. One function each. Internal to sim/scene.
+//
+// Bodies start at rest and apart: by default bricks leave 0.95 d̂ between levels (a contact that already
+// carries a little load) and d̂ sideways (no contact). Levels, rows and columns count from 0, as indices in a
+// file do.
+#pragma once
+
+#include "sim/scene/builder.h"
+
+namespace pabd {
+
+// What a generator needs to know besides its own keys.
+struct GeneratorContext {
+  double d_hat;                // contact thickness; m
+  std::string default_prefix;  // of body names when the file gives none
+};
+
+void generate_stack(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
+void generate_wall(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
+void generate_pyramid(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
+void generate_pile(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
+
+// Runs every entry of "generate", in order.
+void run_generators(const ObjectReader& scene, double d_hat, SceneBuilder& out);
+
+}  // namespace pabd

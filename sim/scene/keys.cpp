@@ -1,0 +1,40 @@
+// See keys.h.
+#include "sim/scene/keys.h"
+
+namespace pabd {
+
+std::span<const KeyTable> key_tables() {
+  static constexpr std::array kTables{KeyTable{"scene", keys::scene},
+                                      KeyTable{"solver", keys::solver},
+                                      KeyTable{"contact", keys::contact},
+                                      KeyTable{"friction", keys::friction},
+                                      KeyTable{"joints_default", keys::joints_default},
+                                      KeyTable{"camera", keys::camera},
+                                      KeyTable{"body", keys::body},
+                                      KeyTable{"box", keys::box},
+                                      KeyTable{"sphere", keys::sphere},
+                                      KeyTable{"capsule", keys::capsule},
+                                      KeyTable{"plane", keys::plane},
+                                      KeyTable{"stack", keys::stack},
+                                      KeyTable{"wall", keys::wall},
+                                      KeyTable{"pyramid", keys::pyramid},
+                                      KeyTable{"pile", keys::pile}};
+  return kTables;
+}
+
+std::vector<std::string> scene_keys() {
+  std::vector<std::string> out{"name", "description", "gravity", "time_step"};
+  const auto add = [&out](const std::string& prefix, std::span<const std::string_view> table) {
+    for (const std::string_view key : table) {
+      if (key != "friction") out.push_back(prefix + std::string(key));
+    }
+  };
+  add("solver.", keys::solver);
+  add("contact.", keys::contact);
+  add("contact.friction.", keys::friction);
+  add("joints_default.", keys::joints_default);
+  add("camera.", keys::camera);
+  return out;
+}
+
+}  // namespace pabd

@@ -1,0 +1,61 @@
+// Every key of a scene file, as data: the reader refuses others, messages suggest from them, the JSON Schema
+// in assets/ is tested against them, and the command line lists them for --set.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pabd {
+
+namespace keys {
+
+using Key = std::string_view;
+
+inline constexpr std::array scene{Key("$schema"),     Key("format"),         Key("version"),   Key("name"),
+                                  Key("description"), Key("gravity"),        Key("time_step"), Key("solver"),
+                                  Key("contact"),     Key("joints_default"), Key("bodies"),    Key("joints"),
+                                  Key("generate"),    Key("camera")};
+inline constexpr std::array solver{Key("method"), Key("iterations"), Key("tolerance"), Key("relaxation"),
+                                   Key("projection")};
+inline constexpr std::array contact{Key("barrier"), Key("N"),     Key("d_hat"),
+                                    Key("kappa"),   Key("onset"), Key("friction")};
+inline constexpr std::array friction{Key("static"), Key("dynamic")};
+inline constexpr std::array joints_default{Key("potential"), Key("kappa"), Key("N"), Key("d_hat")};
+inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
+
+inline constexpr std::array body{Key("name"),        Key("shape"),    Key("fixed"),
+                                 Key("density"),     Key("mass"),     Key("position"),
+                                 Key("orientation"), Key("velocity"), Key("angular_velocity")};
+inline constexpr std::array box{Key("type"), Key("size")};
+inline constexpr std::array sphere{Key("type"), Key("radius")};
+inline constexpr std::array capsule{Key("type"), Key("radius"), Key("length")};
+inline constexpr std::array plane{Key("type"), Key("normal"), Key("offset")};
+
+inline constexpr std::array stack{Key("type"),    Key("name"), Key("count"),  Key("size"), Key("position"),
+                                  Key("density"), Key("mass"), Key("masses"), Key("gap"),  Key("rotate")};
+inline constexpr std::array wall{Key("type"), Key("name"),     Key("columns"),    Key("rows"),
+                                 Key("size"), Key("position"), Key("density"),    Key("mass"),
+                                 Key("gap"),  Key("spacing"),  Key("half_blocks")};
+inline constexpr std::array pyramid{Key("type"),    Key("name"), Key("base"), Key("size"),   Key("position"),
+                                    Key("density"), Key("mass"), Key("gap"),  Key("spacing")};
+inline constexpr std::array pile{Key("type"), Key("name"),     Key("count"),   Key("shape"),
+                                 Key("size"), Key("position"), Key("density"), Key("mass"),
+                                 Key("vary"), Key("columns"),  Key("spacing"), Key("seed")};
+
+}  // namespace keys
+
+struct KeyTable {
+  std::string_view object;  // what the keys belong to; a definition of that name is in the JSON Schema
+  std::span<const std::string_view> keys;
+};
+
+// All tables, the scene itself first.
+std::span<const KeyTable> key_tables();
+
+// The settings of a scene in the form that --set takes: "time_step", "contact.kappa", "camera.fov", ….
+std::vector<std::string> scene_keys();
+
+}  // namespace pabd

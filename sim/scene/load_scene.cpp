@@ -1,0 +1,136 @@
+// Scene file → Scene, in the order: document, overrides, parameters, bodies, generators. See scene.h.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "sim/error.h"
+#include "sim/scene/builder.h"
+#include "sim/scene/generators.h"
+#include "sim/scene/keys.h"
+#include "sim/scene/overrides.h"
+#include "sim/scene/read_body.h"
+#include "sim/scene/read_params.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+
+namespace {
+
+constexpr int kVersion = 1;
+
+// Before anything else: a newer file would only produce a confusing list of unknown keys.
+void check_format(const Node& root) {
+  if (!root.value().is_object()) root.fail_expected("an object with \"format\": \"pabd-scene\"");
+  const auto format = root.value().find("format");
+  if (format == root.value().end()) fail_at(root.context(), "/format", "missing; expected \"pabd-scene\"");
+  const Node format_node(*format, root, "format");
+  if (!format_node.is_word("pabd-scene")) format_node.fail_expected("\"pabd-scene\"");
+  const auto version = root.value().find("version");
+  if (version == root.value().end())
+    fail_at(root.context(), "/version", fmt::format("missing; expected {}", kVersion));
+  const Node node(*version, root, "version");
+  if (!version->is_number()) node.fail_expected(std::to_string(kVersion));
+  const double v = version->get<double>();
+  if (v > kVersion) {
+    node.fail(
+        fmt::format("the file has version {}, this program reads version {}; use a newer pabd", v, kVersion));
+  }
+  if (v != kVersion) node.fail_expected(std::to_string(kVersion));
+}
+
+void refuse_joints(const ObjectReader& scene) {
+  const auto joints = scene.find("joints");
+  if (!joints || joints->array_size() == 0) return;
+  joints->fail("joints are not supported by this version; remove them");
+}
+
+void read_bodies(const ObjectReader& scene, SceneBuilder& out) {
+  const auto bodies = scene.find("bodies");
+  const std::size_t count = bodies ? bodies->array_size() : 0;
+  scene.record("bodies", static_cast<double>(count));
+  if (count > 0) out.reserve(static_cast<std::int64_t>(count), *bodies);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Node node = bodies->element(i);
+    out.add(read_body(node, i), node);
+  }
+}
+
+std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
+  const auto node = scene.find("camera");
+  if (!node) return std::nullopt;
+  const ObjectReader in(*node, keys::camera);
+  CameraDesc camera;
+  camera.eye = in.vec3("eye", kPositionRange);
+  camera.target = in.vec3("target", kPositionRange);
+  camera.fov = in.number("fov", {1, 170, "degrees", true}, camera.fov);
+  if (!((camera.eye - camera.target).norm() > 1e-6)) {
+    in.fail_key("eye", "the camera sits on its target; expected two different points");
+  }
+  return camera;
+}
+
+std::string read_file(const std::filesystem::path& file, std::size_t limit) {
+  const auto refuse = [&file](int error) {
+    throw Error(ExitCode::file, fmt::format("{}: cannot be read: {}; expected a scene file", file.string(),
+                                            std::strerror(error)));
+  };
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"), &std::fclose);
+  if (!in) refuse(errno);
+  std::string text;
+  char buffer[1 << 16];
+  while (text.size() <= limit) {  // one byte too many is enough to refuse it
+    errno = 0;
+    const std::size_t n = std::fread(buffer, 1, sizeof buffer, in.get());
+    text.append(buffer, n);
+    if (n < sizeof buffer) {
+      if (std::ferror(in.get()) != 0) refuse(errno);
+      break;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return parse_scene(read_file(file, DocumentLimits{}.bytes), file.string(), file.parent_path(), overrides);
+}
+
+Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path&,
+                  const std::vector<std::string>& overrides) {
+  Json document = parse_document(text, source);
+  ReadContext context{source, {}, {}};
+  const Node root(document, context);
+  if (!document.is_object()) check_format(root);  // refuses
+  context.overrides = apply_overrides(document, overrides, source);
+  check_format(root);
+
+  const ObjectReader in(root, keys::scene);
+  Scene scene;
+  scene.name = in.name("name");
+  scene.description = in.text("description", 1000);
+  if (const auto schema = in.find("$schema"))
+    schema->text(1000);  // for editors; says nothing about the scene
+  scene.params = read_params(in);
+  refuse_joints(in);
+
+  SceneBuilder builder;
+  read_bodies(in, builder);
+  const std::size_t listed = builder.model.name.size();
+  run_generators(in, scene.params.contact.d_hat, builder);
+  builder.finish(context, listed);
+  if (builder.model.size() == 0) in.fail("the scene has no bodies; expected \"bodies\" or \"generate\"");
+  scene.camera = read_camera(in);
+
+  if (scene.name.empty()) scene.name = std::filesystem::path(source).stem().string();
+  scene.model = std::move(builder.model);
+  scene.initial = std::move(builder.state);
+  scene.hash = context.hash.hex();
+  return scene;
+}
+
+}  // namespace pabd

@@ -1,0 +1,107 @@
+// See read_body.h.
+#include "sim/scene/read_body.h"
+
+#include <fmt/format.h>
+
+#include "sim/scene/keys.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+
+namespace {
+
+enum class ShapeType { box, sphere, capsule, plane };
+
+constexpr Choice kShapes[] = {{"box", static_cast<int>(ShapeType::box)},
+                              {"sphere", static_cast<int>(ShapeType::sphere)},
+                              {"capsule", static_cast<int>(ShapeType::capsule)},
+                              {"plane", static_cast<int>(ShapeType::plane)}};
+
+constexpr Range kVelocityRange{-1e6, 1e6, "m/s"};
+constexpr Range kSpinRange{-1e7, 1e7, "degrees/s"};
+
+Plane read_plane(const ObjectReader& in) {
+  Plane plane{Vec3::UnitY(), 0};
+  if (const auto normal = in.find("normal")) plane.normal = normal->unit_vector();
+  in.record("normal", plane.normal);
+  plane.offset = in.number("offset", kPositionRange, 0);
+  return plane;
+}
+
+Shape read_shape(const Node& node) {
+  if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
+  const auto type_it = node.value().find("type");
+  if (type_it == node.value().end())
+    fail_at(node.context(), node.pointer() + "/type",
+            "missing; expected \"box\", \"sphere\", \"capsule\" or \"plane\"");
+  const Node type(*type_it, node, "type");
+  if (type.is_word("mesh")) {
+    type.fail("mesh shapes are not supported by this version; use \"box\", \"sphere\" or \"capsule\"");
+  }
+  switch (static_cast<ShapeType>(type.choice(kShapes))) {
+    case ShapeType::sphere: {
+      const ObjectReader in(node, keys::sphere);
+      in.record("type", "sphere");
+      return Sphere{in.number("radius", kSizeRange)};
+    }
+    case ShapeType::capsule: {
+      const ObjectReader in(node, keys::capsule);
+      in.record("type", "capsule");
+      return Capsule{in.number("radius", kSizeRange), in.number("length", kSizeRange)};
+    }
+    case ShapeType::plane: {
+      const ObjectReader in(node, keys::plane);
+      in.record("type", "plane");
+      return read_plane(in);
+    }
+    case ShapeType::box:
+      break;
+  }
+  const ObjectReader in(node, keys::box);
+  in.record("type", "box");
+  return Box{0.5 * in.vec3("size", kSizeRange)};
+}
+
+// A plane is placed by its normal and offset and never moves, so the rest of a body's keys would say nothing.
+void refuse_on_plane(const ObjectReader& in) {
+  if (const auto fixed = in.find("fixed"); fixed && !fixed->boolean()) {
+    fixed->fail("a plane is always fixed; expected true, or leave the key out");
+  }
+  for (const std::string_view key :
+       {"density", "mass", "position", "orientation", "velocity", "angular_velocity"}) {
+    if (in.has(key)) in.fail_key(key, "a plane has only a normal and an offset; remove this key");
+  }
+}
+
+}  // namespace
+
+BodySpec read_body(const Node& node, std::size_t index) {
+  const ObjectReader in(node, keys::body);
+  BodySpec body;
+  body.name = in.name("name");
+  if (body.name.empty()) body.name = fmt::format("body {}", index);
+  body.shape =
+      read_shape(in.require("shape", "an object such as { \"type\": \"box\", \"size\": [1, 1, 1] }"));
+  const bool plane = std::holds_alternative<Plane>(body.shape);
+  if (plane) refuse_on_plane(in);
+
+  body.fixed = in.boolean("fixed", plane);
+  body.mass = read_mass(in);
+  body.c = in.vec3("position", kPositionRange, Vec3::Zero());
+  if (const auto orientation = in.find("orientation")) {
+    body.R = orientation->rotation();
+    double q[4];  // the hash takes the file's numbers: those of R depend on how they were computed
+    orientation->numbers(q, {});
+    for (const double x : q) in.record("orientation", x);
+  }
+  body.v = in.vec3("velocity", kVelocityRange, Vec3::Zero());
+  body.omega = in.vec3("angular_velocity", kSpinRange, Vec3::Zero()) * (kPi / 180);
+  if (body.fixed) {
+    if (!body.v.isZero(0)) in.fail_key("velocity", "a fixed body does not move; expected [0, 0, 0]");
+    if (!body.omega.isZero(0))
+      in.fail_key("angular_velocity", "a fixed body does not turn; expected [0, 0, 0]");
+  }
+  return body;
+}
+
+}  // namespace pabd

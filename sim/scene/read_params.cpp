@@ -1,0 +1,112 @@
+// See read_params.h. Ranges live in check_params (sim/solver), which the panels use as well; here only types,
+// whole numbers and words are checked.
+#include "sim/scene/read_params.h"
+
+#include <limits>
+
+#include "sim/scene/keys.h"
+
+namespace pabd {
+
+namespace {
+
+constexpr Range kAny{};
+constexpr std::int64_t kIntLo = std::numeric_limits<int>::min(), kIntHi = std::numeric_limits<int>::max();
+
+constexpr int value_of(auto enumerator) { return static_cast<int>(enumerator); }
+
+constexpr Choice kMethods[] = {{"auto", value_of(SolverMethod::automatic)},
+                               {"sissm", value_of(SolverMethod::sissm)},
+                               {"descent", value_of(SolverMethod::descent)}};
+constexpr Choice kProjections[] = {{"auto", value_of(Projection::automatic)},
+                                   {"polar", value_of(Projection::polar)},
+                                   {"weighted", value_of(Projection::weighted)},
+                                   {"tangent", value_of(Projection::tangent)}};
+constexpr Choice kBarriers[] = {{"polynomial", value_of(BarrierKind::polynomial)},
+                                {"log", value_of(BarrierKind::log)},
+                                {"even", value_of(BarrierKind::even)}};
+constexpr Choice kPotentials[] = {{"soft", 0}, {"hard", 1}};
+
+void read_solver(const ObjectReader& in, SolverParams& out) {
+  if (const auto method = in.find("method"); method && method->is_word("newton")) {
+    method->fail("newton is not supported by this version; use \"descent\"");
+  }
+  out.method = static_cast<SolverMethod>(in.choice("method", kMethods, value_of(out.method)));
+  out.iterations = static_cast<int>(in.integer("iterations", kIntLo, kIntHi, out.iterations));
+  out.tolerance = in.number("tolerance", kAny, out.tolerance);
+  out.relaxation = in.number("relaxation", kAny, out.relaxation);
+  out.projection = static_cast<Projection>(in.choice("projection", kProjections, value_of(out.projection)));
+}
+
+// A number, or "auto" (empty).
+std::optional<double> read_kappa(const ObjectReader& in) {
+  const auto node = in.find("kappa");
+  if (!node || node->is_word("auto")) {
+    in.record("kappa", "auto");
+    return std::nullopt;
+  }
+  if (!node->value().is_number()) node->fail_expected("a number above 0 or \"auto\"");
+  return in.number("kappa", kAny);
+}
+
+void read_friction(const Node& node, ContactParams& out) {
+  if (node.value().is_number()) {  // one number stands for both
+    out.mu_static = out.mu_dynamic = node.number(kAny);
+    return;
+  }
+  const ObjectReader in(node, keys::friction);
+  if (const auto s = in.find("static")) out.mu_static = s->number(kAny);
+  const auto dynamic = in.find("dynamic");
+  out.mu_dynamic = dynamic ? dynamic->number(kAny) : out.mu_static;
+}
+
+void read_contact(const ObjectReader& in, ContactParams& out) {
+  out.barrier = static_cast<BarrierKind>(in.choice("barrier", kBarriers, value_of(out.barrier)));
+  out.N = static_cast<int>(in.integer("N", kIntLo, kIntHi, out.N));
+  out.d_hat = in.number("d_hat", kAny, out.d_hat);
+  out.kappa = read_kappa(in);
+  out.onset = in.number("onset", kAny, out.onset);
+  if (const auto friction = in.find("friction")) read_friction(*friction, out);
+  in.record("static", out.mu_static);
+  in.record("dynamic", out.mu_dynamic);
+}
+
+// Checked so that a file with them stays valid; nothing in this version has joints.
+void check_joints_default(const ObjectReader& in) {
+  in.choice("potential", kPotentials, 0);
+  const auto kappa = in.find("kappa");
+  if (kappa && kappa->is_word("auto")) {
+    in.record("kappa", "auto");
+  } else if (kappa) {
+    in.number("kappa", {0, 1e30, "J or N/m", true});
+  }
+  in.integer("N", 1, kMaxOrder, 2);
+  in.optional_number("d_hat", {1e-9, 1e3, "m"});
+}
+
+// A section of the scene, or an empty one that gives every default.
+template <class Function>
+void with_section(const ObjectReader& scene, std::string_view key, std::span<const std::string_view> known,
+                  Function&& read) {
+  static const Json empty = Json::object();
+  const auto node = scene.find(key);
+  read(ObjectReader(node ? *node : Node(empty, scene, key), known));
+}
+
+}  // namespace
+
+Params read_params(const ObjectReader& scene) {
+  Params params;
+  params.gravity = scene.vec3("gravity", {-1e6, 1e6, "m/s²"}, params.gravity);
+  params.h = scene.number("time_step", kAny, params.h);
+  with_section(scene, "solver", keys::solver,
+               [&](const ObjectReader& in) { read_solver(in, params.solver); });
+  with_section(scene, "contact", keys::contact,
+               [&](const ObjectReader& in) { read_contact(in, params.contact); });
+  with_section(scene, "joints_default", keys::joints_default, check_joints_default);
+
+  if (const auto error = check_params(params)) fail_at(scene.context(), error->pointer, error->message);
+  return params;
+}
+
+}  // namespace pabd

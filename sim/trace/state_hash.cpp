@@ -1,0 +1,36 @@
+// A number that tells two states apart, bit by bit. See trace.h.
+#include "sim/scene/hash.h"
+#include "sim/trace/trace.h"
+
+namespace pabd {
+
+namespace {
+
+template <class Matrix>
+void add(Hash64& hash, const Matrix& m) {
+  for (Eigen::Index i = 0; i < m.size(); ++i) hash.add_number(m.data()[i]);
+}
+
+}  // namespace
+
+std::string state_hash(const State& state) {
+  Hash64 hash;
+  hash.add_number(state.time);
+  hash.add_word(static_cast<std::uint64_t>(state.step));
+  hash.add_word(state.c.size());
+  for (std::size_t i = 0; i < state.c.size(); ++i) {
+    add(hash, state.c[i]);
+    add(hash, state.R[i]);
+    add(hash, state.v[i]);
+    add(hash, state.omega[i]);
+  }
+  hash.add_word(state.anchors.size());
+  for (const FrictionAnchor& anchor : state.anchors) {
+    hash.add_word(anchor.pair);
+    hash.add_word(anchor.feature);
+    add(hash, anchor.stretch);
+  }
+  return hash.hex();
+}
+
+}  // namespace pabd
