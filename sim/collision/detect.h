@@ -5,6 +5,7 @@
 
 #include "sim/body/model.h"
 #include "sim/body/state.h"
+#include "sim/collision/broad_phase.h"
 
 namespace pabd {
 
@@ -20,8 +21,8 @@ struct ContactPoint {
 // Bounds and pair lists kept between calls so that a warm call does not allocate.
 struct CollisionWorkspace {
   std::vector<Aabb> boxes;
-  std::vector<Index> order;
-  std::vector<std::pair<Index, Index>> pairs;
+  BroadPhase broad_phase;
+  std::vector<std::pair<Index, Index>> pairs, merged;
   std::vector<std::vector<ContactPoint>> partial;  // a bucket a chunk of pairs, joined in order
 };
 
@@ -29,7 +30,8 @@ struct CollisionWorkspace {
 //   c, R     poses, one entry a body (m; rotation matrices)
 //   reach    how far beyond its surface a body looks for contacts, ≥ 0, one entry a body; m
 //   skip     sorted list of pairs (a < b) that never collide, for jointed bodies
-// Two fixed bodies never meet. The result is sorted by (min(a,b), max(a,b), feature) and does not depend on `threads`.
+// Two fixed bodies never meet. The result is sorted by (min(a,b), max(a,b), feature) and does not depend on
+// `threads`.
 void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
             const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip, int threads,
             CollisionWorkspace& workspace, std::vector<ContactPoint>& out);

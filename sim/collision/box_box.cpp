@@ -1,0 +1,180 @@
+// Box against box: separating axes, then a face manifold, an edge pair, or a corner.
+//
+// Fifteen directions can separate two boxes: three face normals each and nine products of edges. The largest
+// separation s (negative inside) tells how they meet:
+//   face    the incident face clipped against the reference face (box_box_face); preferred to the rest, and
+//   the lower
+//           body's face to the other's, unless clearly worse (see `preference`)
+//   edge    the nearest points of the two edges
+//   corner  apart, but with nothing over either face: the corner of one box nearest to the other box
+//
+//   C = R_aᵀ R_b, t = R_aᵀ (c_b − c_a), all in the frame of a;   h, g  half edges of a and b (m)
+#include "sim/collision/box_box_face.h"
+
+namespace pabd::narrow {
+namespace {
+
+constexpr int kNext[3] = {1, 2, 0};
+constexpr std::uint32_t kEdgeFeature = 1u << 16, kCornerFeature = 1u << 17;
+
+struct Relative {
+  double C[3][3], Q[3][3];  // Q = |C|
+  double t[3], s[3];        // the offset of the centres in the frames of a and b
+};
+
+Relative relative_pose(const Placed<Box>& a, const Placed<Box>& b) {
+  Relative r;
+  const Vec3 offset = b.c - a.c;
+  for (int i = 0; i < 3; ++i) {
+    r.t[i] = a.R.col(i).dot(offset);
+    r.s[i] = b.R.col(i).dot(offset);
+    for (int j = 0; j < 3; ++j) {
+      r.C[i][j] = a.R.col(i).dot(b.R.col(j));
+      r.Q[i][j] = std::abs(r.C[i][j]);
+    }
+  }
+  return r;
+}
+
+struct Best {
+  double separation = -1e300;
+  int i = -1, j = -1;  // face: axis i; edge: axis i of a, axis j of b
+};
+
+// Nearest points of the two edges, in the frame of a. False when they lie beyond the ends of an edge.
+bool add_edge_contact(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, const Best& best,
+                      double reach, Contacts& out) {
+  const Vec3 &h = a.shape.half, &g = b.shape.half;
+  const int i = best.i, j = best.j;
+  const Vec3 t(r.t[0], r.t[1], r.t[2]), u = Vec3::Unit(i), v(r.C[0][j], r.C[1][j], r.C[2][j]);
+  Vec3 n = u.cross(v);
+  const double sine2 = n.squaredNorm();
+  n *= sign_of(n.dot(t)) / std::sqrt(sine2);
+
+  Vec3 p = Vec3::Zero(), q = t;  // middles of the two edges
+  std::uint32_t id_a = static_cast<std::uint32_t>(4 * i), id_b = static_cast<std::uint32_t>(4 * j);
+  for (std::uint32_t bit = 1, k = 1; k <= 2; ++k, bit <<= 1) {
+    const int ka = (i + static_cast<int>(k)) % 3, kb = (j + static_cast<int>(k)) % 3;
+    const Vec3 w(r.C[0][kb], r.C[1][kb], r.C[2][kb]);
+    const double sign_a = sign_of(n[ka]), sign_b = -sign_of(n.dot(w));
+    p[ka] = sign_a * h[ka];
+    q += sign_b * g[kb] * w;
+    if (sign_a < 0) id_a |= bit;
+    if (sign_b < 0) id_b |= bit;
+  }
+  const Vec3 w = q - p;
+  const double uv = r.C[i][j], uw = w[i], vw = v.dot(w);
+  const double on_a = (uw - uv * vw) / sine2, on_b = (uv * uw - vw) / sine2;
+  constexpr double kEnd = 1 + 1e-9;
+  if (std::abs(on_a) > h[i] * kEnd || std::abs(on_b) > g[j] * kEnd) return false;
+  const double d = w.dot(n);
+  if (d < reach) {
+    add_contact(out, a.number, b.number, a.c + a.R * (q + on_b * v), a.R * n, d,
+                kEdgeFeature | id_a << 4 | id_b);
+  }
+  return true;
+}
+
+struct NearestCorner {
+  double distance2 = 1e300;
+  Vec3 corner, foot;  // in the frame of the box that has the foot
+  std::uint32_t number = 0;
+};
+
+// Corner of `other` nearest to `box`.
+NearestCorner nearest_corner(const Placed<Box>& box, const Placed<Box>& other) {
+  NearestCorner best;
+  const Vec3 &h = box.shape.half, &g = other.shape.half;
+  const Vec3 t = box.R.transpose() * (other.c - box.c);
+  const Mat3 C = box.R.transpose() * other.R;
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    const Vec3 x = t + C * g.cwiseProduct(Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
+    const Vec3 foot = x.cwiseMax(-h).cwiseMin(h);
+    const double distance2 = (x - foot).squaredNorm();
+    if (distance2 < best.distance2) best = {distance2, x, foot, k};
+  }
+  return best;
+}
+
+// The boxes are apart. Where neither a face nor an edge pair separates best, the nearest points are a corner
+// of one and its foot on the other.
+void add_corner_contact(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out) {
+  const NearestCorner on_b = nearest_corner(a, b), on_a = nearest_corner(b, a);
+  const bool corner_of_b = on_b.distance2 <= on_a.distance2;
+  const NearestCorner& c = corner_of_b ? on_b : on_a;
+  const double d = std::sqrt(c.distance2);
+  if (!(d < reach) || !(d > 1e-12 * std::min(a.shape.half.minCoeff(), b.shape.half.minCoeff()))) return;
+  const Placed<Box>&owner = corner_of_b ? a : b, &other = corner_of_b ? b : a;
+  const Vec3 n = owner.R * ((c.corner - c.foot) / d);
+  add_contact(out, owner.number, other.number, owner.c + owner.R * c.corner, n, d,
+              kCornerFeature | (corner_of_b ? 8u : 0u) | c.number);
+}
+
+FaceQuery seen_from_a(const Placed<Box>& a, const Placed<Box>& b, const Relative& r) {
+  FaceQuery q{a, b, {}, {}, 0};
+  for (int i = 0; i < 3; ++i) {
+    q.t[i] = r.t[i];
+    for (int j = 0; j < 3; ++j) q.C[i][j] = r.C[i][j];
+  }
+  return q;
+}
+
+FaceQuery seen_from_b(const Placed<Box>& a, const Placed<Box>& b, const Relative& r) {
+  FaceQuery q{b, a, {}, {}, 1};
+  for (int i = 0; i < 3; ++i) {
+    q.t[i] = -r.s[i];
+    for (int j = 0; j < 3; ++j) q.C[i][j] = r.C[j][i];
+  }
+  return q;
+}
+
+}  // namespace
+
+void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out) {
+  const double *h = a.shape.half.data(), *g = b.shape.half.data();
+  const Relative r = relative_pose(a, b);
+  const auto& Q = r.Q;
+
+  Best face_a, face_b, edge;
+  for (int i = 0; i < 3; ++i) {
+    const double s_a = std::abs(r.t[i]) - h[i] - (Q[i][0] * g[0] + Q[i][1] * g[1] + Q[i][2] * g[2]);
+    const double s_b = std::abs(r.s[i]) - g[i] - (Q[0][i] * h[0] + Q[1][i] * h[1] + Q[2][i] * h[2]);
+    if (!(s_a < reach) || !(s_b < reach)) return;
+    if (s_a > face_a.separation) face_a = {s_a, i, -1};
+    if (s_b > face_b.separation) face_b = {s_b, i, -1};
+  }
+
+  constexpr double kParallelSine2 = 1e-8;  // parallel edges: a face direction says the same
+  for (int i = 0; i < 3; ++i) {
+    const int i1 = kNext[i], i2 = kNext[i1];
+    for (int j = 0; j < 3; ++j) {
+      const int j1 = kNext[j], j2 = kNext[j1];
+      const double sine2 = r.C[i1][j] * r.C[i1][j] + r.C[i2][j] * r.C[i2][j];
+      if (sine2 < kParallelSine2) continue;
+      const double s = (std::abs(r.t[i2] * r.C[i1][j] - r.t[i1] * r.C[i2][j]) -
+                        (h[i1] * Q[i2][j] + h[i2] * Q[i1][j] + g[j1] * Q[i][j2] + g[j2] * Q[i][j1])) /
+                       std::sqrt(sine2);
+      if (!(s < reach)) return;
+      if (s > edge.separation) edge = {s, i, j};
+    }
+  }
+
+  const double smallest = std::min({h[0], h[1], h[2], g[0], g[1], g[2]});
+  const bool b_owns = face_b.separation > face_a.separation + preference(face_a.separation, smallest);
+  const double face = b_owns ? face_b.separation : face_a.separation;
+  const bool try_edge = edge.j >= 0 && edge.separation > face + preference(face, smallest);
+  if (try_edge && add_edge_contact(a, b, r, edge, reach, out)) return;
+
+  const auto add_face = [&](bool from_b) {
+    return from_b ? add_face_contacts(seen_from_b(a, b, r), face_b.i, reach, out)
+                  : add_face_contacts(seen_from_a(a, b, r), face_a.i, reach, out);
+  };
+  if (add_face(b_owns) > 0) return;
+  if (face > 0) {
+    add_corner_contact(a, b, reach, out);
+  } else if (add_face(!b_owns) == 0 && edge.j >= 0) {
+    add_edge_contact(a, b, r, edge, reach, out);
+  }
+}
+
+}  // namespace pabd::narrow

@@ -1,0 +1,198 @@
+// Capsule against box, in the frame of the box. The box owns the normal.
+//
+// The capsule is its axis, the segment x(t) = p + t e, t ∈ [0, 1], swollen by its radius r. Three cases, in
+// this order:
+//   face    the segment lies over a face (or so nearly that the face is as good as any other normal): the
+//   part over
+//           the face, two contacts
+//   apart   the segment is outside: its nearest point to the box, one contact (two along an edge)
+//   edge    the segment pierces the box and the shortest way out is across an edge
+//
+//   h   half edges of the box                               m
+//   s   separation of the segment from the box along an axis, negative inside    m
+#include <array>
+#include <limits>
+
+#include "sim/collision/narrow_phase.h"
+
+namespace pabd::narrow {
+namespace {
+
+// Feature: 0, 1 for the lower and upper end of the capsule over a face or along an edge, shifted by the face
+// or edge.
+constexpr std::uint32_t kFaceBase = 16, kEdgeLineBase = 64, kNearestBase = 128, kPierceBase = 256;
+
+struct Segment {
+  Vec3 p, e;
+  Vec3 at(double t) const { return p + t * e; }
+};
+
+struct Query {
+  const Placed<Box>& box;
+  const Placed<Capsule>& capsule;
+  Segment segment;  // in the frame of the box
+  double reach;
+  Contacts& out;
+
+  void add(double t, const Vec3& n_box, double separation, std::uint32_t feature) const {
+    const double d = separation - capsule.shape.radius;
+    if (!(d < reach)) return;
+    const Vec3 n = box.R * n_box;
+    const Vec3 y_b = box.c + box.R * segment.at(t) - capsule.shape.radius * n;
+    add_contact(out, box.number, capsule.number, y_b, n, d, feature);
+  }
+};
+
+std::uint32_t edge_number(int axis, const Vec3& toward) {
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  return static_cast<std::uint32_t>(axis * 4 + (toward[j] < 0 ? 1 : 0) + (toward[k] < 0 ? 2 : 0));
+}
+
+// Place t of the point of the segment nearest to the box: the zero of the derivative of the squared distance,
+// which is continuous, piecewise linear and rising, with kinks where the segment crosses a side plane.
+double nearest_to_box(const Segment& x, const Vec3& h) {
+  std::array<double, 8> kink;
+  int count = 0;
+  kink[count++] = 0;
+  kink[count++] = 1;
+  for (int k = 0; k < 3; ++k) {
+    if (x.e[k] == 0) continue;
+    for (const double side : {-h[k], h[k]}) {
+      const double t = (side - x.p[k]) / x.e[k];
+      if (t > 0 && t < 1) kink[count++] = t;
+    }
+  }
+  std::sort(kink.begin(), kink.begin() + count);
+  const auto slope = [&](double t) {
+    const Vec3 y = x.at(t);
+    return x.e.dot(y - y.cwiseMax(-h).cwiseMin(h));
+  };
+  double t_0 = 0, slope_0 = slope(0);
+  if (slope_0 >= 0) return 0;
+  for (int k = 1; k < count; ++k) {
+    const double t_1 = kink[k], slope_1 = slope(t_1);
+    if (slope_1 >= 0) return t_0 + (t_1 - t_0) * (-slope_0 / (slope_1 - slope_0));
+    t_0 = t_1;
+    slope_0 = slope_1;
+  }
+  return 1;
+}
+
+// The part [low, high] of the segment with |x_k| ≤ h_k for both axes k other than `axis` (or for `axis`
+// alone).
+bool clip(const Segment& x, const Vec3& h, int axis, bool axis_alone, double& low, double& high) {
+  low = 0;
+  high = 1;
+  for (int k = 0; k < 3; ++k) {
+    if ((k == axis) != axis_alone) continue;
+    if (std::abs(x.e[k]) < 1e-14 * h[k]) {
+      if (std::abs(x.p[k]) > h[k]) return false;
+      continue;
+    }
+    const double t_0 = (-h[k] - x.p[k]) / x.e[k], t_1 = (h[k] - x.p[k]) / x.e[k];
+    low = std::max(low, std::min(t_0, t_1));
+    high = std::min(high, std::max(t_0, t_1));
+  }
+  return low <= high;
+}
+
+// Both ends of the part of the capsule that lies over a face. False when none does.
+bool add_face(const Query& q, int axis, double sign) {
+  const Vec3& h = q.box.shape.half;
+  double low, high;
+  if (!clip(q.segment, h, axis, false, low, high)) return false;
+  const std::uint32_t feature = kFaceBase + 4u * static_cast<std::uint32_t>(axis) + (sign < 0 ? 2u : 0u);
+  const Vec3 n = sign * Vec3::Unit(axis);
+  q.add(low, n, sign * q.segment.at(low)[axis] - h[axis], feature);
+  if (high > low) q.add(high, n, sign * q.segment.at(high)[axis] - h[axis], feature + 1);
+  return true;
+}
+
+// Segment outside the box, nearest at t with q the nearest point of the box.
+void add_nearest(const Query& q, double t) {
+  const Vec3& h = q.box.shape.half;
+  const auto add_at = [&](double place, std::uint32_t feature) {
+    const Vec3 x = q.segment.at(place);
+    const Vec3 gap = x - x.cwiseMax(-h).cwiseMin(h);
+    const double distance = gap.norm();
+    if (distance > 0) q.add(place, gap / distance, distance, feature);
+  };
+  for (int k = 0; k < 3; ++k) {
+    const double along = q.segment.e[k];
+    double low, high;
+    if (along * along > (1 - 1e-4) * q.segment.e.squaredNorm() && along != 0 &&
+        clip(q.segment, h, k, true, low, high) && high > low) {
+      const std::uint32_t feature = kEdgeLineBase + 2 * edge_number(k, q.segment.at(t));
+      add_at(low, feature);
+      add_at(high, feature + 1);
+      return;
+    }
+  }
+  add_at(t, kNearestBase + (t <= 0 ? 0u : t >= 1 ? 1u : 2u));
+}
+
+struct EdgeAxis {
+  double separation = -std::numeric_limits<double>::infinity();
+  int axis = -1;  // direction of the box edge
+  Vec3 n;         // unit, from the box towards the segment
+};
+
+// Best separating direction among (edge of the box) × (segment).
+EdgeAxis best_edge(const Segment& x, const Vec3& h) {
+  EdgeAxis best;
+  const Vec3 middle = x.at(0.5);
+  const double length = x.e.norm();
+  for (int k = 0; k < 3; ++k) {
+    Vec3 n = Vec3::Unit(k).cross(x.e);
+    const double size = n.norm();
+    if (!(size > 1e-4 * length)) continue;  // parallel: a face direction says the same
+    n /= sign_of(n.dot(middle)) * size;
+    const double separation = n.dot(middle) - n.cwiseAbs().dot(h);
+    if (separation > best.separation) best = {separation, k, n};
+  }
+  return best;
+}
+
+void add_pierced_edge(const Query& q, const EdgeAxis& edge) {
+  const Vec3& h = q.box.shape.half;
+  Vec3 corner(sign_of(edge.n.x()), sign_of(edge.n.y()), sign_of(edge.n.z()));
+  corner = corner.cwiseProduct(h);
+  corner[edge.axis] = 0;
+  // Nearest point of the segment to the line of the edge: only the components across the edge count.
+  Vec3 across = q.segment.e, offset = corner - q.segment.p;
+  across[edge.axis] = offset[edge.axis] = 0;
+  const double t = std::clamp(offset.dot(across) / across.squaredNorm(), 0.0, 1.0);
+  q.add(t, edge.n, edge.n.dot(q.segment.at(t) - corner), kPierceBase + edge_number(edge.axis, edge.n));
+}
+
+}  // namespace
+
+void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double reach, Contacts& out) {
+  const Vec3& h = box.shape.half;
+  const Vec3 centre = box.R.transpose() * (capsule.c - box.c);
+  const Vec3 half = box.R.transpose() * (0.5 * capsule.shape.length * capsule.R.col(1));
+  const Query q{box, capsule, {centre - half, 2 * half}, reach, out};
+
+  int face = 0;
+  const double face_separation = (centre.cwiseAbs() - half.cwiseAbs() - h).maxCoeff(&face);
+  if (!(face_separation - capsule.shape.radius < reach)) return;
+  const double face_sign = sign_of(centre[face]);
+
+  const double t = nearest_to_box(q.segment, h);
+  const Vec3 x = q.segment.at(t);
+  const double distance = (x - x.cwiseMax(-h).cwiseMin(h)).norm();
+  if (distance > 1e-9 * h.minCoeff()) {
+    if (!(distance - capsule.shape.radius < reach)) return;
+    const bool over_face = distance - face_separation <= preference(distance, h.minCoeff());
+    if (!(over_face && add_face(q, face, face_sign))) add_nearest(q, t);
+    return;
+  }
+  const EdgeAxis edge = best_edge(q.segment, h);
+  if (edge.separation > face_separation + preference(face_separation, h.minCoeff())) {
+    add_pierced_edge(q, edge);
+  } else if (!add_face(q, face, face_sign)) {
+    add_nearest(q, t);
+  }
+}
+
+}  // namespace pabd::narrow

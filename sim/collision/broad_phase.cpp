@@ -1,0 +1,235 @@
+// Hierarchical hash grid (see broad_phase.h). Every loop runs in the order of body numbers or of cells, which
+// are numbered by their first body, so the result does not depend on anything but the input.
+#include "sim/collision/broad_phase.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace pabd {
+namespace {
+
+// Cells are a trifle wider than the widest body, so that rounding never puts two touching bodies two cells
+// apart.
+constexpr double kMargin = 1 + 1e-6;
+constexpr double kSmallest = 1e-30, kLargest = 1e30;  // sizes beyond are treated as these, m
+
+double size_of(const Aabb& box) { return (box.hi - box.lo).maxCoeff(); }
+
+// Eight bins an octave, from the bits of the float nearest to the size: exponent and the three highest
+// fraction bits.
+constexpr int kBins = 2048, kBinsPerOctave = 8;
+int size_bin(double size) {
+  const float x = static_cast<float>(std::clamp(size, kSmallest, kLargest));
+  return static_cast<int>(std::bit_cast<std::uint32_t>(x) >> 20);
+}
+
+// Saturates: far outside, many cells become one. That costs time but keeps neighbours neighbours.
+std::int32_t cell_coordinate(double x, double inverse) {
+  return static_cast<std::int32_t>(std::floor(std::clamp(x * inverse, -1e9, 1e9)));
+}
+
+std::uint32_t hash(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level) {
+  std::uint64_t h = static_cast<std::uint32_t>(x) * 0x9E3779B97F4A7C15ull;
+  h ^= static_cast<std::uint32_t>(y) * 0xC2B2AE3D27D4EB4Full;
+  h ^= static_cast<std::uint32_t>(z) * 0x165667B19E3779F9ull;
+  h += static_cast<std::uint32_t>(level) * 0xD6E8FEB86659FD93ull;
+  h ^= h >> 32;
+  h *= 0x9E3779B97F4A7C15ull;
+  return static_cast<std::uint32_t>(h >> 32);
+}
+
+float below(double x) { return static_cast<float>(x - 1.2e-7 * std::abs(x) - 1e-37); }
+float above(double x) { return static_cast<float>(x + 1.2e-7 * std::abs(x) + 1e-37); }
+
+bool overlap(const BroadPhase::Entry& a, const BroadPhase::Entry& b) {
+  return (a.lo[0] <= b.hi[0]) & (b.lo[0] <= a.hi[0]) & (a.lo[1] <= b.hi[1]) & (b.lo[1] <= a.hi[1]) &
+         (a.lo[2] <= b.hi[2]) & (b.lo[2] <= a.hi[2]);
+}
+
+bool overlap(const Aabb& a, const Aabb& b) {
+  return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
+}
+
+}  // namespace
+
+void BroadPhase::choose_levels(const std::vector<Aabb>& boxes) {
+  std::array<Index, kBins> count{};
+  level_of.resize(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const bool bounded = boxes[i].lo.allFinite() && boxes[i].hi.allFinite();
+    level_of[i] = static_cast<std::int16_t>(bounded ? size_bin(size_of(boxes[i])) : -1);
+    if (bounded) ++count[static_cast<std::size_t>(level_of[i])];
+  }
+  std::array<std::int16_t, kBins> level_of_bin;
+  levels.clear();
+  int top = kBins + kBinsPerOctave;
+  for (int bin = kBins - 1; bin >= 0; --bin) {
+    if (count[static_cast<std::size_t>(bin)] == 0) continue;
+    if (bin <= top - kBinsPerOctave) {
+      levels.push_back({kSmallest, 0, 0});
+      top = bin;
+    }
+    level_of_bin[static_cast<std::size_t>(bin)] = static_cast<std::int16_t>(levels.size() - 1);
+    levels.back().count += count[static_cast<std::size_t>(bin)];
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (level_of[i] < 0) continue;
+    level_of[i] = level_of_bin[static_cast<std::size_t>(level_of[i])];
+    Level& level = levels[static_cast<std::size_t>(level_of[i])];
+    level.cell = std::max(level.cell, size_of(boxes[i]));
+  }
+  for (Level& level : levels) {
+    level.cell *= kMargin;
+    level.inverse = 1 / level.cell;
+  }
+}
+
+void BroadPhase::fill_cells(const std::vector<Aabb>& boxes, const std::vector<std::uint8_t>& fixed) {
+  const std::size_t n = boxes.size();
+  const std::size_t mask = std::bit_ceil(std::max<std::size_t>(2 * n, 16)) - 1;
+  table.assign(mask + 1, -1);
+  cells.clear();
+  cell_of.resize(n);
+  Index placed = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    cell_of[i] = -1;
+    if (level_of[i] < 0) continue;
+    const std::int32_t level = level_of[i];
+    const Vec3 centre = 0.5 * boxes[i].lo + 0.5 * boxes[i].hi;
+    const double inverse = levels[static_cast<std::size_t>(level)].inverse;
+    const std::int32_t x = cell_coordinate(centre.x(), inverse), y = cell_coordinate(centre.y(), inverse),
+                       z = cell_coordinate(centre.z(), inverse);
+    std::size_t slot = hash(x, y, z, level) & mask;
+    for (;; slot = (slot + 1) & mask) {
+      if (table[slot] < 0) {
+        table[slot] = static_cast<std::int32_t>(cells.size());
+        cells.push_back({x, y, z, level, 0, 0});
+        break;
+      }
+      const Cell& cell = cells[static_cast<std::size_t>(table[slot])];
+      if (cell.x == x && cell.y == y && cell.z == z && cell.level == level) break;
+    }
+    cell_of[i] = table[slot];
+    ++cells[static_cast<std::size_t>(cell_of[i])].count;
+    ++placed;
+  }
+  Index next = 0;
+  for (Cell& cell : cells) {
+    cell.first = next;
+    next += cell.count;
+    cell.count = 0;
+  }
+  entries.resize(static_cast<std::size_t>(placed));
+  for (std::size_t i = 0; i < n; ++i) {
+    if (cell_of[i] < 0) continue;
+    Cell& cell = cells[static_cast<std::size_t>(cell_of[i])];
+    Entry& entry = entries[static_cast<std::size_t>(cell.first + cell.count++)];
+    for (int k = 0; k < 3; ++k) {
+      entry.lo[k] = below(boxes[i].lo[k]);
+      entry.hi[k] = above(boxes[i].hi[k]);
+    }
+    entry.body = static_cast<Index>(i);
+    entry.fixed = fixed[i] != 0;
+  }
+}
+
+Index BroadPhase::find_cell(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level) const {
+  const std::size_t mask = table.size() - 1;
+  for (std::size_t slot = hash(x, y, z, level) & mask; table[slot] >= 0; slot = (slot + 1) & mask) {
+    const Cell& cell = cells[static_cast<std::size_t>(table[slot])];
+    if (cell.x == x && cell.y == y && cell.z == z && cell.level == level) return table[slot];
+  }
+  return -1;
+}
+
+void BroadPhase::find_in(std::size_t begin, std::size_t end, const std::vector<Aabb>& boxes,
+                         std::vector<IndexPair>& out) const {
+  const auto test = [&](const Entry& a, const Entry& b) {
+    if (!overlap(a, b) || (a.fixed & b.fixed)) return;
+    if (!overlap(boxes[static_cast<std::size_t>(a.body)], boxes[static_cast<std::size_t>(b.body)])) return;
+    out.emplace_back(std::min(a.body, b.body), std::max(a.body, b.body));
+  };
+  // Half of the 26 neighbours: the other half finds this cell.
+  constexpr int kForward[13][3] = {{1, 0, 0},  {-1, 1, 0}, {0, 1, 0},  {1, 1, 0}, {-1, -1, 1},
+                                   {0, -1, 1}, {1, -1, 1}, {-1, 0, 1}, {0, 0, 1}, {1, 0, 1},
+                                   {-1, 1, 1}, {0, 1, 1},  {1, 1, 1}};
+  for (std::size_t c = begin; c < end; ++c) {
+    const Cell& cell = cells[c];
+    const Entry* own = entries.data() + cell.first;
+    for (Index p = 0; p < cell.count; ++p) {
+      for (Index q = p + 1; q < cell.count; ++q) test(own[p], own[q]);
+    }
+    for (const auto& step : kForward) {
+      const Index other = find_cell(cell.x + step[0], cell.y + step[1], cell.z + step[2], cell.level);
+      if (other < 0) continue;
+      const Cell& neighbour = cells[static_cast<std::size_t>(other)];
+      const Entry* theirs = entries.data() + neighbour.first;
+      for (Index p = 0; p < cell.count; ++p) {
+        for (Index q = 0; q < neighbour.count; ++q) test(own[p], theirs[q]);
+      }
+    }
+    for (std::int32_t coarse = 0; coarse < cell.level; ++coarse) {
+      const Level& level = levels[static_cast<std::size_t>(coarse)];
+      for (Index p = 0; p < cell.count; ++p) {
+        const Aabb& box = boxes[static_cast<std::size_t>(own[p].body)];
+        std::int32_t from[3], to[3];
+        for (int k = 0; k < 3; ++k) {
+          from[k] = cell_coordinate(box.lo[k] - 0.5 * level.cell, level.inverse);
+          to[k] = cell_coordinate(box.hi[k] + 0.5 * level.cell, level.inverse);
+        }
+        for (std::int32_t z = from[2]; z <= to[2]; ++z) {
+          for (std::int32_t y = from[1]; y <= to[1]; ++y) {
+            for (std::int32_t x = from[0]; x <= to[0]; ++x) {
+              const Index other = find_cell(x, y, z, coarse);
+              if (other < 0) continue;
+              const Cell& neighbour = cells[static_cast<std::size_t>(other)];
+              const Entry* theirs = entries.data() + neighbour.first;
+              for (Index q = 0; q < neighbour.count; ++q) test(own[p], theirs[q]);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+// Joins the buckets and sorts: by counting on the first body, by insertion on the second (a handful each).
+void BroadPhase::sort_pairs(std::size_t bodies, std::vector<IndexPair>& pairs) {
+  first.assign(bodies + 1, 0);
+  std::size_t total = 0;
+  for (const auto& bucket : found) {
+    total += bucket.size();
+    for (const IndexPair& pair : bucket) ++first[static_cast<std::size_t>(pair.first) + 1];
+  }
+  for (std::size_t i = 1; i <= bodies; ++i) first[i] += first[i - 1];
+  pairs.resize(total);
+  for (const auto& bucket : found) {
+    for (const IndexPair& pair : bucket) {
+      pairs[static_cast<std::size_t>(first[static_cast<std::size_t>(pair.first)]++)] = pair;
+    }
+  }
+  Index begin = 0;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const Index end = first[i];  // has moved up to the start of the next body
+    std::sort(pairs.begin() + begin, pairs.begin() + end);
+    begin = end;
+  }
+}
+
+void BroadPhase::find(const std::vector<Aabb>& boxes, const std::vector<std::uint8_t>& fixed, int threads,
+                      std::vector<IndexPair>& pairs) {
+  choose_levels(boxes);
+  fill_cells(boxes, fixed);
+  const std::size_t chunks = threads > 1 ? 4 * static_cast<std::size_t>(threads) : 1;
+  if (found.size() < chunks) found.resize(chunks);
+  for (auto& bucket : found) bucket.clear();
+#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
+  for (std::size_t k = 0; k < chunks; ++k) {
+    find_in(cells.size() * k / chunks, cells.size() * (k + 1) / chunks, boxes, found[k]);
+  }
+  sort_pairs(boxes.size(), pairs);
+}
+
+}  // namespace pabd

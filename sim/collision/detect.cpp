@@ -1,0 +1,155 @@
+// Contact detection: bounds → pairs → contact points.
+//
+// Pairs are sorted before the narrow phase runs over them in order, so the contacts come out sorted as well;
+// threads take ranges of pairs and their buckets are joined in order.
+#include "sim/collision/detect.h"
+
+#include <algorithm>
+
+#include "sim/collision/narrow_phase.h"
+
+namespace pabd {
+namespace {
+
+using narrow::Contacts;
+using narrow::Placed;
+
+struct Poses {
+  const Model& model;
+  const std::vector<Vec3>& c;
+  const std::vector<Mat3>& R;
+
+  template <class ShapeType>
+  Placed<ShapeType> placed(Index i) const {
+    const auto k = static_cast<std::size_t>(i);
+    return {*std::get_if<ShapeType>(&model.shape[k]), c[k], R[k], i};
+  }
+};
+
+enum Kind : unsigned { kBox, kSphere, kCapsule, kPlane };  // the order of the alternatives of Shape
+static_assert(std::is_same_v<std::variant_alternative_t<kBox, Shape>, Box>);
+static_assert(std::is_same_v<std::variant_alternative_t<kSphere, Shape>, Sphere>);
+static_assert(std::is_same_v<std::variant_alternative_t<kCapsule, Shape>, Capsule>);
+static_assert(std::is_same_v<std::variant_alternative_t<kPlane, Shape>, Plane>);
+
+bool is_plane(const Shape& shape) { return shape.index() == kPlane; }
+
+constexpr unsigned both(unsigned i, unsigned j) { return 4 * i + j; }
+
+// Contacts of one pair, i < j.
+void collide(const Poses& poses, Index i, Index j, double reach, Contacts& out) {
+  auto kind_i = static_cast<unsigned>(poses.model.shape[static_cast<std::size_t>(i)].index());
+  auto kind_j = static_cast<unsigned>(poses.model.shape[static_cast<std::size_t>(j)].index());
+  const bool same = kind_i == kind_j;
+  // Mixed pairs: plane before box before capsule before sphere, the order in which they own the normal.
+  constexpr unsigned kRank[4] = {1, 3, 2, 0};
+  if (!same && kRank[kind_j] < kRank[kind_i]) {
+    std::swap(i, j);
+    std::swap(kind_i, kind_j);
+  }
+  using namespace narrow;
+  switch (both(kind_i, kind_j)) {
+    case both(kBox, kBox):
+      return box_box(poses.placed<Box>(i), poses.placed<Box>(j), reach, out);
+    case both(kBox, kSphere):
+      return box_sphere(poses.placed<Box>(i), poses.placed<Sphere>(j), reach, out);
+    case both(kBox, kCapsule):
+      return box_capsule(poses.placed<Box>(i), poses.placed<Capsule>(j), reach, out);
+    case both(kSphere, kSphere):
+      return sphere_sphere(poses.placed<Sphere>(i), poses.placed<Sphere>(j), reach, out);
+    case both(kCapsule, kSphere):
+      return capsule_sphere(poses.placed<Capsule>(i), poses.placed<Sphere>(j), reach, out);
+    case both(kCapsule, kCapsule):
+      return capsule_capsule(poses.placed<Capsule>(i), poses.placed<Capsule>(j), reach, out);
+    case both(kPlane, kBox):
+      return box_plane(poses.placed<Plane>(i), poses.placed<Box>(j), reach, out);
+    case both(kPlane, kSphere):
+      return sphere_plane(poses.placed<Plane>(i), poses.placed<Sphere>(j), reach, out);
+    case both(kPlane, kCapsule):
+      return capsule_plane(poses.placed<Plane>(i), poses.placed<Capsule>(j), reach, out);
+    default:
+      return;  // two planes
+  }
+}
+
+// Planes meet every body whose bounds reach below them.
+void add_plane_pairs(const Model& model, const std::vector<Aabb>& boxes, const std::vector<double>& reach,
+                     std::vector<IndexPair>& pairs) {
+  const Index n = model.size();
+  for (Index p = 0; p < n; ++p) {
+    const auto* plane = std::get_if<Plane>(&model.shape[static_cast<std::size_t>(p)]);
+    if (!plane) continue;
+    const double height = plane->offset + reach[static_cast<std::size_t>(p)];
+    for (Index i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      if (model.fixed[k] || is_plane(model.shape[k])) continue;
+      const Vec3 lowest = (plane->normal.array() > 0).select(boxes[k].lo, boxes[k].hi);
+      if (plane->normal.dot(lowest) < height) pairs.emplace_back(std::min(p, i), std::max(p, i));
+    }
+  }
+}
+
+// Contacts of a range of pairs.
+void collide_range(const Poses& poses, const std::vector<double>& reach, const std::vector<IndexPair>& skip,
+                   const IndexPair* begin, const IndexPair* end, Contacts& out) {
+  if (begin == end) return;
+  auto skipped = std::lower_bound(skip.begin(), skip.end(), *begin);
+  for (const IndexPair* pair = begin; pair != end; ++pair) {
+    while (skipped != skip.end() && *skipped < *pair) ++skipped;
+    if (skipped != skip.end() && *skipped == *pair) continue;
+    const auto [i, j] = *pair;
+    const std::size_t start = out.size();
+    collide(poses, i, j, reach[static_cast<std::size_t>(i)] + reach[static_cast<std::size_t>(j)], out);
+    if (out.size() - start < 2) continue;
+    std::sort(out.begin() + static_cast<std::ptrdiff_t>(start), out.end(),
+              [](const ContactPoint& p, const ContactPoint& q) { return p.feature < q.feature; });
+  }
+}
+
+}  // namespace
+
+void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
+            const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip, int threads,
+            CollisionWorkspace& workspace, std::vector<ContactPoint>& out) {
+  const auto n = static_cast<std::size_t>(model.size());
+  auto& boxes = workspace.boxes;
+  boxes.resize(n);
+#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
+  for (std::size_t i = 0; i < n; ++i) {
+    boxes[i] = bounds(model.shape[i], c[i], R[i]);
+    boxes[i].lo.array() -= reach[i];
+    boxes[i].hi.array() += reach[i];
+  }
+  auto& pairs = workspace.pairs;
+  workspace.broad_phase.find(boxes, model.fixed, threads, pairs);
+  const auto without_planes = static_cast<std::ptrdiff_t>(pairs.size());
+  add_plane_pairs(model, boxes, reach, pairs);
+  if (without_planes < static_cast<std::ptrdiff_t>(pairs.size())) {
+    auto& merged = workspace.merged;
+    merged.resize(pairs.size());
+    std::sort(pairs.begin() + without_planes, pairs.end());
+    std::merge(pairs.begin(), pairs.begin() + without_planes, pairs.begin() + without_planes, pairs.end(),
+               merged.begin());
+    pairs.swap(merged);
+  }
+
+  out.clear();
+  const Poses poses{model, c, R};
+  const IndexPair* first = pairs.data();
+  if (threads <= 1) {
+    collide_range(poses, reach, skip, first, first + pairs.size(), out);
+    return;
+  }
+  const std::size_t chunks = 4 * static_cast<std::size_t>(threads);
+  auto& partial = workspace.partial;
+  if (partial.size() < chunks) partial.resize(chunks);
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  for (std::size_t k = 0; k < chunks; ++k) {
+    partial[k].clear();
+    collide_range(poses, reach, skip, first + pairs.size() * k / chunks,
+                  first + pairs.size() * (k + 1) / chunks, partial[k]);
+  }
+  for (std::size_t k = 0; k < chunks; ++k) out.insert(out.end(), partial[k].begin(), partial[k].end());
+}
+
+}  // namespace pabd

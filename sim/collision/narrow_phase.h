@@ -1,0 +1,76 @@
+// Contact points of one pair of shapes: one function and one file a pair of shapes.
+//
+//   y_b      a material point on the surface of the incident body b        m, world
+//   n        outward normal of the reference body a, from a towards b      unit
+//   d        (y_b − y_a)·n, with y_a = y_b − d n                            m
+//   reach    points with d ≥ reach are not reported                        m
+//
+// Every function appends to `out`; feature numbers are unique within a pair. Finite input gives finite
+// output: where a normal is undefined (coincident centres) a fixed direction is taken.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/collision/detect.h"
+
+namespace pabd::narrow {
+
+using Contacts = std::vector<ContactPoint>;
+
+// A shape where it stands. A plane ignores its pose.
+template <class ShapeType>
+struct Placed {
+  const ShapeType& shape;
+  const Vec3& c;
+  const Mat3& R;
+  Index number;
+};
+
+// Symmetric pairs: `a` is the body with the lower number. Mixed pairs: the first one owns the normal.
+void sphere_sphere(const Placed<Sphere>& a, const Placed<Sphere>& b, double reach, Contacts& out);
+void capsule_sphere(const Placed<Capsule>& capsule, const Placed<Sphere>& sphere, double reach,
+                    Contacts& out);
+void capsule_capsule(const Placed<Capsule>& a, const Placed<Capsule>& b, double reach, Contacts& out);
+void sphere_plane(const Placed<Plane>& plane, const Placed<Sphere>& sphere, double reach, Contacts& out);
+void capsule_plane(const Placed<Plane>& plane, const Placed<Capsule>& capsule, double reach, Contacts& out);
+void box_plane(const Placed<Plane>& plane, const Placed<Box>& box, double reach, Contacts& out);
+void box_sphere(const Placed<Box>& box, const Placed<Sphere>& sphere, double reach, Contacts& out);
+void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double reach, Contacts& out);
+void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out);
+
+inline void add_contact(Contacts& out, Index a, Index b, const Vec3& y_b, const Vec3& n, double d,
+                        std::uint32_t feature) {
+  out.push_back({a, b, y_b - d * n, y_b, n, d, feature});
+}
+
+// Two round things: spheres of radius r_a and r_b about p_a and p_b. `fallback` is the unit normal for p_a =
+// p_b.
+inline void add_round_contact(Contacts& out, Index a, Index b, const Vec3& p_a, double r_a, const Vec3& p_b,
+                              double r_b, const Vec3& fallback, double reach, std::uint32_t feature) {
+  const Vec3 between = p_b - p_a;
+  const double distance = between.norm();
+  const double d = distance - r_a - r_b;
+  if (!(d < reach)) return;
+  const bool defined = distance > 1e-12 * (r_a + r_b) && distance > 0;
+  const Vec3 n = defined ? Vec3(between / distance) : fallback;
+  add_contact(out, a, b, p_b - r_b * n, n, d, feature);
+}
+
+// A face is preferred to an edge, and the face of the lower body to the other one, unless the rival's
+// separation is better by this much: otherwise resting stacks would change their reference face at every
+// rounding error.
+inline double preference(double separation, double smallest_half) {
+  return 0.02 * std::abs(separation) + 1e-3 * smallest_half;
+}
+
+// A unit vector normal to the unit vector u: +y where u allows it.
+inline Vec3 any_normal(const Vec3& u) {
+  const Vec3 seed = std::abs(u.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX();
+  return (seed - seed.dot(u) * u).normalized();
+}
+
+inline double sign_of(double x) { return x < 0 ? -1.0 : 1.0; }
+
+}  // namespace pabd::narrow
