@@ -1,4 +1,5 @@
 // A plot as data: what is drawn, not how. Painters: ImGui draw list, SVG, CSV.
+// Texts are rich text (rich_text.h): "B_{N}" has a subscript.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +8,35 @@
 
 namespace pabd {
 
+// 8 bits a channel, sRGB, straight alpha.
+struct Color {
+  std::uint8_t r = 0, g = 0, b = 0, a = 255;
+  bool operator==(const Color&) const = default;
+};
+
 struct Axis {
   std::string label;  // with unit: "d [m]"
   bool log = false;
   // Range; lo == hi: fitted to the data.
   double lo = 0;
   double hi = 0;
+  double min_span =
+      0;  // a fitted linear range is at least this wide: rounding noise is not blown up to full height
+  bool integer = false;  // ticks at whole numbers only (iterations, steps)
 };
 
-enum class SeriesStyle : std::uint8_t { line, dashed, markers, level };  // level: one horizontal line at y[0]
+// level: one horizontal line at y[0]; level_x: one vertical line at x[0]. Both are references and do not
+// widen the fitted range of the other axis.
+enum class SeriesStyle : std::uint8_t { line, dashed, markers, level, level_x };
 
 struct Series {
   std::string name;  // for the legend; empty: not listed
   std::vector<double> x;
   std::vector<double> y;  // non-finite values break the line
   SeriesStyle style = SeriesStyle::line;
-  int color = -1;      // index into the palette; -1: next
+  int color = -1;  // index into the palette; -1: next
   bool right_axis = false;
+  std::vector<Color> marker_colors;  // one a point; empty: the colour of the series
 };
 
 struct Plot {

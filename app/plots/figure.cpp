@@ -1,0 +1,130 @@
+// A figure laid out and painted; CSV.
+#include "app/plots/figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "app/plots/palette.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kReferenceHeight = 700;  // of figure_style
+constexpr double kCellWidth = 620;        // below this width of a plot the texts shrink too
+
+int row_count(const Figure& figure) {
+  const int columns = std::max(1, figure.columns);
+  return (static_cast<int>(figure.plots.size()) + columns - 1) / columns;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string csv_number(double v) { return std::isnan(v) ? "nan" : fmt::format("{}", v); }
+
+}  // namespace
+
+PictureSize default_size(const Figure& figure) {
+  const int columns = std::max(1, figure.columns);
+  const int rows = std::max(1, row_count(figure));
+  return {columns == 1 ? 1000 : columns * 800 - (columns > 2 ? 150 * columns : 0), 100 + rows * 600};
+}
+
+FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font) {
+  FigureLayout layout;
+  const int columns = std::max(1, figure.columns);
+  const int rows = std::max(1, row_count(figure));
+  const double scale =
+      std::min(height / (100 + rows * (kReferenceHeight - 100)), width / (columns * kCellWidth));
+  layout.style = figure_style().scaled(std::max(scale, 0.6) * 1.25);
+  const PlotStyle& style = layout.style;
+  const double margin = 1.6 * style.tick;
+  double top = margin, bottom = height - margin;
+  if (!figure.title.empty()) {
+    layout.title = {margin, top, width - 2 * margin, 1.2 * style.title};
+    top += 2.2 * style.title;
+  }
+  if (!figure.caption.empty()) {
+    layout.caption_lines = wrap_text(font, figure.caption, style.tick, width - 4 * margin);
+    const double lines = static_cast<double>(layout.caption_lines.size());
+    layout.caption = {2 * margin, bottom - lines * FontMetrics::line * style.tick, width - 4 * margin,
+                      lines * FontMetrics::line * style.tick};
+    bottom = layout.caption.y - 1.1 * style.tick;
+  }
+  const double gap = 2.4 * style.tick;
+  const double w = (width - 2 * margin - (columns - 1) * gap) / columns;
+  const double h = (bottom - top - (rows - 1) * gap) / rows;
+  for (std::size_t i = 0; i < figure.plots.size(); ++i) {
+    const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
+    layout.cells.push_back({margin + column * (w + gap), top + row * (h + gap), w, h});
+  }
+  return layout;
+}
+
+void paint_figure(const Figure& figure, double width, double height, Canvas& canvas) {
+  const FigureLayout layout = layout_figure(figure, width, height, canvas.font());
+  const PlotStyle& style = layout.style;
+  if (!figure.title.empty()) {
+    canvas.text({0.5 * width, layout.title.y}, figure.title,
+                {1.15 * style.title, ink::text, AnchorX::center, AnchorY::top});
+  }
+  for (std::size_t i = 0; i < figure.plots.size(); ++i) {
+    paint_plot(figure.plots[i], layout_plot(figure.plots[i], layout.cells[i], style, canvas.font()), style,
+               canvas);
+  }
+  double y = layout.caption.y;
+  for (const std::string& line : layout.caption_lines) {
+    canvas.text({0.5 * width, y}, line, {style.tick, ink::muted, AnchorX::center, AnchorY::top});
+    y += FontMetrics::line * style.tick;
+  }
+}
+
+Picture figure_picture(Figure figure) {
+  const auto shared = std::make_shared<const Figure>(std::move(figure));
+  return
+      [shared](Canvas& canvas, double width, double height) { paint_figure(*shared, width, height, canvas); };
+}
+
+std::string figure_to_svg(const Figure& figure, int width, int height) {
+  return picture_to_svg([&](Canvas& canvas, double w, double h) { paint_figure(figure, w, h, canvas); },
+                        width, height);
+}
+
+std::string figure_to_csv(const Figure& figure) {
+  std::string out = "plot,series,x,y\n";
+  for (std::size_t p = 0; p < figure.plots.size(); ++p) {
+    const Plot& plot = figure.plots[p];
+    const std::string plot_name =
+        csv_field(plot.title.empty() ? std::to_string(p + 1) : plain_text(plot.title));
+    for (std::size_t s = 0; s < plot.series.size(); ++s) {
+      const Series& series = plot.series[s];
+      const std::string& label = series.right_axis ? plot.y_right.label : plot.y.label;
+      const std::string name = csv_field(plain_text(series.name.empty() ? label : series.name));
+      const auto row = [&](const std::string& x, const std::string& y) {
+        out += plot_name + ',' + name + ',' + x + ',' + y + '\n';
+      };
+      if (series.style == SeriesStyle::level) {
+        if (!series.y.empty()) row("", csv_number(series.y[0]));
+      } else if (series.style == SeriesStyle::level_x) {
+        if (!series.x.empty()) row(csv_number(series.x[0]), "");
+      } else {
+        for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+          row(csv_number(series.x[i]), csv_number(series.y[i]));
+        }
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace pabd

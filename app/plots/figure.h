@@ -1,0 +1,39 @@
+// A figure laid out and painted, and written as SVG or CSV.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/plots/canvas.h"
+#include "app/plots/plot_layout.h"
+
+namespace pabd {
+
+struct FigureLayout {
+  PlotStyle style;
+  Rect title;
+  std::vector<Rect> cells;  // one a plot, in rows of `columns`
+  Rect caption;
+  std::vector<std::string> caption_lines;
+};
+
+struct PictureSize {
+  int width, height;
+};
+// What a figure looks best at: 1600 × 700 for two columns.
+PictureSize default_size(const Figure& figure);
+
+FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font);
+void paint_figure(const Figure& figure, double width, double height, Canvas& canvas);
+Picture figure_picture(Figure figure);
+
+// A whole SVG document. Text stays text, in DejaVu Sans or what comes next to it.
+std::string picture_to_svg(const Picture& picture, int width, int height);
+std::string figure_to_svg(const Figure& figure, int width, int height);
+
+// Long format with a header: plot,series,x,y. Names without markup; numbers as short as reading them back
+// exactly allows, "nan", "inf" and "-inf" included. A level has an empty x (or y). Lines end with \n; names
+// that need it are quoted as in RFC 4180.
+std::string figure_to_csv(const Figure& figure);
+
+}  // namespace pabd

@@ -1,0 +1,256 @@
+// Barrier curves against the distance.
+#include "app/plots/figures/barrier.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plots/axis_ticks.h"
+#include "app/plots/palette.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kLeft = -0.5;  // of the shown range, in d̂: penetration is half of the point
+constexpr double kRight = 1.25;
+
+struct Curve {
+  Barrier barrier;
+  std::string name;
+  SeriesStyle style = SeriesStyle::line;
+  double scale = 1;  // of value and derivative: 1/d̂² makes the log barrier comparable
+};
+
+// Samples one curve over [lo, hi]. Points the barrier does not reach (log at d ≤ 0) are infinite and break the
+// line. At d̂, where the printed derivative jumps, both sides are sampled so that the jump is drawn upright.
+void add_curve(const Curve& curve, double lo, double hi, int samples, Series* value, Series* slope) {
+  const auto add = [&](double d) {
+    const BarrierValue b = evaluate(curve.barrier, d);
+    for (Series* series : {value, slope}) {
+      if (!series) continue;
+      series->x.push_back(d);
+      series->y.push_back(curve.scale * (series == value ? b.value : b.first));
+    }
+  };
+  const double d_hat = curve.barrier.d_hat;
+  double last = lo;
+  for (int k = 0; k <= samples; ++k) {
+    const double d = lo + (hi - lo) * k / samples;
+    if (last < d_hat && d > d_hat) {
+      add(std::nextafter(d_hat, lo));
+      add(d_hat);
+    }
+    add(d);
+    last = d;
+  }
+}
+
+// Range that shows the polynomial curves whole; a log barrier beside them leaves it.
+void limit_range(Axis& axis, const std::vector<Curve>& curves, double lo, bool slope) {
+  double least = 0, largest = 0;
+  const auto is_log = [](const Curve& curve) { return curve.barrier.kind == BarrierKind::log; };
+  const bool only_log = std::all_of(curves.begin(), curves.end(), is_log);
+  for (const Curve& curve : curves) {
+    if (is_log(curve) && !only_log) continue;
+    const double d = curve.barrier.kind == BarrierKind::log ? 0.05 * curve.barrier.d_hat : lo;
+    const BarrierValue b = evaluate(curve.barrier, d);
+    const double v = curve.scale * (slope ? b.first : b.value);
+    if (!std::isfinite(v)) continue;
+    least = std::min(least, v);
+    largest = std::max(largest, v);
+  }
+  const double room = 0.05 * (largest - least);
+  axis.lo = least - room;
+  axis.hi = largest + room;
+}
+
+std::string quantity(const char* symbol, double v, const char* unit) {
+  return std::string(symbol) + " = " + format_value(v) + unit;
+}
+
+std::vector<Curve> all_curves(const BarrierCurves& in) {
+  std::vector<Curve> curves;
+  const std::vector<double> kappas = in.kappa.empty() ? std::vector<double>{1.0} : in.kappa;
+  for (const BarrierKind kind : in.kinds) {
+    const bool log = kind == BarrierKind::log;
+    const std::vector<int> orders = log ? std::vector<int>{1} : in.N;
+    for (const double d_hat : in.d_hat) {
+      for (const double kappa : kappas) {
+        for (const int N : orders) {
+          Curve curve;
+          curve.barrier = {kind, N, d_hat, kappa, in.onset};
+          curve.scale = log ? 1 / (d_hat * d_hat) : 1;
+          curve.style = log ? SeriesStyle::dashed : SeriesStyle::line;
+          std::vector<std::string> parts;
+          if (in.kinds.size() > 1) parts.push_back(to_string(kind));
+          if (!log && (in.N.size() > 1)) parts.push_back(fmt::format("N = {}", N));
+          if (in.d_hat.size() > 1) parts.push_back(quantity("d̂", d_hat, " m"));
+          if (in.kappa.size() > 1) parts.push_back(quantity("κ", kappa, " J"));
+          curve.name = fmt::format("{}", fmt::join(parts, ", "));
+          curves.push_back(std::move(curve));
+        }
+      }
+    }
+  }
+  return curves;
+}
+
+std::string fixed_values(const BarrierCurves& in) {
+  std::vector<std::string> parts;
+  if (in.kinds.size() == 1) parts.push_back(std::string(to_string(in.kinds[0])) + " barrier");
+  const bool orders = in.kinds.size() > 1 || (in.kinds.size() == 1 && in.kinds[0] != BarrierKind::log);
+  if (orders && in.N.size() == 1) parts.push_back(fmt::format("N = {}", in.N[0]));
+  if (in.d_hat.size() == 1) parts.push_back(quantity("d̂", in.d_hat[0], " m"));
+  if (in.kappa.size() == 1) parts.push_back(quantity("κ", in.kappa[0], " J"));
+  if (std::find(in.kinds.begin(), in.kinds.end(), BarrierKind::polynomial) != in.kinds.end()) {
+    parts.push_back(quantity("onset width ε", in.onset, ""));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Series vertical_at(double x, std::string name) {
+  Series series;
+  series.name = std::move(name);
+  series.x = {x};
+  series.style = SeriesStyle::level_x;
+  return series;
+}
+
+}  // namespace
+
+Figure barrier_figure(const BarrierCurves& in) {
+  const std::vector<Curve> curves = all_curves(in);
+  const bool energy = !in.kappa.empty();
+  Figure figure;
+  figure.columns = 2;
+  figure.title = energy ? "Contact potential and force law" : "Contact barrier and its derivative";
+  figure.caption = fixed_values(in) +
+                   ". For d < 0 the bodies overlap: the polynomial barriers stay finite and push them apart.";
+  if (std::find(in.kinds.begin(), in.kinds.end(), BarrierKind::log) != in.kinds.end()) {
+    figure.caption += " The log barrier is drawn as B/d̂² and is infinite for d ≤ 0.";
+  }
+  double largest = 0;
+  for (const double d_hat : in.d_hat) largest = std::max(largest, d_hat);
+  Plot value, slope;
+  value.title = energy ? "Potential Ψ(d) = κ B_{N}(d)" : "Barrier B_{N}(d)";
+  slope.title = energy ? "Slope Ψ′(d), minus the normal force" : "Derivative B_{N}′(d)";
+  value.x.label = slope.x.label = "d [m]";
+  value.y.label = energy ? "Ψ [J]" : "B_{N} [1]";
+  slope.y.label = energy ? "Ψ′ [N]" : "B_{N}′ [1/m]";
+  const double lo = kLeft * largest, hi = kRight * largest;
+  limit_range(value.y, curves, lo, false);
+  limit_range(slope.y, curves, lo, true);
+  for (const Curve& curve : curves) {
+    Series v, s;
+    v.name = s.name = curve.name;
+    v.style = s.style = curve.style;
+    add_curve(curve, lo, hi, in.samples, &v, &s);
+    value.series.push_back(std::move(v));
+    slope.series.push_back(std::move(s));
+  }
+  if (in.d_hat.size() == 1) {
+    value.series.push_back(vertical_at(in.d_hat[0], "d = d̂"));
+    slope.series.push_back(vertical_at(in.d_hat[0], "d = d̂"));
+  }
+  figure.plots = {std::move(value), std::move(slope)};
+  return figure;
+}
+
+Figure figure1() {
+  constexpr double d_hat = 0.01;
+  constexpr int samples = 800;
+  Figure figure;
+  figure.columns = 2;
+  figure.title = "Polynomial barrier functions and their first derivative";
+  figure.caption =
+      "Left: d̂ = 0.01 m; B_{N} stays finite for d ≤ 0, where the bodies overlap, and tends to −ln(d/d̂) as N "
+      "grows; the log barrier is drawn "
+      "as B/d̂². Right: N = 3; a smaller d̂ gives a steeper barrier. Printed formula (ε = 0).";
+  Plot left, right;
+  left.title = "Barrier B_{N}(d)";
+  right.title = "Derivative B_{3}′(d)";
+  left.x.label = right.x.label = "d [m]";
+  left.y.label = "B_{N} [1]";
+  right.y.label = "B_{3}′ [1/m]";
+  left.y.lo = -0.15;
+  left.y.hi = 4;
+  const double lo = kLeft * d_hat, hi = kRight * d_hat;
+  for (const int N : {1, 2, 3, 4, 8}) {
+    Series series;
+    series.name = fmt::format("N = {}", N);
+    add_curve({{BarrierKind::polynomial, N, d_hat, 1, 0}, {}, {}, 1}, lo, hi, samples, &series, nullptr);
+    left.series.push_back(std::move(series));
+  }
+  Series limit;
+  limit.name = "−ln(d/d̂), N → ∞";
+  limit.style = SeriesStyle::dashed;
+  limit.color = 6;
+  for (int k = 1; k <= samples; ++k) {
+    const double d = d_hat * k / samples;
+    limit.x.push_back(d);
+    limit.y.push_back(-std::log(d / d_hat));
+  }
+  left.series.push_back(std::move(limit));
+  Series log;
+  log.name = "log barrier B/d̂²";
+  log.style = SeriesStyle::dashed;
+  log.color = 4;
+  add_curve({{BarrierKind::log, 1, d_hat, 1, 0}, {}, {}, 1 / (d_hat * d_hat)}, 0, hi, samples, &log, nullptr);
+  left.series.push_back(std::move(log));
+
+  for (const double thickness : {0.005, 0.01, 0.015, 0.02}) {
+    Series series;
+    series.name = quantity("d̂", thickness, " m");
+    add_curve({{BarrierKind::polynomial, 3, thickness, 1, 0}, {}, {}, 1}, -0.005, 0.0225, samples, nullptr,
+              &series);
+    right.series.push_back(std::move(series));
+  }
+  right.y.lo = -1300;
+  right.y.hi = 60;
+  figure.plots = {std::move(left), std::move(right)};
+  return figure;
+}
+
+Plot contact_barrier_plot(const ContactParams& contact, const std::vector<ContactReport>& contacts,
+                          const std::function<Color(double)>& color) {
+  Plot plot;
+  plot.title = "Contact barrier";
+  const bool log = contact.barrier == BarrierKind::log;
+  const double d_hat = contact.d_hat;
+  Curve curve;
+  curve.barrier = {contact.barrier, contact.N, d_hat, 1, contact.onset};
+  curve.scale = log ? 1 / (d_hat * d_hat) : 1;
+  // The range holds the deepest contact, or the usual part of the curve.
+  double lo = log ? 0.01 * d_hat : kLeft * d_hat;
+  for (const ContactReport& report : contacts) {
+    if (std::isfinite(report.d)) lo = std::min(lo, report.d - 0.1 * d_hat);
+  }
+  plot.x.label = "d [m]";
+  plot.x.lo = lo;
+  plot.x.hi = 1.15 * d_hat;
+  plot.y.label = log ? "B/d̂² [1]" : fmt::format("B_{{{}}} [1]", contact.N);
+  plot.y_right.label = log ? "B′/d̂² [1/m]" : fmt::format("B_{{{}}}′ [1/m]", contact.N);
+  limit_range(plot.y, {curve}, lo, false);
+  limit_range(plot.y_right, {curve}, lo, true);
+  Series value, slope, value_marks, slope_marks;
+  slope.right_axis = slope_marks.right_axis = true;
+  value.color = 0;
+  slope.color = 3;
+  add_curve(curve, lo, plot.x.hi, 300, &value, &slope);
+  value_marks.style = slope_marks.style = SeriesStyle::markers;
+  for (const ContactReport& report : contacts) {
+    if (!(report.d < d_hat)) continue;
+    const BarrierValue b = evaluate(curve.barrier, report.d);
+    for (Series* marks : {&value_marks, &slope_marks}) {
+      marks->x.push_back(report.d);
+      marks->y.push_back(curve.scale * (marks == &value_marks ? b.value : b.first));
+      marks->marker_colors.push_back(color(report.d / d_hat));
+    }
+  }
+  plot.series = {std::move(value), std::move(slope), vertical_at(d_hat, ""), std::move(value_marks),
+                 std::move(slope_marks)};
+  return plot;
+}
+
+}  // namespace pabd

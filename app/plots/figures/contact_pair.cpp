@@ -1,0 +1,226 @@
+// Figure 5 of the supplement: one contact pair in the plane.
+#include "app/plots/figures/contact_pair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "app/plots/palette.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kPi2 = 1.57079632679489661923;
+constexpr Color kLayer{224, 236, 246, 255};
+constexpr Color kBodyI{176, 200, 222, 255};
+constexpr Color kEdgeI{62, 98, 134, 255};
+constexpr Color kBodyJ{240, 214, 196, 235};
+constexpr Color kEdgeJ{164, 92, 58, 255};
+
+Vec2 turn_left(const Vec2& v) { return {-v.y(), v.x()}; }
+
+// Corners in order around the box.
+std::vector<Vec2> box_i(const ContactPair& p, const Vec2& n) {
+  const Vec2 t = -turn_left(n);  // to the right along the face
+  const Vec2 half = 0.5 * p.size_i.x() * t, down = -p.size_i.y() * n;
+  return {p.y_i - half, p.y_i + half, p.y_i + half + down, p.y_i - half + down};
+}
+
+std::vector<Vec2> box_j(const ContactPair& p) {
+  const Vec2 e{std::cos(p.angle_j), std::sin(p.angle_j)};
+  const Vec2 a = p.size_j.x() * e, b = p.size_j.y() * turn_left(e);
+  return {p.y_j, p.y_j + a, p.y_j + a + b, p.y_j + b};
+}
+
+// All points within `r` of a convex polygon given clockwise: edges moved out, corners rounded.
+std::vector<Vec2> offset_polygon(const std::vector<Vec2>& corners, double r) {
+  std::vector<Vec2> out;
+  const std::size_t n = corners.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 in = (corners[k] - corners[(k + n - 1) % n]).normalized();
+    const Vec2 next = (corners[(k + 1) % n] - corners[k]).normalized();
+    const double from = std::atan2(in.y(), in.x()) + kPi2;
+    double to = std::atan2(next.y(), next.x()) + kPi2;
+    if (to > from) to -= 4 * kPi2;
+    constexpr int steps = 16;
+    for (int s = 0; s <= steps; ++s) {
+      const double angle = from + (to - from) * s / steps;
+      out.push_back(corners[k] + r * Vec2{std::cos(angle), std::sin(angle)});
+    }
+  }
+  return out;
+}
+
+// One half of the figure: world coordinates (m, y up) to pixels, and the pens.
+class Panel {
+ public:
+  Panel(Canvas& canvas, const Rect& area, const Vec2& center, double metres_across, double unit)
+      : canvas_(canvas), area_(area), center_(center), scale_(area.w / metres_across), unit_(unit) {}
+
+  Point map(const Vec2& p) const {
+    return {area_.x + 0.5 * area_.w + scale_ * (p.x() - center_.x()),
+            area_.y + 0.5 * area_.h - scale_ * (p.y() - center_.y())};
+  }
+  void line(const Vec2& a, const Vec2& b, Color color, double width, bool dashed = false) const {
+    const Point ends[] = {map(a), map(b)};
+    Stroke stroke{color, width * unit_, 0, 0};
+    if (dashed) stroke.dash_on = 5 * unit_, stroke.dash_off = 4 * unit_;
+    canvas_.polyline(ends, stroke);
+  }
+  void polygon(const std::vector<Vec2>& corners, Color fill, Color edge, double width,
+               bool dashed = false) const {
+    std::vector<Point> points;
+    for (const Vec2& c : corners) points.push_back(map(c));
+    canvas_.fill_polygon(points, fill);
+    Stroke stroke{edge, width * unit_, 0, 0};
+    if (dashed) {
+      stroke.dash_on = 5 * unit_;
+      stroke.dash_off = 4 * unit_;
+      points.push_back(points.front());
+    }
+    canvas_.polyline(points, stroke, !dashed);
+  }
+  void arrow(const Vec2& a, const Vec2& b, Color color, double width, double head) const {
+    canvas_.arrow(map(a), map(b), {color, width * unit_, 0, 0}, head * unit_);
+  }
+  // Double arrow with its name beside it.
+  void dimension(const Vec2& a, const Vec2& b, Color color) const {
+    const Vec2 middle = 0.5 * (a + b);
+    arrow(middle, a, color, 1.4, 9);
+    arrow(middle, b, color, 1.4, 9);
+  }
+  void dot(const Vec2& p, Color color, bool hollow = false) const {
+    canvas_.fill_circle(map(p), 7.2 * unit_, ink::paper);
+    canvas_.fill_circle(map(p), 5.6 * unit_, color);
+    if (hollow) canvas_.fill_circle(map(p), 3.2 * unit_, ink::paper);
+  }
+  // The square that says "90°" at p between the directions u and v (unit).
+  void right_angle(const Vec2& p, const Vec2& u, const Vec2& v) const {
+    const double s = 12 * unit_ / scale_;
+    const Point corner[] = {map(p + s * u), map(p + s * (u + v)), map(p + s * v)};
+    canvas_.polyline(corner, {ink::muted, 1.2 * unit_, 0, 0});
+  }
+  // Text beside p, moved by (dx, dy) in units, y up.
+  void label(const Vec2& p, std::string_view text, double dx, double dy, Color color = ink::text,
+             AnchorX anchor = AnchorX::left) const {
+    const Point at = map(p);
+    TextStyle style{21 * unit_, color, anchor, AnchorY::middle};
+    style.halo = 2.5 * unit_;
+    canvas_.text({at.x + dx * unit_, at.y - dy * unit_}, text, style);
+  }
+  double metres(double units) const { return units * unit_ / scale_; }
+
+ private:
+  Canvas& canvas_;
+  Rect area_;
+  Vec2 center_;
+  double scale_;
+  double unit_;
+};
+
+void paint_half(const ContactPair& pair, bool tangential, const Rect& area, double unit, Canvas& canvas) {
+  const Vec2 n = pair.n.normalized();
+  const Vec2 t = -turn_left(n);
+  const ContactProjection at = project_contact(pair.y_i, pair.y_j, n);
+  const Vec2 tip = pair.y_i + (pair.d_hat + 0.5 * pair.size_i.y()) * n;
+  const std::vector<Vec2> body = box_i(pair, n), other = box_j(pair);
+  const std::vector<Vec2> layer = offset_polygon(body, pair.d_hat);
+  // Everything in sight.
+  Vec2 lo = tip, hi = tip;
+  for (const std::vector<Vec2>* points : {&layer, &other}) {
+    for (const Vec2& p : *points) {
+      lo = lo.cwiseMin(p);
+      hi = hi.cwiseMax(p);
+    }
+  }
+  const Vec2 center = 0.5 * (lo + hi);
+  const double across = 1.04 * std::max(hi.x() - lo.x(), (hi.y() - lo.y()) * area.w / area.h);
+  const Panel panel(canvas, area, center, across, unit);
+
+  canvas.push_clip(area);
+  panel.polygon(layer, kLayer, kEdgeI, 1.2, true);
+  panel.polygon(body, kBodyI, kEdgeI, 2);
+  panel.polygon(other, kBodyJ, kEdgeJ, 2);
+
+  panel.label(pair.y_i - 0.62 * pair.size_i.y() * n, "body *{i}", 0, 0, kEdgeI, AnchorX::center);
+  panel.label(0.25 * (other[0] + other[1] + other[2] + other[3]), "body *{j}", 0, 0, kEdgeJ, AnchorX::center);
+
+  // d̂ at the left end of the face.
+  const Vec2 foot = pair.y_i - 0.40 * pair.size_i.x() * t;
+  panel.dimension(foot, foot + pair.d_hat * n, kEdgeI);
+  panel.label(foot + 0.5 * pair.d_hat * n, "*{d̂}", -12, 0, kEdgeI, AnchorX::right);
+
+  const Color strong = palette_color(1);
+  if (!tangential) {
+    panel.line(pair.y_j, at.normal, ink::muted, 1.4, true);
+    panel.right_angle(at.normal, -n, (pair.y_j - at.normal).normalized());
+    panel.arrow(pair.y_i, tip, ink::text, 1.8, 13);
+    panel.line(pair.y_i, at.normal, strong, 4);
+    panel.label(0.5 * (pair.y_i + at.normal), "*{d}", -13, 2, strong, AnchorX::right);
+    panel.dot(at.normal, strong, true);
+    panel.label(at.normal, "*{y}_{j}^{⊥}", -16, 4, ink::text, AnchorX::right);
+    panel.label(tip, "*{n}_{i}", -12, -6, ink::text, AnchorX::right);
+  } else {
+    const Vec2 u = (at.tangential - pair.y_i).norm() > 0 ? (at.tangential - pair.y_i).normalized() : t;
+    panel.line(pair.y_i - 0.44 * pair.size_i.x() * u, pair.y_i + 0.44 * pair.size_i.x() * u, ink::muted, 1.4,
+               true);
+    panel.line(pair.y_j, at.tangential, ink::muted, 1.4, true);
+    panel.right_angle(at.tangential, n, -u);
+    panel.arrow(pair.y_i, tip, ink::text, 1.8, 13);
+    panel.line(pair.y_i, at.tangential, strong, 4);
+    panel.dot(at.tangential, strong, true);
+    panel.label(at.tangential, "*{y}_{j}^{∥}", 6, -22);
+    panel.label(tip, "*{n}_{i}", -12, -6, ink::text, AnchorX::right);
+  }
+  panel.dot(pair.y_i, kEdgeI);
+  panel.label(pair.y_i, "*{y}_{i}", -6, -21, ink::text, AnchorX::right);
+  panel.dot(pair.y_j, kEdgeJ);
+  panel.label(pair.y_j, "*{y}_{j}", 17, -5);
+  canvas.pop_clip();
+}
+
+}  // namespace
+
+ContactProjection project_contact(const Vec2& y_i, const Vec2& y_j, const Vec2& n) {
+  const Vec2 unit = n.normalized();
+  const double d = (y_j - y_i).dot(unit);
+  return {d, y_i + d * unit, y_j - d * unit};
+}
+
+void paint_contact_pair(const ContactPair& pair, double width, double height, Canvas& canvas) {
+  const double unit = std::min(width / 1600, height / 700);
+  const double margin = 24 * unit, text = 62 * unit;
+  const double w = (width - 3 * margin) / 2, h = height - 2 * margin - text;
+  const char* captions[] = {
+      "Normal: *{y}_{j}^{⊥} = *{y}_{i} + *{d} *{n}_{i},   *{d} = (*{y}_{j} − *{y}_{i}) · *{n}_{i}",
+      "Tangential: *{y}_{j}^{∥} = *{y}_{j} − *{d} *{n}_{i},   slip ‖*{y}_{j}^{∥} − *{y}_{i}‖"};
+  for (int k = 0; k < 2; ++k) {
+    const Rect area{margin + k * (w + margin), margin, w, h};
+    paint_half(pair, k == 1, area, unit, canvas);
+    canvas.text({area.x + 0.5 * w, area.bottom() + 0.55 * text}, captions[k],
+                {19 * unit, ink::text, AnchorX::center, AnchorY::middle});
+  }
+}
+
+Picture figure5(ContactPair pair) {
+  return [pair](Canvas& canvas, double width, double height) {
+    paint_contact_pair(pair, width, height, canvas);
+  };
+}
+
+std::string contact_pair_csv(const ContactPair& pair) {
+  const ContactProjection at = project_contact(pair.y_i, pair.y_j, pair.n);
+  std::string out = "point,x,y\n";
+  const auto row = [&](const char* name, const Vec2& p) {
+    out += fmt::format("{},{},{}\n", name, p.x(), p.y());
+  };
+  row("y_i", pair.y_i);
+  row("y_j", pair.y_j);
+  row("y_j_normal", at.normal);
+  row("y_j_tangential", at.tangential);
+  return out;
+}
+
+}  // namespace pabd

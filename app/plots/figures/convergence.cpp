@@ -1,0 +1,180 @@
+// How a solver converges within one step.
+#include "app/plots/figures/convergence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plots/axis_ticks.h"
+#include "app/plots/palette.h"
+#include "sim/solver/time_step.h"
+
+namespace pabd {
+namespace {
+
+Plot iteration_plot(std::string title, std::string label, bool log) {
+  Plot plot;
+  plot.title = std::move(title);
+  plot.x.label = "iteration";
+  plot.x.integer = true;
+  plot.y.label = std::move(label);
+  plot.y.log = log;
+  return plot;
+}
+
+template <class Value>
+Series iteration_series(std::string name, const std::vector<IterationRecord>& records, const Value& value,
+                        int color, SeriesStyle style = SeriesStyle::line) {
+  Series series;
+  series.name = std::move(name);
+  series.style = style;
+  series.color = color;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    series.x.push_back(static_cast<double>(i + 1));
+    series.y.push_back(value(records[i]));
+  }
+  return series;
+}
+
+double least_energy(const std::vector<IterationRecord>& records) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const IterationRecord& r : records) {
+    if (std::isfinite(r.energy)) least = std::min(least, r.energy);
+  }
+  return least;
+}
+
+// E − E_min. What is within rounding of the minimum has no place on a log axis.
+auto energy_gap(double least) {
+  return [least](const IterationRecord& r) {
+    const double gap = r.energy - least;
+    return gap > 1e-15 * std::abs(least) ? gap : std::numeric_limits<double>::quiet_NaN();
+  };
+}
+
+Series level(double y, std::string name) {
+  Series series;
+  series.name = std::move(name);
+  series.y = {y};
+  series.style = SeriesStyle::level;
+  return series;
+}
+
+}  // namespace
+
+Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser) {
+  Figure figure;
+  figure.columns = 3;
+  figure.title = "Convergence within one time step";
+  double least = std::numeric_limits<double>::infinity();
+  for (const MethodRun& run : runs) least = std::min(least, least_energy(run.records));
+  const bool reference = minimiser && std::isfinite(minimiser->energy);
+  if (reference) least = std::min(least, minimiser->energy);
+
+  Plot energy = iteration_plot("Energy gap", "E − E_{min} [J]", true);
+  Plot residual = iteration_plot("Residual", "largest step / d̂ [1]", true);
+  Plot depth = iteration_plot("Deepest contact", "penetration −d [m]", false);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const MethodRun& run = runs[i];
+    const int color = static_cast<int>(i);
+    energy.series.push_back(iteration_series(run.name, run.records, energy_gap(least), color));
+    residual.series.push_back(iteration_series(
+        run.name, run.records, [](const IterationRecord& r) { return r.residual; }, color));
+    depth.series.push_back(iteration_series(
+        run.name + ", after projection", run.records,
+        [](const IterationRecord& r) { return -r.min_gap_after; }, color));
+    // Where the projection changes nothing the second curve would only hide the first.
+    const bool differs = std::any_of(run.records.begin(), run.records.end(), [](const IterationRecord& r) {
+      return r.min_gap_before != r.min_gap_after;
+    });
+    if (differs) {
+      depth.series.push_back(iteration_series(
+          run.name + ", before projection", run.records,
+          [](const IterationRecord& r) { return -r.min_gap_before; }, color, SeriesStyle::dashed));
+    } else {
+      depth.series.back().name = run.name;
+    }
+  }
+  if (minimiser && std::isfinite(minimiser->min_gap))
+    depth.series.push_back(level(-minimiser->min_gap, "true minimiser"));
+  figure.caption = reference ? fmt::format("E_{{min}} = {} J: minimum over rigid poses, found by descent.",
+                                           format_value(least, 6))
+                             : fmt::format("E_{{min}} = {} J: least recorded value.", format_value(least, 6));
+  if (!std::isfinite(least)) figure.caption.clear();
+  figure.plots = {std::move(energy), std::move(residual), std::move(depth)};
+  return figure;
+}
+
+Plot convergence_plot(const std::vector<IterationRecord>& records) {
+  Plot plot = iteration_plot("Convergence of the last step", "", true);
+  plot.series.push_back(iteration_series("E − E_{min} [J]", records, energy_gap(least_energy(records)), 0));
+  plot.series.push_back(iteration_series(
+      "residual [1]", records, [](const IterationRecord& r) { return r.residual; }, 2));
+  plot.series.push_back(iteration_series(
+      "depth before [m]", records, [](const IterationRecord& r) { return r.max_penetration_before; }, 1,
+      SeriesStyle::dashed));
+  plot.series.push_back(iteration_series(
+      "after [m]", records, [](const IterationRecord& r) { return r.max_penetration_after; }, 1));
+  return plot;
+}
+
+std::vector<MethodRun> run_methods(const Model& model, const Params& params, const State& state,
+                                   const std::vector<SolverMethod>& methods, int iterations, int threads) {
+  std::vector<MethodRun> runs;
+  for (const SolverMethod method : methods) {
+    Params p = params;
+    p.solver.method = method;
+    p.solver.iterations = iterations;
+    p.solver.tolerance = 0;
+    State copy = state;
+    StepWorkspace workspace;
+    StepReport report;
+    step(model, p, {true, false, threads}, copy, workspace, report);
+    runs.push_back({to_string(method), std::move(report.records)});
+  }
+  return runs;
+}
+
+Minimiser find_minimiser(const Model& model, const Params& params, const State& state, int iterations,
+                         int threads) {
+  Params p = params;
+  p.solver.method = SolverMethod::descent;
+  p.solver.iterations = iterations;
+  p.solver.tolerance = 1e-14;
+  State copy = state;
+  StepWorkspace workspace;
+  StepReport report;
+  step(model, p, {true, false, threads}, copy, workspace, report);
+  Minimiser out;
+  if (!report.records.empty()) {
+    out.energy = least_energy(report.records);
+    out.min_gap = report.records.back().min_gap_after;
+  }
+  return out;
+}
+
+Figure figure7(const Model& model, const Params& params, const State& state, int iterations, int threads) {
+  const std::vector<MethodRun> runs =
+      run_methods(model, params, state, {SolverMethod::sissm, SolverMethod::descent}, iterations, threads);
+  const Minimiser minimiser = find_minimiser(model, params, state, 20000, threads);
+  Plot plot = iteration_plot("", "penetration −d [m]", false);
+  const auto before = [](const IterationRecord& r) { return -r.min_gap_before; };
+  const auto after = [](const IterationRecord& r) { return -r.min_gap_after; };
+  plot.series.push_back(
+      iteration_series("sissm, before projection", runs[0].records, before, 1, SeriesStyle::dashed));
+  plot.series.push_back(iteration_series("sissm, after projection", runs[0].records, after, 1));
+  plot.series.push_back(iteration_series("descent", runs[1].records, after, 0));
+  if (std::isfinite(minimiser.min_gap)) plot.series.push_back(level(-minimiser.min_gap, "true minimiser"));
+  Figure figure;
+  figure.title = "Penetration before and after the projection onto SO(3)";
+  figure.caption = fmt::format(
+      "Deepest contact of two boxes within one step: N = {}, d̂ = {} m, κ = {} J, h = {} s, relaxation {}. "
+      "Below 0 the bodies are apart.",
+      params.contact.N, format_value(params.contact.d_hat), format_value(resolve_kappa(model, params)),
+      format_value(params.h), format_value(params.solver.relaxation));
+  figure.plots = {std::move(plot)};
+  return figure;
+}
+
+}  // namespace pabd

@@ -1,0 +1,55 @@
+// How a solver converges within one step: `pabd plot convergence`, the live panel, and figure 7 of the
+// supplement.
+//
+//   E        incremental potential                               J
+//   E_min    its least value: given, or the least one recorded   J
+//   residual largest step of a body in an iteration over d̂       1
+//   −d       penetration, before the projection onto SO(3) and after it; m
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/plots/plot.h"
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+#include "sim/solver/params.h"
+#include "sim/solver/report.h"
+
+namespace pabd {
+
+struct MethodRun {
+  std::string name;  // "sissm"
+  std::vector<IterationRecord> records;
+};
+
+// What the true minimiser of E over rigid poses has.
+struct Minimiser {
+  double energy = std::numeric_limits<double>::quiet_NaN();   // J
+  double min_gap = std::numeric_limits<double>::quiet_NaN();  // m
+};
+
+// Three plots: energy gap (log), residual (log), penetration before (dashed) and after the projection.
+Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser);
+
+// All of the above for one step in one small plot, log axis.
+Plot convergence_plot(const std::vector<IterationRecord>& records);
+
+// One step from `state` with each method, `iterations` without early stop, recorded. `state` is not changed.
+std::vector<MethodRun> run_methods(const Model& model, const Params& params, const State& state,
+                                   const std::vector<SolverMethod>& methods, int iterations, int threads = 1);
+
+// Minimiser of the step's incremental potential over rigid poses: `descent`, tolerance 1e-14, at most
+// `iterations`.
+Minimiser find_minimiser(const Model& model, const Params& params, const State& state, int iterations = 20000,
+                         int threads = 1);
+
+// Figure 7: penetration −d of the deepest contact against the iteration, `sissm` before and after the
+// projection, `descent`, and the true minimiser as a level. The state is that of figure 6: two boxes with one
+// deepest pair.
+Figure figure7(const Model& model, const Params& params, const State& state, int iterations = 100,
+               int threads = 1);
+
+}  // namespace pabd

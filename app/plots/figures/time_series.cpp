@@ -1,0 +1,86 @@
+// Penetration and energies against time.
+#include "app/plots/figures/time_series.h"
+
+#include <algorithm>
+
+namespace pabd {
+namespace {
+
+template <class Value>
+Series time_series(std::string name, const std::vector<HistoryPoint>& history, const Value& value, int color,
+                   bool right = false) {
+  Series series;
+  series.name = std::move(name);
+  series.color = color;
+  series.right_axis = right;
+  series.x.reserve(history.size());
+  series.y.reserve(history.size());
+  for (const HistoryPoint& p : history) {
+    series.x.push_back(p.time);
+    series.y.push_back(value(p));
+  }
+  return series;
+}
+
+}  // namespace
+
+HistoryPoint history_point(const StepReport& r) {
+  return {r.time, r.max_penetration, r.min_gap, r.kinetic, r.potential, r.elastic};
+}
+
+Figure time_series_figure(const std::vector<HistoryPoint>& history) {
+  Figure figure;
+  figure.columns = 2;
+  figure.title = "Contacts and energy over time";
+  Plot gap, energy;
+  gap.title = "Contacts";
+  gap.x.label = energy.x.label = "time [s]";
+  gap.y.label = "distance [m]";
+  gap.series.push_back(time_series(
+      "largest penetration", history, [](const HistoryPoint& p) { return p.max_penetration; }, 1));
+  gap.series.push_back(time_series(
+      "smallest gap d", history, [](const HistoryPoint& p) { return p.min_gap; }, 0));
+  const double zero = history.empty() ? 0 : history.front().potential;
+  energy.title = "Energy";
+  energy.y.label = "energy [J]";
+  energy.series.push_back(time_series(
+      "kinetic", history, [](const HistoryPoint& p) { return p.kinetic; }, 0));
+  energy.series.push_back(time_series(
+      "potential, from its first value", history,
+      [zero](const HistoryPoint& p) { return p.potential - zero; }, 2));
+  energy.series.push_back(time_series(
+      "elastic (contacts, bonds)", history, [](const HistoryPoint& p) { return p.elastic; }, 3));
+  Series total = time_series(
+      "total", history, [zero](const HistoryPoint& p) { return p.kinetic + p.potential - zero + p.elastic; },
+      6);
+  total.style = SeriesStyle::dashed;
+  energy.series.push_back(std::move(total));
+  figure.plots = {std::move(gap), std::move(energy)};
+  return figure;
+}
+
+Figure time_series_figure(const std::vector<StepReport>& reports) {
+  std::vector<HistoryPoint> history;
+  history.reserve(reports.size());
+  std::transform(reports.begin(), reports.end(), std::back_inserter(history), history_point);
+  return time_series_figure(history);
+}
+
+Plot time_series_plot(const std::vector<HistoryPoint>& history, double d_hat) {
+  Plot plot;
+  plot.title = "Over time";
+  plot.x.label = "time [s]";
+  plot.y.label = "penetration [m]";
+  plot.y.min_span = 0.1 * d_hat;
+  plot.y_right.label = "energy [J]";
+  plot.y_right.min_span = 1e-9;
+  plot.series.push_back(time_series(
+      "penetration", history, [](const HistoryPoint& p) { return p.max_penetration; }, 1));
+  plot.series.push_back(time_series(
+      "kinetic", history, [](const HistoryPoint& p) { return p.kinetic; }, 0, true));
+  plot.series.push_back(time_series(
+      "elastic", history, [](const HistoryPoint& p) { return p.elastic; }, 2, true));
+  return plot;
+}
+
+}  // namespace pabd

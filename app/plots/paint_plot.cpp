@@ -1,0 +1,196 @@
+// Draws a laid-out plot on a canvas.
+#include <algorithm>
+#include <cmath>
+
+#include "app/plots/palette.h"
+#include "app/plots/plot_layout.h"
+
+namespace pabd {
+namespace {
+
+Stroke series_stroke(SeriesStyle style, Color color, double width) {
+  Stroke stroke{color, width, 0, 0};
+  if (style == SeriesStyle::dashed) {
+    stroke.dash_on = 3.2 * width;
+    stroke.dash_off = 2.2 * width;
+  }
+  if (style == SeriesStyle::level || style == SeriesStyle::level_x) {
+    stroke.width = 0.7 * width;
+    stroke.dash_on = 1.2 * width;
+    stroke.dash_off = 1.4 * width;
+  }
+  return stroke;
+}
+
+void paint_marker(const Point& at, double radius, Color color, Canvas& canvas) {
+  canvas.fill_circle(at, radius + 0.35 * radius, ink::paper);
+  canvas.fill_circle(at, radius, color);
+}
+
+void paint_grid(const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
+  const Rect& in = layout.inner;
+  for (const bool major : {false, true}) {
+    const Color color = major ? ink::grid : ink::minor_grid;
+    for (const Tick& tick : layout.x.ticks) {
+      if (tick.major == major)
+        canvas.vertical(in.x + layout.x.unit(tick.value) * in.w, in.y, in.bottom(), color, style.grid);
+    }
+    for (const Tick& tick : layout.y.ticks) {
+      if (tick.major == major) {
+        canvas.horizontal(in.x, in.right(), in.bottom() - layout.y.unit(tick.value) * in.h, color,
+                          style.grid);
+      }
+    }
+  }
+  // The zero lines of linear axes, when inside.
+  if (!layout.y.log && layout.y.lo < 0 && layout.y.hi > 0) {
+    canvas.horizontal(in.x, in.right(), in.bottom() - layout.y.unit(0) * in.h, {190, 196, 204, 255},
+                      style.grid);
+  }
+  if (!layout.x.log && layout.x.lo < 0 && layout.x.hi > 0) {
+    canvas.vertical(in.x + layout.x.unit(0) * in.w, in.y, in.bottom(), {190, 196, 204, 255}, style.grid);
+  }
+}
+
+void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool right, Color color,
+                         const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
+  const Rect& in = layout.inner;
+  const double edge = right ? in.right() : in.x;
+  const double out = right ? 1 : -1;
+  const bool tinted = !(color == ink::axis);
+  TextStyle text{style.tick, tinted ? color : ink::text, right ? AnchorX::left : AnchorX::right,
+                 AnchorY::middle};
+  for (const Tick& tick : axis.ticks) {
+    const double y = in.bottom() - axis.unit(tick.value) * in.h;
+    const double length = style.tick_length * (tick.major ? 1 : 0.55);
+    canvas.horizontal(std::min(edge, edge + out * length), std::max(edge, edge + out * length), y, color,
+                      style.grid);
+    if (tick.major) canvas.text({edge + out * (style.tick_length + style.gap), y}, tick.label, text);
+  }
+  canvas.vertical(edge, in.y, in.bottom(), color, style.grid);
+
+  const double above = in.y - FontMetrics::cap * style.tick;
+  text.y = AnchorY::baseline;
+  if (style.compact) {
+    const std::string head = axis.factor.empty() ? label
+                             : label.empty()     ? axis.factor
+                                                 : label + "  " + axis.factor;
+    text.size = style.label;
+    text.x = right ? AnchorX::right : AnchorX::left;
+    canvas.text({right ? layout.area.right() : layout.area.x, above}, head, text);
+    return;
+  }
+  text.x = right ? AnchorX::right : AnchorX::left;
+  if (!axis.factor.empty()) canvas.text({edge, above}, axis.factor, text);
+  if (label.empty()) return;
+  text.size = style.label;
+  text.vertical = true;
+  text.x = AnchorX::center;
+  text.y = right ? AnchorY::bottom : AnchorY::top;
+  canvas.text({right ? layout.area.right() : layout.area.x, in.y + 0.5 * in.h}, label, text);
+}
+
+void paint_horizontal_axis(const Plot& plot, const PlotLayout& layout, const PlotStyle& style,
+                           Canvas& canvas) {
+  const Rect& in = layout.inner;
+  TextStyle text{style.tick, ink::text, AnchorX::center, AnchorY::top};
+  for (const Tick& tick : layout.x.ticks) {
+    const double x = in.x + layout.x.unit(tick.value) * in.w;
+    canvas.vertical(x, in.bottom(), in.bottom() + style.tick_length * (tick.major ? 1 : 0.55), ink::axis,
+                    style.grid);
+    if (tick.major) canvas.text({x, in.bottom() + style.tick_length + style.gap}, tick.label, text);
+  }
+  canvas.horizontal(in.x, in.right() + 1, in.bottom(), ink::axis, style.grid);
+  const double below =
+      in.bottom() + style.tick_length + style.gap + FontMetrics::cap * style.tick + 0.55 * style.label;
+  text.size = style.label;
+  if (!plot.x.label.empty()) canvas.text({in.x + 0.5 * in.w, below}, plot.x.label, text);
+  if (!layout.x.factor.empty()) {
+    text.size = style.tick;
+    text.x = AnchorX::right;
+    canvas.text({in.right(), below}, layout.x.factor, text);
+  }
+}
+
+void paint_series(const Series& series, Color color, const PlotLayout& layout, const PlotStyle& style,
+                  Canvas& canvas) {
+  const Rect& in = layout.inner;
+  const Stroke stroke = series_stroke(series.style, color, style.line);
+  if (series.style == SeriesStyle::level || series.style == SeriesStyle::level_x) {
+    const bool across = series.style == SeriesStyle::level;
+    if ((across ? series.y : series.x).empty()) return;
+    const Point p = across ? layout.map(layout.x.lo, series.y[0], series.right_axis)
+                           : layout.map(series.x[0], layout.y.lo);
+    const Point ends[] = {across ? Point{in.x, p.y} : Point{p.x, in.bottom()},
+                          across ? Point{in.right(), p.y} : Point{p.x, in.y}};
+    if (std::isfinite(p.x) && std::isfinite(p.y)) canvas.polyline(ends, stroke);
+    return;
+  }
+  if (series.style == SeriesStyle::markers) {
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      const Point p = layout.map(series.x[i], series.y[i], series.right_axis);
+      if (!in.inset(-1).contains(p)) continue;
+      paint_marker(p, style.marker, i < series.marker_colors.size() ? series.marker_colors[i] : color,
+                   canvas);
+    }
+    return;
+  }
+  for (const std::vector<Point>& run : pixel_runs(layout, series)) {
+    if (run.size() == 1) {
+      canvas.fill_circle(run[0], 0.8 * style.line, color);  // a value between two breaks would not be seen
+    } else {
+      canvas.polyline(run, stroke);
+    }
+  }
+}
+
+void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) {
+  if (legend.entries.empty()) return;
+  if (legend.boxed) canvas.fill_rect(legend.box, {255, 255, 255, 225}, 3);
+  for (const LegendEntry& entry : legend.entries) {
+    if (entry.style == SeriesStyle::markers) {
+      paint_marker({entry.at.x + 0.5 * legend.sample, entry.at.y}, 0.9 * style.marker, entry.color, canvas);
+    } else {
+      const Point ends[] = {entry.at, {entry.at.x + legend.sample, entry.at.y}};
+      canvas.polyline(ends, series_stroke(entry.style, entry.color, style.line));
+    }
+    const double gap = (style.compact ? 0.4 : 0.6) * style.tick;
+    canvas.text({entry.at.x + legend.sample + gap, entry.at.y}, entry.name,
+                {style.tick, ink::text, AnchorX::left, AnchorY::middle});
+  }
+}
+
+}  // namespace
+
+void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
+  const Rect& in = layout.inner;
+  if (!plot.title.empty()) {
+    const TextStyle title{style.title, ink::text, style.compact ? AnchorX::left : AnchorX::center,
+                          AnchorY::top};
+    canvas.text({style.compact ? layout.area.x : in.x + 0.5 * in.w, layout.area.y}, plot.title, title);
+  }
+  if (layout.empty) {
+    canvas.stroke_rect(in, ink::grid, style.grid);
+    canvas.text({in.x + 0.5 * in.w, in.y + 0.5 * in.h}, "no data",
+                {style.label, ink::muted, AnchorX::center, AnchorY::middle});
+    return;
+  }
+  paint_grid(layout, style, canvas);
+  canvas.push_clip(in);
+  for (const bool markers : {false, true}) {
+    if (markers) canvas.pop_clip();  // markers at the edge are shown whole
+    for (std::size_t i = 0; i < plot.series.size(); ++i) {
+      if ((plot.series[i].style == SeriesStyle::markers) == markers) {
+        paint_series(plot.series[i], layout.colors[i], layout, style, canvas);
+      }
+    }
+  }
+  paint_horizontal_axis(plot, layout, style, canvas);
+  paint_vertical_axis(layout.y, plot.y.label, false, layout.left_ink, layout, style, canvas);
+  if (layout.has_right) {
+    paint_vertical_axis(layout.y_right, plot.y_right.label, true, layout.right_ink, layout, style, canvas);
+  }
+  paint_legend(layout.legend, style, canvas);
+}
+
+}  // namespace pabd

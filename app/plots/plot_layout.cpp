@@ -1,0 +1,236 @@
+// Where everything of a plot goes.
+#include "app/plots/plot_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plots/legend.h"
+#include "app/plots/palette.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kPad = 0.05;
+
+void add_colors(const Plot& plot, PlotLayout& layout) {
+  int next = 0;
+  int left = 0, right = 0;
+  layout.left_ink = layout.right_ink = ink::axis;
+  for (const Series& series : plot.series) {
+    const bool reference = series.style == SeriesStyle::level || series.style == SeriesStyle::level_x;
+    Color color = ink::reference;
+    if (series.color >= 0) {
+      color = palette_color(series.color);
+    } else if (!reference) {
+      color = palette_color(next++);
+    }
+    layout.colors.push_back(color);
+    if (reference || series.style == SeriesStyle::markers) continue;
+    (series.right_axis ? layout.right_ink : layout.left_ink) = color;
+    ++(series.right_axis ? right : left);
+  }
+  // Axes take the colour of their curve only where two axes have to be told apart.
+  if (left != 1 || right == 0) layout.left_ink = ink::axis;
+  if (right != 1) layout.right_ink = ink::axis;
+}
+
+struct Ranges {
+  DataRange x, y, right;
+};
+
+Ranges find_ranges(const Plot& plot) {
+  Ranges ranges;
+  for (const Series& series : plot.series) {
+    const bool log_y = series.right_axis ? plot.y_right.log : plot.y.log;
+    DataRange& y = series.right_axis ? ranges.right : ranges.y;
+    if (series.style == SeriesStyle::level) {
+      if (!series.y.empty()) y.add(series.y[0], log_y);
+      continue;
+    }
+    if (series.style == SeriesStyle::level_x) {
+      if (!series.x.empty()) ranges.x.add(series.x[0], plot.x.log);
+      continue;
+    }
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      // A point that one axis cannot show does not widen the other.
+      DataRange px, py;
+      px.add(series.x[i], plot.x.log);
+      py.add(series.y[i], log_y);
+      if (px.empty || py.empty) continue;
+      ranges.x.add(series.x[i], plot.x.log);
+      y.add(series.y[i], log_y);
+    }
+  }
+  return ranges;
+}
+
+double widest_tick(const AxisScale& axis, double size, const FontMetrics& font) {
+  double width = 0;
+  for (const Tick& tick : axis.ticks) width = std::max(width, text_width(font, tick.label, size));
+  return width;
+}
+
+// The x axis with as many labels as fit side by side.
+AxisScale fit_x(const Plot& plot, const DataRange& data, double width, const PlotStyle& style,
+                const FontMetrics& font) {
+  for (int most = std::clamp(static_cast<int>(width / (3 * style.tick)), 2, 12); most > 1; --most) {
+    AxisScale axis = fit_axis(plot.x, data, most, plot.x.log ? kPad : 0.02);
+    const auto labelled =
+        std::count_if(axis.ticks.begin(), axis.ticks.end(), [](const Tick& t) { return t.major; });
+    const double room = widest_tick(axis, style.tick, font) + 0.9 * style.tick;
+    if (room * static_cast<double>(labelled) <= width || most == 2) return axis;
+  }
+  return fit_axis(plot.x, data, 1, 0.02);
+}
+
+struct Margins {
+  double left = 0, right = 0, top = 0, bottom = 0;
+};
+
+Margins find_margins(const Plot& plot, const PlotLayout& layout, const PlotStyle& style,
+                     const FontMetrics& font) {
+  Margins m;
+  const double tick_height = FontMetrics::cap * style.tick;
+  const double label_height = FontMetrics::line * style.label;
+  m.left = style.tick_length + style.gap + widest_tick(layout.y, style.tick, font);
+  m.right = 0.6 * style.tick;
+  if (layout.has_right)
+    m.right = style.tick_length + style.gap + widest_tick(layout.y_right, style.tick, font);
+  if (!style.compact) {
+    if (!plot.y.label.empty()) m.left += label_height + 0.5 * style.gap;
+    if (layout.has_right && !plot.y_right.label.empty()) m.right += label_height + 0.5 * style.gap;
+  }
+  m.bottom = style.tick_length + style.gap + tick_height + 0.2 * style.tick;
+  if (!plot.x.label.empty() || !layout.x.factor.empty()) m.bottom += label_height;
+  m.top = tick_height;  // half a tick label sticks out
+  if (!plot.title.empty()) m.top += FontMetrics::line * style.title;
+  if (!layout.y.factor.empty() || !layout.y_right.factor.empty() ||
+      (style.compact && !(plot.y.label + plot.y_right.label).empty())) {
+    m.top += FontMetrics::line * style.tick;
+  }
+  return m;
+}
+
+}  // namespace
+
+PlotStyle PlotStyle::scaled(double s) const {
+  PlotStyle out = *this;
+  for (double* v :
+       {&out.title, &out.label, &out.tick, &out.line, &out.grid, &out.marker, &out.tick_length, &out.gap}) {
+    *v *= s;
+  }
+  return out;
+}
+
+PlotStyle panel_style() {
+  PlotStyle style;
+  style.title = 12;
+  style.label = 10.5;
+  style.tick = 10.5;
+  style.line = 1.6;
+  style.marker = 4;
+  style.tick_length = 3;
+  style.gap = 4;
+  style.compact = true;
+  return style;
+}
+
+PlotStyle figure_style() { return {}; }
+
+Point PlotLayout::map(double px, double py, bool right_axis) const {
+  const double ux = x.unit(px), uy = (right_axis ? y_right : y).unit(py);
+  return {inner.x + ux * inner.w, inner.bottom() - uy * inner.h};
+}
+
+PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font) {
+  PlotLayout layout;
+  layout.area = area;
+  add_colors(plot, layout);
+  const Ranges ranges = find_ranges(plot);
+  layout.has_right =
+      std::any_of(plot.series.begin(), plot.series.end(), [](const Series& s) { return s.right_axis; });
+  layout.empty = std::all_of(plot.series.begin(), plot.series.end(),
+                             [](const Series& s) {
+                               return s.style == SeriesStyle::level || s.style == SeriesStyle::level_x ||
+                                      s.x.empty() || s.y.empty();
+                             }) ||
+                 ranges.x.empty || (ranges.y.empty && ranges.right.empty);
+
+  // The number of ticks depends on the size of the inside, which depends on the labels: twice is enough.
+  Rect outer = area;
+  layout.inner = area.inset(3 * style.tick);
+  const auto settle = [&] {
+    for (int pass = 0; pass < 2; ++pass) {
+      const int rows = std::clamp(static_cast<int>(layout.inner.h / (2.6 * style.tick)), 2, 8);
+      layout.x = fit_x(plot, ranges.x, layout.inner.w, style, font);
+      layout.y = fit_axis(plot.y, ranges.y, rows, kPad);
+      layout.y_right = fit_axis(plot.y_right, ranges.right, rows, kPad);
+      const Margins m = find_margins(plot, layout, style, font);
+      layout.inner = {std::round(outer.x + m.left), std::round(outer.y + m.top),
+                      std::max(8.0, std::round(outer.w - m.left - m.right)),
+                      std::max(8.0, std::round(outer.h - m.top - m.bottom))};
+    }
+  };
+  if (style.compact) {
+    // Legend rows between the title and the axes.
+    Legend rows = legend_rows(plot, layout.colors, area.w, style, font);
+    outer.y += rows.box.h;
+    outer.h -= rows.box.h;
+    settle();
+    const double title = plot.title.empty() ? 0 : FontMetrics::line * style.title;
+    move_legend(rows, area.x, area.y + title);
+    layout.legend = std::move(rows);
+    return layout;
+  }
+  settle();
+  Legend legend = legend_column(plot, layout.colors, style, font);
+  if (legend.entries.empty()) return layout;
+  if (!place_inside(legend, plot, layout, style) && area.w > 2.5 * legend.box.w) {
+    outer.w -= legend.box.w + style.gap;
+    settle();
+    legend.boxed = false;
+    move_legend(legend, area.right() - legend.box.w, layout.inner.y);
+  }
+  layout.legend = std::move(legend);
+  return layout;
+}
+
+std::vector<std::vector<Point>> pixel_runs(const PlotLayout& layout, const Series& series) {
+  std::vector<std::vector<Point>> runs;
+  std::vector<Point> run;
+  std::vector<Point> column;  // the points that fall into one pixel column
+  const auto flush_column = [&] {
+    if (column.size() > 4) {
+      const auto [lo, hi] = std::minmax_element(column.begin(), column.end(),
+                                                [](const Point& a, const Point& b) { return a.y < b.y; });
+      run.push_back(column.front());
+      run.push_back(lo < hi ? *lo : *hi);
+      run.push_back(lo < hi ? *hi : *lo);
+      run.push_back(column.back());
+    } else {
+      run.insert(run.end(), column.begin(), column.end());
+    }
+    column.clear();
+  };
+  const auto flush_run = [&] {
+    flush_column();
+    if (!run.empty()) runs.push_back(std::move(run));
+    run.clear();
+  };
+  const double far = 4 * (layout.area.w + layout.area.h);
+  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    Point p = layout.map(series.x[i], series.y[i], series.right_axis);
+    if (std::isnan(p.x) || std::isnan(p.y)) {
+      flush_run();
+      continue;
+    }
+    p.x = std::clamp(p.x, layout.inner.x - far, layout.inner.right() + far);
+    p.y = std::clamp(p.y, layout.inner.y - far, layout.inner.bottom() + far);
+    if (!column.empty() && std::floor(column.front().x) != std::floor(p.x)) flush_column();
+    column.push_back(p);
+  }
+  flush_run();
+  return runs;
+}
+
+}  // namespace pabd

@@ -1,0 +1,73 @@
+// Where everything of a plot goes, in pixels: computed once from the data and the sizes of the texts, then
+// painted by any canvas.
+//
+//   inner    the rectangle of the data
+//   map      (x, y) in data units → pixel
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/plots/axis_ticks.h"
+#include "app/plots/canvas.h"
+#include "app/plots/plot.h"
+
+namespace pabd {
+
+// Sizes in pixels. `scaled` multiplies all of them.
+struct PlotStyle {
+  double title = 15;
+  double label = 13;
+  double tick = 11.5;
+  double line = 2.0;
+  double grid = 1.0;
+  double marker = 3.4;     // radius
+  double tick_length = 4;  // outwards
+  double gap = 6;          // between texts and what they name
+  // Panels over a picture: the labels of both vertical axes stand above them, the legend in rows under the
+  // title.
+  bool compact = false;
+
+  PlotStyle scaled(double s) const;
+};
+PlotStyle panel_style();   // compact, at 720 px frame height
+PlotStyle figure_style();  // for figures of 1600 × 700
+
+struct LegendEntry {
+  std::string name;
+  SeriesStyle style;
+  Color color;
+  Point at;  // left end of its sample line, on the middle of its text
+};
+
+struct Legend {
+  std::vector<LegendEntry> entries;
+  Rect box;            // empty without entries
+  bool boxed = false;  // over the data: wants a background
+  double sample = 0;   // length of the sample lines
+};
+
+struct PlotLayout {
+  Rect area;
+  Rect inner;
+  AxisScale x, y, y_right;
+  bool has_right = false;
+  bool empty = false;         // nothing to draw: "no data"
+  std::vector<Color> colors;  // one a series
+  Color left_ink,
+      right_ink;  // colours of the vertical axes: those of their series when there is only one each
+  Legend legend;
+
+  // NaN coordinates for what the axes cannot show.
+  Point map(double px, double py, bool right_axis = false) const;
+};
+
+PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font);
+
+// The pixels of a line or of markers: runs between breaks, thinned so that a run has a bounded number of
+// points a pixel column (first, lowest, highest, last of each column), far-off points pulled in.
+std::vector<std::vector<Point>> pixel_runs(const PlotLayout& layout, const Series& series);
+
+void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& style, Canvas& canvas);
+
+}  // namespace pabd

@@ -1,0 +1,217 @@
+// Text with sub- and superscripts: parsing, measuring, breaking.
+#include "app/plots/rich_text.h"
+
+#include <stb_truetype.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/plots/font_data.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kScriptSize = 0.72;
+constexpr double kSubShift = 0.20;
+constexpr double kSuperShift = -0.38;
+constexpr double kItalicCorrection =
+    0.08;  // room that a slanted letter needs before an upright one or a superscript
+
+enum class Script { base, sub, super };
+
+struct Piece {
+  std::string text;
+  Script script = Script::base;
+  bool italic = false;
+};
+
+std::vector<Piece> parse(std::string_view rich) {
+  std::vector<Piece> pieces;
+  const auto append = [&](std::string_view text, Script script, bool italic) {
+    if (text.empty()) return;
+    if (pieces.empty() || pieces.back().script != script || pieces.back().italic != italic ||
+        script != Script::base) {
+      pieces.push_back({std::string(text), script, italic});
+    } else {
+      pieces.back().text += text;
+    }
+  };
+  std::size_t i = 0;
+  while (i < rich.size()) {
+    const std::size_t mark = rich.find_first_of("_^*", i);
+    if (mark == std::string_view::npos) break;
+    const bool opens = mark + 1 < rich.size() && rich[mark + 1] == '{';
+    const std::size_t close = opens ? rich.find('}', mark + 2) : std::string_view::npos;
+    if (close == std::string_view::npos) {
+      append(rich.substr(i, mark + 1 - i), Script::base, false);
+      i = mark + 1;
+      continue;
+    }
+    append(rich.substr(i, mark - i), Script::base, false);
+    const std::string_view inner = rich.substr(mark + 2, close - mark - 2);
+    if (rich[mark] == '*') {
+      append(inner, Script::base, true);
+    } else {
+      append(inner, rich[mark] == '_' ? Script::sub : Script::super, false);
+    }
+    i = close + 1;
+  }
+  append(rich.substr(std::min(i, rich.size())), Script::base, false);
+  return pieces;
+}
+
+void append_utf8(std::string& out, char32_t c) {
+  if (c < 0x80) {
+    out += static_cast<char>(c);
+  } else if (c < 0x800) {
+    out += static_cast<char>(0xC0 | (c >> 6));
+    out += static_cast<char>(0x80 | (c & 0x3F));
+  } else if (c < 0x10000) {
+    out += static_cast<char>(0xE0 | (c >> 12));
+    out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+    out += static_cast<char>(0x80 | (c & 0x3F));
+  } else {
+    out += static_cast<char>(0xF0 | (c >> 18));
+    out += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
+    out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+    out += static_cast<char>(0x80 | (c & 0x3F));
+  }
+}
+
+// One code point from `text` at `i`, which moves on.
+char32_t next_code_point(std::string_view text, std::size_t& i) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned char first = byte(i);
+  const int extra = first < 0x80                    ? 0
+                    : first >= 0xF0 && first < 0xF8 ? 3
+                    : first >= 0xE0 && first < 0xF0 ? 2
+                    : first >= 0xC2 && first < 0xE0 ? 1
+                                                    : -1;
+  ++i;
+  if (extra < 0) return 0xFFFD;
+  char32_t c = extra == 0 ? first : first & (0x3F >> extra);
+  for (int k = 0; k < extra; ++k) {
+    if (i >= text.size() || (byte(i) & 0xC0) != 0x80) return 0xFFFD;
+    c = (c << 6) | (byte(i) & 0x3F);
+    ++i;
+  }
+  return c <= 0x10FFFF ? c : 0xFFFD;
+}
+
+}  // namespace
+
+std::u32string decode_text(std::string_view utf8) {
+  std::u32string out;
+  for (std::size_t i = 0; i < utf8.size();) {
+    const char32_t c = next_code_point(utf8, i);
+    if (c == 0x302 && !out.empty() && out.back() == U'd') {
+      out.back() = kDHat;
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string ui_text(std::string_view utf8) {
+  std::string out;
+  for (const char32_t c : decode_text(utf8)) append_utf8(out, c);
+  return out;
+}
+
+std::string plain_text(std::string_view rich) {
+  std::string out;
+  for (const Piece& piece : parse(rich)) {
+    if (piece.script == Script::sub) out += '_';
+    if (piece.script == Script::super) out += '^';
+    out += piece.text;
+  }
+  return out;
+}
+
+struct FontMetrics::Impl {
+  stbtt_fontinfo info;
+  double em_per_unit;
+};
+
+FontMetrics::FontMetrics() : impl_(std::make_unique<Impl>()) {
+  const unsigned char* bytes = font_bytes().data();
+  if (stbtt_InitFont(&impl_->info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)) == 0) {
+    throw std::logic_error("the embedded font cannot be read");
+  }
+  impl_->em_per_unit = static_cast<double>(stbtt_ScaleForMappingEmToPixels(&impl_->info, 1.0f));
+}
+FontMetrics::~FontMetrics() = default;
+FontMetrics::FontMetrics(FontMetrics&&) noexcept = default;
+FontMetrics& FontMetrics::operator=(FontMetrics&&) noexcept = default;
+
+double FontMetrics::advance(char32_t code_point) const {
+  if (code_point >= 0x300 && code_point < 0x370) return 0;  // combining marks
+  const int c = static_cast<int>(code_point == kDHat ? U'd' : code_point);
+  int width = 0, bearing = 0;
+  stbtt_GetCodepointHMetrics(&impl_->info, c, &width, &bearing);
+  return width * impl_->em_per_unit;
+}
+
+bool FontMetrics::has(char32_t code_point) const {
+  return code_point == kDHat || stbtt_FindGlyphIndex(&impl_->info, static_cast<int>(code_point)) != 0;
+}
+
+TextLayout layout_text(const FontMetrics& font, std::string_view rich, double size) {
+  TextLayout layout;
+  double pen = 0;
+  double script_start = 0, script_end = 0;  // of the last script, for one stacked on it
+  Script last = Script::base;
+  bool last_italic = false;
+  for (Piece& piece : parse(rich)) {
+    TextRun run{std::move(piece.text), 0, 0, size, 0, piece.italic};
+    if (piece.script != Script::base) {
+      run.size = kScriptSize * size;
+      run.y = (piece.script == Script::sub ? kSubShift : kSuperShift) * size;
+    }
+    for (const char32_t c : decode_text(run.text)) run.width += font.advance(c) * run.size;
+    const bool stacked = piece.script != Script::base && last != Script::base && last != piece.script;
+    if (last_italic && !piece.italic && piece.script != Script::sub) pen += kItalicCorrection * size;
+    run.x = stacked ? script_start : pen;
+    const double end = run.x + run.width;
+    pen = stacked ? std::max(end, script_end) : end;
+    if (piece.script != Script::base) {
+      script_start = run.x;
+      script_end = end;
+    }
+    // A third script in a row starts after the stack.
+    last = stacked ? Script::base : piece.script;
+    last_italic = piece.italic;
+    layout.runs.push_back(std::move(run));
+  }
+  layout.width = pen;
+  return layout;
+}
+
+double text_width(const FontMetrics& font, std::string_view rich, double size) {
+  return layout_text(font, rich, size).width;
+}
+
+std::vector<std::string> wrap_text(const FontMetrics& font, std::string_view rich, double size,
+                                   double width) {
+  std::vector<std::string> lines;
+  std::string line;
+  std::size_t i = 0;
+  while (i < rich.size()) {
+    const std::size_t end = std::min(rich.find(' ', i), rich.size());
+    const std::string_view word = rich.substr(i, end - i);
+    i = end + 1;
+    if (word.empty()) continue;
+    std::string longer = line.empty() ? std::string(word) : line + ' ' + std::string(word);
+    if (!line.empty() && text_width(font, longer, size) > width) {
+      lines.push_back(std::move(line));
+      line = word;
+    } else {
+      line = std::move(longer);
+    }
+  }
+  if (!line.empty()) lines.push_back(std::move(line));
+  return lines;
+}
+
+}  // namespace pabd
