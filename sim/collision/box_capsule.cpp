@@ -10,7 +10,6 @@
 //
 //   h   half edges of the box                               m
 //   s   separation of the segment from the box along an axis, negative inside    m
-#include <array>
 #include <limits>
 
 #include "sim/collision/narrow_phase.h"
@@ -51,18 +50,22 @@ std::uint32_t edge_number(int axis, const Vec3& toward) {
 // Place t of the point of the segment nearest to the box: the zero of the derivative of the squared distance,
 // which is continuous, piecewise linear and rising, with kinks where the segment crosses a side plane.
 double nearest_to_box(const Segment& x, const Vec3& h) {
-  std::array<double, 8> kink;
+  double kink[8];  // sorted
   int count = 0;
-  kink[count++] = 0;
-  kink[count++] = 1;
+  const auto insert = [&](double t) {
+    int k = count++;
+    for (; k > 0 && kink[k - 1] > t; --k) kink[k] = kink[k - 1];
+    kink[k] = t;
+  };
+  insert(0);
+  insert(1);
   for (int k = 0; k < 3; ++k) {
     if (x.e[k] == 0) continue;
     for (const double side : {-h[k], h[k]}) {
       const double t = (side - x.p[k]) / x.e[k];
-      if (t > 0 && t < 1) kink[count++] = t;
+      if (t > 0 && t < 1) insert(t);
     }
   }
-  std::sort(kink.begin(), kink.begin() + count);
   const auto slope = [&](double t) {
     const Vec3 y = x.at(t);
     return x.e.dot(y - y.cwiseMax(-h).cwiseMin(h));
