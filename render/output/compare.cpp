@@ -213,7 +213,7 @@ Image difference_image(const Image& actual, const Image& expected) {
       }
       const std::uint8_t* a = actual.rgb.data() + offset(actual.width, x, y);
       const std::uint8_t* e = expected.rgb.data() + offset(expected.width, x, y);
-      const double grey = 0.25 * (0.3 * e[0] + 0.6 * e[1] + 0.1 * e[2]);
+      const double grey = 0.35 * (0.3 * e[0] + 0.6 * e[1] + 0.1 * e[2]);
       int worst = 0;
       for (std::size_t c = 0; c < 3; ++c) worst = std::max(worst, std::abs(int(a[c]) - int(e[c])));
       // One level must be visible already; from 64 on the colour is the strongest.

@@ -113,6 +113,11 @@ class Reader {
 
   bool skip_pixels() {
     if (setjmp(png_jmpbuf(png_))) return false;
+    // Text may follow the picture, so its rows are unpacked and dropped: libpng skips no picture that it
+    // never began.
+    const int passes = png_set_interlace_handling(png_);
+    png_read_update_info(png_, info_);
+    for (int row = 0; row < passes * height(); ++row) png_read_row(png_, nullptr, nullptr);
     png_read_end(png_, end_);
     return true;
   }
