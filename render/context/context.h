@@ -10,8 +10,11 @@ namespace pabd {
 class GlContext {
  public:
   virtual ~GlContext() = default;
+  // Makes it current in the calling thread. It may be current in one thread at a time: call release() in the
+  // old thread before. Throws Error(no_gl).
   virtual void make_current() = 0;
-  virtual void* proc_address(const char* name) = 0;
+  virtual void release() = 0;
+  virtual void* proc_address(const char* name) = 0;                  // null when the driver does not know it
   virtual void framebuffer_size(int& width, int& height) const = 0;  // 0×0 when off-screen only
   virtual void present() = 0;                                        // no-op when off-screen
   virtual std::string name() const = 0;  // "EGL device 0", "EGL surfaceless", "OSMesa"
@@ -25,8 +28,13 @@ struct ContextAttempt {
   std::string failure;
 };
 
-// Tries EGL device list, EGL surfaceless, OSMesa in this order (or only the named ones) for GL 3.3 core or better.
-// Fills `attempts`. Throws Error(no_gl) with every attempt and the package or container flag that helps.
+// Tries EGL device list (hardware first), EGL surfaceless, OSMesa in this order (or only the named ones) for
+// GL 3.3 core or better. The context is current on return. Fills `attempts`. Throws Error(no_gl) with every
+// attempt and the package or container flag that helps.
 std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts);
+
+// Every candidate that works on this machine, for tests and diagnosis; none: an empty list. None is current.
+std::vector<std::unique_ptr<GlContext>> create_every_headless_context(Backend backend,
+                                                                      std::vector<ContextAttempt>& attempts);
 
 }  // namespace pabd

@@ -20,8 +20,8 @@ struct FrameTimes {
 
 class Renderer {
  public:
-  // The context must outlive the renderer and be current in every call. Throws Error(no_gl) if a shader or the
-  // framebuffer is refused, with the driver's words.
+  // The context must outlive the renderer and be current in every call. Throws Error(no_gl) if a shader or
+  // the framebuffer is refused, with the driver's words.
   Renderer(GlContext& context, int width, int height);
   ~Renderer();
 
@@ -35,8 +35,9 @@ class Renderer {
   // Only the overlay, over a plain background (linear RGB): plots.
   void draw_plain(const ImDrawData* overlay, const Vec3f& background);
 
-  // Two pixel buffers: queue_read() starts copying the frame just drawn; fetch() waits for the oldest queued one.
-  // Returns false when none is queued. A caller that calls queue_read, fetch in turn gets each frame at once.
+  // Two pixel buffers: queue_read() starts copying the frame just drawn; fetch() waits for the oldest queued
+  // one. Returns false when none is queued. A caller that calls queue_read, fetch in turn gets each frame at
+  // once.
   void queue_read();
   bool fetch(Image& out);
   int queued() const;

@@ -1,0 +1,182 @@
+// Headless contexts from EGL: one a device of EGL_EXT_device_enumeration, and EGL_MESA_platform_surfaceless.
+//
+// The default display, X11, Wayland and GBM are not tried: without a display server or device files they all
+// end in EGL_NOT_INITIALIZED.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/context/candidate.h"
+#include "render/context/egl_library.h"
+#include "sim/error.h"
+
+#ifndef EGL_PLATFORM_SURFACELESS_MESA
+#define EGL_PLATFORM_SURFACELESS_MESA 0x31DD
+#endif
+
+namespace pabd {
+namespace {
+
+class EglContext final : public GlContext {
+ public:
+  EglContext(std::shared_ptr<const EglLibrary> egl, EGLDisplay display, std::string name)
+      : egl_(std::move(egl)), display_(display), name_(std::move(name)) {}
+
+  // The display stays initialised: EGL hands out the same one to every context on a device.
+  ~EglContext() override {
+    if (context_ != EGL_NO_CONTEXT) {
+      release();
+      egl_->destroy_context(display_, context_);
+    }
+    if (surface_ != EGL_NO_SURFACE) egl_->destroy_surface(display_, surface_);
+  }
+
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+
+  // Empty on success, otherwise the reason.
+  std::string open() {
+    EGLint major = 0, minor = 0;
+    if (!egl_->initialize(display_, &major, &minor)) return egl_->describe_error("eglInitialize");
+    if (!egl_->bind_api(EGL_OPENGL_API)) return egl_->describe_error("eglBindAPI");
+    const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
+                                        EGL_PBUFFER_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (!egl_->choose_config(display_, config_attributes, &config, 1, &count)) {
+      return egl_->describe_error("eglChooseConfig");
+    }
+    if (count == 0) return "the driver offers no configuration for OpenGL";
+    const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                         kGlMajor,
+                                         EGL_CONTEXT_MINOR_VERSION,
+                                         kGlMinor,
+                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                         EGL_NONE};
+    context_ = egl_->create_context(display_, config, EGL_NO_CONTEXT, context_attributes);
+    if (context_ == EGL_NO_CONTEXT) return egl_->describe_error("eglCreateContext");
+    if (!has_word(egl_->query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+      const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
+      surface_ = egl_->create_pbuffer_surface(display_, config, size);
+      if (surface_ == EGL_NO_SURFACE) return egl_->describe_error("eglCreatePbufferSurface");
+    }
+    if (!bind()) return egl_->describe_error("eglMakeCurrent");
+    return check_gl_version(*this);
+  }
+
+  void make_current() override {
+    if (!bind()) throw Error(ExitCode::no_gl, name_ + ": " + egl_->describe_error("eglMakeCurrent"));
+  }
+
+  void release() override {
+    if (egl_->get_current_context() == context_) {
+      egl_->make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
+  }
+
+  void* proc_address(const char* name) override {
+    return reinterpret_cast<void*>(egl_->get_proc_address(name));
+  }
+  void framebuffer_size(int& width, int& height) const override { width = height = 0; }
+  void present() override {}
+  std::string name() const override { return name_; }
+
+ private:
+  bool bind() {
+    // The API is a setting of the thread.
+    return egl_->bind_api(EGL_OPENGL_API) && egl_->make_current(display_, surface_, surface_, context_);
+  }
+
+  std::shared_ptr<const EglLibrary> egl_;
+  EGLDisplay display_;
+  EGLContext context_ = EGL_NO_CONTEXT;
+  EGLSurface surface_ = EGL_NO_SURFACE;
+  std::string name_;
+};
+
+std::unique_ptr<GlContext> open_display(const std::shared_ptr<const EglLibrary>& egl, EGLenum platform,
+                                        void* native, const std::string& name, std::string& failure) {
+  const EGLDisplay display = egl->get_platform_display(platform, native, nullptr);
+  if (display == EGL_NO_DISPLAY) {
+    failure = "EGL_NO_DISPLAY: " + egl->describe_error("eglGetPlatformDisplayEXT");
+    return nullptr;
+  }
+  auto context = std::make_unique<EglContext>(egl, display, name);
+  failure = context->open();
+  if (!failure.empty()) return nullptr;
+  return context;
+}
+
+ContextCandidate failed_candidate(const std::string& name, const std::string& reason) {
+  return {name, [reason](std::string& failure) {
+            failure = reason;
+            return std::unique_ptr<GlContext>();
+          }};
+}
+
+struct Device {
+  EGLDeviceEXT handle;
+  bool software;
+  std::string name;
+};
+
+std::vector<Device> list_devices(const EglLibrary& egl, std::string& failure) {
+  if (egl.query_devices == nullptr) {
+    failure = "libEGL.so.1 lacks EGL_EXT_device_enumeration";
+    return {};
+  }
+  EGLint count = 0;
+  if (!egl.query_devices(0, nullptr, &count)) {
+    failure = egl.describe_error("eglQueryDevicesEXT");
+    return {};
+  }
+  std::vector<EGLDeviceEXT> handles(static_cast<std::size_t>(std::max(count, 0)));
+  if (count > 0 && !egl.query_devices(count, handles.data(), &count)) {
+    failure = egl.describe_error("eglQueryDevicesEXT");
+    return {};
+  }
+  handles.resize(static_cast<std::size_t>(std::clamp<EGLint>(count, 0, static_cast<EGLint>(handles.size()))));
+  if (handles.empty()) {
+    failure = "no EGL device (no driver is installed, or none is visible to this process)";
+    return {};
+  }
+  std::vector<Device> devices;
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    const char* extensions =
+        egl.query_device_string != nullptr ? egl.query_device_string(handles[i], EGL_EXTENSIONS) : nullptr;
+    const bool software = has_word(extensions, "EGL_MESA_device_software");
+    devices.push_back(
+        {handles[i], software, fmt::format("EGL device {}{}", i, software ? " (software)" : "")});
+  }
+  std::stable_partition(devices.begin(), devices.end(), [](const Device& d) { return !d.software; });
+  return devices;
+}
+
+}  // namespace
+
+void add_egl_candidates(std::vector<ContextCandidate>& out) {
+  const auto egl = std::make_shared<const EglLibrary>();
+  if (!egl->failure().empty()) {
+    out.push_back(failed_candidate("EGL", egl->failure()));
+    return;
+  }
+  std::string failure;
+  const std::vector<Device> devices = list_devices(*egl, failure);
+  if (devices.empty()) out.push_back(failed_candidate("EGL device", failure));
+  for (const Device& device : devices) {
+    out.push_back({device.name, [egl, device](std::string& reason) {
+                     return open_display(egl, EGL_PLATFORM_DEVICE_EXT, device.handle, device.name, reason);
+                   }});
+  }
+  if (egl->has_client_extension("EGL_MESA_platform_surfaceless")) {
+    out.push_back({"EGL surfaceless", [egl](std::string& reason) {
+                     return open_display(egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY,
+                                         "EGL surfaceless", reason);
+                   }});
+  } else {
+    out.push_back(failed_candidate("EGL surfaceless", "no driver offers EGL_MESA_platform_surfaceless"));
+  }
+}
+
+}  // namespace pabd

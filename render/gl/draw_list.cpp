@@ -1,0 +1,96 @@
+// Sorting instances into batches.
+#include "render/gl/draw_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gl/frame_uniforms.h"
+
+namespace pabd {
+namespace {
+
+GpuInstance pack(const Instance& instance) {
+  GpuInstance out;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 4; ++c) out.rows[r][c] = instance.transform(r, c);
+  }
+  for (int i = 0; i < 4; ++i) out.color[i] = instance.color[i];
+  out.shaded = instance.shaded ? 1.0f : 0.0f;
+  return out;
+}
+
+float largest_scale(const Mat4f& m) {
+  return std::sqrt(m.block<3, 3>(0, 0).colwise().squaredNorm().maxCoeff());
+}
+
+}  // namespace
+
+void DrawList::build(const VisualScene& scene, int height, float texel) {
+  instances.clear();
+  batches.clear();
+  caster_entries_.clear();
+  body_entries_.clear();
+  glyph_entries_.clear();
+  transparent_entries_.clear();
+
+  const Mat4f eye = eye_matrix(scene);
+  const float pixels =
+      static_cast<float>(height) / (2 * std::tan(0.5f * scene.camera.fov * 3.14159265f / 180));
+  for (int kind = 0; kind < kPrimitiveCount; ++kind) {
+    const auto primitive = static_cast<Primitive>(kind);
+    const bool flat_sided = primitive == Primitive::cube;  // one level does for all
+    for (const Instance& instance : scene.instances[kind]) {
+      if (!instance.transform.allFinite() || !instance.color.allFinite()) continue;
+      const float scale = largest_scale(instance.transform);
+      const float depth = -(eye.row(2).dot(instance.transform.col(3)));
+      const float radius = pixels * scale / std::max(depth - scale, 1e-3f * scale + 1e-12f);
+      const Entry entry{&instance, primitive, flat_sided ? 0 : level_for_radius(radius), depth};
+      if (instance.color.w() < 1) {
+        if (instance.color.w() > 0) transparent_entries_.push_back(entry);
+      } else if (instance.xray) {
+        glyph_entries_.push_back(entry);
+      } else {
+        body_entries_.push_back(entry);
+      }
+      if (instance.shadow && instance.color.w() >= 1) {
+        // Half a texel is as good as a pixel here: the filter is six texels wide.
+        const int level = flat_sided ? 0 : std::min(1, level_for_radius(0.5f * scale / texel));
+        caster_entries_.push_back({&instance, primitive, level, 0});
+      }
+    }
+  }
+
+  const auto near_first = [](const Entry& a, const Entry& b) { return a.depth < b.depth; };
+  const auto far_first = [](const Entry& a, const Entry& b) { return a.depth > b.depth; };
+  std::stable_sort(body_entries_.begin(), body_entries_.end(), near_first);
+  std::stable_sort(glyph_entries_.begin(), glyph_entries_.end(), far_first);
+  std::stable_sort(transparent_entries_.begin(), transparent_entries_.end(), far_first);
+  casters = append(caster_entries_, true);
+  bodies = append(body_entries_, true);
+  glyphs = append(glyph_entries_, true);
+  transparent = append(transparent_entries_, false);
+}
+
+// Grouped: one batch a mesh, the order inside kept. Otherwise the order is kept and a batch ends where the
+// mesh changes.
+BatchRange DrawList::append(std::vector<Entry>& entries, bool grouped) {
+  const auto mesh_of = [](const Entry& e) { return static_cast<int>(e.primitive) * kLevels + e.level; };
+  if (grouped) {
+    std::stable_sort(entries.begin(), entries.end(),
+                     [&](const Entry& a, const Entry& b) { return mesh_of(a) < mesh_of(b); });
+  }
+  BatchRange range{batches.size(), batches.size()};
+  for (const Entry& entry : entries) {
+    const bool same = batches.size() > range.begin && batches.back().primitive == entry.primitive &&
+                      batches.back().level == entry.level;
+    if (!same) {
+      batches.push_back({entry.primitive, entry.level, static_cast<std::uint32_t>(instances.size()), 0});
+    }
+    ++batches.back().count;
+    instances.push_back(pack(*entry.instance));
+  }
+  range.end = batches.size();
+  return range;
+}
+
+}  // namespace pabd

@@ -1,0 +1,55 @@
+// Instances in the order they are drawn, cut into batches of one mesh each. Plain numbers, no GL.
+#pragma once
+
+#include <vector>
+
+#include "render/gl/mesh.h"
+#include "render/visual/visual_scene.h"
+
+namespace pabd {
+
+// One instance as the shaders see it.
+struct GpuInstance {
+  float rows[3][4];  // the affine transform, row by row
+  float color[4];
+  float shaded;  // 1: lit, 0: flat colour
+};
+
+struct Batch {
+  Primitive primitive;
+  int level;
+  std::uint32_t first;
+  std::uint32_t count;
+};
+
+struct BatchRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+// Everything that is drawn from instances in one frame; one upload.
+struct DrawList {
+  std::vector<GpuInstance> instances;
+  std::vector<Batch> batches;
+  BatchRange casters;      // into the shadow map
+  BatchRange bodies;       // opaque, near ones first so that what they hide costs nothing
+  BatchRange glyphs;       // opaque glyphs that show through bodies
+  BatchRange transparent;  // far ones first
+
+  // Fills the list from the scene; `height` is that of the frame in pixels, `texel` that of a shadow texel in
+  // m.
+  void build(const VisualScene& scene, int height, float texel);
+
+ private:
+  struct Entry {
+    const Instance* instance;
+    Primitive primitive;
+    int level;
+    float depth;  // distance from the eye plane
+  };
+  BatchRange append(std::vector<Entry>& entries, bool grouped);
+
+  std::vector<Entry> caster_entries_, body_entries_, glyph_entries_, transparent_entries_;
+};
+
+}  // namespace pabd

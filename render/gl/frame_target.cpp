@@ -1,0 +1,160 @@
+// The framebuffers of a frame and reading them back.
+#include "render/gl/frame_target.h"
+
+#include <fmt/format.h>
+
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+const char* status_name(GLenum status) {
+  switch (status) {
+    case GL_FRAMEBUFFER_COMPLETE:
+      return "GL_FRAMEBUFFER_COMPLETE";
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+      return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+      return "GL_FRAMEBUFFER_UNSUPPORTED";
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
+      return "GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE";
+    default:
+      return "an incomplete framebuffer";
+  }
+}
+
+}  // namespace
+
+FrameTarget::FrameTarget(const GlFunctions& gl, int width, int height)
+    : gl_(gl), width_(width), height_(height), multisampled_(gl), resolved_(gl), slots_{Slot(gl), Slot(gl)} {
+  allocate();
+}
+
+void FrameTarget::resize(int width, int height) {
+  if (width == width_ && height == height_) return;
+  width_ = width;
+  height_ = height;
+  allocate();
+}
+
+void FrameTarget::allocate() {
+  if (width_ < 1 || height_ < 1) {
+    throw Error(
+        ExitCode::bad_input,
+        fmt::format("frame size {}x{}: expected at least 1x1; give --size WIDTHxHEIGHT", width_, height_));
+  }
+  const GLint limit = gl_.integer(GL_MAX_RENDERBUFFER_SIZE);
+  const auto refuse = [&](const std::string& reason) {
+    throw Error(ExitCode::no_gl,
+                fmt::format("{} cannot draw frames of {}x{} pixels with {} samples: {}; choose a "
+                            "smaller --size",
+                            gl_.string(GL_RENDERER), width_, height_, kSamples, reason));
+  };
+  if (width_ > limit || height_ > limit) refuse(fmt::format("the largest side is {}", limit));
+  if (gl_.integer(GL_MAX_SAMPLES) < kSamples)
+    refuse(fmt::format("it offers {}", gl_.integer(GL_MAX_SAMPLES)));
+
+  // The old storage goes first, so that both never exist together.
+  samples_color_.reset();
+  samples_depth_.reset();
+  color_.reset();
+  samples_color_.emplace(gl_);
+  samples_depth_.emplace(gl_);
+  color_.emplace(gl_);
+
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, samples_color_->id());
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_SRGB8_ALPHA8, width_, height_);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_color_->id());
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, samples_depth_->id());
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT24, width_, height_);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, samples_depth_->id());
+  GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status == GL_FRAMEBUFFER_COMPLETE) {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, color_->id());
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, width_, height_);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_->id());
+    status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  }
+  const GLenum error = gl_.GetError();
+  if (error != GL_NO_ERROR) refuse(gl_error_name(error));
+  if (status != GL_FRAMEBUFFER_COMPLETE) refuse(status_name(status));
+}
+
+void FrameTarget::bind_multisampled() const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
+  gl_.Viewport(0, 0, width_, height_);
+}
+
+void FrameTarget::bind_resolved() const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+  gl_.Viewport(0, 0, width_, height_);
+}
+
+void FrameTarget::resolve() const {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.id());
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void FrameTarget::blit_to_default(int width, int height) const {
+  gl_.Disable(GL_FRAMEBUFFER_SRGB);  // the bytes are sRGB already
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  const bool same = width == width_ && height == height_;
+  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      same ? GL_NEAREST : GL_LINEAR);
+}
+
+void FrameTarget::queue_read() {
+  if (queued_ == 2) {
+    throw Error(ExitCode::defect, "a third frame was queued for reading; fetch() the oldest one first");
+  }
+  Slot& slot = slots_[(oldest_ + queued_) % 2];
+  slot.width = width_;
+  slot.height = height_;
+  const auto bytes = static_cast<GLsizeiptr>(width_) * height_ * 4;
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+  gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer.id());
+  if (slot.capacity != bytes) {
+    gl_.BufferData(GL_PIXEL_PACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+    slot.capacity = bytes;
+  }
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  gl_.check("reading the frame back");
+  ++queued_;
+}
+
+bool FrameTarget::fetch(Image& out) {
+  if (queued_ == 0) return false;
+  Slot& slot = slots_[oldest_];
+  gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, slot.buffer.id());
+  const auto* pixels = static_cast<const std::uint8_t*>(
+      gl_.MapBufferRange(GL_PIXEL_PACK_BUFFER, 0, slot.capacity, GL_MAP_READ_BIT));
+  if (pixels == nullptr) {
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    gl_.check("reading the frame back");
+    throw Error(ExitCode::no_gl, "the driver does not hand out the frame; try another --backend");
+  }
+  out.resize(slot.width, slot.height);
+  const auto width = static_cast<std::size_t>(slot.width);
+  for (int y = 0; y < slot.height; ++y) {  // GL counts rows from the bottom
+    const std::uint8_t* from = pixels + static_cast<std::size_t>(slot.height - 1 - y) * width * 4;
+    std::uint8_t* to = out.rgb.data() + static_cast<std::size_t>(y) * width * 3;
+    for (std::size_t x = 0; x < width; ++x) {
+      to[3 * x] = from[4 * x];
+      to[3 * x + 1] = from[4 * x + 1];
+      to[3 * x + 2] = from[4 * x + 2];
+    }
+  }
+  gl_.UnmapBuffer(GL_PIXEL_PACK_BUFFER);
+  gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  oldest_ = 1 - oldest_;
+  --queued_;
+  return true;
+}
+
+}  // namespace pabd

@@ -1,0 +1,59 @@
+// Looking up the GL entry points, and errors in words.
+#include "render/gl/gl_functions.h"
+
+#include "sim/error.h"
+
+namespace pabd {
+
+GlFunctions::GlFunctions(GlContext& context) {
+#define PABD_LOAD(entry, type)                                                                      \
+  entry = reinterpret_cast<PFNGL##type##PROC>(context.proc_address("gl" #entry));                   \
+  if (entry == nullptr) {                                                                           \
+    throw Error(ExitCode::no_gl, context.name() + ": the driver lacks gl" #entry                    \
+                                                  " of OpenGL 3.3; update Mesa or the GPU driver"); \
+  }
+  PABD_GL_FUNCTIONS(PABD_LOAD)
+#undef PABD_LOAD
+}
+
+std::string GlFunctions::string(GLenum name) const {
+  const GLubyte* text = GetString(name);
+  return text != nullptr ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
+GLint GlFunctions::integer(GLenum name) const {
+  GLint value = 0;
+  GetIntegerv(name, &value);
+  return value;
+}
+
+void GlFunctions::check(const char* doing) const {
+  const GLenum error = GetError();
+  if (error == GL_NO_ERROR) return;
+  for (int i = 0; i < 16 && GetError() != GL_NO_ERROR; ++i) {
+  }
+  throw Error(ExitCode::no_gl, std::string(doing) + " failed with " + gl_error_name(error) + " (" +
+                                   string(GL_RENDERER) + ", " + string(GL_VERSION) +
+                                   "); try a smaller --size or another --backend");
+}
+
+const char* gl_error_name(GLenum error) {
+  switch (error) {
+    case GL_NO_ERROR:
+      return "GL_NO_ERROR";
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    default:
+      return "an unknown GL error";
+  }
+}
+
+}  // namespace pabd

@@ -1,0 +1,203 @@
+// Fixed planes as a studio floor.
+//
+//   R        radius of the scene                                  m
+//   s        spacing of the fine grid, 10^⌊log₁₀(R/2.5)⌋          m; the coarse one is 10 s
+//   r        distance from the point below the scene's centre     m
+//
+// The fine grid fades out as R grows towards the next power of ten, so that nothing jumps while a scene
+// spreads. The floor ends in the background colour at r = 9 R, its lines earlier.
+#include "render/gl/ground_pass.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pabd {
+namespace {
+
+constexpr float kExtent = 12.0f;  // half width of the quad, in R
+
+constexpr const char* kVertex = R"(
+layout(location = 0) in vec3 position;
+out vec3 world;
+void main() {
+  world = position;
+  gl_Position = frame.world_to_clip * vec4(position, 1.0);
+}
+)";
+
+constexpr const char* kFragment = R"(
+in vec3 world;
+uniform vec4 normal;  // w: offset
+uniform vec4 axis_u;  // xyz: unit; w: of the point below the scene's centre
+uniform vec4 axis_v;
+uniform vec4 grid;    // spacing of the fine grid, its weight, -, -
+out vec4 fragment;
+
+// Part of a pixel of size `pixel` that lines of the given width every `spacing` metres cover, along both axes.
+float lines(vec2 at, vec2 pixel, float spacing, float width) {
+  vec2 d = abs(fract(at / spacing - 0.5) - 0.5) * spacing;
+  vec2 wide = max(vec2(width), pixel);
+  vec2 cover = clamp((0.5 * (wide + pixel) - d) / pixel, 0.0, 1.0) * (width / wide);
+  // Where lines come closer than a few pixels: their mean, instead of a moiré.
+  cover = mix(cover, vec2(width / spacing), smoothstep(0.2, 0.5, pixel / spacing));
+  return max(cover.x, cover.y);
+}
+
+void main() {
+  vec3 n = normal.xyz;
+  vec2 at = vec2(dot(world, axis_u.xyz), dot(world, axis_v.xyz));
+  float r = length(at - vec2(axis_u.w, axis_v.w)) / frame.centre.w;
+  vec2 pixel = max(fwidth(at), vec2(1e-9));
+  vec3 back = background(gl_FragCoord.y);
+
+  float near = 1.0 - smoothstep(1.0, 5.5, r);
+  float fine = lines(at, pixel, grid.x, 0.018 * grid.x) * grid.y;
+  float coarse = lines(at, pixel, 10.0 * grid.x, 0.03 * grid.x);
+  float line = max(0.30 * fine, 0.42 * coarse) * near;
+
+#ifdef SHADOWED
+  float facing = max(dot(n, frame.light.xyz), 0.0);
+  vec3 open = ambient(n) + frame.sun.rgb * facing;
+  vec3 shade = (ambient(n) + frame.sun.rgb * facing * sun_visibility(world, n)) / open;
+#else
+  vec3 shade = vec3(1.0);
+#endif
+  vec3 color = FLOOR * shade * (1.0 - line);
+  fragment = vec4(mix(color, back, smoothstep(1.5, 9.0, r)), 1.0);
+}
+)";
+
+constexpr const char* kFloor = "#define FLOOR vec3(0.72, 0.72, 0.715)\n";
+
+}  // namespace
+
+GroundPass::Program::Program(const GlFunctions& gl, const char* name, const char* defines)
+    : program(gl, name, {kFrameGlsl, kVertex}, {defines, kFloor, kFrameGlsl, kLightingGlsl, kFragment}),
+      normal(program.uniform("normal")),
+      axis_u(program.uniform("axis_u")),
+      axis_v(program.uniform("axis_v")),
+      grid(program.uniform("grid")) {
+  program.use();
+  const GLint map = program.uniform("shadow_map");
+  if (map >= 0) gl.Uniform1i(map, 0);
+}
+
+GroundPass::GroundPass(const GlFunctions& gl)
+    : gl_(gl),
+      shadowed_(gl, "shadowed ground", "#define SHADOWED\n"),
+      open_(gl, "open ground", "\n"),
+      array_(gl),
+      vertices_(gl) {
+  gl.BindVertexArray(array_.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), nullptr);
+  gl.EnableVertexAttribArray(0);
+}
+
+void GroundPass::draw(const VisualScene& scene, const ShadowVolume& shadow) const {
+  gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.DepthFunc(GL_LESS);
+  gl_.DepthMask(GL_TRUE);
+  for (const Ground& ground : scene.grounds) draw_one(scene, shadow, ground);
+  gl_.Enable(GL_CULL_FACE);
+}
+
+void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, const Ground& ground) const {
+  const Vec3f n = ground.normal.normalized();
+  if (!n.allFinite() || !std::isfinite(ground.offset)) return;
+  // Seen from below it would only hide the scene.
+  if (n.dot(scene.camera.eye) <= ground.offset) return;
+  // Axes that are the world's x and z on a level floor.
+  const Vec3f u = (std::abs(n.x()) < 0.9f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0)).eval();
+  const Vec3f axis_u = (u - n * n.dot(u)).normalized();
+  const Vec3f axis_v = axis_u.cross(n);
+  const Vec3f below = scene.centre - (n.dot(scene.centre) - ground.offset) * n;
+  const float radius = std::max(scene.radius, 1e-6f);
+
+  const float decade = std::log10(radius / 2.5f);
+  const float spacing = std::pow(10.0f, std::floor(decade));
+  const float part = decade - std::floor(decade);
+  const float t = std::clamp((part - 0.45f) / 0.5f, 0.0f, 1.0f);
+  const float fine_weight = 1 - t * t * (3 - 2 * t);
+
+  // Where shadows can fall: the rectangle of the casters, carried along the light onto the plane.
+  std::vector<Vec3f> outer, inner;
+  const float e = kExtent * radius;
+  for (const auto& [a, b] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
+    outer.push_back(below + e * (a * axis_u + b * axis_v));
+  }
+  const Mat4f from_shadow = shadow.world_to_shadow.inverse();
+  const Vec3f light = towards_light(scene);
+  const float facing = n.dot(light);
+  bool fits = shadow.bounds[2] > shadow.bounds[0] && facing > 0.05f;
+  for (const auto& [i, j] : {std::pair{0, 1}, {2, 1}, {2, 3}, {0, 3}}) {
+    if (!fits) break;
+    const Vec3f p = (from_shadow * Vec4f(shadow.bounds[i], shadow.bounds[j], 0, 1)).head<3>();
+    const Vec3f q = p - light * ((n.dot(p) - ground.offset) / facing);
+    fits = std::abs((q - below).dot(axis_u)) < e && std::abs((q - below).dot(axis_v)) < e;
+    inner.push_back(q);
+  }
+
+  const auto set_uniforms = [&](const Program& p) {
+    p.program.use();
+    gl_.Uniform4f(p.normal, n.x(), n.y(), n.z(), ground.offset);
+    gl_.Uniform4f(p.axis_u, axis_u.x(), axis_u.y(), axis_u.z(), axis_u.dot(below));
+    gl_.Uniform4f(p.axis_v, axis_v.x(), axis_v.y(), axis_v.z(), axis_v.dot(below));
+    gl_.Uniform4f(p.grid, spacing, fine_weight, 0, 0);
+  };
+
+  std::vector<Vec3f> triangles;
+  const auto quad = [&](const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
+    triangles.insert(triangles.end(), {a, b, c, a, c, d});
+  };
+  const bool casters = shadow.bounds[2] > shadow.bounds[0];
+  GLsizei with_shadow = 0;
+  if (fits) {
+    // The parallelogram's corners start at the one nearest to the first corner of the square and run the same
+    // way.
+    const auto corner_angle = [&](const Vec3f& p) {
+      return std::atan2((p - below).dot(axis_v), (p - below).dot(axis_u));
+    };
+    (void)corner_angle;
+    Vec3f centre = Vec3f::Zero();
+    for (const Vec3f& q : inner) centre += 0.25f * q;
+    const float turn = (inner[1] - inner[0]).cross(inner[2] - inner[1]).dot(axis_u.cross(axis_v));
+    if (turn < 0) std::swap(inner[1], inner[3]);
+    std::size_t first = 0;
+    float best = -1e30f;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float score = (inner[k] - centre).normalized().dot(-(axis_u + axis_v));
+      if (score > best) {
+        best = score;
+        first = k;
+      }
+    }
+    const auto in = [&](std::size_t k) -> const Vec3f& { return inner[(first + k) % 4]; };
+    quad(in(0), in(1), in(2), in(3));
+    with_shadow = 6;
+    for (std::size_t k = 0; k < 4; ++k) quad(outer[k], outer[(k + 1) % 4], in(k + 1), in(k));
+  } else {
+    quad(outer[0], outer[1], outer[2], outer[3]);
+    with_shadow = casters ? 6 : 0;
+  }
+
+  gl_.BindVertexArray(array_.id());
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(Vec3f)), triangles.data(),
+                 GL_STREAM_DRAW);
+  if (with_shadow > 0) {
+    set_uniforms(shadowed_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, with_shadow);
+  }
+  const auto rest = static_cast<GLsizei>(triangles.size()) - with_shadow;
+  if (rest > 0) {
+    set_uniforms(open_);
+    gl_.DrawArrays(GL_TRIANGLES, with_shadow, rest);
+  }
+}
+
+}  // namespace pabd

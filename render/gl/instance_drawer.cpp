@@ -1,0 +1,99 @@
+// Meshes on the GPU and the one instance buffer of a frame.
+#include "render/gl/instance_drawer.h"
+
+#include <cstddef>
+
+namespace pabd {
+namespace {
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+}  // namespace
+
+InstanceDrawer::InstanceDrawer(const GlFunctions& gl)
+    : gl_(gl), array_(gl), vertices_(gl), indices_(gl), instances_(gl), places_{} {
+  std::vector<MeshVertex> vertices;
+  std::vector<std::uint32_t> indices;
+  for (int kind = 0; kind < kPrimitiveCount; ++kind) {
+    for (int level = 0; level < kLevels; ++level) {
+      const Mesh mesh = make_mesh(static_cast<Primitive>(kind), level);
+      const auto base = static_cast<std::uint32_t>(vertices.size());
+      places_[kind][level] = {static_cast<GLsizei>(mesh.indices.size()),
+                              indices.size() * sizeof(std::uint32_t)};
+      for (const std::uint16_t i : mesh.indices) indices.push_back(base + i);
+      vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    }
+  }
+  gl.BindVertexArray(array_.id());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0])),
+                indices.data(), GL_STATIC_DRAW);
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(vertices[0])),
+                vertices.data(), GL_STATIC_DRAW);
+  gl.VertexAttribPointer(kPositionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
+                         offset(offsetof(MeshVertex, position)));
+  gl.VertexAttribPointer(kNormalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
+                         offset(offsetof(MeshVertex, normal)));
+  gl.EnableVertexAttribArray(kPositionAttribute);
+  gl.EnableVertexAttribArray(kNormalAttribute);
+  for (GLuint a = kRowAttribute; a <= kShadedAttribute; ++a) {
+    gl.EnableVertexAttribArray(a);
+    gl.VertexAttribDivisor(a, 1);
+  }
+}
+
+void InstanceDrawer::upload(const DrawList& list) {
+  const auto bytes = static_cast<GLsizeiptr>(list.instances.size() * sizeof(GpuInstance));
+  gl_.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
+  gl_.BufferData(GL_ARRAY_BUFFER, bytes, list.instances.data(), GL_STREAM_DRAW);
+}
+
+void InstanceDrawer::draw(const DrawList& list, const BatchRange& range, bool (*only)(Primitive)) const {
+  gl_.BindVertexArray(array_.id());
+  gl_.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
+  constexpr GLsizei kStride = sizeof(GpuInstance);
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const Batch& batch = list.batches[i];
+    if (only != nullptr && !only(batch.primitive)) continue;
+    // GL 3.3 has no base instance: the pointers move instead.
+    const std::size_t base = batch.first * sizeof(GpuInstance);
+    for (GLuint r = 0; r < 3; ++r) {
+      gl_.VertexAttribPointer(kRowAttribute + r, 4, GL_FLOAT, GL_FALSE, kStride,
+                              offset(base + offsetof(GpuInstance, rows) + r * sizeof(float[4])));
+    }
+    gl_.VertexAttribPointer(kColorAttribute, 4, GL_FLOAT, GL_FALSE, kStride,
+                            offset(base + offsetof(GpuInstance, color)));
+    gl_.VertexAttribPointer(kShadedAttribute, 1, GL_FLOAT, GL_FALSE, kStride,
+                            offset(base + offsetof(GpuInstance, shaded)));
+    const MeshPlace& mesh = places_[static_cast<int>(batch.primitive)][batch.level];
+    gl_.DrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, offset(mesh.index_offset),
+                              static_cast<GLsizei>(batch.count));
+  }
+}
+
+const char* const kInstanceGlsl = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 row_x;
+layout(location = 3) in vec4 row_y;
+layout(location = 4) in vec4 row_z;
+layout(location = 5) in vec4 instance_color;
+layout(location = 6) in float instance_shaded;
+
+vec3 world_position(vec3 p) {
+  vec4 q = vec4(p, 1.0);
+  return vec3(dot(row_x, q), dot(row_y, q), dot(row_z, q));
+}
+
+// Squared lengths of the three columns: the squared scale along each axis of the primitive.
+vec3 squared_scale() { return row_x.xyz * row_x.xyz + row_y.xyz * row_y.xyz + row_z.xyz * row_z.xyz; }
+
+// Transforms are rotations times axis scales, so the normal matrix is M S⁻².
+vec3 world_normal(vec3 n) {
+  vec3 m = n / max(squared_scale(), vec3(1e-24));
+  return normalize(vec3(dot(row_x.xyz, m), dot(row_y.xyz, m), dot(row_z.xyz, m)));
+}
+)";
+
+}  // namespace pabd

@@ -1,0 +1,41 @@
+// Meshes on the GPU and the one instance buffer of a frame.
+#pragma once
+
+#include "render/gl/draw_list.h"
+#include "render/gl/gl_objects.h"
+
+namespace pabd {
+
+// Vertex attributes of every program that draws instances.
+inline constexpr GLuint kPositionAttribute = 0;
+inline constexpr GLuint kNormalAttribute = 1;
+inline constexpr GLuint kRowAttribute = 2;  // and the two after it
+inline constexpr GLuint kColorAttribute = 5;
+inline constexpr GLuint kShadedAttribute = 6;
+
+// GLSL declarations of these attributes and of world_position(p), world_normal(n).
+extern const char* const kInstanceGlsl;
+
+class InstanceDrawer {
+ public:
+  explicit InstanceDrawer(const GlFunctions& gl);
+
+  void upload(const DrawList& list);
+  // Draws the batches of `range` with the program in use. `only`: a filter on the primitive, or null.
+  void draw(const DrawList& list, const BatchRange& range, bool (*only)(Primitive) = nullptr) const;
+
+ private:
+  struct MeshPlace {
+    GLsizei index_count;
+    std::size_t index_offset;  // bytes
+  };
+
+  const GlFunctions& gl_;
+  GlVertexArray array_;
+  GlBuffer vertices_;
+  GlBuffer indices_;
+  GlBuffer instances_;
+  MeshPlace places_[kPrimitiveCount][kLevels];
+};
+
+}  // namespace pabd

@@ -1,0 +1,130 @@
+// The one pass that draws Dear ImGui's lists.
+#include "render/gl/overlay_pass.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace pabd {
+namespace {
+
+constexpr const char* kVertex = R"(
+layout(location = 0) in vec2 position;
+layout(location = 1) in vec2 uv;
+layout(location = 2) in vec4 color;
+uniform vec2 scale;
+uniform vec2 shift;
+out vec2 at;
+out vec4 tint;
+void main() {
+  at = uv;
+  tint = color;
+  gl_Position = vec4(position * scale + shift, 0.0, 1.0);
+}
+)";
+
+constexpr const char* kFragment = R"(
+in vec2 at;
+in vec4 tint;
+uniform sampler2D image;
+out vec4 fragment;
+void main() { fragment = tint * texture(image, at); }
+)";
+
+constexpr GLenum kIndexType = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+
+}  // namespace
+
+OverlayPass::OverlayPass(const GlFunctions& gl)
+    : gl_(gl),
+      program_(gl, "overlay", {kVertex}, {kFragment}),
+      scale_(program_.uniform("scale")),
+      shift_(program_.uniform("shift")),
+      array_(gl),
+      vertices_(gl),
+      indices_(gl) {
+  gl.BindVertexArray(array_.id());
+  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+  const auto attribute = [&](GLuint index, GLint size, GLenum type, GLboolean normalized,
+                             std::size_t offset) {
+    gl.VertexAttribPointer(index, size, type, normalized, sizeof(ImDrawVert),
+                           reinterpret_cast<const void*>(offset));
+    gl.EnableVertexAttribArray(index);
+  };
+  attribute(0, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
+  attribute(1, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
+  attribute(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
+  program_.use();
+  gl.Uniform1i(program_.uniform("image"), 0);
+}
+
+void* OverlayPass::upload_font_atlas(const unsigned char* rgba, int width, int height) {
+  atlas_.emplace(gl_);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, atlas_->id());
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl_.check("uploading the font");
+  return reinterpret_cast<void*>(static_cast<std::intptr_t>(atlas_->id()));
+}
+
+void OverlayPass::draw(const ImDrawData& data, int width, int height) const {
+  if (data.CmdListsCount == 0 || data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.Disable(GL_FRAMEBUFFER_SRGB);  // ImGui's colours are sRGB and are blended as such
+  gl_.Enable(GL_BLEND);
+  gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindVertexArray(array_.id());
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  program_.use();
+  // Display coordinates, y down, to clip space.
+  const float sx = 2 / data.DisplaySize.x;
+  const float sy = -2 / data.DisplaySize.y;
+  gl_.Uniform2f(scale_, sx, sy);
+  gl_.Uniform2f(shift_, -1 - data.DisplayPos.x * sx, 1 - data.DisplayPos.y * sy);
+
+  const float px = static_cast<float>(width) / data.DisplaySize.x;
+  const float py = static_cast<float>(height) / data.DisplaySize.y;
+  for (int l = 0; l < data.CmdListsCount; ++l) {
+    const ImDrawList& list = *data.CmdLists[l];
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(list.VtxBuffer.size_in_bytes()),
+                   list.VtxBuffer.Data, GL_STREAM_DRAW);
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(list.IdxBuffer.size_in_bytes()),
+                   list.IdxBuffer.Data, GL_STREAM_DRAW);
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      if (command.UserCallback != nullptr) {
+        if (command.UserCallback != ImDrawCallback_ResetRenderState) command.UserCallback(&list, &command);
+        continue;
+      }
+      const auto clip = [](float v, float limit) {
+        return static_cast<int>(std::lround(std::clamp(v, 0.0f, limit)));
+      };
+      const int x0 = clip((command.ClipRect.x - data.DisplayPos.x) * px, static_cast<float>(width));
+      const int x1 = clip((command.ClipRect.z - data.DisplayPos.x) * px, static_cast<float>(width));
+      const int y0 = clip((command.ClipRect.y - data.DisplayPos.y) * py, static_cast<float>(height));
+      const int y1 = clip((command.ClipRect.w - data.DisplayPos.y) * py, static_cast<float>(height));
+      if (x1 <= x0 || y1 <= y0) continue;
+      gl_.Scissor(x0, height - y1, x1 - x0, y1 - y0);
+      gl_.BindTexture(GL_TEXTURE_2D,
+                      static_cast<GLuint>(reinterpret_cast<std::intptr_t>(command.GetTexID())));
+      gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
+                                 reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
+                                 static_cast<GLint>(command.VtxOffset));
+    }
+  }
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.Disable(GL_BLEND);
+}
+
+}  // namespace pabd

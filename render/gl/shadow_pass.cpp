@@ -1,0 +1,63 @@
+// Depth of the casters as the light sees them. Read by sun_visibility() in frame_uniforms.cpp.
+#include "render/gl/shadow_pass.h"
+
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+// The same matrix that receivers use, scaled to clip space: both see exactly the same depth.
+constexpr const char* kVertex = R"(
+void main() {
+  vec3 q = (frame.world_to_shadow * vec4(world_position(position), 1.0)).xyz;
+  gl_Position = vec4(q.xy * (2.0 / SHADOW_SIZE) - 1.0, q.z * (2.0 / frame.light.w) - 1.0, 1.0);
+}
+)";
+constexpr const char* kFragment = "void main() {}\n";
+constexpr const char* kSize = "#define SHADOW_SIZE 1024.0\n";
+static_assert(kShadowSize == 1024, "keep SHADOW_SIZE in step");
+
+}  // namespace
+
+ShadowPass::ShadowPass(const GlFunctions& gl)
+    : gl_(gl),
+      program_(gl, "shadow", {kSize, kFrameGlsl, kInstanceGlsl, kVertex}, {kFragment}),
+      map_(gl),
+      framebuffer_(gl) {
+  gl.BindTexture(GL_TEXTURE_2D, map_.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kShadowSize, kShadowSize, 0, GL_DEPTH_COMPONENT,
+                GL_FLOAT, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map_.id(), 0);
+  gl.DrawBuffer(GL_NONE);
+  gl.ReadBuffer(GL_NONE);
+  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error(ExitCode::no_gl,
+                gl.string(GL_RENDERER) + " refuses a depth-only framebuffer; try another --backend");
+  }
+}
+
+void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer) const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl_.Viewport(0, 0, kShadowSize, kShadowSize);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_LESS);
+  gl_.DepthMask(GL_TRUE);
+  gl_.Enable(GL_CULL_FACE);
+  gl_.CullFace(GL_BACK);
+  gl_.Disable(GL_BLEND);
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  program_.use();
+  drawer.draw(list, list.casters);
+}
+
+void ShadowPass::bind_map() const {
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, map_.id());
+}
+
+}  // namespace pabd

@@ -1,0 +1,33 @@
+// Bodies and glyphs: instances, lit or flat, opaque or transparent.
+#pragma once
+
+#include "render/gl/gl_program.h"
+#include "render/gl/instance_drawer.h"
+
+namespace pabd {
+
+class SurfacePass {
+ public:
+  explicit SurfacePass(const GlFunctions& gl);
+
+  void draw_bodies(const DrawList& list, const InstanceDrawer& drawer) const;
+  // After every opaque body: glyphs that bodies hide, faintly; then those in sight.
+  void draw_glyphs(const DrawList& list, const InstanceDrawer& drawer) const;
+  // Last of the surfaces: writes no depth.
+  void draw_transparent(const DrawList& list, const InstanceDrawer& drawer) const;
+
+ private:
+  // One program a kind of surface: cubes have edges to show, the others are round.
+  struct Program {
+    Program(const GlFunctions& gl, const char* name, const char* defines);
+    GlProgram program;
+    GLint opacity;
+  };
+  void draw(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer, float opacity) const;
+
+  const GlFunctions& gl_;
+  Program cubes_;
+  Program round_;
+};
+
+}  // namespace pabd
