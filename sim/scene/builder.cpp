@@ -16,7 +16,7 @@ namespace {
 
 MassProperties solid_mass(const BodySpec& body, const Node& place) {
   const double v = volume(body.shape);
-  const double density = body.mass.mass ? *body.mass.mass / v : body.mass.density.value_or(kDefaultDensity);
+  const double density = body.mass.mass ? *body.mass.mass / v : body.mass.density;
   MassProperties p = mass_properties(body.shape, density);
   if (body.mass.mass) p.mass = *body.mass.mass;  // exactly what the file says, without the rounding of ρV
   if (!kMassRange.contains(p.mass)) {
@@ -32,7 +32,10 @@ MassSpec read_mass(const ObjectReader& in) {
   if (in.has("mass") && in.has("density")) {
     in.fail_key("mass", "a body has a mass or a density, not both; remove one of them");
   }
-  return {in.optional_number("mass", kMassRange), in.optional_number("density", kDensityRange)};
+  MassSpec spec;
+  spec.mass = in.optional_number("mass", kMassRange);
+  if (!spec.mass) spec.density = in.number("density", kDensityRange, kDefaultDensity);
+  return spec;
 }
 
 void SceneBuilder::reserve(std::int64_t count, const Node& place) {

@@ -20,10 +20,10 @@ inline constexpr Range kPositionRange{-kFarthest, kFarthest, "m"};
 inline constexpr Range kDensityRange{1e-6, 1e9, "kg/m³"};
 inline constexpr Range kMassRange{1e-9, 1e12, "kg"};
 
-// Mass or density of a movable body. Without either: the default density.
+// Mass, or where that is empty the density, of a movable body.
 struct MassSpec {
-  std::optional<double> mass;     // kg
-  std::optional<double> density;  // kg/m³
+  std::optional<double> mass;        // kg
+  double density = kDefaultDensity;  // kg/m³
 };
 
 // Reads "mass" or "density"; both together are refused.

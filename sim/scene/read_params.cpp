@@ -78,7 +78,7 @@ void check_joints_default(const ObjectReader& in) {
   if (kappa && kappa->is_word("auto")) {
     in.record("kappa", "auto");
   } else if (kappa) {
-    in.number("kappa", {0, 1e30, "J or N/m", true});
+    in.number("kappa", {0, std::numeric_limits<double>::infinity(), "J or N/m", true});
   }
   in.integer("N", 1, kMaxOrder, 2);
   in.optional_number("d_hat", {1e-9, 1e3, "m"});

@@ -1,0 +1,119 @@
+// The shipped scenes load, and the JSON Schema says what the reader does.
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sim/scene/keys.h"
+#include "tests/scene/helpers.h"
+
+using namespace pabd;
+using namespace pabd::test;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::filesystem::path kAssets = PABD_ASSETS;
+
+Json schema() {
+  std::ifstream in(kAssets / "pabd-scene.schema.json");
+  REQUIRE(in);
+  return Json::parse(in);
+}
+
+// A key is documented when it, or what it refers to, has a description (a "type" word says itself what it
+// is).
+bool documented(const Json& root, const Json& property) {
+  if (property.contains("description")) return true;
+  if (!property.contains("$ref")) return false;
+  const std::string ref = property["$ref"];
+  return root.at(Json::json_pointer(ref.substr(1))).contains("description");
+}
+
+}  // namespace
+
+TEST_CASE("every shipped scene loads and is fit to show", "[scene]") {
+  std::set<std::string> stems, names;
+  for (const auto& entry : std::filesystem::directory_iterator(kAssets / "scenes")) {
+    if (entry.path().extension() != ".json") continue;
+    INFO(entry.path());
+    const Scene s = load_scene(entry.path());
+    stems.insert(entry.path().stem().string());
+    CHECK(names.insert(s.name).second);
+    CHECK_FALSE(s.description.empty());
+    CHECK(s.camera.has_value());
+    CHECK(heaviest_mass(s.model) > 0);
+  }
+  for (const char* expected :
+       {"two_boxes", "pyramid", "stack", "pile", "incline", "wall", "spin", "shapes"}) {
+    INFO(expected);
+    CHECK(stems.contains(expected));
+  }
+}
+
+TEST_CASE("figures of the shipped scenes", "[scene]") {
+  const auto load = [](const char* name) {
+    return load_scene(kAssets / "scenes" / (std::string(name) + ".json"));
+  };
+  CHECK(load("pyramid").model.size() == 211);
+  CHECK(load("pile").model.size() == 1001);
+  CHECK(load("stack").model.size() == 11);
+
+  // The boxes overlap by 0.1 m, the supplement's Figure 6.
+  const Scene two = load("two_boxes");
+  REQUIRE(two.model.size() == 3);
+  CHECK(two.params.contact.d_hat == 0.05);
+  CHECK(two.initial.c[1].y() + 0.5 - (two.initial.c[2].y() - 0.5) == Approx(0.1).epsilon(1e-12));
+
+  // The crate lies flat on the incline of 26°: its bottom face is parallel to the plane, at 0.95 d̂.
+  const Scene incline = load("incline");
+  const auto& plane = std::get<Plane>(incline.model.shape[0]);
+  CHECK(std::acos(plane.normal.y()) * 180 / kPi == Approx(26).epsilon(1e-9));
+  CHECK((incline.initial.R[1] * Vec3::UnitY() - plane.normal).norm() < 1e-9);
+  CHECK(plane.normal.dot(incline.initial.c[1]) - 0.5 == Approx(0.95 * 0.01).epsilon(1e-3));
+}
+
+TEST_CASE("the schema and the reader know the same keys", "[scene]") {
+  const Json root = schema();
+  std::set<std::string> definitions;
+  for (const KeyTable& table : key_tables()) {
+    INFO(table.object);
+    const bool is_root = table.object == "scene";
+    REQUIRE((is_root || root["$defs"].contains(std::string(table.object))));
+    const Json& object = is_root ? root : root["$defs"][std::string(table.object)];
+    if (!is_root) definitions.insert(std::string(table.object));
+    CHECK(object["additionalProperties"] == false);
+    std::set<std::string> read(table.keys.begin(), table.keys.end()), written;
+    for (const auto& [key, property] : object["properties"].items()) {
+      INFO(key);
+      written.insert(key);
+      CHECK((documented(root, property) || (key == "type" && property.contains("const"))));
+    }
+    CHECK(read == written);
+    CHECK(read.size() == table.keys.size());
+  }
+  std::set<std::string> in_schema;
+  for (const auto& [name, unused] : root["$defs"].items()) in_schema.insert(name);
+  CHECK(in_schema == definitions);
+}
+
+TEST_CASE("the schema gives the defaults of the program", "[scene]") {
+  const Json root = schema();
+  const Json& defs = root["$defs"];
+  const Params p;
+  const auto default_of = [](const Json& object, const char* key) {
+    return object["properties"][key]["default"];
+  };
+  CHECK(default_of(root, "gravity") == Json({p.gravity.x(), p.gravity.y(), p.gravity.z()}));
+  CHECK(default_of(root, "time_step") == p.h);
+  CHECK(default_of(defs["solver"], "iterations") == p.solver.iterations);
+  CHECK(default_of(defs["solver"], "tolerance") == p.solver.tolerance);
+  CHECK(default_of(defs["solver"], "relaxation") == p.solver.relaxation);
+  CHECK(default_of(defs["solver"], "projection") == to_string(p.solver.projection));
+  CHECK(default_of(defs["solver"], "method") == to_string(p.solver.method));
+  CHECK(default_of(defs["contact"], "barrier") == to_string(p.contact.barrier));
+  CHECK(default_of(defs["contact"], "N") == p.contact.N);
+  CHECK(default_of(defs["contact"], "d_hat") == p.contact.d_hat);
+  CHECK(default_of(defs["contact"], "onset") == p.contact.onset);
+  CHECK(default_of(defs["friction"], "static") == p.contact.mu_static);
+  CHECK(default_of(defs["camera"], "fov") == CameraDesc{}.fov);
+}

@@ -1,0 +1,70 @@
+// The CSV files: exactly the agreed columns, numbers that read back to the same bits.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+
+#include "sim/trace/trace.h"
+
+using namespace pabd;
+
+namespace {
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+StepReport example() {
+  StepReport r;
+  r.step = 7;
+  r.time = 7.0 / 60;
+  r.method = SolverMethod::sissm;
+  r.status = StepStatus::converged;
+  r.iterations = 12;
+  r.kinetic = 0.1;
+  r.potential = -1.0 / 3;
+  r.elastic = 1e-300;
+  r.contacts = 8;
+  r.max_penetration = 0;
+  r.min_gap = std::numeric_limits<double>::infinity();
+  r.max_joint_error = 5e-324;
+  r.residual = 1e-7;
+  r.times.total = 2.5;
+  r.records.push_back({1.5, 1e-2, 0.1, 0.2, 0.3, 0.4, 0, 3e-3});
+  r.records.push_back({1.25, 1e-3, 0.05, 0.06, 0.3, 0.4, 0, 2e-3});
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("steps CSV", "[trace]") {
+  std::ostringstream out;
+  write_steps_header(out);
+  write_steps_row(out, example());
+  CHECK(out.str() ==
+        "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,"
+        "max_joint_error,residual,step_ms\n"
+        "7,0.11666666666666667,sissm,converged,12,0.1,-0.3333333333333333,1e-300,8,0,inf,5e-324,1e-07,2.5\n");
+  const std::string row = out.str().substr(out.str().find('\n') + 1);
+  const auto cells = split(row);
+  REQUIRE(cells.size() == 14);
+  CHECK(std::strtod(cells[1].c_str(), nullptr) == 7.0 / 60);
+  CHECK(std::strtod(cells[6].c_str(), nullptr) == -1.0 / 3);
+}
+
+TEST_CASE("iterations CSV", "[trace]") {
+  std::ostringstream out;
+  write_iterations_header(out);
+  write_iterations_rows(out, example());
+  CHECK(out.str() ==
+        "step,iteration,energy,residual,max_penetration_before,max_penetration_after,max_joint_error,"
+        "projection_change\n"
+        "7,1,1.5,0.01,0.1,0.2,0,0.003\n"
+        "7,2,1.25,0.001,0.05,0.06,0,0.002\n");
+  std::ostringstream nothing;
+  write_iterations_rows(nothing, StepReport{});
+  CHECK(nothing.str().empty());
+}
