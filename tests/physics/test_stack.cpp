@@ -15,6 +15,7 @@ World stack(int count, BarrierKind kind) {
   world.params.contact.N = kind == BarrierKind::even ? 4 : 3;
   world.params.contact.d_hat = 0.02;
   world.params.solver.method = SolverMethod::descent;
+  world.params.solver.tolerance = 1e-10;  // the default, 1e-6 d̂ a step, stops at 1e-9 J
   world.add_ground();
   for (int k = 0; k < count; ++k) world.add_cube(1, 1000, {0, 0.5 + 0.019 + 1.019 * k, 0});
   return world;
@@ -58,5 +59,5 @@ TEST_CASE("a pyramid of 55 bricks stands for 5 s") {
   testing::run(world, 300, {}, [&](const StepReport& r) { last = r; });
   CHECK(last.max_penetration == 0);
   CHECK((world.state.c[top] - start).norm() < 0.01);
-  CHECK(last.kinetic < 1e-6);
+  CHECK(last.kinetic < 1e-5);  // 14 t of bricks: below 40 µm/s
 }
