@@ -22,7 +22,7 @@ constexpr Choice kKinds[] = {{"box", box}, {"sphere", sphere}, {"capsule", capsu
 Shape make_shape(Kind kind, const Vec3& size) {
   const double shortest = size.minCoeff(), longest = size.maxCoeff();
   if (kind == sphere) return Sphere{shortest / 2};
-  if (kind == capsule) return Capsule{shortest / 4, longest - shortest / 2};
+  if (kind == capsule) return Capsule{0.375 * shortest, longest - 0.75 * shortest};
   return Box{0.5 * size};
 }
 
