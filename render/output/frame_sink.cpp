@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <regex>
+#include <cstddef>
 
 #include "render/output/sinks.h"
 #include "sim/error.h"
@@ -42,6 +42,15 @@ void check_absent(const fs::path& path) {
   }
 }
 
+// "%d", "%04d": the way other programs number files.
+bool has_percent_number(const std::string& name) {
+  for (std::size_t at = name.find('%'); at != std::string::npos; at = name.find('%', at + 1)) {
+    const std::size_t end = name.find_first_not_of("0123456789", at + 1);
+    if (end != std::string::npos && (name[end] == 'd' || name[end] == 'i')) return true;
+  }
+  return false;
+}
+
 void check_sequence(const std::string& out, const SinkOptions& options) {
   const int existing = options.force ? -1 : first_existing_frame(out, options.first_frame);
   if (existing < 0) return;
@@ -70,7 +79,7 @@ std::unique_ptr<FrameSink> make_sink(const std::string& out, const SinkOptions& 
   const std::string extension = path.extension().string();
   const std::string name = path.filename().string();
   if (extension == ".png") {
-    if (std::regex_search(name, std::regex("%[0-9]*[di]"))) {
+    if (has_percent_number(name)) {
       refuse(
           fmt::format("{}: %d is not the way to number frames here; write {{frame}} or {{frame:04}}", out));
     }
