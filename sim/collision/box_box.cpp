@@ -6,7 +6,8 @@
 //   the lower
 //           body's face to the other's, unless clearly worse (see `preference`)
 //   edge    the nearest points of the two edges
-//   corner  apart, but with nothing over either face: the corner of one box nearest to the other box
+//   corner  apart, and nearer to each other than the face contacts say: the corner of one box nearest to the
+//   other box
 //
 //   C = R_aᵀ R_b, t = R_aᵀ (c_b − c_a), all in the frame of a;   h, g  half edges of a and b (m)
 #include "sim/collision/box_box_face.h"
@@ -98,12 +99,12 @@ NearestCorner nearest_corner(const Placed<Box>& box, const Placed<Box>& other) {
 
 // The boxes are apart. Where neither a face nor an edge pair separates best, the nearest points are a corner
 // of one and its foot on the other.
-void add_corner_contact(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out) {
+void add_corner_contact(const Placed<Box>& a, const Placed<Box>& b, double limit, Contacts& out) {
   const NearestCorner on_b = nearest_corner(a, b), on_a = nearest_corner(b, a);
   const bool corner_of_b = on_b.distance2 <= on_a.distance2;
   const NearestCorner& c = corner_of_b ? on_b : on_a;
   const double d = std::sqrt(c.distance2);
-  if (!(d < reach) || !(d > 1e-12 * std::min(a.shape.half.minCoeff(), b.shape.half.minCoeff()))) return;
+  if (!(d < limit) || !(d > 1e-12 * std::min(a.shape.half.minCoeff(), b.shape.half.minCoeff()))) return;
   const Placed<Box>&owner = corner_of_b ? a : b, &other = corner_of_b ? b : a;
   const Vec3 n = owner.R * ((c.corner - c.foot) / d);
   add_contact(out, owner.number, other.number, owner.c + owner.R * c.corner, n, d,
@@ -162,17 +163,23 @@ void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts&
   const double smallest = std::min({h[0], h[1], h[2], g[0], g[1], g[2]});
   const bool b_owns = face_b.separation > face_a.separation + preference(face_a.separation, smallest);
   const double face = b_owns ? face_b.separation : face_a.separation;
-  const bool try_edge = edge.j >= 0 && edge.separation > face + preference(face, smallest);
-  if (try_edge && add_edge_contact(a, b, r, edge, reach, out)) return;
-
+  const bool have_edge = edge.j >= 0;
+  if (have_edge && edge.separation > face + preference(face, smallest) &&
+      add_edge_contact(a, b, r, edge, reach, out)) {
+    return;
+  }
   const auto add_face = [&](bool from_b) {
     return from_b ? add_face_contacts(seen_from_b(a, b, r), face_b.i, reach, out)
                   : add_face_contacts(seen_from_a(a, b, r), face_a.i, reach, out);
   };
-  if (add_face(b_owns) > 0) return;
+  const double d = add_face(b_owns);
+  if (d <= face + preference(face, smallest)) return;
+  // The deepest or nearest part is not over that face.
   if (face > 0) {
-    add_corner_contact(a, b, reach, out);
-  } else if (add_face(!b_owns) == 0 && edge.j >= 0) {
+    add_corner_contact(a, b, std::min(d, reach), out);
+  } else if (have_edge && edge.separation > face && add_edge_contact(a, b, r, edge, reach, out)) {
+    return;
+  } else if (d == kNone && add_face(!b_owns) == kNone && have_edge) {
     add_edge_contact(a, b, r, edge, reach, out);
   }
 }

@@ -7,8 +7,9 @@
 // Features. A corner of the clipped polygon is where two of eight lines meet: the four edges of the incident
 // face and the four sides of the reference face. Named so it would change its name, and come and go, when two
 // equal faces lie exactly on each other and twist by a rounding error. So a polygon corner close to an
-// incident corner takes that corner's name, one close to a reference corner that one's, and only the first of
-// equal names is kept.
+// incident corner takes that corner's name, one close to a reference corner that one's, and one of equal
+// names is kept. Where an edge and a side run on into each other at a small angle, their crossing may lie
+// anywhere along them; it is left out unless it is the deepest point.
 //
 //   C, t     incident box in the frame of the reference box        1, m
 //   k        axis of the reference face;  k1, k2 the axes along it
@@ -19,8 +20,9 @@ namespace pabd::narrow {
 namespace {
 
 constexpr int kNext[3] = {1, 2, 0};
-constexpr double kSnap =
-    0.02;  // corners closer than this times the smallest half edge of the two faces are one
+constexpr double kSnap = 0.02;    // corners closer than this times the smallest half edge are one
+constexpr double kRunOn = 0.05;   // tangent of the angle below which an edge and a side are one
+constexpr double kDeeper = 0.02;  // of the snap distance: what decides between two corners of one name
 
 struct Corner {
   double x, y, z;
@@ -59,10 +61,14 @@ double distance2(const Corner& p, double x, double y) {
   return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y);
 }
 
-// Name of a clipped corner, 0–23: incident corners, reference corners, then crossings of an edge and a side.
+// Names of clipped corners, 0–23: incident corners, reference corners, then crossings of an edge and a side.
 struct Namer {
+  static constexpr std::uint32_t kName = 31, kClipped = 32,
+                                 kRunsOn = 64;  // the name, and two flags beside it
+
   const Polygon& incident;  // unclipped
   double h_x, h_y, snap2;
+  double turn;  // +1 when the incident corners run anticlockwise, else −1
 
   std::uint32_t operator()(const Corner& p, int line_in) const {
     for (int v = 0; v < 4; ++v) {
@@ -72,14 +78,53 @@ struct Namer {
     for (std::uint32_t v = 0; v < 4; ++v) {
       if (distance2(p, v & 1 ? -h_x : h_x, v & 2 ? -h_y : h_y) <= snap2) return 4 + v;
     }
-    const int edge = std::min(p.line, line_in), side = std::max(p.line, line_in);
-    return static_cast<std::uint32_t>(8 + (edge & 3) * 4 + (side & 3));
+    const int edge = std::min(p.line, line_in) & 3, side = std::max(p.line, line_in) & 3;
+    return static_cast<std::uint32_t>(8 + edge * 4 + side) | (runs_on(edge, side) ? kRunsOn : 0);
   }
+
+  bool runs_on(int edge, int side) const {
+    const Corner &from = incident.corner[edge], &to = incident.corner[(edge + 1) & 3];
+    const double x = to.x - from.x, y = to.y - from.y;
+    // Sides are walked as the incident edges are: anticlockwise x = h goes up, y = h goes to −x.
+    const double sign = side == 0 || side == 3 ? turn : -turn;
+    const double along = sign * (side < 2 ? y : x), across = side < 2 ? x : y;
+    return along > 0 && std::abs(across) < kRunOn * along;
+  }
+};
+
+// The corners that become contacts, one a name: the first, unless a later one is clearly deeper.
+class Picks {
+ public:
+  struct Pick {
+    Corner corner;
+    std::uint32_t name;
+  };
+
+  explicit Picks(double clearly) : clearly_(clearly) {}
+
+  void add(const Corner& p, std::uint32_t name) {
+    lowest_ = std::min(lowest_, p.z);
+    for (int i = 0; i < size_; ++i) {
+      if (pick_[i].name != name) continue;
+      if (p.z < pick_[i].corner.z - clearly_) pick_[i].corner = p;
+      return;
+    }
+    pick_[size_++] = {p, name};
+  }
+
+  int size() const { return size_; }
+  const Pick& operator[](int i) const { return pick_[i]; }
+  double lowest() const { return lowest_; }
+
+ private:
+  double clearly_, lowest_ = kNone;
+  int size_ = 0;
+  Pick pick_[16];
 };
 
 }  // namespace
 
-int add_face_contacts(const FaceQuery& q, int axis, double reach, Contacts& out) {
+double add_face_contacts(const FaceQuery& q, int axis, double reach, Contacts& out) {
   const int k = axis, k1 = kNext[k], k2 = kNext[k1];
   const double up = sign_of(q.t[k]);
   const Vec3& h = q.reference.shape.half;
@@ -122,42 +167,46 @@ int add_face_contacts(const FaceQuery& q, int axis, double reach, Contacts& out)
     return next.size > 0;
   };
   const double wide_x = std::abs(x_1) + std::abs(x_2), wide_y = std::abs(y_1) + std::abs(y_2);
-  if (x + wide_x > h_x && !cut(true, 1, h_x, 4)) return 0;
-  if (-x + wide_x > h_x && !cut(true, -1, h_x, 5)) return 0;
-  if (y + wide_y > h_y && !cut(false, 1, h_y, 6)) return 0;
-  if (-y + wide_y > h_y && !cut(false, -1, h_y, 7)) return 0;
+  if (x + wide_x > h_x && !cut(true, 1, h_x, 4)) return kNone;
+  if (-x + wide_x > h_x && !cut(true, -1, h_x, 5)) return kNone;
+  if (y + wide_y > h_y && !cut(false, 1, h_y, 6)) return kNone;
+  if (-y + wide_y > h_y && !cut(false, -1, h_y, 7)) return kNone;
 
   const std::uint32_t base = q.owner << 11 | static_cast<std::uint32_t>(2 * k + (up < 0)) << 8 |
                              static_cast<std::uint32_t>(2 * m + (down < 0)) << 5;
   const double snap = kSnap * std::min(std::min(h_x, h_y), std::min(g1, g2));
-  const Namer name{first, h_x, h_y, snap * snap};
+  const Namer name{first, h_x, h_y, snap * snap, sign_of(x_1 * y_2 - x_2 * y_1)};
+  Picks picks(kDeeper * snap);
+  // Incident corners that survived come before anything near them, crossings that are probably left out come
+  // last.
+  const int size = polygon->size;
+  const Corner* corner = polygon->corner;
+  std::uint32_t names[16];
+  for (int i = 0; i < size; ++i) {
+    const int line_in = corner[i == 0 ? size - 1 : i - 1].line;
+    const bool whole = line_in < 4 && corner[i].line < 4;
+    names[i] =
+        whole ? static_cast<std::uint32_t>(corner[i].line) : name(corner[i], line_in) | Namer::kClipped;
+    if (whole) picks.add(corner[i], names[i]);
+  }
+  for (int i = 0; i < size; ++i) {
+    if ((names[i] & ~Namer::kName) == Namer::kClipped) picks.add(corner[i], names[i] & Namer::kName);
+  }
+  for (int i = 0; i < size; ++i) {
+    const bool runs_on = (names[i] & Namer::kRunsOn) != 0;
+    if (runs_on && corner[i].z < picks.lowest() - kDeeper * snap)
+      picks.add(corner[i], names[i] & Namer::kName);
+  }
+
   const Vec3 along_x = q.reference.R.col(k1), along_y = q.reference.R.col(k2), n = up * q.reference.R.col(k);
   const Vec3 face = q.reference.c + h[k] * n;
-
-  std::uint32_t used = 0;
-  const auto emit = [&](const Corner& p, std::uint32_t id) {
-    if (used >> id & 1u) return;
-    used |= 1u << id;
-    if (!(p.z < reach)) return;
+  for (int i = 0; i < picks.size(); ++i) {
+    const auto& [p, id] = picks[i];
+    if (!(p.z < reach)) continue;
     const Vec3 y_a = face + p.x * along_x + p.y * along_y;
     out.push_back({q.reference.number, q.incident.number, y_a, y_a + p.z * n, n, p.z, base | id});
-  };
-  // Incident corners that survived keep their names before any corner near them takes one.
-  const int size = polygon->size;
-  int line_in = polygon->corner[size - 1].line;
-  bool whole[16];
-  for (int i = 0; i < size; ++i) {
-    const Corner& p = polygon->corner[i];
-    whole[i] = line_in < 4 && p.line < 4;
-    if (whole[i]) emit(p, static_cast<std::uint32_t>(p.line));
-    line_in = p.line;
   }
-  for (int i = 0; i < size; ++i) {
-    const Corner& p = polygon->corner[i];
-    if (!whole[i]) emit(p, name(p, line_in));
-    line_in = p.line;
-  }
-  return size;
+  return picks.lowest();
 }
 
 }  // namespace pabd::narrow

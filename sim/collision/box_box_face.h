@@ -14,8 +14,8 @@ struct FaceQuery {
   std::uint32_t owner;  // 0 when the reference is the lower body, else 1: keeps features apart
 };
 
-// Appends up to 8 contacts for the reference face across `axis`. Returns how many points lay over the face,
-// in reach or not.
-int add_face_contacts(const FaceQuery& q, int axis, double reach, Contacts& out);
+// Appends up to 8 contacts for the reference face across `axis`. Returns the smallest d over the face, in
+// reach or not; kNone when nothing of the incident face is over it.
+double add_face_contacts(const FaceQuery& q, int axis, double reach, Contacts& out);
 
 }  // namespace pabd::narrow

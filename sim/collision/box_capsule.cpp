@@ -30,15 +30,13 @@ struct Query {
   const Placed<Box>& box;
   const Placed<Capsule>& capsule;
   Segment segment;  // in the frame of the box
+  Vec3 u;           // its direction, unit
   double reach;
   Contacts& out;
 
-  void add(double t, const Vec3& n_box, double separation, std::uint32_t feature) const {
-    const double d = separation - capsule.shape.radius;
-    if (!(d < reach)) return;
-    const Vec3 n = box.R * n_box;
-    const Vec3 y_b = box.c + box.R * segment.at(t) - capsule.shape.radius * n;
-    add_contact(out, box.number, capsule.number, y_b, n, d, feature);
+  // y and n in the frame of the box.
+  void add(const Vec3& y, const Vec3& n, double d, std::uint32_t feature) const {
+    if (d < reach) add_contact(out, box.number, capsule.number, box.c + box.R * y, box.R * n, d, feature);
   }
 };
 
@@ -99,39 +97,78 @@ bool clip(const Segment& x, const Vec3& h, int axis, bool axis_alone, double& lo
   return low <= high;
 }
 
-// Both ends of the part of the capsule that lies over a face. False when none does.
-bool add_face(const Query& q, int axis, double sign) {
-  const Vec3& h = q.box.shape.half;
-  double low, high;
-  if (!clip(q.segment, h, axis, false, low, high)) return false;
-  const std::uint32_t feature = kFaceBase + 4u * static_cast<std::uint32_t>(axis) + (sign < 0 ? 2u : 0u);
-  const Vec3 n = sign * Vec3::Unit(axis);
-  q.add(low, n, sign * q.segment.at(low)[axis] - h[axis], feature);
-  if (high > low) q.add(high, n, sign * q.segment.at(high)[axis] - h[axis], feature + 1);
+bool over_face(const Vec3& x, const Vec3& h, int axis) {
+  for (int k = 0; k < 3; ++k) {
+    if (k != axis && std::abs(x[k]) > h[k]) return false;
+  }
   return true;
 }
 
-// Segment outside the box, nearest at t with q the nearest point of the box.
+// Both ends of the part of the capsule that lies over a face. Returns the smallest d of the two, in reach or
+// not; kNone when nothing lies over the face. The lower end is the bottom of its cap, if that is over the
+// face. Everything else touches along the side of the cylinder, r off the axis: that line is clipped, or,
+// when the segment pierces the box, the segment itself, which is sure to leave something.
+double add_face(const Query& q, int axis, double sign, bool pierces) {
+  const Vec3& h = q.box.shape.half;
+  const Vec3 n = sign * Vec3::Unit(axis);
+  const double radius = q.capsule.shape.radius, slope = n.dot(q.u);
+  const std::uint32_t feature = kFaceBase + 4u * static_cast<std::uint32_t>(axis) + (sign < 0 ? 2u : 0u);
+  double lowest = kNone;
+  const auto add = [&](const Vec3& y, std::uint32_t end) {
+    const double d = n.dot(y) - h[axis];
+    lowest = std::min(lowest, d);
+    q.add(y, n, d, feature + end);
+  };
+
+  int done = -1;
+  if (slope != 0) {
+    const int low_end = slope > 0 ? 0 : 1;
+    const Vec3 p = q.segment.at(low_end);
+    if (over_face(p, h, axis)) {
+      add(p - radius * n, static_cast<std::uint32_t>(low_end));
+      done = low_end;
+    }
+  }
+  const Vec3 side = n - slope * q.u;
+  if (!(side.norm() > 1e-6)) return lowest;
+  const Vec3 down = -radius * side.normalized();
+  const Segment line{q.segment.p + down, q.segment.e};
+  double low, high;
+  const bool touches = clip(line, h, axis, false, low, high);
+  if (!touches && !(pierces && done < 0 && clip(q.segment, h, axis, false, low, high))) return lowest;
+  if (done != 0) add(line.at(low), 0);
+  if (done != 1 && (high > low || done == 0)) add(line.at(high), 1);
+  return lowest;
+}
+
+// Segment outside the box, nearest at t.
 void add_nearest(const Query& q, double t) {
   const Vec3& h = q.box.shape.half;
-  const auto add_at = [&](double place, std::uint32_t feature) {
+  const double radius = q.capsule.shape.radius;
+  const auto gap_at = [&](double place) {
     const Vec3 x = q.segment.at(place);
-    const Vec3 gap = x - x.cwiseMax(-h).cwiseMin(h);
-    const double distance = gap.norm();
-    if (distance > 0) q.add(place, gap / distance, distance, feature);
+    return Vec3(x - x.cwiseMax(-h).cwiseMin(h));
   };
-  for (int k = 0; k < 3; ++k) {
-    const double along = q.segment.e[k];
+  for (int k = 0; k < 3; ++k) {  // along an edge: both ends, on the side of the cylinder
     double low, high;
-    if (along * along > (1 - 1e-4) * q.segment.e.squaredNorm() && along != 0 &&
-        clip(q.segment, h, k, true, low, high) && high > low) {
+    if (std::abs(q.u[k]) > 1 - 5e-5 && clip(q.segment, h, k, true, low, high) && high > low) {
       const std::uint32_t feature = kEdgeLineBase + 2 * edge_number(k, q.segment.at(t));
-      add_at(low, feature);
-      add_at(high, feature + 1);
+      for (const bool upper : {false, true}) {
+        const double place = upper ? high : low;
+        const Vec3 gap = gap_at(place), across = gap - gap.dot(q.u) * q.u;
+        const double distance = across.norm();
+        if (!(distance > 0)) continue;
+        const Vec3 n = across / distance;
+        q.add(q.segment.at(place) - radius * n, n, distance - radius, feature + upper);
+      }
       return;
     }
   }
-  add_at(t, kNearestBase + (t <= 0 ? 0u : t >= 1 ? 1u : 2u));
+  const Vec3 gap = gap_at(t);
+  const double distance = gap.norm();
+  if (!(distance > 0)) return;
+  const Vec3 n = gap / distance;
+  q.add(q.segment.at(t) - radius * n, n, distance - radius, kNearestBase + (t <= 0 ? 0u : t >= 1 ? 1u : 2u));
 }
 
 struct EdgeAxis {
@@ -165,16 +202,17 @@ void add_pierced_edge(const Query& q, const EdgeAxis& edge) {
   Vec3 across = q.segment.e, offset = corner - q.segment.p;
   across[edge.axis] = offset[edge.axis] = 0;
   const double t = std::clamp(offset.dot(across) / across.squaredNorm(), 0.0, 1.0);
-  q.add(t, edge.n, edge.n.dot(q.segment.at(t) - corner), kPierceBase + edge_number(edge.axis, edge.n));
+  const Vec3 y = q.segment.at(t) - q.capsule.shape.radius * edge.n;
+  q.add(y, edge.n, edge.n.dot(y - corner), kPierceBase + edge_number(edge.axis, edge.n));
 }
 
 }  // namespace
 
 void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double reach, Contacts& out) {
   const Vec3& h = box.shape.half;
-  const Vec3 centre = box.R.transpose() * (capsule.c - box.c);
-  const Vec3 half = box.R.transpose() * (0.5 * capsule.shape.length * capsule.R.col(1));
-  const Query q{box, capsule, {centre - half, 2 * half}, reach, out};
+  const Vec3 centre = box.R.transpose() * (capsule.c - box.c), u = box.R.transpose() * capsule.R.col(1);
+  const Vec3 half = 0.5 * capsule.shape.length * u;
+  const Query q{box, capsule, {centre - half, 2 * half}, u, reach, out};
 
   int face = 0;
   const double face_separation = (centre.cwiseAbs() - half.cwiseAbs() - h).maxCoeff(&face);
@@ -186,15 +224,16 @@ void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double 
   const double distance = (x - x.cwiseMax(-h).cwiseMin(h)).norm();
   if (distance > 1e-9 * h.minCoeff()) {
     if (!(distance - capsule.shape.radius < reach)) return;
-    const bool over_face = distance - face_separation <= preference(distance, h.minCoeff());
-    if (!(over_face && add_face(q, face, face_sign))) add_nearest(q, t);
+    const double slack = preference(distance, h.minCoeff()), d = distance - capsule.shape.radius;
+    const double by_face = distance - face_separation <= slack ? add_face(q, face, face_sign, false) : kNone;
+    if (by_face > d + slack) add_nearest(q, t);
     return;
   }
   const EdgeAxis edge = best_edge(q.segment, h);
   if (edge.separation > face_separation + preference(face_separation, h.minCoeff())) {
     add_pierced_edge(q, edge);
-  } else if (!add_face(q, face, face_sign)) {
-    add_nearest(q, t);
+  } else {
+    add_face(q, face, face_sign, true);
   }
 }
 

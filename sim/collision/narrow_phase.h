@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "sim/collision/detect.h"
@@ -65,10 +66,28 @@ inline double preference(double separation, double smallest_half) {
   return 0.02 * std::abs(separation) + 1e-3 * smallest_half;
 }
 
+inline constexpr double kNone = std::numeric_limits<double>::infinity();  // d where there is no contact
+
 // A unit vector normal to the unit vector u: +y where u allows it.
 inline Vec3 any_normal(const Vec3& u) {
   const Vec3 seed = std::abs(u.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX();
   return (seed - seed.dot(u) * u).normalized();
+}
+
+// Point on the surface of a capsule towards −n, beside the point p of its axis (direction u): straight below
+// p where p is an end and its cap looks that way, else on the side of the cylinder. `cap` is +1 at the end
+// towards u, −1 at the other end, 0 between. False when neither exists (a capsule standing on its other end).
+inline bool below_axis(const Vec3& p, const Vec3& u, int cap, double radius, const Vec3& n, Vec3& y) {
+  const double slope = n.dot(u);
+  if (cap * slope < 0 || slope == 0) {
+    y = p - radius * n;
+    return true;
+  }
+  const Vec3 side = n - slope * u;
+  const double size = side.norm();
+  if (!(size > 1e-6)) return false;
+  y = p - (radius / size) * side;
+  return true;
 }
 
 inline double sign_of(double x) { return x < 0 ? -1.0 : 1.0; }

@@ -1,0 +1,47 @@
+// Independent answers to compare the contact points with, and random placements.
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "sim/collision/detect.h"
+
+namespace reference {
+
+using namespace pabd;
+
+// Bodies where they stand, and what `detect` finds.
+struct Setup {
+  Model model;
+  std::vector<Vec3> c;
+  std::vector<Mat3> R;
+  std::vector<double> reach;  // of each body
+
+  Index add(const Shape& shape, const Vec3& centre, const Mat3& rotation = Mat3::Identity(),
+            double reach_of = 0.05, bool fixed = false);
+  std::vector<ContactPoint> contacts(int threads = 1, const std::vector<IndexPair>& skip = {}) const;
+};
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : generator_(seed) {}
+  double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(generator_); }
+  Vec3 direction();
+  Mat3 rotation();
+
+ private:
+  std::mt19937 generator_;
+};
+
+// Largest n·x over the shape at pose (c, R), by enumeration of corners and end points. Not for planes.
+double support(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& n);
+
+// Signed distance from the point x to the surface of the shape, negative inside. Not for planes.
+double surface_distance(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& x);
+
+// Signed distance of two convex bodies, max over unit n of (min over b of n·x − max over a of n·x): their gap
+// when they are apart, minus the shortest way out when they overlap. By sampling directions and climbing from
+// the best; good to about 1e-6 of their size.
+double signed_distance(const Setup& setup, Index a, Index b);
+
+}  // namespace reference

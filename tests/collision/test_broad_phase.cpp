@@ -1,0 +1,102 @@
+// The grid finds exactly the pairs that comparing all with all finds.
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "reference.h"
+
+using namespace reference;
+
+namespace {
+
+std::vector<IndexPair> all_pairs(const std::vector<Aabb>& boxes, const std::vector<std::uint8_t>& fixed) {
+  std::vector<IndexPair> pairs;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      if (fixed[i] && fixed[j]) continue;
+      bool meet = true;
+      for (int k = 0; k < 3; ++k) {
+        meet = meet && boxes[i].lo[k] <= boxes[j].hi[k] && boxes[j].lo[k] <= boxes[i].hi[k];
+      }
+      if (meet) pairs.emplace_back(static_cast<Index>(i), static_cast<Index>(j));
+    }
+  return pairs;
+}
+
+struct Bodies {
+  std::vector<Aabb> boxes;
+  std::vector<std::uint8_t> fixed;
+  void add(const Vec3& centre, const Vec3& half, bool is_fixed = false) {
+    boxes.push_back({centre - half, centre + half});
+    fixed.push_back(is_fixed);
+  }
+};
+
+std::vector<IndexPair> found(const Bodies& bodies, int threads = 1) {
+  BroadPhase broad_phase;
+  std::vector<IndexPair> pairs;
+  broad_phase.find(bodies.boxes, bodies.fixed, threads, pairs);
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("random bodies of one size, of many sizes, spread flat and spread wide") {
+  struct Spread {
+    double smallest, largest;  // half edges
+    Vec3 room;
+  };
+  const Spread spreads[] = {{0.5, 0.5, {8, 8, 8}},          {0.4, 0.9, {20, 0.1, 20}},
+                            {0.001, 10, {15, 15, 15}},      {1e-6, 1e3, {100, 100, 100}},
+                            {0.5, 0.5, {1e7, 1, 1}},        {0.5, 2, {0, 0, 60}},
+                            {0.5, 0.5, {1e12, 1e12, 1e12}}, {0, 0, {0, 0, 0}}};
+  Random random(17);
+  for (const Spread& spread : spreads) {
+    Bodies bodies;
+    for (int i = 0; i < 500; ++i) {
+      const auto side = [&] {
+        if (spread.largest == 0) return 0.0;
+        return std::exp(random.uniform(std::log(spread.smallest), std::log(spread.largest)));
+      };
+      const Vec3 where(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      bodies.add(where.cwiseProduct(spread.room), Vec3(side(), side(), side()), i % 7 == 0);
+    }
+    const auto expected = all_pairs(bodies.boxes, bodies.fixed);
+    INFO("half edges " << spread.smallest << " to " << spread.largest << ", pairs " << expected.size());
+    CHECK(found(bodies) == expected);
+    CHECK(found(bodies, 3) == expected);
+  }
+}
+
+TEST_CASE("touching counts, on a lattice that lies on the cell borders") {
+  Bodies bodies;
+  for (int x = -5; x <= 5; ++x)
+    for (int y = -5; y <= 5; ++y)
+      for (int z = -2; z <= 2; ++z) bodies.add(Vec3(x, y, z), Vec3::Constant(0.5));
+  const auto expected = all_pairs(bodies.boxes, bodies.fixed);
+  CHECK(expected.size() > 5000);  // 26 neighbours each
+  CHECK(found(bodies) == expected);
+}
+
+TEST_CASE("one large body under many small ones") {
+  Bodies bodies;
+  bodies.add(Vec3(0, -10, 0), Vec3(100, 10, 100), true);
+  Random random(2);
+  for (int i = 0; i < 400; ++i) {
+    bodies.add(Vec3(random.uniform(-9, 9), random.uniform(0, 1.5), random.uniform(-9, 9)),
+               Vec3::Constant(0.4));
+  }
+  CHECK(found(bodies) == all_pairs(bodies.boxes, bodies.fixed));
+}
+
+TEST_CASE("unbounded and non-finite bodies take no part, and do no harm") {
+  constexpr double inf = std::numeric_limits<double>::infinity(),
+                   nan = std::numeric_limits<double>::quiet_NaN();
+  Bodies bodies;
+  bodies.add(Vec3::Zero(), Vec3::Constant(1));
+  bodies.add(Vec3::Zero(), Vec3::Constant(inf));
+  bodies.add(Vec3(nan, 0, 0), Vec3::Constant(1));
+  bodies.add(Vec3(0.5, 0, 0), Vec3::Constant(1));
+  bodies.add(Vec3(1e300, 0, 0), Vec3::Constant(1e299));
+  CHECK(found(bodies) == std::vector<IndexPair>{{0, 3}});
+  CHECK(found(Bodies{}).empty());
+}
