@@ -39,7 +39,12 @@ double nice_step(double span, int max_major, bool integer) {
 
 void linear_ticks(AxisScale& axis, int max_major, bool integer) {
   const double span = axis.hi - axis.lo;
-  const double step = nice_step(span, max_major, integer);
+  double step = nice_step(span, max_major, integer);
+  // One label says nothing about the scale: rather a crowded axis.
+  for (int more = max_major + 1; more <= 4 && std::floor(axis.hi / step) - std::ceil(axis.lo / step) < 1;
+       ++more) {
+    step = nice_step(span, more, integer);
+  }
   const double largest = std::max(std::abs(axis.lo), std::abs(axis.hi));
   // Engineering factor: very large and very small labels are written in multiples of 10³ⁿ.
   int exponent = 0;
@@ -53,7 +58,8 @@ void linear_ticks(AxisScale& axis, int max_major, bool integer) {
   if (!(last - first < 1000)) return;
   for (double k = first; k <= last; ++k) {
     const double value = k * step;
-    const std::string label = k == 0 ? "0" : with_minus(fmt::format("{:.{}f}", value / power10(exponent), decimals));
+    const std::string label =
+        k == 0 ? "0" : with_minus(fmt::format("{:.{}f}", value / power10(exponent), decimals));
     axis.ticks.push_back({value, label, true});
   }
 }

@@ -22,8 +22,9 @@ struct Curve {
   double scale = 1;  // of value and derivative: 1/d̂² makes the log barrier comparable
 };
 
-// Samples one curve over [lo, hi]. Points the barrier does not reach (log at d ≤ 0) are infinite and break the
-// line. At d̂, where the printed derivative jumps, both sides are sampled so that the jump is drawn upright.
+// Samples one curve over [lo, hi]. Points the barrier does not reach (log at d ≤ 0) are infinite and break
+// the line. At d̂, where the printed derivative jumps, both sides are sampled so that the jump is drawn
+// upright.
 void add_curve(const Curve& curve, double lo, double hi, int samples, Series* value, Series* slope) {
   const auto add = [&](double d) {
     const BarrierValue b = evaluate(curve.barrier, d);

@@ -1,0 +1,58 @@
+// Draws panels and labels over a frame, and whole figures, as Dear ImGui draw data. No window and no GL in
+// here: the data is for Renderer::draw and Renderer::draw_plain, the font atlas goes through a callback.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/overlay/panel_layout.h"
+#include "app/plots/canvas.h"
+#include "app/plots/figures/time_series.h"
+#include "render/visual/visual_scene.h"
+#include "sim/solver/params.h"
+#include "sim/solver/report.h"
+
+struct ImDrawData;
+
+namespace pabd {
+
+// What the panels show. Pointers may be null: their panels say so. Everything must live until the call
+// returns.
+struct OverlayData {
+  std::string scene_name;
+  const Params* params = nullptr;
+  double kappa = 0;                    // resolved contact κ; J
+  const StepReport* report = nullptr;  // of the last step, with records and contacts if the panels want them
+  const std::vector<StepReport>* history = nullptr;  // oldest first
+};
+
+class Overlay {
+ public:
+  // Takes the atlas as RGBA, returns the texture's id: Renderer::upload_font_atlas. Called again when the
+  // sizes of the texts change (another frame size); the old texture is not used any more then.
+  using UploadAtlas = std::function<void*(const unsigned char* rgba, int width, int height)>;
+
+  explicit Overlay(UploadAtlas upload);
+  ~Overlay();
+  Overlay(const Overlay&) = delete;
+  Overlay& operator=(const Overlay&) = delete;
+
+  // Panels and the labels of `scene` (null: none) for a frame of width × height pixels. The result is valid
+  // until the next call on this object.
+  const ImDrawData* frame(const OverlayOptions& options, const OverlayData& data, const VisualScene* scene,
+                          int width, int height);
+
+  // A figure or diagram that fills the picture: for Renderer::draw_plain on white.
+  const ImDrawData* paint(const Picture& picture, int width, int height);
+
+  // Code points that some text asked for and the font does not have, for tests and diagnostics.
+  std::u32string unknown_characters() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pabd

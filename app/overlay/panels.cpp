@@ -1,0 +1,193 @@
+// What is inside the panels.
+#include "app/overlay/panels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plots/axis_ticks.h"
+#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/convergence.h"
+#include "app/plots/palette.h"
+#include "app/plots/plot_layout.h"
+#include "render/visual/build_visual.h"
+
+namespace pabd {
+namespace {
+
+constexpr Color kPanel{255, 255, 255, 222};
+constexpr Color kRim{0, 0, 0, 26};
+constexpr double kPad = 10;
+constexpr double kTitle = 12, kText = 10.5;
+
+std::uint8_t srgb_byte(float linear) {
+  const double v = std::clamp(static_cast<double>(linear), 0.0, 1.0);
+  const double s = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255 * s));
+}
+
+struct Row {
+  std::string name;
+  std::string value;
+};
+
+std::vector<Row> parameter_rows(const OverlayData& data) {
+  std::vector<Row> rows;
+  if (data.params) {
+    const Params& p = *data.params;
+    const SolverMethod method = data.report ? data.report->method : p.solver.method;
+    rows.push_back({"solver", to_string(method)});
+    rows.push_back(
+        {"barrier", p.contact.barrier == BarrierKind::log
+                        ? std::string("log")
+                        : fmt::format("{}, *{{N}} = {}", to_string(p.contact.barrier), p.contact.N)});
+    rows.push_back({"thickness *{d̂}", format_value(p.contact.d_hat) + " m"});
+    rows.push_back({"stiffness *{κ}", format_value(data.kappa) +
+                                          (p.contact.barrier == BarrierKind::log ? " J/m²" : " J") +
+                                          (p.contact.kappa ? "" : ", auto")});
+    rows.push_back({"onset *{ε}", format_value(p.contact.onset)});
+    const std::string friction = format_value(p.contact.mu_static);
+    rows.push_back({"friction *{μ}", p.contact.mu_static == p.contact.mu_dynamic
+                                         ? friction
+                                         : friction + " / " + format_value(p.contact.mu_dynamic)});
+    rows.push_back({"time step *{h}", format_value(p.h) + " s"});
+    rows.push_back({"iterations", data.report
+                                      ? fmt::format("{} of {}", data.report->iterations, p.solver.iterations)
+                                      : fmt::format("at most {}", p.solver.iterations)});
+  }
+  if (data.report) {
+    rows.push_back({"contacts", fmt::format("{}", data.report->contacts)});
+    rows.push_back({"step", fmt::format("{}", data.report->step)});
+    rows.push_back({"time", fmt::format("{:.3f} s", data.report->time)});
+  }
+  return rows;
+}
+
+// Cuts with an ellipsis what is wider than `width`.
+std::string shortened(const FontMetrics& font, const std::string& text, double size, double width) {
+  if (text_width(font, text, size) <= width) return text;
+  std::u32string points = decode_text(text);
+  std::string out = text;
+  std::size_t bytes = text.size();
+  while (bytes > 0) {
+    do {
+      --bytes;
+    } while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0) == 0x80);
+    out = text.substr(0, bytes) + "…";
+    if (text_width(font, out, size) <= width) break;
+  }
+  return out;
+}
+
+void paint_params(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+  const Rect in = rect.inset(kPad * s);
+  const std::string title = data.scene_name.empty() ? "parameters" : data.scene_name;
+  canvas.text({in.x, in.y}, shortened(canvas.font(), title, kTitle * s, in.w),
+              {kTitle * s, ink::text, AnchorX::left, AnchorY::top});
+  const std::vector<Row> rows = parameter_rows(data);
+  const double top = in.y + 1.9 * kTitle * s;
+  const double pitch = (in.bottom() - top) / std::max<double>(1, static_cast<double>(rows.size()) - 0.27);
+  double y = top;
+  for (const Row& row : rows) {
+    const double baseline = y + FontMetrics::cap * kText * s;
+    canvas.text({in.x, baseline}, row.name, {kText * s, ink::muted});
+    canvas.text({in.right(), baseline}, row.value, {kText * s, ink::text, AnchorX::right});
+    y += std::min(pitch, 1.75 * kText * s);
+  }
+}
+
+void paint_small_plot(const Plot& plot, const Rect& rect, double s, Canvas& canvas) {
+  const PlotStyle style = panel_style().scaled(s);
+  paint_plot(plot, layout_plot(plot, rect.inset(kPad * s), style, canvas.font()), style, canvas);
+}
+
+void paint_legend(const Rect& rect, double s, Canvas& canvas) {
+  const Rect in = rect.inset(kPad * s);
+  const TextStyle text{kText * s, ink::text, AnchorX::left, AnchorY::middle};
+  constexpr double lo = -0.5, hi = 1;
+  const std::string name = "contact *{d}/*{d̂}";
+  const double bar_left = in.x + text_width(canvas.font(), name, kText * s) + 12 * s;
+  const Rect bar{std::round(bar_left), std::round(in.y), std::round(in.right() - bar_left - 8 * s),
+                 std::round(11 * s)};
+  canvas.text({in.x, bar.y + 0.5 * bar.h}, name, text);
+  // One strip a pixel column: the colour map has knees that a few triangles would cut off.
+  for (int k = 0; k < static_cast<int>(bar.w); ++k) {
+    canvas.fill_rect({bar.x + k, bar.y, 1, bar.h}, contact_ink(lo + (hi - lo) * (k + 0.5) / bar.w));
+  }
+  for (const double v : {-0.5, 0.0, 0.5, 1.0}) {
+    const double x = bar.x + bar.w * (v - lo) / (hi - lo);
+    canvas.vertical(std::clamp(x, bar.x, bar.right() - 1), bar.bottom(), bar.bottom() + 3 * s, ink::axis, s);
+    canvas.text({x, bar.bottom() + 6 * s}, v == 0 ? "0" : format_value(v),
+                {kText * s, ink::text, AnchorX::center, AnchorY::top});
+  }
+}
+
+Plot empty_plot(const std::string& title) {
+  Plot plot;
+  plot.title = title;
+  return plot;
+}
+
+Plot live_plot(Panel panel, const OverlayData& data) {
+  const StepReport* report = data.report;
+  if (panel == Panel::barrier) {
+    if (!data.params) return empty_plot("Contact barrier");
+    return contact_barrier_plot(data.params->contact,
+                                report ? report->contact_reports : std::vector<ContactReport>{}, contact_ink);
+  }
+  if (panel == Panel::convergence) {
+    return report ? convergence_plot(report->records) : empty_plot("Convergence of the last step");
+  }
+  if (!data.history) return empty_plot("Over time");
+  std::vector<HistoryPoint> history;
+  history.reserve(data.history->size());
+  for (const StepReport& r : *data.history) history.push_back(history_point(r));
+  return time_series_plot(history, data.params ? data.params->contact.d_hat : 0);
+}
+
+}  // namespace
+
+Color contact_ink(double x) {
+  const Vec4f c = contact_color(x);
+  return {srgb_byte(c.x()), srgb_byte(c.y()), srgb_byte(c.z()), 255};
+}
+
+void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas) {
+  const double s = layout.scale;
+  for (const PlacedPanel& placed : layout.panels) {
+    canvas.fill_rect({placed.rect.x - 1, placed.rect.y - 1, placed.rect.w + 2, placed.rect.h + 2}, kRim,
+                     6 * s);
+    canvas.fill_rect(placed.rect, kPanel, 5 * s);
+    canvas.push_clip(placed.rect);
+    switch (placed.panel) {
+      case Panel::params:
+        paint_params(placed.rect, s, data, canvas);
+        break;
+      case Panel::legend:
+        paint_legend(placed.rect, s, canvas);
+        break;
+      default:
+        paint_small_plot(live_plot(placed.panel, data), placed.rect, s, canvas);
+    }
+    canvas.pop_clip();
+  }
+}
+
+void paint_labels(const VisualScene& scene, int width, int height, double scale, Canvas& canvas) {
+  if (scene.labels.empty() || width <= 0 || height <= 0) return;
+  const float aspect = static_cast<float>(width) / static_cast<float>(height);
+  // Only directions matter for the place in the frame; the depth range is free.
+  const Mat4f clip = projection_matrix(scene.camera, aspect, 0.01f, 1000.0f) * view_matrix(scene.camera);
+  for (const Label& label : scene.labels) {
+    const Vec4f p = clip * label.position.homogeneous();
+    if (!(p.w() > 0) || !p.allFinite()) continue;
+    const double x = 0.5 * width * (1 + static_cast<double>(p.x() / p.w()));
+    const double y = 0.5 * height * (1 - static_cast<double>(p.y() / p.w()));
+    if (x < -width || x > 2.0 * width || y < -height || y > 2.0 * height) continue;
+    canvas.text({x, y}, label.text,
+                {15 * scale, ink::text, AnchorX::center, AnchorY::middle, false, 2 * scale});
+  }
+}
+
+}  // namespace pabd

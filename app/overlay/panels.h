@@ -1,0 +1,17 @@
+// What is inside the panels, drawn on any canvas.
+#pragma once
+
+#include "app/overlay/overlay.h"
+
+namespace pabd {
+
+// The colour of a contact at x = d/d̂ as the picture shows it, sRGB.
+Color contact_ink(double x);
+
+// Draws the laid-out panels: a translucent white box each, with its content.
+void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas);
+
+// The labels of a scene at their places in a frame of width × height px; those behind the eye are left out.
+void paint_labels(const VisualScene& scene, int width, int height, double scale, Canvas& canvas);
+
+}  // namespace pabd
