@@ -29,6 +29,7 @@ void DrawList::build(const VisualScene& scene, int height, float texel) {
   instances.clear();
   batches.clear();
   caster_entries_.clear();
+  floor_entries_.clear();
   body_entries_.clear();
   glyph_entries_.clear();
   transparent_entries_.clear();
@@ -54,8 +55,13 @@ void DrawList::build(const VisualScene& scene, int height, float texel) {
       }
       if (instance.shadow && instance.color.w() >= 1) {
         // Half a texel is as good as a pixel here: the filter is six texels wide.
-        const int level = flat_sided ? 0 : std::min(1, level_for_radius(0.5f * scale / texel));
+        const int level = flat_sided ? 0 : std::min(2, level_for_radius(0.5f * scale / texel));
         caster_entries_.push_back({&instance, primitive, level, 0});
+        if (!scene.grounds.empty()) {
+          const Ground& floor = scene.grounds.front();
+          const float above = floor.normal.dot(instance.transform.block<3, 1>(0, 3)) - floor.offset;
+          if (above < 3 * scale) floor_entries_.push_back({&instance, primitive, std::min(1, level), 0});
+        }
       }
     }
   }
@@ -66,6 +72,7 @@ void DrawList::build(const VisualScene& scene, int height, float texel) {
   std::stable_sort(glyph_entries_.begin(), glyph_entries_.end(), far_first);
   std::stable_sort(transparent_entries_.begin(), transparent_entries_.end(), far_first);
   casters = append(caster_entries_, true);
+  floor_casters = append(floor_entries_, true);
   bodies = append(body_entries_, true);
   glyphs = append(glyph_entries_, true);
   transparent = append(transparent_entries_, false);

@@ -31,10 +31,11 @@ struct BatchRange {
 struct DrawList {
   std::vector<GpuInstance> instances;
   std::vector<Batch> batches;
-  BatchRange casters;      // into the shadow map
-  BatchRange bodies;       // opaque, near ones first so that what they hide costs nothing
-  BatchRange glyphs;       // opaque glyphs that show through bodies
-  BatchRange transparent;  // far ones first
+  BatchRange casters;        // into the shadow map
+  BatchRange floor_casters;  // those near the first floor
+  BatchRange bodies;         // opaque, near ones first so that what they hide costs nothing
+  BatchRange glyphs;         // opaque glyphs that show through bodies
+  BatchRange transparent;    // far ones first
 
   // Fills the list from the scene; `height` is that of the frame in pixels, `texel` that of a shadow texel in
   // m.
@@ -49,7 +50,7 @@ struct DrawList {
   };
   BatchRange append(std::vector<Entry>& entries, bool grouped);
 
-  std::vector<Entry> caster_entries_, body_entries_, glyph_entries_, transparent_entries_;
+  std::vector<Entry> caster_entries_, floor_entries_, body_entries_, glyph_entries_, transparent_entries_;
 };
 
 }  // namespace pabd

@@ -17,6 +17,14 @@ constexpr int kBorder = 4;  // texels around the casters that the filter may rea
 // Radius of a sphere around the transformed primitive: every one lies within the cube of edge 2.
 float reach(const Mat4f& m) { return std::sqrt(m.block<3, 3>(0, 0).colwise().squaredNorm().sum()); }
 
+// Scenery far outside the scene's sphere would leave nothing of the maps for what matters.
+bool casts(const VisualScene& scene, const Instance& instance) {
+  if (!instance.shadow || instance.color.w() < 1 || !instance.transform.allFinite()) return false;
+  const float r = reach(instance.transform);
+  const float distance = (instance.transform.block<3, 1>(0, 3) - scene.centre).norm();
+  return distance - r <= 2 * scene.radius && r <= 4 * scene.radius;
+}
+
 void store(float (&out)[16], const Mat4f& m) { std::memcpy(out, m.data(), sizeof(out)); }
 
 void store(float (&out)[4], const float (&rgb)[3]) {
@@ -55,11 +63,9 @@ ShadowVolume fit_shadow(const VisualScene& scene) {
   Vec3f hi = -far_away;
   for (const auto& list : scene.instances) {
     for (const Instance& instance : list) {
-      if (!instance.shadow || instance.color.w() < 1) continue;
+      if (!casts(scene, instance)) continue;
       const Vec3f p = axes * instance.transform.block<3, 1>(0, 3);
       const float r = reach(instance.transform);
-      // Scenery far outside the scene's sphere would leave nothing of the map for what matters.
-      if ((p - axes * scene.centre).norm() - r > 2 * scene.radius || r > 4 * scene.radius) continue;
       lo = lo.cwiseMin((p.array() - r).matrix());
       hi = hi.cwiseMax((p.array() + r).matrix());
     }
@@ -88,9 +94,58 @@ ShadowVolume fit_shadow(const VisualScene& scene) {
   return v;
 }
 
+void plane_axes(const Vec3f& n, Vec3f& u, Vec3f& v) {
+  const Vec3f along = std::abs(n.x()) < 0.9f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
+  u = (along - n * n.dot(along)).normalized();
+  v = u.cross(n);
+}
+
+FloorVolume fit_floor(const VisualScene& scene) {
+  FloorVolume floor;
+  if (scene.grounds.empty()) return floor;
+  const Vec3f n = scene.grounds.front().normal.normalized();
+  const float offset = scene.grounds.front().offset;
+  if (!n.allFinite() || !std::isfinite(offset)) return floor;
+  Vec3f u, v;
+  plane_axes(n, u, v);
+  float sum = 0;
+  int count = 0;
+  Eigen::Vector2f lo = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
+  Eigen::Vector2f hi = -lo;
+  for (const auto& list : scene.instances) {
+    for (const Instance& instance : list) {
+      if (!casts(scene, instance)) continue;
+      const Vec3f p = instance.transform.block<3, 1>(0, 3);
+      const float r = reach(instance.transform);
+      sum += r;
+      ++count;
+      if (n.dot(p) - offset > 3 * r) continue;  // too high to matter
+      const Eigen::Vector2f at(u.dot(p), v.dot(p));
+      lo = lo.cwiseMin((at.array() - r).matrix());
+      hi = hi.cwiseMax((at.array() + r).matrix());
+    }
+  }
+  if (!(lo.array() <= hi.array()).all()) return floor;
+  const float size = sum / static_cast<float>(count);
+  const float margin = size;
+  const float extent = (hi - lo).maxCoeff() + 2 * margin;
+  floor.exists = true;
+  floor.fall_off = 0.4f * size;
+  floor.blur = 0.25f * size / extent;
+  Mat4f& m = floor.world_to_map;
+  m.block<1, 3>(0, 0) = u.transpose() / extent;
+  m.block<1, 3>(1, 0) = v.transpose() / extent;
+  m.block<1, 3>(2, 0) = n.transpose();
+  m(0, 3) = (margin - lo.x()) / extent;
+  m(1, 3) = (margin - lo.y()) / extent;
+  m(2, 3) = -offset;
+  return floor;
+}
+
 Mat4f eye_matrix(const VisualScene& scene) { return view_matrix(scene.camera); }
 
-FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shadow, int width, int height) {
+FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor,
+                             int width, int height) {
   FrameUniforms u{};
   const float radius = std::max(scene.radius, 1e-6f);
   const float distance = (scene.camera.eye - scene.centre).norm();
@@ -101,6 +156,9 @@ FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shado
   const Mat4f clip = projection_matrix(scene.camera, aspect, near_plane, far_plane) * eye_matrix(scene);
   store(u.world_to_clip, clip);
   store(u.world_to_shadow, shadow.world_to_shadow);
+  store(u.world_to_floor, floor.world_to_map);
+  u.floor_shade[0] = floor.fall_off;
+  u.floor_shade[1] = floor.exists ? 1.0f : 0.0f;
   store(u.eye, scene.camera.eye, 1);
   store(u.light, towards_light(scene), shadow.depth_range);
   store(u.centre, scene.centre, radius);
@@ -113,14 +171,19 @@ FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shado
   store(u.bounce, lighting::kBounce);
   store(u.background_top, lighting::kBackgroundTop);
   store(u.background_bottom, lighting::kBackgroundBottom);
+  store(u.floor_color, lighting::kFloor);
   std::copy(shadow.bounds, shadow.bounds + 4, u.shadow_bounds);
   return u;
 }
 
+static_assert(kShadowSize == 512, "keep SHADOW_SIZE in step");
+
 const char* const kFrameGlsl = R"(
+#define SHADOW_SIZE 512.0
 layout(std140) uniform Frame {
   mat4 world_to_clip;
   mat4 world_to_shadow;
+  mat4 world_to_floor;
   vec4 eye;
   vec4 light;
   vec4 centre;
@@ -130,12 +193,40 @@ layout(std140) uniform Frame {
   vec4 bounce;
   vec4 background_top;
   vec4 background_bottom;
+  vec4 floor_color;
+  vec4 floor_shade;
   vec4 shadow_bounds;
 } frame;
 )";
 
 const char* const kLightingGlsl = R"(
+
 uniform sampler2D shadow_map;
+uniform sampler2D floor_map;
+
+// Part of the sky that bodies hide from a point p of the floor.
+float floor_shade(vec3 p) {
+  vec2 uv = (frame.world_to_floor * vec4(p, 1.0)).xy;
+  return frame.floor_shade.y * texture(floor_map, uv).r;
+}
+
+// Part of the surroundings that the floor leaves to a point p with normal n of a body standing on it.
+float near_floor(vec3 p, vec3 n) {
+  vec3 up = vec3(frame.world_to_floor[0].z, frame.world_to_floor[1].z, frame.world_to_floor[2].z);
+  float height = dot(up, p) + frame.world_to_floor[3].z;
+  float dark = exp(-max(height, 0.0) / (0.8 * frame.floor_shade.x)) * (0.5 - 0.5 * dot(n, up));
+  return 1.0 - 0.7 * frame.floor_shade.y * dark;
+}
+
+// Depths of the 2×2 texels whose lower left one is `at`: (0,1), (1,1), (1,0), (0,0).
+vec4 shadow_depths(ivec2 at) {
+#ifdef GL_ARB_texture_gather
+  return textureGather(shadow_map, vec2(at + 1) / SHADOW_SIZE);
+#else
+  return vec4(texelFetch(shadow_map, at + ivec2(0, 1), 0).r, texelFetch(shadow_map, at + ivec2(1, 1), 0).r,
+              texelFetch(shadow_map, at + ivec2(1, 0), 0).r, texelFetch(shadow_map, at, 0).r);
+#endif
+}
 
 vec3 background(float y) {
   return mix(frame.background_bottom.rgb, frame.background_top.rgb, smoothstep(0.0, 1.0, y / frame.viewport.y));
@@ -157,29 +248,26 @@ float sun_visibility(vec3 p, vec3 n) {
   float bias = 0.25 + 0.15 * (abs(slope.x) + abs(slope.y));
   float z = q.z - bias;
 
-  // Weights (1 − (t/3)²)², separable.
+  // Weights 1 − (t/3)², separable; two rows of three gathers at a time.
   vec3 ax = first.x + vec3(0.0, 1.0, 2.0), bx = first.x + vec3(3.0, 4.0, 5.0);
   vec3 ua = 1.0 - ax * ax / 9.0, ub = 1.0 - bx * bx / 9.0;
-  vec3 wa = ua * ua, wb = ub * ub;
+  
   vec3 za = z + slope.x * ax, zb = z + slope.x * bx;
   float lit = 0.0, total = 0.0;
   // The loop's length, not a branch, is what software renderers can skip.
   int rows = near ? 6 : 0;
-  for (int j = 0; j < rows; ++j) {
-    float t = first.y + float(j);
-    float uy = 1.0 - t * t / 9.0;
-    float wy = uy * uy;
-    ivec2 at = corner + ivec2(0, j);
-    vec3 da = vec3(texelFetch(shadow_map, at, 0).r, texelFetch(shadow_map, at + ivec2(1, 0), 0).r,
-                   texelFetch(shadow_map, at + ivec2(2, 0), 0).r) * frame.light.w;
-    vec3 db = vec3(texelFetch(shadow_map, at + ivec2(3, 0), 0).r, texelFetch(shadow_map, at + ivec2(4, 0), 0).r,
-                   texelFetch(shadow_map, at + ivec2(5, 0), 0).r) * frame.light.w;
-    float zy = slope.y * t;
-    vec3 la = step(za + zy, da), lb = step(zb + zy, db);
-    lit += wy * (dot(la, wa) + dot(lb, wb));
-    total += wy;
+  for (int j = 0; j < rows; j += 2) {
+    float t0 = first.y + float(j), t1 = t0 + 1.0;
+    float u0 = 1.0 - t0 * t0 / 9.0, u1 = 1.0 - t1 * t1 / 9.0;
+    vec4 g0 = shadow_depths(corner + ivec2(0, j)) * frame.light.w;
+    vec4 g1 = shadow_depths(corner + ivec2(2, j)) * frame.light.w;
+    vec4 g2 = shadow_depths(corner + ivec2(4, j)) * frame.light.w;
+    float s0 = slope.y * t0, s1 = slope.y * t1;
+    lit += u0 * (dot(step(za + s0, vec3(g0.wz, g1.w)), ua) + dot(step(zb + s0, vec3(g1.z, g2.wz)), ub));
+    lit += u1 * (dot(step(za + s1, vec3(g0.xy, g1.x)), ua) + dot(step(zb + s1, vec3(g1.y, g2.xy)), ub));
+    total += u0 + u1;
   }
-  total *= dot(wa + wb, vec3(1.0));
+  total *= dot(ua + ub, vec3(1.0));
   return near ? lit / total : 1.0;
 }
 )";

@@ -29,7 +29,7 @@
   X(GetProgramInfoLog, GETPROGRAMINFOLOG) X(GetProgramiv, GETPROGRAMIV) X(GetShaderInfoLog, GETSHADERINFOLOG) \
   X(GetShaderiv, GETSHADERIV) X(GetString, GETSTRING) X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) \
   X(GetUniformLocation, GETUNIFORMLOCATION) X(LinkProgram, LINKPROGRAM) X(MapBufferRange, MAPBUFFERRANGE) \
-  X(PixelStorei, PIXELSTOREI) X(ReadBuffer, READBUFFER) X(ReadPixels, READPIXELS) \
+  X(PixelStorei, PIXELSTOREI) X(PolygonOffset, POLYGONOFFSET) X(ReadBuffer, READBUFFER) X(ReadPixels, READPIXELS) \
   X(RenderbufferStorage, RENDERBUFFERSTORAGE) X(RenderbufferStorageMultisample, RENDERBUFFERSTORAGEMULTISAMPLE) \
   X(Scissor, SCISSOR) X(ShaderSource, SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) X(TexParameteri, TEXPARAMETERI) \
   X(Uniform1f, UNIFORM1F) X(Uniform1i, UNIFORM1I) X(Uniform2f, UNIFORM2F) X(Uniform4f, UNIFORM4F) \

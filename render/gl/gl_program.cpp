@@ -9,6 +9,13 @@
 namespace pabd {
 namespace {
 
+// Gathering is core in GL 4.0 only, but nearly every 3.3 driver has it; shaders test for the macro.
+constexpr const char* kHeader =
+    "#version 330 core\n"
+    "#ifdef GL_ARB_texture_gather\n"
+    "#extension GL_ARB_texture_gather : enable\n"
+    "#endif\n";
+
 // The driver's words on one line.
 std::string one_line(std::string log) {
   for (char& c : log) {
@@ -20,7 +27,7 @@ std::string one_line(std::string log) {
 
 GLuint compile(const GlFunctions& gl, const char* name, GLenum stage,
                std::initializer_list<const char*> parts) {
-  std::vector<const char*> source = {"#version 330 core\n"};
+  std::vector<const char*> source = {kHeader};
   source.insert(source.end(), parts);
   const GLuint shader = gl.CreateShader(stage);
   gl.ShaderSource(shader, static_cast<GLsizei>(source.size()), source.data(), nullptr);
@@ -69,5 +76,12 @@ GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_l
 }
 
 GlProgram::~GlProgram() { gl_.DeleteProgram(id_); }
+
+void bind_maps(const GlFunctions& gl, const GlProgram& program) {
+  const GLint shadow = program.uniform("shadow_map");
+  if (shadow >= 0) gl.Uniform1i(shadow, 0);
+  const GLint floor = program.uniform("floor_map");
+  if (floor >= 0) gl.Uniform1i(floor, 1);
+}
 
 }  // namespace pabd

@@ -26,4 +26,7 @@ class GlProgram {
   GLuint id_ = 0;
 };
 
+// Tells a program that uses kLightingGlsl the texture units of its maps. The program must be in use.
+void bind_maps(const GlFunctions& gl, const GlProgram& program);
+
 }  // namespace pabd

@@ -33,7 +33,7 @@ in vec3 world;
 uniform vec4 normal;  // w: offset
 uniform vec4 axis_u;  // xyz: unit; w: of the point below the scene's centre
 uniform vec4 axis_v;
-uniform vec4 grid;    // spacing of the fine grid, its weight, -, -
+uniform vec4 grid;    // spacing of the fine grid, its weight, 1 for the first floor, -
 out vec4 fragment;
 
 // Part of a pixel of size `pixel` that lines of the given width every `spacing` metres cover, along both axes.
@@ -58,31 +58,29 @@ void main() {
   float coarse = lines(at, pixel, 10.0 * grid.x, 0.03 * grid.x);
   float line = max(0.30 * fine, 0.42 * coarse) * near;
 
-#ifdef SHADOWED
   float facing = max(dot(n, frame.light.xyz), 0.0);
-  vec3 open = ambient(n) + frame.sun.rgb * facing;
-  vec3 shade = (ambient(n) + frame.sun.rgb * facing * sun_visibility(world, n)) / open;
+  vec3 sky = ambient(n), sunlight = frame.sun.rgb * facing;
+#ifdef SHADOWED
+  vec3 lit = sunlight * sun_visibility(world, n);
 #else
-  vec3 shade = vec3(1.0);
+  vec3 lit = sunlight;
 #endif
-  vec3 color = FLOOR * shade * (1.0 - line);
+  vec3 shade = (sky * (1.0 - 0.8 * floor_shade(world) * grid.z) + lit) / (sky + sunlight);
+  vec3 color = frame.floor_color.rgb * shade * (1.0 - line);
   fragment = vec4(mix(color, back, smoothstep(1.5, 9.0, r)), 1.0);
 }
 )";
 
-constexpr const char* kFloor = "#define FLOOR vec3(0.72, 0.72, 0.715)\n";
-
 }  // namespace
 
 GroundPass::Program::Program(const GlFunctions& gl, const char* name, const char* defines)
-    : program(gl, name, {kFrameGlsl, kVertex}, {defines, kFloor, kFrameGlsl, kLightingGlsl, kFragment}),
+    : program(gl, name, {kFrameGlsl, kVertex}, {defines, kFrameGlsl, kLightingGlsl, kFragment}),
       normal(program.uniform("normal")),
       axis_u(program.uniform("axis_u")),
       axis_v(program.uniform("axis_v")),
       grid(program.uniform("grid")) {
   program.use();
-  const GLint map = program.uniform("shadow_map");
-  if (map >= 0) gl.Uniform1i(map, 0);
+  bind_maps(gl, program);
 }
 
 GroundPass::GroundPass(const GlFunctions& gl)
@@ -111,10 +109,8 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
   if (!n.allFinite() || !std::isfinite(ground.offset)) return;
   // Seen from below it would only hide the scene.
   if (n.dot(scene.camera.eye) <= ground.offset) return;
-  // Axes that are the world's x and z on a level floor.
-  const Vec3f u = (std::abs(n.x()) < 0.9f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0)).eval();
-  const Vec3f axis_u = (u - n * n.dot(u)).normalized();
-  const Vec3f axis_v = axis_u.cross(n);
+  Vec3f axis_u, axis_v;
+  plane_axes(n, axis_u, axis_v);
   const Vec3f below = scene.centre - (n.dot(scene.centre) - ground.offset) * n;
   const float radius = std::max(scene.radius, 1e-6f);
 
@@ -147,56 +143,34 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
     gl_.Uniform4f(p.normal, n.x(), n.y(), n.z(), ground.offset);
     gl_.Uniform4f(p.axis_u, axis_u.x(), axis_u.y(), axis_u.z(), axis_u.dot(below));
     gl_.Uniform4f(p.axis_v, axis_v.x(), axis_v.y(), axis_v.z(), axis_v.dot(below));
-    gl_.Uniform4f(p.grid, spacing, fine_weight, 0, 0);
+    gl_.Uniform4f(p.grid, spacing, fine_weight, &ground == &scene.grounds.front() ? 1.0f : 0.0f, 0);
   };
 
   std::vector<Vec3f> triangles;
-  const auto quad = [&](const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d) {
-    triangles.insert(triangles.end(), {a, b, c, a, c, d});
+  const auto quad = [&](const std::vector<Vec3f>& q) {
+    triangles.insert(triangles.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
   };
   const bool casters = shadow.bounds[2] > shadow.bounds[0];
-  GLsizei with_shadow = 0;
-  if (fits) {
-    // The parallelogram's corners start at the one nearest to the first corner of the square and run the same
-    // way.
-    const auto corner_angle = [&](const Vec3f& p) {
-      return std::atan2((p - below).dot(axis_v), (p - below).dot(axis_u));
-    };
-    (void)corner_angle;
-    Vec3f centre = Vec3f::Zero();
-    for (const Vec3f& q : inner) centre += 0.25f * q;
-    const float turn = (inner[1] - inner[0]).cross(inner[2] - inner[1]).dot(axis_u.cross(axis_v));
-    if (turn < 0) std::swap(inner[1], inner[3]);
-    std::size_t first = 0;
-    float best = -1e30f;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const float score = (inner[k] - centre).normalized().dot(-(axis_u + axis_v));
-      if (score > best) {
-        best = score;
-        first = k;
-      }
-    }
-    const auto in = [&](std::size_t k) -> const Vec3f& { return inner[(first + k) % 4]; };
-    quad(in(0), in(1), in(2), in(3));
-    with_shadow = 6;
-    for (std::size_t k = 0; k < 4; ++k) quad(outer[k], outer[(k + 1) % 4], in(k + 1), in(k));
-  } else {
-    quad(outer[0], outer[1], outer[2], outer[3]);
-    with_shadow = casters ? 6 : 0;
-  }
+  if (fits) quad(inner);
+  quad(outer);
 
   gl_.BindVertexArray(array_.id());
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(Vec3f)), triangles.data(),
                  GL_STREAM_DRAW);
-  if (with_shadow > 0) {
+  if (fits) {
     set_uniforms(shadowed_);
-    gl_.DrawArrays(GL_TRIANGLES, 0, with_shadow);
-  }
-  const auto rest = static_cast<GLsizei>(triangles.size()) - with_shadow;
-  if (rest > 0) {
+    gl_.DrawArrays(GL_TRIANGLES, 0, 6);
+    // The rest lies a little behind instead of having a hole: no seam, and what the first quad covers is not
+    // shaded again.
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    gl_.PolygonOffset(1, 4);
     set_uniforms(open_);
-    gl_.DrawArrays(GL_TRIANGLES, with_shadow, rest);
+    gl_.DrawArrays(GL_TRIANGLES, 6, 6);
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
+  } else {
+    set_uniforms(casters ? shadowed_ : open_);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 6);
   }
 }
 

@@ -6,9 +6,9 @@
 
 namespace pabd::lighting {
 
-inline constexpr float kSun[3] = {0.78f, 0.74f, 0.69f};
-inline constexpr float kSky[3] = {0.44f, 0.47f, 0.52f};
-inline constexpr float kBounce[3] = {0.22f, 0.21f, 0.20f};
+inline constexpr float kSun[3] = {0.92f, 0.87f, 0.80f};
+inline constexpr float kSky[3] = {0.47f, 0.50f, 0.55f};
+inline constexpr float kBounce[3] = {0.30f, 0.29f, 0.28f};
 
 // Background, from the top of the frame to its bottom, and the floor where it is fully lit.
 inline constexpr float kBackgroundTop[3] = {0.62f, 0.68f, 0.75f};

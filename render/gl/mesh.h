@@ -18,8 +18,8 @@ struct Mesh {
   std::vector<std::uint16_t> indices;  // three a triangle, counter-clockwise from outside
 };
 
-inline constexpr int kLevels = 4;
-inline constexpr int kSegments[kLevels] = {16, 24, 48, 96};  // around the axis
+inline constexpr int kLevels = 5;
+inline constexpr int kSegments[kLevels] = {8, 16, 24, 48, 96};  // around the axis
 
 // A mesh that round shapes approximate from inside, with kSegments[level] segments around.
 Mesh make_mesh(Primitive primitive, int level);

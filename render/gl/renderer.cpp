@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "render/gl/background_pass.h"
+#include "render/gl/contact_shade_pass.h"
 #include "render/gl/frame_target.h"
 #include "render/gl/ground_pass.h"
 #include "render/gl/line_pass.h"
@@ -29,6 +30,7 @@ struct Renderer::Impl {
         target(gl, width, height),
         drawer(gl),
         shadow_pass(gl),
+        contact_shade_pass(gl),
         surface_pass(gl),
         ground_pass(gl),
         background_pass(gl),
@@ -62,6 +64,7 @@ struct Renderer::Impl {
   FrameTarget target;
   InstanceDrawer drawer;
   ShadowPass shadow_pass;
+  ContactShadePass contact_shade_pass;
   SurfacePass surface_pass;
   GroundPass ground_pass;
   BackgroundPass background_pass;
@@ -92,13 +95,15 @@ void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay) {
   const int height = r.target.height();
 
   const ShadowVolume shadow = fit_shadow(scene);
-  const FrameUniforms uniforms = frame_uniforms(scene, shadow, width, height);
+  const FloorVolume floor = fit_floor(scene);
+  const FrameUniforms uniforms = frame_uniforms(scene, shadow, floor, width, height);
   r.list.build(scene, height, shadow.texel);
   r.drawer.upload(r.list);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, r.uniforms.id());
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
 
   r.shadow_pass.draw(r.list, r.drawer);
+  r.contact_shade_pass.draw(r.list, r.drawer, floor);
 
   r.target.bind_multisampled();
   gl.Enable(GL_FRAMEBUFFER_SRGB);
@@ -107,6 +112,7 @@ void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay) {
   gl.DepthMask(GL_TRUE);
   gl.Clear(GL_DEPTH_BUFFER_BIT);  // the background covers whatever colour is left
   r.shadow_pass.bind_map();
+  r.contact_shade_pass.bind_map();
   r.surface_pass.draw_bodies(r.list, r.drawer);
   r.ground_pass.draw(scene, shadow);
   r.background_pass.draw();

@@ -14,14 +14,12 @@ void main() {
 }
 )";
 constexpr const char* kFragment = "void main() {}\n";
-constexpr const char* kSize = "#define SHADOW_SIZE 1024.0\n";
-static_assert(kShadowSize == 1024, "keep SHADOW_SIZE in step");
 
 }  // namespace
 
 ShadowPass::ShadowPass(const GlFunctions& gl)
     : gl_(gl),
-      program_(gl, "shadow", {kSize, kFrameGlsl, kInstanceGlsl, kVertex}, {kFragment}),
+      program_(gl, "shadow", {kFrameGlsl, kInstanceGlsl, kVertex}, {kFragment}),
       map_(gl),
       framebuffer_(gl) {
   gl.BindTexture(GL_TEXTURE_2D, map_.id());

@@ -76,10 +76,14 @@ void main() {
 #endif
   vec3 l = frame.light.xyz;
   float facing = max(dot(bent, l), 0.0);
+#ifdef GLYPH
+  float sunlit = 1.0;
+#else
   float sunlit = sun_visibility(world, n) * smoothstep(0.0, 0.12, dot(n, l));
+#endif
   vec3 h = normalize(l + normalize(frame.eye.xyz - world));
   float highlight = 0.10 * pow(max(dot(bent, h), 0.0), 40.0);
-  vec3 lit = color.rgb * edge * (ambient(bent) + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
+  vec3 lit = color.rgb * edge * (ambient(bent) * near_floor(world, n) + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
   fragment = vec4(mix(color.rgb, lit, shaded), color.a * opacity);
 }
 )";
@@ -94,19 +98,21 @@ SurfacePass::Program::Program(const GlFunctions& gl, const char* name, const cha
               {defines, kFrameGlsl, kLightingGlsl, kFragment}),
       opacity(program.uniform("opacity")) {
   program.use();
-  gl.Uniform1i(program.uniform("shadow_map"), 0);
+  gl.Uniform1f(opacity, 1);
+  bind_maps(gl, program);
 }
 
 SurfacePass::SurfacePass(const GlFunctions& gl)
-    : gl_(gl), cubes_(gl, "cubes", "#define CUBE\n"), round_(gl, "round bodies", "\n") {}
+    : gl_(gl),
+      cubes_(gl, "cubes", "#define CUBE\n"),
+      round_(gl, "round bodies", "\n"),
+      glyphs_(gl, "glyphs", "#define GLYPH\n") {}
 
-void SurfacePass::draw(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer,
-                       float opacity) const {
+void SurfacePass::draw_lit(const DrawList& list, const BatchRange& range,
+                           const InstanceDrawer& drawer) const {
   cubes_.program.use();
-  gl_.Uniform1f(cubes_.opacity, opacity);
   drawer.draw(list, range, is_cube);
   round_.program.use();
-  gl_.Uniform1f(round_.opacity, opacity);
   drawer.draw(list, range, is_round);
 }
 
@@ -114,7 +120,7 @@ void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer
   gl_.Disable(GL_BLEND);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
-  draw(list, list.bodies, drawer, 1);
+  draw_lit(list, list.bodies, drawer);
 }
 
 void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer) const {
@@ -123,11 +129,14 @@ void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   gl_.DepthFunc(GL_GREATER);
   gl_.DepthMask(GL_FALSE);
-  draw(list, list.glyphs, drawer, kGhost);
+  glyphs_.program.use();
+  gl_.Uniform1f(glyphs_.opacity, kGhost);
+  drawer.draw(list, list.glyphs);
   gl_.Disable(GL_BLEND);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
-  draw(list, list.glyphs, drawer, 1);
+  gl_.Uniform1f(glyphs_.opacity, 1);
+  drawer.draw(list, list.glyphs);
 }
 
 void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& drawer) const {
@@ -137,7 +146,7 @@ void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& d
   gl_.DepthMask(GL_FALSE);
   // Batch by batch: the order of the list is the order of depth.
   for (std::size_t i = list.transparent.begin; i < list.transparent.end; ++i) {
-    draw(list, {i, i + 1}, drawer, 1);
+    draw_lit(list, {i, i + 1}, drawer);
   }
   gl_.Disable(GL_BLEND);
   gl_.DepthMask(GL_TRUE);

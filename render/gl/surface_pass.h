@@ -17,17 +17,18 @@ class SurfacePass {
   void draw_transparent(const DrawList& list, const InstanceDrawer& drawer) const;
 
  private:
-  // One program a kind of surface: cubes have edges to show, the others are round.
+  // One program a kind of surface: cubes have edges to show, the others are round, glyphs receive no shadow.
   struct Program {
     Program(const GlFunctions& gl, const char* name, const char* defines);
     GlProgram program;
     GLint opacity;
   };
-  void draw(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer, float opacity) const;
+  void draw_lit(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer) const;
 
   const GlFunctions& gl_;
   Program cubes_;
   Program round_;
+  Program glyphs_;
 };
 
 }  // namespace pabd

@@ -17,7 +17,7 @@ namespace {
 constexpr float kDegree = 3.14159265358979f / 180.0f;
 
 // The framing camera: seen from the left front, a little from above, with a calm focal length.
-constexpr double kAzimuth = -32.0;   // about y from +z towards +x, degrees
+constexpr double kAzimuth = -26.0;   // about y from +z towards +x, degrees
 constexpr double kElevation = 17.0;  // above the horizon, degrees
 constexpr double kFov = 32.0;        // vertical, degrees
 constexpr double kMargin = 1.12;     // air around the bodies

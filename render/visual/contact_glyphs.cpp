@@ -17,8 +17,8 @@
 namespace pabd {
 namespace {
 
-constexpr double kShaft = 0.16;      // radius of the shaft, × s
-constexpr double kHead = 0.42;       // radius of the head, × s
+constexpr double kShaft = 0.17;      // radius of the shaft, × s
+constexpr double kHead = 0.46;       // radius of the head, × s
 constexpr double kHeadLength = 1.3;  // × s
 constexpr double kLongest = 11.0;    // longest arrow, × s
 
@@ -78,7 +78,7 @@ double default_glyph_scale(const Model& model) {
   if (widths.empty()) return 0.05;
   const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
   std::nth_element(widths.begin(), middle, widths.end());
-  return 0.13 * *middle;
+  return 0.2 * *middle;
 }
 
 void add_contact_glyphs(const StepReport& report, const VisualOptions& options, double scale, double weight,

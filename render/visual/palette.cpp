@@ -21,12 +21,12 @@ float srgb_to_linear(std::uint32_t byte) {
 
 // Warm to cool, all of similar lightness and low chroma.
 constexpr std::array<std::uint32_t, kBodyColors> kBodies = {
-    0xc9785d,  // terracotta
-    0x6f93a8,  // slate blue
-    0xd9b377,  // sand
-    0x7fa08a,  // sage
-    0xb58a9e,  // mauve
-    0x8c9cc0,  // periwinkle
+    0xc8775c,  // terracotta
+    0x6d8fa6,  // slate blue
+    0xe3d3b4,  // cream
+    0x87a58e,  // sage
+    0xd6ab6d,  // sand
+    0x51677f,  // dusk
 };
 
 constexpr std::uint32_t kFixedBody = 0x9a9a98;

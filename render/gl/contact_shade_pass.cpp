@@ -1,0 +1,121 @@
+// The soft darkness where bodies come close to the floor.
+//
+//   h        height of a caster above the floor                       m
+//   λ        fall-off: 0.4 × the mean radius of the casters           m
+//   D        exp(−h/λ), blurred with σ = 0.25 × the mean radius       0 … 1, part of the sky that is hidden
+#include "render/gl/contact_shade_pass.h"
+
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+constexpr const char* kClearanceVertex = R"(
+out float height;
+void main() {
+  vec3 q = (frame.world_to_floor * vec4(world_position(position), 1.0)).xyz;
+  height = q.z / frame.floor_shade.x;
+  gl_Position = vec4(q.xy * 2.0 - 1.0, height / 8.0, 1.0);
+}
+)";
+constexpr const char* kClearanceFragment = R"(
+in float height;
+out vec4 fragment;
+void main() { fragment = vec4(exp(-max(height, 0.0))); }
+)";
+constexpr const char* kBlurVertex = R"(
+out vec2 uv;
+void main() {
+  vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
+  uv = 0.5 * corner + 0.5;
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+// Fifteen taps over ±3 σ.
+constexpr const char* kBlurFragment = R"(
+in vec2 uv;
+uniform sampler2D map;
+uniform vec2 step_size;  // 3/7 σ along one axis
+out vec4 fragment;
+void main() {
+  float sum = 0.0, total = 0.0;
+  for (int i = -7; i <= 7; ++i) {
+    float t = float(i) * (3.0 / 7.0);
+    float w = exp(-0.5 * t * t);
+    sum += w * texture(map, uv + step_size * float(i)).r;
+    total += w;
+  }
+  fragment = vec4(sum / total);
+}
+)";
+
+}  // namespace
+
+ContactShadePass::ContactShadePass(const GlFunctions& gl)
+    : gl_(gl),
+      clearance_(gl, "clearance", {kFrameGlsl, kInstanceGlsl, kClearanceVertex}, {kClearanceFragment}),
+      blur_(gl, "blur", {kBlurVertex}, {kBlurFragment}),
+      step_(blur_.uniform("step_size")),
+      array_(gl),
+      maps_{GlTexture(gl), GlTexture(gl)},
+      depth_(gl),
+      framebuffers_{GlFramebuffer(gl), GlFramebuffer(gl)} {
+  blur_.use();
+  gl.Uniform1i(blur_.uniform("map"), 1);
+  gl.ActiveTexture(GL_TEXTURE1);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
+  gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kFloorMapSize, kFloorMapSize);
+  for (int i = 0; i < 2; ++i) {
+    gl.BindTexture(GL_TEXTURE_2D, maps_[i].id());
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, kFloorMapSize, kFloorMapSize, 0, GL_RED, GL_UNSIGNED_BYTE,
+                  nullptr);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    // The rim of the map is empty, so that it goes on for ever outside.
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[i].id());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, maps_[i].id(), 0);
+    if (i == 0) gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+      throw Error(ExitCode::no_gl,
+                  gl.string(GL_RENDERER) + " refuses a one-channel framebuffer; try another --backend");
+    }
+  }
+}
+
+void ContactShadePass::draw(const DrawList& list, const InstanceDrawer& drawer,
+                            const FloorVolume& floor) const {
+  if (!floor.exists) return;
+  gl_.Viewport(0, 0, kFloorMapSize, kFloorMapSize);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[0].id());
+  gl_.Disable(GL_FRAMEBUFFER_SRGB);
+  gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_LESS);
+  gl_.DepthMask(GL_TRUE);
+  gl_.ClearColor(0, 0, 0, 0);
+  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  clearance_.use();
+  drawer.draw(list, list.floor_casters);
+
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.BindVertexArray(array_.id());
+  gl_.ActiveTexture(GL_TEXTURE1);
+  blur_.use();
+  const float tap = floor.blur * 3.0f / 7.0f;
+  for (int i = 0; i < 2; ++i) {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[1 - i].id());
+    gl_.BindTexture(GL_TEXTURE_2D, maps_[i].id());
+    gl_.Uniform2f(step_, i == 0 ? tap : 0, i == 0 ? 0 : tap);
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  }
+}
+
+void ContactShadePass::bind_map() const {
+  gl_.ActiveTexture(GL_TEXTURE1);
+  gl_.BindTexture(GL_TEXTURE_2D, maps_[0].id());
+}
+
+}  // namespace pabd
