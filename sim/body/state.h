@@ -12,11 +12,12 @@ struct Pose {
   Mat3 R;  // rotation, body to world
 };
 
-// Tangential stretch that a sticking contact carries from one step to the next (see bond/friction.h).
+// What a touching contact carries from one step to the next (see bond/contact_bond.h).
 struct FrictionAnchor {
   std::uint64_t pair;     // (min body << 32) | max body: the two bodies in order of number
-  std::uint32_t feature;  // which contact of the pair
-  Vec3 stretch;           // in the frame of the body that owns the normal; metres
+  std::uint32_t feature;  // which contact of the pair; top bit: the body with the higher number owns the normal
+  Vec3 stretch;           // tangential, in the frame of the body that owns the normal; metres
+  bool sliding = false;   // it slid at the end of the step: dynamic friction until it sticks again
 };
 
 struct State {

@@ -14,7 +14,7 @@
 //   r_a, r_b  r_a, r_b   the point of b, and where it was seen from a at the     m
 //                        start of the step: the same two material points
 //   d̂, κ, N, ε  barrier  see potential/barrier.h
-//   k_t       k_t        tangential stiffness κ/d̂²                               N/m
+//   k_t       k_t        tangential stiffness, Ψ'' at the onset                 N/m
 //   μ f_n     limit      largest friction force, from the last iterate           N
 //
 // Because E depends on q alone, the forces on a and b are opposite and act at the same point y_b: linear and
@@ -36,7 +36,9 @@ struct ContactBond {
   Vec3 n, r_a, stretch;   // frame of a
   Vec3 r_b;               // frame of b
   double gap;             // d at the start of the step
+  double mu;              // coefficient of this step: dynamic if the contact slid at the end of the last one
   double limit;           // friction bound μ f_n of this iteration
+  double last_change;     // of `limit`: a change of sign damps the next one
   std::uint32_t feature;  // see collision/detect.h
 };
 
@@ -102,10 +104,12 @@ inline ContactForce contact_force(const ContactLaw& law, const ContactBond& bond
   return f;
 }
 
-// The bound μ f_n from the current iterate; the static coefficient while the contact sticks.
-inline double friction_limit(const ContactLaw& law, const ContactState& s) {
-  const double f_n = -evaluate(law.barrier, s.d).first;
-  return (law.k_t * s.u.norm() <= law.mu_static * f_n ? law.mu_static : law.mu_dynamic) * f_n;
+// Moves the bound to μ f_n of the current iterate; half way when it swings to and fro between iterates.
+inline void update_limit(const ContactLaw& law, ContactBond& bond, const ContactState& s) {
+  double change = -bond.mu * evaluate(law.barrier, s.d).first - bond.limit;
+  if (change * bond.last_change < 0) change *= 0.5;
+  bond.limit += change;
+  bond.last_change = change;
 }
 
 }  // namespace pabd

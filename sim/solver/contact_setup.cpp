@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "sim/solver/parallel.h"
+#include "sim/solver/solve.h"
 
 namespace pabd {
 namespace {
@@ -25,15 +26,25 @@ std::uint32_t owned_feature(Index a, Index b, std::uint32_t feature) {
   return (feature & 0x7fffffffu) | (a > b ? 0x80000000u : 0u);
 }
 
-void match_anchors(const std::vector<FrictionAnchor>& anchors, std::vector<ContactBond>& bonds) {
+void match_anchors(const std::vector<FrictionAnchor>& anchors, const ContactLaw& law,
+                   std::vector<ContactBond>& bonds) {
   auto next = anchors.begin();
   for (ContactBond& bond : bonds) {
     const auto key = std::make_tuple(pair_key(bond.a, bond.b), owned_feature(bond.a, bond.b, bond.feature));
     while (next != anchors.end() && std::make_tuple(next->pair, next->feature) < key) ++next;
     if (next == anchors.end()) return;
-    if (std::make_tuple(next->pair, next->feature) == key)
-      bond.stretch = next->stretch - bond.n * bond.n.dot(next->stretch);
+    if (std::make_tuple(next->pair, next->feature) != key) continue;
+    bond.stretch = next->stretch - bond.n * bond.n.dot(next->stretch);
+    bond.mu = next->sliding ? law.mu_dynamic : law.mu_static;
   }
+}
+
+// As stiff as the barrier is where it begins to act: then the static branch is the supplement's test ‖u_t‖ <
+// μ ‖u_n‖. At least κ/d̂² (κ for the log barrier, where it is in J/m²), for barriers that begin with no
+// stiffness.
+double tangential_stiffness(const Barrier& barrier) {
+  const double unit = barrier.kind == BarrierKind::log ? 1.0 : barrier.d_hat * barrier.d_hat;
+  return std::max(barrier.kappa / unit, evaluate(barrier, barrier.d_hat * (1 - 1e-9)).second);
 }
 
 ContactBond make_bond(const ContactPoint& p, const Pose& a, const Pose& b, const Pose& a0, const Pose& b0) {
@@ -46,7 +57,9 @@ ContactBond make_bond(const ContactPoint& p, const Pose& a, const Pose& b, const
   bond.r_a = a0.R.transpose() * (b0.c + b0.R * bond.r_b - a0.c);
   bond.gap = bond.n.dot(bond.r_a - a.R.transpose() * (p.y_a - a.c));
   bond.stretch.setZero();
+  bond.mu = -1;  // not known yet
   bond.limit = 0;
+  bond.last_change = 0;
   return bond;
 }
 
@@ -58,8 +71,7 @@ void find_contacts(const Model& model, const Params& params, const State& state,
   const ContactParams& contact = params.contact;
   w.law = {Barrier{contact.barrier, contact.N, contact.d_hat, resolve_kappa(model, params), contact.onset}, 0,
            contact.mu_static, contact.mu_dynamic};
-  w.law.k_t = w.law.barrier.kappa / (contact.d_hat * contact.d_hat);
-  if (contact.barrier == BarrierKind::log) w.law.k_t = w.law.barrier.kappa;  // κ is in J/m² there
+  w.law.k_t = tangential_stiffness(w.law.barrier);
 
   // A body that flies farther than half its own thickness could come out on the other side of what it meets:
   // it is looked at where the step starts, with its whole way as reach (Deviation D7).
@@ -86,7 +98,7 @@ void find_contacts(const Model& model, const Params& params, const State& state,
     return std::make_tuple(pair_key(x.a, x.b), owned_feature(x.a, x.b, x.feature)) <
            std::make_tuple(pair_key(y.a, y.b), owned_feature(y.a, y.b, y.feature));
   });
-  match_anchors(state.anchors, w.bonds);
+  match_anchors(state.anchors, w.law, w.bonds);
 }
 
 void initial_guess(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w) {
@@ -107,23 +119,35 @@ void initial_guess(const Model& model, const Params& params, const State& state,
   }
 }
 
-void update_friction_limits(int threads, StepWorkspace::Impl& w) {
+void start_friction(int threads, StepWorkspace::Impl& w) {
   if (w.law.mu_static == 0) return;
   parallel_for(threads, w.bonds.size(), [&](std::size_t k) {
     ContactBond& bond = w.bonds[k];
-    bond.limit =
-        friction_limit(w.law, contact_state(bond, w.c[bond.a], w.R[bond.a], w.c[bond.b], w.R[bond.b]));
+    const ContactState s = state_of(w, bond);
+    if (bond.mu < 0) {
+      const double f_n = -evaluate(w.law.barrier, s.d).first;
+      bond.mu = w.law.k_t * s.u.norm() <= w.law.mu_static * f_n ? w.law.mu_static : w.law.mu_dynamic;
+    }
+    update_limit(w.law, bond, s);
+    bond.last_change = 0;
   });
+}
+
+void update_friction_limits(int threads, StepWorkspace::Impl& w) {
+  if (w.law.mu_static == 0) return;
+  parallel_for(threads, w.bonds.size(),
+               [&](std::size_t k) { update_limit(w.law, w.bonds[k], state_of(w, w.bonds[k])); });
 }
 
 void store_anchors(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors) {
   anchors.clear();
   for (const ContactBond& bond : w.bonds) {
     if (!(bond.limit > 0)) continue;
-    const ContactState s = contact_state(bond, w.c[bond.a], w.R[bond.a], w.c[bond.b], w.R[bond.b]);
-    const double scale = friction_weight(w.law, bond.limit, s.u.norm()) / w.law.k_t;  // 1 while it sticks
+    const ContactState s = state_of(w, bond);
+    const double u = s.u.norm();
+    const double scale = friction_weight(w.law, bond.limit, u) / w.law.k_t;  // 1 while it sticks
     anchors.push_back({pair_key(bond.a, bond.b), owned_feature(bond.a, bond.b, bond.feature),
-                       scale * (w.R[bond.a].transpose() * s.u)});
+                       scale * (w.R[bond.a].transpose() * s.u), w.law.k_t * u > bond.limit});
   }
 }
 

@@ -16,10 +16,14 @@ void find_contacts(const Model& model, const Params& params, const State& state,
 // is feasible.
 void initial_guess(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w);
 
+// Chooses static or dynamic friction for contacts without a past: a new contact slides if at the first
+// iterate its tangential force is beyond the static bound. Then the first bounds.
+void start_friction(int threads, StepWorkspace::Impl& w);
+
 // μ f_n of every contact from the current iterate.
 void update_friction_limits(int threads, StepWorkspace::Impl& w);
 
-// Remembers the stretch of sticking contacts for the next step.
+// Remembers the stretch of every loaded contact, and whether it slid, for the next step.
 void store_anchors(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors);
 
 }  // namespace pabd

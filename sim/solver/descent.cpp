@@ -93,11 +93,12 @@ void relax_body(const SolveContext& s, Index i) {
   const double reach = bounding_radius(s.model.shape[i]);
   s.w.moved[i] = (step.dc.norm() + reach * step.dw.norm()) / s.w.law.barrier.d_hat;
   constexpr int kHalvings = 8;
+  constexpr double kRounding = 1e-12;  // forces times rounded positions
   for (int attempt = 0; attempt < kHalvings; ++attempt) {
     const Vec3 c = s.w.c[i] + step.dc;
     const Mat3 R = exp_so3(step.dw) * s.w.R[i];
     const double energy = local_energy(s, i, in, c, R);
-    if (energy <= step.energy * (1 + 1e-14)) {
+    if (energy <= step.energy * (1 + kRounding)) {
       s.w.c[i] = c;
       s.w.R[i] = R;
       return;

@@ -86,7 +86,7 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
   w.projected.assign(w.c.size(), 0.0);
   w.A.resize(w.c.size());
   for (int k = 0; k < s.params.solver.iterations; ++k) {
-    update_friction_limits(s.threads, w);
+    if (k > 0) update_friction_limits(s.threads, w);
     double gap_before = 0;
     if (report.method == SolverMethod::sissm) {
       sissm_iteration(s, options.record_iterations ? &gap_before : nullptr);
@@ -136,6 +136,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
   color_bodies(model, w);
   initial_guess(model, params, state, w);
+  start_friction(options.threads, w);
   report.times.collision = total.ms();
   report.kappa = w.law.barrier.kappa;
 

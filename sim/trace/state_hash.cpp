@@ -29,6 +29,7 @@ std::string state_hash(const State& state) {
     hash.add_word(anchor.pair);
     hash.add_word(anchor.feature);
     add(hash, anchor.stretch);
+    hash.add_word(anchor.sliding);
   }
   return hash.hex();
 }

@@ -19,7 +19,7 @@ constexpr std::array kStateKeys{Key("format"), Key("version"), Key("time"),   Ke
                                 Key("hash"),   Key("bodies"),  Key("anchors")};
 constexpr std::array kBodyKeys{Key("name"),     Key("position"),         Key("orientation"), Key("rotation"),
                                Key("velocity"), Key("angular_velocity"), Key("omega")};
-constexpr std::array kAnchorKeys{Key("bodies"), Key("feature"), Key("stretch")};
+constexpr std::array kAnchorKeys{Key("bodies"), Key("feature"), Key("stretch"), Key("sliding")};
 
 constexpr DocumentLimits kLimits{std::size_t{4} << 30, std::size_t{1} << 28, 32};
 constexpr double kTolerance = 1e-6;  // of a rotation's entries, and between the two ways to write one
@@ -81,6 +81,7 @@ FrictionAnchor read_anchor(const Node& node, Index count) {
   anchor.pair = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint64_t>(b);
   anchor.feature = static_cast<std::uint32_t>(in.integer("feature", 0, 0xffffffff));
   anchor.stretch = in.vec3("stretch", kAny);
+  anchor.sliding = in.boolean("sliding", false);
   return anchor;
 }
 

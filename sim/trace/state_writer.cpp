@@ -31,7 +31,7 @@ class StateWriter {
                      "{}    {{ \"bodies\": [{}, {}], \"feature\": {}, \"stretch\": ", first ? "\n" : ",\n",
                      anchor.pair >> 32, anchor.pair & 0xffffffffu, anchor.feature);
       numbers(anchor.stretch);
-      text(" }");
+      text(anchor.sliding ? ", \"sliding\": true }" : " }");
       first = false;
     }
     text(first ? "]\n}\n" : "\n  ]\n}\n");

@@ -67,6 +67,7 @@ TEST_CASE("sissm with the supplement's projection rests deeper, by the squeeze t
   world.params.solver.iterations = 100;
   world.params.solver.tolerance = 1e-12;
   world.params.contact.kappa = 5.0;
+  world.params.contact.mu_static = world.params.contact.mu_dynamic = 0;  // friction would add to the weight α
   const double gap = resting_gap(world);
   const Barrier barrier = barrier_of(world);
   const double squeeze = 5 * 9.81 * world.params.h * world.params.h;

@@ -39,7 +39,7 @@ Example example() {
   }
   e.state.v[1] = Vec3(-0.0, 1e-310, 1e300);
   e.state.anchors.push_back({(std::uint64_t{0} << 32) | 3, 7, Vec3(1e-9, -0.0, 2.0 / 3)});
-  e.state.anchors.push_back({(std::uint64_t{2} << 32) | 5, 0xffffffffu, Vec3(0, 0.1, 0)});
+  e.state.anchors.push_back({(std::uint64_t{2} << 32) | 5, 0xffffffffu, Vec3(0, 0.1, 0), true});
   return e;
 }
 
@@ -67,6 +67,8 @@ TEST_CASE("a state file gives the same bits back", "[trace]") {
   CHECK(back.R[7] == e.state.R[7]);
   REQUIRE(back.anchors.size() == 2);
   CHECK(back.anchors[1].feature == 0xffffffffu);
+  CHECK_FALSE(back.anchors[0].sliding);
+  CHECK(back.anchors[1].sliding);
   CHECK(back.anchors[1].pair == e.state.anchors[1].pair);
   CHECK(state_to_json(e.model, back) == text);
 }
@@ -125,6 +127,7 @@ TEST_CASE("every number of a state enters its hash", "[trace]") {
   }
   changed([&](State& s) { s.anchors[0].feature ^= 1; });
   changed([&](State& s) { s.anchors[0].pair ^= 1; });
+  changed([&](State& s) { s.anchors[0].sliding = true; });
   changed([&](State& s) { next(s.anchors[0].stretch[2]); });
   changed([&](State& s) { s.anchors.pop_back(); });
   changed([&](State& s) { std::swap(s.v[3], s.v[4]); });
