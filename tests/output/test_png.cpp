@@ -156,8 +156,8 @@ TEST_CASE("every kind of PNG becomes RGB with 8 bits") {
   CHECK(read(one_row(3, 1, 0, "\xA0")) == std::vector<int>{255, 255, 255, 0, 0, 0, 255, 255, 255});
   CHECK(read(one_row(2, 8, 3, std::string("\1\0", 2), palette)) ==
         std::vector<int>{200, 210, 220, 10, 20, 30});
-  // 16 bits: 65535 levels onto 255, rounded: 0x8080 is 128 · 257
-  CHECK(read(one_row(1, 16, 2, std::string("\x80\x80\xFF\xFF\x00\x00", 6))) == std::vector<int>{128, 255, 0});
+  // 16 bits: 65535 levels onto 255, rounded: 0x8080 is 128 · 257, 0x00FF is 0.99 · 257
+  CHECK(read(one_row(1, 16, 2, std::string("\x80\x80\xFF\xFF\x00\xFF", 6))) == std::vector<int>{128, 255, 1});
   // half transparent white over black; 128 / 255 · 255
   CHECK(read(one_row(1, 8, 6, "\xFF\xFF\xFF\x80")) == std::vector<int>{128, 128, 128});
   CHECK(read(one_row(1, 8, 4, "\xFF\xFF")) == std::vector<int>{255, 255, 255});
@@ -188,6 +188,8 @@ TEST_CASE("huge pictures are refused before memory is asked for") {
     write_bytes(folder / "a.png", bytes);
     CHECK(caught([&] { read_png(folder / "a.png"); }).code == bad_input);
   }
+  write_bytes(folder / "a.png", signature + header(16384, 16384, 8, 2) + little);  // 805 MB from 80 bytes
+  CHECK(caught([&] { read_png(folder / "a.png"); }).says("do not fit into"));
 }
 
 TEST_CASE("damaged files are refused or read, and never crash") {

@@ -42,6 +42,7 @@ struct Record {
   bool finished = false;
   bool closed = false;  // write waits while this is set
   int fails_at = -1;
+  int attempts = 0;
   std::thread::id thread;
 };
 
@@ -52,6 +53,7 @@ class RecordingSink : public FrameSink {
     std::unique_lock lock(record_.mutex);
     record_.changed.wait(lock, [this] { return !record_.closed; });
     record_.thread = std::this_thread::get_id();
+    ++record_.attempts;
     if (static_cast<int>(record_.frames.size()) == record_.fails_at) throw Error(ExitCode::file, "disk full");
     record_.frames.push_back(image);
     record_.changed.notify_all();
@@ -291,10 +293,16 @@ TEST_CASE("in the background: an error comes back, and no frame after it is writ
   for (bool at_finish : {false, true}) {
     Record record;
     record.fails_at = 2;
-    AsyncSink sink(std::make_unique<RecordingSink>(record));
+    AsyncSink sink(std::make_unique<RecordingSink>(record), 8);
     Caught error;
     if (at_finish) {
-      for (int i = 0; i < 3; ++i) sink.write(frame(i));
+      record.closed = true;  // so that frames wait behind the one that fails
+      for (int i = 0; i < 6; ++i) sink.write(frame(i));
+      {
+        const std::lock_guard lock(record.mutex);
+        record.closed = false;
+      }
+      record.changed.notify_all();
       error = caught([&] { sink.finish(); });
     } else {
       error = caught([&] {
@@ -306,6 +314,7 @@ TEST_CASE("in the background: an error comes back, and no frame after it is writ
     CHECK(error.text == "disk full");
     CHECK(record.frames.size() == 2);
     CHECK_FALSE(record.finished);
+    CHECK(record.attempts == 3);
   }
 }
 

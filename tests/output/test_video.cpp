@@ -126,6 +126,12 @@ TEST_CASE("one frame, odd sizes, fractional rates, odd names") {
   // no shell and no address: such a name is only a name
   make_video(folder / "a:b 'c' $(d) %d.mp4", sized(32, 32), 2);
   CHECK(fs::exists(folder / "a:b 'c' $(d) %d.mp4"));
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  CHECK(caught([] { make_video("tcp:x.mp4", sized(32, 32), 2); }).text.empty());
+  CHECK(caught([] { make_video("-y.mp4", sized(32, 32), 2); }).text.empty());
+  fs::current_path(before);
+  CHECK(fs::exists(folder / "tcp:x.mp4"));
 }
 
 TEST_CASE("a gif of 60 frames a second keeps every second frame") {
