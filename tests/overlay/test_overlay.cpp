@@ -1,0 +1,118 @@
+// Draw data of frames and figures, without GL.
+#include <imgui.h>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "app/overlay/overlay.h"
+#include "app/overlay/panels.h"
+#include "app/plots/figure.h"
+#include "app/plots/figures/barrier.h"
+#include "app/plots/svg_canvas.h"
+
+using namespace pabd;
+
+namespace {
+
+// Every vertex finite, every index in range.
+void check_draw_data(const ImDrawData* data, int width, int height) {
+  REQUIRE(data);
+  CHECK(data->DisplaySize.x == static_cast<float>(width));
+  CHECK(data->DisplaySize.y == static_cast<float>(height));
+  for (int l = 0; l < data->CmdListsCount; ++l) {
+    const ImDrawList* list = data->CmdLists[l];
+    for (const ImDrawVert& v : list->VtxBuffer) {
+      REQUIRE(std::isfinite(v.pos.x));
+      REQUIRE(std::isfinite(v.pos.y));
+    }
+    for (const ImDrawCmd& command : list->CmdBuffer) {
+      for (unsigned i = 0; i < command.ElemCount; ++i) {
+        const unsigned index = command.VtxOffset + list->IdxBuffer[static_cast<int>(command.IdxOffset + i)];
+        REQUIRE(index < static_cast<unsigned>(list->VtxBuffer.Size));
+      }
+    }
+  }
+}
+
+std::vector<StepReport> some_history() {
+  std::vector<StepReport> history(300);
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    history[i].time = static_cast<double>(i) / 60;
+    history[i].kinetic = std::abs(std::sin(0.1 * static_cast<double>(i)));
+    history[i].min_gap = std::numeric_limits<double>::infinity();
+  }
+  return history;
+}
+
+}  // namespace
+
+TEST_CASE("frames of every size, with all panels, with and without data") {
+  int uploads = 0;
+  Overlay overlay([&](const unsigned char* rgba, int, int) {
+    CHECK(rgba != nullptr);
+    ++uploads;
+    return nullptr;
+  });
+  const OverlayOptions all{true, true, true, true, true};
+  Params params;
+  StepReport report;
+  report.step = 300;
+  report.records.resize(5);
+  report.records[2].energy = std::numeric_limits<double>::quiet_NaN();
+  report.contact_reports.resize(2);
+  report.contact_reports[0].d = 0.004;
+  report.contact_reports[1].d = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<StepReport> history = some_history();
+  const OverlayData full{"сцена 一 with a very very long name that cannot fit", &params, 120, &report,
+                         &history};
+  for (const auto& [w, h] : {std::pair{640, 360}, {1280, 720}, {2560, 1440}, {64, 64}}) {
+    check_draw_data(overlay.frame(all, full, nullptr, w, h), w, h);
+    check_draw_data(overlay.frame(all, {}, nullptr, w, h), w, h);
+    CHECK(overlay.frame(all, full, nullptr, w, h)->TotalVtxCount > 1000);
+  }
+  CHECK(overlay.frame({}, full, nullptr, 1280, 720)->TotalVtxCount == 0);
+  // A second frame of the same size needs no new atlas.
+  overlay.frame(all, full, nullptr, 1280, 720);
+  const int before = uploads;
+  overlay.frame(all, full, nullptr, 1280, 720);
+  CHECK(uploads == before);
+  CHECK(overlay.unknown_characters() == U"一");
+}
+
+TEST_CASE("figures paint to draw data; the same figure gives the same bytes") {
+  Overlay one({}), two({});
+  const Picture picture = figure_picture(figure1());
+  const ImDrawData* a = one.paint(picture, 1600, 700);
+  const ImDrawData* b = two.paint(picture, 1600, 700);
+  check_draw_data(a, 1600, 700);
+  REQUIRE(a->TotalVtxCount == b->TotalVtxCount);
+  REQUIRE(a->CmdListsCount == b->CmdListsCount);
+  for (int l = 0; l < a->CmdListsCount; ++l) {
+    const auto &va = a->CmdLists[l]->VtxBuffer, &vb = b->CmdLists[l]->VtxBuffer;
+    CHECK(
+        std::equal(va.begin(), va.end(), vb.begin(), vb.end(), [](const ImDrawVert& p, const ImDrawVert& q) {
+          return p.pos.x == q.pos.x && p.pos.y == q.pos.y && p.col == q.col && p.uv.x == q.uv.x &&
+                 p.uv.y == q.uv.y;
+        }));
+  }
+}
+
+TEST_CASE("labels are painted where the camera sees them, not behind the eye") {
+  VisualScene scene;
+  scene.camera.eye = {0, 0, 10};
+  scene.camera.target = {0, 0, 0};
+  scene.labels.push_back({{0, 0, 0}, "centre"});
+  scene.labels.push_back({{0, 0, 20}, "behind"});
+  const FontMetrics font;
+  SvgCanvas canvas(font, 800, 600);
+  paint_labels(scene, 800, 600, 1, canvas);
+  const std::string svg = canvas.finish();
+  CHECK(svg.find("x=\"400\" y=\"305.47\"") !=
+        std::string::npos);  // middle of the frame, half a capital lower
+  CHECK(svg.find("behind") == std::string::npos);
+}
+
+TEST_CASE("contact colours are the picture's, in sRGB") {
+  CHECK(contact_ink(1).b > contact_ink(1).r);
+  CHECK(contact_ink(-0.5).r > 2 * contact_ink(-0.5).b);
+}

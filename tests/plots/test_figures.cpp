@@ -1,0 +1,149 @@
+// Figure data against closed forms.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/contact_pair.h"
+#include "app/plots/figures/convergence.h"
+#include "app/plots/figures/time_series.h"
+
+using namespace pabd;
+
+namespace {
+
+constexpr double kRelative = 1e-12;
+
+// S(5) as printed, term by term.
+double printed_sum(int N, double x) {
+  double sum = 0;
+  for (int n = 1; n <= N; ++n) sum += std::pow(1 - x, n) / n;
+  return x < 1 ? sum : 0;
+}
+
+IterationRecord record(double energy, double residual, double before, double after) {
+  IterationRecord r{};
+  r.energy = energy;
+  r.residual = residual;
+  r.min_gap_before = before;
+  r.min_gap_after = after;
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("figure 1 shows B_N as printed and its derivative") {
+  const Figure figure = figure1();
+  REQUIRE(figure.plots.size() == 2);
+  const int orders[] = {1, 2, 3, 4, 8};
+  for (std::size_t s = 0; s < 5; ++s) {
+    const Series& series = figure.plots[0].series[s];
+    REQUIRE(series.x.size() > 400);
+    for (std::size_t k = 0; k < series.x.size(); k += 37) {
+      CHECK(series.y[k] ==
+            Approx(printed_sum(orders[s], series.x[k] / 0.01)).epsilon(kRelative).margin(1e-14));
+    }
+  }
+  const double thickness[] = {0.005, 0.01, 0.015, 0.02};
+  for (std::size_t s = 0; s < 4; ++s) {
+    const Series& series = figure.plots[1].series[s];
+    for (std::size_t k = 0; k < series.x.size(); k += 37) {
+      const double u = 1 - series.x[k] / thickness[s];
+      const double expected = u > 0 ? -(1 + u + u * u) / thickness[s] : 0;
+      CHECK(series.y[k] == Approx(expected).epsilon(kRelative).margin(1e-10));
+    }
+  }
+}
+
+TEST_CASE("barrier figure: a curve for every combination, scaled by kappa") {
+  BarrierCurves curves;
+  curves.kinds = {BarrierKind::polynomial, BarrierKind::log};
+  curves.N = {2, 3};
+  curves.d_hat = {0.01, 0.02};
+  curves.kappa = {50};
+  curves.onset = 0;
+  const Figure figure = barrier_figure(curves);
+  REQUIRE(figure.plots.size() == 2);
+  REQUIRE(figure.plots[0].series.size() == 6);
+  const Series& first = figure.plots[0].series[0];  // N = 2, d̂ = 0.01
+  for (std::size_t k = 0; k < first.x.size(); k += 53) {
+    CHECK(first.y[k] == Approx(50 * printed_sum(2, first.x[k] / 0.01)).epsilon(kRelative).margin(1e-12));
+  }
+  // Log barrier over d̂², S(4).
+  const Series& log = figure.plots[0].series[4];
+  int compared = 0;
+  for (std::size_t k = 0; k < log.x.size(); k += 53) {
+    const double x = log.x[k] / 0.01;
+    if (x <= 0 || x >= 1) continue;
+    CHECK(log.y[k] == Approx(-50 * (x - 1) * (x - 1) * std::log(x)).epsilon(1e-9));
+    ++compared;
+  }
+  CHECK(compared > 1);
+}
+
+TEST_CASE("live barrier plot marks every active contact on both curves") {
+  ContactParams contact;
+  contact.N = 3;
+  contact.d_hat = 0.01;
+  contact.onset = 0;
+  std::vector<ContactReport> reports(3);
+  reports[0].d = 0.005;
+  reports[1].d = -0.02;  // deeper than the usual range
+  reports[2].d = 0.5;    // not active
+  const Plot plot = contact_barrier_plot(contact, reports, [](double x) {
+    return Color{x < 0 ? std::uint8_t{1} : std::uint8_t{2}, 0, 0, 255};
+  });
+  const Series& marks = plot.series[3];
+  REQUIRE(marks.x.size() == 2);
+  CHECK(marks.y[0] == Approx(0.5 + 0.125 + 0.125 / 3));
+  CHECK(plot.series[4].y[0] == Approx(-175.0));
+  CHECK(marks.marker_colors[0].r == 2);
+  CHECK(marks.marker_colors[1].r == 1);
+  CHECK(plot.x.lo < -0.02);
+}
+
+TEST_CASE("convergence figure: gaps above the minimum, penetration with its sign") {
+  const std::vector<MethodRun> runs{{"sissm", {record(3, 1, 0.2, 0.1), record(2, 0.5, 0.3, 0.15)}},
+                                    {"descent", {record(2, 1, 0.1, 0.1), record(1, 0.1, 0.2, 0.2)}}};
+  const Figure figure = convergence_figure(runs, Minimiser{0.5, 0.25});
+  REQUIRE(figure.plots.size() == 3);
+  CHECK(figure.plots[0].series[0].y == std::vector<double>{2.5, 1.5});
+  CHECK(figure.plots[0].series[0].x == std::vector<double>{1, 2});
+  CHECK(figure.plots[1].series[1].y == std::vector<double>{1, 0.1});
+  // after and before for sissm, one curve for descent, the level.
+  REQUIRE(figure.plots[2].series.size() == 4);
+  CHECK(figure.plots[2].series[0].y == std::vector<double>{-0.1, -0.15});
+  CHECK(figure.plots[2].series[1].y == std::vector<double>{-0.2, -0.3});
+  CHECK(figure.plots[2].series[3].y == std::vector<double>{-0.25});
+  // Without a reference the least value is the minimum and leaves the log axis.
+  const Figure own = convergence_figure(runs, std::nullopt);
+  CHECK(own.plots[0].series[1].y[0] == 1);
+  CHECK(std::isnan(own.plots[0].series[1].y[1]));
+}
+
+TEST_CASE("time series: potential energy counts from its first value") {
+  std::vector<StepReport> reports(2);
+  reports[0].time = 0.1;
+  reports[0].potential = 100;
+  reports[0].kinetic = 1;
+  reports[1].time = 0.2;
+  reports[1].potential = 90;
+  reports[1].kinetic = 8;
+  reports[1].elastic = 1;
+  const Figure figure = time_series_figure(reports);
+  CHECK(figure.plots[1].series[1].y == std::vector<double>{0, -10});
+  CHECK(figure.plots[1].series[3].y == std::vector<double>{1, -1});
+}
+
+TEST_CASE("figure 5: projections split the offset into normal and tangential parts") {
+  const ContactPair pair;
+  const ContactProjection at = project_contact(pair.y_i, pair.y_j, pair.n);
+  const Vec2 n = pair.n.normalized();
+  CHECK(at.d > 0);
+  CHECK(at.d < pair.d_hat);
+  CHECK((at.normal - pair.y_i).dot(n) == Approx(at.d));
+  CHECK(std::abs((at.normal - pair.y_j).dot(n)) < 1e-15);
+  CHECK(std::abs((at.tangential - pair.y_i).dot(n)) < 1e-15);
+  CHECK((at.normal + at.tangential - pair.y_i - pair.y_j).norm() < 1e-15);
+  CHECK(project_contact({1, 2}, {4, -1}, {0, 2}).d == Approx(-3));
+}

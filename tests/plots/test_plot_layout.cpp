@@ -1,0 +1,147 @@
+// Known data at known pixels; nothing sticks out; thinning keeps the extremes; the legend keeps off the
+// curves.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "app/plots/figure.h"
+#include "app/plots/plot_layout.h"
+
+using namespace pabd;
+
+namespace {
+
+Plot simple_plot() {
+  Plot plot;
+  plot.title = "title";
+  plot.x = {"x [m]", false, 0, 10};
+  plot.y = {"y [J]", false, -1, 1};
+  Series series;
+  series.name = "series";
+  series.x = {0, 5, 10};
+  series.y = {-1, 0, 1};
+  plot.series.push_back(series);
+  return plot;
+}
+
+constexpr double kExact = 1e-9;
+
+}  // namespace
+
+TEST_CASE("data is placed linearly between the corners of the inside") {
+  const FontMetrics font;
+  const PlotLayout layout = layout_plot(simple_plot(), {100, 50, 600, 400}, figure_style(), font);
+  const Rect& in = layout.inner;
+  CHECK(layout.area.contains(in));
+  CHECK(in.w > 450);
+  CHECK(in.h > 280);
+  CHECK(layout.map(0, -1).x == Approx(in.x).margin(kExact));
+  CHECK(layout.map(0, -1).y == Approx(in.bottom()).margin(kExact));
+  CHECK(layout.map(10, 1).x == Approx(in.right()).margin(kExact));
+  CHECK(layout.map(10, 1).y == Approx(in.y).margin(kExact));
+  CHECK(layout.map(2.5, 0.5).x == Approx(in.x + 0.25 * in.w).margin(kExact));
+  CHECK(layout.map(2.5, 0.5).y == Approx(in.y + 0.25 * in.h).margin(kExact));
+}
+
+TEST_CASE("log and right axes map by their own scale") {
+  Plot plot = simple_plot();
+  plot.y_right = {"z", true, 1e-4, 1};
+  Series right;
+  right.right_axis = true;
+  right.x = {0, 10};
+  right.y = {1e-4, 1};
+  plot.series.push_back(right);
+  const FontMetrics font;
+  const PlotLayout layout = layout_plot(plot, {0, 0, 600, 400}, figure_style(), font);
+  CHECK(layout.has_right);
+  CHECK(layout.map(5, 1e-2, true).y == Approx(layout.inner.y + 0.5 * layout.inner.h).margin(1e-6));
+  CHECK(std::isnan(layout.map(5, 0, true).y));
+}
+
+TEST_CASE("long series are thinned to the pixels, extremes kept, breaks respected") {
+  Plot plot = simple_plot();
+  plot.y = {};
+  Series& series = plot.series[0];
+  series.x.clear();
+  series.y.clear();
+  constexpr int n = 200000;
+  for (int k = 0; k < n; ++k) {
+    series.x.push_back(10.0 * k / n);
+    series.y.push_back(std::sin(0.001 * k));
+  }
+  series.y[77777] = 25;
+  series.y[100000] = std::numeric_limits<double>::quiet_NaN();
+  const FontMetrics font;
+  const PlotLayout layout = layout_plot(plot, {0, 0, 600, 400}, figure_style(), font);
+  const auto runs = pixel_runs(layout, series);
+  REQUIRE(runs.size() == 2);
+  CHECK(runs[0].size() + runs[1].size() < 4 * 602);
+  double highest = 1e9;
+  for (const Point& p : runs[0]) highest = std::min(highest, p.y);
+  CHECK(highest == Approx(layout.map(0, 25).y).margin(1e-6));
+}
+
+TEST_CASE("the legend goes where no curve is") {
+  Plot plot = simple_plot();  // rising line: bottom right and top left are free
+  const FontMetrics font;
+  const PlotLayout layout = layout_plot(plot, {0, 0, 600, 400}, figure_style(), font);
+  REQUIRE(layout.legend.entries.size() == 1);
+  CHECK(layout.inner.contains(layout.legend.box));
+  for (const auto& run : pixel_runs(layout, plot.series[0])) {
+    for (std::size_t i = 1; i < run.size(); ++i) {
+      for (int k = 0; k <= 100; ++k) {
+        const Point p{run[i - 1].x + 0.01 * k * (run[i].x - run[i - 1].x),
+                      run[i - 1].y + 0.01 * k * (run[i].y - run[i - 1].y)};
+        CHECK_FALSE(layout.legend.box.contains(p));
+      }
+    }
+  }
+}
+
+TEST_CASE("a legend that would hide curves stands beside the plot") {
+  Plot plot = simple_plot();
+  plot.series.clear();
+  for (int s = 0; s < 3; ++s) {  // zigzags all over the inside
+    Series series;
+    series.name = "zigzag";
+    for (int k = 0; k <= 200; ++k) {
+      series.x.push_back(10.0 * k / 200);
+      series.y.push_back((k + s) % 2 ? 1 : -1);
+    }
+    plot.series.push_back(series);
+  }
+  const FontMetrics font;
+  const PlotLayout layout = layout_plot(plot, {0, 0, 600, 400}, figure_style(), font);
+  CHECK(layout.legend.box.x >= layout.inner.right());
+  CHECK(layout.legend.box.right() <= layout.area.right() + kExact);
+}
+
+TEST_CASE("a plot without data says so; a plot of any size stays inside") {
+  const FontMetrics font;
+  Plot empty;
+  CHECK(layout_plot(empty, {0, 0, 300, 200}, panel_style(), font).empty);
+  Plot only_nan = simple_plot();
+  only_nan.series[0].y.assign(3, std::numeric_limits<double>::quiet_NaN());
+  CHECK(layout_plot(only_nan, {0, 0, 300, 200}, panel_style(), font).empty);
+  for (const double w : {160.0, 300.0, 1200.0}) {
+    const PlotLayout layout = layout_plot(simple_plot(), {7, 9, w, 0.7 * w}, panel_style(), font);
+    CHECK(layout.area.contains(layout.inner));
+    CHECK_FALSE(layout.empty);
+  }
+}
+
+TEST_CASE("cells of a figure do not overlap and stay on the page") {
+  Figure figure;
+  figure.columns = 2;
+  figure.title = "title";
+  figure.caption = "caption";
+  figure.plots.assign(4, simple_plot());
+  const FontMetrics font;
+  const FigureLayout layout = layout_figure(figure, 1600, 1300, font);
+  REQUIRE(layout.cells.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(Rect{0, 0, 1600, 1300}.contains(layout.cells[i]));
+    CHECK_FALSE(layout.cells[i].overlaps(layout.caption));
+    for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(layout.cells[i].overlaps(layout.cells[k]));
+  }
+}
