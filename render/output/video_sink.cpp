@@ -29,7 +29,7 @@ const char* const to_bt709 =
 const Arguments bt709_tags = {"-color_primaries", "bt709", "-color_trc",   "bt709",
                               "-colorspace",      "bt709", "-color_range", "tv"};
 
-// A picture a second at least that a player can jump to.
+// A player can jump to a picture every two seconds.
 std::string key_interval(double fps) {
   return fmt::format("{}", std::max(1, static_cast<int>(std::lround(2 * fps))));
 }
