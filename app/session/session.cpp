@@ -1,14 +1,11 @@
 // Commands of a session.
-//
-//   ½ m v² + ½ ω·(R I Rᵀ) ω   kinetic energy of a body     J
-//   −m g·c                    its potential energy         J
 #include "app/session/session.h"
 
 #include <limits>
 #include <utility>
 
-#include "sim/body/mass_properties.h"
 #include "sim/error.h"
+#include "sim/solver/step_summary.h"
 
 namespace pabd {
 
@@ -60,15 +57,8 @@ void Session::describe_start() {
   report_.status = StepStatus::converged;
   report_.kappa = kappa();
   report_.min_gap = std::numeric_limits<double>::infinity();
-  const Model& model = scene_.model;
-  for (Index i = 0; i < model.size(); ++i) {
-    if (model.fixed[i]) continue;
-    const Mat3 inertia = inertia_tensor(model.J[i]);
-    const Vec3 omega_body = state_.R[i].transpose() * state_.omega[i];
-    report_.kinetic +=
-        0.5 * model.mass[i] * state_.v[i].squaredNorm() + 0.5 * omega_body.dot(inertia * omega_body);
-    report_.potential -= model.mass[i] * params_.gravity.dot(state_.c[i]);
-  }
+  report_.kinetic = kinetic_energy(scene_.model, state_);
+  report_.potential = potential_energy(scene_.model, params_, state_);
 }
 
 }  // namespace pabd

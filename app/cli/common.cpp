@@ -1,0 +1,69 @@
+// Options that several subcommands share.
+#include "app/cli/common.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <thread>
+
+#include "sim/error.h"
+
+namespace pabd::cli {
+
+int CommonOptions::thread_count() const {
+  if (threads > 0) return threads;
+  return static_cast<int>(std::clamp(std::thread::hardware_concurrency() / 2, 1u, 64u));
+}
+
+CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
+                      const std::vector<std::string>& examples, CommonOptions& common) {
+  CLI::App* command = app.add_subcommand(name, description);
+  std::string footer = examples.size() == 1 ? "Example:\n" : "Examples:\n";
+  for (const std::string& example : examples) footer += "  " + example + "\n";
+  command->footer(footer);
+  command->add_flag("--quiet", common.quiet, "no progress and no summary, errors only");
+  command->set_version_flag("--version", "pabd " PABD_VERSION, "print the version and leave");
+  return command;
+}
+
+void add_scene_options(CLI::App& command, CommonOptions& common) {
+  command.add_option("--set", common.sets, "override a scene key: --set contact.kappa=50 (may be repeated)")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command
+      .add_option("--threads", common.threads,
+                  "threads of the solver, 1 … 1024; results do not depend on it (default: half the cores)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_output_options(CLI::App& command, OutputOptions& output, const std::string& description) {
+  command.add_option("-o,--out", output.path, description)->type_name("OUT")->required();
+  command.add_flag("--force", output.force, "overwrite what exists");
+}
+
+FrameSize parse_size(const std::string& text) {
+  FrameSize size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  bool good = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  if (good) {
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    good = height.ec == std::errc() && height.ptr == end;
+  }
+  const auto fits = [](int side) { return side >= 16 && side <= 16384; };
+  if (!good || !fits(size.width) || !fits(size.height)) {
+    throw Error(ExitCode::bad_input,
+                fmt::format("--size {}: expected WIDTHxHEIGHT, each 16 … 16384, such as 1280x720", text));
+  }
+  return size;
+}
+
+void check_range(const std::string& option, double value, double lo, double hi, const std::string& unit) {
+  if (value >= lo && value <= hi) return;
+  throw Error(ExitCode::bad_input, fmt::format("{} {}: expected {} … {}{}{}", option, value, lo, hi,
+                                               unit.empty() ? "" : " ", unit));
+}
+
+}  // namespace pabd::cli

@@ -1,0 +1,81 @@
+// pabd compare: are two pictures the same, up to what renderers may differ in?
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/cli/common.h"
+#include "app/cli/streams.h"
+#include "render/output/compare.h"
+#include "render/output/compare_report.h"
+#include "render/output/png.h"
+#include "sim/error.h"
+
+namespace pabd::cli {
+namespace {
+
+struct CompareOptions {
+  CommonOptions common;
+  std::string actual;
+  std::string expected;
+  std::string tier = "auto";
+  std::string diff;
+  bool json = false;
+  bool force = false;
+};
+
+// GL_RENDERER of a picture, empty when it does not say.
+std::string renderer_of(const std::string& path) {
+  const PngText text = read_png_text(path);
+  const auto entry = text.find("GL_RENDERER");
+  return entry == text.end() ? "" : entry->second;
+}
+
+// Pictures of two known, different renderer classes may differ more; all others are held to the strict tier.
+CompareTier choose_tier(const std::string& wanted, const std::string& a, const std::string& b) {
+  if (wanted == "same") return CompareTier::same_class;
+  if (wanted == "cross") return CompareTier::cross_class;
+  const bool known = !a.empty() && !b.empty();
+  return known && renderer_class(a) != renderer_class(b) ? CompareTier::cross_class : CompareTier::same_class;
+}
+
+int compare(const CompareOptions& options) {
+  if (!options.diff.empty()) check_overwrite("--diff", options.diff, options.force);
+  const Image actual = read_png(options.actual);
+  const Image expected = read_png(options.expected);
+  const CompareTier tier =
+      choose_tier(options.tier, renderer_of(options.actual), renderer_of(options.expected));
+  const std::string tier_name = tier == CompareTier::same_class ? "same" : "cross";
+  const CompareResult result = compare_images(actual, expected, tier);
+  if (!options.diff.empty()) write_png(options.diff, difference_image(actual, expected));
+
+  if (options.json) {
+    write_stdout(compare_json(result, tier, options.actual, options.expected, options.diff));
+  } else if (!options.common.quiet) {
+    write_stdout(result.equal ? fmt::format("equal (tier {}; largest difference {} levels)\n", tier_name,
+                                            result.max_difference)
+                              : fmt::format("different (tier {}): {}\n", tier_name, result.reason));
+  }
+  return static_cast<int>(result.equal ? ExitCode::done : ExitCode::images_differ);
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = add_command(app, "compare", "compare two PNG files; exit code 7 when they differ",
+                                  {"pabd compare actual.png expected.png --diff difference.png",
+                                   "pabd compare actual.png expected.png --tier cross --json"},
+                                  options->common);
+  command->add_option("ACTUAL", options->actual, "PNG file")->required();
+  command->add_option("EXPECTED", options->expected, "PNG file")->required();
+  command
+      ->add_option("--tier", options->tier,
+                   "same: one renderer class, nearly exact; cross: different ones; auto: from the files")
+      ->check(CLI::IsMember({"same", "cross", "auto"}));
+  command->add_option("--diff", options->diff, "write a picture of the differences")->type_name("OUT.png");
+  command->add_flag("--json", options->json, "print the measures as JSON");
+  command->add_flag("--force", options->force, "overwrite what exists");
+  command->callback([options, &action] { action = [options] { return compare(*options); }; });
+}
+
+}  // namespace pabd::cli

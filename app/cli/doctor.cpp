@@ -1,0 +1,91 @@
+// pabd doctor: what this machine offers, and what helps where something is missing.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/common.h"
+#include "app/cli/machine.h"
+#include "app/cli/scene_lookup.h"
+#include "app/cli/streams.h"
+#include "app/plots/font_data.h"
+
+namespace pabd::cli {
+namespace {
+
+struct DoctorOptions {
+  CommonOptions common;
+  bool json = false;
+};
+
+const char* const kGlRemedy = "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6";
+const char* const kFfmpegRemedy = "apt-get install ffmpeg (videos only; PNG frames and raw RGB need none)";
+
+nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts& cpu) {
+  auto attempts = nlohmann::ordered_json::array();
+  for (const ContextAttempt& attempt : gl.attempts) {
+    attempts.push_back({{"name", attempt.name}, {"failure", attempt.failure}});
+  }
+  return {
+      {"version", PABD_VERSION},
+      {"gl",
+       {{"available", !gl.context.empty()},
+        {"context", gl.context},
+        {"renderer", gl.renderer},
+        {"version", gl.version},
+        {"attempts", attempts}}},
+      {"ffmpeg",
+       {{"available", ffmpeg.found},
+        {"version", ffmpeg.version},
+        {"libx264", ffmpeg.h264},
+        {"libvpx-vp9", ffmpeg.vp9}}},
+      {"cpu",
+       {{"model", cpu.model}, {"cores", cpu.cores}, {"simd", cpu.simd}, {"memory_gib", cpu.memory_gib}}},
+      {"font_bytes", font_bytes().size()},
+      {"shipped_scenes", shipped_scenes().size()},
+  };
+}
+
+std::string to_text(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts& cpu) {
+  const auto present = [](bool yes) { return yes ? "yes" : "no"; };
+  std::string text = "pabd " PABD_VERSION "\n";
+  text += gl.context.empty()
+              ? fmt::format("OpenGL   none; {}\n", kGlRemedy)
+              : fmt::format("OpenGL   {}\n         {} · {}\n", gl.context, gl.renderer, gl.version);
+  for (const ContextAttempt& attempt : gl.attempts) {
+    text +=
+        fmt::format("         {}: {}\n", attempt.name, attempt.failure.empty() ? "works" : attempt.failure);
+  }
+  text += ffmpeg.found ? fmt::format("ffmpeg   {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {}\n",
+                                     ffmpeg.version, present(ffmpeg.h264), present(ffmpeg.vp9))
+                       : fmt::format("ffmpeg   none; {}\n", kFfmpegRemedy);
+  text += fmt::format("CPU      {} · {} cores · {} · {:.1f} GiB\n", cpu.model.empty() ? "unknown" : cpu.model,
+                      cpu.cores, cpu.simd, cpu.memory_gib);
+  text += fmt::format("font     DejaVu Sans, embedded ({} kB)\n", font_bytes().size() / 1000);
+  text += fmt::format("scenes   {} shipped\n", shipped_scenes().size());
+  return text;
+}
+
+int doctor(const DoctorOptions& options) {
+  const GlFacts gl = find_gl();
+  const FfmpegFacts ffmpeg = find_ffmpeg();
+  const CpuFacts cpu = find_cpu();
+  write_stdout(options.json
+                   ? to_json(gl, ffmpeg, cpu).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+                         "\n"
+                   : to_text(gl, ffmpeg, cpu));
+  return 0;
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<DoctorOptions>();
+  CLI::App* command =
+      add_command(app, "doctor", "what GL, ffmpeg and CPU this machine offers, and what to install",
+                  {"pabd doctor", "pabd doctor --json"}, options->common);
+  command->add_flag("--json", options->json, "print it as JSON");
+  command->callback([options, &action] { action = [options] { return doctor(*options); }; });
+}
+
+}  // namespace pabd::cli

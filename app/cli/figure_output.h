@@ -1,0 +1,42 @@
+// Where plots go: .svg and .csv are written directly, .png is drawn through OpenGL.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "app/cli/common.h"
+#include "app/plots/figure.h"
+#include "render/output/png.h"
+
+namespace pabd::cli {
+
+struct FigureOutputOptions {
+  OutputOptions output;
+  std::string format;  // "svg" or "csv", for standard output; empty: csv there, and from the name elsewhere
+  std::string size;    // "1600x700"; empty: what suits the figure
+  std::string backend = "auto";
+};
+void add_figure_output_options(CLI::App& command, FigureOutputOptions& options);
+
+// Throws Error(bad_input) for a name with another ending than .png, .svg, .csv, or a file that exists without
+// --force: before the work.
+void check_figure_output(const FigureOutputOptions& options);
+
+// What is to be written, in every form it can have.
+struct Drawing {
+  Picture picture;
+  PictureSize size;                  // when --size does not say
+  std::function<std::string()> csv;  // may be empty: a picture without data
+  PngText text;                      // chunks of the PNG, besides Software and GL_RENDERER
+};
+Drawing drawing_of(const Figure& figure);
+
+// True when the output is a .png: the only form that a picture in three dimensions has.
+bool is_png_output(const FigureOutputOptions& options);
+// The size asked for, or else `fallback`.
+PictureSize output_size(const FigureOutputOptions& options, PictureSize fallback);
+
+// Throws Error(file), Error(no_gl), Error(bad_input).
+void write_drawing(const Drawing& drawing, const FigureOutputOptions& options);
+
+}  // namespace pabd::cli

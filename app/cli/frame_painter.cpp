@@ -1,0 +1,103 @@
+// From a frame's state to pixels.
+#include "app/cli/frame_painter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "sim/error.h"
+
+namespace pabd::cli {
+namespace {
+
+// Moves the camera so that its target appears in the middle of `free` (px, in a frame of width × height), and
+// as far away as that rectangle is smaller than the frame.
+Camera make_room(const Camera& camera, const Rect& free, int width, int height) {
+  const double share = std::min(free.w / width, free.h / height);
+  if (!(share > 0.2)) return camera;
+  Camera moved = camera;
+  const Vec3f offset = (camera.eye - camera.target) * static_cast<float>(std::sqrt(1 / share));
+  const Mat4f view = view_matrix(camera);
+  const Vec3f right = view.row(0).head<3>();
+  const Vec3f up = view.row(1).head<3>();
+  // Half the height of the frame at the target's distance, in metres.
+  const auto half = static_cast<float>(offset.norm() * std::tan(camera.fov * kPi / 360));
+  const auto x = static_cast<float>((2 * (free.x + free.w / 2) - width) / height);
+  const auto y = static_cast<float>(1 - 2 * (free.y + free.h / 2) / height);
+  const Vec3f shift = -half * (x * right + y * up);
+  moved.target = camera.target + shift;
+  moved.eye = moved.target + offset;
+  return moved;
+}
+
+Camera choose_base_camera(const Session& session, double aspect) {
+  if (!session.scene().camera) return frame_camera(session.model(), session.state(), aspect);
+  const CameraDesc& desc = *session.scene().camera;
+  Camera camera;
+  camera.eye = desc.eye.cast<float>();
+  camera.target = desc.target.cast<float>();
+  camera.fov = static_cast<float>(desc.fov);
+  return camera;
+}
+
+}  // namespace
+
+OverlayChoice parse_overlay(const std::string& text) {
+  OverlayChoice choice;
+  if (text.empty() || text == "none") return choice;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    const bool all = word == "all";
+    if (all) choice.panels = parse_panels("all");
+    if (all || word == "bonds") choice.bonds = true;
+    if (all || word == "contacts") choice.contacts = choice.panels.legend = true;
+    if (!all && word != "bonds" && word != "contacts" && !enable_panel(choice.panels, word)) {
+      throw Error(ExitCode::bad_input,
+                  fmt::format("--overlay {}: '{}' is unknown; expected none, all, bonds, contacts, {}", text,
+                              word, panel_names()));
+    }
+  }
+  return choice;
+}
+
+FramePainter::FramePainter(GlContext& context, const Session& session, int width, int height,
+                           const OverlayChoice& overlay, const CameraOption& camera)
+    : session_(session),
+      width_(width),
+      height_(height),
+      renderer_(context, width, height),
+      overlay_([this](const unsigned char* rgba, int w, int h) {
+        return renderer_.upload_font_atlas(rgba, w, h);
+      }),
+      choice_(overlay),
+      camera_option_(camera),
+      start_time_(session.state().time),
+      kappa_(session.kappa()) {
+  visual_options_.bonds = overlay.bonds;
+  visual_options_.contacts = overlay.contacts;
+  visual_options_.d_hat = session.params().contact.d_hat;
+  base_camera_ = choose_base_camera(session, static_cast<double>(width) / height);
+  if (overlay.panels.any() && !camera.eye && !camera.target) {
+    base_camera_ = make_room(base_camera_, layout_panels(overlay.panels, width, height).free, width, height);
+  }
+}
+
+void FramePainter::draw(const FramePacket& packet) {
+  for (const StepReport& report : packet.since) history_.add(report);
+  build_visual(session_.model(), packet.state, packet.report, visual_options_, visual_);
+  visual_.camera = apply_camera(camera_option_, base_camera_, packet.state.time - start_time_);
+  OverlayData data;
+  data.scene_name = session_.scene().name;
+  data.params = &session_.params();
+  data.kappa = kappa_;
+  data.report = &packet.report;
+  data.history = &history_.reports();
+  renderer_.draw(visual_, overlay_.frame(choice_.panels, data, &visual_, width_, height_));
+  renderer_.queue_read();
+}
+
+void FramePainter::fetch(Image& out) { renderer_.fetch(out); }
+
+}  // namespace pabd::cli

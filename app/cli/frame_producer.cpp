@@ -1,0 +1,79 @@
+// The simulation stage.
+#include "app/cli/frame_producer.h"
+
+#include <chrono>
+#include <utility>
+
+#include "app/cli/frame_schedule.h"
+
+namespace pabd::cli {
+
+FrameProducer::FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped)
+    : session_(session), range_(range), stop_requested_(std::move(stop)), skipped_(std::move(skipped)) {
+  thread_ = std::thread([this] { run(); });
+}
+
+FrameProducer::~FrameProducer() { stop(); }
+
+void FrameProducer::stop() {
+  stopped_ = true;
+  ready_.close();
+  if (thread_.joinable()) thread_.join();
+}
+
+std::optional<FramePacket> FrameProducer::next() {
+  auto packet = ready_.pop();
+  if (!packet && failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+  return packet;
+}
+
+void FrameProducer::recycle(FramePacket packet) { spent_.push(std::move(packet)); }
+
+// False when the run ends here.
+bool FrameProducer::advance_to(std::int64_t step) {
+  while (session_.state().step < step) {
+    if (stopped_ || stop_requested_()) return false;
+    const StepReport& report = session_.step();
+    if (report.status == StepStatus::non_finite) {
+      diverged_ = true;
+      return false;
+    }
+    since_.push_back(light_copy(report));
+  }
+  return true;
+}
+
+FramePacket FrameProducer::pack(int frame) {
+  FramePacket packet = spent_.try_pop().value_or(FramePacket{});
+  packet.frame = frame;
+  packet.state = session_.state();
+  packet.report = session_.report();
+  packet.since.clear();
+  std::swap(packet.since, since_);
+  return packet;
+}
+
+void FrameProducer::run() {
+  using Clock = std::chrono::steady_clock;
+  try {
+    const std::int64_t first_step = session_.state().step;
+    for (int frame = 0; frame < range_.count; ++frame) {
+      const auto start = Clock::now();
+      // A state that a run continues from may be at any step: frames count from it.
+      if (!advance_to(first_step + step_of_frame(frame, range_.fps, session_.params().h))) break;
+      std::optional<FramePacket> packet;
+      if (frame >= range_.first) packet = pack(frame);
+      busy_seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
+      if (!packet) {
+        skipped_(frame, session_.report());
+      } else if (!ready_.push(*std::move(packet))) {
+        break;
+      }
+    }
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+  ready_.close();
+}
+
+}  // namespace pabd::cli

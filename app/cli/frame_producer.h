@@ -1,0 +1,74 @@
+// First stage of the render pipeline: simulates, in a thread of its own, and hands out what each frame shows.
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "app/cli/bounded_queue.h"
+#include "app/session/session.h"
+
+namespace pabd::cli {
+
+// A copy of everything one frame shows; the simulation is already further on when it is drawn.
+struct FramePacket {
+  int frame = 0;
+  State state;
+  StepReport report;              // of the last step, with what the overlays asked for
+  std::vector<StepReport> since;  // light reports of the steps since the packet before
+};
+
+// Frames [first, count) are handed out; those before are simulated only.
+struct FrameRange {
+  int first = 0;
+  int count = 0;
+  double fps = 60;
+};
+
+class FrameProducer {
+ public:
+  using StopRequested = std::function<bool()>;
+  using Skipped = std::function<void(int frame, const StepReport& report)>;
+
+  // Starts. `stop` is asked before every step, `skipped` is told of frames before `range.first`; both are
+  // called in the producer's thread. `session` must outlive this and is not to be touched meanwhile.
+  FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped);
+  ~FrameProducer();  // stops and joins
+  FrameProducer(const FrameProducer&) = delete;
+  FrameProducer& operator=(const FrameProducer&) = delete;
+
+  // The next frame, in order; empty after the last one, or when stopped or diverged. Throws what the
+  // simulation threw.
+  std::optional<FramePacket> next();
+  // Gives a packet's memory back.
+  void recycle(FramePacket packet);
+
+  // Ends the thread after the step it is in.
+  void stop();
+  // Both are valid after stop(), or after next() was empty.
+  bool diverged() const { return diverged_; }
+  double busy_seconds() const { return busy_seconds_; }  // spent on simulating and copying, not on waiting
+
+ private:
+  void run();
+  bool advance_to(std::int64_t step);
+  FramePacket pack(int frame);
+
+  Session& session_;
+  const FrameRange range_;
+  const StopRequested stop_requested_;
+  const Skipped skipped_;
+  BoundedQueue<FramePacket> ready_{3};
+  BoundedQueue<FramePacket> spent_{8};  // more than there ever are packets: giving back never waits
+  std::vector<StepReport> since_;
+  std::atomic<bool> stopped_ = false;
+  bool diverged_ = false;
+  double busy_seconds_ = 0;
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
+
+}  // namespace pabd::cli

@@ -1,0 +1,107 @@
+// Text chunks, and finding the last whole frame by them.
+#include "app/cli/frame_text.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "render/output/frame_sink.h"
+#include "sim/error.h"
+#include "sim/trace/trace.h"
+
+namespace pabd::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Invalid UTF-8 in a name must not end a run.
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+std::string camera_text(const Session& session, const std::string& option) {
+  if (!option.empty()) return option;
+  return session.scene().camera ? "scene" : "auto";
+}
+
+}  // namespace
+
+std::string parameters_json(const Params& params, double kappa) {
+  const ContactParams& contact = params.contact;
+  return dump({
+      {"gravity", {params.gravity.x(), params.gravity.y(), params.gravity.z()}},
+      {"time_step", params.h},
+      {"solver",
+       {{"method", to_string(params.solver.method)},
+        {"iterations", params.solver.iterations},
+        {"tolerance", params.solver.tolerance},
+        {"relaxation", params.solver.relaxation},
+        {"projection", to_string(params.solver.projection)}}},
+      {"contact",
+       {{"barrier", to_string(contact.barrier)},
+        {"N", contact.N},
+        {"d_hat", contact.d_hat},
+        {"kappa", kappa},
+        {"onset", contact.onset},
+        {"friction", {{"static", contact.mu_static}, {"dynamic", contact.mu_dynamic}}}}},
+  });
+}
+
+PngText common_text(const Session& session, const ViewFacts& view) {
+  const Json view_json = {{"size", {view.width, view.height}},
+                          {"fps", view.fps},
+                          {"overlay", view.overlay},
+                          {"camera", camera_text(session, view.camera)}};
+  return {
+      {"Software", "pabd " PABD_VERSION},
+      {"Scene", session.scene().name},
+      {"Scene hash", session.scene().hash},
+      {"Parameters", parameters_json(session.params(), session.kappa())},
+      {"Start", state_hash(session.state())},
+      {"View", dump(view_json)},
+      {"GL_RENDERER", view.gl_renderer},
+  };
+}
+
+PngText frame_text(const PngText& common, int frame, double time) {
+  PngText text = common;
+  text["Frame"] = std::to_string(frame);
+  text["Time"] = fmt::format("{:.6f} s", time);
+  return text;
+}
+
+int find_resume_frame(const std::string& out, int frames, const PngText& common) {
+  int next = 0;
+  while (next < frames && std::filesystem::exists(frame_path(out, next))) {
+    const std::string path = frame_path(out, next).string();
+    PngText found;
+    try {
+      found = read_png_text(path);
+    } catch (const Error&) {
+      break;  // not whole: drawn again
+    }
+    for (const auto& [key, value] : common) {
+      const auto entry = found.find(key);
+      if (entry == found.end() || entry->second != value) {
+        throw Error(
+            ExitCode::bad_input,
+            fmt::format(
+                "--resume: {} comes from another run (its chunk '{}' is '{}', here it is '{}'); use the "
+                "same command line, or --force without --resume to start over",
+                path, key, entry == found.end() ? "" : entry->second, value));
+      }
+    }
+    ++next;
+  }
+  // The text chunks come before the picture, so that the last file's picture is looked at too.
+  while (next > 0) {
+    try {
+      static_cast<void>(read_png(frame_path(out, next - 1)));
+      break;
+    } catch (const Error&) {
+      --next;
+    }
+  }
+  return next;
+}
+
+}  // namespace pabd::cli

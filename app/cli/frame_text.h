@@ -1,0 +1,42 @@
+// The text chunks of every PNG: where the picture came from, so that it can be made again.
+//
+//   Software      "pabd 0.1.0"
+//   Scene         name of the scene
+//   Scene hash    16 hex digits over the resolved scene
+//   Parameters    JSON: what --set can tune, with the contact stiffness that "auto" came to
+//   Start         hash of the state at frame 0
+//   View          JSON: size, frames a second, overlay, camera as on the command line
+//   GL_RENDERER   the driver that drew it
+//   Frame, Time   number from 0, and simulated seconds of the state that is shown
+#pragma once
+
+#include <string>
+
+#include "app/session/session.h"
+#include "render/output/png.h"
+
+namespace pabd::cli {
+
+struct ViewFacts {
+  int width = 0, height = 0;
+  double fps = 60;
+  std::string overlay;
+  std::string camera;
+  std::string gl_renderer;
+};
+
+// {"gravity": …, "time_step": …, "solver": …, "contact": …}; `kappa` is the resolved stiffness in J.
+std::string parameters_json(const Params& params, double kappa);
+
+// What all frames of one run have in common.
+PngText common_text(const Session& session, const ViewFacts& view);
+
+// With the two chunks of frame `frame`; `time` in seconds.
+PngText frame_text(const PngText& common, int frame, double time);
+
+// Where a sequence that was cut short goes on: after the last whole frame that this run would have written
+// (`common`). Throws Error(bad_input) when frames of another scene, other parameters, view or renderer are
+// found.
+int find_resume_frame(const std::string& out, int frames, const PngText& common);
+
+}  // namespace pabd::cli

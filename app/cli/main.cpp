@@ -1,0 +1,106 @@
+// The program: which subcommands there are, and what becomes of what they throw.
+#include <fmt/format.h>
+
+#include <csignal>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "app/cli/common.h"
+#include "app/cli/streams.h"
+#include "sim/error.h"
+
+namespace pabd::cli {
+namespace {
+
+std::string one_line(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
+int report_error(ExitCode code, const std::string& message) {
+  write_stderr("pabd: error: " + one_line(message) + "\n");
+  return static_cast<int>(code);
+}
+
+// The subcommand the user was in, as typed: "pabd plot barrier".
+std::string command_path(const CLI::App& app) {
+  std::string path = "pabd";
+  const CLI::App* command = &app;
+  while (true) {
+    const auto chosen = command->get_subcommands();
+    if (chosen.empty()) return path;
+    command = chosen.back();
+    path += " " + command->get_name();
+  }
+}
+
+const CLI::App* innermost(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().back();
+  return command;
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Projective affine body dynamics: simulate, render without a display, plot, compare.", "pabd");
+  app.set_version_flag("--version", "pabd " PABD_VERSION, "print the version and leave");
+  app.require_subcommand(1);
+  app.footer(
+      "Examples:\n"
+      "  pabd render pyramid -o pyramid.mp4 --time 5\n"
+      "  pabd run my_scene.json --time 10 --trace steps.csv\n"
+      "  pabd plot barrier -o barrier.svg --N 1,2,3,8\n"
+      "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder,\n"
+      "            7 images differ, 130/143 interrupted.\n");
+
+  Action action;
+  add_render_command(app, action);
+  add_run_command(app, action);
+  add_plot_command(app, action);
+  add_figure_command(app, action);
+  add_compare_command(app, action);
+  add_scenes_command(app, action);
+  add_doctor_command(app, action);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    write_stdout(innermost(app)->help());
+    return 0;
+  } catch (const CLI::CallForAllHelp&) {
+    write_stdout(app.help("", CLI::AppFormatMode::All));
+    return 0;
+  } catch (const CLI::CallForVersion&) {
+    write_stdout("pabd " PABD_VERSION "\n");
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return report_error(ExitCode::bad_input, fmt::format("{}; '{} --help' shows how it is used",
+                                                         one_line(error.what()), command_path(app)));
+  }
+  return action();
+}
+
+}  // namespace
+}  // namespace pabd::cli
+
+int main(int argc, char** argv) {
+  using pabd::ExitCode;
+  using pabd::cli::report_error;
+  // A reader that went away shows up as a failed write, which is reported like every other.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);  // the same for a file that may not grow (ulimit -f)
+  try {
+    return pabd::cli::run_program(argc, argv);
+  } catch (const pabd::Error& error) {
+    return report_error(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return report_error(ExitCode::defect, "out of memory; try a smaller scene, frame or run");
+  } catch (const std::exception& error) {
+    return report_error(ExitCode::defect,
+                        std::string("a defect in the program: ") + error.what() +
+                            "; please report this line, the command line, the scene file and 'pabd doctor'");
+  }
+}

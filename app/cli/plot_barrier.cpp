@@ -1,0 +1,94 @@
+// pabd plot barrier: B_N and B_N' against d, for lists of N, d̂, κ and kinds.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "app/cli/figure_output.h"
+#include "app/cli/plot.h"
+#include "app/plots/figures/barrier.h"
+#include "sim/error.h"
+
+namespace pabd::cli {
+namespace {
+
+constexpr std::size_t kMostCurves = 64;
+
+struct PlotBarrierOptions {
+  CommonOptions common;
+  FigureOutputOptions output;
+  std::vector<std::string> kinds{"polynomial"};
+  std::vector<int> N{1, 2, 3, 8};
+  std::vector<double> d_hat{0.01};
+  std::vector<double> kappa;
+  double onset = 0;
+};
+
+BarrierKind parse_kind(const std::string& word) {
+  for (const BarrierKind kind : {BarrierKind::polynomial, BarrierKind::log, BarrierKind::even}) {
+    if (word == to_string(kind)) return kind;
+  }
+  throw Error(ExitCode::bad_input, fmt::format("--kind {}: expected polynomial, log or even", word));
+}
+
+// The limits of the scene file hold here too.
+void check_values(const BarrierCurves& curves) {
+  const auto check = [](const char* option, double value, auto&& set) {
+    Params params;
+    params.contact.d_hat = 0.01;
+    set(params.contact);
+    if (const auto error = check_params(params)) {
+      throw Error(ExitCode::bad_input, fmt::format("{} {}: {}", option, value, error->message));
+    }
+  };
+  for (const int N : curves.N) check("--N", N, [&](ContactParams& c) { c.N = N; });
+  for (const double d_hat : curves.d_hat) check("--d-hat", d_hat, [&](ContactParams& c) { c.d_hat = d_hat; });
+  for (const double kappa : curves.kappa) check("--kappa", kappa, [&](ContactParams& c) { c.kappa = kappa; });
+  check("--onset", curves.onset, [&](ContactParams& c) { c.onset = curves.onset; });
+  const std::size_t count = curves.kinds.size() * curves.N.size() * curves.d_hat.size() *
+                            std::max<std::size_t>(curves.kappa.size(), 1);
+  if (count > kMostCurves) {
+    throw Error(
+        ExitCode::bad_input,
+        fmt::format("{} curves in one plot: expected at most {}; shorten the lists", count, kMostCurves));
+  }
+}
+
+int plot_barrier(const PlotBarrierOptions& options) {
+  BarrierCurves curves;
+  curves.kinds.clear();
+  for (const std::string& kind : options.kinds) curves.kinds.push_back(parse_kind(kind));
+  curves.N = options.N;
+  curves.d_hat = options.d_hat;
+  curves.kappa = options.kappa;
+  curves.onset = options.onset;
+  check_values(curves);
+  check_figure_output(options.output);
+  write_drawing(drawing_of(barrier_figure(curves)), options.output);
+  return 0;
+}
+
+}  // namespace
+
+void add_plot_barrier_command(CLI::App& plot, Action& action) {
+  auto options = std::make_shared<PlotBarrierOptions>();
+  CLI::App* command =
+      add_command(plot, "barrier", "barrier curves B_N(d) and B_N'(d)",
+                  {"pabd plot barrier -o barrier.png --N 1,2,3,8 --d-hat 0.01,0.02",
+                   "pabd plot barrier -o barrier.svg --kind polynomial,log,even --kappa 50 --onset 0.2",
+                   "pabd plot barrier -o - --N 3 > barrier.csv"},
+                  options->common);
+  const auto list = [](CLI::Option* option, const char* type) {
+    option->delimiter(',')->allow_extra_args(false)->type_name(type);
+  };
+  list(command->add_option("--N", options->N, "highest orders (default 1,2,3,8)"), "LIST");
+  list(command->add_option("--d-hat", options->d_hat, "contact thicknesses in m (default 0.01)"), "LIST");
+  list(command->add_option("--kappa", options->kappa, "stiffnesses in J (default: plain B_N)"), "LIST");
+  list(command->add_option("--kind", options->kinds, "polynomial, log, even (default polynomial)"), "LIST");
+  command->add_option("--onset", options->onset, "onset width, 0 … 1 (default 0: the printed formula)")
+      ->type_name("E");
+  add_figure_output_options(*command, options->output);
+  command->callback([options, &action] { action = [options] { return plot_barrier(*options); }; });
+}
+
+}  // namespace pabd::cli

@@ -1,0 +1,74 @@
+// pabd plot convergence: how each solver converges within one step.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/cli/figure_output.h"
+#include "app/cli/plot.h"
+#include "app/cli/simulation_setup.h"
+#include "app/plots/figures/convergence.h"
+
+namespace pabd::cli {
+namespace {
+
+struct PlotConvergenceOptions {
+  CommonOptions common;
+  FigureOutputOptions output;
+  std::string scene;
+  std::string from;
+  std::vector<std::string> methods{"sissm", "descent"};
+  std::int64_t at_step = 1;
+  int iterations = 100;
+};
+
+SolverMethod parse_method(const std::string& word) {
+  for (const SolverMethod method : {SolverMethod::sissm, SolverMethod::descent}) {
+    if (word == to_string(method)) return method;
+  }
+  throw Error(ExitCode::bad_input, fmt::format("--method {}: expected sissm or descent", word));
+}
+
+int plot_convergence(const PlotConvergenceOptions& options) {
+  check_range("--at-step", static_cast<double>(options.at_step), 1, 1e9);
+  check_range("--iterations", options.iterations, 1, 100000);
+  std::vector<SolverMethod> methods;
+  for (const std::string& word : options.methods) methods.push_back(parse_method(word));
+  check_figure_output(options.output);
+
+  Session session = open_session(options.scene, options.common, options.from);
+  for (std::int64_t step = 1; step < options.at_step; ++step) {
+    if (session.step().status == StepStatus::non_finite) throw diverged_error(options.scene, session);
+  }
+  const int threads = options.common.thread_count();
+  const auto runs =
+      run_methods(session.model(), session.params(), session.state(), methods, options.iterations, threads);
+  const Minimiser minimiser =
+      find_minimiser(session.model(), session.params(), session.state(), 20000, threads);
+  write_drawing(drawing_of(convergence_figure(runs, minimiser)), options.output);
+  return 0;
+}
+
+}  // namespace
+
+void add_plot_convergence_command(CLI::App& plot, Action& action) {
+  auto options = std::make_shared<PlotConvergenceOptions>();
+  CLI::App* command =
+      add_command(plot, "convergence", "energy, residual and penetration per iteration of one step",
+                  {"pabd plot convergence two_boxes -o convergence.png",
+                   "pabd plot convergence pyramid -o c.csv --method descent --at-step 60"},
+                  options->common);
+  command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
+  command->add_option("--method", options->methods, "sissm, descent (default both)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("LIST");
+  command->add_option("--at-step", options->at_step, "which step of the run (default 1)")->type_name("K");
+  command->add_option("--iterations", options->iterations, "iterations drawn (default 100)")->type_name("N");
+  command->add_option("--from", options->from, "start at a state file of this scene")
+      ->type_name("STATE.json");
+  add_figure_output_options(*command, options->output);
+  add_scene_options(*command, options->common);
+  command->callback([options, &action] { action = [options] { return plot_convergence(*options); }; });
+}
+
+}  // namespace pabd::cli

@@ -1,0 +1,189 @@
+// pabd render: simulate and draw without a display; video, PNG frames or raw RGB.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/cli/backend_option.h"
+#include "app/cli/common.h"
+#include "app/cli/frame_schedule.h"
+#include "app/cli/frame_text.h"
+#include "app/cli/render_pipeline.h"
+#include "app/cli/simulation_setup.h"
+#include "app/cli/streams.h"
+#include "render/output/frame_sink.h"
+#include "sim/error.h"
+
+namespace pabd::cli {
+namespace {
+
+constexpr double kDefaultTime = 5;
+constexpr int kMostFrames = 10'000'000;
+
+struct RenderOptions {
+  CommonOptions common;
+  std::string scene;
+  OutputOptions output;
+  std::optional<double> time;
+  std::optional<std::int64_t> frames;
+  double fps = 60;
+  std::string size = "1280x720";
+  std::string overlay = "none";
+  std::string camera;
+  std::string backend = "auto";
+  std::string from;
+  std::string timings;
+  bool resume = false;
+};
+
+// One PNG shows the state at the end; everything else shows the way there.
+bool is_still(const std::string& out) { return out.ends_with(".png") && !is_frame_template(out); }
+
+// A video of T seconds has T·fps frames, the last one a frame before T. A still of T seconds shows the state
+// at T.
+int frame_count(const RenderOptions& options) {
+  if (options.frames) {
+    check_range("--frames", static_cast<double>(*options.frames), 1, kMostFrames);
+    return static_cast<int>(*options.frames);
+  }
+  const double time = options.time.value_or(kDefaultTime);
+  check_range("--time", time, 0, 1e6, "s");
+  const double frames =
+      std::floor(time * options.fps + kStepTolerance) + (is_still(options.output.path) ? 1 : 0);
+  if (frames < 1) {
+    throw Error(ExitCode::bad_input,
+                fmt::format("--time {}: shorter than one frame; give at least {:.4g} s, or --frames 1", time,
+                            1 / options.fps));
+  }
+  check_range("--time × --fps", frames, 1, kMostFrames, "frames");
+  return static_cast<int>(frames);
+}
+
+void check_output(const RenderOptions& options) {
+  if (options.resume && !is_frame_template(options.output.path)) {
+    throw Error(ExitCode::bad_input,
+                fmt::format("--resume: {} is no sequence of frames; only an output with {{frame}} and "
+                            ".png can be continued",
+                            options.output.path));
+  }
+  if (options.output.path == "-" && stdout_is_terminal()) {
+    throw Error(ExitCode::bad_input,
+                "-o -: raw RGB frames would go to the terminal; redirect or pipe standard output");
+  }
+}
+
+std::string timings_json(const RenderResult& result) {
+  const StageTimes& times = result.times;
+  const double slowest = std::max({times.simulate, times.draw, times.encode});
+  const nlohmann::ordered_json json = {{"frames", result.frames},    {"simulate_s", times.simulate},
+                                       {"draw_s", times.draw},       {"encode_s", times.encode},
+                                       {"slowest_stage_s", slowest}, {"total_s", times.total}};
+  return json.dump(2) + "\n";
+}
+
+int render(const RenderOptions& options) {
+  check_range("--fps", options.fps, 0.01, 1000, "1/s");
+  const FrameSize size = parse_size(options.size);
+  const CameraOption camera = parse_camera(options.camera);
+  const OverlayChoice overlay = parse_overlay(options.overlay);
+  const std::string& out = options.output.path;
+  check_output(options);
+  FrameRange range{0, frame_count(options), options.fps};
+  if (is_still(out)) range.first = range.count - 1;
+
+  Session session = open_session(options.scene, options.common, options.from);
+  session.record_iterations(overlay.needs_iterations());
+  session.report_contacts(overlay.needs_contacts());
+
+  std::optional<TextOutput> timings;
+  if (!options.timings.empty()) timings.emplace("--timings", options.timings, options.output.force);
+  std::vector<ContextAttempt> attempts;
+  const auto context = create_headless_context(parse_backend(options.backend), attempts);
+  FramePainter painter(*context, session, size.width, size.height, overlay, camera);
+  const PngText common = common_text(session, {size.width, size.height, options.fps, options.overlay,
+                                               options.camera, painter.gl_renderer()});
+  if (options.resume) range.first = find_resume_frame(out, range.count, common);
+  if (range.first == range.count) {
+    if (!options.common.quiet) write_stderr(fmt::format("all {} frames are there already\n", range.count));
+    return 0;
+  }
+
+  SinkOptions sink_options;
+  sink_options.width = size.width;
+  sink_options.height = size.height;
+  sink_options.fps = options.fps;
+  sink_options.first_frame = range.first;
+  sink_options.force =
+      options.output.force || options.resume;  // what follows the last whole frame is drawn again
+  const double start_time = session.state().time;
+  const double h = session.params().h;
+  sink_options.png_text = [common, start_time, h, fps = options.fps](int frame) {
+    return frame_text(common, frame, start_time + h * static_cast<double>(step_of_frame(frame, fps, h)));
+  };
+  AsyncSink sink(make_sink(out, sink_options));
+
+  const InterruptGuard interrupt;
+  RenderResult result;
+  {
+    Progress progress("frame", range.count, !options.common.quiet);
+    result = render_frames(session, range, painter, sink, interrupt, progress);
+  }
+  if (timings) {
+    timings->write(timings_json(result));
+    timings->finish();
+  }
+  if (!options.common.quiet) {
+    write_stderr(
+        fmt::format("{} frames in {:.1f} s (simulating {:.1f}, drawing {:.1f}, encoding {:.1f}) · {} · {}\n",
+                    result.frames, result.times.total, result.times.simulate, result.times.draw,
+                    result.times.encode, context->name(), painter.gl_renderer()));
+  }
+  if (result.diverged) throw diverged_error(options.scene, session);
+  return interrupt.exit_code();
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command =
+      add_command(app, "render", "simulate a scene and draw it, without a display",
+                  {"pabd render pyramid -o pyramid.mp4 --time 5 --overlay plots,contacts",
+                   "pabd render two_boxes -o 'frames/{frame:04}.png' --frames 120 --size 640x360 --resume",
+                   "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
+                   "pabd render pyramid -o - --size 640x360 | ffplay -f rawvideo -pixel_format rgb24 "
+                   "-video_size 640x360 -"},
+                  options->common);
+  command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
+  add_output_options(*command, options->output,
+                     ".mp4, .webm, .gif: video; a name with {frame:04} and .png: a PNG a frame; .png: the "
+                     "last frame; -: raw "
+                     "RGB to standard output");
+  auto* time = command->add_option("--time", options->time, "length (default 5 s)")->type_name("S");
+  command->add_option("--frames", options->frames, "number of frames instead")
+      ->type_name("N")
+      ->excludes(time);
+  command->add_option("--fps", options->fps, "frames a second (default 60)")->type_name("F");
+  command->add_option("--size", options->size, "pixels (default 1280x720)")->type_name("WxH");
+  command
+      ->add_option("--overlay", options->overlay,
+                   "comma-separated: params, barrier, convergence, series, contacts, bonds; plots for the "
+                   "middle three; all")
+      ->type_name("LIST");
+  command
+      ->add_option("--camera", options->camera,
+                   "front, side, top, iso, orbit:DEGREES_A_SECOND, or eye=x,y,z,target=x,y,z,fov=degrees "
+                   "(any of them)")
+      ->type_name("VIEW");
+  add_backend_option(*command, options->backend);
+  command->add_option("--from", options->from, "start at a state file of this scene")
+      ->type_name("STATE.json");
+  command->add_flag("--resume", options->resume, "go on with a sequence of frames that was cut short");
+  command->add_option("--timings", options->timings, "write how long each stage worked")->type_name("JSON");
+  add_scene_options(*command, options->common);
+  command->callback([options, &action] { action = [options] { return render(*options); }; });
+}
+
+}  // namespace pabd::cli

@@ -1,0 +1,153 @@
+// pabd run: simulate without any GL, and write what happened.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "app/cli/common.h"
+#include "app/cli/frame_schedule.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/cli/scene_lookup.h"
+#include "app/cli/simulation_setup.h"
+#include "app/cli/streams.h"
+#include "sim/error.h"
+#include "sim/trace/trace.h"
+
+namespace pabd::cli {
+namespace {
+
+struct RunOptions {
+  CommonOptions common;
+  std::string scene;
+  std::optional<double> time;
+  std::optional<std::int64_t> steps;
+  std::string from;
+  std::string trace;
+  std::string iterations;
+  std::string state;
+  bool force = false;
+};
+
+// The three files a run can write; each appears when it is whole.
+class RunOutputs {
+ public:
+  explicit RunOutputs(const RunOptions& options) {
+    const auto open = [&](const char* option, const std::string& path, std::optional<TextOutput>& output) {
+      if (!path.empty()) output.emplace(option, path, options.force);
+    };
+    open("--trace", options.trace, trace_);
+    open("--iterations", options.iterations, iterations_);
+    open("--state", options.state, state_);
+    emit(trace_, [](std::ostream& out) { write_steps_header(out); });
+    emit(iterations_, [](std::ostream& out) { write_iterations_header(out); });
+  }
+
+  void add(const StepReport& report) {
+    emit(trace_, [&](std::ostream& out) { write_steps_row(out, report); });
+    emit(iterations_, [&](std::ostream& out) { write_iterations_rows(out, report); });
+  }
+
+  void finish(const Session& session) {
+    if (state_) state_->write(state_to_json(session.model(), session.state()));
+    for (auto* output : {&trace_, &iterations_, &state_}) {
+      if (*output) (*output)->finish();
+    }
+  }
+
+ private:
+  template <typename Writer>
+  void emit(std::optional<TextOutput>& output, const Writer& writer) {
+    if (!output) return;
+    text_.str({});
+    writer(text_);
+    output->write(text_.view());
+  }
+
+  std::optional<TextOutput> trace_, iterations_, state_;
+  std::ostringstream text_;
+};
+
+void check_options(const RunOptions& options) {
+  if (options.time) check_range("--time", *options.time, 0, 1e6, "s");
+  if (options.steps) check_range("--steps", static_cast<double>(*options.steps), 0, 1e9);
+  const std::string* paths[] = {&options.trace, &options.iterations, &options.state};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < i; ++j) {
+      if (!paths[i]->empty() && *paths[i] == *paths[j]) {
+        throw Error(
+            ExitCode::bad_input,
+            fmt::format("{}: named for two outputs; give each of --trace, --iterations, --state its own",
+                        *paths[i]));
+      }
+    }
+  }
+}
+
+std::string summary(const Session& session, std::int64_t steps, double seconds, double lowest_gap) {
+  const StepReport& report = session.report();
+  const std::string gap = std::isfinite(lowest_gap) ? fmt::format("{:.4g} m", lowest_gap) : "none";
+  return fmt::format(
+      "{} steps to t = {:.6g} s, {:.3f} ms a step · smallest gap {} · kinetic energy {:.4g} J · state {}\n",
+      steps, session.state().time, steps > 0 ? 1e3 * seconds / static_cast<double>(steps) : 0.0, gap,
+      report.kinetic, state_hash(session.state()));
+}
+
+int run(const RunOptions& options) {
+  check_options(options);
+  Session session = open_session(options.scene, options.common, options.from);
+  const std::int64_t steps =
+      options.steps.value_or(steps_until(options.time.value_or(5.0), session.params().h));
+  RunOutputs outputs(options);
+  session.record_iterations(!options.iterations.empty());
+
+  const InterruptGuard interrupt;
+  std::int64_t done = 0;
+  bool diverged = false;
+  double lowest_gap = std::numeric_limits<double>::infinity();
+  const auto start = std::chrono::steady_clock::now();
+  {
+    Progress progress("step", steps, !options.common.quiet);
+    while (done < steps && !diverged && !interrupt.requested()) {
+      const StepReport& report = session.step();
+      outputs.add(report);
+      diverged = report.status == StepStatus::non_finite;
+      lowest_gap = std::min(lowest_gap, report.min_gap);
+      progress.update(++done, report);
+    }
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  outputs.finish(session);
+  if (!options.common.quiet) write_stderr(summary(session, done, seconds, lowest_gap));
+  if (diverged) throw diverged_error(options.scene, session);
+  return interrupt.exit_code();
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command =
+      add_command(app, "run", "simulate a scene without drawing it",
+                  {"pabd run pyramid --time 5 --trace steps.csv --state end.json",
+                   "pabd run pyramid --from end.json --steps 60 --trace -",
+                   "pabd run two_boxes --steps 1 --iterations iterations.csv --set solver.method=sissm"},
+                  options->common);
+  command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
+  auto* time = command->add_option("--time", options->time, "simulated time (default 5 s)")->type_name("S");
+  command->add_option("--steps", options->steps, "number of time steps")->type_name("N")->excludes(time);
+  command->add_option("--from", options->from, "continue from a state file of this scene")
+      ->type_name("STATE.json");
+  command->add_option("--trace", options->trace, "a row a step; - is standard output")->type_name("CSV");
+  command->add_option("--iterations", options->iterations, "a row an iteration of the solver")
+      ->type_name("CSV");
+  command->add_option("--state", options->state, "the state at the end")->type_name("JSON");
+  command->add_flag("--force", options->force, "overwrite what exists");
+  add_scene_options(*command, options->common);
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace pabd::cli

@@ -1,0 +1,57 @@
+// Scenes by name.
+#include "app/cli/scene_lookup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/error.h"
+
+namespace fs = std::filesystem;
+
+namespace pabd::cli {
+
+std::vector<fs::path> scene_folders() {
+  std::vector<fs::path> folders;
+  std::error_code ignored;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+  if (!program.empty()) folders.push_back(program.parent_path().parent_path() / PABD_SHARE_DIR / "scenes");
+  folders.emplace_back(PABD_SOURCE_DIR "/assets/scenes");
+  std::erase_if(folders, [](const fs::path& folder) {
+    std::error_code none;
+    return !fs::is_directory(folder, none);
+  });
+  return folders;
+}
+
+fs::path find_scene(const std::string& name) {
+  std::error_code ignored;
+  if (fs::is_directory(name, ignored)) {
+    throw Error(ExitCode::bad_input, fmt::format("{}: is a directory; name a scene file in it", name));
+  }
+  if (fs::exists(name, ignored)) return name;
+  if (name.find('/') == std::string::npos && !name.empty()) {
+    for (const fs::path& folder : scene_folders()) {
+      for (const std::string& file : {name, name + ".json"}) {
+        if (fs::is_regular_file(folder / file, ignored)) return folder / file;
+      }
+    }
+  }
+  throw Error(
+      ExitCode::file,
+      fmt::format("{}: no such scene file, and no shipped scene of this name; 'pabd scenes' lists those",
+                  name));
+}
+
+std::vector<fs::path> shipped_scenes() {
+  std::vector<fs::path> files;
+  const auto folders = scene_folders();
+  if (folders.empty()) return files;
+  for (const auto& entry : fs::directory_iterator(folders.front())) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace pabd::cli

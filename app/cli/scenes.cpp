@@ -1,0 +1,67 @@
+// pabd scenes: what is shipped, a line each.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "app/cli/common.h"
+#include "app/cli/scene_lookup.h"
+#include "app/cli/streams.h"
+#include "sim/error.h"
+#include "sim/scene/scene.h"
+
+namespace pabd::cli {
+namespace {
+
+struct ScenesOptions {
+  CommonOptions common;
+  bool json = false;
+};
+
+struct Row {
+  std::string name;
+  Index bodies;
+  std::string description;
+};
+
+int list_scenes(const ScenesOptions& options) {
+  std::vector<Row> rows;
+  for (const auto& file : shipped_scenes()) {
+    const Scene scene = load_scene(file);
+    rows.push_back({file.stem().string(), scene.model.size(), scene.description});
+  }
+  if (rows.empty()) {
+    throw Error(ExitCode::file,
+                "no folder with shipped scenes was found; run 'cmake --install' again, or name files");
+  }
+  std::string text;
+  if (options.json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Row& row : rows) {
+      list.push_back({{"name", row.name}, {"bodies", row.bodies}, {"description", row.description}});
+    }
+    text = list.dump(2) + "\n";
+  } else {
+    std::size_t width = 5;
+    for (const Row& row : rows) width = std::max(width, row.name.size());
+    text = fmt::format("{:<{}}  bodies  description\n", "scene", width);
+    for (const Row& row : rows)
+      text += fmt::format("{:<{}}  {:>6}  {}\n", row.name, width, row.bodies, row.description);
+  }
+  write_stdout(text);
+  return 0;
+}
+
+}  // namespace
+
+void add_scenes_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ScenesOptions>();
+  CLI::App* command = add_command(app, "scenes", "list the shipped scenes",
+                                  {"pabd scenes", "pabd scenes --json"}, options->common);
+  command->add_flag("--json", options->json, "print the list as JSON");
+  command->callback([options, &action] { action = [options] { return list_scenes(*options); }; });
+}
+
+}  // namespace pabd::cli

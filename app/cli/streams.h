@@ -1,0 +1,40 @@
+// Text to standard output, standard error and files; every write is checked.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "render/output/atomic_file.h"
+
+namespace pabd::cli {
+
+// Throws Error(file) when standard output does not take it all (disk full, reader gone).
+void write_stdout(std::string_view text);
+// Failures are ignored: there is nowhere left to report them.
+void write_stderr(std::string_view text);
+bool stderr_is_terminal();
+bool stdout_is_terminal();
+
+// The whole file. Throws Error(file).
+std::string read_file(const std::filesystem::path& path);
+
+// A text output named by the user: a file that appears when it is whole, or "-" for standard output.
+class TextOutput {
+ public:
+  // `option` names it in messages. Throws Error(bad_input) if the file exists and not `force`, Error(file) if
+  // it cannot be made: before the work that it is to record.
+  TextOutput(std::string option, const std::string& path, bool force);
+
+  void write(std::string_view text);  // throws Error(file)
+  void finish();                      // publishes; throws Error(file)
+
+ private:
+  std::unique_ptr<AtomicFile> file_;  // null: standard output
+};
+
+// Throws Error(bad_input) if `path` exists and not `force`.
+void check_overwrite(const std::string& option, const std::filesystem::path& path, bool force);
+
+}  // namespace pabd::cli
