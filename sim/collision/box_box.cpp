@@ -145,24 +145,28 @@ void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts&
     if (s_b > face_b.separation) face_b = {s_b, i, -1};
   }
 
+  const double smallest = std::min({h[0], h[1], h[2], g[0], g[1], g[2]});
+  const bool b_owns = face_b.separation > face_a.separation + preference(face_a.separation, smallest);
+  const double face = b_owns ? face_b.separation : face_a.separation;
+
+  // An edge pair matters only where it separates better than the chosen face; with sine ≤ 1 most are settled
+  // without their square root.
   constexpr double kParallelSine2 = 1e-8;  // parallel edges: a face direction says the same
+  const double bar = std::min(face, 0.0);
   for (int i = 0; i < 3; ++i) {
     const int i1 = kNext[i], i2 = kNext[i1];
     for (int j = 0; j < 3; ++j) {
       const int j1 = kNext[j], j2 = kNext[j1];
+      const double along = std::abs(r.t[i2] * r.C[i1][j] - r.t[i1] * r.C[i2][j]) -
+                           (h[i1] * Q[i2][j] + h[i2] * Q[i1][j] + g[j1] * Q[i][j2] + g[j2] * Q[i][j1]);
+      if (along <= bar) continue;
       const double sine2 = r.C[i1][j] * r.C[i1][j] + r.C[i2][j] * r.C[i2][j];
       if (sine2 < kParallelSine2) continue;
-      const double s = (std::abs(r.t[i2] * r.C[i1][j] - r.t[i1] * r.C[i2][j]) -
-                        (h[i1] * Q[i2][j] + h[i2] * Q[i1][j] + g[j1] * Q[i][j2] + g[j2] * Q[i][j1])) /
-                       std::sqrt(sine2);
+      const double s = along / std::sqrt(sine2);
       if (!(s < reach)) return;
-      if (s > edge.separation) edge = {s, i, j};
+      if (s > face && s > edge.separation) edge = {s, i, j};
     }
   }
-
-  const double smallest = std::min({h[0], h[1], h[2], g[0], g[1], g[2]});
-  const bool b_owns = face_b.separation > face_a.separation + preference(face_a.separation, smallest);
-  const double face = b_owns ? face_b.separation : face_a.separation;
   const bool have_edge = edge.j >= 0;
   if (have_edge && edge.separation > face + preference(face, smallest) &&
       add_edge_contact(a, b, r, edge, reach, out)) {
@@ -177,10 +181,8 @@ void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts&
   // The deepest or nearest part is not over that face.
   if (face > 0) {
     add_corner_contact(a, b, std::min(d, reach), out);
-  } else if (have_edge && edge.separation > face && add_edge_contact(a, b, r, edge, reach, out)) {
-    return;
-  } else if (d == kNone && add_face(!b_owns) == kNone && have_edge) {
-    add_edge_contact(a, b, r, edge, reach, out);
+  } else if (!(have_edge && add_edge_contact(a, b, r, edge, reach, out)) && d == kNone) {
+    add_face(!b_owns);
   }
 }
 

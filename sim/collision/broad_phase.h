@@ -34,8 +34,10 @@ struct BroadPhase {
   std::vector<Level> levels;  // coarse to fine
   std::vector<Cell> cells;
   std::vector<std::int32_t> table;  // open addressing: a cell's number, or −1
-  std::vector<Entry> entries;       // by cell
-  std::vector<Index> cell_of;       // one entry a body; −1: takes no part
+  std::vector<std::uint64_t>
+      taken;  // a bit a cell, 512 neighbouring cells side by side; may be set by another cell
+  std::vector<Entry> entries;  // by cell
+  std::vector<Index> cell_of;  // one entry a body; −1: takes no part
   std::vector<std::int16_t> level_of;
   std::vector<std::vector<IndexPair>> found;  // a bucket a range of cells
   std::vector<Index> first;                   // of the counting sort
@@ -51,6 +53,7 @@ struct BroadPhase {
   void find_in(std::size_t begin, std::size_t end, const std::vector<Aabb>& boxes,
                std::vector<IndexPair>& out) const;
   void sort_pairs(std::size_t bodies, std::vector<IndexPair>& pairs);
+  std::size_t taken_word(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level) const;
   Index find_cell(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level) const;
 };
 

@@ -1,4 +1,5 @@
 // Box manifolds that can be worked out by hand.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -116,6 +117,48 @@ TEST_CASE("crossed edges touch in one point between them") {
     CHECK((contacts[0].n - Vec3::UnitY()).norm() < 1e-13);
     CHECK((contacts[0].y_a - Vec3(0, top, 0.05)).norm() < 1e-13);
     CHECK((contacts[0].y_b - Vec3(0, top + gap, 0.05)).norm() < 1e-13);
+  }
+}
+
+TEST_CASE("every pair of edges has a name of its own") {
+  const double top = std::sqrt(0.5);
+  std::set<std::uint32_t> names;
+  for (int upper = 0; upper < 4; ++upper)
+    for (int lower = 0; lower < 4; ++lower)
+      for (const bool turned : {false, true}) {
+        const Mat3 R = turned ? turn(kPi / 2, Vec3::UnitZ()) : Mat3::Identity();  // another axis of the cube
+        Setup setup;
+        setup.add(kCube, Vec3::Zero(), turn(kPi / 4 + kPi / 2 * lower, Vec3::UnitX()), 0.01);
+        setup.add(kCube, Vec3(0.01, 2 * top + 0.001, 0.02),
+                  turn(kPi / 4 + kPi / 2 * upper, Vec3::UnitZ()) * R, 0.01);
+        const auto contacts = setup.contacts();
+        REQUIRE(contacts.size() == 1);
+        names.insert(contacts[0].feature);
+      }
+  CHECK(names.size() == 16);  // turning about the edge's own axis permutes the same four edges
+}
+
+TEST_CASE("overlapping boxes always have a contact that says so") {
+  Random random(77);
+  for (int trial = 0; trial < 20000; ++trial) {
+    Setup setup;
+    const auto side = [&] { return std::exp(random.uniform(std::log(0.05), std::log(2.0))); };
+    const Vec3 half_a(side(), side(), side()), half_b(side(), side(), side());
+    setup.add(Box{half_a}, Vec3::Zero(), random.rotation(), 0.01);
+    setup.add(Box{half_b}, random.uniform(0, half_a.norm() + half_b.norm()) * random.direction(),
+              random.rotation(), 0.01);
+    // A point of b inside a proves the overlap; corners and points along the edges are tried.
+    bool inside = false;
+    for (int k = 0; k < 200 && !inside; ++k) {
+      Vec3 x(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      x = setup.c[1] + setup.R[1] * half_b.cwiseProduct(x);
+      inside = surface_distance(setup.model.shape[0], setup.c[0], setup.R[0], x) < 0;
+    }
+    if (!inside) continue;
+    const auto contacts = setup.contacts();
+    INFO("trial " << trial);
+    REQUIRE(!contacts.empty());
+    REQUIRE(std::any_of(contacts.begin(), contacts.end(), [](const ContactPoint& p) { return p.d < 0; }));
   }
 }
 
