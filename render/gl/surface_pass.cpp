@@ -13,7 +13,7 @@
 namespace pabd {
 namespace {
 
-constexpr float kGhost = 0.34f;  // opacity of a glyph behind a body
+constexpr float kGhost = 0.5f;  // opacity of a glyph behind a body
 
 constexpr const char* kVertex = R"(
 out vec3 world;
@@ -90,6 +90,8 @@ void main() {
 
 bool is_cube(Primitive primitive) { return primitive == Primitive::cube; }
 bool is_round(Primitive primitive) { return primitive != Primitive::cube; }
+bool is_disc(Primitive primitive) { return primitive == Primitive::disc; }
+bool is_solid(Primitive primitive) { return primitive != Primitive::disc; }
 
 }  // namespace
 
@@ -129,14 +131,21 @@ void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   gl_.DepthFunc(GL_GREATER);
   gl_.DepthMask(GL_FALSE);
+  const auto draw = [&](float opacity) {
+    gl_.Uniform1f(glyphs_.opacity, opacity);
+    // Discs lie in the very surfaces that they mark: a little nearer, so that they win.
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    gl_.PolygonOffset(-1, -4);
+    drawer.draw(list, list.glyphs, is_disc);
+    gl_.Disable(GL_POLYGON_OFFSET_FILL);
+    drawer.draw(list, list.glyphs, is_solid);
+  };
   glyphs_.program.use();
-  gl_.Uniform1f(glyphs_.opacity, kGhost);
-  drawer.draw(list, list.glyphs);
+  draw(kGhost);
   gl_.Disable(GL_BLEND);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
-  gl_.Uniform1f(glyphs_.opacity, 1);
-  drawer.draw(list, list.glyphs);
+  draw(1);
 }
 
 void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& drawer) const {

@@ -68,7 +68,9 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
   out.clear();
   for (Index i = 0; i < model.size(); ++i) {
     if (!has_finite_pose(state, i)) continue;  // nothing sensible can be drawn
-    std::visit(BodyPainter{out, state.c[i], state.R[i], body_color(i, model.fixed[i] != 0)}, model.shape[i]);
+    Vec4f color = body_color(i, model.fixed[i] != 0);
+    if (options.contacts || options.bonds) color = step_back(color);
+    std::visit(BodyPainter{out, state.c[i], state.R[i], color}, model.shape[i]);
   }
   if (options.bonds || options.contacts) {
     const double scale = options.glyph_scale > 0 ? options.glyph_scale : default_glyph_scale(model);

@@ -17,10 +17,10 @@
 namespace pabd {
 namespace {
 
-constexpr double kShaft = 0.17;      // radius of the shaft, × s
-constexpr double kHead = 0.46;       // radius of the head, × s
-constexpr double kHeadLength = 1.3;  // × s
-constexpr double kLongest = 11.0;    // longest arrow, × s
+constexpr double kShaft = 0.19;       // radius of the shaft, × s
+constexpr double kHead = 0.52;        // radius of the head, × s
+constexpr double kHeadLength = 1.35;  // × s
+constexpr double kLongest = 9.0;      // longest arrow, × s
 
 auto& list(VisualScene& out, Primitive primitive) { return out.instances[static_cast<int>(primitive)]; }
 
@@ -30,7 +30,7 @@ void add(VisualScene& out, Primitive primitive, const Mat4f& transform, const Ve
 
 double arrow_length(double normal_force, double scale, double weight) {
   const double f = std::isfinite(normal_force) ? std::max(0.0, normal_force) : 0.0;
-  return scale * std::min(kLongest, 3.0 + 2.0 * std::log10(1.0 + 9.0 * f / weight));
+  return scale * std::min(kLongest, 2.5 + 1.5 * std::log10(1.0 + 9.0 * f / weight));
 }
 
 void add_contact(const ContactReport& contact, const VisualOptions& options, double s, double weight,
@@ -47,9 +47,10 @@ void add_contact(const ContactReport& contact, const VisualOptions& options, dou
 }
 
 void add_bond(const ContactReport& contact, double s, VisualScene& out) {
-  // Points as close as d̂ would hide each other: as large as their distance allows, within limits.
+  // Points as close as d̂ would hide each other: as large as their distance allows, but wider than an arrow's
+  // shaft.
   const double gap = (contact.y_b - contact.y_a).norm();
-  const double r = std::clamp(0.45 * gap, 0.22 * s, 0.5 * s);
+  const double r = std::clamp(0.45 * gap, 0.34 * s, 0.5 * s);
   add(out, Primitive::sphere, place_along(contact.y_a, Vec3::UnitY(), r, r), bond_point_i_color(), true);
   add(out, Primitive::sphere, place_along(contact.y_b, Vec3::UnitY(), r, r), bond_point_j_color(), true);
   out.lines.push_back({contact.y_a.cast<float>(), contact.y_b.cast<float>(), bond_line_color(), 2.0f, true});
@@ -78,7 +79,7 @@ double default_glyph_scale(const Model& model) {
   if (widths.empty()) return 0.05;
   const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
   std::nth_element(widths.begin(), middle, widths.end());
-  return 0.2 * *middle;
+  return 0.26 * *middle;
 }
 
 void add_contact_glyphs(const StepReport& report, const VisualOptions& options, double scale, double weight,

@@ -30,6 +30,7 @@ constexpr std::array<std::uint32_t, kBodyColors> kBodies = {
 };
 
 constexpr std::uint32_t kFixedBody = 0x9a9a98;
+constexpr std::uint32_t kQuietBody = 0x80868d;
 
 // Knots of the contact map; linear in linear light between them. Two reds meet at 0: whatever penetrates is
 // darker.
@@ -72,8 +73,14 @@ Vec4f body_color(Index number, bool fixed) {
   const auto bin = std::min(static_cast<int>(place * kBodyColors), kBodyColors - 1);
   Vec4f color = srgb_color(kBodies[static_cast<std::size_t>(bin)]);
   const auto shade = static_cast<float>(scramble(static_cast<std::uint32_t>(number)) & 0xffffu) / 65535.0f;
-  color.head<3>() *= 0.90f + 0.20f * shade;
+  color.head<3>() *= 0.86f + 0.20f * shade;
   return color;
+}
+
+Vec4f step_back(const Vec4f& color) {
+  Vec4f out = color;
+  out.head<3>() = 0.42f * color.head<3>() + 0.58f * srgb_color(kQuietBody).head<3>();
+  return out;
 }
 
 Vec4f bond_point_i_color() { return srgb_color(0x4b2e83); }

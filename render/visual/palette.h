@@ -16,6 +16,9 @@ inline constexpr int kBodyColors = 6;
 // touch lighter or darker from body to body. Fixed bodies are grey.
 Vec4f body_color(Index number, bool fixed);
 
+// A body colour that leaves the stage to glyphs: more than half way to a middle grey.
+Vec4f step_back(const Vec4f& color);
+
 // The two points of a bond: y_i dark, y_j light; and the line between them.
 Vec4f bond_point_i_color();
 Vec4f bond_point_j_color();

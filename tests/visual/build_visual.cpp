@@ -96,9 +96,9 @@ TEST_CASE("contacts become disc, shaft and head along the normal; longer for lar
   CHECK((disc.color - contact_color(0.5)).norm() == 0);
   CHECK_FALSE(disc.shaded);
   CHECK_FALSE(disc.shadow);
-  // Lengths: s(3 + 2 log10(1 + 9 f/W)): 0.3 m without force, 0.5 m for one weight (1 m³ of 1000 kg/m³).
-  CHECK(apply(list(scene, Primitive::cone)[0], {0, 1, 0}).y() == Approx(1.3));
-  CHECK(apply(list(scene, Primitive::cone)[1], {0, 1, 0}).y() == Approx(1.5));
+  // Lengths: s(2.5 + 1.5 log10(1 + 9 f/W)): 0.25 m without force, 0.4 m for one weight (1 m³ of 1000 kg/m³).
+  CHECK(apply(list(scene, Primitive::cone)[0], {0, 1, 0}).y() == Approx(1.25));
+  CHECK(apply(list(scene, Primitive::cone)[1], {0, 1, 0}).y() == Approx(1.4));
   // The shaft ends where the head begins.
   CHECK((apply(list(scene, Primitive::cylinder)[1], {0, 1, 0}) -
          apply(list(scene, Primitive::cone)[1], {0, 0, 0}))
