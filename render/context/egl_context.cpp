@@ -123,7 +123,7 @@ struct Device {
 
 std::vector<Device> list_devices(const EglLibrary& egl, std::string& failure) {
   if (egl.query_devices == nullptr) {
-    failure = "libEGL.so.1 lacks EGL_EXT_device_enumeration";
+    failure = "libEGL.so.1 lacks eglQueryDevicesEXT";
     return {};
   }
   EGLint count = 0;
@@ -169,14 +169,11 @@ void add_egl_candidates(std::vector<ContextCandidate>& out) {
                      return open_display(egl, EGL_PLATFORM_DEVICE_EXT, device.handle, device.name, reason);
                    }});
   }
-  if (egl->has_client_extension("EGL_MESA_platform_surfaceless")) {
-    out.push_back({"EGL surfaceless", [egl](std::string& reason) {
-                     return open_display(egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY,
-                                         "EGL surfaceless", reason);
-                   }});
-  } else {
-    out.push_back(failed_candidate("EGL surfaceless", "no driver offers EGL_MESA_platform_surfaceless"));
-  }
+  // Tried even where the extension string does not promise it: the error code says more than its absence.
+  out.push_back({"EGL surfaceless", [egl](std::string& reason) {
+                   return open_display(egl, EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY,
+                                       "EGL surfaceless", reason);
+                 }});
 }
 
 }  // namespace pabd

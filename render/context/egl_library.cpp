@@ -79,16 +79,14 @@ EglLibrary::EglLibrary() : library_(kNames) {
   const char* extensions = query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   client_extensions_ = extensions != nullptr ? extensions : "";
   get_error();  // a library without client extensions leaves EGL_BAD_DISPLAY behind
-  if (has_client_extension("EGL_EXT_platform_base")) {
-    get_platform_display =
-        reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(get_proc_address("eglGetPlatformDisplayEXT"));
-  }
-  if (has_client_extension("EGL_EXT_device_base") || has_client_extension("EGL_EXT_device_enumeration")) {
-    query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(get_proc_address("eglQueryDevicesEXT"));
-    query_device_string =
-        reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(get_proc_address("eglQueryDeviceStringEXT"));
-  }
-  if (get_platform_display == nullptr) failure_ = "libEGL.so.1 lacks EGL_EXT_platform_base";
+  // Looked up whatever the extension string says: without a driver it is empty, and the calls tell more.
+  const auto extension = [&](auto& function, const char* name) {
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(get_proc_address(name));
+  };
+  extension(get_platform_display, "eglGetPlatformDisplayEXT");
+  extension(query_devices, "eglQueryDevicesEXT");
+  extension(query_device_string, "eglQueryDeviceStringEXT");
+  if (get_platform_display == nullptr) failure_ = "libEGL.so.1 lacks eglGetPlatformDisplayEXT";
 }
 
 bool EglLibrary::has_client_extension(const char* name) const {

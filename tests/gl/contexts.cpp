@@ -1,0 +1,101 @@
+// Every context that this machine offers draws the same bytes.
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "tests/gl/render_fixture.h"
+#include "tests/gl/scenes.h"
+
+using namespace pabd;
+
+namespace {
+
+// Bodies of all shapes, shadows, contacts, bonds, lines and transparency in one frame.
+VisualScene rich_scene() {
+  const BrickPyramid pyramid(4, 0.02);
+  VisualOptions options;
+  options.bonds = options.contacts = true;
+  options.d_hat = 0.02;
+  VisualScene scene, more;
+  build_visual(pyramid.tiny.model, pyramid.tiny.state, pyramid.report, options, scene);
+  const TinyModel mixed = mixed_bodies(3);
+  build_visual(mixed.model, mixed.state, {}, {}, more);
+  for (int kind = 0; kind < kPrimitiveCount; ++kind) {
+    for (Instance instance : more.instances[kind]) {
+      instance.transform(2, 3) += 4;
+      if (kind == 1) instance.color.w() = 0.5f;
+      scene.instances[kind].push_back(instance);
+    }
+  }
+  scene.lines.push_back({{-3, 0.5f, 3}, {3, 2.0f, 1}, {0.1f, 0.1f, 0.4f, 1}, 3, false});
+  scene.camera.eye = {5, 3.5f, 10};
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("every context draws the same bytes, in this order of preference") {
+  std::vector<ContextAttempt> attempts;
+  const auto contexts = create_every_headless_context(Backend::automatic, attempts);
+  REQUIRE_FALSE(contexts.empty());
+  for (const ContextAttempt& attempt : attempts) {
+    WARN(attempt.name << ": " << (attempt.failure.empty() ? "works" : attempt.failure));
+  }
+  const VisualScene scene = rich_scene();
+  Image first;
+  std::string first_driver;
+  for (const auto& context : contexts) {
+    context->make_current();
+    {
+      Renderer renderer(*context, 320, 180);
+      const Image image = render(renderer, scene);
+      // Hardware and software drivers may differ; one driver may not, however it was reached.
+      if (first.rgb.empty()) {
+        first = image;
+        first_driver = renderer.gl_renderer();
+        keep_image("contexts", image);
+      } else if (renderer.gl_renderer() == first_driver) {
+        INFO(context->name());
+        CHECK(image.rgb == first.rgb);
+      }
+      // And the same once more, after other frames have left their traces.
+      renderer.draw({}, nullptr);
+      CHECK(render(renderer, scene).rgb == image.rgb);
+    }
+    context->release();
+  }
+  const std::set<std::uint8_t> values(first.rgb.begin(), first.rgb.end());
+  CHECK(values.size() > 100);  // a picture, not a plain colour
+}
+
+TEST_CASE("each named backend is the one that answers") {
+  std::vector<ContextAttempt> attempts;
+  for (const Backend backend : {Backend::egl, Backend::osmesa}) {
+    const auto found = create_every_headless_context(backend, attempts);
+    for (const auto& context : found) {
+      CHECK((context->name() == "OSMesa") == (backend == Backend::osmesa));
+      int width = -1, height = -1;
+      context->framebuffer_size(width, height);
+      CHECK(width == 0);
+      CHECK(height == 0);
+      CHECK(context->proc_address("glGetString") != nullptr);
+    }
+  }
+}
+
+TEST_CASE("two renderers on two contexts live side by side") {
+  std::vector<ContextAttempt> attempts;
+  const auto a = create_headless_context(Backend::automatic, attempts);
+  Renderer left(*a, 64, 48);
+  const auto b = create_headless_context(Backend::automatic, attempts);
+  {
+    Renderer right(*b, 64, 48);
+    VisualScene scene;
+    scene.instances[0].push_back(flat_instance({0, 0, 0}, {1, 1, 1}, {1, 0, 0, 1}));
+    scene.camera = front_camera(6);
+    const Image from_right = render(right, scene);
+    a->make_current();
+    CHECK(render(left, scene).rgb == from_right.rgb);
+    b->make_current();
+  }
+  a->make_current();
+}

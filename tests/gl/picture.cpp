@@ -1,0 +1,269 @@
+// Pixels against theory: coverage, sRGB, background, shadow, transparency, glyphs behind bodies, lines.
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "render/gl/lighting.h"
+#include "tests/gl/render_fixture.h"
+#include "tests/gl/scenes.h"
+
+using namespace pabd;
+
+namespace {
+
+Mat4f scaled(const Vec3f& at, float half) {
+  Mat4f m = Mat4f::Identity() * half;
+  m(3, 3) = 1;
+  m.block<3, 1>(0, 3) = at;
+  return m;
+}
+
+// A floor seen from straight above, with a cube of edge 1 high over it, and light from aside.
+VisualScene floating_cube(float height, bool shadow) {
+  VisualScene scene;
+  scene.grounds.push_back({{0, 1, 0}, 0});
+  scene.instances[0].push_back({scaled({0.35f, height, 0.35f}, 0.5f), {0.5f, 0.5f, 0.5f, 1}, shadow});
+  scene.centre = {0, 0, 0};
+  scene.radius = 6;
+  scene.light_direction = {-1, -2, -0.5f};
+  scene.camera.eye = {0, 20, 0};
+  scene.camera.target = {0, 0, 0};
+  scene.camera.up = {0, 0, -1};
+  return scene;
+}
+
+// Pixel of the floor point (x, z) as that camera sees it.
+Rgb floor_pixel(const Image& image, float x, float z) {
+  const double f = 1 / std::tan(22.5 * 3.14159265358979 / 180);
+  const double half = 0.5 * image.height;
+  return pixel(image, static_cast<int>(0.5 * image.width + f * x / 20 * half),
+               static_cast<int>(half + f * z / 20 * half));
+}
+
+}  // namespace
+
+TEST_CASE("middle grey: linear 0.2140 is level 127, cleared, drawn and blended") {
+  RenderFixture f(32, 32);
+  Image image;
+  f.renderer.draw_plain(nullptr, Vec3f::Constant(0.2140f));
+  f.renderer.queue_read();
+  f.renderer.fetch(image);
+  CHECK(std::abs(pixel(image, 16, 16).g - 127) <= 1);
+
+  VisualScene scene;
+  scene.camera = front_camera(5);
+  scene.instances[0].push_back(flat_instance({0, 0, 0}, {1, 1, 1}, {0.2140f, 0.2140f, 0.2140f, 1}));
+  CHECK(std::abs(pixel(render(f.renderer, scene), 16, 16).g - 127) <= 1);
+
+  // Half of 0.428 over black is 0.214 in linear light; blending sRGB values would give 88.
+  scene.instances[0] = {flat_instance({0, 0, 0}, {1, 1, 1}, {0, 0, 0, 1}),
+                        flat_instance({0, 0, 2}, {1, 1, 0.1f}, {0.4280f, 0.4280f, 0.4280f, 0.5f})};
+  CHECK(std::abs(pixel(render(f.renderer, scene), 16, 16).g - 127) <= 2);
+}
+
+TEST_CASE("the background runs from its lower to its upper colour") {
+  RenderFixture f(16, 200);
+  const Image image = render(f.renderer, {});
+  keep_image("background", image);
+  const Rgb top = pixel(image, 8, 0), bottom = pixel(image, 8, 199);
+  CHECK(std::abs(top.r - to_srgb_byte(lighting::kBackgroundTop[0])) <= 1);
+  CHECK(std::abs(top.b - to_srgb_byte(lighting::kBackgroundTop[2])) <= 1);
+  CHECK(std::abs(bottom.r - to_srgb_byte(lighting::kBackgroundBottom[0])) <= 1);
+  CHECK(std::abs(bottom.b - to_srgb_byte(lighting::kBackgroundBottom[2])) <= 1);
+}
+
+TEST_CASE("a red flat cube covers its projected area to 1 % and is exactly red") {
+  RenderFixture f(600, 450);
+  VisualScene scene;
+  scene.camera = front_camera(10);
+  scene.instances[0].push_back(flat_instance({0, 0, 0}, {1, 1, 1}, {1, 0, 0, 1}));
+  const Image image = render(f.renderer, scene);
+  // Coverage of a pixel from its green channel, which red takes away (background is not red).
+  const Image empty = render(f.renderer, {});
+  double area = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      area += 1 - to_linear(pixel(image, x, y).g) / to_linear(pixel(empty, x, y).g);
+    }
+  }
+  // The near face, 9 m away, hides the others: side 2/9 / tan(22.5°) of half the height.
+  const double side = 2.0 / 9 / std::tan(22.5 * 3.14159265358979 / 180) * 225;
+  CHECK(area == Approx(side * side).epsilon(0.01));
+  const Rgb p = pixel(image, 300, 225);
+  CHECK(p.r == 255);
+  CHECK(p.g == 0);
+  CHECK(p.b == 0);
+}
+
+TEST_CASE("edges are smoothed by four samples in linear light") {
+  RenderFixture f(64, 64);
+  VisualScene scene;
+  scene.camera = front_camera(5);
+  scene.instances[0].push_back(flat_instance({0, 0, 0}, {1, 1, 1}, {1, 0, 0, 1}));
+  scene.instances[0][0].transform.block<3, 3>(0, 0) =
+      Eigen::AngleAxisf(0.3f, Vec3f(0, 0, 1)).toRotationMatrix();
+  const Image image = render(f.renderer, scene);
+  const Image empty = render(f.renderer, {});
+  int edge = 0, off = 0;
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const double quarter = 4 * to_linear(pixel(image, x, y).g) / to_linear(pixel(empty, x, y).g);
+      const bool mixed = quarter > 0.5 && quarter < 3.5;
+      edge += mixed;
+      off += mixed && std::abs(quarter - std::round(quarter)) > 0.1;
+    }
+  }
+  CHECK(edge > 40);
+  CHECK(off == 0);
+}
+
+TEST_CASE("a shadow takes exactly the sun's part of the floor's light") {
+  RenderFixture f(400, 400);
+  // Light (−1, −2, −0.5): from height 4 the cube's centre falls 2 m aside and 1 m back.
+  const Image with = render(f.renderer, floating_cube(4, true));
+  const Image without = render(f.renderer, floating_cube(4, false));
+  keep_image("shadow", with);
+  const float x = 0.35f - 2, z = 0.35f - 1;
+  const double cosine = 2 / std::sqrt(5.25);
+  const Rgb dark = floor_pixel(with, x, z), open = floor_pixel(without, x, z);
+  const int dark_channels[] = {dark.r, dark.g, dark.b}, open_channels[] = {open.r, open.g, open.b};
+  for (int i = 0; i < 3; ++i) {
+    const double sky = lighting::kSky[i], sun = lighting::kSun[i] * cosine;
+    // 2 %: two levels of 8 bits. Four metres up, the cube's own contact shade is below 1e-3.
+    CHECK(to_linear(dark_channels[i]) / to_linear(open_channels[i]) ==
+          Approx(sky / (sky + sun)).epsilon(0.02));
+  }
+  // Aside of the shadow nothing changes; the shadow is as wide as the cube: 0.5 m from its middle, to 0.1 m.
+  CHECK(floor_pixel(with, x - 1.2f, z).g == floor_pixel(without, x - 1.2f, z).g);
+  const double middle = 0.5 * (to_linear(dark.g) + to_linear(open.g));
+  CHECK(to_linear(floor_pixel(with, x - 0.4f, z).g) < middle);
+  CHECK(to_linear(floor_pixel(with, x - 0.9f, z).g) > middle);
+  // The floor in the open has its own colour.
+  const Rgb lit = floor_pixel(with, 3.37f, 2.61f);
+  CHECK(std::abs(lit.g - to_srgb_byte(lighting::kFloor[1])) <= 3);
+}
+
+TEST_CASE("lit faces show no acne: every pixel of a face in the sun has the same light") {
+  RenderFixture f(300, 300);
+  VisualScene scene = floating_cube(0.5f, true);
+  scene.radius = 3;
+  const Image image = render(f.renderer, scene);
+  keep_image("acne", image);
+  // The top face, 19 m below the eye; inside its soft edges.
+  const double scale = 150 / std::tan(22.5 * 3.14159265358979 / 180) / 19;
+  int lo = 255, hi = 0;
+  for (double x = 0.05; x < 0.65; x += 0.02) {
+    for (double z = 0.05; z < 0.65; z += 0.02) {
+      const int g = pixel(image, static_cast<int>(150 + x * scale), static_cast<int>(150 + z * scale)).g;
+      lo = std::min(lo, g);
+      hi = std::max(hi, g);
+    }
+  }
+  CHECK(hi - lo <= 2);
+}
+
+TEST_CASE("the floor darkens where a body stands on it, and not where one floats high") {
+  RenderFixture f(400, 400);
+  const Image standing = render(f.renderer, floating_cube(0.5f, true));
+  const Image floating = render(f.renderer, floating_cube(5, true));
+  // 0.1 m in front of the cube's face at x = 0.85, which the sun lights.
+  const double near = to_linear(floor_pixel(standing, 0.95f, 0.45f).g);
+  const double free = to_linear(floor_pixel(floating, 0.95f, 0.45f).g);
+  CHECK(near < 0.95 * free);
+  CHECK(near > 0.5 * free);  // the sun still gets there
+}
+
+TEST_CASE("transparent surfaces are blended back to front whatever their order in the list") {
+  RenderFixture f(48, 48);
+  VisualScene scene;
+  scene.camera = front_camera(10);
+  const Instance wall = flat_instance({0, 0, -2}, {3, 3, 0.1f}, {0.2f, 0.2f, 0.2f, 1});
+  const Instance back = flat_instance({0, 0, 0}, {1, 1, 0.1f}, {0.8f, 0.1f, 0.1f, 0.5f});
+  const Instance front = flat_instance({0, 0, 2}, {1, 1, 0.1f}, {0.1f, 0.1f, 0.9f, 0.25f});
+  scene.instances[0] = {wall, back, front};
+  const Image a = render(f.renderer, scene);
+  scene.instances[0] = {front, wall, back};
+  const Image b = render(f.renderer, scene);
+  CHECK(a.rgb == b.rgb);
+  // Linear red: 0.25·0.1 + 0.75·(0.5·0.8 + 0.5·0.2); two roundings to 8 bits.
+  const Rgb p = pixel(a, 24, 24);
+  CHECK(std::abs(p.r - to_srgb_byte(0.25 * 0.1 + 0.75 * (0.5 * 0.8 + 0.5 * 0.2))) <= 2);
+  CHECK(std::abs(p.b - to_srgb_byte(0.25 * 0.9 + 0.75 * (0.5 * 0.1 + 0.5 * 0.2))) <= 2);
+}
+
+TEST_CASE("a glyph behind a body shows through, in front it covers, and it hides in no other glyph") {
+  RenderFixture f(48, 48);
+  VisualScene scene;
+  scene.camera = front_camera(10);
+  scene.instances[0] = {flat_instance({0, 0, 0}, {2, 2, 0.5f}, {0, 0, 1, 1})};
+  Instance glyph = flat_instance({0, 0, -1}, {1, 1, 0.1f}, {1, 0, 0, 1});
+  glyph.xray = true;
+  scene.instances[0].push_back(glyph);
+  const Rgb behind = pixel(render(f.renderer, scene), 24, 24);
+  CHECK(std::abs(behind.r - to_srgb_byte(0.5)) <= 2);
+  CHECK(std::abs(behind.b - to_srgb_byte(0.5)) <= 2);
+  scene.instances[0][1].transform(2, 3) = 1;
+  const Rgb before = pixel(render(f.renderer, scene), 24, 24);
+  CHECK(before.r == 255);
+  CHECK(before.b == 0);
+}
+
+TEST_CASE("lines are as wide as they say, scale with the frame, and hide unless on top") {
+  const auto green_loss = [](const Image& image, const Image& empty, int x) {
+    double width = 0;
+    for (int y = 0; y < image.height; ++y) {
+      width += 1 - to_linear(pixel(image, x, y).g) / to_linear(pixel(empty, x, y).g);
+    }
+    return width;
+  };
+  for (const int height : {180, 360}) {
+    RenderFixture f(height, height);
+    VisualScene scene;
+    scene.camera = front_camera(10);
+    const Image empty = render(f.renderer, scene);
+    scene.lines.push_back({{-2, 0.13f, 0}, {2, 0.13f, 0}, {1, 0, 0, 1}, 12, false});
+    const Image image = render(f.renderer, scene);
+    CHECK(green_loss(image, empty, height / 2) == Approx(12.0 * height / 720).margin(0.15));
+  }
+  RenderFixture f(90, 90);
+  VisualScene scene;
+  scene.camera = front_camera(10);
+  scene.instances[0].push_back(flat_instance({0, 0, 1}, {1, 1, 0.5f}, {0, 0, 1, 1}));
+  scene.lines.push_back({{-2, 0, 0}, {2, 0, 0}, {1, 0, 0, 1}, 32, false});
+  CHECK(pixel(render(f.renderer, scene), 45, 45).r == 0);
+  scene.lines[0].on_top = true;
+  CHECK(pixel(render(f.renderer, scene), 45, 45).r == 255);
+  // An end behind the eye does not tear the line.
+  scene.lines[0] = {{0, 0, 30}, {0, 0.5f, -5}, {1, 0, 0, 1}, 32, true};
+  CHECK_NOTHROW(render(f.renderer, scene));
+}
+
+TEST_CASE("scenes that make no sense are drawn as far as they do") {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  RenderFixture f(40, 30);
+  VisualScene scene;
+  scene.grounds.push_back({{0, 0, 0}, 0});
+  scene.grounds.push_back({{0, 1, 0}, nan});
+  scene.instances[0].push_back({scaled({0, nan, 0}, 1), {1, 1, 1, 1}});
+  scene.instances[1].push_back({Mat4f::Zero(), {1, 1, 1, 1}});
+  scene.lines.push_back({{0, nan, 0}, {0, 0, 0}, {1, 0, 0, 1}, 2, true});
+  scene.lines.push_back({{0, 0, 0}, {0, 0, 0}, {1, 0, 0, 1}, 2, true});
+  scene.light_direction = {0, 0, 0};
+  scene.radius = 0;
+  scene.camera.eye = scene.camera.target;
+  CHECK_NOTHROW(render(f.renderer, scene));
+  scene.radius = 1e9f;
+  CHECK_NOTHROW(render(f.renderer, scene));
+}
+
+TEST_CASE("a pile of all shapes, for looking at") {
+  RenderFixture f(320, 180);
+  const TinyModel tiny = mixed_bodies(4);
+  VisualScene scene;
+  build_visual(tiny.model, tiny.state, {}, {}, scene);
+  scene.camera = frame_camera(tiny.model, tiny.state, 16.0 / 9);
+  const Image image = render(f.renderer, scene);
+  keep_image("pile", image);
+  CHECK(image.rgb == render(f.renderer, scene).rgb);
+}

@@ -1,0 +1,67 @@
+// Helpers of the picture tests.
+#include "tests/gl/render_fixture.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#define STB_IMAGE_WRITE_STATIC
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+#include <stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace pabd {
+namespace {
+
+std::unique_ptr<GlContext> first_context() {
+  std::vector<ContextAttempt> attempts;
+  return create_headless_context(Backend::automatic, attempts);
+}
+
+}  // namespace
+
+double to_linear(int srgb_byte) {
+  const double s = srgb_byte / 255.0;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+double to_srgb_byte(double linear) {
+  return 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055);
+}
+
+Image render(Renderer& renderer, const VisualScene& scene, const ImDrawData* overlay) {
+  Image image;
+  renderer.draw(scene, overlay);
+  renderer.queue_read();
+  renderer.fetch(image);
+  return image;
+}
+
+RenderFixture::RenderFixture(int width, int height)
+    : context(first_context()), renderer(*context, width, height) {}
+
+void keep_image(const std::string& name, const Image& image) {
+  const char* folder = std::getenv("PABD_KEEP_IMAGES");
+  if (folder == nullptr) return;
+  const std::string path = std::string(folder) + "/" + name + ".png";
+  stbi_write_png(path.c_str(), image.width, image.height, 3, image.rgb.data(), image.width * 3);
+}
+
+Camera front_camera(float distance) {
+  Camera camera;
+  camera.eye = {0, 0, distance};
+  camera.target = {0, 0, 0};
+  camera.fov = 45;
+  return camera;
+}
+
+Instance flat_instance(const Vec3f& at, const Vec3f& half_size, const Vec4f& color) {
+  Instance instance{Mat4f::Identity(), color, false, false, false};
+  instance.transform.block<3, 1>(0, 3) = at;
+  instance.transform.diagonal().head<3>() = half_size;
+  return instance;
+}
+
+}  // namespace pabd
