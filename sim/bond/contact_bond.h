@@ -21,25 +21,26 @@
 // angular momentum are kept exactly. (The supplement's point y_i is the foot of y_b on the plane; a normal
 // force has the same torque there.) Deviation D4: Coulomb sliding as well as sticking. Deviation D6:
 // `stretch` is carried from step to step, so that a body at rest on a slope does not creep.
+//
+// Up to four points of one pair of bodies form a patch and are evaluated side by side.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "sim/math/types.h"
-#include "sim/potential/barrier.h"
+#include "sim/body/state.h"
+#include "sim/math/lanes.h"
+#include "sim/potential/power_sum.h"
 
 namespace pabd {
 
-struct ContactBond {
+struct ContactPatch {
   Index a, b;
-  Vec3 n, r_a, stretch;   // frame of a
-  Vec3 r_b;               // frame of b
-  double gap;             // d at the start of the step
-  double mu;              // coefficient of this step: dynamic if the contact slid at the end of the last one
-  double limit;           // friction bound μ f_n of this iteration
-  double last_change;     // of `limit`: a change of sign damps the next one
-  std::uint32_t feature;  // see collision/detect.h
+  int count;                      // points in use, 1 … kLanes; the others are far away and feel nothing
+  std::uint32_t feature[kLanes];  // see FrictionAnchor
+  Vec3x n, r_a, stretch;          // frame of a
+  Vec3x r_b;                      // frame of b
+  Lanes gap;                      // d at the start of the step
+  Lanes mu;           // coefficient of this step: dynamic if the contact slid at the end of the last one
+  Lanes limit;        // friction bound μ f_n of this iteration
+  Lanes last_change;  // of `limit`: a change of sign damps the next one
 };
 
 // What all contacts of a step share.
@@ -50,66 +51,78 @@ struct ContactLaw {
 };
 
 struct ContactState {
-  Vec3 y;  // the point of b; world
-  Vec3 n;  // normal; world
-  Vec3 u;  // tangential stretch; world
-  double d;
+  Vec3x y;  // the points of b; world, from c_a
+  Vec3x n;  // normals; world
+  Vec3x u;  // tangential stretch; world
+  Lanes d;
 };
 
-// One contact as a quadratic model at the current poses.
+// The contacts as quadratic models at the current poses. Zero for d ≥ d̂.
 struct ContactForce {
-  double energy;
-  double first;    // Ψ'(d) ≤ 0; N
-  double alpha_n;  // weight along the normal; N/m
-  double alpha_t;  // weight across it; N/m
+  Lanes value;    // Ψ(d); J
+  Lanes first;    // Ψ'(d) ≤ 0; N
+  Lanes alpha_n;  // weight along the normal: tangent split; N/m
 };
 
-inline ContactState contact_state(const ContactBond& bond, const Vec3& c_a, const Mat3& R_a, const Vec3& c_b,
-                                  const Mat3& R_b) {
+inline ContactState contact_state(const ContactPatch& p, const Pose& a, const Pose& b) {
   ContactState s;
-  s.y = c_b + R_b * bond.r_b;
-  s.n = R_a * bond.n;
-  const Vec3 q = (s.y - c_a) - R_a * bond.r_a;  // world frame
-  const double normal = s.n.dot(q);
-  s.d = bond.gap + normal;
-  s.u = q - normal * s.n + R_a * bond.stretch;
+  s.y = spread(b.c - a.c) + rotate(b.R, p.r_b);
+  s.n = rotate(a.R, p.n);
+  const Vec3x q = s.y - rotate(a.R, p.r_a);  // world frame
+  const Lanes normal = dot(s.n, q);
+  s.d = p.gap + normal;
+  s.u = q - normal * s.n + rotate(a.R, p.stretch);
   return s;
 }
 
-// D(u) for a given bound: ½ k_t u² while it sticks, then linear.
-inline double friction_energy(double k_t, double limit, double u) {
-  return k_t * u <= limit ? 0.5 * k_t * u * u : limit * (u - 0.5 * limit / k_t);
-}
-
-inline double contact_energy(const ContactLaw& law, const ContactBond& bond, const ContactState& s) {
-  return evaluate(law.barrier, s.d).value +
-         (bond.limit > 0 ? friction_energy(law.k_t, bond.limit, s.u.norm()) : 0.0);
-}
-
-// α_t = min(k_t, μ f_n/‖u‖)
-inline double friction_weight(const ContactLaw& law, double limit, double u) {
-  return law.k_t * u <= limit ? law.k_t : limit / u;
-}
-
-inline ContactForce contact_force(const ContactLaw& law, const ContactBond& bond, const ContactState& s) {
-  const BarrierValue psi = evaluate(law.barrier, s.d);
-  ContactForce f{psi.value, psi.first, 0, 0};
-  if (s.d < law.barrier.d_hat)
-    f.alpha_n = std::max(psi.second, psi.first / (s.d - law.barrier.d_hat));  // tangent split
-  if (bond.limit > 0) {
-    const double u = s.u.norm();
-    f.energy += friction_energy(law.k_t, bond.limit, u);
-    f.alpha_t = friction_weight(law, bond.limit, u);
+// Ψ, Ψ' and the tangent split's weight for a patch.
+inline ContactForce normal_force(const Barrier& b, Lanes d) {
+  ContactForce f;
+  if (b.kind == BarrierKind::log) {
+    for (int k = 0; k < kLanes; ++k) {
+      const BarrierValue psi = evaluate(b, d[k]);
+      f.value[k] = psi.value;
+      f.first[k] = psi.first;
+      f.alpha_n[k] = tangent_split(b, d[k]).stiffness;
+    }
+    return f;
   }
+  const double inverse = 1 / b.d_hat;
+  const Lanes zero = lanes(0);
+  const LaneMask active = d < b.d_hat;
+  const Lanes u = select(active, 1 - d * inverse, lanes(1));  // 1: any number that divides
+  const PowerSum<Lanes> sum = power_sum(b, u);
+  f.value = select(active, b.kappa * sum.value, zero);
+  f.first = select(active, (-b.kappa * inverse) * sum.first, zero);
+  f.alpha_n = select(active, (b.kappa * inverse * inverse) * larger(sum.second, sum.first / u), zero);
   return f;
 }
 
-// Moves the bound to μ f_n of the current iterate; half way when it swings to and fro between iterates.
-inline void update_limit(const ContactLaw& law, ContactBond& bond, const ContactState& s) {
-  double change = -bond.mu * evaluate(law.barrier, s.d).first - bond.limit;
-  if (change * bond.last_change < 0) change *= 0.5;
-  bond.limit += change;
-  bond.last_change = change;
+// D(u) for a given bound: ½ k_t u² while it sticks, then linear.
+inline Lanes friction_energy(const ContactLaw& law, Lanes limit, Lanes u) {
+  return select(law.k_t * u <= limit, 0.5 * law.k_t * u * u, limit * (u - limit * (0.5 / law.k_t)));
+}
+
+// α_t = min(k_t, μ f_n/‖u‖), 0 without a bound.
+inline Lanes friction_weight(const ContactLaw& law, Lanes limit, Lanes u) {
+  const LaneMask sticks = law.k_t * u <= limit;
+  const Lanes weight = select(sticks, lanes(law.k_t), limit / select(sticks, lanes(1), u));
+  return select(limit > 0, weight, lanes(0));
+}
+
+inline Lanes length(const Vec3x& v) { return sqrt(dot(v, v)); }
+
+// E of the patch, every point by itself.
+inline Lanes contact_energy(const ContactLaw& law, const ContactPatch& p, const ContactState& s) {
+  return normal_force(law.barrier, s.d).value + friction_energy(law, p.limit, length(s.u));
+}
+
+// Moves the bounds to μ f_n of the current iterate; half way where one swings to and fro between iterates.
+inline void update_limit(const ContactLaw& law, ContactPatch& p, const ContactState& s) {
+  Lanes change = -p.mu * normal_force(law.barrier, s.d).first - p.limit;
+  change = select(change * p.last_change < 0, 0.5 * change, change);
+  p.limit += change;
+  p.last_change = change;
 }
 
 }  // namespace pabd

@@ -33,7 +33,7 @@ Mat3 project_to_so3(const Mat3& B, const Mat3& guess) {
     const Vec3 w = llt.solve(gradient);
     const double angle = w.norm();
     if (!(angle < 1.0)) break;
-    R = Quat(1, 0.5 * w.x(), 0.5 * w.y(), 0.5 * w.z()).normalized().toRotationMatrix() * R;
+    R = cayley(w) * R;
     if (angle < 1e-7) return reorthonormalized(R);  // quadratic convergence: the error left is below 1e-14
   }
   return project_by_eigenvector(B);

@@ -39,6 +39,18 @@ inline Vec3 log_so3(const Mat3& R) {
   return (2.0 * std::atan2(sine, q.w()) / sine) * q.vec();
 }
 
+// The rotation by 2 atan(‖w‖/2) about w: agrees with exp([w]) to third order and needs no sine. Every w has
+// one.
+inline Mat3 cayley(const Vec3& w) {
+  return Quat(1, 0.5 * w.x(), 0.5 * w.y(), 0.5 * w.z()).normalized().toRotationMatrix();
+}
+
+// The w with cayley(w) = R, for a rotation by less than π.
+inline Vec3 cayley_inverse(const Mat3& R) {
+  const Quat q(R);
+  return (2 / q.w()) * q.vec();
+}
+
 // One Newton step to the orthogonal matrix nearest to a matrix that is almost orthogonal: removes rounding
 // drift.
 inline Mat3 reorthonormalized(const Mat3& R) {

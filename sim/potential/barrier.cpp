@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/potential/power_sum.h"
+
 namespace pabd {
 namespace {
 
@@ -16,42 +18,6 @@ BarrierValue log_barrier(const Barrier& b, double d) {
   return {-b.kappa * gap * gap * l,                  //
           -b.kappa * (2 * gap * l + gap * gap / d),  //
           -b.kappa * (2 * l + 4 * gap / d - gap * gap / (d * d))};
-}
-
-// The n = 1 term u of S(5) with its onset ramp: Huber form over u < ε (Deviation D2). Derivatives with
-// respect to u.
-BarrierValue onset_term(double u, double onset) {
-  if (u < onset) return {u * u / (2 * onset), u / onset, 1 / onset};
-  return {u - onset / 2, 1, 0};
-}
-
-// S(5): B_N = Σ uⁿ/n, u = 1 − d/d̂, for every d < d̂ (Erratum E2). Horner in u, no division by d.
-BarrierValue polynomial_barrier(const Barrier& b, double d) {
-  const double u = 1 - d / b.d_hat;
-  BarrierValue sum = onset_term(u, b.onset);
-  double value = 0, first = 0, second = 0;  // of Σ_{n=2}^N uⁿ/n
-  for (int n = b.N; n >= 2; --n) {
-    value = value * u + 1.0 / n;
-    first = first * u + 1;
-    second = second * u + (n - 1);
-  }
-  sum.value += value * u * u;
-  sum.first += first * u;
-  sum.second += second;
-  return {b.kappa * sum.value, -b.kappa * sum.first / b.d_hat, b.kappa * sum.second / (b.d_hat * b.d_hat)};
-}
-
-// Erratum E3: B_N^even = Σ u²ᵐ/(2m), m = 1 … ⌊N/2⌋.
-BarrierValue even_barrier(const Barrier& b, double d) {
-  const double u = 1 - d / b.d_hat;
-  const double u2 = u * u;
-  double value = 0, first = 0, second = 0;
-  for (int m = b.N / 2; m >= 1; --m) {
-    value = value * u2 + 1.0 / (2 * m);
-    first = first * u2 + 1;
-    second = second * u2 + (2 * m - 1);
-  }
-  return {b.kappa * value * u2, -b.kappa * first * u / b.d_hat, b.kappa * second / (b.d_hat * b.d_hat)};
 }
 
 // Adds −(1/d̂)(1 − x)ᵏ, x = d/d̂, expanded by the binomial theorem: even powers of x to φ⁻, odd ones to φ⁺/d.
@@ -85,15 +51,10 @@ const char* to_string(BarrierKind kind) {
 
 BarrierValue evaluate(const Barrier& barrier, double d) {
   if (d >= barrier.d_hat) return {0, 0, 0};
-  switch (barrier.kind) {
-    case BarrierKind::log:
-      return log_barrier(barrier, d);
-    case BarrierKind::polynomial:
-      return polynomial_barrier(barrier, d);
-    case BarrierKind::even:
-      return even_barrier(barrier, d);
-  }
-  return {0, 0, 0};
+  if (barrier.kind == BarrierKind::log) return log_barrier(barrier, d);
+  const PowerSum<double> sum = power_sum(barrier, 1 - d / barrier.d_hat);
+  return {barrier.kappa * sum.value, -barrier.kappa * sum.first / barrier.d_hat,
+          barrier.kappa * sum.second / (barrier.d_hat * barrier.d_hat)};
 }
 
 Split binomial_split(const Barrier& barrier, double d) {

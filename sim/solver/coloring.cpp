@@ -8,17 +8,17 @@ namespace {
 void list_ends(const Model& model, StepWorkspace::Impl& w) {
   const std::size_t n = model.shape.size();
   w.first_end.assign(n + 1, 0);
-  for (const ContactBond& bond : w.bonds) {
-    if (!model.fixed[bond.a]) ++w.first_end[bond.a + 1];
-    if (!model.fixed[bond.b]) ++w.first_end[bond.b + 1];
+  for (const ContactPatch& patch : w.patches) {
+    if (!model.fixed[patch.a]) ++w.first_end[patch.a + 1];
+    if (!model.fixed[patch.b]) ++w.first_end[patch.b + 1];
   }
   for (std::size_t i = 0; i < n; ++i) w.first_end[i + 1] += w.first_end[i];
   w.ends.resize(static_cast<std::size_t>(w.first_end[n]));
-  for (std::size_t k = 0; k < w.bonds.size(); ++k) {
-    const ContactBond& bond = w.bonds[k];
+  for (std::size_t k = 0; k < w.patches.size(); ++k) {
+    const ContactPatch& patch = w.patches[k];
     const auto number = static_cast<Index>(k);
-    if (!model.fixed[bond.a]) w.ends[w.first_end[bond.a]++] = {number, true};
-    if (!model.fixed[bond.b]) w.ends[w.first_end[bond.b]++] = {number, false};
+    if (!model.fixed[patch.a]) w.ends[w.first_end[patch.a]++] = {number, true};
+    if (!model.fixed[patch.b]) w.ends[w.first_end[patch.b]++] = {number, false};
   }
   for (std::size_t i = n; i > 0; --i) w.first_end[i] = w.first_end[i - 1];  // undo the advance
   w.first_end[0] = 0;
@@ -29,8 +29,8 @@ Index free_color(const Model& model, const StepWorkspace::Impl& w, Index body) {
   std::uint64_t used = 0;
   Index beyond = 0;  // smallest colour above all neighbours, for the rare body with 64 colours around it
   for (const BondEnd& end : w.ends_of(body)) {
-    const ContactBond& bond = w.bonds[end.bond];
-    const Index other = end.is_a ? bond.b : bond.a;
+    const ContactPatch& patch = w.patches[end.patch];
+    const Index other = end.is_a ? patch.b : patch.a;
     if (model.fixed[other] || w.color[other] < 0) continue;
     if (w.color[other] < 64) used |= std::uint64_t{1} << w.color[other];
     beyond = std::max(beyond, w.color[other] + 1);

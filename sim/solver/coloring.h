@@ -6,8 +6,8 @@
 
 namespace pabd {
 
-// Fills first_end/ends and color/colored/first_of_color of `w` from w.bonds. Depends only on the order of the
-// bonds.
+// Fills first_end/ends and color/colored/first_of_color of `w` from w.patches. Depends only on the order of
+// the bonds.
 void color_bodies(const Model& model, StepWorkspace::Impl& w);
 
 }  // namespace pabd

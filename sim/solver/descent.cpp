@@ -1,9 +1,9 @@
 // `descent`: Gauss–Seidel over bodies. For each body, with all others frozen, minimise a quadratic model of E
 // (method notes §5.2).
 //
-// tangent (Deviation D5): unknowns (δc, δω) with R ← exp([δω]) R. A contact with weights α_n, α_t and lever r
-// adds
-//     K = α_t 1 + (α_n − α_t) n nᵀ,     [ K      −K [r]    ]
+// tangent (Deviation D5): unknowns (δc, δω) with R ← cayley(δω) R. A contact with weights α_n, α_t and lever
+// r adds
+//     K = α_t 1 + (α_n − α_t) n nᵀ,     [ K      −K [r]     ]
 //                                       [ [r] K   −[r] K [r] ]
 // to the 6×6 matrix. The isotropic weights of the affine step would hold the body back along the contact
 // plane too. A step that does not lower the body's true energy is halved until it does.
@@ -21,56 +21,100 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 // Energy of body i and its bonds at a trial pose.
-double local_energy(const SolveContext& s, Index i, const Inertia& in, const Vec3& c, const Mat3& R) {
-  double energy = inertia_energy(in, c, R);
+double local_energy(const SolveContext& s, Index i, const Inertia& in, const Pose& trial) {
+  Lanes energy = lanes(0);
   for (const BondEnd& end : s.w.ends_of(i)) {
-    const ContactBond& bond = s.w.bonds[end.bond];
-    const ContactState state = end.is_a ? contact_state(bond, c, R, s.w.c[bond.b], s.w.R[bond.b])
-                                        : contact_state(bond, s.w.c[bond.a], s.w.R[bond.a], c, R);
-    energy += contact_energy(s.w.law, bond, state);
+    const ContactPatch& patch = s.w.patches[end.patch];
+    const Pose& other = s.w.pose[end.is_a ? patch.b : patch.a];
+    const ContactState state =
+        end.is_a ? contact_state(patch, trial, other) : contact_state(patch, other, trial);
+    energy += contact_energy(s.w.law, patch, state);
   }
-  return energy;
+  return inertia_energy(in, trial) + sum(energy);
+}
+
+// Sums over the contacts of a body, lane by lane: energy, gradient and the 6×6 matrix of the quadratic model.
+struct ContactSums {
+  Lanes energy = lanes(0);
+  Vec3x g_c = spread(Vec3::Zero()), g_w = g_c;
+  Lanes weight = lanes(0);                   // Σ α_t
+  Vec3x weight_r = g_c;                      // Σ α_t r
+  Vec3x rr_diag = g_c;                       // Σ α_t r rᵀ: xx, yy, zz
+  Vec3x rr_off = g_c;                        // xy, xz, yz
+  Vec3x nn_diag = g_c, nn_off = g_c;         // Σ k n nᵀ, k = α_n − α_t
+  Vec3x an_x = g_c, an_y = g_c, an_z = g_c;  // Σ k (r × n) nᵀ, by rows
+  Vec3x aa_diag = g_c, aa_off = g_c;         // Σ k (r × n)(r × n)ᵀ
+};
+
+void add_outer(Vec3x& diagonal, Vec3x& off, Lanes weight, const Vec3x& v) {
+  const Vec3x w = weight * v;
+  diagonal.x += w.x * v.x;
+  diagonal.y += w.y * v.y;
+  diagonal.z += w.z * v.z;
+  off.x += w.x * v.y;
+  off.y += w.x * v.z;
+  off.z += w.y * v.z;
+}
+
+// `r`: levers from the body's centre; `side`: +1 for the body of the point, −1 for the body of the plane.
+void add_patch(const ContactLaw& law, const ContactPatch& patch, const ContactState& state, const Vec3x& r,
+               double side, ContactSums& sums) {
+  const ContactForce f = normal_force(law.barrier, state.d);
+  const Lanes u = length(state.u);
+  const Lanes alpha_t = friction_weight(law, patch.limit, u);
+  sums.energy += f.value + friction_energy(law, patch.limit, u);
+  const Vec3x gradient = (side * f.first) * state.n + (side * alpha_t) * state.u;
+  sums.g_c = sums.g_c + gradient;
+  sums.g_w = sums.g_w + cross(r, gradient);
+  sums.weight += alpha_t;
+  sums.weight_r = sums.weight_r + alpha_t * r;
+  add_outer(sums.rr_diag, sums.rr_off, alpha_t, r);
+  const Vec3x arm = cross(r, state.n);
+  const Lanes k = f.alpha_n - alpha_t;
+  add_outer(sums.nn_diag, sums.nn_off, k, state.n);
+  add_outer(sums.aa_diag, sums.aa_off, k, arm);
+  sums.an_x = sums.an_x + (k * arm.x) * state.n;
+  sums.an_y = sums.an_y + (k * arm.y) * state.n;
+  sums.an_z = sums.an_z + (k * arm.z) * state.n;
+}
+
+Mat3 symmetric(const Vec3x& diagonal, const Vec3x& off) {
+  const Vec3 d = sum(diagonal), o = sum(off);
+  Mat3 S;
+  S << d.x(), o.x(), o.y(), o.x(), d.y(), o.z(), o.y(), o.z(), d.z();
+  return S;
 }
 
 struct LocalStep {
   Vec3 dc;
-  Vec3 dw;        // rotation vector
+  Vec3 dw;        // of cayley()
   double energy;  // of the body at the pose before the step
 };
 
 LocalStep tangent_step(const SolveContext& s, Index i, const Inertia& in) {
-  const Vec3& c = s.w.c[i];
-  const Mat3& R = s.w.R[i];
-  const Mat3 X = in.R_star * in.J * R.transpose();
-  Vec3 g_c = in.m * in.inv_h2 * (c - in.c_star);
-  Vec3 g_w = -in.inv_h2 * axial(X);
-  Mat3 H_cc = (in.m * in.inv_h2) * Mat3::Identity();
-  Mat3 H_ww = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose()));
-  Mat3 H_wc = Mat3::Zero();
-  double energy = inertia_energy(in, c, R);
+  const Pose& pose = s.w.pose[i];
+  ContactSums sums;
   for (const BondEnd& end : s.w.ends_of(i)) {
-    const ContactBond& bond = s.w.bonds[end.bond];
-    const ContactState state = state_of(s.w, bond);
-    if (state.d >= s.w.law.barrier.d_hat && bond.limit == 0) continue;
-    const ContactForce f = contact_force(s.w.law, bond, state);
-    energy += f.energy;
-    const Vec3 r = state.y - c;
-    const Vec3 gradient = f.first * state.n + f.alpha_t * state.u;  // on the point of b
-    const Vec3 force = end.is_a ? gradient : Vec3(-gradient);
-    g_c -= force;
-    g_w -= r.cross(force);
-    const Vec3 arm = r.cross(state.n);
-    const double k = f.alpha_n - f.alpha_t;
-    H_cc += f.alpha_t * Mat3::Identity() + k * state.n * state.n.transpose();
-    H_wc += f.alpha_t * skew(r) + k * arm * state.n.transpose();
-    H_ww += f.alpha_t * (r.squaredNorm() * Mat3::Identity() - r * r.transpose()) + k * arm * arm.transpose();
+    const ContactPatch& patch = s.w.patches[end.patch];
+    const ContactState state = state_of(s.w, patch);
+    const Vec3x r = end.is_a ? state.y : rotate(pose.R, patch.r_b);
+    add_patch(s.w.law, patch, state, r, end.is_a ? -1 : 1, sums);
   }
+  const Mat3 X = in.star.R * in.J * pose.R.transpose();
+  const Mat3 rr = symmetric(sums.rr_diag, sums.rr_off);
+  const double mass = in.m * in.inv_h2;
+  Mat3 an;
+  an << sum(sums.an_x).transpose(), sum(sums.an_y).transpose(), sum(sums.an_z).transpose();
+  const Mat3 H_cc = (mass + sum(sums.weight)) * Mat3::Identity() + symmetric(sums.nn_diag, sums.nn_off);
+  const Mat3 H_wc = skew(sum(sums.weight_r)) + an;
+  const Mat3 H_ww = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose())) +
+                    rr.trace() * Mat3::Identity() - rr + symmetric(sums.aa_diag, sums.aa_off);
   Mat6 H;
   H << H_cc, H_wc.transpose(), H_wc, H_ww;
   Vec6 g;
-  g << g_c, g_w;
+  g << mass * (pose.c - in.star.c) + sum(sums.g_c), sum(sums.g_w) - in.inv_h2 * axial(X);
   const Vec6 step = -H.llt().solve(g);
-  LocalStep out{step.head<3>(), step.tail<3>(), energy};
+  LocalStep out{step.head<3>(), step.tail<3>(), inertia_energy(in, pose) + sum(sums.energy)};
   const double angle = out.dw.norm();
   if (angle > 1) {  // the tangent model says nothing that far away
     out.dc /= angle;
@@ -80,27 +124,24 @@ LocalStep tangent_step(const SolveContext& s, Index i, const Inertia& in) {
 }
 
 LocalStep weighted_step(const SolveContext& s, Index i, const Inertia& in) {
+  const Pose& pose = s.w.pose[i];
   const AffineModel model = affine_model(s, i, in, WeightKind::tangent);
-  const Mat3 R = weighted_rotation(model, s.w.R[i]);
-  return {weighted_translation(model, R), log_so3(R * s.w.R[i].transpose()),
-          local_energy(s, i, in, s.w.c[i], s.w.R[i])};
+  const Mat3 R = weighted_rotation(model, pose.R);
+  return {weighted_translation(model, R), cayley_inverse(R * pose.R.transpose()),
+          local_energy(s, i, in, pose)};
 }
 
 void relax_body(const SolveContext& s, Index i) {
   const Inertia in = inertia_of(s, i);
-  LocalStep step =
-      s.params.solver.projection == Projection::weighted ? weighted_step(s, i, in) : tangent_step(s, i, in);
-  const double reach = bounding_radius(s.model.shape[i]);
-  s.w.moved[i] = (step.dc.norm() + reach * step.dw.norm()) / s.w.law.barrier.d_hat;
+  const bool weighted = s.params.solver.projection == Projection::weighted;
+  LocalStep step = weighted ? weighted_step(s, i, in) : tangent_step(s, i, in);
+  s.w.moved[i] = (step.dc.norm() + s.w.radius[i] * step.dw.norm()) / s.w.law.barrier.d_hat;
   constexpr int kHalvings = 8;
   constexpr double kRounding = 1e-12;  // forces times rounded positions
   for (int attempt = 0; attempt < kHalvings; ++attempt) {
-    const Vec3 c = s.w.c[i] + step.dc;
-    const Mat3 R = exp_so3(step.dw) * s.w.R[i];
-    const double energy = local_energy(s, i, in, c, R);
-    if (energy <= step.energy * (1 + kRounding)) {
-      s.w.c[i] = c;
-      s.w.R[i] = R;
+    const Pose trial{s.w.pose[i].c + step.dc, cayley(step.dw) * s.w.pose[i].R};
+    if (local_energy(s, i, in, trial) <= step.energy * (1 + kRounding)) {
+      s.w.pose[i] = trial;
       return;
     }
     step.dc *= 0.5;

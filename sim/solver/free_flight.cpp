@@ -12,9 +12,10 @@ bool is_isotropic(const Mat3& J) { return J == Mat3(J(0, 0) * Mat3::Identity());
 
 }  // namespace
 
-void free_flight(const Mat3& J, const Vec3& gravity, double h, Vec3& c, Mat3& R, Vec3& v, Vec3& omega) {
+void free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega) {
   v += h * gravity;
-  c += h * v;
+  pose.c += h * v;
+  Mat3& R = pose.R;
   if (omega.isZero(0)) return;
   if (is_isotropic(J)) {  // ω is constant
     R = reorthonormalized(exp_so3(h * omega) * R);

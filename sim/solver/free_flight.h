@@ -10,8 +10,8 @@ namespace pabd {
 // v ← v + h a_ext and c* = c + h v for one body; ω and R* by an implicit midpoint rule on SO(3) that keeps
 // the angular momentum L = R I Rᵀ ω to rounding.
 //   J        second moment, body frame; kg m²
-//   c, R     pose, in: start of the step, out: Q*
+//   pose     in: start of the step, out: Q*
 //   v, omega in: start of the step, out: end of free flight
-void free_flight(const Mat3& J, const Vec3& gravity, double h, Vec3& c, Mat3& R, Vec3& v, Vec3& omega);
+void free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega);
 
 }  // namespace pabd

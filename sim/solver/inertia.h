@@ -7,21 +7,21 @@
 // symmetric part.
 #pragma once
 
+#include "sim/body/state.h"
 #include "sim/math/so3.h"
 
 namespace pabd {
 
 struct Inertia {
-  double m;     // kg
-  Mat3 J;       // kg m², body frame
-  Vec3 c_star;  // predicted pose
-  Mat3 R_star;
+  double m;       // kg
+  Mat3 J;         // kg m², body frame
+  Pose star;      // predicted pose Q*
   double inv_h2;  // 1/h²; s⁻²
 };
 
-inline double inertia_energy(const Inertia& in, const Vec3& c, const Mat3& R) {
-  const Mat3 D = R - in.R_star;
-  return 0.5 * in.inv_h2 * (in.m * (c - in.c_star).squaredNorm() + (D * in.J).cwiseProduct(D).sum());
+inline double inertia_energy(const Inertia& in, const Pose& pose) {
+  const Mat3 D = pose.R - in.star.R;
+  return 0.5 * in.inv_h2 * (in.m * (pose.c - in.star.c).squaredNorm() + (D * in.J).cwiseProduct(D).sum());
 }
 
 }  // namespace pabd

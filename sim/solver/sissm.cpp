@@ -23,46 +23,48 @@ void global_and_local_step(const SolveContext& s, Index i) {
   b << q.b_c, q.b_A;
   const Mat34 Q = H.ldlt().solve(b.transpose()).transpose();  // [δc A] = b H⁻¹
   Vec3 dc = relaxation * Q.col(0);
-  w.A[i] = (1 - relaxation) * w.R[i] + relaxation * Q.rightCols<3>();
+  w.A[i] = (1 - relaxation) * w.pose[i].R + relaxation * Q.rightCols<3>();
 
   Mat3 R;
   if (s.params.solver.projection == Projection::weighted) {
-    const Mat3 full = weighted_rotation(q, w.R[i]);
+    const Mat3 full = weighted_rotation(q, w.pose[i].R);
     dc = relaxation * weighted_translation(q, full);
-    R = project_to_so3((1 - relaxation) * w.R[i] + relaxation * full, w.R[i]);
+    R = project_to_so3((1 - relaxation) * w.pose[i].R + relaxation * full, w.pose[i].R);
   } else {
-    R = project_to_so3(w.A[i], w.R[i]);
+    R = project_to_so3(w.A[i], w.pose[i].R);
   }
-  w.c_next[i] = w.c[i] + dc;
-  w.R_next[i] = R;
+  w.next[i] = {w.pose[i].c + dc, R};
   w.projected[i] = (w.A[i] - R).norm();
-  w.moved[i] = (dc.norm() + bounding_radius(s.model.shape[i]) * (R - w.R[i]).norm()) / w.law.barrier.d_hat;
+  w.moved[i] = (dc.norm() + w.radius[i] * (R - w.pose[i].R).norm()) / w.law.barrier.d_hat;
 }
 
-// d of a contact when the bodies are affine: distance of b's point to the deformed plane of a, whose normal
-// is A⁻ᵀ n.
-double affine_distance(const StepWorkspace::Impl& w, const ContactBond& bond) {
-  const Vec3 y_b = w.c_next[bond.b] + w.A[bond.b] * bond.r_b;
-  const Vec3 plane = bond.r_a - bond.gap * bond.n;  // the point y_a of the plane, frame of a
-  const Vec3 y_a = w.c_next[bond.a] + w.A[bond.a] * plane;
-  const Vec3 n = w.A[bond.a].inverse().transpose() * bond.n;
-  return n.normalized().dot(y_b - y_a);
+// Smallest d of a patch when the bodies are affine: distance of b's points to the deformed plane of a, whose
+// normal is A⁻ᵀ n.
+double affine_distance(const StepWorkspace::Impl& w, const ContactPatch& patch) {
+  const Mat3 cofactor = w.A[patch.a].inverse().transpose();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < patch.count; ++k) {
+    const Vec3 n = lane(patch.n, k);
+    const Vec3 plane = lane(patch.r_a, k) - patch.gap[k] * n;  // the point y_a of the plane, frame of a
+    const Vec3 y_a = w.next[patch.a].c + w.A[patch.a] * plane;
+    const Vec3 y_b = w.next[patch.b].c + w.A[patch.b] * lane(patch.r_b, k);
+    smallest = std::min(smallest, (cofactor * n).normalized().dot(y_b - y_a));
+  }
+  return smallest;
 }
 
 }  // namespace
 
 void sissm_iteration(const SolveContext& s, double* before) {
   StepWorkspace::Impl& w = s.w;
-  w.A = w.R;
-  w.c_next = w.c;
-  w.R_next = w.R;
+  w.next = w.pose;
+  for (std::size_t i = 0; i < w.pose.size(); ++i) w.A[i] = w.pose[i].R;
   parallel_for(s.threads, w.colored.size(), [&](std::size_t j) { global_and_local_step(s, w.colored[j]); });
   if (before) {
     *before = std::numeric_limits<double>::infinity();
-    for (const ContactBond& bond : w.bonds) *before = std::min(*before, affine_distance(w, bond));
+    for (const ContactPatch& patch : w.patches) *before = std::min(*before, affine_distance(w, patch));
   }
-  w.c.swap(w.c_next);
-  w.R.swap(w.R_next);
+  w.pose.swap(w.next);
 }
 
 }  // namespace pabd

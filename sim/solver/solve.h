@@ -17,11 +17,11 @@ struct SolveContext {
 };
 
 inline Inertia inertia_of(const SolveContext& s, Index i) {
-  return {s.model.mass[i], s.model.J[i], s.w.c_star[i], s.w.R_star[i], 1 / (s.params.h * s.params.h)};
+  return {s.model.mass[i], s.model.J[i], s.w.star[i], 1 / (s.params.h * s.params.h)};
 }
 
-inline ContactState state_of(const StepWorkspace::Impl& w, const ContactBond& bond) {
-  return contact_state(bond, w.c[bond.a], w.R[bond.a], w.c[bond.b], w.R[bond.b]);
+inline ContactState state_of(const StepWorkspace::Impl& w, const ContactPatch& patch) {
+  return contact_state(patch, w.pose[patch.a], w.pose[patch.b]);
 }
 
 // Gauss–Seidel over the colours; E does not rise (for fixed friction bounds). `backward` turns the order

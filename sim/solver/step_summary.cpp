@@ -9,8 +9,8 @@ namespace pabd {
 
 double incremental_potential(const SolveContext& s) {
   double energy = 0;
-  for (const Index i : s.w.colored) energy += inertia_energy(inertia_of(s, i), s.w.c[i], s.w.R[i]);
-  for (const ContactBond& bond : s.w.bonds) energy += contact_energy(s.w.law, bond, state_of(s.w, bond));
+  for (const Index i : s.w.colored) energy += inertia_energy(inertia_of(s, i), s.w.pose[i]);
+  for (const ContactPatch& p : s.w.patches) energy += sum(contact_energy(s.w.law, p, state_of(s.w, p)));
   return energy;
 }
 
@@ -32,7 +32,10 @@ double potential_energy(const Model& model, const Params& params, const State& s
 
 double smallest_gap(const StepWorkspace::Impl& w) {
   double gap = std::numeric_limits<double>::infinity();
-  for (const ContactBond& bond : w.bonds) gap = std::min(gap, state_of(w, bond).d);
+  for (const ContactPatch& patch : w.patches) {
+    const ContactState s = state_of(w, patch);
+    for (int k = 0; k < patch.count; ++k) gap = std::min(gap, s.d[k]);
+  }
   return gap;
 }
 
@@ -41,17 +44,22 @@ void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepRep
   report.contacts = 0;
   report.min_gap = std::numeric_limits<double>::infinity();
   report.contact_reports.clear();
-  for (const ContactBond& bond : w.bonds) {
-    const ContactState s = state_of(w, bond);
-    report.min_gap = std::min(report.min_gap, s.d);
-    if (s.d >= w.law.barrier.d_hat) continue;
-    const ContactForce f = contact_force(w.law, bond, s);
-    report.elastic += f.energy;
-    ++report.contacts;
-    if (!with_reports) continue;
-    const bool sticking = bond.limit > 0 && w.law.k_t * s.u.norm() <= bond.limit;
-    report.contact_reports.push_back(
-        {bond.a, bond.b, s.y - s.d * s.n, s.y, s.n, s.d, -f.first, -f.alpha_t * s.u, sticking});
+  for (const ContactPatch& patch : w.patches) {
+    const ContactState s = state_of(w, patch);
+    const ContactForce f = normal_force(w.law.barrier, s.d);
+    const Lanes energy = f.value + friction_energy(w.law, patch.limit, length(s.u));
+    const Lanes alpha_t = friction_weight(w.law, patch.limit, length(s.u));
+    for (int k = 0; k < patch.count; ++k) {
+      report.min_gap = std::min(report.min_gap, s.d[k]);
+      if (s.d[k] >= w.law.barrier.d_hat) continue;
+      report.elastic += energy[k];
+      ++report.contacts;
+      if (!with_reports) continue;
+      const Vec3 n = lane(s.n, k), u = lane(s.u, k), y_b = w.pose[patch.a].c + lane(s.y, k);
+      const bool sticking = patch.limit[k] > 0 && w.law.k_t * u.norm() <= patch.limit[k];
+      report.contact_reports.push_back(
+          {patch.a, patch.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k], -alpha_t[k] * u, sticking});
+    }
   }
   report.max_penetration = report.min_gap < 0 ? -report.min_gap : 0.0;
 }

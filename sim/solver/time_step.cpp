@@ -12,6 +12,7 @@
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/free_flight.h"
+#include "sim/solver/friction.h"
 #include "sim/solver/parallel.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_summary.h"
@@ -31,13 +32,14 @@ class Stopwatch {
 // 1. Q* = [c*, R*]: free flight of every body.
 void predict(const Model& model, const Params& params, const State& state, int threads,
              StepWorkspace::Impl& w) {
-  w.c_star = state.c;
-  w.R_star = state.R;
+  w.star.resize(state.c.size());
+  w.radius.resize(state.c.size());
   w.v = state.v;
   w.omega = state.omega;
   parallel_for(threads, model.shape.size(), [&](std::size_t i) {
-    if (!model.fixed[i])
-      free_flight(model.J[i], params.gravity, params.h, w.c_star[i], w.R_star[i], w.v[i], w.omega[i]);
+    w.star[i] = {state.c[i], state.R[i]};
+    w.radius[i] = bounding_radius(model.shape[i]);
+    if (!model.fixed[i]) free_flight(model.J[i], params.gravity, params.h, w.star[i], w.v[i], w.omega[i]);
   });
 }
 
@@ -45,19 +47,19 @@ void predict(const Model& model, const Params& params, const State& state, int t
 // Rᵀ)/h, which is I log(R R*ᵀ)/h to first order and exactly the contacts' r × f h (Deviation D8).
 void update_velocities(const Model& model, const Params& params, StepWorkspace::Impl& w) {
   for (const Index i : w.colored) {
-    w.R[i] = reorthonormalized(w.R[i]);
-    w.v[i] += (w.c[i] - w.c_star[i]) / params.h;
+    w.pose[i].R = reorthonormalized(w.pose[i].R);
+    w.v[i] += (w.pose[i].c - w.star[i].c) / params.h;
     const Mat3 I = inertia_tensor(model.J[i]);
-    const Vec3 spin = w.R_star[i] * (I * (w.R_star[i].transpose() * w.omega[i])) -
-                      axial(w.R_star[i] * model.J[i] * w.R[i].transpose()) / params.h;
-    w.omega[i] = w.R[i] * I.llt().solve(w.R[i].transpose() * spin);
+    const Vec3 spin = w.star[i].R * (I * (w.star[i].R.transpose() * w.omega[i])) -
+                      axial(w.star[i].R * model.J[i] * w.pose[i].R.transpose()) / params.h;
+    w.omega[i] = w.pose[i].R * I.llt().solve(w.pose[i].R.transpose() * spin);
   }
 }
 
 bool all_finite(const StepWorkspace::Impl& w) {
   double sum = 0;
-  for (std::size_t i = 0; i < w.c.size(); ++i)
-    sum += 0.0 * (w.c[i].sum() + w.R[i].sum() + w.v[i].sum() + w.omega[i].sum());
+  for (std::size_t i = 0; i < w.pose.size(); ++i)
+    sum += 0.0 * (w.pose[i].c.sum() + w.pose[i].R.sum() + w.v[i].sum() + w.omega[i].sum());
   return sum == 0;  // 0 · x is NaN for an infinite or undefined x
 }
 
@@ -82,9 +84,9 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
   StepWorkspace::Impl& w = s.w;
   report.status = w.colored.empty() ? StepStatus::converged : StepStatus::iteration_limit;
   if (w.colored.empty()) return;
-  w.moved.assign(w.c.size(), 0.0);
-  w.projected.assign(w.c.size(), 0.0);
-  w.A.resize(w.c.size());
+  w.moved.assign(w.pose.size(), 0.0);
+  w.projected.assign(w.pose.size(), 0.0);
+  w.A.resize(w.pose.size());
   for (int k = 0; k < s.params.solver.iterations; ++k) {
     if (k > 0) update_friction_limits(s.threads, w);
     double gap_before = 0;
@@ -152,13 +154,13 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
     report.times.total = total.ms();
     return;
   }
-  state.c.swap(w.c);
-  state.R.swap(w.R);
+  for (std::size_t i = 0; i < w.pose.size(); ++i) {
+    state.c[i] = w.pose[i].c;
+    state.R[i] = w.pose[i].R;
+  }
   state.v.swap(w.v);
   state.omega.swap(w.omega);
-  w.c = state.c;
-  w.R = state.R;
-  store_anchors(w, state.anchors);
+  store_friction(w, state.anchors);
   state.step = report.step;
   state.time = report.time;
   summarize_contacts(w, options.report_contacts, report);

@@ -11,26 +11,27 @@
 
 namespace pabd {
 
-// One end of a contact bond, in the list of its body.
+// One end of a contact patch, in the list of its body.
 struct BondEnd {
-  Index bond;
+  Index patch;
   bool is_a;
 };
 
 struct StepWorkspace::Impl {
   // Predicted poses Q* and current iterate, one entry a body.
-  std::vector<Vec3> c_star, c;
-  std::vector<Mat3> R_star, R;
+  std::vector<Pose> star, pose;
   std::vector<Vec3> v, omega;  // velocities of free flight
 
   // Contacts of the step.
   CollisionWorkspace collision;
+  std::vector<Vec3> c_detect;  // where bodies are looked at
+  std::vector<Mat3> R_detect;
   std::vector<double> reach;
   std::vector<ContactPoint> points;
-  std::vector<ContactBond> bonds;
+  std::vector<ContactPatch> patches;
   ContactLaw law;
 
-  // Which bonds end at which body: ends[first_end[i]] … ends[first_end[i + 1] − 1].
+  // Which patches end at which body: ends[first_end[i]] … ends[first_end[i + 1] − 1].
   std::vector<Index> first_end;
   std::vector<BondEnd> ends;
 
@@ -41,8 +42,8 @@ struct StepWorkspace::Impl {
 
   // sissm: affine iterate before the projection.
   std::vector<Mat3> A;
-  std::vector<Vec3> c_next;
-  std::vector<Mat3> R_next;
+  std::vector<Pose> next;
+  std::vector<double> radius;     // bounding radius; m
   std::vector<double> moved;      // per body: displacement in this iteration over d̂
   std::vector<double> projected;  // per body: ‖A − R‖
 

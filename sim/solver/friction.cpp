@@ -1,0 +1,68 @@
+#include "sim/solver/friction.h"
+
+#include <tuple>
+
+#include "sim/solver/parallel.h"
+#include "sim/solver/solve.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kUnknown = -1;  // coefficient of a contact without a past, until start_friction
+
+}  // namespace
+
+void recall_friction(const std::vector<FrictionAnchor>& anchors, StepWorkspace::Impl& w) {
+  auto next = anchors.begin();
+  for (ContactPatch& patch : w.patches) {
+    for (int k = 0; k < patch.count; ++k) {
+      patch.mu[k] = kUnknown;
+      const auto key = std::make_tuple(pair_key(patch.a, patch.b), patch.feature[k]);
+      while (next != anchors.end() && std::make_tuple(next->pair, next->feature) < key) ++next;
+      if (next == anchors.end() || std::make_tuple(next->pair, next->feature) != key) continue;
+      const Vec3 n = lane(patch.n, k);
+      set_lane(patch.stretch, k, next->stretch - n * n.dot(next->stretch));
+      patch.mu[k] = next->sliding ? w.law.mu_dynamic : w.law.mu_static;
+    }
+  }
+}
+
+void start_friction(int threads, StepWorkspace::Impl& w) {
+  if (w.law.mu_static == 0) {
+    for (ContactPatch& patch : w.patches) patch.mu = lanes(0);
+    return;
+  }
+  parallel_for(threads, w.patches.size(), [&](std::size_t j) {
+    ContactPatch& patch = w.patches[j];
+    const ContactState s = state_of(w, patch);
+    const Lanes bound = -w.law.mu_static * normal_force(w.law.barrier, s.d).first;
+    const Lanes chosen =
+        select(w.law.k_t * length(s.u) <= bound, lanes(w.law.mu_static), lanes(w.law.mu_dynamic));
+    patch.mu = select(patch.mu == kUnknown, chosen, patch.mu);
+    update_limit(w.law, patch, s);
+    patch.last_change = lanes(0);
+  });
+}
+
+void update_friction_limits(int threads, StepWorkspace::Impl& w) {
+  if (w.law.mu_static == 0) return;
+  parallel_for(threads, w.patches.size(),
+               [&](std::size_t j) { update_limit(w.law, w.patches[j], state_of(w, w.patches[j])); });
+}
+
+void store_friction(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors) {
+  anchors.clear();
+  for (const ContactPatch& patch : w.patches) {
+    const ContactState s = state_of(w, patch);
+    const Lanes u = length(s.u);
+    const Lanes kept = friction_weight(w.law, patch.limit, u) / w.law.k_t;  // 1 while it sticks
+    for (int k = 0; k < patch.count; ++k) {
+      if (!(patch.limit[k] > 0)) continue;
+      anchors.push_back({pair_key(patch.a, patch.b), patch.feature[k],
+                         kept[k] * (w.pose[patch.a].R.transpose() * lane(s.u, k)),
+                         w.law.k_t * u[k] > patch.limit[k]});
+    }
+  }
+}
+
+}  // namespace pabd
