@@ -48,8 +48,8 @@ TEST_CASE("the projection is a rotation that maximises the trace, for every sign
   std::mt19937 rng(11);
   for (int k = 0; k < 2000; ++k) {
     Mat3 B = random_matrix(rng);
-    if (k % 5 == 0) B.col(2) = B.col(0);              // rank 2
-    if (k % 7 == 0) B = -B;                           // det changes its sign
+    if (k % 5 == 0) B.col(2) = B.col(0);  // rank 2
+    if (k % 7 == 0) B = -B;               // det changes its sign
     const Mat3 R = project_to_so3(B, exp_so3(random_vector(rng, 2)));
     CHECK((R.transpose() * R - Mat3::Identity()).norm() < 1e-13);
     CHECK(R.determinant() == Approx(1).epsilon(1e-13));

@@ -15,7 +15,8 @@ constexpr double kThickness = 0.02;
 std::vector<Barrier> all_barriers() {
   std::vector<Barrier> out;
   for (const int N : {2, 3, 4, 8, 16}) {
-    for (const double onset : {0.0, 0.2, 0.7}) out.push_back({BarrierKind::polynomial, N, kThickness, 7.0, onset});
+    for (const double onset : {0.0, 0.2, 0.7})
+      out.push_back({BarrierKind::polynomial, N, kThickness, 7.0, onset});
     out.push_back({BarrierKind::even, N, kThickness, 7.0, 0.2});
   }
   out.push_back({BarrierKind::polynomial, 1, kThickness, 7.0, 0.0});
@@ -92,7 +93,8 @@ TEST_CASE("the split of S(6) sums to the derivative to 1e-11 for N up to 16, pen
           const Split split = binomial_split(b, d);
           const double first = evaluate(b, d).first;
           INFO("N " << N << " x " << x << " onset " << onset << " " << to_string(kind));
-          CHECK(std::abs(split.stiffness * d + split.force - first) <= 1e-11 * std::max(std::abs(first), 3.0 / kThickness));
+          CHECK(std::abs(split.stiffness * d + split.force - first) <=
+                1e-11 * std::max(std::abs(first), 3.0 / kThickness));
         }
       }
     }
@@ -116,7 +118,8 @@ TEST_CASE("with an onset the force grows from zero at d̂; printed, it jumps to 
   CHECK(evaluate(printed, d).first == Approx(-2.0 / kThickness).epsilon(1e-6));
   CHECK(evaluate(smooth, kThickness).value == 0);
   // Beyond the onset both have the same force.
-  CHECK(evaluate(smooth, 0.5 * kThickness).first == Approx(evaluate(printed, 0.5 * kThickness).first).epsilon(1e-14));
+  CHECK(evaluate(smooth, 0.5 * kThickness).first ==
+        Approx(evaluate(printed, 0.5 * kThickness).first).epsilon(1e-14));
 }
 
 TEST_CASE("the tangent split has the right force, is at least Newton's, and never steps beyond d̂") {
