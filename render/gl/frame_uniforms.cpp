@@ -12,6 +12,9 @@
 namespace pabd {
 namespace {
 
+// Depth range of the shadow map over that of the casters: where no caster is, the map must lie behind every
+// receiver.
+constexpr float kDepthRoom = 64;
 constexpr int kBorder = 4;  // texels around the casters that the filter may read
 
 // Radius of a sphere around the transformed primitive: every one lies within the cube of edge 2.
@@ -79,18 +82,13 @@ ShadowVolume fit_shadow(const VisualScene& scene) {
   v.texel = step / static_cast<float>(kShadowSize - 2 * kBorder - 2);
   const auto snap = [&](float x) { return std::floor(x / v.texel) - kBorder; };
   const Vec3f origin(snap(lo.x()), snap(lo.y()), lo.z() / v.texel - 2);
-  v.depth_range = (hi.z() - lo.z()) / v.texel + 4;
+  v.depth_range = kDepthRoom * ((hi.z() - lo.z()) / v.texel + 4);
   v.world_to_shadow.block<3, 3>(0, 0) = axes / v.texel;
   v.world_to_shadow.block<3, 1>(0, 3) = -origin;
   for (int i = 0; i < 2; ++i) {
     v.bounds[i] = lo[i] / v.texel - origin[i] - kBorder;
     v.bounds[i + 2] = hi[i] / v.texel - origin[i] + kBorder;
   }
-  Mat4f to_clip = Mat4f::Identity();
-  to_clip(0, 0) = to_clip(1, 1) = 2.0f / kShadowSize;
-  to_clip(2, 2) = 2.0f / v.depth_range;
-  to_clip.block<3, 1>(0, 3).setConstant(-1);
-  v.world_to_clip = to_clip * v.world_to_shadow;
   return v;
 }
 
@@ -246,7 +244,7 @@ float sun_visibility(vec3 p, vec3 n) {
   ivec2 corner = ivec2(floor(q.xy - 2.5));
   vec2 first = vec2(corner) + 0.5 - q.xy;  // from p to the first texel centre: −3 … −2
   float bias = 0.25 + 0.15 * (abs(slope.x) + abs(slope.y));
-  float z = q.z - bias;
+  float z = min(q.z - bias, 0.9 * frame.light.w);
 
   // Weights 1 − (t/3)², separable; two rows of three gathers at a time.
   vec3 ax = first.x + vec3(0.0, 1.0, 2.0), bx = first.x + vec3(3.0, 4.0, 5.0);

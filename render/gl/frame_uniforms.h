@@ -40,7 +40,6 @@ extern const char* const kLightingGlsl;
 // The part of space that shadows are computed in.
 struct ShadowVolume {
   Mat4f world_to_shadow = Mat4f::Identity();  // texels
-  Mat4f world_to_clip = Mat4f::Identity();    // of the shadow map
   float depth_range = 1;                      // texels
   float texel = 1;                            // m
   float bounds[4] = {0, 0, 0, 0};

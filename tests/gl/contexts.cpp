@@ -1,5 +1,11 @@
 // Every context that this machine offers draws the same bytes.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "tests/gl/render_fixture.h"
@@ -65,6 +71,34 @@ TEST_CASE("every context draws the same bytes, in this order of preference") {
   }
   const std::set<std::uint8_t> values(first.rgb.begin(), first.rgb.end());
   CHECK(values.size() > 100);  // a picture, not a plain colour
+}
+
+// Run in a process of its own by the next test: software GL reads its thread count once.
+TEST_CASE("one frame into the file named by PABD_FRAME_FILE", "[.child]") {
+  const char* path = std::getenv("PABD_FRAME_FILE");
+  REQUIRE(path != nullptr);
+  RenderFixture f(320, 180);
+  const Image image = render(f.renderer, rich_scene());
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(image.rgb.data()), static_cast<std::streamsize>(image.rgb.size()));
+}
+
+TEST_CASE("the number of the driver's threads does not show in the picture") {
+  namespace fs = std::filesystem;
+  const fs::path file = fs::temp_directory_path() / ("pabd_frame_" + std::to_string(::getpid()));
+  RenderFixture f(320, 180);
+  const Image expected = render(f.renderer, rich_scene());
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  for (const char* threads : {"0", "1", "3"}) {
+    const std::string command = "LP_NUM_THREADS=" + std::string(threads) + " PABD_FRAME_FILE='" +
+                                file.string() + "' '" + self.string() + "' '[.child]' > /dev/null";
+    REQUIRE(std::system(command.c_str()) == 0);
+    std::ifstream in(file, std::ios::binary);
+    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
+    INFO(threads << " threads");
+    CHECK(bytes == expected.rgb);
+  }
+  fs::remove(file);
 }
 
 TEST_CASE("each named backend is the one that answers") {
