@@ -13,15 +13,17 @@
 namespace pabd {
 
 // The deepest contact between two bodies at the poses of `state`; nothing when no pair is within d̂. Its force
-// is the barrier's at that distance.
-std::optional<ContactReport> deepest_contact(const Model& model, const Params& params, const State& state);
+// is the barrier's at that distance. Of several that are equally deep the one nearest to `from` is taken.
+std::optional<ContactReport> deepest_contact(const Model& model, const Params& params, const State& state,
+                                             const Vec3& from = Vec3::Zero());
 
 struct Figure6 {
-  VisualScene scene;  // bodies, the chosen pair as bond points and normal arrow, labels "y_i", "y_j", "n_i";
-                      // camera set
+  VisualScene
+      scene;  // bodies as glass, the chosen pair as bond points, its normal as an arrow, labels; camera set
   std::string caption;  // rich text: names of the bodies, d
 };
-// `aspect`: width / height of the picture.
-Figure6 figure6(const Model& model, const Params& params, const State& state, double aspect);
+// `camera` of the scene, or null for one that frames the bodies at `aspect` = width / height.
+Figure6 figure6(const Model& model, const Params& params, const State& state, double aspect,
+                const Camera* camera = nullptr);
 
 }  // namespace pabd

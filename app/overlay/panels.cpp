@@ -16,7 +16,7 @@
 namespace pabd {
 namespace {
 
-constexpr Color kPanel{255, 255, 255, 222};
+constexpr Color kPanel{255, 255, 255, 232};
 constexpr Color kRim{0, 0, 0, 26};
 constexpr double kPad = 10;
 constexpr double kTitle = 12, kText = 10.5;
@@ -186,7 +186,7 @@ void paint_labels(const VisualScene& scene, int width, int height, double scale,
     const double y = 0.5 * height * (1 - static_cast<double>(p.y() / p.w()));
     if (x < -width || x > 2.0 * width || y < -height || y > 2.0 * height) continue;
     canvas.text({x, y}, label.text,
-                {15 * scale, ink::text, AnchorX::center, AnchorY::middle, false, 2 * scale});
+                {17 * scale, ink::text, AnchorX::center, AnchorY::middle, false, 2 * scale});
   }
 }
 

@@ -55,7 +55,15 @@ FigureLayout layout_figure(const Figure& figure, double width, double height, co
     top += 2.2 * style.title;
   }
   if (!figure.caption.empty()) {
-    layout.caption_lines = wrap_text(font, figure.caption, style.tick, width - 4 * margin);
+    double wrap = width - 4 * margin;
+    layout.caption_lines = wrap_text(font, figure.caption, style.tick, wrap);
+    // Lines of about equal length: no single word on the last one.
+    for (auto lines = layout.caption_lines;
+         lines.size() == layout.caption_lines.size() && lines.size() > 1;) {
+      layout.caption_lines = lines;
+      wrap *= 0.96;
+      lines = wrap_text(font, figure.caption, style.tick, wrap);
+    }
     const double lines = static_cast<double>(layout.caption_lines.size());
     layout.caption = {2 * margin, bottom - lines * FontMetrics::line * style.tick, width - 4 * margin,
                       lines * FontMetrics::line * style.tick};
@@ -104,8 +112,10 @@ std::string figure_to_csv(const Figure& figure) {
   std::string out = "plot,series,x,y\n";
   for (std::size_t p = 0; p < figure.plots.size(); ++p) {
     const Plot& plot = figure.plots[p];
-    const std::string plot_name =
-        csv_field(plot.title.empty() ? std::to_string(p + 1) : plain_text(plot.title));
+    const std::string title = !plot.title.empty()        ? plot.title
+                              : figure.plots.size() == 1 ? figure.title
+                                                         : std::to_string(p + 1);
+    const std::string plot_name = csv_field(plain_text(title));
     for (std::size_t s = 0; s < plot.series.size(); ++s) {
       const Series& series = plot.series[s];
       const std::string& label = series.right_axis ? plot.y_right.label : plot.y.label;

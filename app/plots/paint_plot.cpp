@@ -44,11 +44,10 @@ void paint_grid(const PlotLayout& layout, const PlotStyle& style, Canvas& canvas
   }
   // The zero lines of linear axes, when inside.
   if (!layout.y.log && layout.y.lo < 0 && layout.y.hi > 0) {
-    canvas.horizontal(in.x, in.right(), in.bottom() - layout.y.unit(0) * in.h, {190, 196, 204, 255},
-                      style.grid);
+    canvas.horizontal(in.x, in.right(), in.bottom() - layout.y.unit(0) * in.h, ink::zero_line, style.grid);
   }
   if (!layout.x.log && layout.x.lo < 0 && layout.x.hi > 0) {
-    canvas.vertical(in.x + layout.x.unit(0) * in.w, in.y, in.bottom(), {190, 196, 204, 255}, style.grid);
+    canvas.vertical(in.x + layout.x.unit(0) * in.w, in.y, in.bottom(), ink::zero_line, style.grid);
   }
 }
 

@@ -13,8 +13,9 @@ namespace ink {
 inline constexpr Color text{31, 41, 51, 255};
 inline constexpr Color muted{95, 107, 120, 255};
 inline constexpr Color axis{75, 85, 99, 255};
-inline constexpr Color grid{228, 231, 235, 255};
-inline constexpr Color minor_grid{241, 243, 245, 255};
+inline constexpr Color grid{31, 41, 51, 30};  // transparent: also right on panels over a picture
+inline constexpr Color minor_grid{31, 41, 51, 14};
+inline constexpr Color zero_line{31, 41, 51, 75};
 inline constexpr Color reference{107, 114, 128, 255};
 inline constexpr Color paper{255, 255, 255, 255};
 }  // namespace ink

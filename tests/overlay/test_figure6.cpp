@@ -42,7 +42,7 @@ TEST_CASE("the chosen pair is the deepest contact and is labelled") {
   CHECK(pair->d == Approx(-0.1).margin(1e-9));
   CHECK(std::abs(pair->n.y()) == Approx(1).margin(1e-9));
   const Figure6 figure = figure6(boxes.model, boxes.params, boxes.state, 1.5);
-  CHECK(figure.scene.labels.size() == 2);
+  CHECK(figure.scene.labels.size() == 3);
   CHECK_FALSE(figure.scene.lines.empty());
   CHECK(figure.caption.find("−0.1 m") != std::string::npos);
 }

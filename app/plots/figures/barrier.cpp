@@ -75,7 +75,12 @@ std::vector<Curve> all_curves(const BarrierCurves& in) {
   const std::vector<double> kappas = in.kappa.empty() ? std::vector<double>{1.0} : in.kappa;
   for (const BarrierKind kind : in.kinds) {
     const bool log = kind == BarrierKind::log;
-    const std::vector<int> orders = log ? std::vector<int>{1} : in.N;
+    std::vector<int> orders = log ? std::vector<int>{1} : in.N;
+    if (kind == BarrierKind::even) {
+      // Odd orders add nothing: one curve for 2 and 3.
+      const auto same = [](int a, int b) { return a / 2 == b / 2; };
+      orders.erase(std::unique(orders.begin(), orders.end(), same), orders.end());
+    }
     for (const double d_hat : in.d_hat) {
       for (const double kappa : kappas) {
         for (const int N : orders) {

@@ -190,7 +190,7 @@ ContactProjection project_contact(const Vec2& y_i, const Vec2& y_j, const Vec2& 
 }
 
 void paint_contact_pair(const ContactPair& pair, double width, double height, Canvas& canvas) {
-  const double unit = std::min(width / 1600, height / 700);
+  const double unit = std::max(0.52, std::min(width / 1600, height / 700));  // small pictures stay readable
   const double margin = 24 * unit, text = 62 * unit;
   const double w = (width - 3 * margin) / 2, h = height - 2 * margin - text;
   const char* captions[] = {

@@ -49,7 +49,7 @@ double least_energy(const std::vector<IterationRecord>& records) {
 auto energy_gap(double least) {
   return [least](const IterationRecord& r) {
     const double gap = r.energy - least;
-    return gap > 1e-15 * std::abs(least) ? gap : std::numeric_limits<double>::quiet_NaN();
+    return gap > 1e-14 * std::abs(least) ? gap : std::numeric_limits<double>::quiet_NaN();
   };
 }
 
@@ -169,8 +169,7 @@ Figure figure7(const Model& model, const Params& params, const State& state, int
   Figure figure;
   figure.title = "Penetration before and after the projection onto SO(3)";
   figure.caption = fmt::format(
-      "Deepest contact of two boxes within one step: N = {}, d̂ = {} m, κ = {} J, h = {} s, relaxation {}. "
-      "Below 0 the bodies are apart.",
+      "Deepest contact of two boxes within one step: N = {}, d̂ = {} m, κ = {} J, h = {} s, relaxation {}.",
       params.contact.N, format_value(params.contact.d_hat), format_value(resolve_kappa(model, params)),
       format_value(params.h), format_value(params.solver.relaxation));
   figure.plots = {std::move(plot)};
