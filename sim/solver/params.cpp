@@ -25,6 +25,9 @@ std::optional<ParamError> check_solver(const SolverParams& s) {
     return e;
   if (s.method == SolverMethod::newton)
     return ParamError{"/solver/method", "\"newton\" is not supported by this version: use \"descent\""};
+  if (s.method == SolverMethod::sissm && s.projection == Projection::tangent)
+    return ParamError{"/solver/projection",
+                      "\"tangent\" belongs to \"descent\": sissm takes \"polar\" or \"weighted\""};
   return std::nullopt;
 }
 

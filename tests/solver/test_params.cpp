@@ -1,0 +1,75 @@
+// Every parameter has limits, and a message that names the place.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+
+#include "sim/solver/params.h"
+#include "tests/physics/scenario.h"
+
+using namespace pabd;
+
+TEST_CASE("parameters out of range are refused with their JSON pointer") {
+  struct Case {
+    const char* pointer;
+    std::function<void(Params&)> spoil;
+  };
+  const double nan = std::nan("");
+  const std::vector<Case> cases = {
+      {"/gravity/1", [&](Params& p) { p.gravity.y() = nan; }},
+      {"/time_step", [](Params& p) { p.h = 0; }},
+      {"/time_step", [](Params& p) { p.h = -0.01; }},
+      {"/time_step", [&](Params& p) { p.h = nan; }},
+      {"/solver/iterations", [](Params& p) { p.solver.iterations = 0; }},
+      {"/solver/tolerance", [](Params& p) { p.solver.tolerance = -1; }},
+      {"/solver/relaxation", [](Params& p) { p.solver.relaxation = 0; }},
+      {"/solver/method", [](Params& p) { p.solver.method = SolverMethod::newton; }},
+      {"/solver/projection",
+       [](Params& p) {
+         p.solver.method = SolverMethod::sissm;
+         p.solver.projection = Projection::tangent;
+       }},
+      {"/contact/N", [](Params& p) { p.contact.N = 0; }},
+      {"/contact/N", [](Params& p) { p.contact.N = kMaxOrder + 1; }},
+      {"/contact/N",
+       [](Params& p) {
+         p.contact.barrier = BarrierKind::even;
+         p.contact.N = 1;
+       }},
+      {"/contact/d_hat", [](Params& p) { p.contact.d_hat = 0; }},
+      {"/contact/d_hat", [](Params& p) { p.contact.d_hat = -1; }},
+      {"/contact/kappa", [](Params& p) { p.contact.kappa = 0; }},
+      {"/contact/kappa", [](Params& p) { p.contact.kappa = INFINITY; }},
+      {"/contact/onset", [](Params& p) { p.contact.onset = 1; }},
+      {"/contact/friction/static", [](Params& p) { p.contact.mu_static = -0.1; }},
+      {"/contact/friction/dynamic", [](Params& p) { p.contact.mu_dynamic = 0.9; }},
+  };
+  CHECK_FALSE(check_params(Params{}).has_value());
+  for (const Case& c : cases) {
+    Params params;
+    c.spoil(params);
+    const auto error = check_params(params);
+    INFO(c.pointer);
+    REQUIRE(error.has_value());
+    CHECK(error->pointer == c.pointer);
+    CHECK(error->message.size() > 10);
+  }
+}
+
+TEST_CASE("κ auto: ten times the heaviest weight rests on four contacts at 0.9 d̂") {
+  for (const BarrierKind kind : {BarrierKind::polynomial, BarrierKind::even, BarrierKind::log}) {
+    testing::World world;
+    world.params.contact.barrier = kind;
+    world.params.contact.N = 4;
+    world.add_ground();
+    world.add_cube(1, 70, {0, 1, 0});
+    world.add_cube(1, 700, {0, 3, 0});
+    const ContactParams& c = world.params.contact;
+    const Barrier barrier{c.barrier, c.N, c.d_hat, resolve_kappa(world.model, world.params), c.onset};
+    CHECK(-4 * evaluate(barrier, 0.9 * c.d_hat).first == Approx(10 * 700 * 9.81).epsilon(1e-12));
+    world.params.gravity.setZero();
+    CHECK(resolve_kappa(world.model, world.params) == Approx(barrier.kappa).epsilon(1e-12));
+    world.params.contact.kappa = 3.5;
+    CHECK(resolve_kappa(world.model, world.params) == 3.5);
+  }
+}
