@@ -36,7 +36,7 @@ inline Scene parse(const std::string& text, const std::vector<std::string>& over
 // Refused as bad input, in one line that begins with the source and holds every one of `parts`.
 inline void check_refused(const std::string& text, const std::vector<std::string>& parts,
                           const std::vector<std::string>& overrides = {}) {
-  INFO(text);
+  INFO(text.substr(0, 400));
   try {
     parse(text, overrides);
   } catch (const Error& error) {

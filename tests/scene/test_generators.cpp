@@ -1,5 +1,5 @@
 // Generators: how many bodies, where, and that nothing overlaps at the start.
-#include <chrono>
+#include <algorithm>
 #include <set>
 #include <variant>
 

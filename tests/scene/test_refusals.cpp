@@ -1,4 +1,5 @@
 // Every kind of bad scene is refused with the place and the expectation.
+#include "sim/scene/document.h"
 #include "tests/scene/helpers.h"
 
 using namespace pabd;
@@ -26,6 +27,26 @@ TEST_CASE("deep nesting and duplicate keys are refused", "[scene]") {
                 {"/contact/friction/static", "twice"});
   check_refused(only_body(R"({ "shape": { "type": "sphere", "radius": 1 } }, { "mass": 1, "mass": 1 })"),
                 {"/bodies/1/mass", "twice"});
+}
+
+TEST_CASE("documents have a largest size", "[scene]") {
+  const DocumentLimits limits{100, 5, 3};
+  const auto message = [&](const std::string& text) {
+    try {
+      parse_document(text, "test.json", limits);
+      return std::string("accepted");
+    } catch (const Error& error) {
+      CHECK(error.code() == ExitCode::bad_input);
+      return std::string(error.what());
+    }
+  };
+  CHECK(message("[1, 2, 3, 4]") == "accepted");  // the array counts as a value
+  CHECK_THAT(message("[1, 2, 3, 4, 5]"), Catch::Contains("more than 5 values"));
+  CHECK(message("[[[1]]]") == "accepted");
+  CHECK_THAT(message("[[[[1]]]]"), Catch::Contains("nested deeper than 3"));
+  CHECK(message(std::string(99, ' ') + "1") == "accepted");
+  CHECK_THAT(message(std::string(100, ' ') + "1"), Catch::Contains("longer than 100 bytes"));
+  check_refused(std::string((std::size_t{64} << 20) + 1, ' '), {"longer than 67108864 bytes"});
 }
 
 TEST_CASE("format and version come first", "[scene]") {
