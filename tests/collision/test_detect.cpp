@@ -12,6 +12,8 @@ namespace {
 std::atomic<long> allocations{0};
 }
 
+// The sanitizer brings its own, and would find this one paired with its own nothrow variant.
+#ifndef __SANITIZE_ADDRESS__
 void* operator new(std::size_t size) {
   ++allocations;
   if (void* p = std::malloc(size ? size : 1)) return p;
@@ -19,6 +21,7 @@ void* operator new(std::size_t size) {
 }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+#endif
 
 using namespace reference;
 
