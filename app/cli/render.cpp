@@ -114,12 +114,15 @@ int render(const RenderOptions& options) {
   sink_options.width = size.width;
   sink_options.height = size.height;
   sink_options.fps = options.fps;
-  sink_options.first_frame = range.first;
+  sink_options.first_frame = options.resume ? range.first : 0;
   sink_options.force =
       options.output.force || options.resume;  // what follows the last whole frame is drawn again
   const double start_time = session.state().time;
   const double h = session.params().h;
-  sink_options.png_text = [common, start_time, h, fps = options.fps](int frame) {
+  // A still is the only frame that its file sees, but not the first one of the run.
+  const int skipped = range.first - sink_options.first_frame;
+  sink_options.png_text = [common, start_time, h, skipped, fps = options.fps](int written) {
+    const int frame = written + skipped;
     return frame_text(common, frame, start_time + h * static_cast<double>(step_of_frame(frame, fps, h)));
   };
   AsyncSink sink(make_sink(out, sink_options));

@@ -1,0 +1,184 @@
+// Running the program under test.
+#include "tests/cli/program.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace pabd::test {
+namespace {
+
+struct Child {
+  pid_t pid = -1;
+  std::string out_file, err_file;
+};
+
+[[noreturn]] void become(const std::vector<std::string>& command, const Setting& setting,
+                         const Child& files) {
+  const auto redirect = [](const std::string& file, int target) {
+    const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    if (fd < 0 || ::dup2(fd, target) < 0) ::_exit(120);
+  };
+  redirect(setting.out_to.empty() ? files.out_file : setting.out_to, STDOUT_FILENO);
+  redirect(files.err_file, STDERR_FILENO);
+  if (!setting.folder.empty() && ::chdir(setting.folder.c_str()) != 0) ::_exit(121);
+  for (const auto& [key, value] : setting.environment) ::setenv(key.c_str(), value.c_str(), 1);
+  if (setting.largest_file >= 0) {
+    const rlimit limit{static_cast<rlim_t>(setting.largest_file), static_cast<rlim_t>(setting.largest_file)};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  std::vector<char*> argv;
+  for (const std::string& argument : command) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  ::execvp(argv[0], argv.data());
+  ::_exit(122);
+}
+
+Child start(const TempFolder& folder, const std::vector<std::string>& command, const Setting& setting) {
+  Child child;
+  child.out_file = folder / "out";
+  child.err_file = folder / "err";
+  child.pid = ::fork();
+  REQUIRE(child.pid >= 0);
+  if (child.pid == 0) become(command, setting, child);
+  return child;
+}
+
+Outcome wait_for(const Child& child, const Setting& setting) {
+  int status = 0;
+  while (::waitpid(child.pid, &status, 0) < 0) REQUIRE(errno == EINTR);
+  Outcome outcome;
+  outcome.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (setting.out_to.empty()) outcome.out = read_text(child.out_file);
+  outcome.err = read_text(child.err_file);
+  return outcome;
+}
+
+std::vector<std::string> with_program(const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{PABD_PROGRAM};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
+}  // namespace
+
+Outcome run_pabd(const std::vector<std::string>& arguments, const Setting& setting) {
+  const TempFolder folder;
+  return wait_for(start(folder, with_program(arguments), setting), setting);
+}
+
+Outcome run_pabd_interrupted(const std::vector<std::string>& arguments, int signal,
+                             const std::function<bool(const std::string& err)>& ready, int times) {
+  const TempFolder folder;
+  const Child child = start(folder, with_program(arguments), {});
+  bool is_ready = false;
+  for (int i = 0; i < 12000 && !is_ready; ++i) {
+    is_ready = fs::exists(child.err_file) && ready(read_text(child.err_file));
+    if (!is_ready) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  for (int i = 0; i < times; ++i) {
+    ::kill(child.pid, is_ready ? signal : SIGKILL);
+    // Two signals that wait at the same time count as one.
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  Outcome outcome = wait_for(child, {});
+  INFO(outcome.err);
+  REQUIRE(is_ready);
+  return outcome;
+}
+
+TempFolder::TempFolder() {
+  std::string name = (fs::temp_directory_path() / "pabd test XXXXXX").string();
+  REQUIRE(::mkdtemp(name.data()) != nullptr);
+  path_ = name;
+}
+
+TempFolder::~TempFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> TempFolder::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  CAPTURE(path);
+  REQUIRE(file);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  REQUIRE(file);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::size_t line_count(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+bool is_error_line(const std::string& err, const std::vector<std::string>& words) {
+  if (!err.starts_with("pabd: error: ") || line_count(err) != 1 || err.back() != '\n') return false;
+  return std::all_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return err.find(word) != err.npos; });
+}
+
+std::string small_scene(const std::string& body, const std::string& contact, const std::string& top) {
+  return R"({ "format": "pabd-scene", "version": 1, "name": "small",
+  )" + top +
+         R"(
+  "contact": { )" +
+         contact + R"( },
+  "bodies": [
+    { "name": "ground", "shape": { "type": "plane", "normal": [0, 1, 0], "offset": 0 }, "fixed": true },
+    { "name": "crate", )" +
+         (body.empty() ? R"("shape": { "type": "box", "size": [1, 1, 1] })" : body) + R"(,
+      "position": [0, 0.51, 0] } ] })";
+}
+
+std::string probe_video(const std::string& file) {
+  const TempFolder folder;
+  const std::vector<std::string> command = {"ffprobe",
+                                            "-v",
+                                            "error",
+                                            "-count_frames",
+                                            "-select_streams",
+                                            "v:0",
+                                            "-show_entries",
+                                            "stream=width,height,nb_read_frames",
+                                            "-of",
+                                            "csv=p=0",
+                                            file};
+  const Outcome outcome = wait_for(start(folder, command, {}), {});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return lines_of(outcome.out).at(0);
+}
+
+}  // namespace pabd::test

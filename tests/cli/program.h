@@ -1,0 +1,67 @@
+// Runs the built program as a user would, and looks at what it leaves behind.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pabd::test {
+
+struct Outcome {
+  int exit_code = -1;  // 128 + signal when a signal ended it
+  std::string out;
+  std::string err;
+};
+
+struct Setting {
+  std::map<std::string, std::string> environment;  // on top of the test's own
+  std::filesystem::path folder;                    // working directory; empty: the test's
+  std::string out_to;                              // standard output goes there; empty: captured
+  long long largest_file = -1;                     // ulimit -f in bytes; -1: none
+};
+
+// Runs pabd to its end.
+Outcome run_pabd(const std::vector<std::string>& arguments, const Setting& setting = {});
+
+// Runs pabd, sends `signal` (`times` in a row) as soon as `ready` (given what it wrote to standard error so
+// far) holds, and waits. Fails the test if `ready` does not hold within a minute.
+Outcome run_pabd_interrupted(const std::vector<std::string>& arguments, int signal,
+                             const std::function<bool(const std::string& err)>& ready, int times = 1);
+
+// A fresh folder that goes away with the object.
+class TempFolder {
+ public:
+  TempFolder();
+  ~TempFolder();
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  // Names in it, sorted. Temporary files of an unfinished output would show up here.
+  std::vector<std::string> names() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string read_text(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, const std::string& text);
+std::vector<std::string> lines_of(const std::string& text);
+std::size_t line_count(const std::string& text);
+
+// True when `err` is exactly one line that begins with "pabd: error: " and contains every word.
+bool is_error_line(const std::string& err, const std::vector<std::string>& words);
+
+// A small scene: a crate 1 cm above a plane. `body`, `contact`, `top` are JSON members that are put in.
+std::string small_scene(const std::string& body = "", const std::string& contact = "",
+                        const std::string& top = "");
+
+// Width, height, frames of a video, from ffprobe.
+std::string probe_video(const std::string& file);
+
+}  // namespace pabd::test

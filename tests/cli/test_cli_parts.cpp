@@ -1,0 +1,180 @@
+// Parts of the command line that can be tested without running it: schedule, camera, queue, progress; and the
+// session.
+#include <catch2/catch.hpp>
+#include <thread>
+
+#include "app/cli/bounded_queue.h"
+#include "app/cli/camera_option.h"
+#include "app/cli/common.h"
+#include "app/cli/frame_schedule.h"
+#include "app/cli/progress.h"
+#include "app/session/session.h"
+#include "sim/error.h"
+#include "sim/trace/trace.h"
+
+using namespace pabd;
+using namespace pabd::cli;
+
+TEST_CASE("a frame shows the last step that is not after it") {
+  const double h = 0.0166666666666667;
+  for (const std::int64_t frame : {0, 1, 2, 59, 60, 3599, 1000000})
+    CHECK(step_of_frame(frame, 60, h) == frame);
+  CHECK(step_of_frame(1, 30, h) == 2);
+  CHECK(step_of_frame(1, 120, h) == 0);  // steps longer than frames: a state is shown twice
+  CHECK(step_of_frame(2, 120, h) == 1);
+  CHECK(step_of_frame(3, 60, 0.02) == 2);  // t = 0.05 s: step 2 is at 0.04 s, step 3 only at 0.06 s
+  CHECK(steps_until(5, 1.0 / 60) == 300);
+  CHECK(steps_until(0.0999, 0.01) == 9);
+}
+
+TEST_CASE("named cameras look at the same target from the same distance") {
+  Camera base;
+  base.eye = {3, 5, 4};
+  base.target = {1, 1, 2};
+  for (const char* name : {"front", "side", "top", "iso", "orbit:45"}) {
+    CAPTURE(name);
+    const Camera camera = apply_camera(parse_camera(name), base, 1.0);
+    CHECK(camera.target == base.target);
+    CHECK((camera.eye - camera.target).norm() == Approx((base.eye - base.target).norm()).epsilon(1e-6));
+  }
+  CHECK(apply_camera(parse_camera("front"), base, 0).eye.z() > base.target.z());
+  // 90 degrees a second: a full turn in four.
+  const CameraOption orbit = parse_camera("orbit:90");
+  CHECK((apply_camera(orbit, base, 4).eye - base.eye).norm() < 1e-5f);
+  CHECK((apply_camera(orbit, base, 0).eye - base.eye).norm() == 0);
+  CHECK(apply_camera(orbit, base, 1).eye.y() == Approx(base.eye.y()));
+
+  const Camera placed = apply_camera(parse_camera("fov=30,eye=1,2.5,-3e0"), base, 0);
+  CHECK(placed.eye == Vec3f(1, 2.5f, -3));
+  CHECK(placed.target == base.target);
+  CHECK(placed.fov == 30);
+  for (const char* wrong : {"eye", "eye=", "eye=1,2,3,4", "eye=1,2,x", "eye=1,2,3,eye=1,2,3", "fov=0",
+                            "zoom=2", "orbit:", "eye=1,2,nan"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(parse_camera(wrong), Error);
+  }
+}
+
+TEST_CASE("sizes and ranges are checked") {
+  CHECK(parse_size("640x360").width == 640);
+  CHECK(parse_size("16x16384").height == 16384);
+  for (const char* wrong :
+       {"", "x", "640", "640x", "x360", "640X360", "640x360 ", "-640x360", "15x15", "16385x100", "1e3x100"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(parse_size(wrong), Error);
+  }
+  CHECK_NOTHROW(check_range("--x", 1, 1, 2));
+  CHECK_THROWS_AS(check_range("--x", std::nan(""), 1, 2), Error);
+  CHECK_THROWS_AS(check_range("--x", 2.1, 1, 2), Error);
+}
+
+TEST_CASE("the queue holds the producer back, keeps the order and ends") {
+  BoundedQueue<int> queue(2);
+  std::atomic<int> pushed{0};
+  std::thread producer([&] {
+    for (int i = 0; i < 100; ++i) {
+      if (queue.push(i)) ++pushed;
+    }
+    queue.close();
+  });
+  for (int i = 0; i < 100; ++i) {
+    CHECK(pushed <= i + 3);  // at most two wait, one is about to be counted
+    CHECK(queue.pop() == i);
+  }
+  CHECK_FALSE(queue.pop().has_value());
+  producer.join();
+  CHECK_FALSE(queue.push(1));
+  CHECK_FALSE(queue.try_pop().has_value());
+}
+
+TEST_CASE("closing the queue frees a producer that waits") {
+  BoundedQueue<int> queue(1);
+  REQUIRE(queue.push(1));
+  bool accepted = true;
+  std::thread producer([&] { accepted = queue.push(2); });
+  queue.close();
+  producer.join();
+  CHECK_FALSE(accepted);
+  CHECK(queue.pop() == 1);  // what was in may still be taken
+  CHECK_FALSE(queue.pop().has_value());
+}
+
+TEST_CASE("progress says how far, how long and how well") {
+  StepReport report;
+  report.iterations = 7;
+  report.residual = 3.14e-7;
+  CHECK(progress_line("frame", 12, 300, 31.4, report, false) ==
+        "frame 12/300  4 %  ETA 31 s  iterations 7  residual 3.1e-07");
+  CHECK(progress_line("step", 1, 2, 125, report, true) ==
+        "[############............] step 1/2  50 %  ETA 2:05 min  iterations 7  residual 3.1e-07");
+  CHECK(progress_line("step", 1, 2, 7321, report, false).find("ETA 2:02 h") != std::string::npos);
+}
+
+TEST_CASE("the history is bounded and light") {
+  History history(10);
+  StepReport report;
+  report.records.resize(3);
+  report.contact_reports.resize(3);
+  for (int i = 1; i <= 1000; ++i) {
+    report.step = i;
+    history.add(report);
+    CHECK(history.reports().size() <= 20);
+  }
+  CHECK(history.reports().size() >= 10);
+  CHECK(history.reports().back().step == 1000);
+  CHECK(history.reports().back().records.empty());
+  CHECK(history.reports().back().contact_reports.empty());
+  CHECK(history.reports().front().step == 1001 - static_cast<std::int64_t>(history.reports().size()));
+}
+
+TEST_CASE("a session steps, is reset, tuned and set to a state") {
+  Session session(load_scene(PABD_SCENES "/stack.json"));
+  const std::string start = state_hash(session.state());
+  CHECK(session.report().step == 0);
+  CHECK(session.report().potential > 0);
+  CHECK(session.report().kinetic == 0);
+  CHECK(session.kappa() > 0);
+  for (int i = 0; i < 5; ++i) session.step();
+  CHECK(session.history().reports().size() == 5);
+  CHECK(session.state().step == 5);
+  const State kept = session.state();
+  const std::string fifth = state_hash(kept);
+  session.step();
+  const std::string sixth = state_hash(session.state());
+
+  session.set_state(kept);
+  CHECK(session.history().reports().empty());
+  session.step();
+  CHECK(state_hash(session.state()) == sixth);
+
+  Params params = session.params();
+  params.contact.N = 8;
+  session.set_params(params);
+  CHECK(session.params().contact.N == 8);
+  params.contact.N = 0;
+  CHECK_THROWS_AS(session.set_params(params), Error);
+  CHECK(session.params().contact.N == 8);
+
+  session.reset();
+  CHECK(state_hash(session.state()) == start);
+  CHECK(session.params().contact.N == session.scene().params.contact.N);
+  for (int i = 0; i < 5; ++i) session.step();
+  CHECK(state_hash(session.state()) == fifth);
+  CHECK_THROWS_AS(session.set_state(State{}), Error);
+}
+
+TEST_CASE("two sessions do not see each other") {
+  Session a(load_scene(PABD_SCENES "/stack.json"));
+  Session b(load_scene(PABD_SCENES "/stack.json"));
+  Session alone(load_scene(PABD_SCENES "/stack.json"));
+  Params soft = b.params();
+  soft.contact.kappa = 10;
+  b.set_params(soft);
+  for (int i = 0; i < 4; ++i) {
+    a.step();
+    b.step();
+    alone.step();
+  }
+  CHECK(state_hash(a.state()) == state_hash(alone.state()));
+  CHECK(state_hash(a.state()) != state_hash(b.state()));
+}

@@ -1,0 +1,120 @@
+// pabd plot, figure and compare.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "render/output/png.h"
+#include "tests/cli/program.h"
+
+using namespace pabd::test;
+
+TEST_CASE("the barrier CSV holds B_N of the closed form") {
+  const Outcome csv = run_pabd({"plot", "barrier", "-o", "-", "--N", "3", "--d-hat", "0.02"});
+  REQUIRE(csv.exit_code == 0);
+  const auto rows = lines_of(csv.out);
+  CHECK(rows.at(0) == "plot,series,x,y");
+  int checked = 0;
+  const std::string first_plot = rows.at(1).substr(0, rows.at(1).find(','));
+  for (const std::string& row : rows) {
+    // Value curve: "plot,series,x,y" of the first plot.
+    if (!row.starts_with(first_plot + ",") || row.front() == '"') continue;
+    const auto y_at = row.rfind(',');
+    const auto x_at = row.rfind(',', y_at - 1);
+    const std::string x_text = row.substr(x_at + 1, y_at - x_at - 1);
+    if (x_text.empty() || y_at + 1 == row.size()) continue;
+    const double u = std::max(0.0, 1 - std::stod(x_text) / 0.02);
+    CHECK(std::stod(row.substr(y_at + 1)) ==
+          Approx(u + u * u / 2 + u * u * u / 3).epsilon(1e-12).margin(1e-15));
+    ++checked;
+  }
+  CHECK(checked > 100);
+}
+
+TEST_CASE("a barrier plot is written as PNG, SVG and CSV") {
+  const TempFolder folder;
+  for (const char* name : {"a.png", "a.svg", "a.csv"}) {
+    CAPTURE(name);
+    const Outcome outcome = run_pabd({"plot", "barrier", "-o", folder / name, "--kind", "polynomial,log,even",
+                                      "--d-hat", "0.01,0.02", "--kappa", "50", "--onset", "0.2"});
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 0);
+  }
+  CHECK(pabd::read_png(folder / "a.png").width > 600);
+  CHECK(pabd::read_png_text(folder / "a.png").at("Software").starts_with("pabd"));
+  const std::string svg = read_text(folder / "a.svg");
+  CHECK(svg.find("<svg") != std::string::npos);
+  CHECK(svg.find("</svg>") != std::string::npos);
+  CHECK(run_pabd({"plot", "barrier", "-o", "-", "--format", "svg", "--kind", "polynomial,log,even", "--d-hat",
+                  "0.01,0.02", "--kappa", "50", "--onset", "0.2"})
+            .out == svg);
+  REQUIRE(run_pabd({"plot", "barrier", "-o", folder / "b.png", "--size", "900x500"}).exit_code == 0);
+  CHECK(pabd::read_png(folder / "b.png").height == 500);
+}
+
+TEST_CASE("the convergence plot has a line a method") {
+  const Outcome both = run_pabd({"plot", "convergence", "two_boxes", "-o", "-", "--iterations", "30"});
+  REQUIRE(both.exit_code == 0);
+  CHECK(both.out.find("sissm") != std::string::npos);
+  CHECK(both.out.find("descent") != std::string::npos);
+  const Outcome one = run_pabd({"plot", "convergence", "two_boxes", "-o", "-", "--iterations", "30",
+                                "--method", "descent", "--at-step", "4"});
+  REQUIRE(one.exit_code == 0);
+  CHECK(one.out.find("sissm") == std::string::npos);
+  const TempFolder folder;
+  CHECK(run_pabd({"plot", "convergence", "two_boxes", "-o", folder / "c.png", "--iterations", "30"})
+            .exit_code == 0);
+  CHECK(pabd::read_png(folder / "c.png").width > 600);
+}
+
+TEST_CASE("the figures of this version are drawn") {
+  const TempFolder folder;
+  for (const char* number : {"1", "5", "6", "7"}) {
+    CAPTURE(number);
+    const Outcome outcome = run_pabd({"figure", number, "-o", (folder / "figure") + number + ".png"});
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 0);
+  }
+  CHECK(folder.names().size() == 4);
+  CHECK(pabd::read_png_text(folder / "figure6.png").count("Scene hash") == 1);
+  CHECK(run_pabd({"figure", "5", "-o", folder / "figure5.svg"}).exit_code == 0);
+  CHECK(lines_of(run_pabd({"figure", "5", "-o", "-"}).out).at(0) == "point,x,y");
+  CHECK(run_pabd({"figure", "7", "-o", "-"}).out.find("sissm") != std::string::npos);
+}
+
+TEST_CASE("compare tells equal from different by its exit code") {
+  const TempFolder folder;
+  const auto render = [&](const char* name, const char* time) {
+    REQUIRE(
+        run_pabd({"render", "two_boxes", "--size", "160x90", "--quiet", "--time", time, "-o", folder / name})
+            .exit_code == 0);
+  };
+  render("a.png", "0");
+  render("b.png", "0");
+  render("c.png", "0.3");
+
+  CHECK(run_pabd({"compare", folder / "a.png", folder / "b.png"}).exit_code == 0);
+  const Outcome differ =
+      run_pabd({"compare", folder / "a.png", folder / "c.png", "--diff", folder / "d.png"});
+  CHECK(differ.exit_code == 7);
+  CHECK(differ.err.empty());
+  CHECK(differ.out.starts_with("different (tier same): "));
+  CHECK(line_count(differ.out) == 1);
+  CHECK(pabd::read_png(folder / "d.png").width == 160);
+  CHECK(run_pabd({"compare", folder / "a.png", folder / "c.png", "--tier", "cross"}).exit_code == 7);
+  CHECK(run_pabd({"compare", folder / "a.png", folder / "c.png", "--diff", folder / "d.png"}).exit_code == 2);
+  CHECK(run_pabd({"compare", folder / "a.png", folder / "c.png", "--quiet"}).out.empty());
+
+  const auto json =
+      nlohmann::json::parse(run_pabd({"compare", folder / "a.png", folder / "c.png", "--json"}).out);
+  CHECK_FALSE(json["equal"].get<bool>());
+  CHECK_FALSE(json["reason"].get<std::string>().empty());
+
+  // Pictures of different, known renderer classes are compared across classes without being told so.
+  const pabd::Image image = pabd::read_png(folder / "a.png");
+  pabd::write_png(folder / "x.png", image, {{"GL_RENDERER", "softpipe"}});
+  pabd::write_png(folder / "y.png", image, {{"GL_RENDERER", "llvmpipe (LLVM 15.0.6, 256 bits)"}});
+  CHECK(run_pabd({"compare", folder / "x.png", folder / "y.png"}).out.starts_with("equal (tier cross"));
+
+  write_text(folder / "text.png", "no picture");
+  CHECK(run_pabd({"compare", folder / "a.png", folder / "text.png"}).exit_code == 2);
+  CHECK(run_pabd({"compare", folder / "a.png", folder / "none.png"}).exit_code == 3);
+}

@@ -1,0 +1,240 @@
+// pabd render: frames, their text chunks, videos, resuming, interrupting.
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "render/output/png.h"
+#include "tests/cli/program.h"
+
+using namespace pabd::test;
+using pabd::PngText;
+using pabd::read_png;
+using pabd::read_png_text;
+
+namespace {
+
+std::vector<std::string> render(const std::string& out, const std::vector<std::string>& more) {
+  std::vector<std::string> command = {"render", "two_boxes", "--size", "160x90", "--quiet", "-o", out};
+  command.insert(command.end(), more.begin(), more.end());
+  return command;
+}
+
+}  // namespace
+
+TEST_CASE("a sequence has a PNG a frame; the first shows the start") {
+  const TempFolder folder;
+  REQUIRE(run_pabd(render(folder / "f{frame:04}.png", {"--frames", "4"})).exit_code == 0);
+  CHECK(folder.names() == std::vector<std::string>{"f0000.png", "f0001.png", "f0002.png", "f0003.png"});
+  REQUIRE(run_pabd(render(folder / "start.png", {"--time", "0"})).exit_code == 0);
+  CHECK(read_png(folder / "start.png").rgb == read_png(folder / "f0000.png").rgb);
+  CHECK(read_png(folder / "f0003.png").rgb != read_png(folder / "f0000.png").rgb);
+  CHECK(read_png(folder / "f0003.png").width == 160);
+  CHECK(read_png(folder / "f0003.png").height == 90);
+}
+
+TEST_CASE("a still shows the state at its time, a step a frame at 60 a second") {
+  const TempFolder folder;
+  REQUIRE(run_pabd(render(folder / "f{frame}.png", {"--frames", "7"})).exit_code == 0);
+  REQUIRE(run_pabd(render(folder / "still.png", {"--time", "0.1"})).exit_code == 0);
+  CHECK(read_text(folder / "still.png") == read_text(folder / "f6.png"));
+  REQUIRE(run_pabd(render(folder / "last.png", {"--frames", "7"})).exit_code == 0);
+  CHECK(read_text(folder / "last.png") == read_text(folder / "f6.png"));
+  // Half as many frames a second: every second step.
+  REQUIRE(run_pabd(render(folder / "h{frame}.png", {"--frames", "4", "--fps", "30"})).exit_code == 0);
+  CHECK(read_png(folder / "h3.png").rgb == read_png(folder / "f6.png").rgb);
+}
+
+TEST_CASE("every PNG says where it comes from") {
+  const TempFolder folder;
+  REQUIRE(run_pabd(render(folder / "{frame}.png",
+                          {"--frames", "3", "--set", "contact.kappa=auto", "--camera", "front"}))
+              .exit_code == 0);
+  const PngText text = read_png_text(folder / "2.png");
+  CHECK(text.at("Software").starts_with("pabd 0."));
+  CHECK(text.at("Scene") == "two boxes");
+  CHECK(text.at("Scene hash").size() == 16);
+  CHECK_FALSE(text.at("GL_RENDERER").empty());
+  CHECK(text.at("Frame") == "2");
+  CHECK(text.at("Time") == "0.033333 s");
+  const auto parameters = nlohmann::json::parse(text.at("Parameters"));
+  CHECK(parameters["contact"]["kappa"].get<double>() > 0);  // what "auto" came to
+  CHECK(parameters["time_step"].get<double>() == Approx(1.0 / 60).margin(1e-12));
+  CHECK(nlohmann::json::parse(text.at("View"))["camera"] == "front");
+
+  REQUIRE(run_pabd(render(folder / "b{frame}.png", {"--frames", "1", "--set", "contact.N=8"})).exit_code ==
+          0);
+  const PngText other = read_png_text(folder / "b0.png");
+  CHECK(other.at("Scene hash") != text.at("Scene hash"));
+  CHECK(nlohmann::json::parse(other.at("Parameters"))["contact"]["N"] == 8);
+}
+
+TEST_CASE("raw frames on standard output have three bytes a pixel and nothing else") {
+  const TempFolder folder;
+  const Outcome raw = run_pabd(render("-", {"--frames", "3"}));
+  CHECK(raw.exit_code == 0);
+  REQUIRE(raw.out.size() == 3u * 160 * 90 * 3);
+  REQUIRE(run_pabd(render(folder / "{frame}.png", {"--frames", "3"})).exit_code == 0);
+  const auto last = read_png(folder / "2.png").rgb;
+  CHECK(std::equal(last.begin(), last.end(), raw.out.end() - static_cast<std::ptrdiff_t>(last.size()),
+                   [](std::uint8_t a, char b) { return a == static_cast<std::uint8_t>(b); }));
+}
+
+TEST_CASE("overlays, cameras and --set change the picture; a repetition does not") {
+  const TempFolder folder;
+  const auto picture = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> options = {"--time", "0.2", "--force"};
+    options.insert(options.end(), more.begin(), more.end());
+    REQUIRE(run_pabd(render(folder / "p.png", options)).exit_code == 0);
+    return read_png(folder / "p.png").rgb;
+  };
+  const auto plain = picture({});
+  CHECK(picture({}) == plain);
+  CHECK(picture({"--threads", "2"}) == plain);
+  for (const char* overlay :
+       {"params", "barrier", "convergence", "series", "contacts", "bonds", "plots", "all"}) {
+    CAPTURE(overlay);
+    CHECK(picture({"--overlay", overlay}) != plain);
+  }
+  CHECK(picture({"--overlay", "none"}) == plain);
+  for (const char* camera : {"front", "side", "top", "iso", "orbit:90", "fov=20", "eye=3,3,3,target=0,1,0"}) {
+    CAPTURE(camera);
+    CHECK(picture({"--camera", camera}) != plain);
+  }
+  CHECK(picture({"--set", "gravity=[0,0,0]"}) != plain);
+}
+
+TEST_CASE("a render continues from a state") {
+  const TempFolder folder;
+  REQUIRE(run_pabd({"run", "two_boxes", "--steps", "6", "--quiet", "--state", folder / "s.json"}).exit_code ==
+          0);
+  REQUIRE(run_pabd(render(folder / "a.png", {"--time", "0", "--from", folder / "s.json"})).exit_code == 0);
+  REQUIRE(run_pabd(render(folder / "b.png", {"--time", "0.1"})).exit_code == 0);
+  // Without an explicit camera the frame is the scene's, so that both see the same.
+  CHECK(read_png(folder / "a.png").rgb == read_png(folder / "b.png").rgb);
+}
+
+TEST_CASE("videos have the size and the number of frames asked for") {
+  const TempFolder folder;
+  for (const char* name : {"a.mp4", "a.webm"}) {
+    CAPTURE(name);
+    const Outcome outcome = run_pabd(render(folder / name, {"--time", "0.2"}));
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(probe_video(folder / name) == "160,90,12");
+  }
+  REQUIRE(run_pabd(render(folder / "a.gif", {"--frames", "5", "--fps", "10"})).exit_code == 0);
+  CHECK(probe_video(folder / "a.gif") == "160,90,5");
+  CHECK(folder.names().size() == 3);
+}
+
+TEST_CASE("--timings tells how long each stage worked") {
+  const TempFolder folder;
+  REQUIRE(run_pabd(render(folder / "a.mp4", {"--frames", "8", "--timings", folder / "t.json"})).exit_code ==
+          0);
+  const auto json = nlohmann::json::parse(read_text(folder / "t.json"));
+  CHECK(json["frames"] == 8);
+  const double slowest = json["slowest_stage_s"];
+  for (const char* stage : {"simulate_s", "draw_s", "encode_s"}) {
+    CHECK(json[stage].get<double>() > 0);
+    CHECK(json[stage].get<double>() <= slowest);
+  }
+  CHECK(json["total_s"].get<double>() >= slowest * 0.9);
+}
+
+TEST_CASE("a sequence that was cut short is continued byte for byte") {
+  const TempFolder whole, cut;
+  const std::vector<std::string> options = {"--frames", "9", "--overlay", "all"};
+  auto resumed = options;
+  resumed.push_back("--resume");
+  REQUIRE(run_pabd(render(whole / "{frame:02}.png", options)).exit_code == 0);
+  REQUIRE(run_pabd(render(cut / "{frame:02}.png", options)).exit_code == 0);
+
+  SECTION("frames are missing at the end") {
+    for (const char* name : {"05.png", "06.png", "07.png", "08.png"}) std::filesystem::remove(cut / name);
+  }
+  SECTION("a frame is missing in the middle") { std::filesystem::remove(cut / "03.png"); }
+  SECTION("the last frame is cut off") {
+    std::filesystem::remove(cut / "08.png");
+    write_text(cut / "07.png", read_text(cut / "07.png").substr(0, 3000));
+  }
+  SECTION("nothing is there") {
+    for (const std::string& name : cut.names()) std::filesystem::remove(cut / name);
+  }
+  SECTION("everything is there") {}
+  const Outcome outcome = run_pabd(render(cut / "{frame:02}.png", resumed));
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  REQUIRE(cut.names() == whole.names());
+  for (const std::string& name : whole.names()) {
+    CAPTURE(name);
+    CHECK(read_text(cut / name) == read_text(whole / name));
+  }
+}
+
+TEST_CASE("frames of another run are not continued") {
+  const TempFolder folder;
+  REQUIRE(run_pabd(render(folder / "{frame}.png", {"--frames", "2"})).exit_code == 0);
+  const std::string before = read_text(folder / "1.png");
+  for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
+           {"--set", "contact.N=2"}, {"--camera", "top"}, {"--fps", "30"}, {"--overlay", "params"}}) {
+    std::vector<std::string> options = {"--frames", "4", "--resume"};
+    options.insert(options.end(), change.begin(), change.end());
+    CAPTURE(change);
+    const Outcome outcome = run_pabd(render(folder / "{frame}.png", options));
+    CHECK(outcome.exit_code == 2);
+    CHECK(is_error_line(outcome.err, {"0.png", "another run"}));
+  }
+  CHECK(folder.names().size() == 2);
+  CHECK(read_text(folder / "1.png") == before);
+}
+
+TEST_CASE("an interrupted sequence keeps its whole frames and can be continued") {
+  const TempFolder folder;
+  const auto has_third_frame = [&](const std::string&) {
+    return std::filesystem::exists(folder / "0002.png");
+  };
+  const Outcome outcome = run_pabd_interrupted(render(folder / "{frame:04}.png", {"--frames", "100000"}),
+                                               SIGINT, has_third_frame);
+  CHECK(outcome.exit_code == 130);
+  CHECK(outcome.err.empty());
+  const auto names = folder.names();
+  REQUIRE(names.size() >= 3);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    CAPTURE(names[i]);
+    CHECK(std::stoul(names[i]) == i);
+    CHECK(read_png(folder / names[i]).width == 160);
+  }
+  const std::string frames = std::to_string(names.size() + 2);
+  REQUIRE(run_pabd(render(folder / "{frame:04}.png", {"--frames", frames, "--resume"})).exit_code == 0);
+  CHECK(folder.names().size() == names.size() + 2);
+}
+
+TEST_CASE("an interrupted video is published with the frames it has") {
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    const TempFolder folder;
+    // The first line of progress comes when frames have been drawn and handed on.
+    const auto has_progress = [](const std::string& err) { return err.find("frame ") != std::string::npos; };
+    const Outcome outcome = run_pabd_interrupted(
+        {"render", "two_boxes", "--size", "160x90", "--frames", "100000", "-o", folder / "a.mp4"}, signal,
+        has_progress);
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == code);
+    REQUIRE(folder.names() == std::vector<std::string>{"a.mp4"});
+    const std::string facts = probe_video(folder / "a.mp4");
+    CHECK(facts.starts_with("160,90,"));
+    const int frames = std::stoi(facts.substr(7));
+    CHECK(frames >= 1);
+    CHECK(frames < 100000);
+  }
+}
+
+TEST_CASE("a second signal ends at once and still truncates nothing") {
+  const TempFolder folder;
+  const Outcome outcome = run_pabd_interrupted(
+      {"render", "pile", "--size", "1280x720", "--frames", "100000", "-o", folder / "a.mp4"}, SIGINT,
+      [](const std::string& err) { return err.find("frame ") != std::string::npos; }, 2);
+  CHECK(outcome.exit_code == 130);
+  // Either it was quick enough to publish a whole video, or there is none.
+  if (std::filesystem::exists(folder / "a.mp4"))
+    CHECK(probe_video(folder / "a.mp4").starts_with("1280,720,"));
+}

@@ -1,0 +1,125 @@
+// pabd run: what it writes, and that a run can be repeated, split and tuned.
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+using namespace pabd::test;
+
+namespace {
+
+// The state hash that a run of `steps` steps ends with.
+std::string end_hash(const std::vector<std::string>& more) {
+  const TempFolder folder;
+  std::vector<std::string> command = {"run", "stack", "--quiet", "--state", folder / "end.json"};
+  command.insert(command.end(), more.begin(), more.end());
+  const Outcome outcome = run_pabd(command);
+  CAPTURE(command, outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return nlohmann::json::parse(read_text(folder / "end.json"))["hash"];
+}
+
+}  // namespace
+
+TEST_CASE("the CSV files have the documented columns, a row a step and a row an iteration") {
+  const TempFolder folder;
+  const Outcome outcome = run_pabd(
+      {"run", "two_boxes", "--steps", "7", "--trace", folder / "t.csv", "--iterations", folder / "i.csv"});
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.out.empty());
+  const auto steps = lines_of(read_text(folder / "t.csv"));
+  REQUIRE(steps.size() == 8);
+  CHECK(steps[0] ==
+        "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,max_"
+        "joint_error,"
+        "residual,step_ms");
+  CHECK(steps[1].starts_with("1,"));
+  CHECK(steps[7].starts_with("7,"));
+  const auto iterations = lines_of(read_text(folder / "i.csv"));
+  CHECK(iterations.at(0) ==
+        "step,iteration,energy,residual,max_penetration_before,max_penetration_after,max_joint_error,"
+        "projection_change");
+  CHECK(iterations.at(1).starts_with("1,1,"));
+  CHECK(iterations.size() > 8);
+}
+
+TEST_CASE("the summary goes to standard error and tells steps, gap, energy and hash") {
+  const Outcome outcome = run_pabd({"run", "stack", "--steps", "3"});
+  CHECK(outcome.exit_code == 0);
+  for (const char* word : {"3 steps", "ms a step", "smallest gap", "kinetic energy", "state "}) {
+    CHECK(outcome.err.find(word) != std::string::npos);
+  }
+  const Outcome quiet = run_pabd({"run", "stack", "--steps", "3", "--quiet"});
+  CHECK(quiet.out.empty());
+  CHECK(quiet.err.empty());
+}
+
+TEST_CASE("- is standard output, for one of the files") {
+  const Outcome trace = run_pabd({"run", "two_boxes", "--steps", "2", "--quiet", "--trace", "-"});
+  CHECK(trace.exit_code == 0);
+  CHECK(line_count(trace.out) == 3);
+  const Outcome state = run_pabd({"run", "two_boxes", "--steps", "2", "--quiet", "--state", "-"});
+  CHECK(nlohmann::json::parse(state.out)["bodies"].size() == 3);
+  CHECK(run_pabd({"run", "two_boxes", "--steps", "2", "--trace", "-", "--state", "-"}).exit_code == 2);
+  CHECK(run_pabd({"run", "two_boxes", "--steps", "2", "--trace", "same", "--state", "same"}).exit_code == 2);
+}
+
+TEST_CASE("time and steps count the same") {
+  CHECK(end_hash({"--time", "0.1"}) == end_hash({"--steps", "6"}));
+  CHECK(end_hash({"--steps", "0"}) != end_hash({"--steps", "1"}));
+}
+
+TEST_CASE("a run that is stopped and continued ends as one in a piece") {
+  const TempFolder folder;
+  const std::string half = folder / "half.json";
+  REQUIRE(run_pabd({"run", "stack", "--steps", "11", "--quiet", "--state", half}).exit_code == 0);
+  CHECK(end_hash({"--steps", "9", "--from", half}) == end_hash({"--steps", "20"}));
+}
+
+TEST_CASE("a state of another scene is refused") {
+  const TempFolder folder;
+  REQUIRE(run_pabd({"run", "stack", "--steps", "1", "--quiet", "--state", folder / "s.json"}).exit_code == 0);
+  const Outcome other = run_pabd({"run", "two_boxes", "--steps", "1", "--from", folder / "s.json"});
+  CHECK(other.exit_code == 2);
+  CHECK(is_error_line(other.err, {"s.json"}));
+  write_text(folder / "s.json", "{ \"bodies\": 3 }");
+  CHECK(run_pabd({"run", "stack", "--steps", "1", "--from", folder / "s.json"}).exit_code == 2);
+}
+
+TEST_CASE("every run and every number of threads gives the same bits") {
+  const std::string one = end_hash({"--steps", "30", "--threads", "1"});
+  CHECK(end_hash({"--steps", "30", "--threads", "1"}) == one);
+  CHECK(end_hash({"--steps", "30", "--threads", "2"}) == one);
+  CHECK(end_hash({"--steps", "30", "--threads", "8"}) == one);
+}
+
+TEST_CASE("--set changes the scene, --set to what it is does not") {
+  const std::string plain = end_hash({"--steps", "5"});
+  CHECK(end_hash({"--steps", "5", "--set", "contact.N=8"}) != plain);
+  CHECK(end_hash({"--steps", "5", "--set", "gravity=[0,-1.62,0]", "--set", "solver.iterations=3"}) != plain);
+  CHECK(end_hash({"--steps", "5", "--set", "version=1"}) == plain);
+}
+
+TEST_CASE("an interrupted run publishes the rows it has") {
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    const TempFolder folder;
+    const auto has_rows = [&](const std::string&) {
+      for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+        if (entry.file_size() > 0) return true;
+      }
+      return false;
+    };
+    const Outcome outcome = run_pabd_interrupted({"run", "two_boxes", "--steps", "1000000000", "--quiet",
+                                                  "--trace", folder / "t.csv", "--state", folder / "s.json"},
+                                                 signal, has_rows);
+    CHECK(outcome.exit_code == code);
+    CHECK(folder.names() == std::vector<std::string>{"s.json", "t.csv"});
+    const std::string trace = read_text(folder / "t.csv");
+    CHECK(trace.back() == '\n');
+    CHECK(line_count(trace) > 10);
+    const auto last = lines_of(trace).back();
+    CHECK(std::count(last.begin(), last.end(), ',') == 13);
+    CHECK(nlohmann::json::parse(read_text(folder / "s.json"))["step"] == std::stoll(last));
+  }
+}

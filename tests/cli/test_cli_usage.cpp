@@ -1,0 +1,164 @@
+// How the program is asked: help, version, wrong command lines.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+using namespace pabd::test;
+
+namespace {
+
+const std::vector<std::vector<std::string>> kCommands = {
+    {"run"},    {"render"},  {"plot"},   {"plot", "barrier"}, {"plot", "convergence"},
+    {"figure"}, {"compare"}, {"scenes"}, {"doctor"}};
+
+}  // namespace
+
+TEST_CASE("every command has help with an example") {
+  for (std::vector<std::string> command : kCommands) {
+    std::string name = "pabd";
+    for (const std::string& word : command) name += " " + word;
+    CAPTURE(name);
+    command.push_back("--help");
+    const Outcome help = run_pabd(command);
+    CHECK(help.exit_code == 0);
+    CHECK(help.err.empty());
+    const auto examples = help.out.find("Example");
+    REQUIRE(examples != std::string::npos);
+    CHECK(help.out.find("  " + name, examples) != std::string::npos);
+  }
+}
+
+TEST_CASE("the program's help lists its commands and exit codes") {
+  const Outcome help = run_pabd({"--help"});
+  CHECK(help.exit_code == 0);
+  for (const auto& command : kCommands) CHECK(help.out.find("  " + command[0]) != std::string::npos);
+  CHECK(help.out.find("130/143 interrupted") != std::string::npos);
+  CHECK(help.out.find("view") == std::string::npos);
+}
+
+TEST_CASE("the version is one line, everywhere") {
+  const Outcome version = run_pabd({"--version"});
+  CHECK(version.exit_code == 0);
+  CHECK(version.out.starts_with("pabd 0."));
+  CHECK(line_count(version.out) == 1);
+  CHECK(run_pabd({"render", "--version"}).out == version.out);
+  CHECK(run_pabd({"plot", "barrier", "--version"}).out == version.out);
+}
+
+TEST_CASE("a wrong command line is refused in one line with a remedy") {
+  const std::vector<std::vector<std::string>> wrong = {
+      {},
+      {"view"},
+      {"dance"},
+      {"run"},
+      {"run", "pyramid", "--sideways"},
+      {"run", "pyramid", "--time"},
+      {"run", "pyramid", "--time", "soon"},
+      {"run", "pyramid", "--time", "1", "--steps", "2"},
+      {"run", "pyramid", "--threads", "0"},
+      {"render", "pyramid"},
+      {"render", "pyramid", "-o", "a.mp4", "--backend", "magic"},
+      {"plot"},
+      {"plot", "barrier"},
+      {"plot", "barrier", "-o", "a.csv", "--N", "1,two"},
+      {"figure", "-o", "a.png"},
+      {"compare", "a.png"},
+      {"compare", "a.png", "b.png", "--tier", "strict"},
+  };
+  for (const auto& command : wrong) {
+    CAPTURE(command);
+    const Outcome outcome = run_pabd(command);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CAPTURE(outcome.err);
+    CHECK(is_error_line(outcome.err, {"--help"}));
+  }
+}
+
+TEST_CASE("values out of range are refused, naming the option") {
+  const TempFolder folder;
+  const std::string out = folder / "a.png";
+  const std::vector<std::pair<std::string, std::vector<std::string>>> wrong = {
+      {"--time", {"run", "stack", "--time", "-1"}},
+      {"--time", {"run", "stack", "--time", "nan"}},
+      {"--steps", {"run", "stack", "--steps", "-1"}},
+      {"--fps", {"render", "stack", "-o", out, "--fps", "0"}},
+      {"--fps", {"render", "stack", "-o", out, "--fps", "inf"}},
+      {"--frames", {"render", "stack", "-o", out, "--frames", "0"}},
+      {"--time", {"render", "stack", "-o", folder / "a.mp4", "--time", "0"}},
+      {"--size", {"render", "stack", "-o", out, "--size", "0x100"}},
+      {"--size", {"render", "stack", "-o", out, "--size", "100000x100"}},
+      {"--size", {"render", "stack", "-o", out, "--size", "640"}},
+      {"--size", {"render", "stack", "-o", out, "--size", "640x480x3"}},
+      {"--camera", {"render", "stack", "-o", out, "--camera", "behind"}},
+      {"--camera", {"render", "stack", "-o", out, "--camera", "eye=1,2"}},
+      {"--camera", {"render", "stack", "-o", out, "--camera", "eye=1,2,3,target=1,2,3"}},
+      {"--camera", {"render", "stack", "-o", out, "--camera", "fov=400"}},
+      {"--overlay", {"render", "stack", "-o", out, "--overlay", "params,magic"}},
+      {"--resume", {"render", "stack", "-o", folder / "a.mp4", "--resume"}},
+      {"expected", {"render", "stack", "-o", folder / "a.xyz"}},
+      {"--N", {"plot", "barrier", "-o", folder / "a.csv", "--N", "0"}},
+      {"--N", {"plot", "barrier", "-o", folder / "a.csv", "--N", "33"}},
+      {"--d-hat", {"plot", "barrier", "-o", folder / "a.csv", "--d-hat", "0"}},
+      {"--kappa", {"plot", "barrier", "-o", folder / "a.csv", "--kappa", "-1"}},
+      {"--onset", {"plot", "barrier", "-o", folder / "a.csv", "--onset", "1"}},
+      {"--kind", {"plot", "barrier", "-o", folder / "a.csv", "--kind", "cubic"}},
+      {"curves",
+       {"plot", "barrier", "-o", folder / "a.csv", "--N", "1,2,3,4,5,6,7,8,9", "--d-hat",
+        "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8"}},
+      {"--method", {"plot", "convergence", "two_boxes", "-o", folder / "a.csv", "--method", "magic"}},
+      {"--at-step", {"plot", "convergence", "two_boxes", "-o", folder / "a.csv", "--at-step", "0"}},
+      {"joints", {"figure", "3", "-o", folder / "a.png"}},
+      {"figure 8", {"figure", "8", "-o", folder / "a.png"}},
+      {"figure 6", {"figure", "6", "-o", folder / "a.svg"}},
+  };
+  for (const auto& [word, command] : wrong) {
+    CAPTURE(command);
+    const Outcome outcome = run_pabd(command);
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(is_error_line(outcome.err, {word, "expected"}) | is_error_line(outcome.err, {word, ";"}));
+  }
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("shipped scenes are listed and are found by name") {
+  const Outcome list = run_pabd({"scenes"});
+  CHECK(list.exit_code == 0);
+  for (const char* name : {"two_boxes", "pyramid", "stack", "pile"})
+    CHECK(list.out.find(name) != std::string::npos);
+  const auto json = nlohmann::json::parse(run_pabd({"scenes", "--json"}).out);
+  CHECK(json.size() + 1 == line_count(list.out));
+  for (const auto& scene : json) {
+    CAPTURE(scene.dump());
+    CHECK(scene["bodies"].get<int>() > 0);
+    CHECK_FALSE(scene["description"].get<std::string>().empty());
+  }
+  const TempFolder elsewhere;
+  Setting setting;
+  setting.folder = elsewhere.path();
+  CHECK(run_pabd({"run", "two_boxes", "--steps", "1", "--quiet"}, setting).exit_code == 0);
+  CHECK(run_pabd({"run", "two_boxes.json", "--steps", "1", "--quiet"}, setting).exit_code == 0);
+  CHECK(run_pabd({"run", PABD_SCENES "/two_boxes.json", "--steps", "1", "--quiet"}, setting).exit_code == 0);
+}
+
+TEST_CASE("the doctor reports, whatever is missing") {
+  const TempFolder empty;
+  Setting bare;
+  bare.environment = {{"PATH", empty.path().string()}, {"__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent"}};
+  const Outcome text = run_pabd({"doctor"}, bare);
+  CHECK(text.exit_code == 0);
+  CHECK(text.out.find("apt-get install ffmpeg") != std::string::npos);
+  CHECK(text.out.find("EGL") != std::string::npos);
+  const auto missing = nlohmann::json::parse(run_pabd({"doctor", "--json"}, bare).out);
+  CHECK_FALSE(missing["ffmpeg"]["available"].get<bool>());
+  CHECK(missing["gl"]["attempts"].size() >= 2);
+
+  const auto here = nlohmann::json::parse(run_pabd({"doctor", "--json"}).out);
+  CHECK(here["gl"]["available"].get<bool>());
+  CHECK_FALSE(here["gl"]["renderer"].get<std::string>().empty());
+  CHECK(here["ffmpeg"]["libx264"].get<bool>());
+  CHECK(here["cpu"]["cores"].get<int>() >= 1);
+  CHECK(here["font_bytes"].get<int>() > 100000);
+}
