@@ -162,3 +162,15 @@ TEST_CASE("the doctor reports, whatever is missing") {
   CHECK(here["cpu"]["cores"].get<int>() >= 1);
   CHECK(here["font_bytes"].get<int>() > 100000);
 }
+
+TEST_CASE("the scene in the README runs") {
+  const std::string readme = read_text(PABD_SCENES "/../../README.md");
+  const std::string fence = "```json\n";
+  const auto begin = readme.find(fence) + fence.size();
+  const std::string scene = readme.substr(begin, readme.find("```", begin) - begin);
+  const TempFolder folder;
+  write_text(folder / "readme.json", scene);
+  const Outcome outcome = run_pabd({"run", folder / "readme.json", "--steps", "3", "--quiet"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 0);
+}
