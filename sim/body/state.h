@@ -16,7 +16,7 @@ struct Pose {
 struct FrictionAnchor {
   std::uint64_t pair;     // (min body << 32) | max body: the two bodies in order of number
   std::uint32_t feature;  // which contact of the pair; top bit: the body with the higher number owns the normal
-  Vec3 stretch;           // tangential, in the frame of the body that owns the normal; metres
+  Vec3 stretch;           // tangential, in the frame of the normal (its owner's, or the world's if that is round); metres
   bool sliding = false;   // it slid at the end of the step: dynamic friction until it sticks again
 };
 

@@ -1,26 +1,28 @@
-// The contact bond S(17) with friction S§3: energy, force and stiffness of one contact point.
+// The contact bond S(17) with friction S§3: energy, force and stiffness of contact points.
 //
-// A contact joins a point of body b to a plane that is fixed in body a. Everything it feels depends on one
-// vector, the displacement of b's point as seen from a since the start of the step:
+// A contact joins a point of body b to a plane of body a. Two displacements of b as seen from a decide
+// everything:
 //
-//   q   = R_aᵀ (y_b − c_a) − r_a         y_b = c_b + R_b r_b           m, frame of a
-//   d   = gap + n·q                      signed distance S(17)         m
-//   u   = q − n (n·q) + stretch          tangential stretch            m, frame of a
-//   E   = Ψ(d) + D(‖u‖)                                                J
-//   D'  = min(k_t ‖u‖, limit)            stick, then slide             N
+//   d = gap + n·(p_b − p_a)                    signed distance S(17), at the normal points               m
+//   u = (1 − n nᵀ)(s_b − s_a) + stretch        tangential stretch, at the surface points                 m
+//   E = Ψ(d) + D(‖u‖)                                                                                    J
+//   D' = min(k_t ‖u‖, limit)                   stick, then slide                                         N
 //
-//   symbol    variable   meaning                                                 unit
-//   n         n          contact normal, fixed in a, from a to b                 –
-//   r_a, r_b  r_a, r_b   the point of b, and where it was seen from a at the     m
-//                        start of the step: the same two material points
-//   d̂, κ, N, ε  barrier  see potential/barrier.h
-//   k_t       k_t        tangential stiffness, Ψ'' at the onset                 N/m
-//   μ f_n     limit      largest friction force, from the last iterate           N
+//   symbol      variable      meaning                                                             unit
+//   n           n             contact normal, from a to b                                         –
+//   s_a, s_b    r_a, r_b      surface points: the same two material points; they coincide at      m
+//                             the start of the step
+//   p_a, p_b    normal_a, _b  normal points: the surface points of flat bodies; for round ones    m
+//                             the centre or axis point under the surface, one radius inside
+//   d̂, κ, N, ε  barrier       see potential/barrier.h
+//   k_t         k_t           tangential stiffness, Ψ'' at the onset                              N/m
+//   μ f_n       limit         largest friction force, from the last iterate                       N
 //
-// Because E depends on q alone, the forces on a and b are opposite and act at the same point y_b: linear and
-// angular momentum are kept exactly. (The supplement's point y_i is the foot of y_b on the plane; a normal
-// force has the same torque there.) Deviation D4: Coulomb sliding as well as sticking. Deviation D6:
-// `stretch` is carried from step to step, so that a body at rest on a slope does not creep.
+// The plane of a flat owner turns with it, that of a round one does not: turning a ball moves neither its
+// surface nor its tangent planes (Deviation D9; with the surface point a ball could lower its energy by
+// spinning). A force acts on a and b along one line, so linear and angular momentum are kept. (The
+// supplement's point y_i is the foot of y_b on the plane.) Deviation D4: Coulomb sliding as well as sticking.
+// Deviation D6: `stretch` is carried from step to step, so that a body at rest on a slope does not creep.
 //
 // Up to four points of one pair of bodies form a patch and are evaluated side by side.
 #pragma once
@@ -33,11 +35,14 @@ namespace pabd {
 
 struct ContactPatch {
   Index a, b;
-  int count;                      // points in use, 1 … kLanes; the others are far away and feel nothing
+  int count;      // points in use, 1 … kLanes; the others are far away and feel nothing
+  bool turns;     // a is flat: its plane turns with it. Else n and stretch are in the world frame
+  bool separate;  // a or b is round: normal points and surface points differ
   std::uint32_t feature[kLanes];  // see FrictionAnchor
-  Vec3x n, r_a, stretch;          // frame of a
-  Vec3x r_b;                      // frame of b
-  Lanes gap;                      // d at the start of the step
+  Vec3x n, stretch;               // frame of a, or world
+  Vec3x r_a, normal_a;            // frame of a
+  Vec3x r_b, normal_b;            // frame of b
+  Lanes gap;                      // d where the normal points coincide
   Lanes mu;           // coefficient of this step: dynamic if the contact slid at the end of the last one
   Lanes limit;        // friction bound μ f_n of this iteration
   Lanes last_change;  // of `limit`: a change of sign damps the next one
@@ -51,9 +56,10 @@ struct ContactLaw {
 };
 
 struct ContactState {
-  Vec3x y;  // the points of b; world, from c_a
-  Vec3x n;  // normals; world
-  Vec3x u;  // tangential stretch; world
+  Vec3x y;         // surface points of b; world, from c_a
+  Vec3x normal_y;  // normal points of b; world, from c_a
+  Vec3x n;         // normals; world
+  Vec3x u;         // tangential stretch; world
   Lanes d;
 };
 
@@ -66,13 +72,34 @@ struct ContactForce {
 
 inline ContactState contact_state(const ContactPatch& p, const Pose& a, const Pose& b) {
   ContactState s;
-  s.y = spread(b.c - a.c) + rotate(b.R, p.r_b);
-  s.n = rotate(a.R, p.n);
-  const Vec3x q = s.y - rotate(a.R, p.r_a);  // world frame
-  const Lanes normal = dot(s.n, q);
-  s.d = p.gap + normal;
-  s.u = q - normal * s.n + rotate(a.R, p.stretch);
+  const Vec3x between = spread(b.c - a.c);
+  s.n = p.turns ? rotate(a.R, p.n) : p.n;
+  s.y = between + rotate(b.R, p.r_b);
+  const Vec3x slip = s.y - rotate(a.R, p.r_a);
+  const Lanes along = dot(s.n, slip);
+  s.u = slip - along * s.n + (p.turns ? rotate(a.R, p.stretch) : p.stretch);
+  if (p.separate) {
+    s.normal_y = between + rotate(b.R, p.normal_b);
+    s.d = p.gap + dot(s.n, s.normal_y - rotate(a.R, p.normal_a));
+  } else {
+    s.normal_y = s.y;
+    s.d = p.gap + along;
+  }
   return s;
+}
+
+// Levers of the normal force and of friction from the centre of one end of the patch; world.
+struct ContactLevers {
+  Vec3x normal, surface;
+};
+
+// Of body a. The plane of a flat owner is pushed where b's point is; a round one at its own normal point.
+inline ContactLevers levers_on_a(const ContactPatch& p, const ContactState& s, const Pose& a) {
+  return {p.turns ? s.normal_y : rotate(a.R, p.normal_a), s.y};
+}
+inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pose& b) {
+  const Vec3x back = spread(a.c - b.c);
+  return {s.normal_y + back, s.y + back};
 }
 
 // Ψ, Ψ' and the tangent split's weight for a patch.

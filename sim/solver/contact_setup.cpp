@@ -45,26 +45,54 @@ auto sort_key(const ContactPoint& p) {
   return std::make_tuple(pair_key(p.a, p.b), owned_feature(p.a, p.b, p.feature));
 }
 
-ContactPatch empty_patch(Index a, Index b) {
-  const Vec3x zero = spread(Vec3::Zero());
-  return {a, b, 0, {}, zero, zero, zero, zero, lanes(1e30), lanes(0), lanes(0), lanes(0)};
+// Radius of a round shape, 0 of a flat one.
+double roundness(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
+  return 0;
 }
 
-// Puts the point into the next lane. In the frames of the bodies: the plane of a, and the point of b as a
-// sees it at the start of the step.
-void add_point(const ContactPoint& p, const State& start, const StepWorkspace::Impl& w, ContactPatch& patch) {
+ContactPatch empty_patch(const Model& model, Index a, Index b) {
+  const Vec3x zero = spread(Vec3::Zero());
+  const bool flat_a = roundness(model.shape[a]) == 0;
+  const bool flat = flat_a && roundness(model.shape[b]) == 0;
+  return {a,    b,    0,    flat_a, !flat,       {},       zero,     zero,
+          zero, zero, zero, zero,   lanes(1e30), lanes(0), lanes(0), lanes(0)};
+}
+
+// Puts the point into the next lane, in the frames of the bodies.
+void add_point(const Model& model, const ContactPoint& p, const State& start, const StepWorkspace::Impl& w,
+               ContactPatch& patch) {
   const int k = patch.count++;
-  const Vec3 n = w.R_detect[p.a].transpose() * p.n;
-  const Vec3 r_b = w.R_detect[p.b].transpose() * (p.y_b - w.c_detect[p.b]);
-  const Vec3 r_a = start.R[p.a].transpose() * (start.c[p.b] + start.R[p.b] * r_b - start.c[p.a]);
+  const auto seen_from_a =
+      [&](const Vec3& r_b) -> Vec3 {  // where a sees a point of b at the start of the step
+    return start.R[p.a].transpose() * (start.c[p.b] + start.R[p.b] * r_b - start.c[p.a]);
+  };
+  const auto in_a = [&](const Vec3& y) -> Vec3 {
+    return w.R_detect[p.a].transpose() * (y - w.c_detect[p.a]);
+  };
+  const auto in_b = [&](const Vec3& y) -> Vec3 {
+    return w.R_detect[p.b].transpose() * (y - w.c_detect[p.b]);
+  };
+  const double radius_a = roundness(model.shape[p.a]), radius_b = roundness(model.shape[p.b]);
+  const Vec3 n = patch.turns ? Vec3(w.R_detect[p.a].transpose() * p.n) : p.n;
+  const Vec3 r_b = in_b(p.y_b), normal_b = in_b(p.y_b + radius_b * p.n);
   patch.feature[k] = owned_feature(p.a, p.b, p.feature);
   set_lane(patch.n, k, n);
-  set_lane(patch.r_a, k, r_a);
+  set_lane(patch.r_a, k, seen_from_a(r_b));
   set_lane(patch.r_b, k, r_b);
-  patch.gap[k] = n.dot(r_a - w.R_detect[p.a].transpose() * (p.y_a - w.c_detect[p.a]));
+  set_lane(patch.normal_b, k, normal_b);
+  if (patch.turns) {
+    const Vec3 normal_a = seen_from_a(normal_b);
+    set_lane(patch.normal_a, k, normal_a);
+    patch.gap[k] = n.dot(normal_a - in_a(p.y_a)) - radius_b;
+  } else {
+    set_lane(patch.normal_a, k, in_a(p.y_a - radius_a * p.n));
+    patch.gap[k] = -radius_a - radius_b;
+  }
 }
 
-void make_patches(const State& start, StepWorkspace::Impl& w) {
+void make_patches(const Model& model, const State& start, StepWorkspace::Impl& w) {
   const auto before = [](const ContactPoint& x, const ContactPoint& y) { return sort_key(x) < sort_key(y); };
   if (!std::is_sorted(w.points.begin(), w.points.end(), before))
     std::sort(w.points.begin(), w.points.end(), before);
@@ -72,8 +100,8 @@ void make_patches(const State& start, StepWorkspace::Impl& w) {
   for (const ContactPoint& p : w.points) {
     const bool fits = !w.patches.empty() && w.patches.back().a == p.a && w.patches.back().b == p.b &&
                       w.patches.back().count < kLanes;
-    if (!fits) w.patches.push_back(empty_patch(p.a, p.b));
-    add_point(p, start, w, w.patches.back());
+    if (!fits) w.patches.push_back(empty_patch(model, p.a, p.b));
+    add_point(model, p, start, w, w.patches.back());
   }
 }
 
@@ -88,7 +116,7 @@ void find_contacts(const Model& model, const Params& params, const State& state,
   w.law.mu_dynamic = contact.mu_dynamic;
   place_for_detection(model, params, state, w);
   detect(model, w.c_detect, w.R_detect, w.reach, model.no_collide, threads, w.collision, w.points);
-  make_patches(state, w);
+  make_patches(model, state, w);
   recall_friction(state.anchors, w);
 }
 
@@ -100,8 +128,10 @@ void initial_guess(const Model& model, const Params& params, const State& state,
   }
   const Vec3 fall = params.h * params.h * params.gravity;
   for (const ContactPatch& patch : w.patches) {
-    double gap = patch.gap[0];
-    for (int k = 1; k < patch.count; ++k) gap = std::min(gap, patch.gap[k]);
+    const ContactState start =
+        contact_state(patch, {state.c[patch.a], state.R[patch.a]}, {state.c[patch.b], state.R[patch.b]});
+    double gap = start.d[0];
+    for (int k = 1; k < patch.count; ++k) gap = std::min(gap, start.d[k]);
     if (gap >= w.law.barrier.d_hat) continue;
     for (const Index i : {patch.a, patch.b}) {
       if (!model.fixed[i]) w.pose[i].c = w.star[i].c - fall;

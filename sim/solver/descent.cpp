@@ -56,20 +56,21 @@ void add_outer(Vec3x& diagonal, Vec3x& off, Lanes weight, const Vec3x& v) {
   off.z += w.y * v.z;
 }
 
-// `r`: levers from the body's centre; `side`: +1 for the body of the point, −1 for the body of the plane.
-void add_patch(const ContactLaw& law, const ContactPatch& patch, const ContactState& state, const Vec3x& r,
-               double side, ContactSums& sums) {
+// `side`: +1 for the body of the point, −1 for the body of the plane.
+void add_patch(const ContactLaw& law, const ContactPatch& patch, const ContactState& state,
+               const ContactLevers& r, double side, ContactSums& sums) {
   const ContactForce f = normal_force(law.barrier, state.d);
   const Lanes u = length(state.u);
   const Lanes alpha_t = friction_weight(law, patch.limit, u);
   sums.energy += f.value + friction_energy(law, patch.limit, u);
-  const Vec3x gradient = (side * f.first) * state.n + (side * alpha_t) * state.u;
-  sums.g_c = sums.g_c + gradient;
-  sums.g_w = sums.g_w + cross(r, gradient);
+  const Vec3x arm = cross(r.normal, state.n);
+  const Vec3x friction = (side * alpha_t) * state.u;
+  const Lanes push = side * f.first;
+  sums.g_c = sums.g_c + push * state.n + friction;
+  sums.g_w = sums.g_w + push * arm + cross(r.surface, friction);
   sums.weight += alpha_t;
-  sums.weight_r = sums.weight_r + alpha_t * r;
-  add_outer(sums.rr_diag, sums.rr_off, alpha_t, r);
-  const Vec3x arm = cross(r, state.n);
+  sums.weight_r = sums.weight_r + alpha_t * r.surface;
+  add_outer(sums.rr_diag, sums.rr_off, alpha_t, r.surface);
   const Lanes k = f.alpha_n - alpha_t;
   add_outer(sums.nn_diag, sums.nn_off, k, state.n);
   add_outer(sums.aa_diag, sums.aa_off, k, arm);
@@ -97,8 +98,9 @@ LocalStep tangent_step(const SolveContext& s, Index i, const Inertia& in) {
   for (const BondEnd& end : s.w.ends_of(i)) {
     const ContactPatch& patch = s.w.patches[end.patch];
     const ContactState state = state_of(s.w, patch);
-    const Vec3x r = end.is_a ? state.y : rotate(pose.R, patch.r_b);
-    add_patch(s.w.law, patch, state, r, end.is_a ? -1 : 1, sums);
+    const ContactLevers levers =
+        end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, s.w.pose[patch.a], pose);
+    add_patch(s.w.law, patch, state, levers, end.is_a ? -1 : 1, sums);
   }
   const Mat3 X = in.star.R * in.J * pose.R.transpose();
   const Mat3 rr = symmetric(sums.rr_diag, sums.rr_off);

@@ -58,9 +58,10 @@ void store_friction(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& a
     const Lanes kept = friction_weight(w.law, patch.limit, u) / w.law.k_t;  // 1 while it sticks
     for (int k = 0; k < patch.count; ++k) {
       if (!(patch.limit[k] > 0)) continue;
-      anchors.push_back({pair_key(patch.a, patch.b), patch.feature[k],
-                         kept[k] * (w.pose[patch.a].R.transpose() * lane(s.u, k)),
-                         w.law.k_t * u[k] > patch.limit[k]});
+      anchors.push_back(
+          {pair_key(patch.a, patch.b), patch.feature[k],
+           kept[k] * (patch.turns ? Vec3(w.pose[patch.a].R.transpose() * lane(s.u, k)) : lane(s.u, k)),
+           w.law.k_t * u[k] > patch.limit[k]});
     }
   }
 }

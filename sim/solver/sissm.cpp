@@ -45,10 +45,14 @@ double affine_distance(const StepWorkspace::Impl& w, const ContactPatch& patch) 
   double smallest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < patch.count; ++k) {
     const Vec3 n = lane(patch.n, k);
-    const Vec3 plane = lane(patch.r_a, k) - patch.gap[k] * n;  // the point y_a of the plane, frame of a
-    const Vec3 y_a = w.next[patch.a].c + w.A[patch.a] * plane;
-    const Vec3 y_b = w.next[patch.b].c + w.A[patch.b] * lane(patch.r_b, k);
-    smallest = std::min(smallest, (cofactor * n).normalized().dot(y_b - y_a));
+    const Vec3 plane = lane(patch.normal_a, k);
+    const Vec3 y_b = w.next[patch.b].c + w.A[patch.b] * lane(patch.normal_b, k);
+    if (patch.turns) {  // the gap is part of the deformed body
+      const Vec3 y_a = w.next[patch.a].c + w.A[patch.a] * (plane - patch.gap[k] * n);
+      smallest = std::min(smallest, (cofactor * n).normalized().dot(y_b - y_a));
+    } else {
+      smallest = std::min(smallest, patch.gap[k] + n.dot(y_b - w.next[patch.a].c - w.A[patch.a] * plane));
+    }
   }
   return smallest;
 }

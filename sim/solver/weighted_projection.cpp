@@ -10,6 +10,21 @@ Lanes binomial_weights(const Barrier& barrier, Lanes d, Lanes tangent) {
   return tangent;
 }
 
+// Adds weight α at the points `y` (world, from the body's centre) that a force pulls: α t + f = α y + force.
+// With α = φ⁺/d this is the target of S(6).
+void add_points(const Mat3& R, int count, const Vec3x& y, Lanes alpha, const Vec3x& force, AffineModel& q) {
+  const Vec3x target = alpha * y + force;
+  for (int k = 0; k < count; ++k) {
+    const Vec3 r = R.transpose() * lane(y, k);
+    const Vec3 t = lane(target, k);
+    q.h_c += alpha[k];
+    q.h_A += alpha[k] * r;
+    q.H_A += alpha[k] * r * r.transpose();
+    q.b_c += t;
+    q.b_A += t * r.transpose();
+  }
+}
+
 }  // namespace
 
 AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, WeightKind weights) {
@@ -25,21 +40,18 @@ AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, Weig
     const ContactState state = state_of(s.w, patch);
     const ContactForce f = normal_force(s.w.law.barrier, state.d);
     const Lanes alpha_t = friction_weight(s.w.law, patch.limit, length(state.u));
-    Lanes alpha = f.alpha_n;
-    if (weights == WeightKind::binomial) alpha = binomial_weights(s.w.law.barrier, state.d, alpha);
-    alpha = larger(alpha, alpha_t);
-    // α t + f: the place of the point plus the force on it. With α = φ⁺/d this is the target of S(6).
-    const Vec3x y = end.is_a ? state.y : rotate(pose.R, patch.r_b);
+    const Lanes alpha_n =
+        weights == WeightKind::binomial ? binomial_weights(s.w.law.barrier, state.d, f.alpha_n) : f.alpha_n;
+    const ContactLevers levers =
+        end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, s.w.pose[patch.a], pose);
     const Lanes side = lanes(end.is_a ? 1 : -1);
-    const Vec3x target = alpha * y + side * (f.first * state.n + alpha_t * state.u);
-    for (int k = 0; k < patch.count; ++k) {
-      const Vec3 r = pose.R.transpose() * lane(y, k);
-      const Vec3 t = lane(target, k);
-      q.h_c += alpha[k];
-      q.h_A += alpha[k] * r;
-      q.H_A += alpha[k] * r * r.transpose();
-      q.b_c += t;
-      q.b_A += t * r.transpose();
+    const Vec3x push = (side * f.first) * state.n;
+    const Vec3x friction = (side * alpha_t) * state.u;
+    if (patch.separate) {
+      add_points(pose.R, patch.count, levers.normal, alpha_n, push, q);
+      add_points(pose.R, patch.count, levers.surface, alpha_t, friction, q);
+    } else {
+      add_points(pose.R, patch.count, levers.surface, larger(alpha_n, alpha_t), push + friction, q);
     }
   }
   return q;
