@@ -69,7 +69,7 @@ struct VisualScene {
   std::vector<Label> labels;
   std::vector<Ground> grounds;  // fixed planes, drawn with a fading grid
   Camera camera;
-  Vec3f light_direction{-0.70f, -1.0f, -0.62f};  // the way the light travels; need not be unit
+  Vec3f light_direction{-0.85f, -1.0f, -0.3f};  // the way the light travels; need not be unit
   Vec3f centre{0, 0, 0};                         // bounding sphere of what moves, for shadow and depth range
   float radius = 5;
 
