@@ -1,0 +1,73 @@
+// Approved pictures, in tests/golden/<renderer class>. PABD_UPDATE_GOLDEN=1 approves what is drawn now: look
+// at it first.
+
+#include <catch2/catch.hpp>
+
+#include "app/plots/figure.h"
+#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/contact_pair.h"
+#include "app/plots/figures/convergence.h"
+#include "tests/output/golden.h"
+#include "tests/pictures/studio.h"
+
+using namespace pabd;
+
+namespace {
+
+void check(const Image& image, const std::string& name, const Studio& studio) {
+  const CompareResult result = check_golden(image, name, studio.gl_renderer());
+  INFO(result.reason);
+  CHECK(result.equal);
+}
+
+}  // namespace
+
+TEST_CASE("two boxes, plain") {
+  Studio studio(640, 360);
+  check(studio.frame(visual_of(StoredStep("two_boxes"), false)), "two_boxes", studio);
+}
+
+TEST_CASE("two boxes with contacts, bond points and legend") {
+  Studio studio(1280, 720);
+  const StoredStep stored("two_boxes");
+  OverlayOptions panels;
+  panels.legend = true;
+  check(studio.frame(visual_of(stored, true), panels, overlay_of(stored)), "two_boxes_contacts", studio);
+}
+
+TEST_CASE("pyramid with all overlays") {
+  Studio studio(1280, 720);
+  const StoredStep stored("pyramid");
+  check(studio.frame(visual_of(stored, true), parse_panels("all"), overlay_of(stored)), "pyramid_overlays",
+        studio);
+}
+
+TEST_CASE("round and flat shapes") {
+  Studio studio(640, 360);
+  check(studio.frame(visual_of(StoredStep("shapes"), false)), "shapes", studio);
+}
+
+TEST_CASE("barrier plot") {
+  Studio studio(1200, 525);
+  BarrierCurves curves;
+  curves.kinds = {BarrierKind::polynomial, BarrierKind::even, BarrierKind::log};
+  curves.N = {2, 3, 8};
+  check(studio.picture(figure_picture(barrier_figure(curves))), "barrier_plot", studio);
+}
+
+TEST_CASE("convergence plot") {
+  Studio studio(1500, 500);
+  const Figure figure = convergence_figure(
+      {{"sissm", invented_records(60, 0.85)}, {"descent", invented_records(30, 0.5)}}, Minimiser{100, 0.002});
+  check(studio.picture(figure_picture(figure)), "convergence_plot", studio);
+}
+
+TEST_CASE("figure 1") {
+  Studio studio(1200, 525);
+  check(studio.picture(figure_picture(figure1())), "figure_1", studio);
+}
+
+TEST_CASE("figure 5") {
+  Studio studio(1200, 600);
+  check(studio.picture(figure5()), "figure_5", studio);
+}

@@ -1,0 +1,108 @@
+#include "tests/pictures/studio.h"
+
+#include <cmath>
+
+#include "sim/collision/detect.h"
+#include "sim/solver/time_step.h"
+
+namespace pabd {
+namespace {
+
+std::vector<ContactReport> contacts_of(const Scene& scene, const Barrier& barrier) {
+  const Model& model = scene.model;
+  const std::vector<double> reach(model.shape.size(), 0.5 * barrier.d_hat);
+  CollisionWorkspace workspace;
+  std::vector<ContactPoint> points;
+  detect(model, scene.initial.c, scene.initial.R, reach, model.no_collide, 1, workspace, points);
+  std::vector<ContactReport> reports;
+  for (const ContactPoint& p : points) {
+    if (p.d >= barrier.d_hat) continue;
+    reports.push_back({p.a, p.b, p.y_a, p.y_b, p.n, p.d, -evaluate(barrier, p.d).first, Vec3::Zero(), true});
+  }
+  return reports;
+}
+
+std::vector<StepReport> damped_bounce(double h) {
+  std::vector<StepReport> history;
+  for (int k = 1; k <= 120; ++k) {
+    const double t = k * h, bounce = std::exp(-2 * t) * std::abs(std::cos(5 * t));
+    StepReport report;
+    report.step = k;
+    report.time = t;
+    report.kinetic = 1000 * bounce;
+    report.elastic = 400 * (std::exp(-2 * t) - bounce);
+    report.min_gap = 0.01 - 0.02 * bounce;
+    report.max_penetration = std::max(0.0, -report.min_gap);
+    history.push_back(report);
+  }
+  return history;
+}
+
+}  // namespace
+
+std::vector<IterationRecord> invented_records(int count, double rate) {
+  std::vector<IterationRecord> records;
+  for (int k = 0; k < count; ++k) {
+    const double left = std::pow(rate, k);
+    const double before = 1e-3 - 0.03 * left, after = -1e-3 - 0.05 * left;
+    records.push_back({100 + 400 * left, 0.3 * left, std::max(0.0, -before), std::max(0.0, -after), before,
+                       after, 0, left});
+  }
+  return records;
+}
+
+StoredStep::StoredStep(const std::string& scene_name)
+    : scene(load_scene(PABD_SCENES "/" + scene_name + ".json")) {
+  const ContactParams& c = scene.params.contact;
+  report.kappa = resolve_kappa(scene.model, scene.params);
+  report.contact_reports = contacts_of(scene, {c.barrier, c.N, c.d_hat, report.kappa, c.onset});
+  report.contacts = static_cast<int>(report.contact_reports.size());
+  report.records = invented_records(16, 0.5);
+  report.iterations = 16;
+  report.step = 120;
+  report.time = 2;
+  history = damped_bounce(1.0 / 60);
+}
+
+Studio::Studio(int width, int height)
+    : width_(width),
+      height_(height),
+      context_(create_headless_context(Backend::automatic, attempts_)),
+      renderer_(*context_, width, height),
+      overlay_([this](const unsigned char* rgba, int w, int h) {
+        return renderer_.upload_font_atlas(rgba, w, h);
+      }) {}
+
+Image Studio::read() {
+  renderer_.queue_read();
+  Image image;
+  renderer_.fetch(image);
+  return image;
+}
+
+Image Studio::frame(const VisualScene& scene, const OverlayOptions& panels, const OverlayData& data) {
+  renderer_.draw(scene, overlay_.frame(panels, data, &scene, width_, height_));
+  return read();
+}
+
+Image Studio::picture(const Picture& picture) {
+  renderer_.draw_plain(overlay_.paint(picture, width_, height_), Vec3f(1, 1, 1));
+  return read();
+}
+
+VisualScene visual_of(const StoredStep& stored, bool contacts_and_bonds) {
+  VisualScene visual;
+  const VisualOptions options{contacts_and_bonds, contacts_and_bonds, stored.scene.params.contact.d_hat, 0};
+  build_visual(stored.scene.model, stored.scene.initial, stored.report, options, visual);
+  const CameraDesc& camera = *stored.scene.camera;
+  visual.camera.eye = camera.eye.cast<float>();
+  visual.camera.target = camera.target.cast<float>();
+  visual.camera.fov = static_cast<float>(camera.fov);
+  return visual;
+}
+
+OverlayData overlay_of(const StoredStep& stored) {
+  return {stored.scene.name, &stored.scene.params, stored.report.kappa, &stored.report, &stored.history};
+}
+
+}  // namespace pabd
