@@ -1,4 +1,5 @@
-// The one exception of the project. Thrown only at boundaries (files, GL context, encoder), never for physics.
+// The one exception of the project. Thrown only at boundaries (files, GL context, encoder), never for
+// physics.
 #pragma once
 
 #include <stdexcept>

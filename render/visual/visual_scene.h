@@ -70,7 +70,7 @@ struct VisualScene {
   std::vector<Ground> grounds;  // fixed planes, drawn with a fading grid
   Camera camera;
   Vec3f light_direction{-0.85f, -1.0f, -0.3f};  // the way the light travels; need not be unit
-  Vec3f centre{0, 0, 0};                         // bounding sphere of what moves, for shadow and depth range
+  Vec3f centre{0, 0, 0};                        // bounding sphere of what moves, for shadow and depth range
   float radius = 5;
 
   void clear();

@@ -19,7 +19,8 @@ struct MassProperties {
 // Volume in m³; 0 for a plane.
 double volume(const Shape& shape);
 
-// Mass properties for a uniform density in kg/m³. Precondition: the shape is solid (not a plane), density > 0.
+// Mass properties for a uniform density in kg/m³. Precondition: the shape is solid (not a plane), density >
+// 0.
 MassProperties mass_properties(const Shape& shape, double density);
 
 // The inertia tensor I = tr(J) 1 − J that belongs to J.

@@ -1,4 +1,5 @@
-// The changing part of a simulation: plain arrays, one entry a body, plus the friction memory of the contacts.
+// The changing part of a simulation: plain arrays, one entry a body, plus the friction memory of the
+// contacts.
 #pragma once
 
 #include <vector>
@@ -14,19 +15,21 @@ struct Pose {
 
 // What a touching contact carries from one step to the next (see bond/contact_bond.h).
 struct FrictionAnchor {
-  std::uint64_t pair;     // (min body << 32) | max body: the two bodies in order of number
-  std::uint32_t feature;  // which contact of the pair; top bit: the body with the higher number owns the normal
-  Vec3 stretch;           // tangential, in the frame of the normal (its owner's, or the world's if that is round); metres
-  bool sliding = false;   // it slid at the end of the step: dynamic friction until it sticks again
+  std::uint64_t pair;  // (min body << 32) | max body: the two bodies in order of number
+  std::uint32_t
+      feature;   // which contact of the pair; top bit: the body with the higher number owns the normal
+  Vec3 stretch;  // tangential, in the frame of the normal (its owner's, or the world's if that is round);
+                 // metres
+  bool sliding = false;  // it slid at the end of the step: dynamic friction until it sticks again
 };
 
 struct State {
-  double time = 0;            // s
-  std::int64_t step = 0;      // steps since the start
-  std::vector<Vec3> c;        // centre of mass, world; m
-  std::vector<Mat3> R;        // rotation, body to world
-  std::vector<Vec3> v;        // velocity of the centre of mass; m/s
-  std::vector<Vec3> omega;    // angular velocity, world; rad/s
+  double time = 0;                      // s
+  std::int64_t step = 0;                // steps since the start
+  std::vector<Vec3> c;                  // centre of mass, world; m
+  std::vector<Mat3> R;                  // rotation, body to world
+  std::vector<Vec3> v;                  // velocity of the centre of mass; m/s
+  std::vector<Vec3> omega;              // angular velocity, world; rad/s
   std::vector<FrictionAnchor> anchors;  // sorted by (pair, feature)
 
   Index size() const { return static_cast<Index>(c.size()); }

@@ -11,7 +11,8 @@
 
 namespace pabd {
 
-// 16 hex digits over time, step, poses, velocities and friction anchors, bit by bit: equal states, equal hash.
+// 16 hex digits over time, step, poses, velocities and friction anchors, bit by bit: equal states, equal
+// hash.
 std::string state_hash(const State& state);
 
 void write_steps_header(std::ostream& out);
@@ -21,7 +22,8 @@ void write_iterations_rows(std::ostream& out, const StepReport& report);  // one
 
 // State JSON. Numbers are printed so that reading them gives the same bits.
 std::string state_to_json(const Model& model, const State& state);
-// Throws Error(bad_input) when the text is malformed or does not fit the model (names, count, finite, unit rotations).
+// Throws Error(bad_input) when the text is malformed or does not fit the model (names, count, finite, unit
+// rotations).
 State state_from_json(const Model& model, const std::string& text, const std::string& source);
 
 }  // namespace pabd

@@ -107,8 +107,7 @@ TEST_CASE("labels are painted where the camera sees them, not behind the eye") {
   SvgCanvas canvas(font, 800, 600);
   paint_labels(scene, 800, 600, 1, canvas);
   const std::string svg = canvas.finish();
-  CHECK(svg.find("x=\"400\" y=\"306.2\"") !=
-        std::string::npos);  // middle of the frame, half a capital lower
+  CHECK(svg.find("x=\"400\" y=\"306.2\"") != std::string::npos);  // middle of the frame, half a capital lower
   CHECK(svg.find("behind") == std::string::npos);
 }
 
