@@ -18,7 +18,7 @@ Camera make_room(const Camera& camera, const Rect& free, int width, int height) 
   const double share = std::min(free.w / width, free.h / height);
   if (!(share > 0.2)) return camera;
   Camera moved = camera;
-  const Vec3f offset = (camera.eye - camera.target) * static_cast<float>(std::sqrt(1 / share));
+  const Vec3f offset = (camera.eye - camera.target) * static_cast<float>(std::pow(share, -0.65));
   const Mat4f view = view_matrix(camera);
   const Vec3f right = view.row(0).head<3>();
   const Vec3f up = view.row(1).head<3>();
