@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/body/shape.h"
+#include "sim/joint/joint.h"
 
 namespace pabd {
 
@@ -13,9 +14,10 @@ namespace pabd {
 struct Model {
   std::vector<std::string> name;
   std::vector<Shape> shape;
-  std::vector<double> mass;                         // kg; 0 for a fixed body
-  std::vector<Mat3> J;                              // kg m², body frame; zero for a fixed body
-  std::vector<std::uint8_t> fixed;                  // 1: never moves
+  std::vector<double> mass;         // kg; 0 for a fixed body
+  std::vector<Mat3> J;              // kg m², body frame; zero for a fixed body
+  std::vector<std::uint8_t> fixed;  // 1: never moves
+  std::vector<Joint> joints;
   std::vector<std::pair<Index, Index>> no_collide;  // pairs a < b that never touch, sorted
 
   Index size() const { return static_cast<Index>(shape.size()); }

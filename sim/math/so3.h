@@ -42,7 +42,8 @@ inline Vec3 log_so3(const Mat3& R) {
 // The rotation by 2 atan(‖w‖/2) about w: agrees with exp([w]) to third order and needs no sine. Every w has
 // one.
 inline Mat3 cayley(const Vec3& w) {
-  return Quat(1, 0.5 * w.x(), 0.5 * w.y(), 0.5 * w.z()).normalized().toRotationMatrix();
+  const Mat3 W = skew(w);
+  return Mat3::Identity() + (4 / (4 + w.squaredNorm())) * (W + 0.5 * W * W);
 }
 
 // The w with cayley(w) = R, for a rotation by less than π.

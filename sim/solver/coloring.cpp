@@ -3,8 +3,6 @@
 #include <algorithm>
 
 namespace pabd {
-namespace {
-
 void list_ends(const Model& model, StepWorkspace::Impl& w) {
   const std::size_t n = model.shape.size();
   w.first_end.assign(n + 1, 0);
@@ -24,6 +22,8 @@ void list_ends(const Model& model, StepWorkspace::Impl& w) {
   w.first_end[0] = 0;
 }
 
+namespace {
+
 // The smallest colour that no neighbour has.
 Index free_color(const Model& model, const StepWorkspace::Impl& w, Index body) {
   std::uint64_t used = 0;
@@ -32,6 +32,13 @@ Index free_color(const Model& model, const StepWorkspace::Impl& w, Index body) {
     const ContactPatch& patch = w.patches[end.patch];
     const Index other = end.is_a ? patch.b : patch.a;
     if (model.fixed[other] || w.color[other] < 0) continue;
+    if (w.color[other] < 64) used |= std::uint64_t{1} << w.color[other];
+    beyond = std::max(beyond, w.color[other] + 1);
+  }
+  for (const Index k : w.joints_of(body)) {
+    const Joint& joint = model.joints[k];
+    const Index other = joint.i == body ? joint.j : joint.i;
+    if (other == kWorld || model.fixed[other] || w.color[other] < 0) continue;
     if (w.color[other] < 64) used |= std::uint64_t{1} << w.color[other];
     beyond = std::max(beyond, w.color[other] + 1);
   }
@@ -44,13 +51,12 @@ Index free_color(const Model& model, const StepWorkspace::Impl& w, Index body) {
 }  // namespace
 
 void color_bodies(const Model& model, StepWorkspace::Impl& w) {
-  list_ends(model, w);
   const Index n = model.size();
   w.color.assign(static_cast<std::size_t>(n), -1);
   w.first_of_color.clear();
   Index colors = 0;
   for (Index i = 0; i < n; ++i) {
-    if (w.ends_of(i).empty()) continue;
+    if (w.is_newton[i] || (w.ends_of(i).empty() && w.joints_of(i).empty())) continue;
     w.color[i] = free_color(model, w, i);
     colors = std::max(colors, w.color[i] + 1);
   }

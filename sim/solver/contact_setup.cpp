@@ -122,8 +122,9 @@ void find_contacts(const Model& model, const Params& params, const State& state,
 
 void initial_guess(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w) {
   w.pose = w.star;
+  w.pose.push_back({Vec3::Zero(), Mat3::Identity()});
   if (params.contact.barrier == BarrierKind::log) {
-    for (const Index i : w.colored) w.pose[i] = {state.c[i], state.R[i]};
+    for (const Index i : w.solved) w.pose[i] = {state.c[i], state.R[i]};
     return;
   }
   const Vec3 fall = params.h * params.h * params.gravity;

@@ -10,6 +10,7 @@
 
 #include <Eigen/Dense>
 
+#include "sim/solver/joint_set.h"
 #include "sim/solver/parallel.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/weighted_projection.h"
@@ -30,7 +31,7 @@ double local_energy(const SolveContext& s, Index i, const Inertia& in, const Pos
         end.is_a ? contact_state(patch, trial, other) : contact_state(patch, other, trial);
     energy += contact_energy(s.w.law, patch, state);
   }
-  return inertia_energy(in, trial) + sum(energy);
+  return inertia_energy(in, trial) + sum(energy) + joint_energy(s, i, trial);
 }
 
 // Sums over the contacts of a body, lane by lane: energy, gradient and the 6×6 matrix of the quadratic model.
@@ -102,21 +103,25 @@ LocalStep tangent_step(const SolveContext& s, Index i, const Inertia& in) {
         end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, s.w.pose[patch.a], pose);
     add_patch(s.w.law, patch, state, levers, end.is_a ? -1 : 1, sums);
   }
+  JointSums joints;
+  add_joints(s, i, joints);
   const Mat3 X = in.star.R * in.J * pose.R.transpose();
   const Mat3 rr = symmetric(sums.rr_diag, sums.rr_off);
   const double mass = in.m * in.inv_h2;
   Mat3 an;
   an << sum(sums.an_x).transpose(), sum(sums.an_y).transpose(), sum(sums.an_z).transpose();
-  const Mat3 H_cc = (mass + sum(sums.weight)) * Mat3::Identity() + symmetric(sums.nn_diag, sums.nn_off);
-  const Mat3 H_wc = skew(sum(sums.weight_r)) + an;
+  const Mat3 H_cc =
+      (mass + sum(sums.weight)) * Mat3::Identity() + symmetric(sums.nn_diag, sums.nn_off) + joints.H_cc;
+  const Mat3 H_wc = skew(sum(sums.weight_r)) + an + joints.H_wc;
   const Mat3 H_ww = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose())) +
-                    rr.trace() * Mat3::Identity() - rr + symmetric(sums.aa_diag, sums.aa_off);
+                    rr.trace() * Mat3::Identity() - rr + symmetric(sums.aa_diag, sums.aa_off) + joints.H_ww;
   Mat6 H;
   H << H_cc, H_wc.transpose(), H_wc, H_ww;
   Vec6 g;
-  g << mass * (pose.c - in.star.c) + sum(sums.g_c), sum(sums.g_w) - in.inv_h2 * axial(X);
+  g << mass * (pose.c - in.star.c) + sum(sums.g_c) + joints.g_c,
+      sum(sums.g_w) + joints.g_w - in.inv_h2 * axial(X);
   const Vec6 step = -H.llt().solve(g);
-  LocalStep out{step.head<3>(), step.tail<3>(), inertia_energy(in, pose) + sum(sums.energy)};
+  LocalStep out{step.head<3>(), step.tail<3>(), inertia_energy(in, pose) + sum(sums.energy) + joints.energy};
   const double angle = out.dw.norm();
   if (angle > 1) {  // the tangent model says nothing that far away
     out.dc /= angle;

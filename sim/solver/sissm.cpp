@@ -62,7 +62,7 @@ double affine_distance(const StepWorkspace::Impl& w, const ContactPatch& patch) 
 void sissm_iteration(const SolveContext& s, double* before) {
   StepWorkspace::Impl& w = s.w;
   w.next = w.pose;
-  for (std::size_t i = 0; i < w.pose.size(); ++i) w.A[i] = w.pose[i].R;
+  for (std::size_t i = 0; i < w.A.size(); ++i) w.A[i] = w.pose[i].R;
   parallel_for(s.threads, w.colored.size(), [&](std::size_t j) { global_and_local_step(s, w.colored[j]); });
   if (before) {
     *before = std::numeric_limits<double>::infinity();

@@ -13,6 +13,7 @@ struct SolveContext {
   const Model& model;
   const Params& params;
   int threads;
+  double time;  // at the end of the step, for driven joints; s
   StepWorkspace::Impl& w;
 };
 

@@ -13,6 +13,9 @@
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/free_flight.h"
 #include "sim/solver/friction.h"
+#include "sim/solver/islands.h"
+#include "sim/solver/joint_set.h"
+#include "sim/solver/newton.h"
 #include "sim/solver/parallel.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_summary.h"
@@ -46,7 +49,7 @@ void predict(const Model& model, const Params& params, const State& state, int t
 // 4. v ← v + (c − c*)/h. The spin gets the angular impulse that the minimiser of E implies, −axial(R* J
 // Rᵀ)/h, which is I log(R R*ᵀ)/h to first order and exactly the contacts' r × f h (Deviation D8).
 void update_velocities(const Model& model, const Params& params, StepWorkspace::Impl& w) {
-  for (const Index i : w.colored) {
+  for (const Index i : w.solved) {
     w.pose[i].R = reorthonormalized(w.pose[i].R);
     w.v[i] += (w.pose[i].c - w.star[i].c) / params.h;
     const Mat3 I = inertia_tensor(model.J[i]);
@@ -58,7 +61,7 @@ void update_velocities(const Model& model, const Params& params, StepWorkspace::
 
 bool all_finite(const StepWorkspace::Impl& w) {
   double sum = 0;
-  for (std::size_t i = 0; i < w.pose.size(); ++i)
+  for (std::size_t i = 0; i < w.v.size(); ++i)
     sum += 0.0 * (w.pose[i].c.sum() + w.pose[i].R.sum() + w.v[i].sum() + w.omega[i].sum());
   return sum == 0;  // 0 · x is NaN for an infinite or undefined x
 }
@@ -71,33 +74,42 @@ void record(const SolveContext& s, double residual, double gap_before, StepRepor
   r.min_gap_before = report.method == SolverMethod::sissm ? gap_before : r.min_gap_after;
   r.max_penetration_before = std::max(0.0, -r.min_gap_before);
   r.max_penetration_after = std::max(0.0, -r.min_gap_after);
-  r.max_joint_error = 0;
+  r.max_joint_error = largest_joint_error(s);
   r.projection_change = 0;
   if (report.method == SolverMethod::sissm) {
-    for (const Index i : s.w.colored) r.projection_change = std::max(r.projection_change, s.w.projected[i]);
+    for (const Index i : s.w.solved) r.projection_change = std::max(r.projection_change, s.w.projected[i]);
   }
   report.records.push_back(r);
+}
+
+// Every body with bonds, in order of number.
+void list_solved(StepWorkspace::Impl& w) {
+  w.solved = w.colored;
+  w.solved.insert(w.solved.end(), w.newton.begin(), w.newton.end());
+  std::sort(w.solved.begin(), w.solved.end());
 }
 
 // 3. Iterates until the bodies move by less than `tolerance` · d̂, or the cap.
 void solve(const SolveContext& s, const StepOptions& options, StepReport& report) {
   StepWorkspace::Impl& w = s.w;
-  report.status = w.colored.empty() ? StepStatus::converged : StepStatus::iteration_limit;
-  if (w.colored.empty()) return;
-  w.moved.assign(w.pose.size(), 0.0);
-  w.projected.assign(w.pose.size(), 0.0);
-  w.A.resize(w.pose.size());
+  report.status = w.solved.empty() ? StepStatus::converged : StepStatus::iteration_limit;
+  if (w.solved.empty()) return;
+  w.moved.assign(w.v.size(), 0.0);
+  w.projected.assign(w.v.size(), 0.0);
+  w.A.resize(w.v.size());
+  w.system->force.clear();
   for (int k = 0; k < s.params.solver.iterations; ++k) {
     if (k > 0) update_friction_limits(s.threads, w);
     double gap_before = 0;
     if (report.method == SolverMethod::sissm) {
       sissm_iteration(s, options.record_iterations ? &gap_before : nullptr);
     } else {
+      newton_iteration(s, *w.system);
       descent_sweep(s, k % 2 == 1);
     }
     ++report.iterations;
     report.residual = 0;
-    for (const Index i : w.colored) report.residual = std::max(report.residual, w.moved[i]);
+    for (const Index i : w.solved) report.residual = std::max(report.residual, w.moved[i]);
     if (options.record_iterations) record(s, report.residual, gap_before, report);
     if (!std::isfinite(report.residual)) return;
     if (report.residual < s.params.solver.tolerance) {
@@ -136,7 +148,13 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
 
   predict(model, params, state, options.threads, w);        // 1. free flight: Q*
   find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
+  list_ends(model, w);
+  find_islands(model, params.solver.method, w);
   color_bodies(model, w);
+  list_solved(w);
+  report.method = params.solver.method;
+  if (report.method == SolverMethod::automatic)
+    report.method = w.newton.size() > w.colored.size() ? SolverMethod::newton : SolverMethod::descent;
   initial_guess(model, params, state, w);
   start_friction(options.threads, w);
   report.times.collision = total.ms();
@@ -144,7 +162,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
 
   const Stopwatch solving;
   const bool feasible = !is_infeasible(w);
-  if (feasible) solve({model, params, options.threads, w}, options, report);  // 3. minimise E
+  if (feasible) solve({model, params, options.threads, report.time, w}, options, report);  // 3. minimise E
   update_friction_limits(options.threads, w);
   update_velocities(model, params, w);  // 4. velocities
   report.times.solve = solving.ms();
@@ -154,7 +172,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
     report.times.total = total.ms();
     return;
   }
-  for (std::size_t i = 0; i < w.pose.size(); ++i) {
+  for (std::size_t i = 0; i < w.v.size(); ++i) {
     state.c[i] = w.pose[i].c;
     state.R[i] = w.pose[i].R;
   }
@@ -164,6 +182,10 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   state.step = report.step;
   state.time = report.time;
   summarize_contacts(w, options.report_contacts, report);
+  const SolveContext end{model, params, options.threads, report.time, w};
+  for (std::size_t k = 0; k < model.joints.size(); ++k)
+    report.elastic += energy_of_joint(end, static_cast<Index>(k));
+  report.max_joint_error = largest_joint_error(end);
   report.kinetic = kinetic_energy(model, state);
   report.potential = potential_energy(model, params, state);
   report.times.total = total.ms();
@@ -180,6 +202,9 @@ const char* to_string(StepStatus status) {
   }
   return "?";
 }
+
+StepWorkspace::Impl::Impl() : system(std::make_unique<NewtonSystem>()) {}
+StepWorkspace::Impl::~Impl() = default;
 
 StepWorkspace::StepWorkspace() : impl_(std::make_unique<Impl>()) {}
 StepWorkspace::~StepWorkspace() = default;

@@ -1,5 +1,7 @@
 #include "sim/solver/weighted_projection.h"
 
+#include "sim/solver/joint_set.h"
+
 namespace pabd {
 namespace {
 
@@ -22,6 +24,29 @@ void add_points(const Mat3& R, int count, const Vec3x& y, Lanes alpha, const Vec
     q.H_A += alpha[k] * r * r.transpose();
     q.b_c += t;
     q.b_A += t * r.transpose();
+  }
+}
+
+// Points of joints, with their largest weight in every direction.
+void add_joint_points(const SolveContext& s, Index i, AffineModel& q) {
+  const Pose& pose = s.w.pose[i];
+  BondList list;
+  for (const Index k : s.w.joints_of(i)) {
+    const Joint& joint = s.model.joints[k];
+    expand_at(s, k, kWorld, pose, list);
+    const bool is_a = joint.i == i;
+    for (int b = 0; b < list.count; ++b) {
+      const PointBondForce f = evaluate(joint.law, list.bond[b]);
+      const double alpha = f.weight.norm();
+      const Vec3 y = (is_a ? list.bond[b].y_a : list.bond[b].y_b) - pose.c;
+      const Vec3 r = pose.R.transpose() * y;
+      const Vec3 target = alpha * y + (is_a ? f.gradient : Vec3(-f.gradient));
+      q.h_c += alpha;
+      q.h_A += alpha * r;
+      q.H_A += alpha * r * r.transpose();
+      q.b_c += target;
+      q.b_A += target * r.transpose();
+    }
   }
 }
 
@@ -54,6 +79,7 @@ AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, Weig
       add_points(pose.R, patch.count, levers.surface, larger(alpha_n, alpha_t), push + friction, q);
     }
   }
+  add_joint_points(s, i, q);
   return q;
 }
 

@@ -17,8 +17,10 @@ struct BondEnd {
   bool is_a;
 };
 
+struct NewtonSystem;
+
 struct StepWorkspace::Impl {
-  // Predicted poses Q* and current iterate, one entry a body.
+  // Predicted poses Q* and current iterate, one entry a body, and the identity for the world.
   std::vector<Pose> star, pose;
   std::vector<Vec3> v, omega;  // velocities of free flight
 
@@ -35,6 +37,16 @@ struct StepWorkspace::Impl {
   std::vector<Index> first_end;
   std::vector<BondEnd> ends;
 
+  // Joints of each body: joints[first_joint[i]] … joints[first_joint[i + 1] − 1].
+  std::vector<Index> first_joint, joints;
+  std::vector<Index> cursor, parent;  // scratch
+
+  // Bodies that `newton` solves; the others with bonds are coloured.
+  std::vector<Index> newton;
+  std::vector<std::uint8_t> is_newton;  // per body, and 0 for the world
+  std::unique_ptr<NewtonSystem> system;
+  std::vector<Index> solved;  // all bodies that have bonds
+
   // Bodies that have bonds, grouped by colour: no two of one colour share a bond.
   std::vector<Index> color;    // per body, −1: nothing to solve
   std::vector<Index> colored;  // body numbers, colour by colour
@@ -46,6 +58,17 @@ struct StepWorkspace::Impl {
   std::vector<double> radius;     // bounding radius; m
   std::vector<double> moved;      // per body: displacement in this iteration over d̂
   std::vector<double> projected;  // per body: ‖A − R‖
+
+  Impl();
+  ~Impl();
+
+  // Index of a body's pose; the world has the last one.
+  std::size_t slot(Index body) const { return body < 0 ? pose.size() - 1 : static_cast<std::size_t>(body); }
+
+  std::span<const Index> joints_of(Index body) const {
+    const auto i = static_cast<std::size_t>(body);
+    return {joints.data() + first_joint[i], static_cast<std::size_t>(first_joint[i + 1] - first_joint[i])};
+  }
 
   std::span<const BondEnd> ends_of(Index body) const {
     const auto i = static_cast<std::size_t>(body);

@@ -68,3 +68,13 @@ TEST_CASE("reorthonormalisation squares the distance to SO(3)") {
   R(0, 1) += 1e-7;
   CHECK((reorthonormalized(R).transpose() * reorthonormalized(R) - Mat3::Identity()).norm() < 1e-13);
 }
+
+TEST_CASE("the Cayley map gives rotations by 2 atan(|w|/2) about w, and is undone by its inverse") {
+  for (const double length : {0.0, 1e-9, 1e-3, 0.137, 1.0, 5.0}) {
+    const Vec3 w = length * Vec3(1, -2, 3).normalized();
+    const Mat3 R = cayley(w);
+    CHECK((R.transpose() * R - Mat3::Identity()).norm() < 1e-15);
+    CHECK((R - exp_so3(2 * std::atan(length / 2) * Vec3(1, -2, 3).normalized())).norm() < 1e-14);
+    CHECK((cayley_inverse(R) - w).norm() < 1e-13 * (1 + length));
+  }
+}

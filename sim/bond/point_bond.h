@@ -1,0 +1,49 @@
+// The bond between two points: soft S(1, 2), or hard and bilateral (the even part of S(5) without its bound
+// at d̂).
+//
+//   e       y_b − y_a, without its part along `free_axis` if there is one           m
+//   s       ‖e‖ − l                                                                 m
+//   soft    Ψ = ½ κ s²                                     κ in N/m
+//   hard    Ψ = κ Σ_{m=1}^{⌊N/2⌋} (1/2m)(s/d̂)²ᵐ            κ in J
+//
+//   ∂Ψ/∂y_b = Ψ'(s) e/‖e‖,   weights: α_n = Ψ'' along e, α_t = max(0, Ψ'/‖e‖) across it; for l = 0 both are
+//   Ψ''.
+#pragma once
+
+#include "sim/math/types.h"
+
+namespace pabd {
+
+enum class BondPotential : std::uint8_t { soft, hard };
+
+struct BondLaw {
+  BondPotential potential = BondPotential::soft;
+  double kappa = 1;     // N/m for soft, J for hard
+  double d_hat = 0.01;  // m; hard only
+  int N = 4;            // hard only
+};
+
+// Two points that a joint wants `length` apart, where they are now; world frame.
+struct PointBond {
+  Vec3 y_a, y_b;
+  double length = 0;
+  bool slides = false;      // along free_axis
+  Vec3 free_axis{0, 0, 0};  // unit
+};
+
+struct PointBondForce {
+  double energy;   // J
+  Vec3 gradient;   // of the energy with respect to y_b; N
+  Mat3 weight;     // K, positive semidefinite; N/m
+  double stretch;  // |s|; m
+};
+
+PointBondForce evaluate(const BondLaw& law, const PointBond& bond);
+
+// Ψ' and Ψ'' of s.
+struct BondSlope {
+  double value, first, second;
+};
+BondSlope evaluate(const BondLaw& law, double s);
+
+}  // namespace pabd

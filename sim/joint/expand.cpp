@@ -1,0 +1,79 @@
+#include "sim/joint/expand.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pabd {
+
+const char* to_string(JointType type) {
+  switch (type) {
+    case JointType::spherical:
+      return "spherical";
+    case JointType::hinge:
+      return "hinge";
+    case JointType::slider:
+      return "slider";
+    case JointType::fixed:
+      return "fixed";
+    case JointType::distance:
+      return "distance";
+  }
+  return "?";
+}
+
+double Profile::at(double time) const {
+  const auto after =
+      std::upper_bound(keys.begin(), keys.end(), time,
+                       [](double t, const std::pair<double, double>& key) { return t < key.first; });
+  if (after == keys.begin()) return keys.front().second;
+  if (after == keys.end()) return keys.back().second;
+  const auto& [t0, v0] = *(after - 1);
+  const auto& [t1, v1] = *after;
+  return v0 + (v1 - v0) * (time - t0) / (t1 - t0);
+}
+
+std::optional<double> passed_bound(const Range& range, double value) {
+  if (value < range.lo) return range.lo;
+  if (value > range.hi) return range.hi;
+  return std::nullopt;
+}
+
+double joint_angle(const PlacedFrame& fi, const PlacedFrame& fj) {
+  const Vec3 e = fj.F.col(1);
+  return std::atan2(e.dot(fi.F.col(2)), e.dot(fi.F.col(1)));
+}
+
+double joint_offset(const PlacedFrame& fi, const PlacedFrame& fj) { return fj.F.col(0).dot(fj.y - fi.y); }
+
+void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta,
+                const Vec3& shift, bool slides, BondList& out) {
+  // i's point turned by θ about the axis meets j's point (Erratum E5: a rotation about the axis a).
+  const Vec3 on_i = joint.arm * (std::cos(theta) * fi.F.col(1) + std::sin(theta) * fi.F.col(2));
+  const Vec3 on_j = joint.arm * fj.F.col(1);
+  for (const double side : {1.0, -1.0}) {
+    if (side < 0 && !joint.symmetric) break;
+    out.add(fi.y + side * on_i, fj.y + shift + side * on_j);
+    PointBond& bond = out.bond[static_cast<std::size_t>(out.count - 1)];
+    bond.slides = slides;
+    bond.free_axis = fj.F.col(0);
+  }
+}
+
+void expand(const Joint& joint, const Pose& i, const Pose& j, double time, BondList& out) {
+  out.count = 0;
+  const PlacedFrame fi = place(joint.on_i, i), fj = place(joint.on_j, j);
+  switch (joint.type) {
+    case JointType::spherical:
+      return expand_spherical(joint, fi, fj, out);
+    case JointType::hinge:
+      return expand_hinge(joint, fi, fj, time, out);
+    case JointType::slider:
+      return expand_slider(joint, fi, fj, time, out);
+    case JointType::fixed:
+      return expand_fixed(joint, fi, fj, out);
+    case JointType::distance:
+      return expand_distance(joint, fi, fj, out);
+  }
+}
+
+}  // namespace pabd

@@ -1,0 +1,18 @@
+// Hinge joint: two balls on the axis S(11), ‖y_i1 − y_j1‖ = 0 and ‖y_i2 − y_j2‖ = 0, at ± arm from the
+// anchor. A driven angle, or one that has passed a limit, is held by points beside the axis S(12, 13).
+#include "sim/joint/expand.h"
+
+namespace pabd {
+
+void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
+                  BondList& out) {
+  for (const double side : {1.0, -1.0}) {
+    out.add(fi.y + side * joint.arm * fi.F.col(0), fj.y + side * joint.arm * fj.F.col(0));
+  }
+  std::optional<double> held;
+  if (joint.drive) held = joint.drive->at(time);
+  if (joint.limits && !held) held = passed_bound(*joint.limits, joint_angle(fi, fj));
+  if (held) hold_angle(joint, fi, fj, *held, Vec3::Zero(), false, out);
+}
+
+}  // namespace pabd

@@ -1,0 +1,29 @@
+// The joints of a step on the arrays of the workspace: energies, and derivatives for the solvers.
+#pragma once
+
+#include "sim/joint/expand.h"
+#include "sim/solver/solve.h"
+
+namespace pabd {
+
+// A joint seen from one of its bodies: the sums that its bonds add to the body's quadratic model.
+struct JointSums {
+  double energy = 0;
+  Vec3 g_c = Vec3::Zero(), g_w = Vec3::Zero();
+  Mat3 H_cc = Mat3::Zero(), H_wc = Mat3::Zero(), H_ww = Mat3::Zero();
+};
+
+// Bonds of joint k with body `moved` at `trial` (kWorld: all where they are).
+void expand_at(const SolveContext& s, Index k, Index moved, const Pose& trial, BondList& out);
+
+// Energy of the joints of body i at a trial pose, and their quadratic model at the current one.
+double joint_energy(const SolveContext& s, Index i, const Pose& trial);
+void add_joints(const SolveContext& s, Index i, JointSums& sums);
+
+// Energy of joint k at the current iterate; J.
+double energy_of_joint(const SolveContext& s, Index k);
+
+// Largest distance between points that should coincide, over all joints; m.
+double largest_joint_error(const SolveContext& s);
+
+}  // namespace pabd
