@@ -25,6 +25,12 @@ float largest_scale(const Mat4f& m) {
 
 }  // namespace
 
+struct DrawList::Eye {
+  Mat4f matrix;  // world to eye
+  float pixels;  // of a thing of size 1 at distance 1
+  float texel;   // of the shadow map, m
+};
+
 void DrawList::build(const VisualScene& scene, int height, float texel) {
   instances.clear();
   batches.clear();
@@ -34,36 +40,18 @@ void DrawList::build(const VisualScene& scene, int height, float texel) {
   glyph_entries_.clear();
   transparent_entries_.clear();
 
-  const Mat4f eye = eye_matrix(scene);
   const float pixels =
       static_cast<float>(height) / (2 * std::tan(0.5f * scene.camera.fov * 3.14159265f / 180));
+  const Eye eye{eye_matrix(scene), pixels, texel};
   for (int kind = 0; kind < kPrimitiveCount; ++kind) {
-    const auto primitive = static_cast<Primitive>(kind);
-    const bool flat_sided = primitive == Primitive::cube;  // one level does for all
-    for (const Instance& instance : scene.instances[kind]) {
-      if (!instance.transform.allFinite() || !instance.color.allFinite()) continue;
-      const float scale = largest_scale(instance.transform);
-      const float depth = -(eye.row(2).dot(instance.transform.col(3)));
-      const float radius = pixels * scale / std::max(depth - scale, 1e-3f * scale + 1e-12f);
-      const Entry entry{&instance, primitive, flat_sided ? 0 : level_for_radius(radius), depth};
-      if (instance.color.w() < 1) {
-        if (instance.color.w() > 0) transparent_entries_.push_back(entry);
-      } else if (instance.xray) {
-        glyph_entries_.push_back(entry);
-      } else {
-        body_entries_.push_back(entry);
-      }
-      if (instance.shadow && instance.color.w() >= 1) {
-        // Half a texel is as good as a pixel here: the filter is six texels wide.
-        const int level = flat_sided ? 0 : std::min(2, level_for_radius(0.5f * scale / texel));
-        caster_entries_.push_back({&instance, primitive, level, 0});
-        if (!scene.grounds.empty()) {
-          const Ground& floor = scene.grounds.front();
-          const float above = floor.normal.dot(instance.transform.block<3, 1>(0, 3)) - floor.offset;
-          if (above < 3 * scale) floor_entries_.push_back({&instance, primitive, std::min(1, level), 0});
-        }
-      }
-    }
+    for (const Instance& instance : scene.instances[kind])
+      add(scene, eye, instance, static_cast<Primitive>(kind), -1);
+  }
+  meshes.clear();
+  for (const MeshInstances& mesh : scene.meshes) {
+    const int number = static_cast<int>(meshes.size());
+    meshes.push_back(mesh.mesh);
+    for (const Instance& instance : mesh.instances) add(scene, eye, instance, Primitive::mesh, number);
   }
 
   const auto near_first = [](const Entry& a, const Entry& b) { return a.depth < b.depth; };
@@ -76,6 +64,34 @@ void DrawList::build(const VisualScene& scene, int height, float texel) {
   bodies = append(body_entries_, true);
   glyphs = append(glyph_entries_, true);
   transparent = append(transparent_entries_, false);
+}
+
+// `mesh`: its number, or −1 for a primitive.
+void DrawList::add(const VisualScene& scene, const Eye& eye, const Instance& instance, Primitive primitive,
+                   int mesh) {
+  if (!instance.transform.allFinite() || !instance.color.allFinite()) return;
+  const bool flat_sided = primitive == Primitive::cube || mesh >= 0;  // one level does for all
+  const int only_level = std::max(mesh, 0);
+  const float scale = largest_scale(instance.transform);
+  const float depth = -(eye.matrix.row(2).dot(instance.transform.col(3)));
+  const float radius = eye.pixels * scale / std::max(depth - scale, 1e-3f * scale + 1e-12f);
+  const Entry entry{&instance, primitive, flat_sided ? only_level : level_for_radius(radius), depth};
+  if (instance.color.w() < 1) {
+    if (instance.color.w() > 0) transparent_entries_.push_back(entry);
+  } else if (instance.xray) {
+    glyph_entries_.push_back(entry);
+  } else {
+    body_entries_.push_back(entry);
+  }
+  if (!instance.shadow || instance.color.w() < 1) return;
+  // Half a texel is as good as a pixel here: the filter is six texels wide.
+  const int level = flat_sided ? only_level : std::min(2, level_for_radius(0.5f * scale / eye.texel));
+  caster_entries_.push_back({&instance, primitive, level, 0});
+  if (scene.grounds.empty()) return;
+  const Ground& floor = scene.grounds.front();
+  const float above = floor.normal.dot(instance.transform.block<3, 1>(0, 3)) - floor.offset;
+  if (above >= 3 * scale) return;
+  floor_entries_.push_back({&instance, primitive, flat_sided ? only_level : std::min(1, level), 0});
 }
 
 // Grouped: one batch a mesh, the order inside kept. Otherwise the order is kept and a batch ends where the

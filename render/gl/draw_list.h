@@ -17,7 +17,7 @@ struct GpuInstance {
 
 struct Batch {
   Primitive primitive;
-  int level;
+  int level;  // of detail; of a mesh: its number in DrawList::meshes
   std::uint32_t first;
   std::uint32_t count;
 };
@@ -31,6 +31,7 @@ struct BatchRange {
 struct DrawList {
   std::vector<GpuInstance> instances;
   std::vector<Batch> batches;
+  std::vector<std::shared_ptr<const MeshData>> meshes;
   BatchRange casters;        // into the shadow map
   BatchRange floor_casters;  // those near the first floor
   BatchRange bodies;         // opaque, near ones first so that what they hide costs nothing
@@ -48,6 +49,8 @@ struct DrawList {
     int level;
     float depth;  // distance from the eye plane
   };
+  struct Eye;  // how large and how far things are
+  void add(const VisualScene& scene, const Eye& eye, const Instance& instance, Primitive primitive, int mesh);
   BatchRange append(std::vector<Entry>& entries, bool grouped);
 
   std::vector<Entry> caster_entries_, floor_entries_, body_entries_, glyph_entries_, transparent_entries_;

@@ -17,6 +17,12 @@ namespace {
 constexpr float kDepthRoom = 64;
 constexpr int kBorder = 4;  // texels around the casters that the filter may read
 
+template <class F>
+void for_each_instance(const VisualScene& scene, const F& f) {
+  for (const auto& list : scene.instances) std::for_each(list.begin(), list.end(), f);
+  for (const auto& mesh : scene.meshes) std::for_each(mesh.instances.begin(), mesh.instances.end(), f);
+}
+
 // Radius of a sphere around the transformed primitive: every one lies within the cube of edge 2.
 float reach(const Mat4f& m) { return std::sqrt(m.block<3, 3>(0, 0).colwise().squaredNorm().sum()); }
 
@@ -64,15 +70,13 @@ ShadowVolume fit_shadow(const VisualScene& scene) {
   const Vec3f far_away = Vec3f::Constant(std::numeric_limits<float>::max());
   Vec3f lo = far_away;
   Vec3f hi = -far_away;
-  for (const auto& list : scene.instances) {
-    for (const Instance& instance : list) {
-      if (!casts(scene, instance)) continue;
-      const Vec3f p = axes * instance.transform.block<3, 1>(0, 3);
-      const float r = reach(instance.transform);
-      lo = lo.cwiseMin((p.array() - r).matrix());
-      hi = hi.cwiseMax((p.array() + r).matrix());
-    }
-  }
+  for_each_instance(scene, [&](const Instance& instance) {
+    if (!casts(scene, instance)) return;
+    const Vec3f p = axes * instance.transform.block<3, 1>(0, 3);
+    const float r = reach(instance.transform);
+    lo = lo.cwiseMin((p.array() - r).matrix());
+    hi = hi.cwiseMax((p.array() + r).matrix());
+  });
   ShadowVolume v;
   if (!(lo.array() <= hi.array()).all()) return v;  // no caster: bounds are empty
 
@@ -110,19 +114,17 @@ FloorVolume fit_floor(const VisualScene& scene) {
   int count = 0;
   Eigen::Vector2f lo = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
   Eigen::Vector2f hi = -lo;
-  for (const auto& list : scene.instances) {
-    for (const Instance& instance : list) {
-      if (!casts(scene, instance)) continue;
-      const Vec3f p = instance.transform.block<3, 1>(0, 3);
-      const float r = reach(instance.transform);
-      sum += r;
-      ++count;
-      if (n.dot(p) - offset > 3 * r) continue;  // too high to matter
-      const Eigen::Vector2f at(u.dot(p), v.dot(p));
-      lo = lo.cwiseMin((at.array() - r).matrix());
-      hi = hi.cwiseMax((at.array() + r).matrix());
-    }
-  }
+  for_each_instance(scene, [&](const Instance& instance) {
+    if (!casts(scene, instance)) return;
+    const Vec3f p = instance.transform.block<3, 1>(0, 3);
+    const float r = reach(instance.transform);
+    sum += r;
+    ++count;
+    if (n.dot(p) - offset > 3 * r) return;  // too high to matter
+    const Eigen::Vector2f at(u.dot(p), v.dot(p));
+    lo = lo.cwiseMin((at.array() - r).matrix());
+    hi = hi.cwiseMax((at.array() + r).matrix());
+  });
   if (!(lo.array() <= hi.array()).all()) return floor;
   const float size = sum / static_cast<float>(count);
   const float margin = size;

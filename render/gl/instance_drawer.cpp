@@ -12,8 +12,8 @@ const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(byt
 
 InstanceDrawer::InstanceDrawer(const GlFunctions& gl)
     : gl_(gl), array_(gl), vertices_(gl), indices_(gl), instances_(gl), places_{} {
-  std::vector<MeshVertex> vertices;
-  std::vector<std::uint32_t> indices;
+  auto& vertices = primitive_vertices_;
+  auto& indices = primitive_indices_;
   for (int kind = 0; kind < kPrimitiveCount; ++kind) {
     for (int level = 0; level < kLevels; ++level) {
       const Mesh mesh = make_mesh(static_cast<Primitive>(kind), level);
@@ -25,12 +25,7 @@ InstanceDrawer::InstanceDrawer(const GlFunctions& gl)
     }
   }
   gl.BindVertexArray(array_.id());
-  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0])),
-                indices.data(), GL_STATIC_DRAW);
-  gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(vertices[0])),
-                vertices.data(), GL_STATIC_DRAW);
+  upload_meshes({});
   gl.VertexAttribPointer(kPositionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
                          offset(offsetof(MeshVertex, position)));
   gl.VertexAttribPointer(kNormalAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
@@ -43,7 +38,32 @@ InstanceDrawer::InstanceDrawer(const GlFunctions& gl)
   }
 }
 
+// All vertices and indices anew: meshes come with a scene, not with a frame.
+void InstanceDrawer::upload_meshes(const std::vector<std::shared_ptr<const MeshData>>& meshes) {
+  std::vector<MeshVertex> vertices = primitive_vertices_;
+  std::vector<std::uint32_t> indices = primitive_indices_;
+  meshes_ = meshes;
+  mesh_places_.clear();
+  for (const auto& mesh : meshes_) {
+    mesh_places_.push_back(
+        {static_cast<GLsizei>(mesh->corners.size()), indices.size() * sizeof(std::uint32_t)});
+    for (std::size_t k = 0; k < mesh->corners.size(); ++k) {
+      const Vec3f &p = mesh->corners[k], &n = mesh->normals[k];
+      indices.push_back(static_cast<std::uint32_t>(vertices.size()));
+      vertices.push_back({{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}});
+    }
+  }
+  gl_.BindVertexArray(array_.id());
+  gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+  gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(indices[0])),
+                 indices.data(), GL_STATIC_DRAW);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(vertices[0])),
+                 vertices.data(), GL_STATIC_DRAW);
+}
+
 void InstanceDrawer::upload(const DrawList& list) {
+  if (list.meshes != meshes_) upload_meshes(list.meshes);
   const auto bytes = static_cast<GLsizeiptr>(list.instances.size() * sizeof(GpuInstance));
   gl_.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
   gl_.BufferData(GL_ARRAY_BUFFER, bytes, list.instances.data(), GL_STREAM_DRAW);
@@ -66,7 +86,9 @@ void InstanceDrawer::draw(const DrawList& list, const BatchRange& range, bool (*
                             offset(base + offsetof(GpuInstance, color)));
     gl_.VertexAttribPointer(kShadedAttribute, 1, GL_FLOAT, GL_FALSE, kStride,
                             offset(base + offsetof(GpuInstance, shaded)));
-    const MeshPlace& mesh = places_[static_cast<int>(batch.primitive)][batch.level];
+    const MeshPlace& mesh = batch.primitive == Primitive::mesh
+                                ? mesh_places_[static_cast<std::size_t>(batch.level)]
+                                : places_[static_cast<int>(batch.primitive)][batch.level];
     gl_.DrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, offset(mesh.index_offset),
                               static_cast<GLsizei>(batch.count));
   }

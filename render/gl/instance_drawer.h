@@ -36,6 +36,12 @@ class InstanceDrawer {
   GlBuffer indices_;
   GlBuffer instances_;
   MeshPlace places_[kPrimitiveCount][kLevels];
+  std::vector<MeshVertex> primitive_vertices_;
+  std::vector<std::uint32_t> primitive_indices_;
+  std::vector<std::shared_ptr<const MeshData>> meshes_;  // on the GPU, after the primitives
+  std::vector<MeshPlace> mesh_places_;
+
+  void upload_meshes(const std::vector<std::shared_ptr<const MeshData>>& meshes);
 };
 
 }  // namespace pabd

@@ -142,6 +142,8 @@ Mesh make_mesh(Primitive primitive, int level) {
       b.disc(0, 1, segments);
       b.disc(0, -1, segments);
       break;
+    case Primitive::mesh:  // none of its own
+      break;
   }
   return std::move(b.mesh);
 }

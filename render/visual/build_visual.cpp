@@ -14,6 +14,32 @@ namespace {
 
 constexpr double kStandardGravity = 9.81;  // m/s², for the weight that arrows are measured against
 
+// The triangles of a hull, face by face, scaled to radius 1.
+std::shared_ptr<const MeshData> triangles(const HullData& hull) {
+  auto mesh = std::make_shared<MeshData>();
+  for (const HullFace& face : hull.faces) {
+    const auto corner = [&](int k) -> Vec3f {
+      return (hull.vertices[hull.loop[face.first + k]] / hull.bounding_radius).cast<float>();
+    };
+    for (int k = 1; k + 1 < face.count; ++k) {
+      for (const int j : {0, k, k + 1}) {
+        mesh->corners.push_back(corner(j));
+        mesh->normals.push_back(face.normal.cast<float>());
+      }
+    }
+  }
+  return mesh;
+}
+
+// The list of the hull's instances; the mesh is made when it is seen first.
+MeshInstances& mesh_of(const Hull& hull, VisualScene& out) {
+  for (MeshInstances& mesh : out.meshes) {
+    if (mesh.source == hull.data) return mesh;
+  }
+  out.meshes.push_back({triangles(*hull.data), hull.data, {}});
+  return out.meshes.back();
+}
+
 struct BodyPainter {
   VisualScene& out;
   Vec3 c;
@@ -44,6 +70,13 @@ struct BodyPainter {
     turned.add(Primitive::hemisphere, {0, h, 0}, {r, r, r});
   }
 
+  void operator()(const Hull& hull) const {
+    Mat4f m = Mat4f::Identity();
+    m.block<3, 3>(0, 0) = (hull.data->bounding_radius * R).cast<float>();
+    m.block<3, 1>(0, 3) = c.cast<float>();
+    mesh_of(hull, out).instances.push_back({m, color});
+  }
+
   void operator()(const Plane& plane) const {
     out.grounds.push_back({plane.normal.cast<float>(), static_cast<float>(plane.offset)});
   }
@@ -72,6 +105,7 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
     if (options.contacts || options.bonds) color = step_back(color);
     std::visit(BodyPainter{out, state.c[i], state.R[i], color}, model.shape[i]);
   }
+  std::erase_if(out.meshes, [](const MeshInstances& mesh) { return mesh.instances.empty(); });
   if (options.bonds || options.contacts) {
     const double scale = options.glyph_scale > 0 ? options.glyph_scale : default_glyph_scale(model);
     add_contact_glyphs(report, options, scale, typical_weight(model), out);

@@ -5,6 +5,7 @@ namespace pabd {
 
 void VisualScene::clear() {
   for (auto& list : instances) list.clear();
+  for (auto& mesh : meshes) mesh.instances.clear();
   lines.clear();
   labels.clear();
   grounds.clear();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,9 @@ enum class Primitive : std::uint8_t {
   hemisphere,  // radius 1, y ≥ 0
   cone,        // radius 1 at y = 0, tip at y = 1
   disc,        // radius 1 in the plane y = 0, seen from both sides
+  mesh,        // triangles of its own: VisualScene::meshes
 };
-inline constexpr int kPrimitiveCount = 6;
+inline constexpr int kPrimitiveCount = 6;  // all but mesh
 
 struct Instance {
   Mat4f transform;     // primitive to world
@@ -29,6 +31,19 @@ struct Instance {
   bool shadow = true;  // casts a shadow
   bool shaded = true;  // false: flat colour (glyphs that encode a value)
   bool xray = false;   // a glyph: where a body hides it, it shows through faintly
+};
+
+// Triangles with flat faces, within radius 1 about the origin. Three corners a triangle, anticlockwise from
+// outside; as many normals, unit.
+struct MeshData {
+  std::vector<Vec3f> corners;
+  std::vector<Vec3f> normals;
+};
+
+struct MeshInstances {
+  std::shared_ptr<const MeshData> mesh;
+  std::shared_ptr<const void> source;  // what the mesh was made from: equal sources share a mesh
+  std::vector<Instance> instances;
 };
 
 // A polyline piece. Drawn as a camera-facing quad of two triangles, never GL_LINES.
@@ -65,6 +80,7 @@ Mat4f projection_matrix(const Camera& camera, float aspect, float near_plane, fl
 
 struct VisualScene {
   std::vector<Instance> instances[kPrimitiveCount];  // by Primitive
+  std::vector<MeshInstances> meshes;
   std::vector<Line> lines;
   std::vector<Label> labels;
   std::vector<Ground> grounds;  // fixed planes, drawn with a fading grid

@@ -7,6 +7,7 @@
 //            J_xx = J_zz = m_c r²/4 + m_s r²/5
 //            J_yy = m_c L²/12 + m_s (L²/4 + 3Lr/8 + r²/5); the centroid of a half ball is 3r/8 off its flat
 //            side
+//   hull     summed over tetrahedra when it is made (hull_mass.cpp); J has products too
 #include "sim/body/mass_properties.h"
 
 namespace pabd {
@@ -22,9 +23,10 @@ struct Volume {
     return cylinder_volume(capsule.radius, capsule.length) + ball_volume(capsule.radius);
   }
   double operator()(const Plane&) const { return 0.0; }
+  double operator()(const Hull& hull) const { return hull.data->volume; }
 };
 
-// ∫ r_i² dV for the three axes; the products vanish by symmetry.
+// ∫ r_i² dV for the three axes; the products vanish by symmetry. Not asked of a hull.
 struct SecondMoment {
   Vec3 operator()(const Box& box) const { return Volume{}(box) / 3.0 * box.half.cwiseAbs2(); }
   Vec3 operator()(const Sphere& sphere) const {
@@ -39,6 +41,7 @@ struct SecondMoment {
     return {across, along, across};
   }
   Vec3 operator()(const Plane&) const { return Vec3::Zero(); }
+  Vec3 operator()(const Hull& hull) const { return hull.data->second_moment.diagonal(); }
 };
 
 }  // namespace
@@ -46,6 +49,9 @@ struct SecondMoment {
 double volume(const Shape& shape) { return std::visit(Volume{}, shape); }
 
 MassProperties mass_properties(const Shape& shape, double density) {
+  if (const auto* hull = std::get_if<Hull>(&shape)) {
+    return {density * hull->data->volume, density * hull->data->second_moment};
+  }
   const Vec3 moment = density * std::visit(SecondMoment{}, shape);
   return {density * volume(shape), moment.asDiagonal()};
 }

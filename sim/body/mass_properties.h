@@ -1,7 +1,7 @@
-// Mass and second moment of the solid shapes, in closed form.
+// Mass and second moment of the solid shapes, exact.
 //
 //   m      mass                                   kg      scalar
-//   J      second moment  J = ∫ ρ r rᵀ dV         kg m²   3×3, diagonal for the shapes of this file
+//   J      second moment  J = ∫ ρ r rᵀ dV         kg m²   3×3, symmetric; diagonal for all but hulls
 //
 // J is not the inertia tensor I; the two are related by J = ½ tr(I) 1 − I. The affine mass matrix is
 // M = ∫ ρ s sᵀ dV = diag(m, J) with s = [1; r].

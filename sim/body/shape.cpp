@@ -19,12 +19,14 @@ Vec3 extent(const Capsule& capsule, const Mat3& R) {
   return (0.5 * capsule.length) * R.col(1).cwiseAbs() + Vec3::Constant(capsule.radius);
 }
 Vec3 extent(const Plane&, const Mat3&) { return Vec3::Constant(kInfinity); }
+Vec3 extent(const Hull& hull, const Mat3&) { return Vec3::Constant(hull.data->bounding_radius); }
 
 struct BoundingRadius {
   double operator()(const Box& box) const { return box.half.norm(); }
   double operator()(const Sphere& sphere) const { return sphere.radius; }
   double operator()(const Capsule& capsule) const { return 0.5 * capsule.length + capsule.radius; }
   double operator()(const Plane&) const { return kInfinity; }
+  double operator()(const Hull& hull) const { return hull.data->bounding_radius; }
 };
 
 struct InnerRadius {
@@ -32,11 +34,23 @@ struct InnerRadius {
   double operator()(const Sphere& sphere) const { return sphere.radius; }
   double operator()(const Capsule& capsule) const { return capsule.radius; }
   double operator()(const Plane&) const { return kInfinity; }
+  double operator()(const Hull& hull) const { return hull.data->inner_radius; }
 };
+
+Aabb hull_bounds(const HullData& hull, const Vec3& c, const Mat3& R) {
+  Vec3 lo = Vec3::Constant(kInfinity), hi = -lo;
+  for (const Vec3& vertex : hull.vertices) {
+    const Vec3 y = R * vertex;
+    lo = lo.cwiseMin(y);
+    hi = hi.cwiseMax(y);
+  }
+  return {c + lo, c + hi};
+}
 
 }  // namespace
 
 Aabb bounds(const Shape& shape, const Vec3& c, const Mat3& R) {
+  if (const auto* hull = std::get_if<Hull>(&shape)) return hull_bounds(*hull->data, c, R);
   const Vec3 e = std::visit([&](const auto& s) { return extent(s, R); }, shape);
   return {c - e, c + e};
 }

@@ -1,8 +1,10 @@
 // Shapes of bodies, in the body frame (origin at the centre of mass). Metres.
 #pragma once
 
+#include <memory>
 #include <variant>
 
+#include "sim/body/hull.h"
 #include "sim/math/types.h"
 
 namespace pabd {
@@ -26,7 +28,12 @@ struct Plane {
   double offset;
 };
 
-using Shape = std::variant<Box, Sphere, Capsule, Plane>;
+// Convex polyhedron. Copies share the data, which never changes and is never empty.
+struct Hull {
+  std::shared_ptr<const HullData> data;
+};
+
+using Shape = std::variant<Box, Sphere, Capsule, Plane, Hull>;
 
 struct Aabb {
   Vec3 lo;
@@ -39,8 +46,8 @@ Aabb bounds(const Shape& shape, const Vec3& c, const Mat3& R);
 // Radius of the smallest origin-centred sphere that holds the shape (infinite for a plane).
 double bounding_radius(const Shape& shape);
 
-// Half the smallest width of the shape: how deep a thing may travel into it before the nearest way out is on
-// the other side (infinite for a plane).
+// How deep a thing may surely travel into the shape before the nearest way out is on the other side: half the
+// smallest width, for a hull the largest ball about its centre of mass (infinite for a plane).
 double inner_radius(const Shape& shape);
 
 }  // namespace pabd

@@ -16,6 +16,8 @@
 //   m        axis of the incident face;   m1, m2 the axes along it
 #include "sim/collision/box_box_face.h"
 
+#include "sim/collision/picks.h"
+
 namespace pabd::narrow {
 namespace {
 
@@ -92,36 +94,6 @@ struct Namer {
   }
 };
 
-// The corners that become contacts, one a name: the first, unless a later one is clearly deeper.
-class Picks {
- public:
-  struct Pick {
-    Corner corner;
-    std::uint32_t name;
-  };
-
-  explicit Picks(double clearly) : clearly_(clearly) {}
-
-  void add(const Corner& p, std::uint32_t name) {
-    lowest_ = std::min(lowest_, p.z);
-    for (int i = 0; i < size_; ++i) {
-      if (pick_[i].name != name) continue;
-      if (p.z < pick_[i].corner.z - clearly_) pick_[i].corner = p;
-      return;
-    }
-    pick_[size_++] = {p, name};
-  }
-
-  int size() const { return size_; }
-  const Pick& operator[](int i) const { return pick_[i]; }
-  double lowest() const { return lowest_; }
-
- private:
-  double clearly_, lowest_ = kNone;
-  int size_ = 0;
-  Pick pick_[16];
-};
-
 }  // namespace
 
 double add_face_contacts(const FaceQuery& q, int axis, double reach, Contacts& out) {
@@ -176,7 +148,7 @@ double add_face_contacts(const FaceQuery& q, int axis, double reach, Contacts& o
                              static_cast<std::uint32_t>(2 * m + (down < 0)) << 5;
   const double snap = kSnap * std::min(std::min(h_x, h_y), std::min(g1, g2));
   const Namer name{first, h_x, h_y, snap * snap, sign_of(x_1 * y_2 - x_2 * y_1)};
-  Picks picks(kDeeper * snap);
+  Picks<Corner, 16> picks(kDeeper * snap);
   // Incident corners that survived come before anything near them, crossings that are probably left out come
   // last.
   const int size = polygon->size;

@@ -26,23 +26,33 @@ struct Poses {
   }
 };
 
-enum Kind : unsigned { kBox, kSphere, kCapsule, kPlane };  // the order of the alternatives of Shape
+enum Kind : unsigned {
+  kBox,
+  kSphere,
+  kCapsule,
+  kPlane,
+  kHull,
+  kKinds
+};  // the order of the alternatives of Shape
 static_assert(std::is_same_v<std::variant_alternative_t<kBox, Shape>, Box>);
 static_assert(std::is_same_v<std::variant_alternative_t<kSphere, Shape>, Sphere>);
 static_assert(std::is_same_v<std::variant_alternative_t<kCapsule, Shape>, Capsule>);
 static_assert(std::is_same_v<std::variant_alternative_t<kPlane, Shape>, Plane>);
+static_assert(std::is_same_v<std::variant_alternative_t<kHull, Shape>, Hull>);
+static_assert(std::variant_size_v<Shape> == kKinds);
 
 bool is_plane(const Shape& shape) { return shape.index() == kPlane; }
 
-constexpr unsigned both(unsigned i, unsigned j) { return 4 * i + j; }
+constexpr unsigned both(unsigned i, unsigned j) { return kKinds * i + j; }
 
 // Contacts of one pair, i < j.
 void collide(const Poses& poses, Index i, Index j, double reach, Contacts& out) {
   auto kind_i = static_cast<unsigned>(poses.model.shape[static_cast<std::size_t>(i)].index());
   auto kind_j = static_cast<unsigned>(poses.model.shape[static_cast<std::size_t>(j)].index());
   const bool same = kind_i == kind_j;
-  // Mixed pairs: plane before box before capsule before sphere, the order in which they own the normal.
-  constexpr unsigned kRank[4] = {1, 3, 2, 0};
+  // Mixed pairs: plane before hull before box before capsule before sphere, the order in which they own the
+  // normal.
+  constexpr unsigned kRank[kKinds] = {2, 4, 3, 0, 1};
   if (!same && kRank[kind_j] < kRank[kind_i]) {
     std::swap(i, j);
     std::swap(kind_i, kind_j);
@@ -67,6 +77,16 @@ void collide(const Poses& poses, Index i, Index j, double reach, Contacts& out) 
       return sphere_plane(poses.placed<Plane>(i), poses.placed<Sphere>(j), reach, out);
     case both(kPlane, kCapsule):
       return capsule_plane(poses.placed<Plane>(i), poses.placed<Capsule>(j), reach, out);
+    case both(kPlane, kHull):
+      return hull_plane(poses.placed<Plane>(i), poses.placed<Hull>(j), reach, out);
+    case both(kHull, kBox):
+      return hull_box(poses.placed<Hull>(i), poses.placed<Box>(j), reach, out);
+    case both(kHull, kCapsule):
+      return hull_capsule(poses.placed<Hull>(i), poses.placed<Capsule>(j), reach, out);
+    case both(kHull, kSphere):
+      return hull_sphere(poses.placed<Hull>(i), poses.placed<Sphere>(j), reach, out);
+    case both(kHull, kHull):
+      return hull_hull(poses.placed<Hull>(i), poses.placed<Hull>(j), reach, out);
     default:
       return;  // two planes
   }

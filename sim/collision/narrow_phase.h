@@ -40,6 +40,11 @@ void box_plane(const Placed<Plane>& plane, const Placed<Box>& box, double reach,
 void box_sphere(const Placed<Box>& box, const Placed<Sphere>& sphere, double reach, Contacts& out);
 void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double reach, Contacts& out);
 void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out);
+void hull_plane(const Placed<Plane>& plane, const Placed<Hull>& hull, double reach, Contacts& out);
+void hull_sphere(const Placed<Hull>& hull, const Placed<Sphere>& sphere, double reach, Contacts& out);
+void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, double reach, Contacts& out);
+void hull_box(const Placed<Hull>& hull, const Placed<Box>& box, double reach, Contacts& out);
+void hull_hull(const Placed<Hull>& a, const Placed<Hull>& b, double reach, Contacts& out);
 
 inline void add_contact(Contacts& out, Index a, Index b, const Vec3& y_b, const Vec3& n, double d,
                         std::uint32_t feature) {

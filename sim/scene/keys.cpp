@@ -15,6 +15,7 @@ std::span<const KeyTable> key_tables() {
                                       KeyTable{"sphere", keys::sphere},
                                       KeyTable{"capsule", keys::capsule},
                                       KeyTable{"plane", keys::plane},
+                                      KeyTable{"mesh", keys::mesh},
                                       KeyTable{"stack", keys::stack},
                                       KeyTable{"wall", keys::wall},
                                       KeyTable{"pyramid", keys::pyramid},

@@ -34,6 +34,8 @@ inline constexpr std::array sphere{Key("type"), Key("radius")};
 inline constexpr std::array capsule{Key("type"), Key("radius"), Key("length")};
 inline constexpr std::array plane{Key("type"), Key("normal"), Key("offset")};
 
+inline constexpr std::array mesh{Key("type"), Key("file"), Key("scale")};
+
 inline constexpr std::array stack{Key("type"),    Key("name"), Key("count"),  Key("size"), Key("position"),
                                   Key("density"), Key("mass"), Key("masses"), Key("gap"),  Key("rotate")};
 inline constexpr std::array wall{Key("type"), Key("name"),     Key("columns"),    Key("rows"),

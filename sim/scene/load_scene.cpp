@@ -48,14 +48,14 @@ void refuse_joints(const ObjectReader& scene) {
   joints->fail("joints are not supported by this version; remove them");
 }
 
-void read_bodies(const ObjectReader& scene, SceneBuilder& out) {
+void read_bodies(const ObjectReader& scene, MeshLibrary& meshes, SceneBuilder& out) {
   const auto bodies = scene.find("bodies");
   const std::size_t count = bodies ? bodies->array_size() : 0;
   scene.record("bodies", static_cast<double>(count));
   if (count > 0) out.reserve(static_cast<std::int64_t>(count), *bodies);
   for (std::size_t i = 0; i < count; ++i) {
     const Node node = bodies->element(i);
-    out.add(read_body(node, i), node);
+    out.add(read_body(node, i, meshes), node);
   }
 }
 
@@ -100,7 +100,7 @@ Scene load_scene(const std::filesystem::path& file, const std::vector<std::strin
   return parse_scene(read_file(file, DocumentLimits{}.bytes), file.string(), file.parent_path(), overrides);
 }
 
-Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path&,
+Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path& folder,
                   const std::vector<std::string>& overrides) {
   Json document = parse_document(text, source);
   ReadContext context{source, {}, {}};
@@ -119,7 +119,8 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
   refuse_joints(in);
 
   SceneBuilder builder;
-  read_bodies(in, builder);
+  MeshLibrary meshes(folder);
+  read_bodies(in, meshes, builder);
   const std::size_t listed = builder.model.name.size();
   run_generators(in, scene.params.contact.d_hat, builder);
   builder.finish(context, listed);

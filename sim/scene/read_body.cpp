@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "sim/error.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/text.h"
 
@@ -10,12 +13,13 @@ namespace pabd {
 
 namespace {
 
-enum class ShapeType { box, sphere, capsule, plane };
+enum class ShapeType { box, sphere, capsule, plane, mesh };
 
 constexpr Choice kShapes[] = {{"box", static_cast<int>(ShapeType::box)},
                               {"sphere", static_cast<int>(ShapeType::sphere)},
                               {"capsule", static_cast<int>(ShapeType::capsule)},
-                              {"plane", static_cast<int>(ShapeType::plane)}};
+                              {"plane", static_cast<int>(ShapeType::plane)},
+                              {"mesh", static_cast<int>(ShapeType::mesh)}};
 
 constexpr Range kVelocityRange{-1e6, 1e6, "m/s"};
 constexpr Range kSpinRange{-1e7, 1e7, "degrees/s"};
@@ -28,16 +32,33 @@ Plane read_plane(const ObjectReader& in) {
   return plane;
 }
 
-Shape read_shape(const Node& node) {
+// The body's origin is the centre of mass of the hull, wherever the file has its own.
+Hull read_mesh(const ObjectReader& in, MeshLibrary& meshes) {
+  const Node file = in.require("file", "the name of an OBJ, STL or PLY file");
+  if (file.value().is_array()) {
+    file.fail("a body of several meshes is not supported by this version; expected one name");
+  }
+  const std::string name = file.text(1000);
+  if (name.empty() || std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20; })) {
+    file.fail_expected("the name of an OBJ, STL or PLY file");
+  }
+  const double scale = in.number("scale", {1e-6, 1e6}, 1);
+  try {
+    const MeshLibrary::Entry& entry = meshes.load(name, scale);
+    in.record("file", entry.digest);  // what is in the file counts, not its name
+    return entry.hull;
+  } catch (const Error& error) {
+    file.fail(error.what());
+  }
+}
+
+Shape read_shape(const Node& node, MeshLibrary& meshes) {
   if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
   const auto type_it = node.value().find("type");
   if (type_it == node.value().end())
     fail_at(node.context(), node.pointer() + "/type",
-            "missing; expected \"box\", \"sphere\", \"capsule\" or \"plane\"");
+            "missing; expected \"box\", \"sphere\", \"capsule\", \"mesh\" or \"plane\"");
   const Node type(*type_it, node, "type");
-  if (type.is_word("mesh")) {
-    type.fail("mesh shapes are not supported by this version; use \"box\", \"sphere\" or \"capsule\"");
-  }
   switch (static_cast<ShapeType>(type.choice(kShapes))) {
     case ShapeType::sphere: {
       const ObjectReader in(node, keys::sphere);
@@ -53,6 +74,11 @@ Shape read_shape(const Node& node) {
       const ObjectReader in(node, keys::plane);
       in.record("type", "plane");
       return read_plane(in);
+    }
+    case ShapeType::mesh: {
+      const ObjectReader in(node, keys::mesh);
+      in.record("type", "mesh");
+      return read_mesh(in, meshes);
     }
     case ShapeType::box:
       break;
@@ -75,13 +101,13 @@ void refuse_on_plane(const ObjectReader& in) {
 
 }  // namespace
 
-BodySpec read_body(const Node& node, std::size_t index) {
+BodySpec read_body(const Node& node, std::size_t index, MeshLibrary& meshes) {
   const ObjectReader in(node, keys::body);
   BodySpec body;
   body.name = in.name("name");
   if (body.name.empty()) body.name = fmt::format("body {}", index);
   body.shape =
-      read_shape(in.require("shape", "an object such as { \"type\": \"box\", \"size\": [1, 1, 1] }"));
+      read_shape(in.require("shape", "an object such as { \"type\": \"box\", \"size\": [1, 1, 1] }"), meshes);
   const bool plane = std::holds_alternative<Plane>(body.shape);
   if (plane) refuse_on_plane(in);
 

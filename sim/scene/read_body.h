@@ -2,10 +2,12 @@
 #pragma once
 
 #include "sim/scene/builder.h"
+#include "sim/scene/mesh_library.h"
 
 namespace pabd {
 
-// Reads body number `index`, which gives its name when the file has none: "body 3".
-BodySpec read_body(const Node& node, std::size_t index);
+// Reads body number `index`, which gives its name when the file has none: "body 3". Meshes come from
+// `meshes`.
+BodySpec read_body(const Node& node, std::size_t index, MeshLibrary& meshes);
 
 }  // namespace pabd

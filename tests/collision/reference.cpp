@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/body/convex_hull.h"
+
 namespace reference {
 
 Index Setup::add(const Shape& shape, const Vec3& centre, const Mat3& rotation, double reach_of, bool fixed) {
@@ -37,6 +39,21 @@ Mat3 Random::rotation() {
   return q.normalized().toRotationMatrix();
 }
 
+Shape hull_of_box(const Vec3& half) {
+  std::vector<Vec3> corners;
+  for (int k = 0; k < 8; ++k) {
+    corners.push_back(half.cwiseProduct(Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1)));
+  }
+  return Hull{make_hull(corners).hull};
+}
+
+Shape rock(int corners, double size, unsigned seed) {
+  Random random(seed);
+  std::vector<Vec3> points;
+  for (int k = 0; k < corners; ++k) points.push_back(size * random.direction());
+  return Hull{make_hull(points).hull};
+}
+
 double support(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& n) {
   const Vec3 u = R.transpose() * n;
   if (const auto* box = std::get_if<Box>(&shape)) {
@@ -45,6 +62,11 @@ double support(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& n) 
       const Vec3 corner = box->half.cwiseProduct(Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
       best = std::max(best, u.dot(corner));
     }
+    return n.dot(c) + best;
+  }
+  if (const auto* hull = std::get_if<Hull>(&shape)) {
+    double best = -1e300;
+    for (const Vec3& v : hull->data->vertices) best = std::max(best, u.dot(v));
     return n.dot(c) + best;
   }
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return n.dot(c) + sphere->radius;
@@ -57,6 +79,13 @@ double surface_distance(const Shape& shape, const Vec3& c, const Mat3& R, const 
   if (const auto* box = std::get_if<Box>(&shape)) {
     const Vec3 past = p.cwiseAbs() - box->half;
     return past.cwiseMax(0).norm() + std::min(0.0, past.maxCoeff());
+  }
+  if (const auto* hull = std::get_if<Hull>(&shape)) {
+    // Inside: the nearest face. Outside this is only a lower bound, but zero exactly on the surface.
+    double highest = -1e300;
+    for (const HullFace& face : hull->data->faces)
+      highest = std::max(highest, face.normal.dot(p) - face.offset);
+    return highest;
   }
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return p.norm() - sphere->radius;
   const auto& capsule = std::get<Capsule>(shape);

@@ -28,17 +28,25 @@ const PairCase kCases[] = {
     {"capsule box", Capsule{0.15, 0.9}, Box{{0.3, 0.5, 0.4}}},
     {"cube cube", Box{{0.5, 0.5, 0.5}}, Box{{0.5, 0.5, 0.5}}},
     {"box box", Box{{0.3, 0.5, 0.4}}, Box{{0.7, 0.2, 0.3}}},
+    {"hull sphere", rock(12, 0.5, 1), Sphere{0.3}},
+    {"sphere hull", Sphere{0.3}, rock(14, 0.5, 2)},
+    {"hull capsule", rock(12, 0.5, 3), Capsule{0.15, 0.9}},
+    {"capsule hull", Capsule{0.15, 0.9}, hull_of_box({0.3, 0.5, 0.4})},
+    {"hull box", rock(10, 0.5, 4), Box{{0.3, 0.5, 0.4}}},
+    {"box hull", Box{{0.3, 0.5, 0.4}}, rock(14, 0.5, 5)},
+    {"hull hull", rock(8, 0.5, 6), rock(12, 0.6, 7)},
+    {"tetrahedra", rock(4, 0.8, 11), rock(4, 0.9, 12)},
 };
 
 double smallest_half(const Shape& shape) {
   const auto* box = std::get_if<Box>(&shape);
-  return box ? box->half.minCoeff() : 1e300;
+  return box || std::holds_alternative<Hull>(shape) ? inner_radius(shape) : 1e300;
 }
 
 // Tolerance of the signed distance s for this pair.
 double tolerance(const PairCase& pair, double s) {
   const double half = std::min(smallest_half(pair.a), smallest_half(pair.b));
-  return 1e-5 + (half < 1e300 ? 0.02 * std::abs(s) + 1e-3 * half : 0);
+  return 1e-5 + (half < 1e300 ? 0.021 * std::abs(s) + 1e-3 * half : 0);
 }
 
 // A random pose of both, near each other.

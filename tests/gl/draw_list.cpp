@@ -65,3 +65,26 @@ TEST_CASE("what cannot be drawn is left out; nothing is drawn twice") {
   CHECK(depths_of(list, list.glyphs).size() == 1);
   CHECK(list.instances.size() == 2);
 }
+
+TEST_CASE("each mesh has a batch of its own") {
+  VisualScene scene;
+  scene.camera = front_camera(20);
+  scene.instances[0].push_back(flat_instance({0, 0, 0}, {1, 1, 1}, {1, 1, 1, 1}));
+  for (int k = 0; k < 7; ++k) {  // more meshes than levels of detail
+    scene.meshes.push_back({std::make_shared<MeshData>(), nullptr, {}});
+    for (const float z : {1.0f, 2.0f})
+      scene.meshes.back().instances.push_back(flat_instance({0, 0, z}, {1, 1, 1}, {1, 1, 1, 1}));
+  }
+  DrawList list;
+  list.build(scene, 720, 0.01f);
+  REQUIRE(list.meshes.size() == 7);
+  REQUIRE(list.bodies.end - list.bodies.begin == 8);
+  for (std::size_t k = 1; k < 8; ++k) {
+    const Batch& batch = list.batches[list.bodies.begin + k];
+    CHECK(batch.primitive == Primitive::mesh);
+    CHECK(batch.level == static_cast<int>(k) - 1);
+    CHECK(batch.count == 2);
+    CHECK(list.meshes[k - 1] == scene.meshes[k - 1].mesh);
+  }
+  CHECK(list.instances.size() == 15);
+}

@@ -1,0 +1,196 @@
+// Hull against hull or box: separating directions, then a face manifold, an edge pair, or a corner, in the
+// same order and with the same preferences as box_box.
+//
+// The directions that can separate two convex polyhedra are the face normals of both and the products of two
+// edges, and of those only the pairs whose arcs cross on the Gauss map: an edge of a is the arc between the
+// normals of its two faces, an edge of b the arc between the opposite normals. The largest separation s
+// (negative inside) tells how the two meet.
+//
+//   all in the frame of a;   e, g  edges of a and b     m
+//   A, B normals of the faces beside e; C, D opposite normals of the faces beside g     unit
+#include "sim/collision/hull_face.h"
+
+namespace pabd::narrow {
+namespace {
+
+constexpr double kParallelSine2 = 1e-8;  // parallel edges: a face direction says the same
+constexpr double kLowest = -std::numeric_limits<double>::infinity();
+
+struct Side {
+  const HullView& view;
+  const Vec3& c;
+  const Mat3& R;
+  Index number;
+};
+
+struct Meeting {
+  const Side &a, &b;
+  const HullView& b_in_a;
+  Mat3 C;  // R_aᵀ R_b
+  Vec3 t;  // R_aᵀ (c_b − c_a)
+  double reach;
+  Contacts& out;
+};
+
+struct BestFace {
+  double separation = kLowest;
+  int face = -1;
+};
+
+struct BestEdge {
+  double separation = kLowest;
+  int e = -1, g = -1;
+  Vec3 n;  // unit, from a towards b
+};
+
+// Stops as soon as a direction separates by `reach`.
+BestFace best_face(const HullView& owner, const HullView& other, double reach) {
+  BestFace best;
+  for (std::size_t f = 0; f < owner.faces.size(); ++f) {
+    const Vec3& n = owner.faces[f].normal;
+    double lowest = kNone;
+    for (const Vec3& v : other.vertices) lowest = std::min(lowest, n.dot(v));
+    const double s = lowest - owner.faces[f].offset;
+    if (s > best.separation) best = {s, static_cast<int>(f)};
+    if (s >= reach) break;
+  }
+  return best;
+}
+
+BestEdge best_edge(const HullView& a, const HullView& b, double above, double reach) {
+  BestEdge best;
+  best.separation = above;
+  for (std::size_t i = 0; i < a.edges.size(); ++i) {
+    const HullEdge& edge_a = a.edges[i];
+    const Vec3 &p = a.vertices[edge_a.from], e = a.vertices[edge_a.to] - p;
+    const Vec3 &A = a.faces[edge_a.left].normal, &B = a.faces[edge_a.right].normal;
+    for (std::size_t j = 0; j < b.edges.size(); ++j) {
+      const HullEdge& edge_b = b.edges[j];
+      // e runs along A × B and g along C × D: their signs say on which side of an arc a normal lies.
+      const Vec3 &C = b.faces[edge_b.left].normal, &D = b.faces[edge_b.right].normal;  // opposite, see below
+      const double C_e = -C.dot(e), D_e = -D.dot(e);
+      if (C_e * D_e >= 0) continue;
+      const Vec3 &q = b.vertices[edge_b.from], g = b.vertices[edge_b.to] - q;
+      const double A_g = A.dot(g), B_g = B.dot(g);
+      if (A_g * B_g >= 0 || C_e * B_g <= 0) continue;
+      Vec3 n = e.cross(g);
+      const double sine2 = n.squaredNorm() / (e.squaredNorm() * g.squaredNorm());
+      if (!(sine2 > kParallelSine2)) continue;
+      n.normalize();
+      if (n.dot(p) < 0) n = -n;  // the centre of a, its origin, lies below every one of its edges
+      const double s = n.dot(q - p);
+      if (s > best.separation) best = {s, static_cast<int>(i), static_cast<int>(j), n};
+      if (s >= reach) return best;
+    }
+  }
+  return best;
+}
+
+// Nearest points of the two edges. False when they lie beyond the ends of an edge.
+bool add_edge_contact(const Meeting& m, const BestEdge& best) {
+  const HullEdge& edge_a = m.a.view.edges[static_cast<std::size_t>(best.e)];
+  const HullEdge& edge_b = m.b_in_a.edges[static_cast<std::size_t>(best.g)];
+  const Vec3 &p = m.a.view.vertices[edge_a.from], &q = m.b_in_a.vertices[edge_b.from];
+  const Vec3 u = m.a.view.vertices[edge_a.to] - p, v = m.b_in_a.vertices[edge_b.to] - q, w = q - p;
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w), vw = v.dot(w);
+  const double det = uu * vv - uv * uv;
+  const double on_a = (uw * vv - uv * vw) / det, on_b = (uv * uw - uu * vw) / det;
+  constexpr double kEnd = 1e-9;
+  if (!(on_a >= -kEnd && on_a <= 1 + kEnd && on_b >= -kEnd && on_b <= 1 + kEnd)) return false;
+  const double d = w.dot(best.n);
+  if (d < m.reach) {
+    add_contact(m.out, m.a.number, m.b.number, m.a.c + m.a.R * (q + on_b * v), m.a.R * best.n, d,
+                hull_feature(HullFeature::edge_pair, 0,
+                             static_cast<std::size_t>(best.e) << 10 | static_cast<std::size_t>(best.g)));
+  }
+  return true;
+}
+
+struct NearestCorner {
+  double distance = kNone;
+  Vec3 corner, foot;
+  std::size_t number = 0;
+};
+
+// Vertex of `other` nearest to `hull`, both in one frame, if nearer than `limit`.
+NearestCorner nearest_corner(const HullView& hull, const HullView& other, double limit) {
+  NearestCorner best;
+  for (std::size_t v = 0; v < other.vertices.size(); ++v) {
+    const Vec3& x = other.vertices[v];
+    Vec3 foot = x;
+    const double distance = nearest_point(hull, x, std::min(limit, best.distance), foot);
+    if (distance < std::min(limit, best.distance)) best = {distance, x, foot, v};
+  }
+  return best;
+}
+
+// The hulls are apart, and neither a face nor an edge pair separates best: the nearest points are a corner of
+// one and its foot on the other.
+void add_corner_contact(const Meeting& m, double limit) {
+  const NearestCorner on_b = nearest_corner(m.a.view, m.b_in_a, limit);
+  const NearestCorner on_a = nearest_corner(m.b_in_a, m.a.view, std::min(limit, on_b.distance));
+  const bool corner_of_b = on_b.distance <= on_a.distance;
+  const NearestCorner& c = corner_of_b ? on_b : on_a;
+  const double smallest = std::min(m.a.view.inner_radius, m.b_in_a.inner_radius);
+  if (!(c.distance < limit) || !(c.distance > 1e-12 * smallest)) return;
+  const Side &owner = corner_of_b ? m.a : m.b, &other = corner_of_b ? m.b : m.a;
+  add_contact(m.out, owner.number, other.number, m.a.c + m.a.R * c.corner,
+              m.a.R * ((c.corner - c.foot) / c.distance), c.distance,
+              hull_feature(HullFeature::corner, 0, (corner_of_b ? 1024u : 0u) | c.number));
+}
+
+double add_face(const Meeting& m, bool b_owns, int face) {
+  if (!b_owns) {
+    return add_hull_face({m.a.view, m.b_in_a, m.a.c, m.a.R, m.a.number, m.b.number}, face, m.reach, m.out);
+  }
+  const MovedHull a_in_b(m.a.view, m.C.transpose(), -(m.C.transpose() * m.t));
+  return add_hull_face({m.b.view, a_in_b.view, m.b.c, m.b.R, m.b.number, m.a.number}, face, m.reach, m.out);
+}
+
+void meet(const Side& a, const Side& b, double reach, Contacts& out) {
+  const Mat3 C = a.R.transpose() * b.R;
+  const Vec3 t = a.R.transpose() * (b.c - a.c);
+  const MovedHull moved(b.view, C, t);
+  const Meeting m{a, b, moved.view, C, t, reach, out};
+
+  const BestFace face_a = best_face(a.view, moved.view, reach);
+  if (!(face_a.separation < reach)) return;
+  const BestFace face_b = best_face(moved.view, a.view, reach);
+  if (!(face_b.separation < reach)) return;
+  const double smallest = std::min(a.view.inner_radius, b.view.inner_radius);
+  const bool b_owns = face_b.separation > face_a.separation + preference(face_a.separation, smallest);
+  const double face = b_owns ? face_b.separation : face_a.separation;
+
+  const BestEdge edge = best_edge(a.view, moved.view, face, reach);
+  if (!(edge.separation < reach)) return;
+  const bool have_edge = edge.g >= 0;
+  if (have_edge && edge.separation > face + preference(face, smallest) && add_edge_contact(m, edge)) return;
+  const double d = add_face(m, b_owns, b_owns ? face_b.face : face_a.face);
+  if (d <= face + preference(face, smallest)) return;
+  // The deepest or nearest part is not over that face.
+  if (face > 0) {
+    add_corner_contact(m, std::min(d, reach));
+  } else if (!(have_edge && add_edge_contact(m, edge)) && d == kNone) {
+    add_face(m, !b_owns, b_owns ? face_a.face : face_b.face);
+  }
+}
+
+}  // namespace
+
+void hull_hull(const Placed<Hull>& a, const Placed<Hull>& b, double reach, Contacts& out) {
+  const HullView view_a = view_of(*a.shape.data), view_b = view_of(*b.shape.data);
+  meet({view_a, a.c, a.R, a.number}, {view_b, b.c, b.R, b.number}, reach, out);
+}
+
+void hull_box(const Placed<Hull>& hull, const Placed<Box>& box, double reach, Contacts& out) {
+  const BoxHull storage(box.shape.half);
+  const HullView view = view_of(*hull.shape.data), box_view = storage.view();
+  const Side first{view, hull.c, hull.R, hull.number}, second{box_view, box.c, box.R, box.number};
+  if (first.number < second.number) {
+    meet(first, second, reach, out);
+  } else {
+    meet(second, first, reach, out);
+  }
+}
+
+}  // namespace pabd::narrow

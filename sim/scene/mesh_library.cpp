@@ -1,0 +1,103 @@
+// See mesh_library.h. In the order: file, surface, closed, scaled, hull.
+#include "sim/scene/mesh_library.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "sim/body/convex_hull.h"
+#include "sim/error.h"
+#include "sim/scene/builder.h"
+#include "sim/scene/hash.h"
+#include "sim/scene/mesh_surface.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ExitCode::bad_input, message); }
+
+std::string read_bytes(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) refuse("the file does not exist; expected a mesh beside the scene");
+  if (!std::filesystem::is_regular_file(status)) refuse("not a regular file; expected a mesh");
+  const auto too_long = [] {
+    refuse(fmt::format("longer than {} bytes; expected a smaller file, simplify the mesh", kMostMeshBytes));
+  };
+  if (const auto size = std::filesystem::file_size(file, error); !error && size > kMostMeshBytes) too_long();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"), &std::fclose);
+  if (!in) refuse(fmt::format("cannot be read: {}; expected a mesh", std::strerror(errno)));
+  std::string bytes;
+  char buffer[1 << 16];
+  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, in.get())) {
+    bytes.append(buffer, n);
+    if (bytes.size() > kMostMeshBytes) too_long();
+  }
+  if (std::ferror(in.get()) != 0) refuse("cannot be read to its end; expected a mesh");
+  if (bytes.empty()) refuse("the file is empty; expected a mesh");
+  return bytes;
+}
+
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return ending;
+}
+
+}  // namespace
+
+Hull read_mesh_hull(std::string_view bytes, std::string_view ending, double scale) {
+  MeshSurface surface;
+  if (ending == "obj") {
+    surface = read_obj(bytes);
+  } else if (ending == "stl") {
+    surface = read_stl(bytes);
+  } else if (ending == "ply") {
+    surface = read_ply(bytes);
+  } else {
+    refuse("unknown kind of mesh; expected a name that ends in .obj, .stl or .ply");
+  }
+  std::vector<Vec3> used(surface.corners.size());
+  Vec3 lo = Vec3::Constant(1e300), hi = -lo;
+  for (std::size_t k = 0; k < used.size(); ++k) {
+    used[k] = scale * surface.points[surface.corners[k]];
+    lo = lo.cwiseMin(used[k]);
+    hi = hi.cwiseMax(used[k]);
+  }
+  if (!(lo.minCoeff() >= -kFarthest && hi.maxCoeff() <= kFarthest)) {
+    refuse(
+        fmt::format("a point is farther than {} m from the origin; expected a smaller \"scale\"", kFarthest));
+  }
+  if (!((hi - lo).maxCoeff() >= kSizeRange.lo)) {
+    refuse(fmt::format("smaller than {} m; expected a larger \"scale\"", kSizeRange.lo));
+  }
+  require_closed(surface);
+  HullResult result = make_hull(used);
+  if (!result.hull) refuse(result.problem);
+  return Hull{std::move(result.hull)};
+}
+
+const MeshLibrary::Entry& MeshLibrary::load(const std::string& file, double scale) {
+  const auto [place, fresh] = entries_.try_emplace({file, scale});
+  if (!fresh) return place->second;
+  try {
+    const std::string bytes = read_bytes(folder_ / file);
+    place->second.hull = read_mesh_hull(bytes, ending_of(file), scale);
+    Hash64 hash;
+    hash.add_text(bytes);
+    place->second.digest = hash.hex();
+  } catch (const Error& error) {
+    entries_.erase(place);
+    refuse(fmt::format("{}: {}", printable(file), error.what()));
+  }
+  return place->second;
+}
+
+}  // namespace pabd

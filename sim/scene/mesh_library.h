@@ -1,0 +1,35 @@
+// Mesh files of a scene → hulls, each file read once. Internal to sim/scene.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "sim/body/shape.h"
+
+namespace pabd {
+
+class MeshLibrary {
+ public:
+  // Files are named relative to `folder`.
+  explicit MeshLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  struct Entry {
+    Hull hull;
+    std::string digest;  // of the file's bytes
+  };
+
+  // Convex hull of the mesh in `file` times `scale`. The same file and scale give the same data again. Throws
+  // Error(bad_input) with "file: line or byte: what is wrong".
+  const Entry& load(const std::string& file, double scale);
+
+ private:
+  std::filesystem::path folder_;
+  std::map<std::pair<std::string, double>, Entry> entries_;
+};
+
+// Hull of a mesh in memory; `ending` is "obj", "stl" or "ply". Throws as load does, without the file's name.
+Hull read_mesh_hull(std::string_view bytes, std::string_view ending, double scale);
+
+}  // namespace pabd
