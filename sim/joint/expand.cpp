@@ -32,7 +32,7 @@ double Profile::at(double time) const {
   return v0 + (v1 - v0) * (time - t0) / (t1 - t0);
 }
 
-std::optional<double> passed_bound(const Range& range, double value) {
+std::optional<double> passed_bound(const JointRange& range, double value) {
   if (value < range.lo) return range.lo;
   if (value > range.hi) return range.hi;
   return std::nullopt;

@@ -49,6 +49,6 @@ void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj
                 const Vec3& shift, bool slides, BondList& out);
 
 // The bound that `value` has passed; empty inside the range.
-std::optional<double> passed_bound(const Range& range, double value);
+std::optional<double> passed_bound(const JointRange& range, double value);
 
 }  // namespace pabd

@@ -23,7 +23,7 @@ const char* to_string(JointType type);
 
 enum class Twist : std::uint8_t { free, locked, limited };
 
-struct Range {
+struct JointRange {
   double lo, hi;
 };
 
@@ -44,12 +44,12 @@ struct Joint {
   JointType type = JointType::spherical;
   Index i = kWorld, j = kWorld;
   JointFrame on_i, on_j;
-  std::optional<Range> limits;   // hinge: angle, rad; slider: offset, m
-  std::optional<Profile> drive;  // of the same quantity
-  Twist twist = Twist::locked;   // slider
-  Range twist_limits{0, 0};      // rad
-  double length = 0;             // distance joint: rest length; m
-  double arm = 0.5;              // of the points beside the anchor; m
+  std::optional<JointRange> limits;  // hinge: angle, rad; slider: offset, m
+  std::optional<Profile> drive;      // of the same quantity
+  Twist twist = Twist::locked;       // slider
+  JointRange twist_limits{0, 0};     // rad
+  double length = 0;                 // distance joint: rest length; m
+  double arm = 0.5;                  // of the points beside the anchor; m
   bool symmetric = true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
   BondLaw law;
 };

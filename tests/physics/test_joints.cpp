@@ -187,7 +187,7 @@ TEST_CASE("a slider moves along its line only, with the acceleration of the slop
 TEST_CASE("limits hold within 0.5° and 1e-4 m; a drive is followed") {
   SECTION("hinge limit") {
     World world = pendulum(1.0, 1.0 / 60);
-    world.model.joints[0].limits = Range{-0.5, 0.5};
+    world.model.joints[0].limits = JointRange{-0.5, 0.5};
     double lowest = 0;
     testing::run(world, 240, {},
                  [&](const StepReport&) { lowest = std::min(lowest, angle(world, world.model.joints[0])); });
@@ -198,7 +198,7 @@ TEST_CASE("limits hold within 0.5° and 1e-4 m; a drive is followed") {
     World world;
     const Index box = world.add_cube(0.4, 5, {0, 0, 0});
     Joint joint = make_joint(world, JointType::slider, kWorld, box, Vec3::Zero(), Vec3::UnitY());
-    joint.limits = Range{-0.7, 0.1};
+    joint.limits = JointRange{-0.7, 0.1};
     add_joint(world, joint);
     testing::run(world, 240);
     CHECK(world.state.c[box].y() == Approx(-0.7).margin(1e-4));
