@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/body/shape.h"
-#include "sim/joint/joint.h"
+#include "sim/body/joint.h"
 
 namespace pabd {
 

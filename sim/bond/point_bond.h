@@ -10,18 +10,9 @@
 //   Ψ''.
 #pragma once
 
-#include "sim/math/types.h"
+#include "sim/body/joint.h"
 
 namespace pabd {
-
-enum class BondPotential : std::uint8_t { soft, hard };
-
-struct BondLaw {
-  BondPotential potential = BondPotential::soft;
-  double kappa = 1;     // N/m for soft, J for hard
-  double d_hat = 0.01;  // m; hard only
-  int N = 4;            // hard only
-};
 
 // Two points that a joint wants `length` apart, where they are now; world frame.
 struct PointBond {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/bond/point_bond.h"
+
 namespace pabd {
 
 double auto_joint_kappa(const Model& model, const Vec3& gravity, const BondLaw& law) {

@@ -1,36 +1,8 @@
 #include "sim/joint/expand.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pabd {
-
-const char* to_string(JointType type) {
-  switch (type) {
-    case JointType::spherical:
-      return "spherical";
-    case JointType::hinge:
-      return "hinge";
-    case JointType::slider:
-      return "slider";
-    case JointType::fixed:
-      return "fixed";
-    case JointType::distance:
-      return "distance";
-  }
-  return "?";
-}
-
-double Profile::at(double time) const {
-  const auto after =
-      std::upper_bound(keys.begin(), keys.end(), time,
-                       [](double t, const std::pair<double, double>& key) { return t < key.first; });
-  if (after == keys.begin()) return keys.front().second;
-  if (after == keys.end()) return keys.back().second;
-  const auto& [t0, v0] = *(after - 1);
-  const auto& [t1, v1] = *after;
-  return v0 + (v1 - v0) * (time - t0) / (t1 - t0);
-}
 
 std::optional<double> passed_bound(const JointRange& range, double value) {
   if (value < range.lo) return range.lo;

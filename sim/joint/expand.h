@@ -4,8 +4,9 @@
 
 #include <array>
 
+#include "sim/body/joint.h"
 #include "sim/body/state.h"
-#include "sim/joint/joint.h"
+#include "sim/bond/point_bond.h"
 
 namespace pabd {
 

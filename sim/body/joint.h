@@ -11,10 +11,19 @@
 #include <utility>
 #include <vector>
 
-#include "sim/bond/point_bond.h"
 #include "sim/math/types.h"
 
 namespace pabd {
+
+// Law of the bonds a joint is made of (bond/point_bond.h).
+enum class BondPotential : std::uint8_t { soft, hard };
+
+struct BondLaw {
+  BondPotential potential = BondPotential::soft;
+  double kappa = 1;     // N/m for soft, J for hard
+  double d_hat = 0.01;  // m; hard only
+  int N = 4;            // hard only
+};
 
 inline constexpr Index kWorld = -1;  // instead of a body number
 

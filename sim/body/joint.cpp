@@ -1,0 +1,34 @@
+#include "sim/body/joint.h"
+
+#include <algorithm>
+
+namespace pabd {
+
+const char* to_string(JointType type) {
+  switch (type) {
+    case JointType::spherical:
+      return "spherical";
+    case JointType::hinge:
+      return "hinge";
+    case JointType::slider:
+      return "slider";
+    case JointType::fixed:
+      return "fixed";
+    case JointType::distance:
+      return "distance";
+  }
+  return "?";
+}
+
+double Profile::at(double time) const {
+  const auto after =
+      std::upper_bound(keys.begin(), keys.end(), time,
+                       [](double t, const std::pair<double, double>& key) { return t < key.first; });
+  if (after == keys.begin()) return keys.front().second;
+  if (after == keys.end()) return keys.back().second;
+  const auto& [t0, v0] = *(after - 1);
+  const auto& [t1, v1] = *after;
+  return v0 + (v1 - v0) * (time - t0) / (t1 - t0);
+}
+
+}  // namespace pabd
