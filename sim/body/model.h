@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/body/shape.h"
 #include "sim/body/joint.h"
+#include "sim/body/shape.h"
 
 namespace pabd {
 
