@@ -20,15 +20,19 @@ const char* to_string(JointType type) {
   return "?";
 }
 
-double Profile::at(double time) const {
+template <class Value>
+Value Keyed<Value>::at(double time) const {
   const auto after =
       std::upper_bound(keys.begin(), keys.end(), time,
-                       [](double t, const std::pair<double, double>& key) { return t < key.first; });
+                       [](double t, const std::pair<double, Value>& key) { return t < key.first; });
   if (after == keys.begin()) return keys.front().second;
   if (after == keys.end()) return keys.back().second;
   const auto& [t0, v0] = *(after - 1);
   const auto& [t1, v1] = *after;
-  return v0 + (v1 - v0) * (time - t0) / (t1 - t0);
+  return v0 + (v1 - v0) * ((time - t0) / (t1 - t0));
 }
+
+template struct Keyed<double>;
+template struct Keyed<Vec3>;
 
 }  // namespace pabd

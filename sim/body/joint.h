@@ -6,11 +6,11 @@
 // pose. Offset λ: of j's anchor from i's along the axis, measured as S(15) does, zero at the start pose.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/body/rare.h"
 #include "sim/math/types.h"
 
 namespace pabd {
@@ -37,10 +37,13 @@ struct JointRange {
 };
 
 // Piecewise linear in time; constant before the first and after the last key.
-struct Profile {
-  std::vector<std::pair<double, double>> keys;  // (s, rad or m), rising times, at least one
-  double at(double time) const;
+template <class Value>
+struct Keyed {
+  std::vector<std::pair<double, Value>> keys;  // (s, value), rising times, at least one
+  Value at(double time) const;
 };
+using Profile = Keyed<double>;    // rad or m
+using TurnProfile = Keyed<Vec3>;  // rotation vector in the joint's frame on i; rad
 
 // Anchor and frame in the frame of one body (of the world for kWorld).
 struct JointFrame {
@@ -48,18 +51,21 @@ struct JointFrame {
   Mat3 F;
 };
 
+// What few joints have (limits, drives) is out of line, so that a million joints fit in 0.3 GB.
 struct Joint {
-  std::string name;
+  std::string name;  // may be empty
   JointType type = JointType::spherical;
+  Twist twist = Twist::locked;  // slider
+  std::uint8_t arms = 7;        // spherical with a turn: bit k, the points along column k of F are held
+  bool symmetric = true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
   Index i = kWorld, j = kWorld;
   JointFrame on_i, on_j;
-  std::optional<JointRange> limits;  // hinge: angle, rad; slider: offset, m
-  std::optional<Profile> drive;      // of the same quantity
-  Twist twist = Twist::locked;       // slider
-  JointRange twist_limits{0, 0};     // rad
-  double length = 0;                 // distance joint: rest length; m
-  double arm = 0.5;                  // of the points beside the anchor; m
-  bool symmetric = true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
+  Rare<JointRange> limits;        // hinge: angle, rad, in [−π, π]; slider: offset, m
+  Rare<Profile> drive;            // of the same quantity
+  Rare<TurnProfile> turn;         // spherical: the rotation of j against i
+  Rare<JointRange> twist_limits;  // slider with limited twist; rad, in [−π, π]
+  double length = 0;              // distance joint: rest length; m
+  double arm = 0.5;               // of the points beside the anchor; m
   BondLaw law;
 };
 

@@ -5,8 +5,18 @@
 
 namespace pabd {
 
-// κ at which the weight of all movable bodies stretches a bond of `law` by 1e-8 of the smallest of them: N/m
-// for soft bonds, J for hard ones. 9.81 m/s² where gravity is zero.
+// What the stiffness of joints follows from. Linear in the number of bodies: find it once a model.
+struct JointLoad {
+  double weight;    // of all movable bodies, any of which may come to hang on a joint; N
+  double smallest;  // thickness of the thinnest movable body; m
+};
+
+// 9.81 m/s² where gravity is zero; a weight of 0 when nothing can move.
+JointLoad joint_load(const Model& model, const Vec3& gravity);
+
+// κ at which that weight stretches a bond of `law` by 1e-8 of the smallest body: N/m for soft bonds, J for
+// hard ones; 1 when nothing can move.
+double auto_joint_kappa(const JointLoad& load, const BondLaw& law);
 double auto_joint_kappa(const Model& model, const Vec3& gravity, const BondLaw& law);
 
 }  // namespace pabd

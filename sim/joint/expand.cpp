@@ -10,6 +10,13 @@ std::optional<double> passed_bound(const JointRange& range, double value) {
   return std::nullopt;
 }
 
+std::optional<double> passed_angle(const JointRange& range, double angle) {
+  if (angle >= range.lo && angle <= range.hi) return std::nullopt;
+  const double below = std::remainder(range.lo - angle, 2 * kPi),
+               above = std::remainder(angle - range.hi, 2 * kPi);
+  return std::abs(below) < std::abs(above) ? range.lo : range.hi;
+}
+
 double joint_angle(const PlacedFrame& fi, const PlacedFrame& fj) {
   const Vec3 e = fj.F.col(1);
   return std::atan2(e.dot(fi.F.col(2)), e.dot(fi.F.col(1)));
@@ -36,7 +43,7 @@ void expand(const Joint& joint, const Pose& i, const Pose& j, double time, BondL
   const PlacedFrame fi = place(joint.on_i, i), fj = place(joint.on_j, j);
   switch (joint.type) {
     case JointType::spherical:
-      return expand_spherical(joint, fi, fj, out);
+      return expand_spherical(joint, fi, fj, time, out);
     case JointType::hinge:
       return expand_hinge(joint, fi, fj, time, out);
     case JointType::slider:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "sim/body/joint.h"
 #include "sim/body/state.h"
@@ -10,7 +11,7 @@
 
 namespace pabd {
 
-// No joint needs more: two for the axis, two for the angle, or one and six.
+// No joint needs more: two for the axis and two for the angle, or one for the anchor and six for its arms.
 struct BondList {
   std::array<PointBond, 8> bond;
   int count = 0;
@@ -30,7 +31,8 @@ inline PlacedFrame place(const JointFrame& frame, const Pose& pose) {
 void expand(const Joint& joint, const Pose& i, const Pose& j, double time, BondList& out);
 
 // One file each; `fi`, `fj` are the placed frames.
-void expand_spherical(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, BondList& out);
+void expand_spherical(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
+                      BondList& out);
 void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
                   BondList& out);
 void expand_slider(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
@@ -49,7 +51,10 @@ double joint_offset(const PlacedFrame& fi, const PlacedFrame& fj);
 void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta,
                 const Vec3& shift, bool slides, BondList& out);
 
-// The bound that `value` has passed; empty inside the range.
+// The bound that an offset has passed; empty inside the range.
 std::optional<double> passed_bound(const JointRange& range, double value);
+
+// The same for an angle: outside the range the bound that is nearer on the circle.
+std::optional<double> passed_angle(const JointRange& range, double angle);
 
 }  // namespace pabd

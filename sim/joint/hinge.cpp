@@ -11,7 +11,7 @@ void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
   }
   std::optional<double> held;
   if (joint.drive) held = joint.drive->at(time);
-  if (joint.limits && !held) held = passed_bound(*joint.limits, joint_angle(fi, fj));
+  if (joint.limits && !held) held = passed_angle(*joint.limits, joint_angle(fi, fj));
   if (held) hold_angle(joint, fi, fj, *held, Vec3::Zero(), false, out);
 }
 

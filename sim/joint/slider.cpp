@@ -22,7 +22,7 @@ void expand_slider(const Joint& joint, const PlacedFrame& fi, const PlacedFrame&
   }
   std::optional<double> twist;
   if (joint.twist == Twist::locked) twist = 0;
-  if (joint.twist == Twist::limited) twist = passed_bound(joint.twist_limits, joint_angle(fi, fj));
+  if (joint.twist == Twist::limited) twist = passed_angle(*joint.twist_limits, joint_angle(fi, fj));
   if (twist) hold_angle(joint, fi, fj, *twist, shift, !held, out);
 }
 

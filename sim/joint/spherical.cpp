@@ -1,10 +1,23 @@
-// Spherical joint S(7): ‖y_i0 − y_j0‖ = 0.
+// Spherical joint S(7): ‖y_i0 − y_j0‖ = 0. With a prescribed relative rotation R(θ), points at ± arm along up
+// to three directions e of the joint's frame: those of j, y_j0 ± F_j e, meet those of i, y_i0 ± F_i R(θ) e
+// (S(8–10), one on each side). One direction leaves j free to turn about it, two or three hold everything.
 #include "sim/joint/expand.h"
+#include "sim/math/so3.h"
 
 namespace pabd {
 
-void expand_spherical(const Joint&, const PlacedFrame& fi, const PlacedFrame& fj, BondList& out) {
+void expand_spherical(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
+                      BondList& out) {
   out.add(fi.y, fj.y);
+  if (!joint.turn) return;
+  const Mat3 F = fi.F * exp_so3(joint.turn->at(time));
+  for (int k = 0; k < 3; ++k) {
+    if (!(joint.arms >> k & 1)) continue;
+    for (const double side : {1.0, -1.0}) {
+      if (side < 0 && !joint.symmetric) break;
+      out.add(fi.y + side * joint.arm * F.col(k), fj.y + side * joint.arm * fj.F.col(k));
+    }
+  }
 }
 
 }  // namespace pabd

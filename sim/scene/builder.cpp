@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <string_view>
-#include <unordered_set>
 
 #include "sim/body/mass_properties.h"
+#include "sim/joint/auto_kappa.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -72,17 +72,52 @@ void SceneBuilder::add(BodySpec&& body, const Node& place) {
   state.omega.push_back(body.omega);
 }
 
-void SceneBuilder::finish(const ReadContext& context, std::size_t listed) const {
-  std::unordered_set<std::string_view> seen;
+BodyNames SceneBuilder::names(const ReadContext& context, std::size_t listed) const {
+  BodyNames seen;
   seen.reserve(model.name.size());
   for (std::size_t i = 0; i < model.name.size(); ++i) {
-    if (seen.insert(model.name[i]).second) continue;
-    std::size_t first = 0;
-    while (model.name[first] != model.name[i]) ++first;
+    const auto [first, fresh] = seen.emplace(model.name[i], static_cast<Index>(i));
+    if (fresh) continue;
     fail_at(context, i < listed ? fmt::format("/bodies/{}/name", i) : "/generate",
-            fmt::format("bodies {} and {} are both named {}; expected different names", first, i,
+            fmt::format("bodies {} and {} are both named {}; expected different names", first->second, i,
                         in_quotes(model.name[i])));
   }
+  return seen;
+}
+
+void SceneBuilder::reserve_joints(std::int64_t count, const Node& place) {
+  announced_joints_ += count;
+  if (announced_joints_ > kMostJoints) {
+    place.fail(
+        fmt::format("the scene would have {} joints; expected at most {}", announced_joints_, kMostJoints));
+  }
+  const auto n = static_cast<std::size_t>(announced_joints_);
+  model.joints.reserve(n);
+  model.no_collide.reserve(n);
+}
+
+void SceneBuilder::add_joint(Joint&& joint, bool collide) {
+  if (!collide && joint.i != kWorld && joint.j != kWorld) {
+    model.no_collide.emplace_back(std::minmax(joint.i, joint.j));
+  }
+  model.joints.push_back(std::move(joint));
+}
+
+void SceneBuilder::finish_joints(const Vec3& gravity, std::size_t generated) {
+  auto& pairs = model.no_collide;
+  if (!std::is_sorted(pairs.begin(), pairs.end())) std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+
+  auto& joints = model.joints;
+  if (generated < joints.size()) {
+    std::rotate(joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(generated), joints.end());
+  }
+  const JointLoad load = joint_load(model, gravity);
+  const auto resolve = [&load](BondLaw& law) {
+    if (law.kappa == kAutoKappa) law.kappa = auto_joint_kappa(load, law);
+  };
+  for (Joint& joint : joints) resolve(joint.law);
+  resolve(joint_law);
 }
 
 }  // namespace pabd

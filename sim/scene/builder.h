@@ -1,9 +1,11 @@
-// Collects bodies into a Model and a State, and refuses what no simulation can hold: duplicate names, masses
-// and places out of bounds, too many bodies. Internal to sim/scene.
+// Collects bodies and joints into a Model and a State, and refuses what no simulation can hold: duplicate
+// names, masses and places out of bounds, too many bodies. Internal to sim/scene.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include "sim/body/model.h"
 #include "sim/body/state.h"
@@ -12,6 +14,7 @@
 namespace pabd {
 
 inline constexpr std::int64_t kMostBodies = 4'000'000;
+inline constexpr std::int64_t kMostJoints = 8'000'000;
 inline constexpr double kFarthest = 1e6;         // |coordinate| of a position; m
 inline constexpr double kDefaultDensity = 1000;  // kg/m³
 
@@ -40,20 +43,39 @@ struct BodySpec {
   Vec3 omega = Vec3::Zero();  // rad/s
 };
 
+// In a BondLaw that is still to be resolved: κ is "auto".
+inline constexpr double kAutoKappa = 0;
+
+// Bodies by name; the names are those of the model.
+using BodyNames = std::unordered_map<std::string_view, Index>;
+
 class SceneBuilder {
  public:
+  // `joint_law` holds for joints that say nothing of their own; its κ may be kAutoKappa.
+  explicit SceneBuilder(const BondLaw& law) : joint_law(law) {}
+
   // Announces `count` more bodies; `place` is blamed when the total is above kMostBodies.
   void reserve(std::int64_t count, const Node& place);
   void add(BodySpec&& body, const Node& place);
 
-  // Call once at the end. Refuses duplicate names; the first `listed` bodies are those of "bodies".
-  void finish(const ReadContext& context, std::size_t listed) const;
+  // Call when all bodies are there. Refuses duplicate names; the first `listed` bodies are those of "bodies".
+  BodyNames names(const ReadContext& context, std::size_t listed) const;
+
+  // Announces `count` more joints.
+  void reserve_joints(std::int64_t count, const Node& place);
+  // Without `collide` the two bodies never touch each other.
+  void add_joint(Joint&& joint, bool collide);
+
+  // Call once at the end. Resolves κ "auto" of all joints and of joint_law; the first `generated` joints move
+  // behind the others.
+  void finish_joints(const Vec3& gravity, std::size_t generated);
 
   Model model;
   State state;
+  BondLaw joint_law;
 
  private:
-  std::int64_t announced_ = 0;
+  std::int64_t announced_ = 0, announced_joints_ = 0;
 };
 
 }  // namespace pabd

@@ -20,29 +20,24 @@ struct Generator {
   Function function;
 };
 
-constexpr Generator kGenerators[] = {{"stack", keys::stack, generate_stack},
-                                     {"wall", keys::wall, generate_wall},
-                                     {"pyramid", keys::pyramid, generate_pyramid},
-                                     {"pile", keys::pile, generate_pile}};
+constexpr Generator kGenerators[] = {
+    {"stack", keys::stack, generate_stack},       {"wall", keys::wall, generate_wall},
+    {"pyramid", keys::pyramid, generate_pyramid}, {"pile", keys::pile, generate_pile},
+    {"chain", keys::chain, generate_chain},       {"net", keys::net, generate_net}};
 
 const Generator& find_generator(const Node& node) {
   if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
+  Choice choices[std::size(kGenerators)];
+  std::vector<std::string_view> words;
+  for (std::size_t i = 0; i < std::size(kGenerators); ++i) {
+    choices[i] = {kGenerators[i].type, static_cast<int>(i)};
+    words.push_back(kGenerators[i].type);
+  }
   const auto it = node.value().find("type");
   if (it == node.value().end()) {
-    fail_at(node.context(), node.pointer() + "/type",
-            "missing; expected \"stack\", \"wall\", \"pyramid\" or \"pile\"");
+    fail_at(node.context(), node.pointer() + "/type", "missing; expected " + one_of(words));
   }
-  const Node type(*it, node, "type");
-  if (type.is_word("chain") || type.is_word("net")) {
-    type.fail(
-        fmt::format("{} needs joints, which are not supported by this version; use \"stack\", \"wall\", "
-                    "\"pyramid\" or \"pile\"",
-                    type.text(10)));
-  }
-  Choice choices[std::size(kGenerators)];
-  for (std::size_t i = 0; i < std::size(kGenerators); ++i)
-    choices[i] = {kGenerators[i].type, static_cast<int>(i)};
-  return kGenerators[type.choice(choices)];
+  return kGenerators[Node(*it, node, "type").choice(choices)];
 }
 
 }  // namespace

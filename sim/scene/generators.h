@@ -19,6 +19,8 @@ void generate_stack(const ObjectReader& in, const GeneratorContext& context, Sce
 void generate_wall(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
 void generate_pyramid(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
 void generate_pile(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
+void generate_chain(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
+void generate_net(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
 
 // Runs every entry of "generate", in order.
 void run_generators(const ObjectReader& scene, double d_hat, SceneBuilder& out);

@@ -19,7 +19,16 @@ std::span<const KeyTable> key_tables() {
                                       KeyTable{"stack", keys::stack},
                                       KeyTable{"wall", keys::wall},
                                       KeyTable{"pyramid", keys::pyramid},
-                                      KeyTable{"pile", keys::pile}};
+                                      KeyTable{"pile", keys::pile},
+                                      KeyTable{"chain", keys::chain},
+                                      KeyTable{"net", keys::net},
+                                      KeyTable{"spherical", keys::spherical},
+                                      KeyTable{"hinge", keys::hinge},
+                                      KeyTable{"slider", keys::slider},
+                                      KeyTable{"fixed", keys::fixed},
+                                      KeyTable{"distance", keys::distance},
+                                      KeyTable{"drive", keys::drive},
+                                      KeyTable{"twist", keys::twist}};
   return kTables;
 }
 

@@ -47,6 +47,35 @@ inline constexpr std::array pile{Key("type"), Key("name"),     Key("count"),   K
                                  Key("size"), Key("position"), Key("density"), Key("mass"),
                                  Key("vary"), Key("columns"),  Key("spacing"), Key("seed")};
 
+inline constexpr std::array chain{Key("type"),  Key("name"),     Key("links"),  Key("shape"),
+                                  Key("size"),  Key("position"), Key("gap"),    Key("direction"),
+                                  Key("joint"), Key("axis"),     Key("fixed"),  Key("density"),
+                                  Key("mass"),  Key("end_mass"), Key("collide")};
+inline constexpr std::array net{Key("type"),  Key("name"),     Key("rows"), Key("columns"), Key("shape"),
+                                Key("size"),  Key("position"), Key("gap"),  Key("upright"), Key("joint"),
+                                Key("fixed"), Key("density"),  Key("mass"), Key("collide")};
+
+// Joints by their type.
+inline constexpr std::array spherical{
+    Key("name"),      Key("type"),      Key("bodies"), Key("anchor"), Key("drive"), Key("axes"),   Key("arm"),
+    Key("symmetric"), Key("potential"), Key("kappa"),  Key("N"),      Key("d_hat"), Key("collide")};
+inline constexpr std::array hinge{Key("name"),      Key("type"),      Key("bodies"), Key("anchor"),
+                                  Key("axis"),      Key("limits"),    Key("drive"),  Key("arm"),
+                                  Key("symmetric"), Key("potential"), Key("kappa"),  Key("N"),
+                                  Key("d_hat"),     Key("collide")};
+inline constexpr std::array slider{Key("name"), Key("type"),      Key("bodies"),    Key("anchor"),
+                                   Key("axis"), Key("limits"),    Key("drive"),     Key("twist"),
+                                   Key("arm"),  Key("symmetric"), Key("potential"), Key("kappa"),
+                                   Key("N"),    Key("d_hat"),     Key("collide")};
+inline constexpr std::array fixed{Key("name"), Key("type"),      Key("bodies"),    Key("anchor"),
+                                  Key("arm"),  Key("symmetric"), Key("potential"), Key("kappa"),
+                                  Key("N"),    Key("d_hat"),     Key("collide")};
+inline constexpr std::array distance{Key("name"),   Key("type"),      Key("bodies"), Key("points"),
+                                     Key("length"), Key("potential"), Key("kappa"),  Key("N"),
+                                     Key("d_hat"),  Key("collide")};
+inline constexpr std::array drive{Key("value"), Key("keys")};
+inline constexpr std::array twist{Key("limits")};
+
 }  // namespace keys
 
 struct KeyTable {

@@ -1,4 +1,4 @@
-// Scene file → Scene, in the order: document, overrides, parameters, bodies, generators. See scene.h.
+// Scene file → Scene, in the order: document, overrides, parameters, bodies, generators, joints. See scene.h.
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -12,6 +12,7 @@
 #include "sim/scene/keys.h"
 #include "sim/scene/overrides.h"
 #include "sim/scene/read_body.h"
+#include "sim/scene/read_joint.h"
 #include "sim/scene/read_params.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/text.h"
@@ -40,12 +41,6 @@ void check_format(const Node& root) {
         fmt::format("the file has version {}, this program reads version {}; use a newer pabd", v, kVersion));
   }
   if (v != kVersion) node.fail_expected(std::to_string(kVersion));
-}
-
-void refuse_joints(const ObjectReader& scene) {
-  const auto joints = scene.find("joints");
-  if (!joints || joints->array_size() == 0) return;
-  joints->fail("joints are not supported by this version; remove them");
 }
 
 void read_bodies(const ObjectReader& scene, MeshLibrary& meshes, SceneBuilder& out) {
@@ -116,19 +111,22 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
   if (const auto schema = in.find("$schema"))
     schema->text(1000);  // for editors; says nothing about the scene
   scene.params = read_params(in);
-  refuse_joints(in);
 
-  SceneBuilder builder;
+  SceneBuilder builder(read_joint_defaults(in));
   MeshLibrary meshes(folder);
   read_bodies(in, meshes, builder);
   const std::size_t listed = builder.model.name.size();
   run_generators(in, scene.params.contact.d_hat, builder);
-  builder.finish(context, listed);
+  const BodyNames names = builder.names(context, listed);
+  const std::size_t generated = builder.model.joints.size();
+  read_joints(in, names, builder);
+  builder.finish_joints(scene.params.gravity, generated);
   if (builder.model.size() == 0) in.fail("the scene has no bodies; expected \"bodies\" or \"generate\"");
   scene.camera = read_camera(in);
 
   if (scene.name.empty()) scene.name = std::filesystem::path(source).stem().string();
   scene.model = std::move(builder.model);
+  scene.joint_law = builder.joint_law;
   scene.initial = std::move(builder.state);
   scene.hash = context.hash.hex();
   return scene;

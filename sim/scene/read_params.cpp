@@ -17,7 +17,8 @@ constexpr int value_of(auto enumerator) { return static_cast<int>(enumerator); }
 
 constexpr Choice kMethods[] = {{"auto", value_of(SolverMethod::automatic)},
                                {"sissm", value_of(SolverMethod::sissm)},
-                               {"descent", value_of(SolverMethod::descent)}};
+                               {"descent", value_of(SolverMethod::descent)},
+                               {"newton", value_of(SolverMethod::newton)}};
 constexpr Choice kProjections[] = {{"auto", value_of(Projection::automatic)},
                                    {"polar", value_of(Projection::polar)},
                                    {"weighted", value_of(Projection::weighted)},
@@ -25,12 +26,8 @@ constexpr Choice kProjections[] = {{"auto", value_of(Projection::automatic)},
 constexpr Choice kBarriers[] = {{"polynomial", value_of(BarrierKind::polynomial)},
                                 {"log", value_of(BarrierKind::log)},
                                 {"even", value_of(BarrierKind::even)}};
-constexpr Choice kPotentials[] = {{"soft", 0}, {"hard", 1}};
 
 void read_solver(const ObjectReader& in, SolverParams& out) {
-  if (const auto method = in.find("method"); method && method->is_word("newton")) {
-    method->fail("newton is not supported by this version; use \"descent\"");
-  }
   out.method = static_cast<SolverMethod>(in.choice("method", kMethods, value_of(out.method)));
   out.iterations = static_cast<int>(in.integer("iterations", kIntLo, kIntHi, out.iterations));
   out.tolerance = in.number("tolerance", kAny, out.tolerance);
@@ -71,28 +68,6 @@ void read_contact(const ObjectReader& in, ContactParams& out) {
   in.record("dynamic", out.mu_dynamic);
 }
 
-// Checked so that a file with them stays valid; nothing in this version has joints.
-void check_joints_default(const ObjectReader& in) {
-  in.choice("potential", kPotentials, 0);
-  const auto kappa = in.find("kappa");
-  if (kappa && kappa->is_word("auto")) {
-    in.record("kappa", "auto");
-  } else if (kappa) {
-    in.number("kappa", {0, std::numeric_limits<double>::infinity(), "J or N/m", true});
-  }
-  in.integer("N", 1, kMaxOrder, 2);
-  in.optional_number("d_hat", {1e-9, 1e3, "m"});
-}
-
-// A section of the scene, or an empty one that gives every default.
-template <class Function>
-void with_section(const ObjectReader& scene, std::string_view key, std::span<const std::string_view> known,
-                  Function&& read) {
-  static const Json empty = Json::object();
-  const auto node = scene.find(key);
-  read(ObjectReader(node ? *node : Node(empty, scene, key), known));
-}
-
 }  // namespace
 
 Params read_params(const ObjectReader& scene) {
@@ -103,8 +78,6 @@ Params read_params(const ObjectReader& scene) {
                [&](const ObjectReader& in) { read_solver(in, params.solver); });
   with_section(scene, "contact", keys::contact,
                [&](const ObjectReader& in) { read_contact(in, params.contact); });
-  with_section(scene, "joints_default", keys::joints_default, check_joints_default);
-
   if (const auto error = check_params(params)) fail_at(scene.context(), error->pointer, error->message);
   return params;
 }

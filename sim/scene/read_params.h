@@ -1,5 +1,4 @@
-// The tunable part of a scene: gravity, time step, solver, contact, and the joints' defaults. Internal to
-// sim/scene.
+// The tunable part of a scene: gravity, time step, solver and contact. Internal to sim/scene.
 #pragma once
 
 #include "sim/scene/reader.h"

@@ -116,4 +116,13 @@ class ObjectReader : public Node {
   void record(std::string_view key, const Vec3& value) const;
 };
 
+// A section of the scene, or an empty one that gives every default.
+template <class Function>
+auto with_section(const ObjectReader& scene, std::string_view key, std::span<const std::string_view> known,
+                  Function&& read) {
+  static const Json empty = Json::object();
+  const auto node = scene.find(key);
+  return read(ObjectReader(node ? *node : Node(empty, scene, key), known));
+}
+
 }  // namespace pabd

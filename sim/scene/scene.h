@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "sim/body/model.h"
@@ -25,8 +24,8 @@ struct Scene {
   Params params;
   Model model;
   State initial;
-  std::vector<std::pair<Index, Index>> skip;  // pairs that never collide, a < b, sorted
-  std::optional<CameraDesc> camera;           // absent: the viewer frames the scene
+  BondLaw joint_law;                 // of joints that say nothing of their own, κ resolved
+  std::optional<CameraDesc> camera;  // absent: the viewer frames the scene
   std::string hash;  // 16 hex digits over the resolved scene (after --set), platform independent
 };
 

@@ -23,8 +23,6 @@ std::optional<ParamError> check_solver(const SolverParams& s) {
   if (auto e = expect(inside(s.relaxation, 0, 1) && s.relaxation > 0, "/solver/relaxation", s.relaxation,
                       "a number above 0 and up to 1"))
     return e;
-  if (s.method == SolverMethod::newton)
-    return ParamError{"/solver/method", "\"newton\" is not supported by this version: use \"descent\""};
   if (s.method == SolverMethod::sissm && s.projection == Projection::tangent)
     return ParamError{"/solver/projection",
                       "\"tangent\" belongs to \"descent\": sissm takes \"polar\" or \"weighted\""};

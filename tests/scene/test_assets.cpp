@@ -116,4 +116,7 @@ TEST_CASE("the schema gives the defaults of the program", "[scene]") {
   CHECK(default_of(defs["contact"], "onset") == p.contact.onset);
   CHECK(default_of(defs["friction"], "static") == p.contact.mu_static);
   CHECK(default_of(defs["camera"], "fov") == CameraDesc{}.fov);
+  CHECK(default_of(defs["joints_default"], "potential") == "soft");
+  CHECK(default_of(defs["joints_default"], "N") == BondLaw{}.N);
+  CHECK(default_of(defs["joints_default"], "d_hat") == BondLaw{}.d_hat);
 }

@@ -1,5 +1,6 @@
 // Damaged scenes: whatever is cut off or changed, the reader either accepts it or throws its own error.
 #include <algorithm>
+#include <cmath>
 
 #include "sim/scene/random.h"
 #include "tests/scene/helpers.h"
@@ -17,7 +18,17 @@ const std::string kScene = scene_text(R"("name": "fuzz", "gravity": [0, -9.81, 0
     { "name": "crate \u00e9", "shape": { "type": "box", "size": [1, 1, 1] }, "density": 1000, "position": [0, 0.51, 0],
       "orientation": [1, 0, 0, 0], "velocity": [0, 0, 0], "angular_velocity": [0, 0, 0] } ],
   "generate": [ { "type": "pyramid", "base": 3, "size": [1, 1, 1], "position": [5, 0, 0] },
-                { "type": "pile", "count": 9, "seed": 3, "position": [9, 0, 0] } ],
+                { "type": "pile", "count": 9, "seed": 3, "position": [9, 0, 0] },
+                { "type": "chain", "links": 3, "direction": [0, 1, 1], "end_mass": 5, "position": [0, 9, 0] },
+                { "type": "net", "rows": 2, "columns": 3, "gap": 0.1, "position": [20, 5, 0] } ],
+  "joints_default": { "potential": "hard", "kappa": 1e3, "N": 4, "d_hat": 0.1 },
+  "joints": [ { "type": "hinge", "bodies": ["crate \u00e9", null], "anchor": [0, 1, 0], "axis": [0, 0, 1],
+                "limits": [-10, 20.5], "arm": 0.2, "symmetric": true, "collide": false },
+              { "type": "slider", "bodies": ["chain 2", "pile 0"], "anchor": [0, 1, 0], "axis": [0, 0, 1],
+                "drive": { "keys": [[0, 0], [1, 0.5]] }, "twist": { "limits": [-5, 5] }, "kappa": "auto" },
+              { "type": "spherical", "bodies": ["net 0.1", "pile 1"], "anchor": [0, 1, 0], "axes": "xy",
+                "drive": { "value": [1, 2, 3] } },
+              { "type": "distance", "bodies": ["pile 2", "ground"], "points": [[0, 1, 0], [1, 1, 1]], "length": 2 } ],
   "camera": { "eye": [6, 4, 8], "target": [0, 1, 0], "fov": 45 })");
 
 // True when the text is refused. Anything but pabd::Error escapes and fails the test.
@@ -27,6 +38,16 @@ bool refused(const std::string& text, const std::vector<std::string>& overrides 
     REQUIRE(s.model.size() >= 1);
     REQUIRE(s.initial.size() == s.model.size());
     for (const Vec3& c : s.initial.c) REQUIRE(c.allFinite());
+    for (const Joint& joint : s.model.joints) {
+      REQUIRE(joint.i >= kWorld);
+      REQUIRE(joint.i < s.model.size());
+      REQUIRE(joint.j >= kWorld);
+      REQUIRE(joint.j < s.model.size());
+      REQUIRE(joint.on_i.r.allFinite());
+      REQUIRE(joint.on_j.r.allFinite());
+      REQUIRE(joint.law.kappa > 0);
+      REQUIRE(std::isfinite(joint.law.kappa));
+    }
     return false;
   } catch (const Error& error) {
     REQUIRE(error.code() == ExitCode::bad_input);
@@ -105,6 +126,31 @@ TEST_CASE("wrong values in every place never crash the reader", "[scene]") {
                                         "camera",
                                         "camera.fov",
                                         "joints",
+                                        "joints.0",
+                                        "joints.0.type",
+                                        "joints.0.bodies",
+                                        "joints.0.bodies.0",
+                                        "joints.0.anchor",
+                                        "joints.0.axis",
+                                        "joints.0.limits",
+                                        "joints.0.limits.0",
+                                        "joints.0.arm",
+                                        "joints.1.drive",
+                                        "joints.1.drive.keys",
+                                        "joints.1.drive.keys.1",
+                                        "joints.1.drive.keys.1.0",
+                                        "joints.1.twist",
+                                        "joints.1.kappa",
+                                        "joints.2.drive.value",
+                                        "joints.3.points",
+                                        "joints.3.length",
+                                        "joints_default.kappa",
+                                        "joints_default.N",
+                                        "generate.2.links",
+                                        "generate.2.direction",
+                                        "generate.2.fixed",
+                                        "generate.3.rows",
+                                        "generate.3.gap",
                                         "joints_default",
                                         "$schema",
                                         "description"};

@@ -19,7 +19,7 @@ TEST_CASE("defaults of a scene that says nothing", "[scene]") {
   CHECK(s.params.contact.mu_static == 0.5);
   CHECK(s.params.contact.mu_dynamic == 0.5);
   CHECK_FALSE(s.camera.has_value());
-  CHECK(s.skip.empty());
+  CHECK(s.model.no_collide.empty());
   REQUIRE(s.model.size() == 1);
   // ρ V = 1000 · 4/3 π 0.5³
   CHECK(s.model.mass[0] == Approx(1000 * 4.0 / 3 * kPi * 0.125).epsilon(1e-14));
@@ -53,6 +53,10 @@ TEST_CASE("every parameter is read", "[scene]") {
   CHECK(s.params.contact.onset == 0.5);
   CHECK(s.params.contact.mu_static == 0.4);
   CHECK(s.params.contact.mu_dynamic == 0.3);
+  CHECK(s.joint_law.potential == BondPotential::hard);
+  CHECK(s.joint_law.N == 2);
+  CHECK(s.joint_law.d_hat == 0.1);
+  CHECK(s.joint_law.kappa > 0);
   REQUIRE(s.camera.has_value());
   CHECK(s.camera->eye == Vec3(1, 2, 3));
   CHECK(s.camera->target == Vec3(4, 5, 6));
@@ -62,6 +66,7 @@ TEST_CASE("every parameter is read", "[scene]") {
 TEST_CASE("the words of choices", "[scene]") {
   CHECK(parse(with_body(R"("solver": { "method": "descent" })")).params.solver.method ==
         SolverMethod::descent);
+  CHECK(parse(with_body(R"("solver": { "method": "newton" })")).params.solver.method == SolverMethod::newton);
   CHECK(parse(with_body(R"("solver": { "method": "auto" })")).params.solver.method ==
         SolverMethod::automatic);
   CHECK(parse(with_body(R"("solver": { "projection": "polar" })")).params.solver.projection ==

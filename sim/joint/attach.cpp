@@ -1,0 +1,38 @@
+#include "sim/joint/attach.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pabd {
+
+Mat3 frame_about(const Vec3& axis) {
+  Mat3 F;
+  F.col(0) = axis.normalized();
+  F.col(1) = F.col(0).unitOrthogonal();
+  F.col(2) = F.col(0).cross(F.col(1));
+  return F;
+}
+
+JointFrame frame_on(const State& state, Index body, const Vec3& anchor, const Mat3& F) {
+  if (body == kWorld) return {anchor, F};
+  const auto k = static_cast<std::size_t>(body);
+  return {state.R[k].transpose() * (anchor - state.c[k]), state.R[k].transpose() * F};
+}
+
+void attach(const State& state, const Vec3& anchor, const Mat3& F, Joint& joint) {
+  joint.on_i = frame_on(state, joint.i, anchor, F);
+  joint.on_j = frame_on(state, joint.j, anchor, F);
+}
+
+double default_arm(const Model& model, Index i, Index j) {
+  double smaller = std::numeric_limits<double>::infinity();
+  for (const Index body : {i, j}) {
+    if (body != kWorld)
+      smaller = std::min(smaller, bounding_radius(model.shape[static_cast<std::size_t>(body)]));
+  }
+  return std::isfinite(smaller) ? 0.5 * smaller : 1.0;
+}
+
+}  // namespace pabd

@@ -1,0 +1,103 @@
+// Generator of a chain: links one behind the other along a line, each joined to the next. See generators.h.
+#include <fmt/format.h>
+
+#include "sim/joint/attach.h"
+#include "sim/scene/generators.h"
+
+namespace pabd {
+
+namespace {
+
+enum class Kind { box, capsule, sphere };
+enum class Ends { none, first, both };
+
+constexpr Choice kKinds[] = {{"box", static_cast<int>(Kind::box)},
+                             {"capsule", static_cast<int>(Kind::capsule)},
+                             {"sphere", static_cast<int>(Kind::sphere)}};
+constexpr Choice kJoints[] = {{"spherical", static_cast<int>(JointType::spherical)},
+                              {"hinge", static_cast<int>(JointType::hinge)},
+                              {"fixed", static_cast<int>(JointType::fixed)}};
+constexpr Choice kEnds[] = {{"none", static_cast<int>(Ends::none)},
+                            {"first", static_cast<int>(Ends::first)},
+                            {"both", static_cast<int>(Ends::both)}};
+
+// A link that is size.x long and size.y thick.
+Shape make_shape(const ObjectReader& in, Kind kind, const Vec3& size) {
+  if (kind == Kind::sphere) return Sphere{size.x() / 2};
+  if (kind == Kind::box) return Box{0.5 * size};
+  if (!(size.x() - size.y() >= kSizeRange.lo)) {
+    in.fail_key("size", fmt::format("a capsule {} m long and {} m thick has no straight part; expected the "
+                                    "first number above the second",
+                                    size.x(), size.y()));
+  }
+  return Capsule{size.y() / 2, size.x() - size.y()};
+}
+
+// The link's length, x of a box and y of a capsule, comes to lie along the first column of F.
+Mat3 orientation(Kind kind, const Mat3& F) {
+  if (kind != Kind::capsule) return F;
+  Mat3 R;
+  R << -F.col(1), F.col(0), F.col(2);
+  return R;
+}
+
+}  // namespace
+
+void generate_chain(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out) {
+  std::string prefix = in.name("name");
+  if (prefix.empty()) prefix = context.default_prefix;
+  const std::int64_t links = in.integer("links", 1, kMostBodies);
+  const auto kind = static_cast<Kind>(in.choice("shape", kKinds, static_cast<int>(Kind::box)));
+  const Vec3 size = in.vec3("size", kSizeRange, {1, 0.1, 0.1});
+  const Vec3 start = in.vec3("position", kPositionRange, Vec3::Zero());
+  const double gap = in.number("gap", {0, 1e3, "m"}, 0);
+  const auto along = in.find("direction");
+  const Vec3 direction = along ? along->unit_vector() : Vec3(Vec3::UnitX());
+  in.record("direction", direction);
+  const auto type =
+      static_cast<JointType>(in.choice("joint", kJoints, static_cast<int>(JointType::spherical)));
+  const auto axis_node = in.find("axis");
+  if (axis_node && type != JointType::hinge) {
+    axis_node->fail("only hinges have an axis; set \"joint\": \"hinge\" or remove this key");
+  }
+  const Vec3 axis = axis_node ? axis_node->unit_vector() : Vec3(Vec3::UnitZ());
+  in.record("axis", axis);
+  const auto ends = static_cast<Ends>(in.choice("fixed", kEnds, static_cast<int>(Ends::first)));
+  const MassSpec mass = read_mass(in);
+  const std::optional<double> end_mass = in.optional_number("end_mass", kMassRange);
+  const bool collide = in.boolean("collide", false);
+
+  const Mat3 along_chain = frame_about(direction);
+  const Mat3 F = type == JointType::hinge ? frame_about(axis) : Mat3(Mat3::Identity());
+  const Shape shape = make_shape(in, kind, size);
+  const double pitch = size.x() + gap;
+  const auto first = static_cast<Index>(out.model.name.size());
+  out.reserve(links, in);
+  out.reserve_joints(links + 1, in);
+  for (std::int64_t k = 0; k < links; ++k) {
+    BodySpec body;
+    body.name = fmt::format("{} {}", prefix, k);
+    body.shape = shape;
+    body.mass = mass;
+    if (end_mass && k + 1 == links) body.mass.mass = end_mass;
+    body.c = start + ((static_cast<double>(k) + 0.5) * pitch) * direction;
+    body.R = orientation(kind, along_chain);
+    out.add(std::move(body), in);
+  }
+  const auto join = [&](Index i, Index j, std::int64_t place) {
+    Joint joint;
+    joint.type = type;
+    joint.i = i;
+    joint.j = j;
+    joint.arm = 0.5 * bounding_radius(shape);
+    joint.law = out.joint_law;
+    attach(out.state, start + (static_cast<double>(place) * pitch) * direction, F, joint);
+    out.add_joint(std::move(joint), collide);
+  };
+  if (ends != Ends::none) join(kWorld, first, 0);
+  const auto last = static_cast<Index>(first + links - 1);
+  for (Index i = first; i < last; ++i) join(i, i + 1, i + 1 - first);
+  if (ends == Ends::both) join(last, kWorld, links);
+}
+
+}  // namespace pabd

@@ -1,0 +1,222 @@
+// One entry of "joints" after the other. See read_joint.h.
+#include "sim/scene/read_joint.h"
+
+#include <fmt/format.h>
+
+#include <unordered_set>
+
+#include "sim/joint/attach.h"
+#include "sim/potential/barrier.h"
+#include "sim/scene/keys.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+
+namespace {
+
+constexpr double kDegree = kPi / 180;
+constexpr Range kTurnsRange{-1e6, 1e6, "degrees"};  // a drive may go round many times
+
+constexpr Choice kPotentials[] = {{"soft", static_cast<int>(BondPotential::soft)},
+                                  {"hard", static_cast<int>(BondPotential::hard)}};
+constexpr Choice kTypes[] = {{"spherical", static_cast<int>(JointType::spherical)},
+                             {"hinge", static_cast<int>(JointType::hinge)},
+                             {"slider", static_cast<int>(JointType::slider)},
+                             {"fixed", static_cast<int>(JointType::fixed)},
+                             {"distance", static_cast<int>(JointType::distance)}};
+constexpr Choice kTwists[] = {{"free", static_cast<int>(Twist::free)},
+                              {"locked", static_cast<int>(Twist::locked)}};
+constexpr Choice kArms[] = {{"x", 1}, {"y", 2}, {"z", 4}, {"xy", 3}, {"xz", 5}, {"yz", 6}, {"xyz", 7}};
+
+BondLaw read_law(const ObjectReader& in, const BondLaw& defaults) {
+  BondLaw law = defaults;
+  law.potential =
+      static_cast<BondPotential>(in.choice("potential", kPotentials, static_cast<int>(law.potential)));
+  // A number for the other potential has another unit.
+  if (law.potential != defaults.potential) law.kappa = kAutoKappa;
+  if (const auto kappa = in.find("kappa")) {
+    const Range range{1e-12, 1e18, law.potential == BondPotential::soft ? "N/m" : "J"};
+    if (!kappa->is_word("auto") && !kappa->value().is_number())
+      kappa->fail_expected(range.text() + " or \"auto\"");
+    law.kappa = kappa->is_word("auto") ? kAutoKappa : kappa->number(range);
+  }
+  in.record("kappa", law.kappa);
+  law.N = static_cast<int>(in.integer("N", 2, kMaxOrder, law.N));
+  law.d_hat = in.number("d_hat", {1e-9, 1e3, "m"}, law.d_hat);
+  return law;
+}
+
+// What reading a joint needs of the rest of the scene.
+struct Surroundings {
+  const BodyNames& names;
+  const SceneBuilder& scene;
+
+  bool movable(Index body) const {
+    return body != kWorld && !scene.model.fixed[static_cast<std::size_t>(body)];
+  }
+
+  Index end(const Node& node) const {
+    if (node.value().is_null()) return kWorld;
+    if (!node.value().is_string()) node.fail_expected("the name of a body, or null for the world");
+    const std::string name = node.text(100);
+    if (const auto it = names.find(name); it != names.end()) return it->second;
+    std::vector<std::string_view> near;
+    for (std::size_t i = 0; i < scene.model.name.size() && i < 1000; ++i) near.push_back(scene.model.name[i]);
+    node.fail(fmt::format("there is no body {}{}", in_quotes(name), did_you_mean(name, near)));
+  }
+
+  void read_ends(const ObjectReader& in, Joint& joint) const {
+    const Node node = in.require("bodies", "two names of bodies, null for the world");
+    if (node.array_size() != 2) node.fail_expected("two names of bodies, null for the world");
+    joint.i = end(node.element(0));
+    joint.j = end(node.element(1));
+    if (joint.i == joint.j && joint.i != kWorld)
+      node.fail("a body cannot be joined to itself; expected two different bodies");
+    if (!movable(joint.i) && !movable(joint.j))
+      node.fail("neither of the two can move; expected at least one movable body");
+    in.record("bodies", static_cast<double>(joint.i));
+    in.record("bodies", static_cast<double>(joint.j));
+  }
+};
+
+Vec3 read_anchor(const ObjectReader& in) { return in.vec3("anchor", kPositionRange); }
+
+Mat3 read_axis(const ObjectReader& in) {
+  const Vec3 axis = in.require("axis", "the direction of the joint's axis").unit_vector();
+  in.record("axis", axis);
+  return frame_about(axis);
+}
+
+void read_arms(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+  joint.arm = in.number("arm", kSizeRange, default_arm(around.scene.model, joint.i, joint.j));
+  joint.symmetric = in.boolean("symmetric", true);
+}
+
+// Limits or a drive of a hinge or slider.
+void read_motion(const ObjectReader& in, const Range& limits, const Range& drive, double unit, Joint& joint) {
+  if (in.has("limits") && in.has("drive")) {
+    in.fail_key("limits", "a driven joint has no limits; remove one of \"limits\" and \"drive\"");
+  }
+  if (in.has("limits")) joint.limits = read_limits(in, "limits", limits, unit);
+  if (const auto node = in.find("drive")) joint.drive = read_drive(*node, drive, unit);
+}
+
+void read_spherical(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+  attach(around.scene.state, read_anchor(in), Mat3::Identity(), joint);
+  read_arms(in, around, joint);
+  if (const auto drive = in.find("drive")) {
+    joint.turn = read_turn(*drive);
+    joint.arms = static_cast<std::uint8_t>(in.choice("axes", kArms, 7));
+  } else if (in.has("axes")) {
+    in.fail_key("axes", "says which arms a drive holds, but there is none; add \"drive\" or remove this key");
+  }
+}
+
+void read_hinge(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+  const Vec3 anchor = read_anchor(in);
+  attach(around.scene.state, anchor, read_axis(in), joint);
+  read_arms(in, around, joint);
+  read_motion(in, kAngleRange, kTurnsRange, kDegree, joint);
+}
+
+void read_slider(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+  const Vec3 anchor = read_anchor(in);
+  attach(around.scene.state, anchor, read_axis(in), joint);
+  read_arms(in, around, joint);
+  read_motion(in, kPositionRange, kPositionRange, 1, joint);
+  const auto twist = in.find("twist");
+  if (twist && twist->value().is_object()) {
+    const ObjectReader limited(*twist, keys::twist);
+    joint.twist = Twist::limited;
+    joint.twist_limits = read_limits(limited, "limits", kAngleRange, kDegree);
+  } else if (twist && !twist->value().is_string()) {
+    twist->fail_expected("\"free\", \"locked\" or { \"limits\": [lowest, highest] }");
+  } else {
+    joint.twist = static_cast<Twist>(in.choice("twist", kTwists, static_cast<int>(Twist::locked)));
+  }
+}
+
+void read_fixed(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+  attach(around.scene.state, read_anchor(in), Mat3::Identity(), joint);
+  read_arms(in, around, joint);
+}
+
+void read_distance(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+  const Node points = in.require("points", "two points [a, b]");
+  if (points.array_size() != 2) points.fail_expected("two points [a, b]");
+  const Vec3 a = points.element(0).vec3(kPositionRange), b = points.element(1).vec3(kPositionRange);
+  in.record("points", a);
+  in.record("points", b);
+  joint.on_i = frame_on(around.scene.state, joint.i, a, Mat3::Identity());
+  joint.on_j = frame_on(around.scene.state, joint.j, b, Mat3::Identity());
+  joint.length = in.number("length", {0, 1e6, "m"}, (b - a).norm());
+}
+
+struct Reader {
+  std::span<const std::string_view> keys;
+  void (*read)(const ObjectReader&, const Surroundings&, Joint&);
+};
+
+Reader reader_of(JointType type) {
+  switch (type) {
+    case JointType::spherical:
+      return {keys::spherical, read_spherical};
+    case JointType::hinge:
+      return {keys::hinge, read_hinge};
+    case JointType::slider:
+      return {keys::slider, read_slider};
+    case JointType::fixed:
+      return {keys::fixed, read_fixed};
+    case JointType::distance:
+      break;
+  }
+  return {keys::distance, read_distance};
+}
+
+JointType read_type(const Node& node) {
+  if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
+  const auto type = node.value().find("type");
+  if (type == node.value().end()) {
+    fail_at(node.context(), node.pointer() + "/type",
+            "missing; expected \"spherical\", \"hinge\", \"slider\", \"fixed\" or \"distance\"");
+  }
+  return static_cast<JointType>(Node(*type, node, "type").choice(kTypes));
+}
+
+}  // namespace
+
+BondLaw read_joint_defaults(const ObjectReader& scene) {
+  BondLaw law;
+  law.kappa = kAutoKappa;
+  return with_section(scene, "joints_default", keys::joints_default,
+                      [&law](const ObjectReader& in) { return read_law(in, law); });
+}
+
+void read_joints(const ObjectReader& scene, const BodyNames& names, SceneBuilder& out) {
+  const auto list = scene.find("joints");
+  const std::size_t count = list ? list->array_size() : 0;
+  scene.record("joints", static_cast<double>(count));
+  if (count > 0) out.reserve_joints(static_cast<std::int64_t>(count), *list);
+  const Surroundings around{names, out};
+  std::unordered_set<std::string> seen;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Node node = list->element(k);
+    const JointType type = read_type(node);
+    const Reader reader = reader_of(type);
+    const ObjectReader in(node, reader.keys);
+    Joint joint;
+    joint.type = type;
+    in.record("type", to_string(type));
+    joint.name = in.name("name");
+    if (joint.name.empty()) joint.name = fmt::format("joint {}", k);
+    if (!seen.insert(joint.name).second)
+      in.fail_key("name", fmt::format("another joint is named {} too; expected different names",
+                                      in_quotes(joint.name)));
+    around.read_ends(in, joint);
+    reader.read(in, around, joint);
+    joint.law = read_law(in, out.joint_law);
+    out.add_joint(std::move(joint), in.boolean("collide", false));
+  }
+}
+
+}  // namespace pabd

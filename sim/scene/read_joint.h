@@ -1,0 +1,21 @@
+// The entries of "joints" and their defaults. Internal to sim/scene.
+#pragma once
+
+#include "sim/scene/builder.h"
+
+namespace pabd {
+
+inline constexpr Range kAngleRange{-180, 180, "degrees"};
+
+// "joints_default" of a scene; κ is kAutoKappa for "auto".
+BondLaw read_joint_defaults(const ObjectReader& scene);
+
+// Reads every entry of "joints" into `out`, whose bodies are complete.
+void read_joints(const ObjectReader& scene, const BodyNames& names, SceneBuilder& out);
+
+// Parts of a joint (read_drive.cpp). `range` and `unit` are those of the file; the result is in rad or m.
+JointRange read_limits(const ObjectReader& in, std::string_view key, const Range& range, double unit);
+Profile read_drive(const Node& node, const Range& range, double unit);
+TurnProfile read_turn(const Node& node);  // rotation vectors in degrees
+
+}  // namespace pabd
