@@ -23,7 +23,6 @@ TEST_CASE("parameters out of range are refused with their JSON pointer") {
       {"/solver/iterations", [](Params& p) { p.solver.iterations = 0; }},
       {"/solver/tolerance", [](Params& p) { p.solver.tolerance = -1; }},
       {"/solver/relaxation", [](Params& p) { p.solver.relaxation = 0; }},
-      {"/solver/method", [](Params& p) { p.solver.method = SolverMethod::newton; }},
       {"/solver/projection",
        [](Params& p) {
          p.solver.method = SolverMethod::sissm;
