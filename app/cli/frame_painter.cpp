@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "render/visual/joint_glyphs.h"
 #include "sim/error.h"
 
 namespace pabd::cli {
@@ -74,26 +75,29 @@ FramePainter::FramePainter(GlContext& context, const Session& session, int width
       choice_(overlay),
       camera_option_(camera),
       start_time_(session.state().time),
-      kappa_(session.kappa()) {
+      kappa_(session.kappa()),
+      joint_types_(joint_types(session.model())) {
+  choice_.panels.joints = choice_.bonds && joint_types_ != 0;
   visual_options_.bonds = overlay.bonds;
   visual_options_.contacts = overlay.contacts;
   visual_options_.d_hat = session.params().contact.d_hat;
   base_camera_ = choose_base_camera(session, static_cast<double>(width) / height);
-  if (overlay.panels.any() && !camera.eye && !camera.target) {
-    base_camera_ = make_room(base_camera_, layout_panels(overlay.panels, width, height).free, width, height);
+  if (choice_.panels.any() && !camera.eye && !camera.target) {
+    base_camera_ = make_room(base_camera_, layout_panels(choice_.panels, width, height).free, width, height);
   }
 }
 
 void FramePainter::draw(const FramePacket& packet) {
   for (const StepReport& report : packet.since) history_.add(report);
-  build_visual(session_.model(), packet.state, packet.report, visual_options_, visual_);
   visual_.camera = apply_camera(camera_option_, base_camera_, packet.state.time - start_time_);
+  build_visual(session_.model(), packet.state, packet.report, visual_options_, visual_);
   OverlayData data;
   data.scene_name = session_.scene().name;
   data.params = &session_.params();
   data.kappa = kappa_;
   data.report = &packet.report;
   data.history = &history_.reports();
+  data.joint_types = joint_types_;
   renderer_.draw(visual_, overlay_.frame(choice_.panels, data, &visual_, width_, height_));
   renderer_.queue_read();
 }

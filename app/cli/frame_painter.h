@@ -46,6 +46,7 @@ class FramePainter {
   Camera base_camera_;
   double start_time_;  // s
   double kappa_;       // J
+  unsigned joint_types_;
   VisualScene visual_;
   History history_;
 };

@@ -26,6 +26,7 @@ struct OverlayData {
   double kappa = 0;                    // resolved contact κ; J
   const StepReport* report = nullptr;  // of the last step, with records and contacts if the panels want them
   const std::vector<StepReport>* history = nullptr;  // oldest first
+  unsigned joint_types = 0;                          // bits 1 << JointType of what the legend of joints lists
 };
 
 class Overlay {

@@ -36,6 +36,8 @@ bool* flag(OverlayOptions& options, Panel panel) {
       return &options.series;
     case Panel::legend:
       return &options.legend;
+    case Panel::joints:
+      return &options.joints;
   }
   return nullptr;
 }
@@ -59,6 +61,8 @@ const char* to_string(Panel panel) {
       return "series";
     case Panel::legend:
       return "legend";
+    case Panel::joints:
+      return "joints";
   }
   return "?";
 }
@@ -87,7 +91,7 @@ std::string panel_names() { return "params, barrier, convergence, series, legend
 OverlayOptions parse_panels(const std::string& list) {
   OverlayOptions options;
   if (list.empty() || list == "none") return options;
-  if (list == "all") return {true, true, true, true, true};
+  if (list == "all") return {true, true, true, true, true, false};
   for (std::size_t i = 0; i <= list.size();) {
     const std::size_t end = std::min(list.find(',', i), list.size());
     const std::string name = list.substr(i, end - i);
@@ -104,11 +108,12 @@ OverlayOptions parse_panels(const std::string& list) {
 PanelLayout layout_panels(const OverlayOptions& options, int width, int height) {
   PanelLayout layout;
   const int plots = int{options.barrier} + int{options.convergence} + int{options.series};
-  const double left = options.params || options.legend ? (options.legend ? kLegendWidth : kParamsWidth) : 0;
+  const int legends = int{options.legend} + int{options.joints};
+  const double left = legends > 0 ? kLegendWidth : options.params ? kParamsWidth : 0;
   const double needed_width = left + (plots > 0 ? kPlotWidth : 0) + 3 * kMargin;
-  const double needed_height = std::max((options.params ? kParamsHeight + kMargin : 0) +
-                                            (options.legend ? kLegendHeight + kMargin : 0) + kMargin,
-                                        plots * (0.62 * kPlotHeight + 0.6 * kMargin) + 2 * kMargin);
+  const double needed_height =
+      std::max((options.params ? kParamsHeight + kMargin : 0) + legends * (kLegendHeight + kMargin) + kMargin,
+               plots * (0.62 * kPlotHeight + 0.6 * kMargin) + 2 * kMargin);
   double s = std::max(kLeastScale, std::min(width / 1280.0, height / 720.0));
   s = std::min({s, width / needed_width, height / needed_height});
   layout.scale = s;
@@ -130,13 +135,15 @@ PanelLayout layout_panels(const OverlayOptions& options, int width, int height) 
     }
     column -= margin;
   }
-  if (options.legend) {
-    layout.panels.push_back({Panel::legend, snapped(margin, height - margin - kLegendHeight * s,
-                                                    kLegendWidth * s, kLegendHeight * s)});
+  double bottom = height;
+  for (const Panel panel : {Panel::legend, Panel::joints}) {
+    if (!options.shows(panel)) continue;
+    bottom -= (bottom == height ? 1 : 0.6) * margin + kLegendHeight * s;
+    layout.panels.push_back({panel, snapped(margin, bottom, kLegendWidth * s, kLegendHeight * s)});
   }
+  if (legends > 0) bottom -= margin;
 
   // Candidates: beside the parameters, or below them; above the legend or beside it.
-  const double bottom = options.legend ? height - 2 * margin - kLegendHeight * s : height;
   const double beside = options.params ? 2 * margin + kParamsWidth * s : 0;
   const double below = options.params ? 2 * margin + kParamsHeight * s : 0;
   for (const Rect& candidate :

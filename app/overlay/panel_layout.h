@@ -1,5 +1,5 @@
-// Which panels are shown, and where: parameters top left, legend bottom left, plots in a column at the right.
-// Panels never overlap and stay inside the frame.
+// Which panels are shown, and where: parameters top left, legends bottom left, plots in a column at the
+// right. Panels never overlap and stay inside the frame.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace pabd {
 
-enum class Panel { params, barrier, convergence, series, legend };
+enum class Panel { params, barrier, convergence, series, legend, joints };
 const char* to_string(Panel panel);
 
 struct OverlayOptions {
@@ -18,9 +18,10 @@ struct OverlayOptions {
   bool convergence = false;
   bool series = false;
   bool legend = false;  // of contact colours
+  bool joints = false;  // legend of joints; comes with the bonds overlay, not by a name of its own
 
   bool shows(Panel panel) const;
-  bool any() const { return params || barrier || convergence || series || legend; }
+  bool any() const { return params || barrier || convergence || series || legend || joints; }
 };
 
 // Switches on the panel of that name: params, barrier, convergence, series, legend; plots: the middle three.

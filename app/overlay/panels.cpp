@@ -12,6 +12,7 @@
 #include "app/plots/palette.h"
 #include "app/plots/plot_layout.h"
 #include "render/visual/build_visual.h"
+#include "render/visual/palette.h"
 
 namespace pabd {
 namespace {
@@ -26,6 +27,8 @@ std::uint8_t srgb_byte(float linear) {
   const double s = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
   return static_cast<std::uint8_t>(std::lround(255 * s));
 }
+
+Color screen_ink(const Vec4f& c) { return {srgb_byte(c.x()), srgb_byte(c.y()), srgb_byte(c.z()), 255}; }
 
 struct Row {
   std::string name;
@@ -123,6 +126,40 @@ void paint_legend(const Rect& rect, double s, Canvas& canvas) {
   }
 }
 
+// What the glyphs of bonds and joints mean: the points, and below them the types that the scene has.
+void paint_joint_legend(const Rect& rect, double s, unsigned types, Canvas& canvas) {
+  const Rect in = rect.inset(kPad * s);
+  const TextStyle text{kText * s, ink::text, AnchorX::left, AnchorY::middle};
+  double x = in.x, y = in.y + 0.22 * in.h;
+  const auto name = [&](const char* words, double gap) {
+    canvas.text({x, y}, words, text);
+    x += text_width(canvas.font(), words, kText * s) + gap * s;
+  };
+  const auto points = [&](bool on_j, bool on_i, const char* words) {
+    const Point at{x + 6 * s, y};
+    if (on_j) {
+      canvas.fill_circle(at, 5.6 * s, screen_ink(bond_line_color()));
+      canvas.fill_circle(at, 4.4 * s, screen_ink(bond_point_j_color()));
+    }
+    if (on_i) canvas.fill_circle(at, 2.7 * s, screen_ink(bond_point_i_color()));
+    x += 17 * s;
+    name(words, 16);
+  };
+  points(false, true, "*{y}_{i}");
+  points(true, false, "*{y}_{j}");
+  points(true, true, "joined");
+  x = in.x;
+  y = in.y + 0.78 * in.h;
+  for (const JointType type :
+       {JointType::spherical, JointType::hinge, JointType::slider, JointType::fixed, JointType::distance}) {
+    if ((types >> static_cast<unsigned>(type) & 1u) == 0) continue;
+    canvas.fill_rect({x, std::round(y - 1.5 * s), 10 * s, std::max(2.0, std::round(3 * s))},
+                     screen_ink(joint_color(type)));
+    x += 14 * s;
+    name(to_string(type), 8);
+  }
+}
+
 Plot empty_plot(const std::string& title) {
   Plot plot;
   plot.title = title;
@@ -148,10 +185,7 @@ Plot live_plot(Panel panel, const OverlayData& data) {
 
 }  // namespace
 
-Color contact_ink(double x) {
-  const Vec4f c = contact_color(x);
-  return {srgb_byte(c.x()), srgb_byte(c.y()), srgb_byte(c.z()), 255};
-}
+Color contact_ink(double x) { return screen_ink(contact_color(x)); }
 
 void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas) {
   const double s = layout.scale;
@@ -166,6 +200,9 @@ void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& ca
         break;
       case Panel::legend:
         paint_legend(placed.rect, s, canvas);
+        break;
+      case Panel::joints:
+        paint_joint_legend(placed.rect, s, data.joint_types, canvas);
         break;
       default:
         paint_small_plot(live_plot(placed.panel, data), placed.rect, s, canvas);
@@ -186,7 +223,8 @@ void paint_labels(const VisualScene& scene, int width, int height, double scale,
     const double y = 0.5 * height * (1 - static_cast<double>(p.y() / p.w()));
     if (x < -width || x > 2.0 * width || y < -height || y > 2.0 * height) continue;
     canvas.text({x, y}, label.text,
-                {17 * scale, ink::text, AnchorX::center, AnchorY::middle, false, 2 * scale});
+                {static_cast<double>(label.size) * scale, ink::text, AnchorX::center, AnchorY::middle, false,
+                 2 * scale});
   }
 }
 

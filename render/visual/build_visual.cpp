@@ -7,6 +7,7 @@
 
 #include "render/visual/bounds.h"
 #include "render/visual/contact_glyphs.h"
+#include "render/visual/joint_glyphs.h"
 #include "render/visual/palette.h"
 
 namespace pabd {
@@ -110,6 +111,7 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
     const double scale = options.glyph_scale > 0 ? options.glyph_scale : default_glyph_scale(model);
     add_contact_glyphs(report, options, scale, typical_weight(model), out);
   }
+  if (options.bonds) add_joint_glyphs(model, state, out);
   if (const auto around = bounding_sphere(model, state)) {
     out.centre = around->centre.cast<float>();
     out.radius = static_cast<float>(around->radius);

@@ -11,14 +11,14 @@
 namespace pabd {
 
 struct VisualOptions {
-  bool bonds = false;      // bond points as small spheres (for contacts: y_i and y_j)
+  bool bonds = false;      // points of contact pairs and of joints, axes of joints
   bool contacts = false;   // normal arrows and discs coloured by d/d̂
   double d_hat = 0.01;     // for the colours; m
   double glyph_scale = 0;  // size of glyphs in m; 0: from the size of the bodies
 };
 
 // Fills `out` (reusing its memory). Fixed planes become `grounds`. `report` may lack contact reports. The
-// camera is left alone.
+// camera is left alone; glyphs of joints have sizes that suit it, so set it before.
 void build_visual(const Model& model, const State& state, const StepReport& report,
                   const VisualOptions& options, VisualScene& out);
 

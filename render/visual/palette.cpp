@@ -87,6 +87,22 @@ Vec4f bond_point_i_color() { return srgb_color(0x4b2e83); }
 Vec4f bond_point_j_color() { return srgb_color(0xf3e9d2); }
 Vec4f bond_line_color() { return srgb_color(0x2a2633); }
 
+Vec4f joint_color(JointType type) {
+  switch (type) {
+    case JointType::spherical:
+      return srgb_color(0xb23a7a);
+    case JointType::hinge:
+      return srgb_color(0x1f6fb2);
+    case JointType::slider:
+      return srgb_color(0x128a6a);
+    case JointType::fixed:
+      return srgb_color(0x4a535f);
+    case JointType::distance:
+      return srgb_color(0xc9631a);
+  }
+  return srgb_color(0x4a535f);
+}
+
 Vec4f contact_color(double x) {
   if (!(x > kContactMap.front().x)) x = kContactMap.front().x;  // NaN too: nothing good
   const auto above =

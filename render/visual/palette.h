@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/visual/visual_scene.h"
-#include "sim/math/types.h"
+#include "sim/body/joint.h"
 
 namespace pabd {
 
@@ -23,5 +23,8 @@ Vec4f step_back(const Vec4f& color);
 Vec4f bond_point_i_color();
 Vec4f bond_point_j_color();
 Vec4f bond_line_color();
+
+// One colour a type of joint, told apart by people with any of the common colour vision deficiencies.
+Vec4f joint_color(JointType type);
 
 }  // namespace pabd

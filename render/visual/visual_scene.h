@@ -57,6 +57,7 @@ struct Line {
 struct Label {
   Vec3f position;
   std::string text;  // UTF-8; painted by the overlay
+  float size = 17;   // of the em, pixels at 720 px frame height
 };
 
 struct Ground {

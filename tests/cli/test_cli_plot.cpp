@@ -65,18 +65,21 @@ TEST_CASE("the convergence plot has a line a method") {
   CHECK(pabd::read_png(folder / "c.png").width > 600);
 }
 
-TEST_CASE("the figures of this version are drawn") {
+TEST_CASE("all figures of the supplement are drawn") {
   const TempFolder folder;
-  for (const char* number : {"1", "5", "6", "7"}) {
+  for (const char* number : {"1", "2", "3", "4", "5", "6", "7"}) {
     CAPTURE(number);
     const Outcome outcome = run_pabd({"figure", number, "-o", (folder / "figure") + number + ".png"});
     CAPTURE(outcome.err);
     CHECK(outcome.exit_code == 0);
   }
-  CHECK(folder.names().size() == 4);
+  CHECK(folder.names().size() == 7);
+  CHECK(pabd::read_png(folder / "figure2.png").width == 1600);
   CHECK(pabd::read_png_text(folder / "figure6.png").count("Scene hash") == 1);
-  CHECK(run_pabd({"figure", "5", "-o", folder / "figure5.svg"}).exit_code == 0);
-  CHECK(lines_of(run_pabd({"figure", "5", "-o", "-"}).out).at(0) == "point,x,y");
+  for (const char* number : {"3", "4", "5"}) {
+    CHECK(run_pabd({"figure", number, "-o", (folder / "figure") + number + ".svg"}).exit_code == 0);
+    CHECK(lines_of(run_pabd({"figure", number, "-o", "-"}).out).at(0) == "point,x,y");
+  }
   CHECK(run_pabd({"figure", "7", "-o", "-"}).out.find("sissm") != std::string::npos);
 }
 

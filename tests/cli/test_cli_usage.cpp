@@ -109,7 +109,7 @@ TEST_CASE("values out of range are refused, naming the option") {
         "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8"}},
       {"--method", {"plot", "convergence", "two_boxes", "-o", folder / "a.csv", "--method", "magic"}},
       {"--at-step", {"plot", "convergence", "two_boxes", "-o", folder / "a.csv", "--at-step", "0"}},
-      {"joints", {"figure", "3", "-o", folder / "a.png"}},
+      {"figure 2", {"figure", "2", "-o", folder / "a.svg"}},
       {"figure 8", {"figure", "8", "-o", folder / "a.png"}},
       {"figure 6", {"figure", "6", "-o", folder / "a.svg"}},
   };

@@ -53,7 +53,7 @@ TEST_CASE("frames of every size, with all panels, with and without data") {
     ++uploads;
     return nullptr;
   });
-  const OverlayOptions all{true, true, true, true, true};
+  const OverlayOptions all{true, true, true, true, true, true};
   Params params;
   StepReport report;
   report.step = 300;

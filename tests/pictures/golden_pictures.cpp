@@ -3,11 +3,16 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/overlay/figure2.h"
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"
+#include "app/plots/figures/slider_joint.h"
+#include "app/plots/figures/spherical_joint.h"
+#include "render/visual/joint_glyphs.h"
 #include "tests/output/golden.h"
+#include "tests/pictures/joint_scene.h"
 #include "tests/pictures/studio.h"
 
 using namespace pabd;
@@ -65,6 +70,29 @@ TEST_CASE("convergence plot") {
 TEST_CASE("figure 1") {
   Studio studio(1200, 525);
   check(studio.picture(figure_picture(figure1())), "figure_1", studio);
+}
+
+TEST_CASE("figures 2, 3 and 4") {
+  Studio wide(1200, 525);
+  check(wide.frame(figure2(1200.0 / 525)), "figure_2", wide);
+  Studio studio(1200, 600);
+  check(studio.picture(figure3()), "figure_3", studio);
+  check(studio.picture(figure4()), "figure_4", studio);
+}
+
+TEST_CASE("one joint of each type with bond points and legend") {
+  Studio studio(1280, 720);
+  const JointScene joints = joint_scene();
+  VisualScene scene;
+  scene.camera = frame_camera(joints.model, joints.state, 1280.0 / 720);
+  VisualOptions options;
+  options.bonds = true;
+  build_visual(joints.model, joints.state, {}, options, scene);
+  OverlayOptions panels;
+  panels.joints = true;
+  OverlayData data;
+  data.joint_types = joint_types(joints.model);
+  check(studio.frame(scene, panels, data), "joints", studio);
 }
 
 TEST_CASE("figure 5") {

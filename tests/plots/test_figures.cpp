@@ -6,6 +6,8 @@
 #include "app/plots/figures/barrier.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"
+#include "app/plots/figures/slider_joint.h"
+#include "app/plots/figures/spherical_joint.h"
 #include "app/plots/figures/time_series.h"
 
 using namespace pabd;
@@ -133,6 +135,41 @@ TEST_CASE("time series: potential energy counts from its first value") {
   const Figure figure = time_series_figure(reports);
   CHECK(figure.plots[1].series[1].y == std::vector<double>{0, -10});
   CHECK(figure.plots[1].series[3].y == std::vector<double>{1, -1});
+}
+
+TEST_CASE("figure 3: points of a spherical joint as S(8) and S(9) say") {
+  const SphericalJoint joint{{1, 2}, {0.5, 0}, 0.7, 0.2, 0.5};
+  // R_i r_1 at 0.7 rad, R(θ) R_j r_1 at 0.5 + 0.2: the bond is met.
+  const SphericalJointPoints at = spherical_joint_points(joint);
+  CHECK((at.y_i1 - Vec2(1 + 0.5 * std::cos(0.7), 2 + 0.5 * std::sin(0.7))).norm() < 1e-15);
+  CHECK((at.y_i1 - at.y_j1).norm() < 1e-15);
+  CHECK((at.y_i2 - at.y_j2).norm() < 1e-15);
+  CHECK((at.y_i1 + at.y_i2 - 2 * joint.y_0).norm() < 1e-15);  // equidistant
+  // The shipped figure shows a gap: a chord of α_i − α_j − θ.
+  const SphericalJoint shipped;
+  const SphericalJointPoints gap = spherical_joint_points(shipped);
+  CHECK((gap.y_i1 - gap.y_j1).norm() ==
+        Approx(2 * std::sin(0.5 * (shipped.angle_i - shipped.angle_j - shipped.theta))));
+  CHECK((gap.y_i2 - gap.y_j2).norm() == Approx((gap.y_i1 - gap.y_j1).norm()));
+}
+
+TEST_CASE("figure 4: points of a slider joint as S(14-16) say") {
+  const SliderJoint joint;
+  const SliderJointPoints at = slider_joint_points(joint);
+  CHECK(at.n_j.norm() == Approx(1));
+  CHECK(((joint.y_i0 - at.p_j0).dot(at.n_j)) == Approx(0).margin(1e-15));  // a projection
+  CHECK((at.p_j0 - joint.y_j0).norm() == Approx(at.lambda));
+  CHECK((at.p_j1 - at.y_j1 - at.lambda * at.n_j).norm() < 1e-15);
+  CHECK((at.p_j2 - at.y_j2 - at.lambda * at.n_j).norm() < 1e-15);
+  CHECK((0.5 * (at.y_i1 + at.y_i2) - joint.y_i0).norm() < 1e-15);
+  // A carriage on the line meets its bonds, wherever it is.
+  SliderJoint met = joint;
+  met.angle_i = met.angle_j;
+  met.y_i0 = met.y_j0 - 3 * at.n_j;
+  const SliderJointPoints on = slider_joint_points(met);
+  CHECK(on.lambda == Approx(-3));
+  CHECK((on.y_i1 - on.p_j1).norm() < 1e-14);
+  CHECK((on.y_i2 - on.p_j2).norm() < 1e-14);
 }
 
 TEST_CASE("figure 5: projections split the offset into normal and tangential parts") {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/plots/figures/drawing_board.h"
 #include "app/plots/palette.h"
 
 namespace pabd {
@@ -14,12 +15,6 @@ namespace {
 
 constexpr double kPi2 = 1.57079632679489661923;
 constexpr Color kLayer{224, 236, 246, 255};
-constexpr Color kBodyI{176, 200, 222, 255};
-constexpr Color kEdgeI{62, 98, 134, 255};
-constexpr Color kBodyJ{240, 214, 196, 235};
-constexpr Color kEdgeJ{164, 92, 58, 255};
-
-Vec2 turn_left(const Vec2& v) { return {-v.y(), v.x()}; }
 
 // Corners in order around the box.
 std::vector<Vec2> box_i(const ContactPair& p, const Vec2& n) {
@@ -53,73 +48,6 @@ std::vector<Vec2> offset_polygon(const std::vector<Vec2>& corners, double r) {
   return out;
 }
 
-// One half of the figure: world coordinates (m, y up) to pixels, and the pens.
-class Panel {
- public:
-  Panel(Canvas& canvas, const Rect& area, const Vec2& center, double metres_across, double unit)
-      : canvas_(canvas), area_(area), center_(center), scale_(area.w / metres_across), unit_(unit) {}
-
-  Point map(const Vec2& p) const {
-    return {area_.x + 0.5 * area_.w + scale_ * (p.x() - center_.x()),
-            area_.y + 0.5 * area_.h - scale_ * (p.y() - center_.y())};
-  }
-  void line(const Vec2& a, const Vec2& b, Color color, double width, bool dashed = false) const {
-    const Point ends[] = {map(a), map(b)};
-    Stroke stroke{color, width * unit_, 0, 0};
-    if (dashed) stroke.dash_on = 5 * unit_, stroke.dash_off = 4 * unit_;
-    canvas_.polyline(ends, stroke);
-  }
-  void polygon(const std::vector<Vec2>& corners, Color fill, Color edge, double width,
-               bool dashed = false) const {
-    std::vector<Point> points;
-    for (const Vec2& c : corners) points.push_back(map(c));
-    canvas_.fill_polygon(points, fill);
-    Stroke stroke{edge, width * unit_, 0, 0};
-    if (dashed) {
-      stroke.dash_on = 5 * unit_;
-      stroke.dash_off = 4 * unit_;
-      points.push_back(points.front());
-    }
-    canvas_.polyline(points, stroke, !dashed);
-  }
-  void arrow(const Vec2& a, const Vec2& b, Color color, double width, double head) const {
-    canvas_.arrow(map(a), map(b), {color, width * unit_, 0, 0}, head * unit_);
-  }
-  // Double arrow with its name beside it.
-  void dimension(const Vec2& a, const Vec2& b, Color color) const {
-    const Vec2 middle = 0.5 * (a + b);
-    arrow(middle, a, color, 1.4, 9);
-    arrow(middle, b, color, 1.4, 9);
-  }
-  void dot(const Vec2& p, Color color, bool hollow = false) const {
-    canvas_.fill_circle(map(p), 7.2 * unit_, ink::paper);
-    canvas_.fill_circle(map(p), 5.6 * unit_, color);
-    if (hollow) canvas_.fill_circle(map(p), 3.2 * unit_, ink::paper);
-  }
-  // The square that says "90°" at p between the directions u and v (unit).
-  void right_angle(const Vec2& p, const Vec2& u, const Vec2& v) const {
-    const double s = 12 * unit_ / scale_;
-    const Point corner[] = {map(p + s * u), map(p + s * (u + v)), map(p + s * v)};
-    canvas_.polyline(corner, {ink::muted, 1.2 * unit_, 0, 0});
-  }
-  // Text beside p, moved by (dx, dy) in units, y up.
-  void label(const Vec2& p, std::string_view text, double dx, double dy, Color color = ink::text,
-             AnchorX anchor = AnchorX::left) const {
-    const Point at = map(p);
-    TextStyle style{21 * unit_, color, anchor, AnchorY::middle};
-    style.halo = 2.5 * unit_;
-    canvas_.text({at.x + dx * unit_, at.y - dy * unit_}, text, style);
-  }
-  double metres(double units) const { return units * unit_ / scale_; }
-
- private:
-  Canvas& canvas_;
-  Rect area_;
-  Vec2 center_;
-  double scale_;
-  double unit_;
-};
-
 void paint_half(const ContactPair& pair, bool tangential, const Rect& area, double unit, Canvas& canvas) {
   const Vec2 n = pair.n.normalized();
   const Vec2 t = -turn_left(n);
@@ -137,20 +65,21 @@ void paint_half(const ContactPair& pair, bool tangential, const Rect& area, doub
   }
   const Vec2 center = 0.5 * (lo + hi);
   const double across = 1.04 * std::max(hi.x() - lo.x(), (hi.y() - lo.y()) * area.w / area.h);
-  const Panel panel(canvas, area, center, across, unit);
+  const DrawingBoard panel(canvas, area, center, across, unit);
 
   canvas.push_clip(area);
-  panel.polygon(layer, kLayer, kEdgeI, 1.2, true);
-  panel.polygon(body, kBodyI, kEdgeI, 2);
-  panel.polygon(other, kBodyJ, kEdgeJ, 2);
+  panel.polygon(layer, kLayer, ink::edge_i, 1.2, true);
+  panel.polygon(body, ink::body_i, ink::edge_i, 2);
+  panel.polygon(other, ink::body_j, ink::edge_j, 2);
 
-  panel.label(pair.y_i - 0.62 * pair.size_i.y() * n, "body *{i}", 0, 0, kEdgeI, AnchorX::center);
-  panel.label(0.25 * (other[0] + other[1] + other[2] + other[3]), "body *{j}", 0, 0, kEdgeJ, AnchorX::center);
+  panel.label(pair.y_i - 0.62 * pair.size_i.y() * n, "body *{i}", 0, 0, ink::edge_i, AnchorX::center);
+  panel.label(0.25 * (other[0] + other[1] + other[2] + other[3]), "body *{j}", 0, 0, ink::edge_j,
+              AnchorX::center);
 
   // d̂ at the left end of the face.
   const Vec2 foot = pair.y_i - 0.40 * pair.size_i.x() * t;
-  panel.dimension(foot, foot + pair.d_hat * n, kEdgeI);
-  panel.label(foot + 0.5 * pair.d_hat * n, "*{d̂}", -12, 0, kEdgeI, AnchorX::right);
+  panel.dimension(foot, foot + pair.d_hat * n, ink::edge_i);
+  panel.label(foot + 0.5 * pair.d_hat * n, "*{d̂}", -12, 0, ink::edge_i, AnchorX::right);
 
   const Color strong = palette_color(1);
   if (!tangential) {
@@ -174,9 +103,9 @@ void paint_half(const ContactPair& pair, bool tangential, const Rect& area, doub
     panel.label(at.tangential, "*{y}_{j}^{∥}", 6, -22);
     panel.label(tip, "*{n}_{i}", -12, -6, ink::text, AnchorX::right);
   }
-  panel.dot(pair.y_i, kEdgeI);
+  panel.dot(pair.y_i, ink::edge_i);
   panel.label(pair.y_i, "*{y}_{i}", -6, -21, ink::text, AnchorX::right);
-  panel.dot(pair.y_j, kEdgeJ);
+  panel.dot(pair.y_j, ink::edge_j);
   panel.label(pair.y_j, "*{y}_{j}", 17, -5);
   canvas.pop_clip();
 }

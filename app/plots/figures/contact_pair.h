@@ -11,11 +11,9 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "app/plots/canvas.h"
+#include "app/plots/figures/drawing_board.h"
 
 namespace pabd {
-
-using Vec2 = Eigen::Vector2d;
 
 // y to the top. The defaults are the shipped figure.
 struct ContactPair {
