@@ -82,9 +82,9 @@ struct JointPainter {
   }
 
   // Angle φ about the axis of i, with a zero mark, a hand and, if there are any, limits.
-  void dial(double phi, const std::optional<JointRange>& limits) const {
+  void dial(double phi, const Rare<JointRange>& limits) const {
     const double radius = std::min(0.8 * joint.arm, kLargestDial * px);
-    if (radius < kLeastDial * px) return;
+    if (radius < (limits ? kLeastDial : 2 * kLeastDial) * px) return;  // many free hinges would be a thicket
     const Vec3 e = fi.F.col(1), b = fi.F.col(2);
     const auto at = [&](double angle, double share) -> Vec3 {
       return fi.y + share * radius * (std::cos(angle) * e + std::sin(angle) * b);

@@ -1,6 +1,7 @@
 #include "tests/pictures/joint_scene.h"
 
 #include "sim/body/mass_properties.h"
+#include "sim/joint/attach.h"
 #include "sim/math/so3.h"
 
 namespace pabd {
@@ -25,16 +26,7 @@ Joint& JointScene::join(JointType type, Index i, Index j, const Vec3& anchor, co
   joint.i = i;
   joint.j = j;
   joint.arm = arm;
-  Mat3 F;
-  F.col(0) = axis.normalized();
-  F.col(1) = F.col(0).unitOrthogonal();
-  F.col(2) = F.col(0).cross(F.col(1));
-  const auto frame = [&](Index body) -> JointFrame {
-    if (body == kWorld) return {anchor, F};
-    return {state.R[body].transpose() * (anchor - state.c[body]), state.R[body].transpose() * F};
-  };
-  joint.on_i = frame(i);
-  joint.on_j = frame(j);
+  attach(state, anchor, frame_about(axis), joint);
   model.joints.push_back(joint);
   return model.joints.back();
 }
