@@ -59,6 +59,7 @@ struct Joint {
   std::uint8_t arms = 7;        // spherical with a turn: bit k, the points along column k of F are held
   bool symmetric = true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
   Index i = kWorld, j = kWorld;
+  float limit_scale = 1;  // stiffness of limits as part of κ
   JointFrame on_i, on_j;
   Rare<JointRange> limits;        // hinge: angle, rad, in [−π, π]; slider: offset, m
   Rare<Profile> drive;            // of the same quantity

@@ -26,7 +26,8 @@ PointBondForce evaluate(const BondLaw& law, const PointBond& bond) {
     e = P * e;
   }
   const double distance = e.norm();
-  const BondSlope psi = evaluate(law, distance - bond.length);
+  BondSlope psi = evaluate(law, distance - bond.length);
+  psi = {bond.scale * psi.value, bond.scale * psi.first, bond.scale * psi.second};
   if (bond.length == 0) {
     // Ψ'/r is finite at r = 0: the mean slope over [0, r] is at most Ψ''.
     const double ratio = distance > 0 ? psi.first / distance : psi.second;

@@ -20,6 +20,7 @@ struct PointBond {
   double length = 0;
   bool slides = false;      // along free_axis
   Vec3 free_axis{0, 0, 0};  // unit
+  double scale = 1;         // part of the law's κ
 };
 
 struct PointBondForce {

@@ -19,4 +19,8 @@ JointLoad joint_load(const Model& model, const Vec3& gravity);
 double auto_joint_kappa(const JointLoad& load, const BondLaw& law);
 double auto_joint_kappa(const Model& model, const Vec3& gravity, const BondLaw& law);
 
+// Part of the automatic κ that limits get. A stop goes on and off as bodies hit it; where it is as stiff as
+// the joint itself, 1e-10 rad decide which, and iterations flip between the two.
+inline constexpr float kLimitScale = 1e-3f;
+
 }  // namespace pabd

@@ -24,7 +24,7 @@ double joint_angle(const PlacedFrame& fi, const PlacedFrame& fj) {
 
 double joint_offset(const PlacedFrame& fi, const PlacedFrame& fj) { return fj.F.col(0).dot(fj.y - fi.y); }
 
-void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta,
+void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta, double scale,
                 const Vec3& shift, bool slides, BondList& out) {
   // i's point turned by θ about the axis meets j's point (Erratum E5: a rotation about the axis a).
   const Vec3 on_i = joint.arm * (std::cos(theta) * fi.F.col(1) + std::sin(theta) * fi.F.col(2));
@@ -35,6 +35,7 @@ void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj
     PointBond& bond = out.bond[static_cast<std::size_t>(out.count - 1)];
     bond.slides = slides;
     bond.free_axis = fj.F.col(0);
+    bond.scale = scale;
   }
 }
 

@@ -47,8 +47,9 @@ double joint_angle(const PlacedFrame& fi, const PlacedFrame& fj);
 // along +n: positive when j has moved along the axis relative to i.
 double joint_offset(const PlacedFrame& fi, const PlacedFrame& fj);
 
-// Holds the angle about the axis at θ: points beside the axis S(12, 13) at `shift` along it on j.
-void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta,
+// Holds the angle about the axis at θ with `scale` times κ: points beside the axis S(12, 13) at `shift` along
+// it on j.
+void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta, double scale,
                 const Vec3& shift, bool slides, BondList& out);
 
 // The bound that an offset has passed; empty inside the range.

@@ -9,10 +9,12 @@ void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
   for (const double side : {1.0, -1.0}) {
     out.add(fi.y + side * joint.arm * fi.F.col(0), fj.y + side * joint.arm * fj.F.col(0));
   }
-  std::optional<double> held;
-  if (joint.drive) held = joint.drive->at(time);
-  if (joint.limits && !held) held = passed_angle(*joint.limits, joint_angle(fi, fj));
-  if (held) hold_angle(joint, fi, fj, *held, Vec3::Zero(), false, out);
+  if (joint.drive) {
+    hold_angle(joint, fi, fj, joint.drive->at(time), 1, Vec3::Zero(), false, out);
+  } else if (joint.limits) {
+    const auto passed = passed_angle(*joint.limits, joint_angle(fi, fj));
+    if (passed) hold_angle(joint, fi, fj, *passed, joint.limit_scale, Vec3::Zero(), false, out);
+  }
 }
 
 }  // namespace pabd

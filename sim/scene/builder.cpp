@@ -113,11 +113,12 @@ void SceneBuilder::finish_joints(const Vec3& gravity, std::size_t generated) {
     std::rotate(joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(generated), joints.end());
   }
   const JointLoad load = joint_load(model, gravity);
-  const auto resolve = [&load](BondLaw& law) {
-    if (law.kappa == kAutoKappa) law.kappa = auto_joint_kappa(load, law);
-  };
-  for (Joint& joint : joints) resolve(joint.law);
-  resolve(joint_law);
+  for (Joint& joint : joints) {
+    if (joint.law.kappa != kAutoKappa) continue;
+    joint.law.kappa = auto_joint_kappa(load, joint.law);
+    joint.limit_scale = kLimitScale;
+  }
+  if (joint_law.kappa == kAutoKappa) joint_law.kappa = auto_joint_kappa(load, joint_law);
 }
 
 }  // namespace pabd

@@ -84,3 +84,32 @@ TEST_CASE("an angle outside its limits is held at the bound that is nearer on th
   CHECK(passed_angle(range, 175 * kPi / 180) == range.lo);  // 15° past the lower bound, the other way round
   CHECK(passed_angle({-kPi, 1}, kPi - 0.01) == -kPi);
 }
+
+TEST_CASE("limits as soft as the automatic stiffness makes them hold within 0.5° and 1e-4 m") {
+  const auto run_with = [](JointType type, const Vec3& axis, const JointRange& limits) {
+    World world;
+    const Index box = world.add(Box{{0.3, 0.2, 0.1}}, 4, {0.4, 0, 0});
+    Joint joint;
+    joint.type = type;
+    joint.j = box;
+    joint.arm = 0.2;
+    joint.limits = limits;
+    joint.limit_scale = kLimitScale;
+    attach(world.state, Vec3::Zero(), frame_about(axis), joint);
+    joint.law.kappa = auto_joint_kappa(world.model, world.params.gravity, joint.law);
+    world.model.joints.push_back(joint);
+    double lowest = 0;
+    testing::run(world, 180, {}, [&](const StepReport&) {
+      const PlacedFrame fi = place(joint.on_i, {Vec3::Zero(), Mat3::Identity()}),
+                        fj = place(joint.on_j, {world.state.c[0], world.state.R[0]});
+      lowest = std::min(lowest, type == JointType::hinge ? joint_angle(fi, fj) : joint_offset(fi, fj));
+    });
+    return lowest;
+  };
+  const double hinge = run_with(JointType::hinge, Vec3::UnitZ(), {-0.6, 0.1});
+  CHECK(hinge <= -0.6);
+  CHECK(hinge > -0.6 - 0.5 * kPi / 180);
+  const double slider = run_with(JointType::slider, Vec3::UnitY(), {-0.5, 0});
+  CHECK(slider <= -0.5);
+  CHECK(slider > -0.5 - 1e-4);
+}
