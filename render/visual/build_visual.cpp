@@ -9,6 +9,7 @@
 #include "render/visual/contact_glyphs.h"
 #include "render/visual/joint_glyphs.h"
 #include "render/visual/palette.h"
+#include "sim/body/compound.h"
 
 namespace pabd {
 namespace {
@@ -71,11 +72,17 @@ struct BodyPainter {
     turned.add(Primitive::hemisphere, {0, h, 0}, {r, r, r});
   }
 
-  void operator()(const Hull& hull) const {
+  void add(const Hull& hull, const Vec3& local) const {
     Mat4f m = Mat4f::Identity();
     m.block<3, 3>(0, 0) = (hull.data->bounding_radius * R).cast<float>();
-    m.block<3, 1>(0, 3) = c.cast<float>();
+    m.block<3, 1>(0, 3) = (c + R * local).cast<float>();
     mesh_of(hull, out).instances.push_back({m, color});
+  }
+
+  void operator()(const Hull& hull) const { add(hull, Vec3::Zero()); }
+
+  void operator()(const Compound& compound) const {
+    for (const CompoundPart& part : compound.data->parts) add(part.hull, part.offset);
   }
 
   void operator()(const Plane& plane) const {

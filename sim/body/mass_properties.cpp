@@ -8,7 +8,10 @@
 //            J_yy = m_c L²/12 + m_s (L²/4 + 3Lr/8 + r²/5); the centroid of a half ball is 3r/8 off its flat
 //            side
 //   hull     summed over tetrahedra when it is made (hull_mass.cpp); J has products too
+//   compound summed over its hulls when it is made (compound.cpp)
 #include "sim/body/mass_properties.h"
+
+#include "sim/body/compound.h"
 
 namespace pabd {
 namespace {
@@ -24,9 +27,11 @@ struct Volume {
   }
   double operator()(const Plane&) const { return 0.0; }
   double operator()(const Hull& hull) const { return hull.data->volume; }
+  double operator()(const Compound& compound) const { return compound.data->volume; }
 };
 
-// ∫ r_i² dV for the three axes; the products vanish by symmetry. Not asked of a hull.
+// ∫ r_i² dV for the three axes; the products vanish by symmetry. Not asked of hulls and
+// compounds.
 struct SecondMoment {
   Vec3 operator()(const Box& box) const { return Volume{}(box) / 3.0 * box.half.cwiseAbs2(); }
   Vec3 operator()(const Sphere& sphere) const {
@@ -42,6 +47,7 @@ struct SecondMoment {
   }
   Vec3 operator()(const Plane&) const { return Vec3::Zero(); }
   Vec3 operator()(const Hull& hull) const { return hull.data->second_moment.diagonal(); }
+  Vec3 operator()(const Compound& compound) const { return compound.data->second_moment.diagonal(); }
 };
 
 }  // namespace
@@ -51,6 +57,9 @@ double volume(const Shape& shape) { return std::visit(Volume{}, shape); }
 MassProperties mass_properties(const Shape& shape, double density) {
   if (const auto* hull = std::get_if<Hull>(&shape)) {
     return {density * hull->data->volume, density * hull->data->second_moment};
+  }
+  if (const auto* compound = std::get_if<Compound>(&shape)) {
+    return {density * compound->data->volume, density * compound->data->second_moment};
   }
   const Vec3 moment = density * std::visit(SecondMoment{}, shape);
   return {density * volume(shape), moment.asDiagonal()};

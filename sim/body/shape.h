@@ -33,7 +33,13 @@ struct Hull {
   std::shared_ptr<const HullData> data;
 };
 
-using Shape = std::variant<Box, Sphere, Capsule, Plane, Hull>;
+// Several convex parts as one rigid body (compound.h makes it). Copies share the data.
+struct CompoundData;
+struct Compound {
+  std::shared_ptr<const CompoundData> data;
+};
+
+using Shape = std::variant<Box, Sphere, Capsule, Plane, Hull, Compound>;
 
 struct Aabb {
   Vec3 lo;
@@ -47,7 +53,8 @@ Aabb bounds(const Shape& shape, const Vec3& c, const Mat3& R);
 double bounding_radius(const Shape& shape);
 
 // How deep a thing may surely travel into the shape before the nearest way out is on the other side: half the
-// smallest width, for a hull the largest ball about its centre of mass (infinite for a plane).
+// smallest width, for a hull the largest ball about its centre of mass, for a compound that of its slimmest
+// part (infinite for a plane).
 double inner_radius(const Shape& shape);
 
 }  // namespace pabd

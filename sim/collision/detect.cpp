@@ -32,6 +32,7 @@ enum Kind : unsigned {
   kCapsule,
   kPlane,
   kHull,
+  kCompound,
   kKinds
 };  // the order of the alternatives of Shape
 static_assert(std::is_same_v<std::variant_alternative_t<kBox, Shape>, Box>);
@@ -39,6 +40,7 @@ static_assert(std::is_same_v<std::variant_alternative_t<kSphere, Shape>, Sphere>
 static_assert(std::is_same_v<std::variant_alternative_t<kCapsule, Shape>, Capsule>);
 static_assert(std::is_same_v<std::variant_alternative_t<kPlane, Shape>, Plane>);
 static_assert(std::is_same_v<std::variant_alternative_t<kHull, Shape>, Hull>);
+static_assert(std::is_same_v<std::variant_alternative_t<kCompound, Shape>, Compound>);
 static_assert(std::variant_size_v<Shape> == kKinds);
 
 bool is_plane(const Shape& shape) { return shape.index() == kPlane; }
@@ -50,14 +52,19 @@ void collide(const Poses& poses, Index i, Index j, double reach, Contacts& out) 
   auto kind_i = static_cast<unsigned>(poses.model.shape[static_cast<std::size_t>(i)].index());
   auto kind_j = static_cast<unsigned>(poses.model.shape[static_cast<std::size_t>(j)].index());
   const bool same = kind_i == kind_j;
-  // Mixed pairs: plane before hull before box before capsule before sphere, the order in which they own the
-  // normal.
-  constexpr unsigned kRank[kKinds] = {2, 4, 3, 0, 1};
+  // Mixed pairs: compound before plane before hull before box before capsule before sphere, the order in
+  // which they own the normal.
+  constexpr unsigned kRank[kKinds] = {3, 5, 4, 1, 2, 0};
   if (!same && kRank[kind_j] < kRank[kind_i]) {
     std::swap(i, j);
     std::swap(kind_i, kind_j);
   }
   using namespace narrow;
+  if (kind_i == kCompound) {
+    const auto k = static_cast<std::size_t>(j);
+    return compound_shape(poses.placed<Compound>(i), {poses.model.shape[k], poses.c[k], poses.R[k], j}, reach,
+                          out);
+  }
   switch (both(kind_i, kind_j)) {
     case both(kBox, kBox):
       return box_box(poses.placed<Box>(i), poses.placed<Box>(j), reach, out);

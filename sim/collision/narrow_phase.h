@@ -45,6 +45,9 @@ void hull_sphere(const Placed<Hull>& hull, const Placed<Sphere>& sphere, double 
 void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, double reach, Contacts& out);
 void hull_box(const Placed<Hull>& hull, const Placed<Box>& box, double reach, Contacts& out);
 void hull_hull(const Placed<Hull>& a, const Placed<Hull>& b, double reach, Contacts& out);
+// A compound and anything else, another compound included.
+void compound_shape(const Placed<Compound>& compound, const Placed<Shape>& other, double reach,
+                    Contacts& out);
 
 inline void add_contact(Contacts& out, Index a, Index b, const Vec3& y_b, const Vec3& n, double d,
                         std::uint32_t feature) {

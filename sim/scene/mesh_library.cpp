@@ -100,4 +100,14 @@ const MeshLibrary::Entry& MeshLibrary::load(const std::string& file, double scal
   return place->second;
 }
 
+const Compound& MeshLibrary::load_parts(const std::vector<std::string>& files, double scale) {
+  const auto [place, fresh] = compounds_.try_emplace({files, scale});
+  if (fresh) {
+    std::vector<Hull> hulls;
+    for (const std::string& file : files) hulls.push_back(load(file, scale).hull);
+    place->second = make_compound(hulls);
+  }
+  return place->second;
+}
+
 }  // namespace pabd

@@ -5,8 +5,9 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "sim/body/shape.h"
+#include "sim/body/compound.h"
 
 namespace pabd {
 
@@ -24,9 +25,13 @@ class MeshLibrary {
   // Error(bad_input) with "file: line or byte: what is wrong".
   const Entry& load(const std::string& file, double scale);
 
+  // The hulls of several files as one body. The same files and scale give the same data again.
+  const Compound& load_parts(const std::vector<std::string>& files, double scale);
+
  private:
   std::filesystem::path folder_;
   std::map<std::pair<std::string, double>, Entry> entries_;
+  std::map<std::pair<std::vector<std::string>, double>, Compound> compounds_;
 };
 
 // Hull of a mesh in memory; `ending` is "obj", "stl" or "ply". Throws as load does, without the file's name.

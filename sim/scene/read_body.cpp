@@ -32,24 +32,44 @@ Plane read_plane(const ObjectReader& in) {
   return plane;
 }
 
-// The body's origin is the centre of mass of the hull, wherever the file has its own.
-Hull read_mesh(const ObjectReader& in, MeshLibrary& meshes) {
-  const Node file = in.require("file", "the name of an OBJ, STL or PLY file");
-  if (file.value().is_array()) {
-    file.fail("a body of several meshes is not supported by this version; expected one name");
-  }
+std::string read_mesh_name(const Node& file) {
   const std::string name = file.text(1000);
   if (name.empty() || std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20; })) {
     file.fail_expected("the name of an OBJ, STL or PLY file");
   }
-  const double scale = in.number("scale", {1e-6, 1e6}, 1);
+  return name;
+}
+
+// Convex hull of one file, read and entered into the hash. What is in the file counts, not its name.
+Hull read_hull(const ObjectReader& in, const Node& file, double scale, MeshLibrary& meshes) {
+  const std::string name = read_mesh_name(file);
   try {
     const MeshLibrary::Entry& entry = meshes.load(name, scale);
-    in.record("file", entry.digest);  // what is in the file counts, not its name
+    in.record("file", entry.digest);
     return entry.hull;
   } catch (const Error& error) {
     file.fail(error.what());
   }
+}
+
+// The body's origin is the centre of mass, wherever the file has its own. Several files are the convex parts
+// of one body, in common coordinates.
+Shape read_mesh(const ObjectReader& in, MeshLibrary& meshes) {
+  const Node file = in.require("file", "the name of an OBJ, STL or PLY file, or a list of them");
+  const double scale = in.number("scale", {1e-6, 1e6}, 1);
+  if (!file.value().is_array()) return read_hull(in, file, scale, meshes);
+  const std::size_t parts = file.array_size();
+  if (parts < 1 || parts > kMostParts) {
+    file.fail(fmt::format("{} parts; expected 1 to {} files", parts, kMostParts));
+  }
+  if (parts == 1) return read_hull(in, file.element(0), scale, meshes);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < parts; ++k) {
+    const Node part = file.element(k);
+    read_hull(in, part, scale, meshes);
+    names.push_back(read_mesh_name(part));
+  }
+  return meshes.load_parts(names, scale);
 }
 
 Shape read_shape(const Node& node, MeshLibrary& meshes) {

@@ -1,0 +1,38 @@
+// Mass properties of several hulls together (the parallel axis theorem for second moments).
+//
+//   V_k, c_k, S_k   volume, centre of mass and second moment of part k      m³, m, m⁵
+//   c               Σ V_k c_k / Σ V_k                                       m
+//   S               Σ S_k + V_k (c_k − c)(c_k − c)ᵀ                         m⁵
+#include "sim/body/compound.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pabd {
+
+Compound make_compound(const std::vector<Hull>& hulls) {
+  auto out = std::make_shared<CompoundData>();
+  const Vec3 near = hulls.front().data->centroid;  // offsets are summed from here: nothing cancels
+  Vec3 moment = Vec3::Zero();
+  out->volume = 0;
+  for (const Hull& hull : hulls) {
+    out->volume += hull.data->volume;
+    moment += hull.data->volume * (hull.data->centroid - near);
+  }
+  out->centroid = near + moment / out->volume;
+  out->second_moment.setZero();
+  out->bounding_radius = 0;
+  out->inner_radius = std::numeric_limits<double>::infinity();
+  for (const Hull& hull : hulls) {
+    const Vec3 offset = hull.data->centroid - out->centroid;
+    out->parts.push_back({hull, offset});
+    out->second_moment += hull.data->second_moment + hull.data->volume * offset * offset.transpose();
+    for (const Vec3& v : hull.data->vertices) {
+      out->bounding_radius = std::max(out->bounding_radius, (offset + v).norm());
+    }
+    out->inner_radius = std::min(out->inner_radius, hull.data->inner_radius);
+  }
+  return Compound{std::move(out)};
+}
+
+}  // namespace pabd
