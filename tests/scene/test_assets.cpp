@@ -44,7 +44,7 @@ TEST_CASE("every shipped scene loads and is fit to show", "[scene]") {
     CHECK(heaviest_mass(s.model) > 0);
   }
   for (const char* expected :
-       {"two_boxes", "pyramid", "stack", "pile", "incline", "wall", "spin", "shapes", "meshes"}) {
+       {"two_boxes", "pyramid", "stack", "pile", "incline", "wall", "spin", "shapes", "meshes", "chairs"}) {
     INFO(expected);
     CHECK(stems.contains(expected));
   }

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/visual/build_visual.h"
+#include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
 #include "tests/visual/tiny_model.h"
 
@@ -47,4 +48,34 @@ TEST_CASE("a hull is drawn as its own triangles") {
   other.add(Sphere{1}, Vec3::Zero());
   build_visual(other.model, other.state, {}, {}, scene);
   CHECK(scene.meshes.empty());
+}
+
+TEST_CASE("a compound is drawn part by part, parts of one hull from one mesh") {
+  const auto bar = [](const Vec3& half) {
+    std::vector<Vec3> points;
+    for (int k = 0; k < 8; ++k) {
+      points.push_back(half.cwiseProduct(Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1)) +
+                       Vec3(2, 0, 0));
+    }
+    return Hull{make_hull(points).hull};
+  };
+  const Hull x = bar({1, 0.1, 0.1}), y = bar({0.1, 1, 0.1});
+  TinyModel tiny;
+  const Mat3 R = Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
+  tiny.add(make_compound({x, y}), {1, 2, 3}, R);
+  tiny.add(make_compound({x, y}), {5, 2, 3});
+  VisualScene scene;
+  build_visual(tiny.model, tiny.state, {}, {}, scene);
+  REQUIRE(scene.meshes.size() == 2);
+  for (const MeshInstances& mesh : scene.meshes) {
+    REQUIRE(mesh.instances.size() == 2);
+    CHECK((mesh.instances[0].transform.block<3, 1>(0, 3) - Vec3f(1, 2, 3)).norm() < 1e-5f);
+    CHECK(mesh.instances[0].color == scene.meshes[0].instances[0].color);
+  }
+  // The long bar along x points along y once the body is turned.
+  float top = 0;
+  for (const Vec3f& corner : scene.meshes[0].mesh->corners) {
+    top = std::max(top, (scene.meshes[0].instances[0].transform * corner.homogeneous()).y());
+  }
+  CHECK(top == Approx(3));
 }
