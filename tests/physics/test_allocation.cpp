@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "sim/body/compound.h"
+#include "sim/body/convex_hull.h"
 #include "tests/physics/scenario.h"
 
 #ifndef __SANITIZE_ADDRESS__  // the sanitizer brings its own operator new
@@ -30,6 +32,16 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 
 using namespace pabd;
 
+namespace {
+
+Hull tetrahedron(double shift) {
+  std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (Vec3& p : points) p.x() += shift;
+  return Hull{make_hull(points).hull};
+}
+
+}  // namespace
+
 TEST_CASE("a warm step allocates nothing") {
   for (const SolverMethod method : {SolverMethod::descent, SolverMethod::sissm}) {
     testing::World world;
@@ -37,6 +49,8 @@ TEST_CASE("a warm step allocates nothing") {
     world.params.solver.tolerance = 0;
     world.add_ground();
     for (int k = 0; k < 20; ++k) world.add_cube(1, 100, {1.5 * (k % 5), 0.509 + 1.01 * (k / 5), 0});
+    world.add(make_compound({tetrahedron(0), tetrahedron(0.3)}), 100, {0, 0.3, 3});
+    world.add(make_compound({tetrahedron(0), tetrahedron(0.3)}), 100, {0, 1.1, 3});
     StepWorkspace workspace;
     StepReport report;
     const StepOptions options{true, true, 1};
