@@ -22,6 +22,8 @@ namespace {
 constexpr double kLeastDot = 1.6, kLargestDot = 5.0;
 constexpr double kVisibleGap = 0.5;   // a shorter line between two points says nothing
 constexpr double kLeastSpread = 2.5;  // × rim: points nearer to each other than this are drawn as one pair
+constexpr double kLeastArms = 40;     // of a fixed joint
+constexpr double kWrongGap = 3;
 constexpr double kLeastDial = 9, kLargestDial = 54;
 
 constexpr std::size_t kManyJoints = 2000;  // more are drawn as plain dots
@@ -173,7 +175,14 @@ void add_joint_glyphs(const Joint& joint, const Pose& i, const Pose& j, double t
                              size.plain, out};
   BondList list;
   expand(joint, i, j, time, list);
-  const bool spread = joint.arm > kLeastSpread * kRim * r;
+  bool spread = joint.arm > kLeastSpread * kRim * r;
+  // Seven bonds each would bury a frame of many parts: one point, unless it is large or something is wrong.
+  if (joint.type == JointType::fixed && joint.arm < kLeastArms * px) {
+    const auto end = list.bond.cbegin() + list.count;
+    spread = std::any_of(list.bond.cbegin(), end, [&](const PointBond& bond) {
+      return (bond.y_b - bond.y_a).norm() > kWrongGap * px;
+    });
+  }
   if (joint.type == JointType::hinge && spread) painter.hinge();
   if (joint.type == JointType::slider && spread) painter.slider();
   if (joint.type == JointType::fixed && spread) painter.fixed();

@@ -18,7 +18,7 @@ struct GlyphSize {
 //            the two meet, a line between them where they do not
 //   hinge    its axis, the present angle as a hand, limits as an arc
 //   slider   its line, the present offset as a bar from the anchor of i to that of j, limits as stops
-//   fixed    the three axes along which it holds
+//   fixed    the three axes along which it holds; one point where that would be small
 //   distance a coil if soft, else a rod
 // `out.camera` must be set before: dots are kept within a few pixels as it sees them, and what would be too
 // small to read is left out. A joint with a number that is not finite is left out.

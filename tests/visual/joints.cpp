@@ -176,6 +176,11 @@ TEST_CASE("a fixed joint has seven bonds, four if it is one-sided") {
   CHECK(discs(draw(fixed, kStart)).size() == 21);
   fixed.symmetric = false;
   CHECK(discs(draw(fixed, kStart)).size() == 12);
+  // Small ones are one point, until a bond is open by more than three pixels.
+  fixed.arm = 30 * kPixel;
+  CHECK(discs(draw(fixed, kStart)).size() == 3);
+  CHECK(discs(draw(fixed, {Vec3(2 * kPixel, 0, 0), Mat3::Identity()})).size() == 3);
+  CHECK(discs(draw(fixed, {Vec3(4 * kPixel, 0, 0), Mat3::Identity()})).size() == 12);
 }
 
 TEST_CASE("joints come with the bonds option; thousands as a dot each; lost bodies are skipped") {
