@@ -46,12 +46,12 @@ TEST_CASE("every shipped scene loads and is fit to show", "[scene]") {
     CHECK(s.camera.has_value());
     CHECK(heaviest_mass(s.model) > 0);
   }
-  for (const char* expected : {"two_boxes",       "pyramid",      "stack",          "pile",
-                               "incline",         "wall",         "spin",           "shapes",
-                               "meshes",          "chairs",       "pendulum",       "double_pendulum",
-                               "chain_heavy_end", "bridge",       "slider_crank",   "four_bar",
-                               "ferris_wheel",    "ragdoll",      "newtons_cradle", "dominoes",
-                               "card_house",      "wrecking_ball"}) {
+  for (const char* expected : {"two_boxes",       "pyramid",       "stack",          "pile",
+                               "incline",         "wall",          "spin",           "shapes",
+                               "meshes",          "chairs",        "pendulum",       "double_pendulum",
+                               "chain_heavy_end", "bridge",        "slider_crank",   "four_bar",
+                               "ferris_wheel",    "ragdoll",       "newtons_cradle", "dominoes",
+                               "card_house",      "wrecking_ball", "trampoline"}) {
     INFO(expected);
     CHECK(stems.contains(expected));
   }
@@ -67,7 +67,8 @@ TEST_CASE("every shipped scene runs: finite, joints closed, no body inside anoth
     for (int k = 0; k < 10; ++k) {
       step(s.model, s.params, {}, s.initial, workspace, report);
       REQUIRE(report.status != StepStatus::non_finite);
-      CHECK(report.max_joint_error < 1e-6);
+      if (entry.path().stem() != "trampoline")
+        CHECK(report.max_joint_error < 1e-6);                                        // its joints are springs
       if (entry.path().stem() != "two_boxes") CHECK(report.max_penetration < 1e-4);  // they start inside
     }
   }

@@ -60,6 +60,11 @@ TEST_CASE("limits and drives are degrees in files, radians in the model", "[scen
   CHECK(limited.arm == 0.3);
   CHECK_FALSE(limited.symmetric);
   CHECK(limited.name == "knee");
+  Joint copy = limited;  // a copy has limits of its own
+  CHECK(&*copy.limits != &*limited.limits);
+  CHECK(copy.limits->hi == limited.limits->hi);
+  copy.limits = JointRange{0, 1};
+  CHECK(limited.limits->hi == Approx(kPi / 2));
 
   const Joint driven = only_joint(kHinge + R"(, "drive": { "keys": [[0.5, 0], [2, 720]] })");
   REQUIRE(driven.drive);
