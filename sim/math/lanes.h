@@ -14,6 +14,12 @@ using LaneMask = long long __attribute__((vector_size(kLanes * sizeof(double))))
 
 inline Lanes lanes(double x) { return Lanes{x, x, x, x}; }
 inline double sum(Lanes v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+// The four sums side by side: (sum(a), sum(b), sum(c), sum(d)), bit for bit.
+inline Lanes sums(Lanes a, Lanes b, Lanes c, Lanes d) {
+  const Lanes ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Lanes cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+}
 inline Lanes sqrt(Lanes v) {
   return Lanes{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
 }

@@ -17,7 +17,7 @@ struct PowerSum {
 
 // Huber form of u: u²/(2ε) for u < ε, u − ε/2 above.
 template <class T>
-PowerSum<T> onset_term(T u, double onset) {
+[[gnu::always_inline]] inline PowerSum<T> onset_term(T u, double onset) {
   const T zero = u - u, one = zero + 1;
   if (onset == 0) return {u, one, zero};
   return {select(u < onset, u * u * (0.5 / onset), u - 0.5 * onset), select(u < onset, u * (1 / onset), one),
@@ -26,7 +26,7 @@ PowerSum<T> onset_term(T u, double onset) {
 
 // Horner in u, no division by d. Precondition: u ≥ 0, polynomial or even.
 template <class T>
-PowerSum<T> power_sum(const Barrier& b, T u) {
+[[gnu::always_inline]] inline PowerSum<T> power_sum(const Barrier& b, T u) {
   const T zero = u - u;
   T value = zero, first = zero, second = zero;
   if (b.kind == BarrierKind::even) {

@@ -15,8 +15,9 @@ void list_ends(const Model& model, StepWorkspace::Impl& w) {
   for (std::size_t k = 0; k < w.patches.size(); ++k) {
     const ContactPatch& patch = w.patches[k];
     const auto number = static_cast<Index>(k);
-    if (!model.fixed[patch.a]) w.ends[w.first_end[patch.a]++] = {number, true};
-    if (!model.fixed[patch.b]) w.ends[w.first_end[patch.b]++] = {number, false};
+    if (!model.fixed[patch.a]) w.ends[w.first_end[patch.a]++] = {number, patch.b, true, true};
+    if (!model.fixed[patch.b])
+      w.ends[w.first_end[patch.b]++] = {number, patch.a, false, model.fixed[patch.a] != 0};
   }
   for (std::size_t i = n; i > 0; --i) w.first_end[i] = w.first_end[i - 1];  // undo the advance
   w.first_end[0] = 0;
@@ -29,8 +30,7 @@ Index free_color(const Model& model, const StepWorkspace::Impl& w, Index body) {
   std::uint64_t used = 0;
   Index beyond = 0;  // smallest colour above all neighbours, for the rare body with 64 colours around it
   for (const BondEnd& end : w.ends_of(body)) {
-    const ContactPatch& patch = w.patches[end.patch];
-    const Index other = end.is_a ? patch.b : patch.a;
+    const Index other = end.other;
     if (model.fixed[other] || w.color[other] < 0) continue;
     if (w.color[other] < 64) used |= std::uint64_t{1} << w.color[other];
     beyond = std::max(beyond, w.color[other] + 1);

@@ -44,10 +44,13 @@ void start_friction(int threads, StepWorkspace::Impl& w) {
   });
 }
 
-void update_friction_limits(int threads, StepWorkspace::Impl& w) {
-  if (w.law.mu_static == 0) return;
-  parallel_for(threads, w.patches.size(),
-               [&](std::size_t j) { update_limit(w.law, w.patches[j], state_of(w, w.patches[j])); });
+void update_friction_limits(int threads, LimitsOf which, StepWorkspace::Impl& w) {
+  if (w.law.mu_static == 0 || (which == LimitsOf::newton && w.newton.empty())) return;
+  parallel_for(threads, w.patches.size(), [&](std::size_t j) {
+    ContactPatch& patch = w.patches[j];
+    if (which == LimitsOf::newton && !w.is_newton[patch.a] && !w.is_newton[patch.b]) return;
+    update_limit(w.law, patch, state_of(w, patch));
+  });
 }
 
 void store_friction(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors) {

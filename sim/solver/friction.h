@@ -26,7 +26,8 @@ void recall_friction(const std::vector<FrictionAnchor>& anchors, StepWorkspace::
 void start_friction(int threads, StepWorkspace::Impl& w);
 
 // μ f_n of every contact from the current iterate.
-void update_friction_limits(int threads, StepWorkspace::Impl& w);
+enum class LimitsOf { all, newton };  // descent's sweeps move those of their bodies themselves
+void update_friction_limits(int threads, LimitsOf which, StepWorkspace::Impl& w);
 
 // Remembers the stretch of every loaded contact, and whether it slid, for the next step.
 void store_friction(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors);

@@ -21,13 +21,27 @@ inline Inertia inertia_of(const SolveContext& s, Index i) {
   return {s.model.mass[i], s.model.J[i], s.w.star[i], 1 / (s.params.h * s.params.h)};
 }
 
-inline ContactState state_of(const StepWorkspace::Impl& w, const ContactPatch& patch) {
+[[gnu::always_inline]] inline ContactState state_of(const StepWorkspace::Impl& w, const ContactPatch& patch) {
   return contact_state(patch, w.pose[patch.a], w.pose[patch.b]);
 }
 
-// Gauss–Seidel over the colours; E does not rise (for fixed friction bounds). `backward` turns the order
-// round. Fills w.moved for the bodies that have bonds.
-void descent_sweep(const SolveContext& s, bool backward);
+struct DescentSweep {
+  bool first;        // of the solve
+  bool move_limits;  // move the friction bounds to the current iterate on the way
+  bool every_body;   // relax quiet bodies too
+};
+
+// Gauss–Seidel over the colours; E does not rise (for fixed friction bounds). Fills w.moved for the bodies
+// that have bonds: of those that are left alone it stays what it was.
+void descent_sweep(const SolveContext& s, const DescentSweep& sweep);
+
+// Was any body left alone in the last sweep?
+bool any_rests(const StepWorkspace::Impl& w);
+
+// Does the sweep move the friction bounds as well?
+inline bool sweeps_limits(const SolveContext& s, SolverMethod method) {
+  return method != SolverMethod::sissm && s.params.solver.projection != Projection::weighted;
+}
 
 // The supplement's global and local step: Jacobi over bodies with relaxation. Fills w.moved, w.projected and
 // w.A. With `before` given, the smallest d before the projection is stored there.

@@ -95,24 +95,31 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
   report.status = w.solved.empty() ? StepStatus::converged : StepStatus::iteration_limit;
   if (w.solved.empty()) return;
   w.moved.assign(w.v.size(), 0.0);
+  w.rests.assign(w.v.size(), 0);
   w.projected.assign(w.v.size(), 0.0);
   w.A.resize(w.v.size());
   w.system->force.clear();
+  const bool swept = sweeps_limits(s, report.method);  // friction bounds
+  bool every_body = true;
   for (int k = 0; k < s.params.solver.iterations; ++k) {
-    if (k > 0) update_friction_limits(s.threads, w);
+    if (k > 0) update_friction_limits(s.threads, swept ? LimitsOf::newton : LimitsOf::all, w);
     double gap_before = 0;
     if (report.method == SolverMethod::sissm) {
       sissm_iteration(s, options.record_iterations ? &gap_before : nullptr);
     } else {
       newton_iteration(s, *w.system);
-      descent_sweep(s, k % 2 == 1);
+      descent_sweep(s, {k == 0, swept && k > 0, every_body});
     }
     ++report.iterations;
     report.residual = 0;
     for (const Index i : w.solved) report.residual = std::max(report.residual, w.moved[i]);
     if (options.record_iterations) record(s, report.residual, gap_before, report);
     if (!std::isfinite(report.residual)) return;
-    if (report.residual < s.params.solver.tolerance) {
+    if (!(report.residual < s.params.solver.tolerance)) {
+      every_body = false;
+    } else if (!every_body && any_rests(w)) {
+      every_body = true;  // once more, to be sure
+    } else {
       report.status = StepStatus::converged;
       return;
     }
@@ -163,7 +170,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   const Stopwatch solving;
   const bool feasible = !is_infeasible(w);
   if (feasible) solve({model, params, options.threads, report.time, w}, options, report);  // 3. minimise E
-  update_friction_limits(options.threads, w);
+  update_friction_limits(options.threads, LimitsOf::all, w);
   update_velocities(model, params, w);  // 4. velocities
   report.times.solve = solving.ms();
 

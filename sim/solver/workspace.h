@@ -14,7 +14,16 @@ namespace pabd {
 // One end of a contact patch, in the list of its body.
 struct BondEnd {
   Index patch;
+  Index other;  // body at the other end
   bool is_a;
+  bool owner;  // of the two ends that move, the one that moves the friction bound
+};
+
+// Last step of a body in `descent`, before it was stretched.
+struct LastStep {
+  Vec3 dc, dw;
+  double squared;  // ‖dc‖² + (radius ‖dw‖)²; m²
+  double stretch;
 };
 
 struct NewtonSystem;
@@ -55,9 +64,11 @@ struct StepWorkspace::Impl {
   // sissm: affine iterate before the projection.
   std::vector<Mat3> A;
   std::vector<Pose> next;
-  std::vector<double> radius;     // bounding radius; m
-  std::vector<double> moved;      // per body: displacement in this iteration over d̂
-  std::vector<double> projected;  // per body: ‖A − R‖
+  std::vector<double> radius;  // bounding radius; m
+  std::vector<double> moved;   // per body: displacement in this iteration over d̂
+  std::vector<LastStep> last_step;
+  std::vector<std::uint8_t> rests;  // per body: left alone in the last sweep of descent
+  std::vector<double> projected;    // per body: ‖A − R‖
 
   Impl();
   ~Impl();
