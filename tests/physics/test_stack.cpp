@@ -61,3 +61,26 @@ TEST_CASE("a pyramid of 55 bricks stands for 5 s") {
   CHECK((world.state.c[top] - start).norm() < 0.01);
   CHECK(last.kinetic < 1e-5);  // 14 t of bricks: below 40 µm/s
 }
+
+TEST_CASE(
+    "ten cubes of 1 and 1000 kg in turn, the light one at the bottom, stand for 5 s without penetration") {
+  for (const SolverMethod method : {SolverMethod::descent, SolverMethod::automatic}) {
+    World world;
+    world.params.solver.method = method;
+    world.add_ground();
+    const double d = world.params.contact.d_hat;
+    for (int k = 0; k < 10; ++k)
+      world.add_cube(1, k % 2 == 0 ? 1 : 1000, {0, 0.5 + 0.9 * d + k * (1 + 0.9 * d), 0});
+    const State start = world.state;
+    double deepest = 0;
+    StepReport last;
+    testing::run(world, 300, {}, [&](const StepReport& r) {
+      deepest = std::max(deepest, r.max_penetration);
+      last = r;
+    });
+    INFO(to_string(method));
+    CHECK(deepest == 0);
+    CHECK(last.kinetic < 1e-6);  // 5 t: below 20 µm/s
+    for (Index i = 1; i <= 10; ++i) CHECK((world.state.c[i] - start.c[i]).norm() < 10 * d);
+  }
+}
