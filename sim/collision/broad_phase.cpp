@@ -231,16 +231,17 @@ void BroadPhase::sort_pairs(std::size_t bodies, std::vector<IndexPair>& pairs) {
 }
 
 void BroadPhase::find(const std::vector<Aabb>& boxes, const std::vector<std::uint8_t>& fixed, int threads,
-                      std::vector<IndexPair>& pairs) {
+                      Team& team, std::vector<IndexPair>& pairs) {
   choose_levels(boxes);
   fill_cells(boxes, fixed);
-  const std::size_t chunks = threads > 1 ? 4 * static_cast<std::size_t>(threads) : 1;
+  constexpr std::size_t kWorthwhile = 256;  // cells
+  const std::size_t chunks =
+      threads > 1 && cells.size() >= kWorthwhile ? 4 * static_cast<std::size_t>(threads) : 1;
   if (found.size() < chunks) found.resize(chunks);
   for (auto& bucket : found) bucket.clear();
-#pragma omp parallel for schedule(dynamic) num_threads(threads) if (threads > 1)
-  for (std::size_t k = 0; k < chunks; ++k) {
+  team.for_each(threads, chunks, 1, [&](std::size_t k) {
     find_in(cells.size() * k / chunks, cells.size() * (k + 1) / chunks, boxes, found[k]);
-  }
+  });
   sort_pairs(boxes.size(), pairs);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/body/shape.h"
+#include "sim/math/team.h"
 
 namespace pabd {
 
@@ -44,7 +45,7 @@ struct BroadPhase {
 
   // Fills `pairs` with every (a < b) whose `boxes` overlap (touching counts) and that are not both fixed,
   // sorted. Bodies with unbounded or non-finite boxes take no part.
-  void find(const std::vector<Aabb>& boxes, const std::vector<std::uint8_t>& fixed, int threads,
+  void find(const std::vector<Aabb>& boxes, const std::vector<std::uint8_t>& fixed, int threads, Team& team,
             std::vector<IndexPair>& pairs);
 
  private:

@@ -141,14 +141,13 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   const auto n = static_cast<std::size_t>(model.size());
   auto& boxes = workspace.boxes;
   boxes.resize(n);
-#pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-  for (std::size_t i = 0; i < n; ++i) {
+  workspace.team.for_each(threads, n, 64, [&](std::size_t i) {
     boxes[i] = bounds(model.shape[i], c[i], R[i]);
     boxes[i].lo.array() -= reach[i];
     boxes[i].hi.array() += reach[i];
-  }
+  });
   auto& pairs = workspace.pairs;
-  workspace.broad_phase.find(boxes, model.fixed, threads, pairs);
+  workspace.broad_phase.find(boxes, model.fixed, threads, workspace.team, pairs);
   const auto without_planes = static_cast<std::ptrdiff_t>(pairs.size());
   add_plane_pairs(model, boxes, reach, pairs);
   if (without_planes < static_cast<std::ptrdiff_t>(pairs.size())) {
@@ -163,19 +162,19 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   out.clear();
   const Poses poses{model, c, R};
   const IndexPair* first = pairs.data();
-  if (threads <= 1) {
+  constexpr std::size_t kWorthwhile = 256;  // pairs
+  if (threads <= 1 || pairs.size() < kWorthwhile) {
     collide_range(poses, reach, skip, first, first + pairs.size(), out);
     return;
   }
   const std::size_t chunks = 4 * static_cast<std::size_t>(threads);
   auto& partial = workspace.partial;
   if (partial.size() < chunks) partial.resize(chunks);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t k = 0; k < chunks; ++k) {
+  workspace.team.for_each(threads, chunks, 1, [&](std::size_t k) {
     partial[k].clear();
     collide_range(poses, reach, skip, first + pairs.size() * k / chunks,
                   first + pairs.size() * (k + 1) / chunks, partial[k]);
-  }
+  });
   for (std::size_t k = 0; k < chunks; ++k) out.insert(out.end(), partial[k].begin(), partial[k].end());
 }
 

@@ -6,6 +6,7 @@
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/collision/broad_phase.h"
+#include "sim/math/team.h"
 
 namespace pabd {
 
@@ -18,8 +19,9 @@ struct ContactPoint {
   std::uint32_t feature;  // stays the same for the same corner or edge pair from step to step
 };
 
-// Bounds and pair lists kept between calls so that a warm call does not allocate.
+// Threads, bounds and pair lists kept between calls so that a warm call does not allocate.
 struct CollisionWorkspace {
+  Team team;
   std::vector<Aabb> boxes;
   BroadPhase broad_phase;
   std::vector<std::pair<Index, Index>> pairs, merged;

@@ -16,7 +16,6 @@
 #include <cmath>
 
 #include "sim/solver/joint_set.h"
-#include "sim/solver/parallel.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/tangent_model.h"
 #include "sim/solver/weighted_projection.h"
@@ -152,7 +151,7 @@ void descent_sweep(const SolveContext& s, const DescentSweep& sweep) {
   for (Index k = 0; k < colors; ++k) {
     const Index first = w.first_of_color[k];
     const auto count = static_cast<std::size_t>(w.first_of_color[k + 1] - first);
-    parallel_for(s.threads, count, [&](std::size_t j) {
+    w.collision.team.for_each(s.threads, count, kBlock, [&](std::size_t j) {
       const Index i = w.colored[first + static_cast<Index>(j)];
       w.rests[i] = is_quiet(s, i, bound);
       if (!w.rests[i]) relax_body(s, i, sweep);

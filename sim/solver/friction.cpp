@@ -2,7 +2,6 @@
 
 #include <tuple>
 
-#include "sim/solver/parallel.h"
 #include "sim/solver/solve.h"
 
 namespace pabd {
@@ -32,7 +31,7 @@ void start_friction(int threads, StepWorkspace::Impl& w) {
     for (ContactPatch& patch : w.patches) patch.mu = lanes(0);
     return;
   }
-  parallel_for(threads, w.patches.size(), [&](std::size_t j) {
+  w.collision.team.for_each(threads, w.patches.size(), kBlock, [&](std::size_t j) {
     ContactPatch& patch = w.patches[j];
     const ContactState s = state_of(w, patch);
     const Lanes bound = -w.law.mu_static * normal_force(w.law.barrier, s.d).first;
@@ -46,7 +45,7 @@ void start_friction(int threads, StepWorkspace::Impl& w) {
 
 void update_friction_limits(int threads, LimitsOf which, StepWorkspace::Impl& w) {
   if (w.law.mu_static == 0 || (which == LimitsOf::newton && w.newton.empty())) return;
-  parallel_for(threads, w.patches.size(), [&](std::size_t j) {
+  w.collision.team.for_each(threads, w.patches.size(), kBlock, [&](std::size_t j) {
     ContactPatch& patch = w.patches[j];
     if (which == LimitsOf::newton && !w.is_newton[patch.a] && !w.is_newton[patch.b]) return;
     update_limit(w.law, patch, state_of(w, patch));

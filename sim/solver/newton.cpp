@@ -15,7 +15,6 @@
 #include <algorithm>
 
 #include "sim/solver/joint_set.h"
-#include "sim/solver/parallel.h"
 
 namespace pabd {
 namespace {

@@ -5,7 +5,6 @@
 #include <Eigen/Dense>
 #include <limits>
 
-#include "sim/solver/parallel.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/weighted_projection.h"
 
@@ -63,7 +62,8 @@ void sissm_iteration(const SolveContext& s, double* before) {
   StepWorkspace::Impl& w = s.w;
   w.next = w.pose;
   for (std::size_t i = 0; i < w.A.size(); ++i) w.A[i] = w.pose[i].R;
-  parallel_for(s.threads, w.colored.size(), [&](std::size_t j) { global_and_local_step(s, w.colored[j]); });
+  w.collision.team.for_each(s.threads, w.colored.size(), kBlock,
+                            [&](std::size_t j) { global_and_local_step(s, w.colored[j]); });
   if (before) {
     *before = std::numeric_limits<double>::infinity();
     for (const ContactPatch& patch : w.patches) *before = std::min(*before, affine_distance(w, patch));

@@ -16,7 +16,6 @@
 #include "sim/solver/islands.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/newton.h"
-#include "sim/solver/parallel.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_summary.h"
 
@@ -39,7 +38,7 @@ void predict(const Model& model, const Params& params, const State& state, int t
   w.radius.resize(state.c.size());
   w.v = state.v;
   w.omega = state.omega;
-  parallel_for(threads, model.shape.size(), [&](std::size_t i) {
+  w.collision.team.for_each(threads, model.shape.size(), kBlock, [&](std::size_t i) {
     w.star[i] = {state.c[i], state.R[i]};
     w.radius[i] = bounding_radius(model.shape[i]);
     if (!model.fixed[i]) free_flight(model.J[i], params.gravity, params.h, w.star[i], w.v[i], w.omega[i]);

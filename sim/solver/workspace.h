@@ -11,6 +11,9 @@
 
 namespace pabd {
 
+// Bodies or contacts that a thread takes at a time: some ten microseconds of work.
+inline constexpr std::size_t kBlock = 64;
+
 // One end of a contact patch, in the list of its body.
 struct BondEnd {
   Index patch;

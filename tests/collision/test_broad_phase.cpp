@@ -33,8 +33,9 @@ struct Bodies {
 
 std::vector<IndexPair> found(const Bodies& bodies, int threads = 1) {
   BroadPhase broad_phase;
+  Team team;
   std::vector<IndexPair> pairs;
-  broad_phase.find(bodies.boxes, bodies.fixed, threads, pairs);
+  broad_phase.find(bodies.boxes, bodies.fixed, threads, team, pairs);
   return pairs;
 }
 
