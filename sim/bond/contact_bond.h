@@ -45,7 +45,8 @@ struct ContactPatch {
   Lanes gap;                      // d where the normal points coincide
   Lanes mu;           // coefficient of this step: dynamic if the contact slid at the end of the last one
   Lanes limit;        // friction bound μ f_n of this iteration
-  Lanes last_change;  // of `limit`: a change of sign damps the next one
+  Lanes last_change;  // of `limit`
+  Lanes gain;         // share of the next change: halved each time that `limit` swings back
 };
 
 // What all contacts of a step share.
@@ -149,10 +150,11 @@ inline Lanes contact_energy(const ContactLaw& law, const ContactPatch& p, const 
   return normal_force(law.barrier, s.d).value + friction_energy(law, p.limit, length(s.u));
 }
 
-// Moves the bounds to μ f_n of the current iterate; half way where one swings to and fro between iterates.
+// Moves the bounds to μ f_n of the current iterate; by less and less where one swings to and fro.
 inline void move_limit(ContactPatch& p, const ContactForce& f) {
   Lanes change = -p.mu * f.first - p.limit;
-  change = select(change * p.last_change < 0, 0.5 * change, change);
+  p.gain = select(change * p.last_change < 0, 0.5 * p.gain, p.gain);
+  change *= p.gain;
   p.limit += change;
   p.last_change = change;
 }

@@ -13,7 +13,8 @@ namespace pabd {
 
 // No joint needs more: two for the axis and two for the angle, or one for the anchor and six for its arms.
 struct BondList {
-  std::array<PointBond, 8> bond;
+  static constexpr std::size_t kMost = 7;
+  std::array<PointBond, kMost> bond;  // only the first `count` are written
   int count = 0;
   void add(const Vec3& y_a, const Vec3& y_b) { bond[static_cast<std::size_t>(count++)] = {y_a, y_b}; }
 };

@@ -40,6 +40,7 @@ void start_friction(int threads, StepWorkspace::Impl& w) {
     patch.mu = select(patch.mu == kUnknown, chosen, patch.mu);
     update_limit(w.law, patch, s);
     patch.last_change = lanes(0);
+    patch.gain = lanes(1);
   });
 }
 

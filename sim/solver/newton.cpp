@@ -1,27 +1,33 @@
-// `newton`: all bodies of the articulated islands at once, in the tangent space of SE(3) (method notes §5.3).
+// `newton`: all bodies of its islands at once, in the tangent space of SE(3) (method notes §5.3).
 //
-//   unknowns   (δc, δω) of each body, R ← cayley(δω) R
+//   unknowns   δ = (δc, δω) of each body, R ← cayley(δω) R
 //
 //   matrix     inertia m/h², (tr(X) 1 − X_s)/h²; Gauss–Newton blocks s_i s_j J_iᵀ K J_j of the bonds with
-//              J = [1, −[r]]; their geometric stiffness while that leaves it positive definite
-//
-//   solve      sparse Cholesky, fill-reducing order; the symbolic part is kept while the graph stays
+//              J = [1, −[r]]; for joints also their geometric stiffness while that leaves it positive
+//              definite
 //
 //   step       full, turns limited to 1 rad: with stiff joints E is a narrow curved valley, in which a line
-//              search creeps
+//              search creeps. Where E stays above its lowest value for too long, back to that iterate and a
+//              line search from there (a watchdog)
 
 #include "sim/solver/newton.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
-#include "sim/solver/joint_set.h"
+#include "sim/solver/linear_bonds.h"
 
 namespace pabd {
 namespace {
 
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat36 = Eigen::Matrix<double, 3, 6>;
+
+constexpr int kPatience = 4;         // iterations in which E may stay above its lowest value
+constexpr double kRounding = 1e-12;  // of E
+constexpr int kHalvings = 30;
+
+double with_rounding(double energy) { return energy + kRounding * std::abs(energy); }
 
 Mat36 jacobian(const Vec3& r) {
   Mat36 J;
@@ -36,222 +42,261 @@ Mat3 geometric_stiffness(const Vec3& r, const Vec3& g) {
   return 0.5 * (rg + rg.transpose()) - g.dot(r) * Mat3::Identity();
 }
 
-// Calls visit(a, b, r_a, r_b, g, K) for every point pair with movable newton bodies: gradient g on b,
-// weight K.
-template <class Visit>
-void each_bond(const SolveContext& s, const Visit& visit) {
-  const StepWorkspace::Impl& w = s.w;
-  for (const ContactPatch& patch : w.patches) {
-    if (!w.is_newton[patch.a] && !w.is_newton[patch.b]) continue;
-    const ContactState state = state_of(w, patch);
-    const ContactForce f = normal_force(w.law.barrier, state.d);
-    const Lanes u = length(state.u);
-    const Lanes alpha_t = friction_weight(w.law, patch.limit, u);
-    const ContactLevers on_a = levers_on_a(patch, state, w.pose[patch.a]);
-    const ContactLevers on_b = levers_on_b(state, w.pose[patch.a], w.pose[patch.b]);
-    for (int k = 0; k < patch.count; ++k) {
-      const Vec3 n = lane(state.n, k);
-      const Mat3 nn = n * n.transpose();
-      visit(patch.a, patch.b, lane(on_a.normal, k), lane(on_b.normal, k), Vec3(f.first[k] * n),
-            Mat3(f.alpha_n[k] * nn));
-      if (alpha_t[k] > 0) {
-        visit(patch.a, patch.b, lane(on_a.surface, k), lane(on_b.surface, k),
-              Vec3(alpha_t[k] * lane(state.u, k)), Mat3(alpha_t[k] * (Mat3::Identity() - nn)));
-      }
-    }
-  }
-  BondList list;
-  for (std::size_t k = 0; k < s.model.joints.size(); ++k) {
-    const Joint& joint = s.model.joints[k];
-    const Index a = w.slot(joint.i), b = w.slot(joint.j);
-    if (!w.is_newton[a] && !w.is_newton[b]) continue;
-    expand_at(s, static_cast<Index>(k), kWorld, {}, list);
-    for (int j = 0; j < list.count; ++j) {
-      const PointBondForce f = evaluate(joint.law, list.bond[j]);
-      visit(a, b, Vec3(list.bond[j].y_a - w.pose[a].c), Vec3(list.bond[j].y_b - w.pose[b].c), f.gradient,
-            f.weight);
-    }
-  }
-}
-
-// Block column structure of the lower triangle.
 void find_structure(const SolveContext& s, NewtonSystem& system) {
   const StepWorkspace::Impl& w = s.w;
   system.row.assign(w.pose.size(), -1);
   for (std::size_t k = 0; k < w.newton.size(); ++k) system.row[w.newton[k]] = static_cast<Index>(k);
-  system.next_pairs.clear();
+  system.pairs.clear();
   const auto couple = [&](Index a, Index b) {
     const Index p = system.row[a], q = system.row[b];
-    if (p >= 0 && q >= 0 && p != q) system.next_pairs.emplace_back(std::min(p, q), std::max(p, q));
+    if (p >= 0 && q >= 0 && p != q) system.pairs.emplace_back(std::min(p, q), std::max(p, q));
   };
-  for (const ContactPatch& patch : w.patches) couple(patch.a, patch.b);
   for (const Joint& joint : s.model.joints) couple(w.slot(joint.i), w.slot(joint.j));
-  std::sort(system.next_pairs.begin(), system.next_pairs.end());
-  system.next_pairs.erase(std::unique(system.next_pairs.begin(), system.next_pairs.end()),
-                          system.next_pairs.end());
-  const auto n = static_cast<Index>(w.newton.size());
-  if (system.bodies == n && system.pairs == system.next_pairs) return;  // the graph stayed
-  system.pairs.swap(system.next_pairs);
-  system.bodies = n;
-
-  system.first_pair.assign(static_cast<std::size_t>(n) + 1, 0);
-  for (const auto& [p, q] : system.pairs) ++system.first_pair[p + 1];
-  for (Index p = 0; p < n; ++p) system.first_pair[p + 1] += system.first_pair[p];
-  Eigen::SparseMatrix<double>& H = system.H;
-  H.resize(6 * n, 6 * n);
-  const auto entries = static_cast<Eigen::Index>(21 * n + 36 * static_cast<Index>(system.pairs.size()));
-  H.resizeNonZeros(entries);
-  Index at = 0;
-  for (Index p = 0; p < n; ++p) {
-    for (Index j = 0; j < 6; ++j) {
-      H.outerIndexPtr()[6 * p + j] = at;
-      for (Index i = j; i < 6; ++i) H.innerIndexPtr()[at++] = 6 * p + i;
-      for (Index e = system.first_pair[p]; e < system.first_pair[p + 1]; ++e) {
-        for (Index i = 0; i < 6; ++i) H.innerIndexPtr()[at++] = 6 * system.pairs[e].second + i;
-      }
-    }
-  }
-  H.outerIndexPtr()[6 * n] = at;
-  system.cholesky.analyzePattern(H);
+  for (const ContactPatch& patch : w.patches) couple(patch.a, patch.b);
+  if (!std::is_sorted(system.pairs.begin(), system.pairs.end()))
+    std::sort(system.pairs.begin(), system.pairs.end());
+  system.pairs.erase(std::unique(system.pairs.begin(), system.pairs.end()), system.pairs.end());
+  system.matrix.analyze(static_cast<Index>(w.newton.size()), system.pairs);
 }
 
-void add_diagonal(NewtonSystem& system, Index p, const Mat6& block) {
-  for (Index j = 0; j < 6; ++j) {
-    double* column = system.H.valuePtr() + system.H.outerIndexPtr()[6 * p + j];
-    for (Index i = j; i < 6; ++i) column[i - j] += block(i, j);
-  }
+// Inertia of body i: its diagonal block, gradient and energy.
+double add_inertia(const SolveContext& s, Index i, Block6& block, Vec6& g) {
+  const Inertia in = inertia_of(s, i);
+  const Pose& pose = s.w.pose[i];
+  const Mat3 X = in.star.R * in.J * pose.R.transpose();
+  const double mass = in.m * in.inv_h2;
+  Mat6 M = Mat6::Zero();
+  M.diagonal().head<3>().setConstant(mass);
+  M.bottomRightCorner<3, 3>() = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose()));
+  block.add(M);
+  g << mass * (pose.c - in.star.c), -in.inv_h2 * axial(X);
+  return inertia_energy(in, pose);
 }
 
-void add_off_diagonal(NewtonSystem& system, Index p, Index q,
-                      const Mat6& block) {  // rows q, columns p, p < q
-  const auto first = system.pairs.begin() + system.first_pair[p],
-             last = system.pairs.begin() + system.first_pair[p + 1];
-  const auto place = static_cast<Index>(std::lower_bound(first, last, std::make_pair(p, q)) - first);
-  for (Index j = 0; j < 6; ++j) {
-    double* column = system.H.valuePtr() + system.H.outerIndexPtr()[6 * p + j] + (6 - j) + 6 * place;
-    for (Index i = 0; i < 6; ++i) column[i] += block(i, j);
-  }
+// [1, −[r]]ᵀ K [1, −[r]].
+Mat6 weight_at(const Vec3& r, const Mat3& K) {
+  const Mat3 rK = skew(r) * K;
+  Mat6 H;
+  H << K, rK.transpose(), rK, -rK * skew(r);
+  return H;
 }
 
-void add_inertia_gradient(const Inertia& in, const Pose& pose, Index p, Eigen::VectorXd& g) {
-  g.segment<3>(6 * p) += in.m * in.inv_h2 * (pose.c - in.star.c);
-  g.segment<3>(6 * p + 3) -= in.inv_h2 * axial(in.star.R * in.J * pose.R.transpose());
+void add_force(const Vec3& r, const Vec3& gradient, Vec6& g) {
+  g.head<3>() += gradient;
+  g.tail<3>() += r.cross(gradient);
 }
 
-void add_force(Index p, const Vec3& r, const Vec3& gradient, Eigen::VectorXd& g) {
-  if (p < 0) return;
-  g.segment<3>(6 * p) += gradient;
-  g.segment<3>(6 * p + 3) += r.cross(gradient);
+// One end of a joint's bond.
+void add_end(const LinearBond& bond, const Vec3& r, const Vec3& gradient, const Vec3& predicted,
+             Block6& block, Vec6& g) {
+  Mat6 H = weight_at(r, bond.K);
+  H.bottomRightCorner<3, 3>() += geometric_stiffness(r, predicted);
+  block.add(H);
+  add_force(r, gradient, g);
 }
 
-void assemble(const SolveContext& s, bool geometric, NewtonSystem& system) {
+// H seen from a body whose centre is `back` behind: T = [1, −[back]; 0, 1], then Tᵀ H and Tᵀ H T.
+Mat6 shifted_rows(const Vec3& back, Mat6 H) {
+  H.bottomRows<3>() += skew(back) * H.topRows<3>();
+  return H;
+}
+Mat6 shifted(const Vec3& back, const Mat6& H) {
+  return shifted_rows(back, shifted_rows(back, H).transpose());
+}
+
+// E, its gradient and the matrix at the current iterate.
+double assemble(const SolveContext& s, bool geometric, NewtonSystem& system) {
   const StepWorkspace::Impl& w = s.w;
-  std::fill(system.H.valuePtr(), system.H.valuePtr() + system.H.nonZeros(), 0.0);
-  system.g.setZero(6 * system.bodies);
-  for (Index p = 0; p < system.bodies; ++p) {
-    const Index i = w.newton[p];
-    const Inertia in = inertia_of(s, i);
-    const Mat3 X = in.star.R * in.J * w.pose[i].R.transpose();
-    Mat6 block = Mat6::Zero();
-    block.topLeftCorner<3, 3>() = in.m * in.inv_h2 * Mat3::Identity();
-    block.bottomRightCorner<3, 3>() = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose()));
-    add_diagonal(system, p, block);
-    add_inertia_gradient(in, w.pose[i], p, system.g);
-  }
-  std::size_t number = 0;
-  each_bond(s, [&](Index a, Index b, const Vec3& r_a, const Vec3& r_b, const Vec3& gradient, const Mat3& K) {
-    const Index p = system.row[a], q = system.row[b];
-    const Vec3 pull = geometric && number < system.force.size() ? system.force[number] : Vec3(Vec3::Zero());
-    ++number;
-    const Mat36 J_a = jacobian(r_a), J_b = jacobian(r_b);
-    const Mat36 KJ_a = K * J_a;
+  system.matrix.set_zero();
+  double energy = 0;
+  for (std::size_t p = 0; p < w.newton.size(); ++p)
+    energy += add_inertia(s, w.newton[p], system.matrix.diagonal(static_cast<Index>(p)), system.g[p]);
+  each_joint_bond(s, [&](const LinearBond& bond) {
+    const Index p = system.row[bond.a], q = system.row[bond.b];
+    const Vec3 pull = geometric ? system.force[bond.force] : Vec3(Vec3::Zero());
+    energy += bond.energy;
+    if (p >= 0) add_end(bond, bond.r_a, -bond.gradient, -pull, system.matrix.diagonal(p), system.g[p]);
+    if (q >= 0) add_end(bond, bond.r_b, bond.gradient, pull, system.matrix.diagonal(q), system.g[q]);
+    if (p >= 0 && q >= 0)
+      system.matrix.add_off_diagonal(q, p, -jacobian(bond.r_b).transpose() * bond.K * jacobian(bond.r_a));
+  });
+  for (const ContactPatch& patch : w.patches) {
+    const Index p = system.row[patch.a], q = system.row[patch.b];
+    if (p < 0 && q < 0) continue;
+    const LinearPatch linear = linearize(w.law, patch, w.pose[patch.a], w.pose[patch.b]);
+    energy += linear.energy;
+    if (!linear.active) continue;
     if (p >= 0) {
-      Mat6 block = J_a.transpose() * KJ_a;
-      block.bottomRightCorner<3, 3>() += geometric_stiffness(r_a, -pull);
-      add_force(p, r_a, -gradient, system.g);
-      add_diagonal(system, p, block);
+      system.matrix.diagonal(p).add(linear.H);
+      system.g[p] += linear.g_a;
     }
     if (q >= 0) {
-      Mat6 block = J_b.transpose() * K * J_b;
-      block.bottomRightCorner<3, 3>() += geometric_stiffness(r_b, pull);
-      add_force(q, r_b, gradient, system.g);
-      add_diagonal(system, q, block);
+      system.matrix.diagonal(q).add(shifted(linear.back, linear.H));
+      system.g[q] += linear.g_b;
     }
-    if (p >= 0 && q >= 0) {
-      const Mat6 block = -J_b.transpose() * KJ_a;  // rows b, columns a
-      if (p < q) {
-        add_off_diagonal(system, p, q, block);
-      } else {
-        add_off_diagonal(system, q, p, block.transpose());
-      }
-    }
-  });
+    if (p >= 0 && q >= 0) system.matrix.add_off_diagonal(q, p, -shifted_rows(linear.back, linear.H));
+  }
+  return energy;
 }
 
-// Factorises; where rounding left the matrix indefinite, its diagonal is raised first.
-bool factorize(NewtonSystem& system) {
-  system.cholesky.factorize(system.H);
-  for (const double raise : {1e-10, 1e-6, 1e-2}) {
-    if (system.cholesky.info() == Eigen::Success) return true;
-    for (Index j = 0; j < 6 * system.bodies; ++j)
-      system.H.valuePtr()[system.H.outerIndexPtr()[j]] *= 1 + raise;
-    system.cholesky.factorize(system.H);
+double energy_of(const SolveContext& s) {
+  double energy = 0;
+  for (const Index i : s.w.newton) energy += inertia_energy(inertia_of(s, i), s.w.pose[i]);
+  each_joint_bond(s, [&](const LinearBond& bond) { energy += bond.energy; });
+  for (const ContactPatch& patch : s.w.patches) {
+    if (s.w.is_newton[patch.a] || s.w.is_newton[patch.b])
+      energy += sum(contact_energy(s.w.law, patch, state_of(s.w, patch)));
   }
-  return system.cholesky.info() == Eigen::Success;
+  return energy;
+}
+
+// By `share` of the largest entry of each block: what is lost to cancellation is that small.
+void raise_diagonal(double share, NewtonSystem& system) {
+  for (Index p = 0; p < system.matrix.rows(); ++p) {
+    Block6& block = system.matrix.diagonal(p);
+    double largest = 0;
+    for (int c = 0; c < 6; ++c) largest = std::max(largest, std::abs(block.column[c][c]));
+    for (int c = 0; c < 6; ++c) block.column[c][c] += share * largest;
+  }
+}
+
+// Newton direction from the assembled matrix. Pushed bonds may have made it indefinite: then without their
+// geometric stiffness, and where rounding or a large turn left that indefinite too, with a raised diagonal.
+bool find_direction(const SolveContext& s, bool geometric, NewtonSystem& system) {
+  bool solvable = system.matrix.factorize();
+  for (double raise = 0; !solvable && raise < 1e4; raise = raise == 0 ? 1e-12 : raise * 1e3) {
+    if (raise == 0 && !geometric) continue;
+    assemble(s, false, system);
+    raise_diagonal(raise, system);
+    solvable = system.matrix.factorize();
+  }
+  if (!solvable) {
+    std::fill(system.step.begin(), system.step.end(),
+              Vec6::Constant(std::numeric_limits<double>::infinity()));
+    return false;
+  }
+  for (std::size_t p = 0; p < system.g.size(); ++p) system.step[p] = -system.g[p];
+  system.matrix.solve(system.step);
+  return true;
 }
 
 void move(const SolveContext& s, const NewtonSystem& system, double t) {
-  for (Index p = 0; p < system.bodies; ++p) {
+  for (std::size_t p = 0; p < s.w.newton.size(); ++p) {
     Pose& pose = s.w.pose[s.w.newton[p]];
-    const Pose& from = system.from[p];
-    pose.c = from.c + t * system.step.segment<3>(6 * p);
-    pose.R = cayley(t * system.step.segment<3>(6 * p + 3)) * from.R;
+    pose.c += t * system.step[p].head<3>();
+    pose.R = cayley(t * system.step[p].tail<3>()) * pose.R;
   }
 }
 
-double displacement(const SolveContext& s, const Eigen::VectorXd& step, Index p) {
-  const Index i = s.w.newton[p];
-  return (step.segment<3>(6 * p).norm() + s.w.radius[i] * step.segment<3>(6 * p + 3).norm()) /
-         s.w.law.barrier.d_hat;
+void keep_best(const SolveContext& s, double energy, NewtonSystem& system) {
+  system.lowest = energy;
+  system.rises = 0;
+  system.best.resize(s.w.newton.size());
+  for (std::size_t p = 0; p < system.best.size(); ++p) system.best[p] = s.w.pose[s.w.newton[p]];
 }
 
-// Forces of the bonds after the full step, by the linear model: what the next matrix takes its geometric
-// stiffness from. The forces at the iterate itself would be off by stiffness times the curvature of the way
-// there.
+void restore_best(const SolveContext& s, const NewtonSystem& system) {
+  for (std::size_t p = 0; p < system.best.size(); ++p) s.w.pose[s.w.newton[p]] = system.best[p];
+}
+
+void swap_with_best(const SolveContext& s, NewtonSystem& system) {
+  for (std::size_t p = 0; p < system.best.size(); ++p) std::swap(s.w.pose[s.w.newton[p]], system.best[p]);
+}
+
+// The forces at the iterate itself would be off by stiffness times the curvature of the way there.
 void predict_forces(const SolveContext& s, NewtonSystem& system) {
-  system.force.clear();
-  const auto point_step = [&](Index p, const Vec3& r) -> Vec3 {
+  const auto step_of = [&](Index p, const Vec3& r) -> Vec3 {
     if (p < 0) return Vec3::Zero();
-    return system.step.segment<3>(6 * p) + system.step.segment<3>(6 * p + 3).cross(r);
+    return system.step[p].head<3>() + system.step[p].tail<3>().cross(r);
   };
-  each_bond(s, [&](Index a, Index b, const Vec3& r_a, const Vec3& r_b, const Vec3& gradient, const Mat3& K) {
-    system.force.push_back(gradient + K * (point_step(system.row[b], r_b) - point_step(system.row[a], r_a)));
+  system.force.assign(s.model.joints.size() * BondList::kMost, Vec3::Zero());
+  each_joint_bond(s, [&](const LinearBond& bond) {
+    system.force[bond.force] = bond.gradient + bond.K * (step_of(system.row[bond.b], bond.r_b) -
+                                                         step_of(system.row[bond.a], bond.r_a));
   });
+}
+
+// Largest step that turns no body by more than 1 rad.
+double longest_step(const NewtonSystem& system) {
+  double turn = 0;
+  for (const Vec6& step : system.step) turn = std::max(turn, step.tail<3>().norm());
+  return turn > 1 ? 1 / turn : 1;
+}
+
+void search_from_best(const SolveContext& s, NewtonSystem& system) {
+  const double current = energy_of(s);
+  swap_with_best(s, system);
+  double energy = assemble(s, false, system);  // anew: friction bounds may have moved since
+  if (energy > current) {
+    swap_with_best(s, system);
+    energy = assemble(s, false, system);
+  }
+  keep_best(s, energy, system);
+  system.force.clear();
+  if (!find_direction(s, false, system)) return;
+  double slope = 0;
+  for (std::size_t p = 0; p < system.g.size(); ++p) slope += system.g[p].dot(system.step[p]);
+  double t = longest_step(system);
+  for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
+    move(s, system, t);
+    if (energy_of(s) <= energy + 1e-4 * t * slope) return;
+    restore_best(s, system);
+  }
+}
+
+// Contacts alone: a line search on E pays. With joints: see above.
+void step_from_here(const SolveContext& s, bool geometric, bool last, NewtonSystem& system) {
+  if (!find_direction(s, geometric, system)) return;
+  double t = longest_step(system);
+  if (!s.model.joints.empty()) {
+    if (!last) predict_forces(s, system);
+    move(s, system, t);
+    return;
+  }
+  for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
+    move(s, system, t);
+    if (s.params.solver.iterations == 1 || energy_of(s) <= with_rounding(system.lowest)) return;
+    restore_best(s, system);
+  }
 }
 
 }  // namespace
 
-void newton_iteration(const SolveContext& s, NewtonSystem& system) {
+void start_newton(const SolveContext& s, NewtonSystem& system) {
+  if (s.w.newton.empty()) return;
+  find_structure(s, system);
+  system.g.resize(s.w.newton.size());
+  system.step.resize(s.w.newton.size());
+  system.force.clear();
+  keep_best(s, std::numeric_limits<double>::infinity(), system);
+}
+
+void newton_iteration(const SolveContext& s, bool last, NewtonSystem& system) {
   StepWorkspace::Impl& w = s.w;
   if (w.newton.empty()) return;
-  find_structure(s, system);
-  assemble(s, true, system);
-  system.cholesky.factorize(system.H);
-  if (system.cholesky.info() != Eigen::Success) {  // pushed bonds may have made it indefinite
-    assemble(s, false, system);
-    if (!factorize(system)) return;
+  const bool geometric = !system.force.empty() && !s.model.joints.empty();
+  const double energy = assemble(s, geometric, system);
+  const bool lower = s.model.joints.empty() || energy <= with_rounding(system.lowest);
+  if (lower) {
+    if (s.params.solver.iterations > 1) keep_best(s, energy, system);
+  } else {
+    ++system.rises;
   }
-  system.step = system.cholesky.solve(-system.g);
-  double largest_turn = 0;
-  for (Index p = 0; p < system.bodies; ++p) {
-    largest_turn = std::max(largest_turn, system.step.segment<3>(6 * p + 3).norm());
+  if (system.rises <= kPatience) {
+    step_from_here(s, geometric, last, system);
+  } else {
+    search_from_best(s, system);
   }
-  system.from.resize(w.newton.size());
-  for (Index p = 0; p < system.bodies; ++p) system.from[p] = w.pose[w.newton[p]];
+  for (std::size_t p = 0; p < w.newton.size(); ++p) {
+    const Vec6& step = system.step[p];
+    const Index i = w.newton[p];
+    w.moved[i] = (step.head<3>().norm() + w.radius[i] * step.tail<3>().norm()) / w.law.barrier.d_hat;
+  }
+}
 
-  predict_forces(s, system);
-  move(s, system, largest_turn > 1 ? 1 / largest_turn : 1);
-  for (Index p = 0; p < system.bodies; ++p) w.moved[w.newton[p]] = displacement(s, system.step, p);
+void finish_newton(const SolveContext& s, NewtonSystem& system) {
+  if (s.w.newton.empty() || s.params.solver.iterations == 1) return;
+  if (!(energy_of(s) <= with_rounding(system.lowest))) swap_with_best(s, system);
 }
 
 }  // namespace pabd

@@ -1,9 +1,7 @@
-// The linear system of `newton` and one iteration.
+// The linear system of `newton`, and its iterations.
 #pragma once
 
-#include <Eigen/Dense>
-#include <Eigen/SparseCholesky>
-
+#include "sim/math/block_cholesky.h"
 #include "sim/solver/solve.h"
 
 namespace pabd {
@@ -11,18 +9,28 @@ namespace pabd {
 // Kept from step to step for its memory and, while the graph of bodies stays, its symbolic factorisation.
 // Neither influences a result.
 struct NewtonSystem {
-  Index bodies = -1;
-  std::vector<Index> row;                                  // body to block row, −1: not solved here
-  std::vector<std::pair<Index, Index>> pairs, next_pairs;  // coupled block rows p < q, sorted
-  std::vector<Index> first_pair;
-  std::vector<Pose> from;
-  Eigen::SparseMatrix<double> H;  // lower triangle
-  Eigen::VectorXd g, step;
-  std::vector<Vec3> force;  // on b of each bond, predicted by the last linear solve; N
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> cholesky;
+  std::vector<Index> row;    // body to block row, −1: not solved here
+  Elimination::Pairs pairs;  // coupled block rows p < q, sorted
+  BlockCholesky matrix;
+  std::vector<Vec6> g, step;  // gradient of E; δ = (δc, δω)
+
+  // Force on b of each bond of joints after the full step, by the linear model; N. Bond j of joint k is
+  // number BondList::kMost k + j.
+  std::vector<Vec3> force;
+
+  // The best iterate so far.
+  double lowest;  // E; J
+  std::vector<Pose> best;
+  int rises;  // iterations since
 };
 
-// One Newton step of the bodies in w.newton. Fills w.moved for them.
-void newton_iteration(const SolveContext& s, NewtonSystem& system);
+// Before the first iteration of a step.
+void start_newton(const SolveContext& s, NewtonSystem& system);
+
+// One iteration for the bodies in w.newton; fills w.moved for them. `last`: no other will follow.
+void newton_iteration(const SolveContext& s, bool last, NewtonSystem& system);
+
+// Goes back to the best iterate where the last one is worse.
+void finish_newton(const SolveContext& s, NewtonSystem& system);
 
 }  // namespace pabd

@@ -96,17 +96,17 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
   w.moved.assign(w.v.size(), 0.0);
   w.rests.assign(w.v.size(), 0);
   w.projected.assign(w.v.size(), 0.0);
-  w.A.resize(w.v.size());
-  w.system->force.clear();
   const bool swept = sweeps_limits(s, report.method);  // friction bounds
   bool every_body = true;
+  if (report.method == SolverMethod::sissm) w.A.resize(w.v.size());
+  start_newton(s, *w.system);
   for (int k = 0; k < s.params.solver.iterations; ++k) {
     if (k > 0) update_friction_limits(s.threads, swept ? LimitsOf::newton : LimitsOf::all, w);
     double gap_before = 0;
     if (report.method == SolverMethod::sissm) {
       sissm_iteration(s, options.record_iterations ? &gap_before : nullptr);
     } else {
-      newton_iteration(s, *w.system);
+      newton_iteration(s, k + 1 == s.params.solver.iterations, *w.system);
       descent_sweep(s, {k == 0, swept && k > 0, every_body});
     }
     ++report.iterations;
@@ -123,6 +123,7 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
       return;
     }
   }
+  if (report.method != SolverMethod::sissm) finish_newton(s, *w.system);
 }
 
 // The log barrier has no force for a pair that overlaps: such a start is reported, not solved.
@@ -155,7 +156,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   predict(model, params, state, options.threads, w);        // 1. free flight: Q*
   find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
   list_ends(model, w);
-  find_islands(model, params.solver.method, w);
+  find_islands(model, params, state, w);
   color_bodies(model, w);
   list_solved(w);
   report.method = params.solver.method;

@@ -1,12 +1,14 @@
 // Arrays that one step fills and the next reuses. Nothing here influences a result from one step to the next.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "sim/body/state.h"
 #include "sim/bond/contact_bond.h"
 #include "sim/collision/detect.h"
+#include "sim/math/elimination.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd {
@@ -27,6 +29,23 @@ struct LastStep {
   Vec3 dc, dw;
   double squared;  // ‖dc‖² + (radius ‖dw‖)²; m²
   double stretch;
+};
+
+enum class IslandSolver : std::uint8_t { descent, newton };
+
+// What a factorisation of the islands without joints would cost.
+struct IslandChoice {
+  std::vector<Index> row;      // body to row of `graph`, −1: not in question
+  std::vector<Index> patches;  // of each island
+  struct Cost {
+    double products = 0;  // of blocks
+    double mass = 0;      // kg
+    double lightest = std::numeric_limits<double>::infinity(), heaviest = 0;
+    double way2 = 0;  // Σ m ‖h v‖²
+  };
+  std::vector<Cost> cost;  // of each island
+  Elimination::Pairs pairs;
+  Elimination graph;
 };
 
 struct NewtonSystem;
@@ -52,6 +71,10 @@ struct StepWorkspace::Impl {
   // Joints of each body: joints[first_joint[i]] … joints[first_joint[i + 1] − 1].
   std::vector<Index> first_joint, joints;
   std::vector<Index> cursor, parent;  // scratch
+
+  // The solver of each island, at its root in `parent`.
+  std::vector<IslandSolver> solver_of;
+  IslandChoice choice;
 
   // Bodies that `newton` solves; the others with bonds are coloured.
   std::vector<Index> newton;

@@ -1,0 +1,52 @@
+#include "sim/solver/linear_bonds.h"
+
+namespace pabd {
+namespace {
+
+Vec6 wrench(const Vec3& force, const Vec3& torque) {
+  Vec6 g;
+  g << force, torque;
+  return g;
+}
+
+}  // namespace
+
+LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b) {
+  LinearPatch out;
+  const ContactState state = contact_state(patch, a, b);
+  const ContactForce f = normal_force(law.barrier, state.d);
+  const Lanes u = length(state.u);
+  const Lanes alpha_t = friction_weight(law, patch.limit, u);
+  out.energy = sum(f.value + friction_energy(law, patch.limit, u));
+  out.active = sum(f.alpha_n) + sum(alpha_t) > 0;
+  if (!out.active) return out;
+  out.back = a.c - b.c;
+
+  const ContactLevers on_a = levers_on_a(patch, state, a), on_b = levers_on_b(state, a, b);
+  const Vec3x push = f.first * state.n, drag = alpha_t * state.u;
+  const Vec3 force = sum(push + drag);
+  out.g_a = -wrench(force, sum(cross(on_a.normal, push) + cross(on_a.surface, drag)));
+  out.g_b = wrench(force, sum(cross(on_b.normal, push) + cross(on_b.surface, drag)));
+
+  // Rows of H: Σ α_t (J_sᵀ J_s) at the surface points, and rank one along the normals.
+  const Vec3x& r = on_a.surface;
+  const Vec3x n = state.n, arm = cross(on_a.normal, n);
+  const Vec3x slip_arm = patch.separate ? cross(r, n) : arm;
+  const Vec3x tr = alpha_t * r;
+  Mat6& H = out.H;
+  H.topLeftCorner<3, 3>() = sum(alpha_t) * Mat3::Identity();
+  H.bottomLeftCorner<3, 3>() = skew(sum(tr));
+  const double xx = sum(tr.x * r.x), yy = sum(tr.y * r.y), zz = sum(tr.z * r.z);
+  const double xy = sum(tr.x * r.y), xz = sum(tr.x * r.z), yz = sum(tr.y * r.z);
+  H.bottomRightCorner<3, 3>() << yy + zz, -xy, -xz, -xy, xx + zz, -yz, -xz, -yz, xx + yy;
+  const Lanes row[6] = {n.x, n.y, n.z, arm.x, arm.y, arm.z};
+  const Lanes slip[6] = {n.x, n.y, n.z, slip_arm.x, slip_arm.y, slip_arm.z};
+  for (int c = 0; c < 6; ++c) {
+    const Lanes normal = f.alpha_n * row[c], tangent = alpha_t * slip[c];
+    for (int k = c; k < 6; ++k) H(k, c) += sum(normal * row[k] - tangent * slip[k]);
+  }
+  H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
+  return out;
+}
+
+}  // namespace pabd

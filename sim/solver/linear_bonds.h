@@ -1,0 +1,49 @@
+// The bonds of joints, and contact patches, as `newton` sees them: energy, gradient and weight at the current
+// iterate.
+#pragma once
+
+#include "sim/math/block_cholesky.h"
+#include "sim/solver/joint_set.h"
+
+namespace pabd {
+
+struct LinearBond {
+  Index a, b;         // slots of the bodies
+  std::size_t force;  // its place among the predicted forces
+  Vec3 r_a, r_b;      // levers from the centres; world, m
+  Vec3 gradient;      // of the energy with respect to the point of b; N
+  Mat3 K;             // weight; N/m
+  double energy;      // J
+};
+
+// Calls visit(LinearBond) for the bonds of all joints that touch bodies of `newton`.
+template <class Visit>
+void each_joint_bond(const SolveContext& s, const Visit& visit) {
+  const StepWorkspace::Impl& w = s.w;
+  BondList list;
+  for (std::size_t k = 0; k < s.model.joints.size(); ++k) {
+    const Joint& joint = s.model.joints[k];
+    const Index a = w.slot(joint.i), b = w.slot(joint.j);
+    if (!w.is_newton[a] && !w.is_newton[b]) continue;
+    expand_at(s, static_cast<Index>(k), kWorld, {}, list);
+    for (int j = 0; j < list.count; ++j) {
+      const PointBond& bond = list.bond[j];
+      const PointBondForce f = evaluate(joint.law, bond);
+      visit(LinearBond{a, b, k * BondList::kMost + static_cast<std::size_t>(j), bond.y_a - w.pose[a].c,
+                       bond.y_b - w.pose[b].c, f.gradient, f.weight, f.energy});
+    }
+  }
+}
+
+// A patch: with J = [1, −[r]] at its points seen from a, H = Σ Jᵀ (α_t 1 + (α_n − α_t) n nᵀ) J. Both bodies
+// share the points, so that b's part follows from H by the shift `back` of the centre.
+struct LinearPatch {
+  bool active;    // else nothing pushes, and H and the gradients are not set
+  double energy;  // J
+  Vec6 g_a, g_b;  // (N, N m)
+  Mat6 H;
+  Vec3 back;  // from c_b to c_a; m
+};
+LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b);
+
+}  // namespace pabd
