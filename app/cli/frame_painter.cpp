@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/overlay/panels.h"
 #include "render/visual/joint_glyphs.h"
 #include "sim/error.h"
 
@@ -74,10 +75,17 @@ FramePainter::FramePainter(GlContext& context, const Session& session, int width
       }),
       choice_(overlay),
       camera_option_(camera),
-      start_time_(session.state().time),
-      kappa_(session.kappa()),
-      joint_types_(joint_types(session.model())) {
-  choice_.panels.joints = choice_.bonds && joint_types_ != 0;
+      start_time_(session.state().time) {
+  data_.scene_name = session.scene().name;
+  data_.params = &session.params();
+  data_.kappa = session.kappa();
+  data_.report = &session.report();
+  data_.history = &history_.reports();
+  data_.joint_types = joint_types(session.model());
+  data_.joints = session.model().joints.size();
+  data_.joint_law = &session.scene().joint_law;
+  choice_.panels.joints = choice_.bonds && data_.joint_types != 0;
+  choice_.panels.joint_rows = joint_row_count(data_);
   visual_options_.bonds = overlay.bonds;
   visual_options_.contacts = overlay.contacts;
   visual_options_.d_hat = session.params().contact.d_hat;
@@ -91,14 +99,8 @@ void FramePainter::draw(const FramePacket& packet) {
   for (const StepReport& report : packet.since) history_.add(report);
   visual_.camera = apply_camera(camera_option_, base_camera_, packet.state.time - start_time_);
   build_visual(session_.model(), packet.state, packet.report, visual_options_, visual_);
-  OverlayData data;
-  data.scene_name = session_.scene().name;
-  data.params = &session_.params();
-  data.kappa = kappa_;
-  data.report = &packet.report;
-  data.history = &history_.reports();
-  data.joint_types = joint_types_;
-  renderer_.draw(visual_, overlay_.frame(choice_.panels, data, &visual_, width_, height_));
+  data_.report = &packet.report;
+  renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_));
   renderer_.queue_read();
 }
 

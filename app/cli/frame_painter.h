@@ -45,8 +45,7 @@ class FramePainter {
   CameraOption camera_option_;
   Camera base_camera_;
   double start_time_;  // s
-  double kappa_;       // J
-  unsigned joint_types_;
+  OverlayData data_;   // what all frames have in common
   VisualScene visual_;
   History history_;
 };

@@ -8,17 +8,20 @@
 // state. There is no interpolation: every picture is a state that was computed.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 namespace pabd::cli {
 
-// A millionth of a step is forgiven, so that h = 0.0166666666666667 and 60 frames a second go together.
-inline constexpr double kStepTolerance = 1e-6;
+// Forgiven: a part of the time, so that h = 0.0166667 and 60 frames a second go together; at most a tenth of
+// a step.
+inline constexpr double kRoundedStep = 1e-5;
 
 // Steps that fit into `time` seconds.
 inline std::int64_t steps_until(double time, double h) {
-  return static_cast<std::int64_t>(std::floor(time / h + kStepTolerance));
+  const double steps = time / h;
+  return static_cast<std::int64_t>(std::floor(steps + std::min(kRoundedStep * steps, 0.1)));
 }
 
 inline std::int64_t step_of_frame(std::int64_t frame, double fps, double h) {

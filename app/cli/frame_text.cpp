@@ -23,11 +23,22 @@ std::string camera_text(const Session& session, const std::string& option) {
   return session.scene().camera ? "scene" : "auto";
 }
 
+// As in a scene file: N and d_hat belong to the hard potential.
+Json law_json(const BondLaw& law) {
+  const bool hard = law.potential == BondPotential::hard;
+  Json json = {{"potential", hard ? "hard" : "soft"}, {"kappa", law.kappa}};
+  if (hard) {
+    json["N"] = law.N;
+    json["d_hat"] = law.d_hat;
+  }
+  return json;
+}
+
 }  // namespace
 
-std::string parameters_json(const Params& params, double kappa) {
+std::string parameters_json(const Params& params, double kappa, const BondLaw* joints) {
   const ContactParams& contact = params.contact;
-  return dump({
+  Json json = {
       {"gravity", {params.gravity.x(), params.gravity.y(), params.gravity.z()}},
       {"time_step", params.h},
       {"solver",
@@ -43,7 +54,9 @@ std::string parameters_json(const Params& params, double kappa) {
         {"kappa", kappa},
         {"onset", contact.onset},
         {"friction", {{"static", contact.mu_static}, {"dynamic", contact.mu_dynamic}}}}},
-  });
+  };
+  if (joints) json["joints_default"] = law_json(*joints);
+  return dump(json);
 }
 
 PngText common_text(const Session& session, const ViewFacts& view) {
@@ -51,11 +64,12 @@ PngText common_text(const Session& session, const ViewFacts& view) {
                           {"fps", view.fps},
                           {"overlay", view.overlay},
                           {"camera", camera_text(session, view.camera)}};
+  const BondLaw* joints = session.model().joints.empty() ? nullptr : &session.scene().joint_law;
   return {
       {"Software", "pabd " PABD_VERSION},
       {"Scene", session.scene().name},
       {"Scene hash", session.scene().hash},
-      {"Parameters", parameters_json(session.params(), session.kappa())},
+      {"Parameters", parameters_json(session.params(), session.kappa(), joints)},
       {"Start", state_hash(session.state())},
       {"View", dump(view_json)},
       {"GL_RENDERER", view.gl_renderer},

@@ -3,7 +3,7 @@
 //   Software      "pabd 0.1.0"
 //   Scene         name of the scene
 //   Scene hash    16 hex digits over the resolved scene
-//   Parameters    JSON: what --set can tune, with the contact stiffness that "auto" came to
+//   Parameters    JSON: what --set can tune, with the stiffness that "auto" came to
 //   Start         hash of the state at frame 0
 //   View          JSON: size, frames a second, overlay, camera as on the command line
 //   GL_RENDERER   the driver that drew it
@@ -25,8 +25,9 @@ struct ViewFacts {
   std::string gl_renderer;
 };
 
-// {"gravity": …, "time_step": …, "solver": …, "contact": …}; `kappa` is the resolved stiffness in J.
-std::string parameters_json(const Params& params, double kappa);
+// {"gravity": …, "time_step": …, "solver": …, "contact": …}; `kappa` is the resolved stiffness in J. With
+// `joints`, "joints_default": the law of joints that say nothing of their own, its stiffness resolved too.
+std::string parameters_json(const Params& params, double kappa, const BondLaw* joints = nullptr);
 
 // What all frames of one run have in common.
 PngText common_text(const Session& session, const ViewFacts& view);

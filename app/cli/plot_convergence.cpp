@@ -16,16 +16,16 @@ struct PlotConvergenceOptions {
   FigureOutputOptions output;
   std::string scene;
   std::string from;
-  std::vector<std::string> methods{"sissm", "descent"};
+  std::vector<std::string> methods;
   std::int64_t at_step = 1;
   int iterations = 100;
 };
 
 SolverMethod parse_method(const std::string& word) {
-  for (const SolverMethod method : {SolverMethod::sissm, SolverMethod::descent}) {
+  for (const SolverMethod method : {SolverMethod::sissm, SolverMethod::descent, SolverMethod::newton}) {
     if (word == to_string(method)) return method;
   }
-  throw Error(ExitCode::bad_input, fmt::format("--method {}: expected sissm or descent", word));
+  throw Error(ExitCode::bad_input, fmt::format("--method {}: expected some of sissm, descent, newton", word));
 }
 
 int plot_convergence(const PlotConvergenceOptions& options) {
@@ -36,6 +36,10 @@ int plot_convergence(const PlotConvergenceOptions& options) {
   check_figure_output(options.output);
 
   Session session = open_session(options.scene, options.common, options.from);
+  if (methods.empty()) {
+    methods = {SolverMethod::sissm, SolverMethod::descent};
+    if (!session.model().joints.empty()) methods.push_back(SolverMethod::newton);
+  }
   for (std::int64_t step = 1; step < options.at_step; ++step) {
     if (session.step().status == StepStatus::non_finite) throw diverged_error(options.scene, session);
   }
@@ -52,13 +56,16 @@ int plot_convergence(const PlotConvergenceOptions& options) {
 
 void add_plot_convergence_command(CLI::App& plot, Action& action) {
   auto options = std::make_shared<PlotConvergenceOptions>();
-  CLI::App* command =
-      add_command(plot, "convergence", "energy, residual and penetration per iteration of one step",
-                  {"pabd plot convergence two_boxes -o convergence.png",
-                   "pabd plot convergence pyramid -o c.csv --method descent --at-step 60"},
-                  options->common);
+  CLI::App* command = add_command(
+      plot, "convergence", "energy, residual, penetration and joint error per iteration of one step",
+      {"pabd plot convergence two_boxes -o convergence.png",
+       "pabd plot convergence pyramid -o c.csv --method descent --at-step 60",
+       "pabd plot convergence bridge -o bridge.svg --method descent,newton --at-step 130"},
+      options->common);
   command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
-  command->add_option("--method", options->methods, "sissm, descent (default both)")
+  command
+      ->add_option("--method", options->methods,
+                   "sissm, descent, newton (default: the first two, with joints all)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("LIST");

@@ -51,7 +51,7 @@ int frame_count(const RenderOptions& options) {
   const double time = options.time.value_or(kDefaultTime);
   check_range("--time", time, 0, 1e6, "s");
   const double frames =
-      std::floor(time * options.fps + kStepTolerance) + (is_still(options.output.path) ? 1 : 0);
+      static_cast<double>(steps_until(time, 1 / options.fps)) + (is_still(options.output.path) ? 1 : 0);
   if (frames < 1) {
     throw Error(ExitCode::bad_input,
                 fmt::format("--time {}: shorter than one frame; give at least {:.4g} s, or --frames 1", time,

@@ -87,12 +87,25 @@ void check_options(const RunOptions& options) {
   }
 }
 
-std::string summary(const Session& session, std::int64_t steps, double seconds, double lowest_gap) {
+// The worst of a run.
+struct Extremes {
+  double gap = std::numeric_limits<double>::infinity();  // m
+  double joint_error = 0;                                // m
+
+  void add(const StepReport& report) {
+    gap = std::min(gap, report.min_gap);
+    joint_error = std::max(joint_error, report.max_joint_error);
+  }
+};
+
+std::string summary(const Session& session, std::int64_t steps, double seconds, const Extremes& worst) {
   const StepReport& report = session.report();
-  const std::string gap = std::isfinite(lowest_gap) ? fmt::format("{:.4g} m", lowest_gap) : "none";
+  const std::string gap = std::isfinite(worst.gap) ? fmt::format("{:.4g} m", worst.gap) : "none";
+  const std::string joints =
+      session.model().joints.empty() ? "" : fmt::format(" · largest joint error {:.2g} m", worst.joint_error);
   return fmt::format(
-      "{} steps to t = {:.6g} s, {:.3f} ms a step · smallest gap {} · kinetic energy {:.4g} J · state {}\n",
-      steps, session.state().time, steps > 0 ? 1e3 * seconds / static_cast<double>(steps) : 0.0, gap,
+      "{} steps to t = {:.6g} s, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J · state {}\n",
+      steps, session.state().time, steps > 0 ? 1e3 * seconds / static_cast<double>(steps) : 0.0, gap, joints,
       report.kinetic, state_hash(session.state()));
 }
 
@@ -107,7 +120,7 @@ int run(const RunOptions& options) {
   const InterruptGuard interrupt;
   std::int64_t done = 0;
   bool diverged = false;
-  double lowest_gap = std::numeric_limits<double>::infinity();
+  Extremes worst;
   const auto start = std::chrono::steady_clock::now();
   {
     Progress progress("step", steps, !options.common.quiet);
@@ -115,13 +128,13 @@ int run(const RunOptions& options) {
       const StepReport& report = session.step();
       outputs.add(report);
       diverged = report.status == StepStatus::non_finite;
-      lowest_gap = std::min(lowest_gap, report.min_gap);
+      worst.add(report);
       progress.update(++done, report);
     }
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   outputs.finish(session);
-  if (!options.common.quiet) write_stderr(summary(session, done, seconds, lowest_gap));
+  if (!options.common.quiet) write_stderr(summary(session, done, seconds, worst));
   if (diverged) throw diverged_error(options.scene, session);
   return interrupt.exit_code();
 }

@@ -11,6 +11,7 @@
 #include "app/plots/canvas.h"
 #include "app/plots/figures/time_series.h"
 #include "render/visual/visual_scene.h"
+#include "sim/body/joint.h"
 #include "sim/solver/params.h"
 #include "sim/solver/report.h"
 
@@ -27,6 +28,8 @@ struct OverlayData {
   const StepReport* report = nullptr;  // of the last step, with records and contacts if the panels want them
   const std::vector<StepReport>* history = nullptr;  // oldest first
   unsigned joint_types = 0;                          // bits 1 << JointType of what the legend of joints lists
+  std::size_t joints = 0;                            // how many
+  const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved; may be null
 };
 
 class Overlay {

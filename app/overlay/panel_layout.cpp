@@ -17,6 +17,7 @@ constexpr double kPlotWidth = 312;
 constexpr double kPlotHeight = 218;
 constexpr double kParamsWidth = 196;
 constexpr double kParamsHeight = 236;
+constexpr double kParamsRow = 18;
 constexpr double kLegendWidth = 300;
 constexpr double kLegendHeight = 50;
 // Below this scale text is too small to read: panels of small frames take more of the frame instead.
@@ -91,7 +92,7 @@ std::string panel_names() { return "params, barrier, convergence, series, legend
 OverlayOptions parse_panels(const std::string& list) {
   OverlayOptions options;
   if (list.empty() || list == "none") return options;
-  if (list == "all") return {true, true, true, true, true, false};
+  if (list == "all") return {true, true, true, true, true, false, 0};
   for (std::size_t i = 0; i <= list.size();) {
     const std::size_t end = std::min(list.find(',', i), list.size());
     const std::string name = list.substr(i, end - i);
@@ -110,9 +111,10 @@ PanelLayout layout_panels(const OverlayOptions& options, int width, int height) 
   const int plots = int{options.barrier} + int{options.convergence} + int{options.series};
   const int legends = int{options.legend} + int{options.joints};
   const double left = legends > 0 ? kLegendWidth : options.params ? kParamsWidth : 0;
+  const double params_height = kParamsHeight + kParamsRow * options.joint_rows;
   const double needed_width = left + (plots > 0 ? kPlotWidth : 0) + 3 * kMargin;
   const double needed_height =
-      std::max((options.params ? kParamsHeight + kMargin : 0) + legends * (kLegendHeight + kMargin) + kMargin,
+      std::max((options.params ? params_height + kMargin : 0) + legends * (kLegendHeight + kMargin) + kMargin,
                plots * (0.62 * kPlotHeight + 0.6 * kMargin) + 2 * kMargin);
   double s = std::max(kLeastScale, std::min(width / 1280.0, height / 720.0));
   s = std::min({s, width / needed_width, height / needed_height});
@@ -120,7 +122,7 @@ PanelLayout layout_panels(const OverlayOptions& options, int width, int height) 
 
   const double margin = kMargin * s;
   if (options.params) {
-    layout.panels.push_back({Panel::params, snapped(margin, margin, kParamsWidth * s, kParamsHeight * s)});
+    layout.panels.push_back({Panel::params, snapped(margin, margin, kParamsWidth * s, params_height * s)});
   }
   double column = width;
   if (plots > 0) {
@@ -145,7 +147,7 @@ PanelLayout layout_panels(const OverlayOptions& options, int width, int height) 
 
   // Candidates: beside the parameters, or below them; above the legend or beside it.
   const double beside = options.params ? 2 * margin + kParamsWidth * s : 0;
-  const double below = options.params ? 2 * margin + kParamsHeight * s : 0;
+  const double below = options.params ? 2 * margin + params_height * s : 0;
   for (const Rect& candidate :
        {Rect{beside, 0, column - beside, bottom}, Rect{0, below, column, bottom - below}}) {
     if (candidate.w > 0 && candidate.h > 0 && candidate.w * candidate.h > layout.free.w * layout.free.h) {

@@ -19,6 +19,7 @@ struct OverlayOptions {
   bool series = false;
   bool legend = false;  // of contact colours
   bool joints = false;  // legend of joints; comes with the bonds overlay, not by a name of its own
+  int joint_rows = 0;   // how many of the parameters are about joints: the panel grows
 
   bool shows(Panel panel) const;
   bool any() const { return params || barrier || convergence || series || legend || joints; }

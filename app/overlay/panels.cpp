@@ -35,6 +35,23 @@ struct Row {
   std::string value;
 };
 
+std::vector<Row> joint_rows(const OverlayData& data) {
+  std::vector<Row> rows;
+  if (data.joints == 0) return rows;
+  const std::string count = fmt::format("{}", data.joints);
+  if (data.joint_law) {
+    const BondLaw& law = *data.joint_law;
+    const bool hard = law.potential == BondPotential::hard;
+    rows.push_back({"joints", count + (hard ? fmt::format(", hard, *{{N}} = {}", law.N) : ", soft")});
+    if (hard) rows.push_back({"joint scale *{d̂}", format_value(law.d_hat) + " m"});
+    rows.push_back({"joint stiffness *{κ}", format_value(law.kappa, 3) + (hard ? " J" : " N/m")});
+  } else {
+    rows.push_back({"joints", count});
+  }
+  if (data.report) rows.push_back({"joint error", format_value(data.report->max_joint_error, 2) + " m"});
+  return rows;
+}
+
 std::vector<Row> parameter_rows(const OverlayData& data) {
   std::vector<Row> rows;
   if (data.params) {
@@ -59,6 +76,7 @@ std::vector<Row> parameter_rows(const OverlayData& data) {
                                       ? fmt::format("{} of {}", data.report->iterations, p.solver.iterations)
                                       : fmt::format("at most {}", p.solver.iterations)});
   }
+  for (Row& row : joint_rows(data)) rows.push_back(std::move(row));
   if (data.report) {
     rows.push_back({"contacts", fmt::format("{}", data.report->contacts)});
     rows.push_back({"step", fmt::format("{}", data.report->step)});
@@ -174,16 +192,19 @@ Plot live_plot(Panel panel, const OverlayData& data) {
                                 report ? report->contact_reports : std::vector<ContactReport>{}, contact_ink);
   }
   if (panel == Panel::convergence) {
-    return report ? convergence_plot(report->records) : empty_plot("Convergence of the last step");
+    return report ? convergence_plot(report->records, data.joints > 0)
+                  : empty_plot("Convergence of the last step");
   }
   if (!data.history) return empty_plot("Over time");
   std::vector<HistoryPoint> history;
   history.reserve(data.history->size());
   for (const StepReport& r : *data.history) history.push_back(history_point(r));
-  return time_series_plot(history, data.params ? data.params->contact.d_hat : 0);
+  return time_series_plot(history, data.params ? data.params->contact.d_hat : 0, data.joints > 0);
 }
 
 }  // namespace
+
+int joint_row_count(const OverlayData& data) { return static_cast<int>(joint_rows(data).size()); }
 
 Color contact_ink(double x) { return screen_ink(contact_color(x)); }
 

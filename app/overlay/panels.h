@@ -8,6 +8,9 @@ namespace pabd {
 // The colour of a contact at x = d/d̂ as the picture shows it, sRGB.
 Color contact_ink(double x);
 
+// How many rows joints take among the parameters: OverlayOptions::joint_rows.
+int joint_row_count(const OverlayData& data);
+
 // Draws the laid-out panels: a translucent white box each, with its content.
 void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas);
 

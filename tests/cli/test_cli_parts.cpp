@@ -20,6 +20,11 @@ TEST_CASE("a frame shows the last step that is not after it") {
   for (const std::int64_t frame : {0, 1, 2, 59, 60, 3599, 1000000})
     CHECK(step_of_frame(frame, 60, h) == frame);
   CHECK(step_of_frame(1, 30, h) == 2);
+  for (const std::int64_t frame : {1, 60, 3600}) {
+    // A step that is written down with few digits is a little too long.
+    CHECK(step_of_frame(frame, 60, 0.0166667) == frame);
+    CHECK(step_of_frame(frame, 60, 0.004166667) == 4 * frame);
+  }
   CHECK(step_of_frame(1, 120, h) == 0);  // steps longer than frames: a state is shown twice
   CHECK(step_of_frame(2, 120, h) == 1);
   CHECK(step_of_frame(3, 60, 0.02) == 2);  // t = 0.05 s: step 2 is at 0.04 s, step 3 only at 0.06 s

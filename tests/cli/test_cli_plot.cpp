@@ -65,6 +65,19 @@ TEST_CASE("the convergence plot has a line a method") {
   CHECK(pabd::read_png(folder / "c.png").width > 600);
 }
 
+TEST_CASE("with joints the convergence plot has newton and the joint error") {
+  const Outcome all = run_pabd({"plot", "convergence", "pendulum", "-o", "-", "--iterations", "10"});
+  REQUIRE(all.exit_code == 0);
+  for (const char* words : {"Joints,sissm,", "Joints,descent,", "Joints,newton,1,", "Joints,newton,10,"}) {
+    CHECK(all.out.find(words) != std::string::npos);
+  }
+  const Outcome two_boxes =
+      run_pabd({"plot", "convergence", "two_boxes", "-o", "-", "--iterations", "10", "--method", "newton"});
+  CHECK(two_boxes.exit_code == 0);
+  CHECK(two_boxes.out.find("Joints") == std::string::npos);
+  CHECK(run_pabd({"plot", "convergence", "pendulum", "-o", "-", "--method", "auto"}).exit_code == 2);
+}
+
 TEST_CASE("all figures of the supplement are drawn") {
   const TempFolder folder;
   for (const char* number : {"1", "2", "3", "4", "5", "6", "7"}) {

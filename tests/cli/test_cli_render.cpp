@@ -59,6 +59,7 @@ TEST_CASE("every PNG says where it comes from") {
   const auto parameters = nlohmann::json::parse(text.at("Parameters"));
   CHECK(parameters["contact"]["kappa"].get<double>() > 0);  // what "auto" came to
   CHECK(parameters["time_step"].get<double>() == Approx(1.0 / 60).margin(1e-12));
+  CHECK(parameters.count("joints_default") == 0);  // no joints
   CHECK(nlohmann::json::parse(text.at("View"))["camera"] == "front");
 
   REQUIRE(run_pabd(render(folder / "b{frame}.png", {"--frames", "1", "--set", "contact.N=8"})).exit_code ==
@@ -66,6 +67,25 @@ TEST_CASE("every PNG says where it comes from") {
   const PngText other = read_png_text(folder / "b0.png");
   CHECK(other.at("Scene hash") != text.at("Scene hash"));
   CHECK(nlohmann::json::parse(other.at("Parameters"))["contact"]["N"] == 8);
+}
+
+TEST_CASE("every PNG of a scene with joints tells their law, with the stiffness that auto came to") {
+  const TempFolder folder;
+  const auto law_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"render", "pendulum", "-o",     folder / "p.png", "--force",
+                                        "--time", "0",        "--size", "160x90"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Outcome outcome = run_pabd(command);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return nlohmann::json::parse(read_png_text(folder / "p.png").at("Parameters"))["joints_default"];
+  };
+  const auto soft = law_of({});
+  CHECK(soft["potential"] == "soft");
+  CHECK(soft["kappa"].get<double>() > 1);
+  CHECK(soft.size() == 2);
+  const auto hard = law_of({"--set", "joints_default.potential=hard", "--set", "joints_default.kappa=250"});
+  CHECK(hard == nlohmann::json::parse(R"({"potential": "hard", "kappa": 250, "N": 4, "d_hat": 0.01})"));
 }
 
 TEST_CASE("raw frames on standard output have three bytes a pixel and nothing else") {

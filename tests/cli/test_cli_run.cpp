@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/cli/program.h"
 
@@ -53,6 +54,25 @@ TEST_CASE("the summary goes to standard error and tells steps, gap, energy and h
   const Outcome quiet = run_pabd({"run", "stack", "--steps", "3", "--quiet"});
   CHECK(quiet.out.empty());
   CHECK(quiet.err.empty());
+}
+
+TEST_CASE("with joints the summary names their largest error of the run, which is that of the CSV") {
+  CHECK(run_pabd({"run", "stack", "--steps", "3"}).err.find("joint") == std::string::npos);
+  const Outcome outcome = run_pabd({"run", "pendulum", "--steps", "20", "--trace", "-"});
+  REQUIRE(outcome.exit_code == 0);
+  double largest = 0;
+  for (const std::string& row : lines_of(outcome.out)) {
+    if (row.starts_with("step,")) continue;
+    std::istringstream fields(row);
+    std::string field;
+    for (int column = 0; column <= 11; ++column) std::getline(fields, field, ',');
+    largest = std::max(largest, std::stod(field));
+  }
+  CHECK(largest > 0);
+  const std::string words = "largest joint error ";
+  const auto at = outcome.err.find(words);
+  REQUIRE(at != std::string::npos);
+  CHECK(std::stod(outcome.err.substr(at + words.size())) == Approx(largest).epsilon(0.05));  // two digits
 }
 
 TEST_CASE("- is standard output, for one of the files") {

@@ -53,7 +53,7 @@ TEST_CASE("frames of every size, with all panels, with and without data") {
     ++uploads;
     return nullptr;
   });
-  const OverlayOptions all{true, true, true, true, true, true};
+  const OverlayOptions all{true, true, true, true, true, true, 4};
   Params params;
   StepReport report;
   report.step = 300;
@@ -63,8 +63,9 @@ TEST_CASE("frames of every size, with all panels, with and without data") {
   report.contact_reports[0].d = 0.004;
   report.contact_reports[1].d = std::numeric_limits<double>::quiet_NaN();
   const std::vector<StepReport> history = some_history();
-  const OverlayData full{"сцена 一 with a very very long name that cannot fit", &params, 120, &report,
-                         &history};
+  const BondLaw law{BondPotential::hard, 1e9, 0.01, 4};
+  const OverlayData full{
+      "сцена 一 with a very very long name that cannot fit", &params, 120, &report, &history, 31, 5, &law};
   for (const auto& [w, h] : {std::pair{640, 360}, {1280, 720}, {2560, 1440}, {64, 64}}) {
     check_draw_data(overlay.frame(all, full, nullptr, w, h), w, h);
     check_draw_data(overlay.frame(all, {}, nullptr, w, h), w, h);
@@ -95,6 +96,42 @@ TEST_CASE("figures paint to draw data; the same figure gives the same bytes") {
                  p.uv.y == q.uv.y;
         }));
   }
+}
+
+TEST_CASE("the parameters list the law of joints, soft or hard") {
+  const FontMetrics font;
+  const Params params;
+  StepReport report;
+  report.max_joint_error = 3.21e-9;
+  BondLaw law{BondPotential::soft, 1.234e9, 0.02, 6};
+  OverlayData data{"s", &params, 120, &report, nullptr};
+  const auto text = [&] {
+    OverlayOptions options;
+    options.params = true;
+    options.joint_rows = joint_row_count(data);
+    SvgCanvas canvas(font, 1280, 720);
+    paint_panels(layout_panels(options, 1280, 720), data, canvas);
+    return canvas.finish();
+  };
+  const auto has = [](const std::string& svg, const char* words) {
+    return svg.find(words) != std::string::npos;
+  };
+  CHECK(joint_row_count(data) == 0);
+  CHECK_FALSE(has(text(), "joint"));
+  data.joints = 7;
+  data.joint_law = &law;
+  CHECK(joint_row_count(data) == 3);
+  const std::string soft = text();
+  CHECK(has(soft, "7, soft"));
+  CHECK(has(soft, "1.23·10⁹ N/m"));
+  CHECK(has(soft, "3.2·10⁻⁹ m"));
+  CHECK_FALSE(has(soft, "joint scale"));
+  law.potential = BondPotential::hard;
+  CHECK(joint_row_count(data) == 4);
+  const std::string hard = text();
+  CHECK(has(hard, "7, hard"));
+  CHECK(has(hard, "0.02 m"));
+  CHECK(has(hard, "1.23·10⁹ J"));
 }
 
 TEST_CASE("labels are painted where the camera sees them, not behind the eye") {

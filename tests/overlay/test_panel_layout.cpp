@@ -11,8 +11,9 @@ TEST_CASE("panels do not overlap and stay inside the frame") {
                                        {1080, 1920}, {720, 720},  {200, 150},   {64, 64},     {3000, 400}};
   for (const auto& [width, height] : sizes) {
     for (int bits = 1; bits < 64; ++bits) {
-      const OverlayOptions options{(bits & 1) != 0, (bits & 2) != 0,  (bits & 4) != 0,
-                                   (bits & 8) != 0, (bits & 16) != 0, (bits & 32) != 0};
+      const OverlayOptions options{(bits & 1) != 0,         (bits & 2) != 0,  (bits & 4) != 0,
+                                   (bits & 8) != 0,         (bits & 16) != 0, (bits & 32) != 0,
+                                   (bits & 32) != 0 ? 4 : 0};
       const PanelLayout layout = layout_panels(options, width, height);
       INFO(width << "x" << height << " panels " << bits);
       REQUIRE(layout.panels.size() ==
@@ -32,7 +33,7 @@ TEST_CASE("panels do not overlap and stay inside the frame") {
 }
 
 TEST_CASE("the picture stays visible: half the frame at 1280x720 and above, a quarter at 640x360") {
-  const OverlayOptions all{true, true, true, true, true, true};
+  const OverlayOptions all{true, true, true, true, true, true, 4};
   for (const int height : {360, 720, 1080, 1440, 2160}) {
     const PanelLayout layout = layout_panels(all, height * 16 / 9, height);
     CHECK(layout.free.w * layout.free.h > (height == 360 ? 0.25 : 0.45) * height * height * 16 / 9);

@@ -2,8 +2,10 @@
 // at it first.
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "app/overlay/figure2.h"
+#include "app/overlay/panels.h"
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier.h"
 #include "app/plots/figures/contact_pair.h"
@@ -93,6 +95,26 @@ TEST_CASE("one joint of each type with bond points and legend") {
   OverlayData data;
   data.joint_types = joint_types(joints.model);
   check(studio.frame(scene, panels, data), "joints", studio);
+}
+
+TEST_CASE("a mechanism with all overlays, small") {
+  Studio studio(640, 360);
+  StoredStep stored("slider_crank");
+  for (std::size_t k = 0; k < stored.report.records.size(); ++k)
+    stored.report.records[k].max_joint_error = 1e-3 * std::pow(0.2, static_cast<double>(k));
+  for (StepReport& report : stored.history) report.max_joint_error = 2e-9 + 1e-9 * std::sin(6 * report.time);
+  stored.report.max_joint_error = stored.history.back().max_joint_error;
+  const BondLaw law{BondPotential::hard, 2.5e8, 0.01, 4};
+  OverlayData data = overlay_of(stored);
+  data.joint_types = joint_types(stored.scene.model);
+  data.joints = stored.scene.model.joints.size();
+  data.joint_law = &law;
+  OverlayOptions panels = parse_panels("all");
+  panels.joints = true;
+  panels.joint_rows = joint_row_count(data);
+  VisualScene scene = visual_of(stored, true);
+  scene.camera.eye += 1.4f * (scene.camera.eye - scene.camera.target);  // room for the panels
+  check(studio.frame(scene, panels, data), "mechanism_overlays", studio);
 }
 
 TEST_CASE("figure 5") {

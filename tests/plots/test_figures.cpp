@@ -123,6 +123,47 @@ TEST_CASE("convergence figure: gaps above the minimum, penetration with its sign
   CHECK(std::isnan(own.plots[0].series[1].y[1]));
 }
 
+TEST_CASE("convergence with joints: their error in a plot of its own, contacts only where there are any") {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  std::vector<IterationRecord> records{record(3, 1, inf, inf), record(2, 0.5, inf, inf)};
+  records[0].max_joint_error = 1e-3;
+  records[1].max_joint_error = 1e-6;
+  const Figure hanging = convergence_figure({{"newton", records}}, std::nullopt);
+  REQUIRE(hanging.plots.size() == 3);
+  CHECK(hanging.columns == 3);
+  CHECK(hanging.plots[2].title == "Joints");
+  CHECK(hanging.plots[2].y.log);
+  CHECK(hanging.plots[2].series[0].y == std::vector<double>{1e-3, 1e-6});
+  records[1].min_gap_after = records[1].min_gap_before = 0.1;
+  const Figure touching = convergence_figure({{"newton", records}}, std::nullopt);
+  REQUIRE(touching.plots.size() == 4);
+  CHECK(touching.columns == 2);
+  CHECK(touching.plots[2].title == "Deepest contact");
+  // The live plot does not change its curves from step to step.
+  CHECK(convergence_plot(records).series.size() == 4);
+  const Plot live = convergence_plot(records, true);
+  REQUIRE(live.series.size() == 5);
+  CHECK(live.series[4].y == std::vector<double>{1e-3, 1e-6});
+}
+
+TEST_CASE("time series with joints: their error beside the penetration, on a logarithmic axis") {
+  std::vector<StepReport> reports(2);
+  reports[0].max_joint_error = 2e-9;
+  reports[1].max_joint_error = 3e-9;
+  const Figure figure = time_series_figure(reports);
+  REQUIRE(figure.plots.size() == 3);
+  CHECK(figure.plots[2].series[0].y == std::vector<double>{2e-9, 3e-9});
+  const std::vector<HistoryPoint> points{history_point(reports[0]), history_point(reports[1])};
+  const Plot live = time_series_plot(points, 0.01, true);
+  CHECK(live.y.log);
+  REQUIRE(live.series.size() == 4);
+  CHECK(live.series[3].y == std::vector<double>{2e-9, 3e-9});
+  CHECK_FALSE(live.series[3].right_axis);
+  const Plot free = time_series_plot(points, 0.01);
+  CHECK_FALSE(free.y.log);
+  CHECK(free.series.size() == 3);
+}
+
 TEST_CASE("time series: potential energy counts from its first value") {
   std::vector<StepReport> reports(2);
   reports[0].time = 0.1;

@@ -53,6 +53,16 @@ auto energy_gap(double least) {
   };
 }
 
+double joint_error(const IterationRecord& r) { return r.max_joint_error; }
+
+// Whether any iteration of any run has `property`.
+template <class Property>
+bool any_record(const std::vector<MethodRun>& runs, const Property& property) {
+  return std::any_of(runs.begin(), runs.end(), [&](const MethodRun& run) {
+    return std::any_of(run.records.begin(), run.records.end(), property);
+  });
+}
+
 Series level(double y, std::string name) {
   Series series;
   series.name = std::move(name);
@@ -65,8 +75,10 @@ Series level(double y, std::string name) {
 
 Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser) {
   Figure figure;
-  figure.columns = 3;
   figure.title = "Convergence within one time step";
+  const bool joints = any_record(runs, [](const IterationRecord& r) { return r.max_joint_error > 0; });
+  const bool contacts =
+      any_record(runs, [](const IterationRecord& r) { return std::isfinite(r.min_gap_after); });
   double least = std::numeric_limits<double>::infinity();
   for (const MethodRun& run : runs) least = std::min(least, least_energy(run.records));
   const bool reference = minimiser && std::isfinite(minimiser->energy);
@@ -75,12 +87,14 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   Plot energy = iteration_plot("Energy gap", "E − E_{min} [J]", true);
   Plot residual = iteration_plot("Residual", "largest step / d̂ [1]", true);
   Plot depth = iteration_plot("Deepest contact", "penetration −d [m]", false);
+  Plot joint = iteration_plot("Joints", "largest error [m]", true);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const MethodRun& run = runs[i];
     const int color = static_cast<int>(i);
     energy.series.push_back(iteration_series(run.name, run.records, energy_gap(least), color));
     residual.series.push_back(iteration_series(
         run.name, run.records, [](const IterationRecord& r) { return r.residual; }, color));
+    joint.series.push_back(iteration_series(run.name, run.records, joint_error, color));
     depth.series.push_back(iteration_series(
         run.name + ", after projection", run.records,
         [](const IterationRecord& r) { return -r.min_gap_after; }, color));
@@ -98,15 +112,18 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   }
   if (minimiser && std::isfinite(minimiser->min_gap))
     depth.series.push_back(level(-minimiser->min_gap, "true minimiser"));
-  figure.caption = reference ? fmt::format("E_{{min}} = {} J: minimum over rigid poses, found by descent.",
-                                           format_value(least, 6))
+  figure.caption = reference ? fmt::format("E_{{min}} = {} J: minimum over rigid poses, found by {}.",
+                                           format_value(least, 6), to_string(minimiser->method))
                              : fmt::format("E_{{min}} = {} J: least recorded value.", format_value(least, 6));
   if (!std::isfinite(least)) figure.caption.clear();
-  figure.plots = {std::move(energy), std::move(residual), std::move(depth)};
+  figure.plots = {std::move(energy), std::move(residual)};
+  if (contacts || !joints) figure.plots.push_back(std::move(depth));
+  if (joints) figure.plots.push_back(std::move(joint));
+  figure.columns = figure.plots.size() == 4 ? 2 : 3;
   return figure;
 }
 
-Plot convergence_plot(const std::vector<IterationRecord>& records) {
+Plot convergence_plot(const std::vector<IterationRecord>& records, bool joints) {
   Plot plot = iteration_plot("Convergence of the last step", "", true);
   plot.series.push_back(iteration_series("E − E_{min} [J]", records, energy_gap(least_energy(records)), 0));
   plot.series.push_back(iteration_series(
@@ -116,6 +133,7 @@ Plot convergence_plot(const std::vector<IterationRecord>& records) {
       SeriesStyle::dashed));
   plot.series.push_back(iteration_series(
       "after [m]", records, [](const IterationRecord& r) { return r.max_penetration_after; }, 1));
+  if (joints) plot.series.push_back(iteration_series("joints [m]", records, joint_error, 3));
   return plot;
 }
 
@@ -139,14 +157,15 @@ std::vector<MethodRun> run_methods(const Model& model, const Params& params, con
 Minimiser find_minimiser(const Model& model, const Params& params, const State& state, int iterations,
                          int threads) {
   Params p = params;
-  p.solver.method = SolverMethod::descent;
-  p.solver.iterations = iterations;
+  p.solver.method = model.joints.empty() ? SolverMethod::descent : SolverMethod::newton;
+  p.solver.iterations = model.joints.empty() ? iterations : std::max(1, iterations / 100);
   p.solver.tolerance = 1e-14;
   State copy = state;
   StepWorkspace workspace;
   StepReport report;
   step(model, p, {true, false, threads}, copy, workspace, report);
   Minimiser out;
+  out.method = p.solver.method;
   if (!report.records.empty()) {
     out.energy = least_energy(report.records);
     out.min_gap = report.records.back().min_gap_after;

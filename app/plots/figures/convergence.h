@@ -5,6 +5,7 @@
 //   E_min    its least value: given, or the least one recorded   J
 //   residual largest step of a body in an iteration over d̂       1
 //   −d       penetration, before the projection onto SO(3) and after it; m
+//   joint error: largest distance between points that a joint wants together; m
 #pragma once
 
 #include <limits>
@@ -29,20 +30,23 @@ struct MethodRun {
 struct Minimiser {
   double energy = std::numeric_limits<double>::quiet_NaN();   // J
   double min_gap = std::numeric_limits<double>::quiet_NaN();  // m
+  SolverMethod method = SolverMethod::descent;                // that found it
 };
 
-// Three plots: energy gap (log), residual (log), penetration before (dashed) and after the projection.
+// Three plots: energy gap (log), residual (log), penetration before (dashed) and after the projection. With
+// joints, which show in the records by an error above zero, one more: the joint error (log); the penetration
+// goes when there are no contacts.
 Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser);
 
-// All of the above for one step in one small plot, log axis.
-Plot convergence_plot(const std::vector<IterationRecord>& records);
+// All of the above for one step in one small plot, log axis; the joint error when the scene has `joints`.
+Plot convergence_plot(const std::vector<IterationRecord>& records, bool joints = false);
 
 // One step from `state` with each method, `iterations` without early stop, recorded. `state` is not changed.
 std::vector<MethodRun> run_methods(const Model& model, const Params& params, const State& state,
                                    const std::vector<SolverMethod>& methods, int iterations, int threads = 1);
 
-// Minimiser of the step's incremental potential over rigid poses: `descent`, tolerance 1e-14, at most
-// `iterations`.
+// Minimiser of the step's incremental potential over rigid poses, tolerance 1e-14: by `descent` with at most
+// `iterations`, or where joints make that slow by `newton` with a hundredth of them.
 Minimiser find_minimiser(const Model& model, const Params& params, const State& state, int iterations = 20000,
                          int threads = 1);
 

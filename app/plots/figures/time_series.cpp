@@ -1,4 +1,4 @@
-// Penetration and energies against time.
+// Penetration, joint error and energies against time.
 #include "app/plots/figures/time_series.h"
 
 #include <algorithm>
@@ -22,10 +22,12 @@ Series time_series(std::string name, const std::vector<HistoryPoint>& history, c
   return series;
 }
 
+double joint_error(const HistoryPoint& p) { return p.joint_error; }
+
 }  // namespace
 
 HistoryPoint history_point(const StepReport& r) {
-  return {r.time, r.max_penetration, r.min_gap, r.kinetic, r.potential, r.elastic};
+  return {r.time, r.max_penetration, r.min_gap, r.kinetic, r.potential, r.elastic, r.max_joint_error};
 }
 
 Figure time_series_figure(const std::vector<HistoryPoint>& history) {
@@ -56,6 +58,16 @@ Figure time_series_figure(const std::vector<HistoryPoint>& history) {
   total.style = SeriesStyle::dashed;
   energy.series.push_back(std::move(total));
   figure.plots = {std::move(gap), std::move(energy)};
+  if (std::any_of(history.begin(), history.end(), [](const HistoryPoint& p) { return p.joint_error > 0; })) {
+    Plot joints;
+    joints.title = "Joints";
+    joints.x.label = "time [s]";
+    joints.y.label = "largest error [m]";
+    joints.y.log = true;
+    joints.series.push_back(time_series("joint error", history, joint_error, 3));
+    figure.plots.push_back(std::move(joints));
+    figure.columns = 3;
+  }
   return figure;
 }
 
@@ -66,11 +78,12 @@ Figure time_series_figure(const std::vector<StepReport>& reports) {
   return time_series_figure(history);
 }
 
-Plot time_series_plot(const std::vector<HistoryPoint>& history, double d_hat) {
+Plot time_series_plot(const std::vector<HistoryPoint>& history, double d_hat, bool joints) {
   Plot plot;
   plot.title = "Over time";
   plot.x.label = "time [s]";
-  plot.y.label = "penetration [m]";
+  plot.y.label = joints ? "length [m]" : "penetration [m]";
+  plot.y.log = joints;
   plot.y.min_span = 0.1 * d_hat;
   plot.y_right.label = "energy [J]";
   plot.y_right.min_span = 1e-9;
@@ -80,6 +93,7 @@ Plot time_series_plot(const std::vector<HistoryPoint>& history, double d_hat) {
       "kinetic", history, [](const HistoryPoint& p) { return p.kinetic; }, 0, true));
   plot.series.push_back(time_series(
       "elastic", history, [](const HistoryPoint& p) { return p.elastic; }, 2, true));
+  if (joints) plot.series.push_back(time_series("joints", history, joint_error, 3));
   return plot;
 }
 
