@@ -44,6 +44,17 @@ const CLI::App* innermost(const CLI::App& app) {
   return command;
 }
 
+// What is wrong with the command line, with the choices where a subcommand is missing.
+std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
+  std::string message = one_line(error.what());
+  const auto choices = innermost(app)->get_subcommands([](const CLI::App*) { return true; });
+  if (error.get_name() == "RequiredError" && !choices.empty()) {
+    for (std::size_t i = 0; i < choices.size(); ++i)
+      message += (i == 0 ? ": " : i + 1 < choices.size() ? ", " : " or ") + choices[i]->get_name();
+  }
+  return fmt::format("{}; '{} --help' shows how it is used", message, command_path(app));
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app("Projective affine body dynamics: simulate, render without a display, plot, compare.", "pabd");
   app.set_version_flag("--version", "pabd " PABD_VERSION, "print the version and leave");
@@ -68,7 +79,8 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    write_stdout(innermost(app)->help());
+    const std::string path = command_path(app);  // CLI11 adds the last word itself
+    write_stdout(innermost(app)->help(path.substr(0, path.rfind(' ') == path.npos ? 0 : path.rfind(' '))));
     return 0;
   } catch (const CLI::CallForAllHelp&) {
     write_stdout(app.help("", CLI::AppFormatMode::All));
@@ -77,8 +89,7 @@ int run_program(int argc, char** argv) {
     write_stdout("pabd " PABD_VERSION "\n");
     return 0;
   } catch (const CLI::ParseError& error) {
-    return report_error(ExitCode::bad_input, fmt::format("{}; '{} --help' shows how it is used",
-                                                         one_line(error.what()), command_path(app)));
+    return report_error(ExitCode::bad_input, usage_message(app, error));
   }
   return action();
 }

@@ -171,9 +171,10 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_option("--fps", options->fps, "frames a second (default 60)")->type_name("F");
   command->add_option("--size", options->size, "pixels (default 1280x720)")->type_name("WxH");
   command
-      ->add_option("--overlay", options->overlay,
-                   "comma-separated: params, barrier, convergence, series, contacts, bonds; plots for the "
-                   "middle three; all")
+      ->add_option(
+          "--overlay", options->overlay,
+          "comma-separated: params; barrier, convergence, series, or plots for these three; contacts "
+          "with their legend, or the legend alone; bonds with the joints; all")
       ->type_name("LIST");
   command
       ->add_option("--camera", options->camera,

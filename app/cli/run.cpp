@@ -91,10 +91,12 @@ void check_options(const RunOptions& options) {
 struct Extremes {
   double gap = std::numeric_limits<double>::infinity();  // m
   double joint_error = 0;                                // m
+  std::int64_t unsolved = 0;                             // steps that ended at the iteration limit
 
   void add(const StepReport& report) {
     gap = std::min(gap, report.min_gap);
     joint_error = std::max(joint_error, report.max_joint_error);
+    if (report.status == StepStatus::iteration_limit) ++unsolved;
   }
 };
 
@@ -103,10 +105,13 @@ std::string summary(const Session& session, std::int64_t steps, double seconds, 
   const std::string gap = std::isfinite(worst.gap) ? fmt::format("{:.4g} m", worst.gap) : "none";
   const std::string joints =
       session.model().joints.empty() ? "" : fmt::format(" · largest joint error {:.2g} m", worst.joint_error);
+  const std::string unsolved =
+      worst.unsolved > 0 ? fmt::format(", {} at the iteration limit", worst.unsolved) : "";
   return fmt::format(
-      "{} steps to t = {:.6g} s, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J · state {}\n",
-      steps, session.state().time, steps > 0 ? 1e3 * seconds / static_cast<double>(steps) : 0.0, gap, joints,
-      report.kinetic, state_hash(session.state()));
+      "{} steps to t = {:.6g} s{}, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J · state "
+      "{}\n",
+      steps, session.state().time, unsolved, steps > 0 ? 1e3 * seconds / static_cast<double>(steps) : 0.0,
+      gap, joints, report.kinetic, state_hash(session.state()));
 }
 
 int run(const RunOptions& options) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "sim/error.h"
+#include "sim/scene/text.h"
 
 namespace fs = std::filesystem;
 
@@ -24,6 +25,19 @@ std::vector<fs::path> scene_folders() {
   return folders;
 }
 
+namespace {
+
+// `; did you mean "pyramid"? …` when a shipped scene has a name like that, and where names are.
+std::string remedy(const std::string& name) {
+  std::vector<std::string> names;
+  for (const fs::path& file : shipped_scenes()) names.push_back(file.stem().string());
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string guess = did_you_mean(name, views);
+  return (guess.empty() ? ";" : guess) + " 'pabd scenes' lists those";
+}
+
+}  // namespace
+
 fs::path find_scene(const std::string& name) {
   std::error_code ignored;
   if (fs::is_directory(name, ignored)) {
@@ -37,10 +51,8 @@ fs::path find_scene(const std::string& name) {
       }
     }
   }
-  throw Error(
-      ExitCode::file,
-      fmt::format("{}: no such scene file, and no shipped scene of this name; 'pabd scenes' lists those",
-                  name));
+  throw Error(ExitCode::file,
+              fmt::format("{}: no such scene file, and no shipped scene of this name{}", name, remedy(name)));
 }
 
 std::vector<fs::path> shipped_scenes() {

@@ -23,6 +23,7 @@ struct ScenesOptions {
 struct Row {
   std::string name;
   Index bodies;
+  std::size_t joints;
   std::string description;
 };
 
@@ -30,7 +31,7 @@ int list_scenes(const ScenesOptions& options) {
   std::vector<Row> rows;
   for (const auto& file : shipped_scenes()) {
     const Scene scene = load_scene(file);
-    rows.push_back({file.stem().string(), scene.model.size(), scene.description});
+    rows.push_back({file.stem().string(), scene.model.size(), scene.model.joints.size(), scene.description});
   }
   if (rows.empty()) {
     throw Error(ExitCode::file,
@@ -40,15 +41,19 @@ int list_scenes(const ScenesOptions& options) {
   if (options.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Row& row : rows) {
-      list.push_back({{"name", row.name}, {"bodies", row.bodies}, {"description", row.description}});
+      list.push_back({{"name", row.name},
+                      {"bodies", row.bodies},
+                      {"joints", row.joints},
+                      {"description", row.description}});
     }
     text = list.dump(2) + "\n";
   } else {
     std::size_t width = 5;
     for (const Row& row : rows) width = std::max(width, row.name.size());
-    text = fmt::format("{:<{}}  bodies  description\n", "scene", width);
+    text = fmt::format("{:<{}}  bodies  joints  description\n", "scene", width);
     for (const Row& row : rows)
-      text += fmt::format("{:<{}}  {:>6}  {}\n", row.name, width, row.bodies, row.description);
+      text +=
+          fmt::format("{:<{}}  {:>6}  {:>6}  {}\n", row.name, width, row.bodies, row.joints, row.description);
   }
   write_stdout(text);
   return 0;

@@ -56,9 +56,16 @@ TEST_CASE("the summary goes to standard error and tells steps, gap, energy and h
   CHECK(quiet.err.empty());
 }
 
+TEST_CASE("the summary counts the steps that ended at the iteration limit") {
+  const Outcome hurried = run_pabd(
+      {"run", "stack", "--steps", "4", "--set", "solver.iterations=1", "--set", "solver.tolerance=0"});
+  CHECK(hurried.err.find("4 steps to t = 0.0666667 s, 4 at the iteration limit,") != std::string::npos);
+  CHECK(run_pabd({"run", "spin", "--steps", "4"}).err.find("limit") == std::string::npos);  // no bonds
+}
+
 TEST_CASE("with joints the summary names their largest error of the run, which is that of the CSV") {
   CHECK(run_pabd({"run", "stack", "--steps", "3"}).err.find("joint") == std::string::npos);
-  const Outcome outcome = run_pabd({"run", "pendulum", "--steps", "20", "--trace", "-"});
+  const Outcome outcome = run_pabd({"run", "slider_crank", "--steps", "20", "--trace", "-"});
   REQUIRE(outcome.exit_code == 0);
   double largest = 0;
   for (const std::string& row : lines_of(outcome.out)) {

@@ -25,6 +25,7 @@ TEST_CASE("every command has help with an example") {
     CHECK(help.err.empty());
     const auto examples = help.out.find("Example");
     REQUIRE(examples != std::string::npos);
+    CHECK(help.out.find("Usage: " + name + " [OPTIONS]") != std::string::npos);
     CHECK(help.out.find("  " + name, examples) != std::string::npos);
   }
 }
@@ -134,6 +135,8 @@ TEST_CASE("shipped scenes are listed and are found by name") {
     CAPTURE(scene.dump());
     CHECK(scene["bodies"].get<int>() > 0);
     CHECK_FALSE(scene["description"].get<std::string>().empty());
+    if (scene["name"] == "pyramid") CHECK(scene["joints"] == 0);
+    if (scene["name"] == "slider_crank") CHECK(scene["joints"] == 4);
   }
   const TempFolder elsewhere;
   Setting setting;
@@ -141,6 +144,17 @@ TEST_CASE("shipped scenes are listed and are found by name") {
   CHECK(run_pabd({"run", "two_boxes", "--steps", "1", "--quiet"}, setting).exit_code == 0);
   CHECK(run_pabd({"run", "two_boxes.json", "--steps", "1", "--quiet"}, setting).exit_code == 0);
   CHECK(run_pabd({"run", PABD_SCENES "/two_boxes.json", "--steps", "1", "--quiet"}, setting).exit_code == 0);
+}
+
+TEST_CASE("a name that is nearly right gets a suggestion, a missing command the choices") {
+  const Outcome scene = run_pabd({"run", "pendulm"});
+  CHECK(scene.exit_code == 3);
+  CHECK(is_error_line(scene.err, {"pendulm", "did you mean \"pendulum\"?", "pabd scenes"}));
+  const Outcome far = run_pabd({"run", "submarine"});
+  CHECK(is_error_line(far.err, {"submarine", "pabd scenes"}));
+  CHECK(far.err.find("did you mean") == std::string::npos);
+  CHECK(is_error_line(run_pabd({}).err, {"render, run, plot,", " or doctor", "pabd --help"}));
+  CHECK(is_error_line(run_pabd({"plot"}).err, {"barrier or convergence", "pabd plot --help"}));
 }
 
 TEST_CASE("the doctor reports, whatever is missing") {
