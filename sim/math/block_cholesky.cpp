@@ -12,16 +12,22 @@ void store(const Column& v, Vec6& x) {
   for (int r = 0; r < 6; ++r) x[r] = v[r];
 }
 
-// B ← L D Lᵀ of one block; the diagonal then holds 1/D. False: not positive definite.
-bool factorize_block(Block6& B) {
+double sum(const Column& v) { return ((v[0] + v[1]) + (v[2] + v[3])) + (v[4] + v[5]); }
+
+constexpr Column kUnit[6] = {{1, 0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 0, 0, 0, 0}, {0, 0, 1, 0, 0, 0, 0, 0},
+                             {0, 0, 0, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 0, 0, 0}, {0, 0, 0, 0, 0, 1, 0, 0}};
+constexpr Column kBelow[6] = {{0, 1, 1, 1, 1, 1, 0, 0}, {0, 0, 1, 1, 1, 1, 0, 0}, {0, 0, 0, 1, 1, 1, 0, 0},
+                              {0, 0, 0, 0, 1, 1, 0, 0}, {0, 0, 0, 0, 0, 1, 0, 0}, {0, 0, 0, 0, 0, 0, 0, 0}};
+
+// B ← L without its unit diagonal, zero above it; 1/D. False: not positive definite.
+bool factorize_block(Block6& B, Column& inverse) {
   for (int j = 0; j < 6; ++j) {
     const double pivot = B.column[j][j];
     if (!(pivot > 0)) return false;
-    const double inverse = 1 / pivot;
-    const Column l = B.column[j] * inverse;
+    inverse += (1 / pivot) * kUnit[j];
+    const Column l = (1 / pivot) * B.column[j] * kBelow[j];
     for (int c = j + 1; c < 6; ++c) B.column[c] -= B.column[j] * l[c];
     B.column[j] = l;
-    B.column[j][j] = inverse;
   }
   return true;
 }
@@ -42,35 +48,24 @@ void subtract_product(const Block6& A, const Block6& B, Block6& C) {
   }
 }
 
-void forward(const Block6& L, Vec6& x) {
-  Column y = load(x);
-  for (int j = 0; j < 5; ++j) {
-    const Column below = L.column[j] * y[j];
-    for (int r = j + 1; r < 6; ++r) y[r] -= below[r];
-  }
-  store(y, x);
+// x ← L⁻¹ x and x ← L⁻ᵀ x.
+void forward(const Block6& L, Column& x) {
+  for (int j = 0; j < 5; ++j) x -= L.column[j] * x[j];
 }
-
-void backward(const Block6& L, Vec6& x) {
-  for (int j = 4; j >= 0; --j) {
-    for (int r = j + 1; r < 6; ++r) x[j] -= L.column[j][r] * x[r];
-  }
+void backward(const Block6& L, Column& x) {
+  for (int j = 4; j >= 0; --j) x -= sum(L.column[j] * x) * kUnit[j];
 }
 
 // x −= B y.
-void subtract_times(const Block6& B, const Vec6& y, Vec6& x) {
+void subtract_times(const Block6& B, const Column& y, Column& x) {
   Column sum = B.column[0] * y[0];
   for (int c = 1; c < 6; ++c) sum += B.column[c] * y[c];
-  for (int r = 0; r < 6; ++r) x[r] -= sum[r];
+  x -= sum;
 }
 
 // y −= Bᵀ x.
-void subtract_transposed_times(const Block6& B, const Vec6& x, Vec6& y) {
-  const Column v = load(x);
-  for (int c = 0; c < 6; ++c) {
-    const Column p = B.column[c] * v;
-    y[c] -= ((p[0] + p[1]) + (p[2] + p[3])) + (p[4] + p[5]);
-  }
+void subtract_transposed_times(const Block6& B, const Column& x, Column& y) {
+  for (int c = 0; c < 6; ++c) y -= sum(B.column[c] * x) * kUnit[c];
 }
 
 }  // namespace
@@ -79,6 +74,7 @@ void BlockCholesky::analyze(Index n, const Elimination::Pairs& pairs) {
   graph_.analyze(n, pairs);
   diagonal_.resize(static_cast<std::size_t>(n));
   below_.resize(graph_.blocks());
+  inverse_.resize(static_cast<std::size_t>(n));
   x_.resize(static_cast<std::size_t>(n));
 }
 
@@ -113,14 +109,15 @@ void BlockCholesky::subtract_outer(Index k) {
 
 bool BlockCholesky::factorize() {
   for (Index k = 0; k < rows(); ++k) {
-    if (!factorize_block(diagonal_[k])) return false;
+    inverse_[k] = Column{};
+    if (!factorize_block(diagonal_[k], inverse_[k])) return false;
     const std::size_t begin = graph_.first(k), count = graph_.first(k + 1) - begin;
     if (scaled_.size() < count) scaled_.resize(count);
     for (std::size_t e = 0; e < count; ++e) {
       Block6& block = below_[begin + e];
       divide_by_transpose(diagonal_[k], block);
       scaled_[e] = block;
-      for (int c = 0; c < 6; ++c) block.column[c] *= diagonal_[k](c, c);
+      for (int c = 0; c < 6; ++c) block.column[c] *= inverse_[k][c];
     }
     subtract_outer(k);
   }
@@ -128,19 +125,19 @@ bool BlockCholesky::factorize() {
 }
 
 void BlockCholesky::solve(std::vector<Vec6>& x) const {
-  for (Index k = 0; k < rows(); ++k) x_[k] = x[graph_.row_at(k)];
+  for (Index k = 0; k < rows(); ++k) x_[k] = load(x[graph_.row_at(k)]);
   for (Index k = 0; k < rows(); ++k) {
     forward(diagonal_[k], x_[k]);
     for (std::size_t e = graph_.first(k); e < graph_.first(k + 1); ++e)
       subtract_times(below_[e], x_[k], x_[graph_.row(e)]);
   }
   for (Index k = rows() - 1; k >= 0; --k) {
-    Vec6& y = x_[k];
-    for (int c = 0; c < 6; ++c) y[c] *= diagonal_[k](c, c);
+    Column y = x_[k] * inverse_[k];
     for (std::size_t e = graph_.first(k); e < graph_.first(k + 1); ++e)
       subtract_transposed_times(below_[e], x_[graph_.row(e)], y);
     backward(diagonal_[k], y);
-    x[graph_.row_at(k)] = y;
+    x_[k] = y;
+    store(y, x[graph_.row_at(k)]);
   }
 }
 

@@ -14,9 +14,6 @@
 
 namespace pabd {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-
 // A 6×6 block by columns of eight: whole vector instructions, two lanes to spare.
 struct Block6 {
   using Column = double __attribute__((vector_size(8 * sizeof(double))));
@@ -52,10 +49,11 @@ class BlockCholesky {
   void subtract_outer(Index k);
 
   Elimination graph_;
-  std::vector<Block6> diagonal_;  // then L_kk (unit, below the diagonal) and 1/D on it
+  std::vector<Block6> diagonal_;  // then L_kk without its unit diagonal
   std::vector<Block6> below_;
-  std::vector<Block6> scaled_;  // scratch of a column: L D
-  mutable std::vector<Vec6> x_;
+  std::vector<Block6> scaled_;             // scratch of a column: L D
+  std::vector<Block6::Column> inverse_;    // 1/D
+  mutable std::vector<Block6::Column> x_;  // scratch of solve
 };
 
 }  // namespace pabd

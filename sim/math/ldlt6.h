@@ -8,9 +8,6 @@
 
 namespace pabd {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-
 // Reads the lower triangle of H. `definite` tells whether all of D were positive; else x is finite for a
 // finite H but solves nothing.
 inline Vec6 solve_ldlt(const Mat6& H, const Vec6& b, bool& definite) {

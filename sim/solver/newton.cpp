@@ -21,19 +21,11 @@
 namespace pabd {
 namespace {
 
-using Mat36 = Eigen::Matrix<double, 3, 6>;
-
 constexpr int kPatience = 4;         // iterations in which E may stay above its lowest value
 constexpr double kRounding = 1e-12;  // of E
 constexpr int kHalvings = 30;
 
 double with_rounding(double energy) { return energy + kRounding * std::abs(energy); }
-
-Mat36 jacobian(const Vec3& r) {
-  Mat36 J;
-  J << Mat3::Identity(), -skew(r);
-  return J;
-}
 
 // Second order of a point's motion under a rotation, ½ δω × (δω × r), against the gradient g of the energy at
 // the point: ½ (g rᵀ + r gᵀ) − (g·r) 1.
@@ -73,26 +65,34 @@ double add_inertia(const SolveContext& s, Index i, Block6& block, Vec6& g) {
   return inertia_energy(in, pose);
 }
 
-// [1, −[r]]ᵀ K [1, −[r]].
-Mat6 weight_at(const Vec3& r, const Mat3& K) {
-  const Mat3 rK = skew(r) * K;
-  Mat6 H;
-  H << K, rK.transpose(), rK, -rK * skew(r);
-  return H;
-}
-
 void add_force(const Vec3& r, const Vec3& gradient, Vec6& g) {
   g.head<3>() += gradient;
   g.tail<3>() += r.cross(gradient);
 }
 
-// One end of a joint's bond.
-void add_end(const LinearBond& bond, const Vec3& r, const Vec3& gradient, const Vec3& predicted,
-             Block6& block, Vec6& g) {
-  Mat6 H = weight_at(r, bond.K);
-  H.bottomRightCorner<3, 3>() += geometric_stiffness(r, predicted);
-  block.add(H);
-  add_force(r, gradient, g);
+// [1, −[r_b]]ᵀ K [1, −[r_a]]; rK_a = [r_a] K, rK_b = [r_b] K.
+Mat6 weight_between(const Mat3& K, const Mat3& rK_b, const Mat3& rK_a, const Vec3& r_a) {
+  Mat6 H;
+  H << K, rK_a.transpose(), rK_b, -rK_b * skew(r_a);
+  return H;
+}
+
+// A joint's bond between block rows p and q (−1: not moved here), `pull` its predicted force on b.
+void add_bond(const LinearBond& bond, const Vec3& pull, Index p, Index q, NewtonSystem& system) {
+  const Mat3 rK_a = skew(bond.r_a) * bond.K, rK_b = skew(bond.r_b) * bond.K;
+  if (p >= 0) {
+    Mat6 H = weight_between(bond.K, rK_a, rK_a, bond.r_a);
+    H.bottomRightCorner<3, 3>() += geometric_stiffness(bond.r_a, -pull);
+    system.matrix.diagonal(p).add(H);
+    add_force(bond.r_a, -bond.gradient, system.g[p]);
+  }
+  if (q >= 0) {
+    Mat6 H = weight_between(bond.K, rK_b, rK_b, bond.r_b);
+    H.bottomRightCorner<3, 3>() += geometric_stiffness(bond.r_b, pull);
+    system.matrix.diagonal(q).add(H);
+    add_force(bond.r_b, bond.gradient, system.g[q]);
+  }
+  if (p >= 0 && q >= 0) system.matrix.add_off_diagonal(q, p, -weight_between(bond.K, rK_b, rK_a, bond.r_a));
 }
 
 // H seen from a body whose centre is `back` behind: T = [1, −[back]; 0, 1], then Tᵀ H and Tᵀ H T.
@@ -115,10 +115,7 @@ double assemble(const SolveContext& s, bool geometric, NewtonSystem& system) {
     const Index p = system.row[bond.a], q = system.row[bond.b];
     const Vec3 pull = geometric ? system.force[bond.force] : Vec3(Vec3::Zero());
     energy += bond.energy;
-    if (p >= 0) add_end(bond, bond.r_a, -bond.gradient, -pull, system.matrix.diagonal(p), system.g[p]);
-    if (q >= 0) add_end(bond, bond.r_b, bond.gradient, pull, system.matrix.diagonal(q), system.g[q]);
-    if (p >= 0 && q >= 0)
-      system.matrix.add_off_diagonal(q, p, -jacobian(bond.r_b).transpose() * bond.K * jacobian(bond.r_a));
+    add_bond(bond, pull, p, q, system);
   });
   for (const ContactPatch& patch : w.patches) {
     const Index p = system.row[patch.a], q = system.row[patch.b];
