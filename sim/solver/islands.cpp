@@ -81,16 +81,14 @@ void choose_piles(const Model& model, double h, const State& state, StepWorkspac
     const auto below = static_cast<double>(choice.graph.first(k + 1) - choice.graph.first(k));
     IslandChoice::Cost& cost = choice.cost[root(w.parent, i)];
     cost.products += 0.5 * below * (below + 1);
-    cost.mass += model.mass[i];
     cost.lightest = std::min(cost.lightest, model.mass[i]);
     cost.heaviest = std::max(cost.heaviest, model.mass[i]);
-    cost.way2 += model.mass[i] * h * h * state.v[i].squaredNorm();
+    cost.way = std::max(cost.way, h * state.v[i].norm());
   }
   for (Index i = 0; i < model.size(); ++i) {
     if (choice.patches[i] == 0) continue;
     const IslandChoice::Cost& cost = choice.cost[i];
-    const double rest = kAtRest * w.law.barrier.d_hat;
-    const bool at_rest = cost.way2 <= rest * rest * cost.mass;
+    const bool at_rest = cost.way <= kAtRest * w.law.barrier.d_hat;
     const bool worth_more = at_rest || cost.heaviest > kLargeMassRatio * cost.lightest;
     if (cost.products <= (worth_more ? kProductsAtRest : kProductsInMotion) * choice.patches[i])
       w.solver_of[i] = IslandSolver::newton;

@@ -39,9 +39,8 @@ struct IslandChoice {
   std::vector<Index> patches;  // of each island
   struct Cost {
     double products = 0;  // of blocks
-    double mass = 0;      // kg
     double lightest = std::numeric_limits<double>::infinity(), heaviest = 0;
-    double way2 = 0;  // Σ m ‖h v‖²
+    double way = 0;  // longest of a body in a step; m
   };
   std::vector<Cost> cost;  // of each island
   Elimination::Pairs pairs;

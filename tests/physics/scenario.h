@@ -6,6 +6,8 @@
 #include "sim/body/mass_properties.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
+#include "sim/joint/attach.h"
+#include "sim/joint/auto_kappa.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd::testing {
@@ -41,6 +43,24 @@ struct World {
     return add(Box{Vec3::Constant(edge / 2)}, mass, c, R);
   }
 };
+
+// A joint between bodies at the world point `anchor` with its axis along `axis` at the start pose.
+inline Joint make_joint(const World& world, JointType type, Index i, Index j, const Vec3& anchor,
+                        const Vec3& axis = Vec3::UnitZ()) {
+  Joint joint;
+  joint.type = type;
+  joint.i = i;
+  joint.j = j;
+  joint.arm = 0.25;
+  attach(world.state, anchor, frame_about(axis), joint);
+  return joint;
+}
+
+// Adds it with the automatic stiffness.
+inline void add_joint(World& world, Joint joint) {
+  joint.law.kappa = auto_joint_kappa(world.model, world.params.gravity, joint.law);
+  world.model.joints.push_back(std::move(joint));
+}
 
 // Runs `steps` steps; `each` sees the report of every one.
 inline void run(World& world, int steps, const StepOptions& options = {},

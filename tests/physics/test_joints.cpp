@@ -4,33 +4,16 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sim/joint/attach.h"
-#include "sim/joint/auto_kappa.h"
 #include "sim/joint/expand.h"
 #include "sim/math/so3.h"
 #include "tests/physics/scenario.h"
 
 using namespace pabd;
+using testing::add_joint;
+using testing::make_joint;
 using testing::World;
 
 namespace {
-
-// A joint between bodies at the world point `anchor` with its axis along `axis` at the start pose.
-Joint make_joint(const World& world, JointType type, Index i, Index j, const Vec3& anchor,
-                 const Vec3& axis = Vec3::UnitZ()) {
-  Joint joint;
-  joint.type = type;
-  joint.i = i;
-  joint.j = j;
-  joint.arm = 0.25;
-  attach(world.state, anchor, frame_about(axis), joint);
-  return joint;
-}
-
-void add_joint(World& world, Joint joint) {
-  joint.law.kappa = auto_joint_kappa(world.model, world.params.gravity, joint.law);
-  world.model.joints.push_back(std::move(joint));
-}
 
 PlacedFrame placed(const World& world, const JointFrame& frame, Index body) {
   if (body == kWorld) return place(frame, {Vec3::Zero(), Mat3::Identity()});
