@@ -74,6 +74,36 @@ TEST_CASE("every shipped scene runs: finite, joints closed, no body inside anoth
   }
 }
 
+TEST_CASE("the README of the assets lists every scene, and its example of joints is a scene", "[scene]") {
+  std::ifstream in(kAssets / "README.md");
+  REQUIRE(in);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kAssets / "scenes")) {
+    if (entry.path().extension() != ".json") continue;
+    INFO(entry.path());
+    CHECK(text.find("\n| `" + entry.path().stem().string() + "` |") != std::string::npos);
+    ++scenes;
+  }
+  CHECK(scenes > 20);
+  const std::string fence = "```json\n";
+  const auto begin = text.find(fence);
+  REQUIRE(begin != std::string::npos);
+  const std::string example =
+      text.substr(begin + fence.size(), text.find("```", begin + 3) - begin - fence.size());
+  std::string bodies;
+  for (const char* name : {"post", "arm", "crank", "rail", "cart", "hand", "tool"}) {
+    bodies += std::string(bodies.empty() ? "" : ",") + R"({"name": ")" + name +
+              R"(", "shape": {"type": "sphere", "radius": 0.1}})";
+  }
+  const Scene s =
+      parse_scene(R"({"format": "pabd-scene", "version": 1, "bodies": [)" + bodies + "], " + example + "}",
+                  "README.md", kAssets);
+  CHECK(s.model.joints.size() == 6 + 21 + 180);  // listed, chain with both ends, net of 10 by 10
+  CHECK(s.model.joints[5].law.kappa == 500);
+  CHECK(s.model.joints[3].arm == 0.2);
+}
+
 TEST_CASE("newton's cradle: the last ball takes the first one's momentum, the others stay", "[scene]") {
   Scene s = load_scene(kAssets / "scenes" / "newtons_cradle.json");
   const auto ball = [&](int k) {
