@@ -10,7 +10,7 @@ namespace {
 // patch (measured, see tests/bench/README.md). An island at rest converges in one to three iterations and is
 // worth more; one in which contacts come and go needs as many of `newton` as of `descent`.
 constexpr double kProductsInMotion = 3, kProductsAtRest = 25;
-constexpr double kAtRest = 0.2;          // root mean square way in a step, in d̂
+constexpr double kAtRest = 0.2;          // longest way of a body in a step, in d̂
 constexpr double kLargeMassRatio = 100;  // in an island: `descent` would need many iterations
 // Above this size it is not even looked at.
 constexpr Index kMostRows = 5000;
