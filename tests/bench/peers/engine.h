@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/scene/scene.h"
+#include "tests/bench/peers/scenes.h"
 
 namespace pabd::peers {
 
@@ -26,7 +27,8 @@ class Engine {
 };
 
 std::string engine_name();  // with its version
-// Throws Error(bad_input) for a shape that the engine's adapter does not know.
+bool engine_takes(SceneFor scene);
+// Throws Error(bad_input) for a shape or joint that the engine's adapter does not know.
 std::unique_ptr<Engine> make_engine(const Scene& scene, const EngineOptions& options);
 
 }  // namespace pabd::peers

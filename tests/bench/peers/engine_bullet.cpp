@@ -1,6 +1,7 @@
 // Bullet: btDiscreteDynamicsWorld as its "hello world" sets it up (dynamic AABB trees, sequential impulses,
 // 10 iterations). Not default: no sleeping. The friction coefficient of a pair is the product of the two
-// bodies' coefficients, so each body gets the root.
+// bodies' coefficients, so each body gets the root. Joints: btPoint2PointConstraint and btHingeConstraint as
+// they are; what they join does not collide.
 #include <btBulletDynamicsCommon.h>
 
 #include <cmath>
@@ -28,6 +29,28 @@ std::unique_ptr<btCollisionShape> make_shape(const Shape& shape) {
   throw Error(ExitCode::bad_input, "Bullet adapter: expected boxes, spheres and planes");
 }
 
+btTransform make_frame(const Mat3& R, const Vec3& origin) {
+  btMatrix3x3 basis;
+  for (int row = 0; row < 3; ++row) basis[row] = to_bullet(R.row(row).transpose());
+  return btTransform(basis, to_bullet(origin));
+}
+
+// Bullet's hinge turns about the third column of its frames, ours about the first.
+btTransform hinge_frame(const JointFrame& frame) {
+  Mat3 F;
+  F << frame.F.col(1), frame.F.col(2), frame.F.col(0);
+  return make_frame(F, frame.r);
+}
+
+std::unique_ptr<btTypedConstraint> make_joint(const Joint& joint, btRigidBody& a, btRigidBody& b) {
+  const bool plain = !joint.limits && !joint.drive && !joint.turn;
+  if (plain && joint.type == JointType::spherical)
+    return std::make_unique<btPoint2PointConstraint>(a, b, to_bullet(joint.on_i.r), to_bullet(joint.on_j.r));
+  if (plain && joint.type == JointType::hinge)
+    return std::make_unique<btHingeConstraint>(a, b, hinge_frame(joint.on_i), hinge_frame(joint.on_j));
+  throw Error(ExitCode::bad_input, "Bullet adapter: expected spherical joints and hinges without limits");
+}
+
 class BulletEngine : public Engine {
  public:
   explicit BulletEngine(const Scene& scene) : h_(static_cast<btScalar>(scene.params.h)) {
@@ -41,10 +64,7 @@ class BulletEngine : public Engine {
       btRigidBody::btRigidBodyConstructionInfo info(
           fixed ? btScalar(0) : static_cast<btScalar>(scene.model.mass[i]), nullptr, shapes_.back().get(),
           to_bullet(inertia));
-      const Mat3& R = scene.initial.R[i];
-      btMatrix3x3 basis;
-      for (int row = 0; row < 3; ++row) basis[row] = to_bullet(R.row(row).transpose());
-      info.m_startWorldTransform = btTransform(basis, to_bullet(scene.initial.c[i]));
+      info.m_startWorldTransform = make_frame(scene.initial.R[i], scene.initial.c[i]);
       info.m_friction = root_mu;
       info.m_restitution = 0;
       bodies_.push_back(std::make_unique<btRigidBody>(info));
@@ -54,9 +74,17 @@ class BulletEngine : public Engine {
       if (!fixed) body.setActivationState(DISABLE_DEACTIVATION);
       world_.addRigidBody(&body);
     }
+    const auto body = [this](Index k) -> btRigidBody& {
+      return k == kWorld ? btTypedConstraint::getFixedBody() : *bodies_[static_cast<std::size_t>(k)];
+    };
+    for (const Joint& joint : scene.model.joints) {
+      joints_.push_back(make_joint(joint, body(joint.i), body(joint.j)));
+      world_.addConstraint(joints_.back().get(), true);
+    }
   }
 
   ~BulletEngine() override {
+    for (auto& joint : joints_) world_.removeConstraint(joint.get());
     for (auto& body : bodies_) world_.removeRigidBody(body.get());
   }
 
@@ -92,6 +120,7 @@ class BulletEngine : public Engine {
   btDiscreteDynamicsWorld world_{&dispatcher_, &broad_phase_, &solver_, &configuration_};
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;
 };
 
 }  // namespace
@@ -99,6 +128,8 @@ class BulletEngine : public Engine {
 std::string engine_name() {
   return "Bullet " + std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100);
 }
+
+bool engine_takes(SceneFor scene) { return scene != SceneFor::us_alone; }
 
 std::unique_ptr<Engine> make_engine(const Scene& scene, const EngineOptions&) {
   return std::make_unique<BulletEngine>(scene);

@@ -1,6 +1,9 @@
 // ODE: dWorldQuickStep (20 iterations, the world's own ERP and CFM), hash space, up to 8 contacts a pair. The
 // contact mode dContactApprox1 makes `mu` a coefficient of friction; without it ODE takes it as a force in N.
-// (dWorldStep factors one dense matrix of all contacts: out of reach for these scenes.)
+// Joints: dJointTypeBall and dJointTypeHinge as they are; what they join does not collide.
+//
+// With PABD_ODE_DENSE a second program is made: dWorldStep, which factors one dense matrix of all joints and
+// contacts of an island, for scenes where that is not out of reach.
 #include <ode/ode.h>
 
 #include "sim/body/mass_properties.h"
@@ -35,6 +38,12 @@ struct Library {
   Library() { dInitODE2(0); }
   ~Library() { dCloseODE(); }
 };
+
+#ifdef PABD_ODE_DENSE
+constexpr bool kDense = true;
+#else
+constexpr bool kDense = false;
+#endif
 
 class OdeEngine : public Engine {
  public:
@@ -71,6 +80,7 @@ class OdeEngine : public Engine {
       }
       bodies_.push_back(body);
     }
+    for (const Joint& joint : scene.model.joints) add_joint(joint);
   }
 
   ~OdeEngine() override {
@@ -82,7 +92,7 @@ class OdeEngine : public Engine {
   void step() override {
     depths_.clear();
     dSpaceCollide(space_, this, &near);
-    dWorldQuickStep(world_, h_);
+    kDense ? dWorldStep(world_, h_) : dWorldQuickStep(world_, h_);
     dJointGroupEmpty(contacts_);
   }
 
@@ -106,16 +116,43 @@ class OdeEngine : public Engine {
   }
 
  private:
+  // The joint's place in the world is that of its frame on i, or on j where i is the world.
+  void add_joint(const Joint& joint) {
+    const bool plain = !joint.limits && !joint.drive && !joint.turn;
+    const Index k = joint.i == kWorld ? joint.j : joint.i;
+    const JointFrame& frame = joint.i == kWorld ? joint.on_j : joint.on_i;
+    const auto index = static_cast<std::size_t>(k);
+    const Vec3 place = initial_.c[index] + initial_.R[index] * frame.r;
+    const Vec3 axis = initial_.R[index] * frame.F.col(0);
+    const auto body = [this](Index b) {
+      return b == kWorld ? nullptr : bodies_[static_cast<std::size_t>(b)];
+    };
+    if (plain && joint.type == JointType::spherical) {
+      const dJointID id = dJointCreateBall(world_, nullptr);
+      dJointAttach(id, body(joint.i), body(joint.j));
+      dJointSetBallAnchor(id, place.x(), place.y(), place.z());
+    } else if (plain && joint.type == JointType::hinge) {
+      const dJointID id = dJointCreateHinge(world_, nullptr);
+      dJointAttach(id, body(joint.i), body(joint.j));
+      dJointSetHingeAnchor(id, place.x(), place.y(), place.z());
+      dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
+    } else {
+      throw Error(ExitCode::bad_input, "ODE adapter: expected spherical joints and hinges without limits");
+    }
+  }
+
   static void near(void* self, dGeomID a, dGeomID b) { static_cast<OdeEngine*>(self)->collide(a, b); }
 
   void collide(dGeomID a, dGeomID b) {
+    const dBodyID body_a = dGeomGetBody(a), body_b = dGeomGetBody(b);
+    if (body_a && body_b && dAreConnectedExcluding(body_a, body_b, dJointTypeContact)) return;
     dContact contact[kPairContacts];
     const int count = dCollide(a, b, kPairContacts, &contact[0].geom, sizeof(dContact));
     for (int k = 0; k < count; ++k) {
       contact[k].surface = {};
       contact[k].surface.mode = dContactApprox1;
       contact[k].surface.mu = mu_;
-      dJointAttach(dJointCreateContact(world_, contacts_, &contact[k]), dGeomGetBody(a), dGeomGetBody(b));
+      dJointAttach(dJointCreateContact(world_, contacts_, &contact[k]), body_a, body_b);
       if (record_ && contact[k].geom.depth > 0) depths_.push_back(contact[k].geom.depth);
     }
   }
@@ -133,7 +170,9 @@ class OdeEngine : public Engine {
 
 }  // namespace
 
-std::string engine_name() { return "ODE " PABD_ODE_VERSION; }
+std::string engine_name() { return std::string("ODE ") + PABD_ODE_VERSION + (kDense ? " dWorldStep" : ""); }
+
+bool engine_takes(SceneFor scene) { return kDense ? scene == SceneFor::dense : scene != SceneFor::us_alone; }
 
 std::unique_ptr<Engine> make_engine(const Scene& scene, const EngineOptions& options) {
   return std::make_unique<OdeEngine>(scene, options.record_contacts);

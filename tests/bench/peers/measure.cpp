@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <fstream>
 
-#include "sim/collision/detect.h"
 #include "sim/error.h"
 #include "sim/solver/step_summary.h"
 
@@ -33,82 +33,74 @@ double peak_memory_mib() {
   throw Error(ExitCode::file, "/proc/self/status: expected a line VmHWM; run on Linux");
 }
 
-Index highest_body(const State& state) {
-  Index top = 0;
-  for (Index i = 1; i < state.size(); ++i) {
-    if (state.c[i].y() > state.c[top].y()) top = i;
-  }
-  return top;
-}
+}  // namespace
 
-// One yardstick for every engine: overlap of its poses, by this project's collision code.
-class Ruler {
- public:
-  explicit Ruler(const Model& model) : model_(model), reach_(static_cast<std::size_t>(model.size()), 0.0) {}
+namespace {
 
-  void measure(const State& state, Depth& depth) {
-    detect(model_, state.c, state.R, reach_, {}, 1, workspace_, points_);
-    for (const ContactPoint& point : points_) depth.add(-point.d);
-  }
-
- private:
-  const Model& model_;
-  std::vector<double> reach_;
-  CollisionWorkspace workspace_;
-  std::vector<ContactPoint> points_;
+struct Times {
+  std::vector<double> wall, cpu;  // of each step; ms
 };
+
+Times time_steps(Engine& engine, int steps) {
+  using Clock = std::chrono::steady_clock;
+  Times times;
+  const double begin = process_cpu_ms();
+  for (int k = 0; k < steps; ++k) {
+    const double cpu_start = process_cpu_ms();
+    if (k > 0 && cpu_start - begin > 1e3 * kBudget) break;
+    const auto start = Clock::now();
+    engine.step();
+    times.wall.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    times.cpu.push_back(process_cpu_ms() - cpu_start);
+  }
+  return times;
+}
 
 }  // namespace
 
-void Depth::add(double depth) {
-  if (!(depth > 0)) return;
-  max = std::max(max, depth);
-  sum += depth;
-  ++count;
-}
-
 Measurement measure(const PeerScene& peer, int threads) {
-  using Clock = std::chrono::steady_clock;
   const Scene& scene = peer.scene;
   Measurement result;
-  State timed_end = scene.initial;
+  State timed_end;
   {
     const auto engine = make_engine(scene, {threads, false});
-    std::vector<double> times, cpu_times;
-    for (int k = 0; k < kSteps; ++k) {
-      const double cpu_start = process_cpu_ms();
-      const auto start = Clock::now();
-      engine->step();
-      times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-      cpu_times.push_back(process_cpu_ms() - cpu_start);
-    }
-    result.median_ms = median(times);
-    result.median_cpu_ms = median(cpu_times);
-    result.median_last_ms = median({times.end() - kLastSteps, times.end()});
+    const Times times = time_steps(*engine, peer.steps);
+    result.steps = static_cast<int>(times.wall.size());
+    result.median_ms = median(times.wall);
+    result.median_cpu_ms = median(times.cpu);
+    result.median_last_ms = median({times.wall.end() - std::min(result.steps, kLastSteps), times.wall.end()});
     result.peak_mib = peak_memory_mib();
+    timed_end = scene.initial;
     engine->read(timed_end);
   }
 
   const auto engine = make_engine(scene, {threads, true});
   State state = scene.initial;
-  Ruler ruler(scene.model);
+  OverlapRuler overlap(scene.model);
   std::vector<double> depths;
-  for (int k = 0; k < kSteps; ++k) {
+  for (int k = 0; k < result.steps; ++k) {
     engine->step();
     engine->penetrations(depths);
-    const bool last = k >= kSteps - kLastSteps;
+    const bool last = k >= result.steps - kLastSteps;
     for (const double depth : depths) {
       result.run.add(depth);
       if (last) result.last.add(depth);
     }
-    if (!last) continue;
+    if (!last && scene.model.joints.empty()) continue;
     engine->read(state);
-    ruler.measure(state, result.ruler_last);
+    if (last) overlap.measure(state, result.ruler_last);
+    const double drift = joint_drift(scene.model, state);
+    if (!(drift <= result.drift)) result.drift = drift;
+    if (!std::isfinite(drift)) break;
   }
   result.repeatable = state.c == timed_end.c && state.R == timed_end.R;
   result.kinetic = kinetic_energy(scene.model, state);
+  const double lost = potential_energy(scene.model, scene.params, scene.initial) -
+                      potential_energy(scene.model, scene.params, state);
+  result.energy_change =
+      (result.kinetic - kinetic_energy(scene.model, scene.initial) - lost) / std::abs(lost);
   if (peer.has_top) {
-    const Index top = highest_body(scene.initial);
+    const std::size_t top = static_cast<std::size_t>(highest_body(scene.initial));
     Vec3 way = state.c[top] - scene.initial.c[top];
     result.top_drop = -way.y();
     way.y() = 0;

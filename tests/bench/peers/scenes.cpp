@@ -6,25 +6,63 @@ namespace pabd::peers {
 
 namespace {
 
+enum class Stage { ground, air, bridge };  // with the ground; without; with planks
+
 struct Entry {
   const char* name;
-  const char* generate;  // one entry of the scene file's "generate"
-  bool has_top;
+  const char* generate;  // entries of the scene file's "generate"
+  Stage stage = Stage::ground;
+  bool has_top = false;
+  SceneFor engines = SceneFor::all;
+  const char* more = "";  // other members of the scene file
+  int steps = kSteps;
 };
 
 // A new scene is one line here; bodies that the generators do not make can be written out in the same way.
-// "touching" has no gap between levels: peers rest at d = 0, this project inside d̂.
+// "touching" has no gap between levels: peers rest at d = 0, this project inside d̂. "heavy": the last link
+// of a chain weighs as much as 100 others; a link is 1 m long and weighs 10 kg.
 constexpr Entry kEntries[] = {
-    {"pyramid_210", R"({"type": "pyramid", "base": 20, "size": [1, 0.5, 0.5]})", true},
-    {"pyramid_210_touching", R"({"type": "pyramid", "base": 20, "size": [1, 0.5, 0.5], "gap": 0})", true},
-    {"wall_400", R"({"type": "wall", "columns": 20, "rows": 20, "size": [1, 0.5, 0.5]})", true},
-    {"wall_400_touching", R"({"type": "wall", "columns": 20, "rows": 20, "size": [1, 0.5, 0.5], "gap": 0})",
+    {"pyramid_210", R"({"type": "pyramid", "base": 20, "size": [1, 0.5, 0.5]})", Stage::ground, true},
+    {"pyramid_210_touching", R"({"type": "pyramid", "base": 20, "size": [1, 0.5, 0.5], "gap": 0})",
+     Stage::ground, true},
+    {"wall_400", R"({"type": "wall", "columns": 20, "rows": 20, "size": [1, 0.5, 0.5]})", Stage::ground,
      true},
-    {"pile_1000", R"({"type": "pile", "count": 1000, "size": [0.6, 0.5, 0.5], "vary": 0.15, "seed": 7})",
-     false},
-    {"pile_8000", R"({"type": "pile", "count": 8000, "size": [0.6, 0.5, 0.5], "vary": 0.15, "seed": 7})",
-     false},
+    {"wall_400_touching", R"({"type": "wall", "columns": 20, "rows": 20, "size": [1, 0.5, 0.5], "gap": 0})",
+     Stage::ground, true},
+    {"pile_1000", R"({"type": "pile", "count": 1000, "size": [0.6, 0.5, 0.5], "vary": 0.15, "seed": 7})"},
+    {"pile_8000", R"({"type": "pile", "count": 8000, "size": [0.6, 0.5, 0.5], "vary": 0.15, "seed": 7})"},
+    {"chain_100", R"({"type": "chain", "links": 100})", Stage::air, false, SceneFor::dense},
+    {"chain_100_heavy", R"({"type": "chain", "links": 100, "end_mass": 1000})", Stage::air, false,
+     SceneFor::dense},
+    {"chain_1000", R"({"type": "chain", "links": 1000})", Stage::air, false, SceneFor::dense},
+    {"chain_1000_heavy", R"({"type": "chain", "links": 1000, "end_mass": 1000})", Stage::air},
+    {"chain_10000", R"({"type": "chain", "links": 10000})", Stage::air},
+    {"chain_10000_heavy", R"({"type": "chain", "links": 10000, "end_mass": 1000})", Stage::air},
+    {"bridge_50", "", Stage::bridge, false, SceneFor::dense},
+    // Its middle is at the origin, since no scene reaches beyond 1000 km.
+    {"chain_1076748", R"({"type": "chain", "links": 1076748, "position": [-538374, 0, 0]})", Stage::air,
+     false, SceneFor::us_alone, R"("time_step": 0.01, "solver": {"method": "newton", "iterations": 1}, )",
+     20},
 };
+
+constexpr const char* kGround = R"("bodies": [{"name": "ground", "shape": {"type": "plane"}}])";
+
+const Entry& find(const std::string& name) {
+  for (const Entry& entry : kEntries) {
+    if (name == entry.name) return entry;
+  }
+  throw Error(ExitCode::bad_input, "scene '" + name + "': expected one of those that --list prints");
+}
+
+SceneKind kind(const Entry& entry) {
+  return entry.stage == Stage::ground ? SceneKind::contacts : SceneKind::joints;
+}
+
+std::string members(const Entry& entry) {
+  if (entry.stage == Stage::bridge) return bridge_members();
+  const std::string generate = R"("generate": [)" + std::string(entry.generate) + "]";
+  return entry.stage == Stage::ground ? kGround + (", " + generate) : generate;
+}
 
 }  // namespace
 
@@ -34,18 +72,18 @@ std::vector<std::string> scene_names() {
   return names;
 }
 
+SceneKind scene_kind(const std::string& name) { return kind(find(name)); }
+
+SceneFor scene_engines(const std::string& name) { return find(name).engines; }
+
 PeerScene peer_scene(const std::string& name) {
-  for (const Entry& entry : kEntries) {
-    if (name != entry.name) continue;
-    const std::string text =
-        R"({"format": "pabd-scene", "version": 1, "bodies": [{"name": "ground", "shape": {"type": "plane"}}],)"
-        R"("contact": {"friction": 0.5}, "generate": [)" +
-        std::string(entry.generate) + "]}";
-    PeerScene found{parse_scene(text, name, "."), entry.has_top};
-    found.scene.params.h = kTimeStep;
-    return found;
-  }
-  throw Error(ExitCode::bad_input, "scene '" + name + "': expected one of those that --list prints");
+  const Entry& entry = find(name);
+  const std::string text = R"({"format": "pabd-scene", "version": 1, "contact": {"friction": 0.5}, )" +
+                           std::string(entry.more) + members(entry) + "}";
+  PeerScene found{parse_scene(text, name, "."), kind(entry), entry.engines, entry.steps, entry.has_top,
+                  entry.stage == Stage::air};
+  if (*entry.more == 0) found.scene.params.h = kTimeStep;
+  return found;
 }
 
 }  // namespace pabd::peers
