@@ -16,6 +16,23 @@ struct JointSums {
 // Bonds of joint k with body `moved` at `trial` (kWorld: all where they are).
 void expand_at(const SolveContext& s, Index k, Index moved, const Pose& trial, BondList& out);
 
+// Calls visit(f, y) for every bond of the joints of body i at the current iterate: energy and weight of the
+// bond, and the gradient on i's point; that point, seen from the centre of i, world.
+template <class Visit>
+void each_bond_of(const SolveContext& s, Index i, const Visit& visit) {
+  BondList list;
+  for (const Index k : s.w.joints_of(i)) {
+    const Joint& joint = s.model.joints[static_cast<std::size_t>(k)];
+    expand_at(s, k, kWorld, {}, list);
+    const bool is_a = joint.i == i;
+    for (int b = 0; b < list.count; ++b) {
+      PointBondForce f = evaluate(joint.law, list.bond[b]);
+      if (is_a) f.gradient = -f.gradient;
+      visit(f, Vec3((is_a ? list.bond[b].y_a : list.bond[b].y_b) - s.w.pose[i].c));
+    }
+  }
+}
+
 // Energy of the joints of body i at a trial pose, and their quadratic model at the current one.
 double joint_energy(const SolveContext& s, Index i, const Pose& trial);
 void add_joints(const SolveContext& s, Index i, JointSums& sums);

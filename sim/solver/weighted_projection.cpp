@@ -29,25 +29,17 @@ void add_points(const Mat3& R, int count, const Vec3x& y, Lanes alpha, const Vec
 
 // Points of joints, with their largest weight in every direction.
 void add_joint_points(const SolveContext& s, Index i, AffineModel& q) {
-  const Pose& pose = s.w.pose[i];
-  BondList list;
-  for (const Index k : s.w.joints_of(i)) {
-    const Joint& joint = s.model.joints[k];
-    expand_at(s, k, kWorld, pose, list);
-    const bool is_a = joint.i == i;
-    for (int b = 0; b < list.count; ++b) {
-      const PointBondForce f = evaluate(joint.law, list.bond[b]);
-      const double alpha = f.weight.norm();
-      const Vec3 y = (is_a ? list.bond[b].y_a : list.bond[b].y_b) - pose.c;
-      const Vec3 r = pose.R.transpose() * y;
-      const Vec3 target = alpha * y + (is_a ? f.gradient : Vec3(-f.gradient));
-      q.h_c += alpha;
-      q.h_A += alpha * r;
-      q.H_A += alpha * r * r.transpose();
-      q.b_c += target;
-      q.b_A += target * r.transpose();
-    }
-  }
+  const Mat3& R = s.w.pose[i].R;
+  each_bond_of(s, i, [&](const PointBondForce& f, const Vec3& y) {
+    const double alpha = f.weight.norm();
+    const Vec3 r = R.transpose() * y;
+    const Vec3 target = alpha * y - f.gradient;
+    q.h_c += alpha;
+    q.h_A += alpha * r;
+    q.H_A += alpha * r * r.transpose();
+    q.b_c += target;
+    q.b_A += target * r.transpose();
+  });
 }
 
 }  // namespace

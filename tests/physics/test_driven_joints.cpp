@@ -89,15 +89,10 @@ TEST_CASE("limits as soft as the automatic stiffness makes them hold within 0.5Â
   const auto run_with = [](JointType type, const Vec3& axis, const JointRange& limits) {
     World world;
     const Index box = world.add(Box{{0.3, 0.2, 0.1}}, 4, {0.4, 0, 0});
-    Joint joint;
-    joint.type = type;
-    joint.j = box;
-    joint.arm = 0.2;
+    Joint joint = testing::make_joint(world, type, kWorld, box, Vec3::Zero(), axis);
     joint.limits = limits;
     joint.limit_scale = kLimitScale;
-    attach(world.state, Vec3::Zero(), frame_about(axis), joint);
-    joint.law.kappa = auto_joint_kappa(world.model, world.params.gravity, joint.law);
-    world.model.joints.push_back(joint);
+    testing::add_joint(world, joint);
     double lowest = 0;
     testing::run(world, 180, {}, [&](const StepReport&) {
       const PlacedFrame fi = place(joint.on_i, {Vec3::Zero(), Mat3::Identity()}),
@@ -112,4 +107,37 @@ TEST_CASE("limits as soft as the automatic stiffness makes them hold within 0.5Â
   const double slider = run_with(JointType::slider, Vec3::UnitY(), {-0.5, 0});
   CHECK(slider <= -0.5);
   CHECK(slider > -0.5 - 1e-4);
+}
+
+TEST_CASE("a slider's twist is free, locked or limited; its offset follows a drive") {
+  struct End {
+    double twist, offset;
+  };
+  // A box beside its axis, so that its weight twists it.
+  const auto after = [](Twist twist, double seconds) -> End {
+    World world;
+    const Index box = world.add(Box{{0.3, 0.2, 0.1}}, 4, {0, 0, 0.4});
+    Joint joint = testing::make_joint(world, JointType::slider, kWorld, box, Vec3::Zero(), Vec3::UnitX());
+    joint.twist = twist;
+    joint.twist_limits = JointRange{-0.3, 0.3};
+    joint.drive = Profile{{{0, 0}, {2, 1}}};
+    testing::add_joint(world, joint);
+    double largest = 0;
+    testing::run(world, static_cast<int>(std::lround(60 * seconds)), {}, [&](const StepReport& r) {
+      CHECK(r.max_joint_error < 1e-6);
+      const PlacedFrame fi = place(joint.on_i, {Vec3::Zero(), Mat3::Identity()}),
+                        fj = place(joint.on_j, {world.state.c[0], world.state.R[0]});
+      largest = std::max(largest, std::abs(joint_angle(fi, fj)));
+    });
+    const PlacedFrame fi = place(joint.on_i, {Vec3::Zero(), Mat3::Identity()}),
+                      fj = place(joint.on_j, {world.state.c[0], world.state.R[0]});
+    return {largest, joint_offset(fi, fj)};
+  };
+  CHECK(after(Twist::free, 1).twist > 1);
+  CHECK(after(Twist::locked, 1).twist < 1e-6);
+  const End limited = after(Twist::limited, 1);
+  CHECK(limited.twist >= 0.3);
+  CHECK(limited.twist < 0.3 + 0.5 * kPi / 180);
+  for (const Twist twist : {Twist::free, Twist::locked, Twist::limited})
+    CHECK(after(twist, 1.5).offset == Approx(0.75).margin(1e-5));
 }

@@ -3,20 +3,15 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "sim/body/convex_hull.h"
 #include "sim/math/so3.h"
+#include "tests/physics/hulls.h"
 #include "tests/physics/scenario.h"
 
 using namespace pabd;
+using testing::hull_of;
 using testing::World;
 
 namespace {
-
-Hull hull_of(const std::vector<Vec3>& points) {
-  HullResult result = make_hull(points);
-  REQUIRE(result.hull);
-  return Hull{result.hull};
-}
 
 Hull rock(int corners, unsigned seed) {
   std::mt19937 generator(seed);
