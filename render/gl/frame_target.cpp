@@ -25,16 +25,28 @@ const char* status_name(GLenum status) {
 
 }  // namespace
 
-FrameTarget::FrameTarget(const GlFunctions& gl, int width, int height)
-    : gl_(gl), width_(width), height_(height), multisampled_(gl), resolved_(gl), slots_{Slot(gl), Slot(gl)} {
+FrameTarget::FrameTarget(const GlFunctions& gl, int width, int height, int samples)
+    : gl_(gl),
+      width_(width),
+      height_(height),
+      samples_(samples),
+      multisampled_(gl),
+      resolved_(gl),
+      slots_{Slot(gl), Slot(gl)} {
   allocate();
 }
 
-void FrameTarget::resize(int width, int height) {
-  if (width == width_ && height == height_) return;
+void FrameTarget::resize(int width, int height, int samples) {
+  if (width == width_ && height == height_ && samples == samples_) return;
   width_ = width;
   height_ = height;
-  allocate();
+  samples_ = samples;
+  try {
+    allocate();
+  } catch (...) {
+    width_ = height_ = 0;  // the next resize must not believe that this size is there
+    throw;
+  }
 }
 
 void FrameTarget::allocate() {
@@ -45,36 +57,46 @@ void FrameTarget::allocate() {
   }
   const GLint limit = gl_.integer(GL_MAX_RENDERBUFFER_SIZE);
   const auto refuse = [&](const std::string& reason) {
-    throw Error(ExitCode::no_gl,
-                fmt::format("{} cannot draw frames of {}x{} pixels with {} samples: {}; choose a "
-                            "smaller --size",
-                            gl_.string(GL_RENDERER), width_, height_, kSamples, reason));
+    throw Error(
+        ExitCode::no_gl,
+        fmt::format("{} cannot draw frames of {}x{} pixels with {} sample{}: {}; choose a "
+                    "smaller --size",
+                    gl_.string(GL_RENDERER), width_, height_, samples_, samples_ == 1 ? "" : "s", reason));
   };
   if (width_ > limit || height_ > limit) refuse(fmt::format("the largest side is {}", limit));
-  if (gl_.integer(GL_MAX_SAMPLES) < kSamples)
+  if (gl_.integer(GL_MAX_SAMPLES) < samples_)
     refuse(fmt::format("it offers {}", gl_.integer(GL_MAX_SAMPLES)));
 
   // The old storage goes first, so that both never exist together.
   samples_color_.reset();
-  samples_depth_.reset();
+  depth_.reset();
   color_.reset();
-  samples_color_.emplace(gl_);
-  samples_depth_.emplace(gl_);
+  depth_.emplace(gl_);
   color_.emplace(gl_);
 
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
-  gl_.BindRenderbuffer(GL_RENDERBUFFER, samples_color_->id());
-  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_SRGB8_ALPHA8, width_, height_);
-  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_color_->id());
-  gl_.BindRenderbuffer(GL_RENDERBUFFER, samples_depth_->id());
-  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT24, width_, height_);
-  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, samples_depth_->id());
-  GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  // Zero samples: a plain buffer.
+  const auto attach = [&](GLenum point, const GlRenderbuffer& buffer, GLenum format, GLsizei samples) {
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_, height_);
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, buffer.id());
+  };
+  const bool several = samples_ > 1;
+  GLenum status = GL_FRAMEBUFFER_COMPLETE;
+  if (several) {
+    samples_color_.emplace(gl_);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
+    attach(GL_COLOR_ATTACHMENT0, *samples_color_, GL_SRGB8_ALPHA8, samples_);
+    attach(GL_DEPTH_ATTACHMENT, *depth_, GL_DEPTH_COMPONENT24, samples_);
+    status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  }
   if (status == GL_FRAMEBUFFER_COMPLETE) {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, color_->id());
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_SRGB8_ALPHA8, width_, height_);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_->id());
+    attach(GL_COLOR_ATTACHMENT0, *color_, GL_SRGB8_ALPHA8, 0);
+    if (several) {
+      gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
+    } else {
+      attach(GL_DEPTH_ATTACHMENT, *depth_, GL_DEPTH_COMPONENT24, 0);
+    }
     status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   }
   const GLenum error = gl_.GetError();
@@ -82,8 +104,8 @@ void FrameTarget::allocate() {
   if (status != GL_FRAMEBUFFER_COMPLETE) refuse(status_name(status));
 }
 
-void FrameTarget::bind_multisampled() const {
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
+void FrameTarget::bind_for_drawing() const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, samples_ > 1 ? multisampled_.id() : resolved_.id());
   gl_.Viewport(0, 0, width_, height_);
 }
 
@@ -93,6 +115,7 @@ void FrameTarget::bind_resolved() const {
 }
 
 void FrameTarget::resolve() const {
+  if (samples_ == 1) return;
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.id());
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
   gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -105,6 +128,16 @@ void FrameTarget::blit_to_default(int width, int height) const {
   const bool same = width == width_ && height == height_;
   gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
                       same ? GL_NEAREST : GL_LINEAR);
+}
+
+void FrameTarget::blit_to(const FrameTarget& other, const PixelRect& rect) const {
+  gl_.Disable(GL_FRAMEBUFFER_SRGB);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, other.resolved_.id());
+  const bool same = rect.width == width_ && rect.height == height_;
+  const int bottom = other.height_ - rect.y - rect.height;  // GL counts rows from the bottom
+  gl_.BlitFramebuffer(0, 0, width_, height_, rect.x, bottom, rect.x + rect.width, bottom + rect.height,
+                      GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
 }
 
 void FrameTarget::queue_read() {

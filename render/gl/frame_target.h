@@ -1,5 +1,5 @@
-// The framebuffers of a frame: four samples a pixel to draw into, one to keep, and two pixel buffers to read
-// it back.
+// The framebuffers of a frame: several samples a pixel to draw into, one to keep, and two pixel buffers to
+// read it back.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,29 @@ namespace pabd {
 
 inline constexpr int kSamples = 4;  // what software GL offers; more is an error there
 
+// A rectangle of pixels, from the top left corner of the frame.
+struct PixelRect {
+  int x = 0, y = 0;
+  int width = 0, height = 0;
+};
+
 class FrameTarget {
  public:
-  // Throws Error(bad_input) for a size below 1, Error(no_gl) when the driver refuses it.
-  FrameTarget(const GlFunctions& gl, int width, int height);
+  // `samples`: kSamples or 1. Throws Error(bad_input) for a size below 1, Error(no_gl) when the driver
+  // refuses it.
+  FrameTarget(const GlFunctions& gl, int width, int height, int samples = kSamples);
 
   // Frames already queued keep their own size.
-  void resize(int width, int height);
+  void resize(int width, int height, int samples = kSamples);
   int width() const { return width_; }
   int height() const { return height_; }
 
-  void bind_multisampled() const;
-  void resolve() const;  // averages the samples, in linear light
-  void bind_resolved() const;
+  void bind_for_drawing() const;  // with a depth buffer
+  void resolve() const;           // averages the samples, in linear light
+  void bind_resolved() const;     // what resolve() left, or with one sample what was drawn
   void blit_to_default(int width, int height) const;
+  // Copies the resolved frame into a rectangle of another one, stretched if need be. Bytes stay as they are.
+  void blit_to(const FrameTarget& other, const PixelRect& rect) const;
 
   // See Renderer.
   void queue_read();
@@ -45,9 +54,10 @@ class FrameTarget {
   const GlFunctions& gl_;
   int width_;
   int height_;
+  int samples_;
   GlFramebuffer multisampled_;
   GlFramebuffer resolved_;
-  std::optional<GlRenderbuffer> samples_color_, samples_depth_, color_;
+  std::optional<GlRenderbuffer> samples_color_, depth_, color_;  // samples_color_: only with several
   Slot slots_[2];
   int oldest_ = 0;
   int queued_ = 0;

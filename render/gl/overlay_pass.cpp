@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
+
+#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -36,6 +39,23 @@ void main() { fragment = tint * texture(image, at); }
 
 constexpr GLenum kIndexType = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
 
+GLuint name_of(void* id) { return static_cast<GLuint>(reinterpret_cast<std::intptr_t>(id)); }
+void* id_of(const GlTexture& texture) {
+  return reinterpret_cast<void*>(static_cast<std::intptr_t>(texture.id()));
+}
+
+void load(const GlFunctions& gl, const GlTexture& texture, GLenum format, const unsigned char* bytes,
+          int width, int height) {
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, format, GL_UNSIGNED_BYTE, bytes);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
 }  // namespace
 
 OverlayPass::OverlayPass(const GlFunctions& gl)
@@ -64,20 +84,46 @@ OverlayPass::OverlayPass(const GlFunctions& gl)
 
 void* OverlayPass::upload_font_atlas(const unsigned char* rgba, int width, int height) {
   atlas_.emplace(gl_);
-  gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, atlas_->id());
-  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  load(gl_, *atlas_, GL_RGBA, rgba, width, height);
   gl_.check("uploading the font");
-  return reinterpret_cast<void*>(static_cast<std::intptr_t>(atlas_->id()));
+  return id_of(*atlas_);
+}
+
+void* OverlayPass::upload_texture(const unsigned char* rgb, int width, int height) {
+  const GLint limit = gl_.integer(GL_MAX_TEXTURE_SIZE);
+  if (width < 1 || height < 1 || width > limit || height > limit) {
+    throw Error(ExitCode::bad_input, "a texture of " + std::to_string(width) + "x" + std::to_string(height) +
+                                         " pixels: expected sides from 1 to " + std::to_string(limit) +
+                                         "; use a smaller picture");
+  }
+  GlTexture texture(gl_);
+  load(gl_, texture, GL_RGB, rgb, width, height);
+  gl_.check("uploading a picture");
+  void* const id = id_of(texture);
+  textures_.emplace(name_of(id), std::move(texture));
+  return id;
+}
+
+void OverlayPass::free_texture(void* id) {
+  if (textures_.erase(name_of(id)) == 0)
+    throw Error(ExitCode::defect, "a texture was freed that is not there; free each id once");
+}
+
+bool OverlayPass::knows(void* id) const {
+  return (atlas_ && id == id_of(*atlas_)) || textures_.contains(name_of(id));
 }
 
 void OverlayPass::draw(const ImDrawData& data, int width, int height) const {
   if (data.CmdListsCount == 0 || data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
+  for (int l = 0; l < data.CmdListsCount; ++l) {
+    for (const ImDrawCmd& command : data.CmdLists[l]->CmdBuffer) {
+      if (command.UserCallback == nullptr && command.ElemCount > 0 && !knows(command.GetTexID())) {
+        throw Error(ExitCode::defect,
+                    "the overlay names a texture that is not there; upload it before the frame "
+                    "and free it after");
+      }
+    }
+  }
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_FRAMEBUFFER_SRGB);  // ImGui's colours are sRGB and are blended as such
@@ -116,8 +162,7 @@ void OverlayPass::draw(const ImDrawData& data, int width, int height) const {
       const int y1 = clip((command.ClipRect.w - data.DisplayPos.y) * py, static_cast<float>(height));
       if (x1 <= x0 || y1 <= y0) continue;
       gl_.Scissor(x0, height - y1, x1 - x0, y1 - y0);
-      gl_.BindTexture(GL_TEXTURE_2D,
-                      static_cast<GLuint>(reinterpret_cast<std::intptr_t>(command.GetTexID())));
+      gl_.BindTexture(GL_TEXTURE_2D, name_of(command.GetTexID()));
       gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
                                  reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
                                  static_cast<GLint>(command.VtxOffset));

@@ -1,7 +1,9 @@
 // The conductor: which pass comes after which.
 #include "render/gl/renderer.h"
 
+#include <array>
 #include <chrono>
+#include <optional>
 
 #include "render/gl/background_pass.h"
 #include "render/gl/contact_shade_pass.h"
@@ -11,6 +13,7 @@
 #include "render/gl/overlay_pass.h"
 #include "render/gl/shadow_pass.h"
 #include "render/gl/surface_pass.h"
+#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -43,6 +46,23 @@ struct Renderer::Impl {
     gl.check("setting up the renderer");
   }
 
+  void draw_scene(const VisualScene& scene, const FrameTarget& into);
+
+  std::optional<FrameTarget>& view(int number) {
+    if (number < 0 || number >= kViews) {
+      throw Error(ExitCode::defect, "view " + std::to_string(number) + " of the renderer: expected 0 to " +
+                                        std::to_string(kViews - 1));
+    }
+    return views[static_cast<std::size_t>(number)];
+  }
+
+  void clear(const Vec3f& color) {
+    target.bind_resolved();
+    gl.Enable(GL_FRAMEBUFFER_SRGB);
+    gl.ClearColor(color.x(), color.y(), color.z(), 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+  }
+
   void draw_overlay(const ImDrawData* overlay) {
     target.bind_resolved();
     if (overlay != nullptr) overlay_pass.draw(*overlay, target.width(), target.height());
@@ -62,6 +82,7 @@ struct Renderer::Impl {
   GlContext& context;
   GlFunctions gl;
   FrameTarget target;
+  std::array<std::optional<FrameTarget>, kViews> views;
   InstanceDrawer drawer;
   ShadowPass shadow_pass;
   ContactShadePass contact_shade_pass;
@@ -87,53 +108,80 @@ void* Renderer::upload_font_atlas(const unsigned char* rgba, int width, int heig
   return impl_->overlay_pass.upload_font_atlas(rgba, width, height);
 }
 
-void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay) {
-  const auto start = Clock::now();
-  Impl& r = *impl_;
-  const GlFunctions& gl = r.gl;
-  const int width = r.target.width();
-  const int height = r.target.height();
+void* Renderer::upload_texture(const Image& image) {
+  return impl_->overlay_pass.upload_texture(image.rgb.data(), image.width, image.height);
+}
 
+void Renderer::free_texture(void* id) { impl_->overlay_pass.free_texture(id); }
+
+void Renderer::Impl::draw_scene(const VisualScene& scene, const FrameTarget& into) {
   const ShadowVolume shadow = fit_shadow(scene);
   const FloorVolume floor = fit_floor(scene);
-  const FrameUniforms uniforms = frame_uniforms(scene, shadow, floor, width, height);
-  r.list.build(scene, height, shadow.texel);
-  r.drawer.upload(r.list);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, r.uniforms.id());
-  gl.BufferData(GL_UNIFORM_BUFFER, sizeof(uniforms), &uniforms, GL_STREAM_DRAW);
+  const FrameUniforms frame = frame_uniforms(scene, shadow, floor, into.width(), into.height());
+  list.build(scene, into.height(), shadow.texel);
+  drawer.upload(list);
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, uniforms.id());
+  gl.BufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
 
-  r.shadow_pass.draw(r.list, r.drawer);
-  r.contact_shade_pass.draw(r.list, r.drawer, floor);
+  shadow_pass.draw(list, drawer);
+  contact_shade_pass.draw(list, drawer, floor);
 
-  r.target.bind_multisampled();
+  into.bind_for_drawing();
   gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_CULL_FACE);
   gl.DepthMask(GL_TRUE);
   gl.Clear(GL_DEPTH_BUFFER_BIT);  // the background covers whatever colour is left
-  r.shadow_pass.bind_map();
-  r.contact_shade_pass.bind_map();
-  r.surface_pass.draw_bodies(r.list, r.drawer);
-  r.ground_pass.draw(scene, shadow);
-  r.background_pass.draw();
-  r.surface_pass.draw_glyphs(r.list, r.drawer);
-  r.surface_pass.draw_transparent(r.list, r.drawer);
-  r.line_pass.draw(scene.lines);
+  shadow_pass.bind_map();
+  contact_shade_pass.bind_map();
+  surface_pass.draw_bodies(list, drawer);
+  ground_pass.draw(scene, shadow);
+  background_pass.draw();
+  surface_pass.draw_glyphs(list, drawer);
+  surface_pass.draw_transparent(list, drawer);
+  line_pass.draw(scene.lines);
+  into.resolve();
+}
 
-  r.target.resolve();
-  r.draw_overlay(overlay);
+void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay) {
+  const auto start = Clock::now();
+  impl_->draw_scene(scene, impl_->target);
+  impl_->draw_overlay(overlay);
+  impl_->end_frame(start);
+}
+
+void Renderer::draw_view(int view, const VisualScene& scene, int width, int height) {
+  const auto start = Clock::now();
+  std::optional<FrameTarget>& target = impl_->view(view);
+  if (!target) {
+    target.emplace(impl_->gl, width, height);
+  } else {
+    target->resize(width, height);
+  }
+  impl_->draw_scene(scene, *target);
+  impl_->end_frame(start);
+}
+
+void Renderer::compose(int width, int height, std::span<const ViewPlace> places, const Vec3f& background,
+                       const ImDrawData* interface) {
+  const auto start = Clock::now();
+  Impl& r = *impl_;
+  r.target.resize(width, height);
+  r.clear(background);
+  for (const ViewPlace& place : places) {
+    const std::optional<FrameTarget>& view = r.view(place.view);
+    if (!view || place.width < 1 || place.height < 1) continue;
+    view->blit_to(r.target, {place.x, place.y, place.width, place.height});
+  }
+  r.draw_overlay(interface);
   r.end_frame(start);
 }
 
 void Renderer::draw_plain(const ImDrawData* overlay, const Vec3f& background) {
   const auto start = Clock::now();
-  Impl& r = *impl_;
-  r.target.bind_resolved();
-  r.gl.Enable(GL_FRAMEBUFFER_SRGB);
-  r.gl.ClearColor(background.x(), background.y(), background.z(), 1);
-  r.gl.Clear(GL_COLOR_BUFFER_BIT);
-  r.draw_overlay(overlay);
-  r.end_frame(start);
+  impl_->clear(background);
+  impl_->draw_overlay(overlay);
+  impl_->end_frame(start);
 }
 
 void Renderer::queue_read() {

@@ -1,7 +1,9 @@
-// Draws a VisualScene and an overlay into an off-screen frame of GL 3.3 core, and reads it back.
+// Draws a VisualScene and an overlay into an off-screen frame of GL 3.3 core, and reads it back; or puts a
+// window together from pictures of scenes and an interface.
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "render/context/context.h"
@@ -18,8 +20,17 @@ struct FrameTimes {
   double read_back = 0;
 };
 
+// Where a view appears in a window: pixels from its top left corner. A view of another size is stretched.
+struct ViewPlace {
+  int view = 0;
+  int x = 0, y = 0;
+  int width = 0, height = 0;
+};
+
 class Renderer {
  public:
+  static constexpr int kViews = 2;  // a scene, and another beside it
+
   // The context must outlive the renderer and be current in every call. Throws Error(no_gl) if a shader or
   // the framebuffer is refused, with the driver's words.
   Renderer(GlContext& context, int width, int height);
@@ -30,10 +41,25 @@ class Renderer {
   // The alpha texture of the ImGui font atlas, RGBA32; its id goes into ImFontAtlas::TexID.
   void* upload_font_atlas(const unsigned char* rgba, int width, int height);
 
+  // Pictures for ImGui beside the atlas: ids for ImGui::Image, valid until freed. Throws Error(bad_input) for
+  // an image without pixels or too large for the driver, Error(defect) when an unknown id is freed. A frame
+  // whose overlay names an unknown id is refused with Error(defect).
+  void* upload_texture(const Image& image);
+  void free_texture(void* id);
+
   // Draws one frame. `overlay` may be null. Pixel (0,0) of the overlay is the top left corner.
   void draw(const VisualScene& scene, const ImDrawData* overlay);
   // Only the overlay, over a plain background (linear RGB): plots.
   void draw_plain(const ImDrawData* overlay, const Vec3f& background);
+
+  // For windows, where the scene changes less often than the interface: draw_view() draws a scene into a
+  // picture of its own, which stays until it is drawn again; compose() makes a frame of the window's size
+  // (resizing as resize() does) with `background` (linear RGB), the views at their places and the interface
+  // over them. The frame is then read back or shown as any other. `view`: 0 … kViews − 1; one that was never
+  // drawn shows the background. Throws as the constructor does, Error(defect) for a view out of range.
+  void draw_view(int view, const VisualScene& scene, int width, int height);
+  void compose(int width, int height, std::span<const ViewPlace> places, const Vec3f& background,
+               const ImDrawData* interface);
 
   // Two pixel buffers: queue_read() starts copying the frame just drawn; fetch() waits for the oldest queued
   // one. Returns false when none is queued. A caller that calls queue_read, fetch in turn gets each frame at

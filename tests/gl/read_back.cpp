@@ -102,6 +102,7 @@ TEST_CASE("sizes that cannot be: named, with a remedy") {
   CHECK(text.find("--size") != std::string::npos);
   CHECK(code_of(f, 16, -3, text) == ExitCode::bad_input);
   CHECK(code_of(f, 1000000, 16, text) == ExitCode::no_gl);
+  CHECK(code_of(f, 1000000, 16, text) == ExitCode::no_gl);  // and again
   CHECK(text.find("1000000x16") != std::string::npos);
   CHECK(text.find("--size") != std::string::npos);
   // And the renderer can go on with a size that is fine.
