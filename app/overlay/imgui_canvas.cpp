@@ -113,7 +113,7 @@ void ImGuiCanvas::text(const Point& at, std::string_view rich, const TextStyle& 
     for (int k = 0; k < 12; ++k) {
       const double angle = 2 * 3.14159265358979323846 * k / 12;
       glyphs(layout, {origin.x + style.halo * std::cos(angle), origin.y + style.halo * std::sin(angle)},
-             style.vertical, {255, 255, 255, style.color.a});
+             style.vertical, {style.halo_color.r, style.halo_color.g, style.halo_color.b, style.color.a});
     }
   }
   glyphs(layout, origin, style.vertical, style.color);

@@ -106,6 +106,11 @@ double AxisScale::unit(double v) const {
   return (v - lo) / (hi - lo);
 }
 
+double AxisScale::value(double u) const {
+  if (log) return std::pow(10.0, std::log10(lo) + u * (std::log10(hi) - std::log10(lo)));
+  return lo + u * (hi - lo);
+}
+
 void DataRange::add(double v, bool log) {
   if (!std::isfinite(v) || (log && v <= 0)) return;
   lo = empty ? v : std::min(lo, v);

@@ -24,6 +24,8 @@ struct AxisScale {
 
   // Position of v, 0 at lo and 1 at hi; NaN for what the axis cannot show (v ≤ 0 on a log axis, non-finite).
   double unit(double v) const;
+  // The inverse: the value at position u, which may lie outside 0 … 1.
+  double value(double u) const;
 };
 
 // Range of the finite values (positive ones for a log axis) among those added.

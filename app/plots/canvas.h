@@ -52,7 +52,8 @@ struct TextStyle {
   AnchorX x = AnchorX::left;
   AnchorY y = AnchorY::baseline;
   bool vertical = false;  // reads upwards: turned by 90° about the anchor
-  double halo = 0;        // width of a white rim that keeps text readable over lines
+  double halo = 0;        // width of a rim that keeps text readable over lines
+  Color halo_color{255, 255, 255, 255};
 };
 
 class Canvas {

@@ -40,13 +40,15 @@ PictureSize default_size(const Figure& figure) {
   return {columns == 1 ? 1000 : columns * 800 - (columns > 2 ? 150 * columns : 0), 100 + rows * 600};
 }
 
-FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font) {
+FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font,
+                           const PlotTheme& theme) {
   FigureLayout layout;
   const int columns = std::max(1, figure.columns);
   const int rows = std::max(1, row_count(figure));
   const double scale =
       std::min(height / (100 + rows * (kReferenceHeight - 100)), width / (columns * kCellWidth));
   layout.style = figure_style().scaled(std::max(scale, 0.6) * 1.25);
+  layout.style.theme = theme;
   const PlotStyle& style = layout.style;
   const double margin = 1.6 * style.tick;
   double top = margin, bottom = height - margin;
@@ -79,12 +81,12 @@ FigureLayout layout_figure(const Figure& figure, double width, double height, co
   return layout;
 }
 
-void paint_figure(const Figure& figure, double width, double height, Canvas& canvas) {
-  const FigureLayout layout = layout_figure(figure, width, height, canvas.font());
+void paint_figure(const Figure& figure, double width, double height, Canvas& canvas, const PlotTheme& theme) {
+  const FigureLayout layout = layout_figure(figure, width, height, canvas.font(), theme);
   const PlotStyle& style = layout.style;
   if (!figure.title.empty()) {
     canvas.text({0.5 * width, layout.title.y}, figure.title,
-                {1.15 * style.title, ink::text, AnchorX::center, AnchorY::top});
+                {1.15 * style.title, theme.text, AnchorX::center, AnchorY::top});
   }
   for (std::size_t i = 0; i < figure.plots.size(); ++i) {
     paint_plot(figure.plots[i], layout_plot(figure.plots[i], layout.cells[i], style, canvas.font()), style,
@@ -92,20 +94,22 @@ void paint_figure(const Figure& figure, double width, double height, Canvas& can
   }
   double y = layout.caption.y;
   for (const std::string& line : layout.caption_lines) {
-    canvas.text({0.5 * width, y}, line, {style.tick, ink::muted, AnchorX::center, AnchorY::top});
+    canvas.text({0.5 * width, y}, line, {style.tick, theme.muted, AnchorX::center, AnchorY::top});
     y += FontMetrics::line * style.tick;
   }
 }
 
-Picture figure_picture(Figure figure) {
+Picture figure_picture(Figure figure, const PlotTheme& theme) {
   const auto shared = std::make_shared<const Figure>(std::move(figure));
-  return
-      [shared](Canvas& canvas, double width, double height) { paint_figure(*shared, width, height, canvas); };
+  return [shared, theme](Canvas& canvas, double width, double height) {
+    paint_figure(*shared, width, height, canvas, theme);
+  };
 }
 
-std::string figure_to_svg(const Figure& figure, int width, int height) {
-  return picture_to_svg([&](Canvas& canvas, double w, double h) { paint_figure(figure, w, h, canvas); },
-                        width, height);
+std::string figure_to_svg(const Figure& figure, int width, int height, const PlotTheme& theme) {
+  return picture_to_svg(
+      [&](Canvas& canvas, double w, double h) { paint_figure(figure, w, h, canvas, theme); }, width, height,
+      theme.paper);
 }
 
 std::string figure_to_csv(const Figure& figure) {

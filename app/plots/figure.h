@@ -23,13 +23,16 @@ struct PictureSize {
 // What a figure looks best at: 1600 × 700 for two columns.
 PictureSize default_size(const Figure& figure);
 
-FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font);
-void paint_figure(const Figure& figure, double width, double height, Canvas& canvas);
-Picture figure_picture(Figure figure);
+FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font,
+                           const PlotTheme& theme = light_theme());
+void paint_figure(const Figure& figure, double width, double height, Canvas& canvas,
+                  const PlotTheme& theme = light_theme());
+Picture figure_picture(Figure figure, const PlotTheme& theme = light_theme());
 
 // A whole SVG document. Text stays text, in DejaVu Sans or what comes next to it.
-std::string picture_to_svg(const Picture& picture, int width, int height);
-std::string figure_to_svg(const Figure& figure, int width, int height);
+std::string picture_to_svg(const Picture& picture, int width, int height, Color paper = ink::paper);
+std::string figure_to_svg(const Figure& figure, int width, int height,
+                          const PlotTheme& theme = light_theme());
 
 // Long format with a header: plot,series,x,y. Names without markup; numbers as short as reading them back
 // exactly allows, "nan", "inf" and "-inf" included. A level has an empty x (or y). Lines end with \n; names

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/plots/palette.h"
 #include "app/plots/plot_layout.h"
 
 namespace pabd {
@@ -22,15 +21,15 @@ Stroke series_stroke(SeriesStyle style, Color color, double width) {
   return stroke;
 }
 
-void paint_marker(const Point& at, double radius, Color color, Canvas& canvas) {
-  canvas.fill_circle(at, radius + 0.35 * radius, ink::paper);
+void paint_marker(const Point& at, double radius, Color color, const PlotStyle& style, Canvas& canvas) {
+  canvas.fill_circle(at, radius + 0.35 * radius, style.theme.paper);
   canvas.fill_circle(at, radius, color);
 }
 
 void paint_grid(const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
   const Rect& in = layout.inner;
   for (const bool major : {false, true}) {
-    const Color color = major ? ink::grid : ink::minor_grid;
+    const Color color = major ? style.theme.grid : style.theme.minor_grid;
     for (const Tick& tick : layout.x.ticks) {
       if (tick.major == major)
         canvas.vertical(in.x + layout.x.unit(tick.value) * in.w, in.y, in.bottom(), color, style.grid);
@@ -44,10 +43,11 @@ void paint_grid(const PlotLayout& layout, const PlotStyle& style, Canvas& canvas
   }
   // The zero lines of linear axes, when inside.
   if (!layout.y.log && layout.y.lo < 0 && layout.y.hi > 0) {
-    canvas.horizontal(in.x, in.right(), in.bottom() - layout.y.unit(0) * in.h, ink::zero_line, style.grid);
+    canvas.horizontal(in.x, in.right(), in.bottom() - layout.y.unit(0) * in.h, style.theme.zero_line,
+                      style.grid);
   }
   if (!layout.x.log && layout.x.lo < 0 && layout.x.hi > 0) {
-    canvas.vertical(in.x + layout.x.unit(0) * in.w, in.y, in.bottom(), ink::zero_line, style.grid);
+    canvas.vertical(in.x + layout.x.unit(0) * in.w, in.y, in.bottom(), style.theme.zero_line, style.grid);
   }
 }
 
@@ -56,8 +56,8 @@ void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool r
   const Rect& in = layout.inner;
   const double edge = right ? in.right() : in.x;
   const double out = right ? 1 : -1;
-  const bool tinted = !(color == ink::axis);
-  TextStyle text{style.tick, tinted ? color : ink::text, right ? AnchorX::left : AnchorX::right,
+  const bool tinted = !(color == style.theme.axis);
+  TextStyle text{style.tick, tinted ? color : style.theme.text, right ? AnchorX::left : AnchorX::right,
                  AnchorY::middle};
   for (const Tick& tick : axis.ticks) {
     const double y = in.bottom() - axis.unit(tick.value) * in.h;
@@ -92,14 +92,14 @@ void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool r
 void paint_horizontal_axis(const Plot& plot, const PlotLayout& layout, const PlotStyle& style,
                            Canvas& canvas) {
   const Rect& in = layout.inner;
-  TextStyle text{style.tick, ink::text, AnchorX::center, AnchorY::top};
+  TextStyle text{style.tick, style.theme.text, AnchorX::center, AnchorY::top};
   for (const Tick& tick : layout.x.ticks) {
     const double x = in.x + layout.x.unit(tick.value) * in.w;
-    canvas.vertical(x, in.bottom(), in.bottom() + style.tick_length * (tick.major ? 1 : 0.55), ink::axis,
-                    style.grid);
+    canvas.vertical(x, in.bottom(), in.bottom() + style.tick_length * (tick.major ? 1 : 0.55),
+                    style.theme.axis, style.grid);
     if (tick.major) canvas.text({x, in.bottom() + style.tick_length + style.gap}, tick.label, text);
   }
-  canvas.horizontal(in.x, in.right() + 1, in.bottom(), ink::axis, style.grid);
+  canvas.horizontal(in.x, in.right() + 1, in.bottom(), style.theme.axis, style.grid);
   const double below =
       in.bottom() + style.tick_length + style.gap + FontMetrics::cap * style.tick + 0.55 * style.label;
   text.size = style.label;
@@ -129,7 +129,7 @@ void paint_series(const Series& series, Color color, const PlotLayout& layout, c
     for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
       const Point p = layout.map(series.x[i], series.y[i], series.right_axis);
       if (!in.inset(-1).contains(p)) continue;
-      paint_marker(p, style.marker, i < series.marker_colors.size() ? series.marker_colors[i] : color,
+      paint_marker(p, style.marker, i < series.marker_colors.size() ? series.marker_colors[i] : color, style,
                    canvas);
     }
     return;
@@ -145,17 +145,18 @@ void paint_series(const Series& series, Color color, const PlotLayout& layout, c
 
 void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) {
   if (legend.entries.empty()) return;
-  if (legend.boxed) canvas.fill_rect(legend.box, {255, 255, 255, 225}, 3);
+  if (legend.boxed) canvas.fill_rect(legend.box, style.theme.legend, 3);
   for (const LegendEntry& entry : legend.entries) {
     if (entry.style == SeriesStyle::markers) {
-      paint_marker({entry.at.x + 0.5 * legend.sample, entry.at.y}, 0.9 * style.marker, entry.color, canvas);
+      paint_marker({entry.at.x + 0.5 * legend.sample, entry.at.y}, 0.9 * style.marker, entry.color, style,
+                   canvas);
     } else {
       const Point ends[] = {entry.at, {entry.at.x + legend.sample, entry.at.y}};
       canvas.polyline(ends, series_stroke(entry.style, entry.color, style.line));
     }
     const double gap = (style.compact ? 0.4 : 0.6) * style.tick;
     canvas.text({entry.at.x + legend.sample + gap, entry.at.y}, entry.name,
-                {style.tick, ink::text, AnchorX::left, AnchorY::middle});
+                {style.tick, style.theme.text, AnchorX::left, AnchorY::middle});
   }
 }
 
@@ -164,14 +165,14 @@ void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) 
 void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
   const Rect& in = layout.inner;
   if (!plot.title.empty()) {
-    const TextStyle title{style.title, ink::text, style.compact ? AnchorX::left : AnchorX::center,
+    const TextStyle title{style.title, style.theme.text, style.compact ? AnchorX::left : AnchorX::center,
                           AnchorY::top};
     canvas.text({style.compact ? layout.area.x : in.x + 0.5 * in.w, layout.area.y}, plot.title, title);
   }
   if (layout.empty) {
-    canvas.stroke_rect(in, ink::grid, style.grid);
+    canvas.stroke_rect(in, style.theme.grid, style.grid);
     canvas.text({in.x + 0.5 * in.w, in.y + 0.5 * in.h}, "no data",
-                {style.label, ink::muted, AnchorX::center, AnchorY::middle});
+                {style.label, style.theme.muted, AnchorX::center, AnchorY::middle});
     return;
   }
   paint_grid(layout, style, canvas);

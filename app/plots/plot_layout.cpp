@@ -3,26 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/plots/legend.h"
-#include "app/plots/palette.h"
 
 namespace pabd {
 namespace {
 
 constexpr double kPad = 0.05;
 
-void add_colors(const Plot& plot, PlotLayout& layout) {
+void add_colors(const Plot& plot, const PlotTheme& theme, PlotLayout& layout) {
   int next = 0;
   int left = 0, right = 0;
-  layout.left_ink = layout.right_ink = ink::axis;
+  layout.left_ink = layout.right_ink = theme.axis;
   for (const Series& series : plot.series) {
     const bool reference = series.style == SeriesStyle::level || series.style == SeriesStyle::level_x;
-    Color color = ink::reference;
+    Color color = theme.reference;
     if (series.color >= 0) {
-      color = palette_color(series.color);
+      color = theme.color(series.color);
     } else if (!reference) {
-      color = palette_color(next++);
+      color = theme.color(next++);
     }
     layout.colors.push_back(color);
     if (reference || series.style == SeriesStyle::markers) continue;
@@ -30,8 +30,8 @@ void add_colors(const Plot& plot, PlotLayout& layout) {
     ++(series.right_axis ? right : left);
   }
   // Axes take the colour of their curve only where two axes have to be told apart.
-  if (left != 1 || right == 0) layout.left_ink = ink::axis;
-  if (right != 1) layout.right_ink = ink::axis;
+  if (left != 1 || right == 0) layout.left_ink = theme.axis;
+  if (right != 1) layout.right_ink = theme.axis;
 }
 
 struct Ranges {
@@ -142,10 +142,19 @@ Point PlotLayout::map(double px, double py, bool right_axis) const {
   return {inner.x + ux * inner.w, inner.bottom() - uy * inner.h};
 }
 
+Point PlotLayout::unmap(const Point& pixel, bool right_axis, bool only_inside) const {
+  if (only_inside && !inner.contains(pixel)) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return {nan, nan};
+  }
+  return {x.value((pixel.x - inner.x) / inner.w),
+          (right_axis ? y_right : y).value((inner.bottom() - pixel.y) / inner.h)};
+}
+
 PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font) {
   PlotLayout layout;
   layout.area = area;
-  add_colors(plot, layout);
+  add_colors(plot, style.theme, layout);
   const Ranges ranges = find_ranges(plot);
   layout.has_right =
       std::any_of(plot.series.begin(), plot.series.end(), [](const Series& s) { return s.right_axis; });

@@ -11,6 +11,7 @@
 #include "app/plots/axis_ticks.h"
 #include "app/plots/canvas.h"
 #include "app/plots/plot.h"
+#include "app/plots/theme.h"
 
 namespace pabd {
 
@@ -27,6 +28,7 @@ struct PlotStyle {
   // Panels over a picture: the labels of both vertical axes stand above them, the legend in rows under the
   // title.
   bool compact = false;
+  PlotTheme theme = light_theme();
 
   PlotStyle scaled(double s) const;
 };
@@ -60,6 +62,8 @@ struct PlotLayout {
 
   // NaN coordinates for what the axes cannot show.
   Point map(double px, double py, bool right_axis = false) const;
+  // The inverse: data units at a pixel. Outside of `inner` the axes go on; NaN there with `only_inside`.
+  Point unmap(const Point& pixel, bool right_axis = false, bool only_inside = false) const;
 };
 
 PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font);

@@ -60,13 +60,13 @@ std::string escape(std::string_view text) {
 
 }  // namespace
 
-SvgCanvas::SvgCanvas(const FontMetrics& font, int width, int height) : Canvas(font) {
+SvgCanvas::SvgCanvas(const FontMetrics& font, int width, int height, Color paper) : Canvas(font) {
   head_ = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"DejaVu Sans, Bitstream Vera Sans, Verdana, sans-serif\">\n",
       width, height);
-  body_ = "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+  body_ = "<rect width=\"100%\" height=\"100%\"" + paint("fill", paper) + "/>\n";
 }
 
 void SvgCanvas::polyline(std::span<const Point> points, const Stroke& stroke, bool closed) {
@@ -111,9 +111,8 @@ void SvgCanvas::text(const Point& at, std::string_view rich, const TextStyle& st
   body_ += fmt::format(" font-size=\"{}\" text-anchor=\"{}\"", number(style.size), anchor) +
            paint("fill", style.color);
   if (style.halo > 0) {
-    body_ += fmt::format(
-        " stroke=\"#ffffff\" stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
-        number(2 * style.halo));
+    body_ += fmt::format("{} stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
+                         paint("stroke", style.halo_color), number(2 * style.halo));
   }
   body_ += '>';
   // Runs are placed relative to each other, so the anchor holds even where another font steps in.
@@ -159,9 +158,9 @@ std::string SvgCanvas::finish() {
   return out + body_ + "</svg>\n";
 }
 
-std::string picture_to_svg(const Picture& picture, int width, int height) {
+std::string picture_to_svg(const Picture& picture, int width, int height, Color paper) {
   const FontMetrics font;
-  SvgCanvas canvas(font, width, height);
+  SvgCanvas canvas(font, width, height, paper);
   picture(canvas, width, height);
   return canvas.finish();
 }

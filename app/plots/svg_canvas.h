@@ -9,7 +9,7 @@ namespace pabd {
 
 class SvgCanvas : public Canvas {
  public:
-  SvgCanvas(const FontMetrics& font, int width, int height);
+  SvgCanvas(const FontMetrics& font, int width, int height, Color paper = {255, 255, 255, 255});
 
   void polyline(std::span<const Point> points, const Stroke& stroke, bool closed) override;
   void fill_polygon(std::span<const Point> convex, Color color) override;
