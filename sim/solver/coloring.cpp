@@ -36,7 +36,7 @@ Index free_color(const Model& model, const StepWorkspace::Impl& w, Index body) {
     beyond = std::max(beyond, w.color[other] + 1);
   }
   for (const Index k : w.joints_of(body)) {
-    const Joint& joint = model.joints[k];
+    const Joint& joint = w.all_joints[static_cast<std::size_t>(k)];
     const Index other = joint.i == body ? joint.j : joint.i;
     if (other == kWorld || model.fixed[other] || w.color[other] < 0) continue;
     if (w.color[other] < 64) used |= std::uint64_t{1} << w.color[other];

@@ -26,8 +26,8 @@ void list_joints(const Model& model, StepWorkspace::Impl& w) {
   const std::size_t n = model.shape.size();
   w.first_joint.assign(n + 1, 0);
   const auto each_end = [&](const auto& visit) {
-    for (std::size_t k = 0; k < model.joints.size(); ++k) {
-      for (const Index i : {model.joints[k].i, model.joints[k].j}) {
+    for (std::size_t k = 0; k < w.all_joints.size(); ++k) {
+      for (const Index i : {w.all_joints[k].i, w.all_joints[k].j}) {
         if (movable(model, i)) visit(i, static_cast<Index>(k));
       }
     }

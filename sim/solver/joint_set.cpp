@@ -4,8 +4,24 @@
 
 namespace pabd {
 
+void take_pulls(const Model& model, const std::vector<Pull>& pulls, StepWorkspace::Impl& w) {
+  w.pulls.resize(pulls.size());
+  std::size_t count = 0;
+  for (const Pull& pull : pulls) {
+    if (model.fixed[static_cast<std::size_t>(pull.body)]) continue;
+    Joint& joint = w.pulls[count++];
+    joint.type = JointType::distance;
+    joint.j = pull.body;
+    joint.on_i = {pull.target, Mat3::Identity()};
+    joint.on_j = {pull.r, Mat3::Identity()};
+    joint.law.kappa = pull.kappa;
+  }
+  w.pulls.resize(count);
+  w.all_joints = {model.joints, w.pulls};
+}
+
 void expand_at(const SolveContext& s, Index k, Index moved, const Pose& trial, BondList& out) {
-  const Joint& joint = s.model.joints[static_cast<std::size_t>(k)];
+  const Joint& joint = s.w.all_joints[static_cast<std::size_t>(k)];
   const auto pose = [&](Index body) -> const Pose& {
     return body == moved && body != kWorld ? trial : s.w.pose[s.w.slot(body)];
   };
@@ -27,7 +43,7 @@ double joint_energy(const SolveContext& s, Index i, const Pose& trial) {
   BondList list;
   for (const Index k : s.w.joints_of(i)) {
     expand_at(s, k, i, trial, list);
-    energy += energy_of(s.model.joints[k].law, list);
+    energy += energy_of(s.w.all_joints[static_cast<std::size_t>(k)].law, list);
   }
   return energy;
 }
@@ -47,14 +63,14 @@ void add_joints(const SolveContext& s, Index i, JointSums& sums) {
 double energy_of_joint(const SolveContext& s, Index k) {
   BondList list;
   expand_at(s, k, kWorld, {}, list);
-  return energy_of(s.model.joints[k].law, list);
+  return energy_of(s.w.all_joints[static_cast<std::size_t>(k)].law, list);
 }
 
 double largest_joint_error(const SolveContext& s) {
   double largest = 0;
   BondList list;
-  for (std::size_t k = 0; k < s.model.joints.size(); ++k) {
-    const Joint& joint = s.model.joints[k];
+  for (std::size_t k = 0; k < s.w.all_joints.size(); ++k) {
+    const Joint& joint = s.w.all_joints[k];
     if (joint.type == JointType::distance && joint.law.potential == BondPotential::soft)
       continue;  // a spring
     expand_at(s, static_cast<Index>(k), kWorld, {}, list);

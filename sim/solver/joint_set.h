@@ -1,4 +1,5 @@
-// The joints of a step on the arrays of the workspace: energies, and derivatives for the solvers.
+// The joints of a step, those of the model and the pulls, on the arrays of the workspace: energies, and
+// derivatives for the solvers.
 #pragma once
 
 #include "sim/joint/expand.h"
@@ -13,6 +14,9 @@ struct JointSums {
   Mat3 H_cc = Mat3::Zero(), H_wc = Mat3::Zero(), H_ww = Mat3::Zero();
 };
 
+// Makes the pulls of a step joints of the workspace: soft distance joints of length 0 from the world.
+void take_pulls(const Model& model, const std::vector<Pull>& pulls, StepWorkspace::Impl& w);
+
 // Bonds of joint k with body `moved` at `trial` (kWorld: all where they are).
 void expand_at(const SolveContext& s, Index k, Index moved, const Pose& trial, BondList& out);
 
@@ -22,7 +26,7 @@ template <class Visit>
 void each_bond_of(const SolveContext& s, Index i, const Visit& visit) {
   BondList list;
   for (const Index k : s.w.joints_of(i)) {
-    const Joint& joint = s.model.joints[static_cast<std::size_t>(k)];
+    const Joint& joint = s.w.all_joints[static_cast<std::size_t>(k)];
     expand_at(s, k, kWorld, {}, list);
     const bool is_a = joint.i == i;
     for (int b = 0; b < list.count; ++b) {

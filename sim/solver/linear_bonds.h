@@ -21,8 +21,8 @@ template <class Visit>
 void each_joint_bond(const SolveContext& s, const Visit& visit) {
   const StepWorkspace::Impl& w = s.w;
   BondList list;
-  for (std::size_t k = 0; k < s.model.joints.size(); ++k) {
-    const Joint& joint = s.model.joints[k];
+  for (std::size_t k = 0; k < w.all_joints.size(); ++k) {
+    const Joint& joint = w.all_joints[k];
     const Index a = w.slot(joint.i), b = w.slot(joint.j);
     if (!w.is_newton[a] && !w.is_newton[b]) continue;
     expand_at(s, static_cast<Index>(k), kWorld, {}, list);

@@ -206,7 +206,7 @@ void predict_forces(const SolveContext& s, NewtonSystem& system) {
     if (p < 0) return Vec3::Zero();
     return system.step[p].head<3>() + system.step[p].tail<3>().cross(r);
   };
-  system.force.assign(s.model.joints.size() * BondList::kMost, Vec3::Zero());
+  system.force.assign(s.w.all_joints.size() * BondList::kMost, Vec3::Zero());
   each_joint_bond(s, [&](const LinearBond& bond) {
     system.force[bond.force] = bond.gradient + bond.K * (step_of(system.row[bond.b], bond.r_b) -
                                                          step_of(system.row[bond.a], bond.r_a));
@@ -241,7 +241,7 @@ void search_from_best(const SolveContext& s, NewtonSystem& system) {
   }
 }
 
-// Contacts alone: a line search on E pays. With joints: see above.
+// Contacts alone, and soft pulls: a line search on E pays. With joints: see above.
 void step_from_here(const SolveContext& s, bool geometric, bool last, NewtonSystem& system) {
   if (!find_direction(s, geometric, system)) return;
   double t = longest_step(system);

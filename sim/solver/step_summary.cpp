@@ -12,7 +12,7 @@ double incremental_potential(const SolveContext& s) {
   double energy = 0;
   for (const Index i : s.w.solved) energy += inertia_energy(inertia_of(s, i), s.w.pose[i]);
   for (const ContactPatch& p : s.w.patches) energy += sum(contact_energy(s.w.law, p, state_of(s.w, p)));
-  for (std::size_t k = 0; k < s.model.joints.size(); ++k) energy += energy_of_joint(s, static_cast<Index>(k));
+  for (std::size_t k = 0; k < s.w.all_joints.size(); ++k) energy += energy_of_joint(s, static_cast<Index>(k));
   return energy;
 }
 

@@ -156,6 +156,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   predict(model, params, state, options.threads, w);        // 1. free flight: Q*
   find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
   list_ends(model, w);
+  take_pulls(model, options.pulls, w);
   find_islands(model, params, state, w);
   color_bodies(model, w);
   list_solved(w);
@@ -190,7 +191,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   state.time = report.time;
   summarize_contacts(w, options.report_contacts, report);
   const SolveContext end{model, params, options.threads, report.time, w};
-  for (std::size_t k = 0; k < model.joints.size(); ++k)
+  for (std::size_t k = 0; k < w.all_joints.size(); ++k)
     report.elastic += energy_of_joint(end, static_cast<Index>(k));
   report.max_joint_error = largest_joint_error(end);
   report.kinetic = kinetic_energy(model, state);

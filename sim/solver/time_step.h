@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "sim/body/model.h"
 #include "sim/body/state.h"
@@ -10,10 +11,21 @@
 
 namespace pabd {
 
+// A hand on a body: during a step a soft spring of rest length 0 S(1) from a place in the world to a point of
+// the body. Not part of the model; its energy is part of E and of StepReport::elastic. Every solver takes it;
+// it does not change which solver `auto` chooses.
+struct Pull {
+  Index body;    // a number of the model; a fixed body is not pulled
+  Vec3 r;        // where it is held; body frame, m
+  Vec3 target;   // where it is pulled to; world, m
+  double kappa;  // stiffness, > 0; N/m
+};
+
 struct StepOptions {
   bool record_iterations = false;  // fill StepReport::records (costs one pass over the contacts an iteration)
   bool report_contacts = false;    // fill StepReport::contact_reports
   int threads = 1;                 // results are bit-identical for every value
+  std::vector<Pull> pulls = {};    // finite
 };
 
 // Scratch memory that survives from step to step so that a step does not allocate once it is warm. Holds
@@ -32,7 +44,8 @@ class StepWorkspace {
   std::unique_ptr<Impl> impl_;
 };
 
-// Advances `state` by params.h. Precondition: check_params(params) is empty, state.size() == model.size().
+// Advances `state` by params.h. Precondition: check_params(params) is empty, state.size() == model.size(),
+// options.pulls are of bodies of the model.
 // Never throws for physics: a step that leaves the numbers reports StepStatus::non_finite and keeps the state
 // of its start. `report` is overwritten; its vectors are reused.
 void step(const Model& model, const Params& params, const StepOptions& options, State& state,

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/body/joint.h"
 #include "sim/body/state.h"
 #include "sim/bond/contact_bond.h"
 #include "sim/collision/detect.h"
@@ -29,6 +30,15 @@ struct LastStep {
   Vec3 dc, dw;
   double squared;  // ‖dc‖² + (radius ‖dw‖)²; m²
   double stretch;
+};
+
+// The joints of a step by number: those of the model, then the pulls.
+struct StepJoints {
+  std::span<const Joint> model, pulls;
+  std::size_t size() const { return model.size() + pulls.size(); }
+  const Joint& operator[](std::size_t k) const {
+    return k < model.size() ? model[k] : pulls[k - model.size()];
+  }
 };
 
 enum class IslandSolver : std::uint8_t { descent, newton };
@@ -66,6 +76,9 @@ struct StepWorkspace::Impl {
   // Which patches end at which body: ends[first_end[i]] … ends[first_end[i + 1] − 1].
   std::vector<Index> first_end;
   std::vector<BondEnd> ends;
+
+  std::vector<Joint> pulls;  // of this step, from the world to a movable body
+  StepJoints all_joints;
 
   // Joints of each body: joints[first_joint[i]] … joints[first_joint[i + 1] − 1].
   std::vector<Index> first_joint, joints;
