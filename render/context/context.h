@@ -1,4 +1,4 @@
-// A GL context, wherever it comes from. No window system, ImGui or clipboard in here.
+// A GL context, wherever it comes from: a window (window.h) or none.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ class GlContext {
   virtual void* proc_address(const char* name) = 0;                  // null when the driver does not know it
   virtual void framebuffer_size(int& width, int& height) const = 0;  // 0×0 when off-screen only
   virtual void present() = 0;                                        // no-op when off-screen
-  virtual std::string name() const = 0;  // "EGL device 0", "EGL surfaceless", "OSMesa"
+  virtual std::string name() const = 0;  // "EGL device 0", "EGL surfaceless", "OSMesa", "window"
 };
 
 enum class Backend { automatic, egl, osmesa };
