@@ -26,6 +26,15 @@ int covered(const Rect& box, const Plot& plot, const PlotLayout& layout) {
       count += hit ? 1 : 0;
       continue;
     }
+    if (series.style == SeriesStyle::bars) {
+      for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+        const Rect bar = bar_rect(layout, series, i);
+        const double w = std::min(bar.right(), box.right()) - std::max(bar.x, box.x);
+        const double h = std::min(bar.bottom(), box.bottom()) - std::max(bar.y, box.y);
+        if (w > 0 && h > 0) count += static_cast<int>(std::ceil(w * h / 9));
+      }
+      continue;
+    }
     for (const std::vector<Point>& run : pixel_runs(layout, series)) {
       count += box.contains(run[0]) ? 3 : 0;
       if (series.style == SeriesStyle::markers) {
@@ -58,7 +67,8 @@ Legend legend_column(const Plot& plot, const std::vector<Color>& colors, const P
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
     if (series.name.empty()) continue;
-    legend.entries.push_back({series.name, series.style, colors[i], {pad, y + 0.5 * row_height(style)}});
+    legend.entries.push_back(
+        {series.name, series.style, colors[i], series.weight, {pad, y + 0.5 * row_height(style)}});
     width = std::max(width, text_width(font, series.name, style.tick));
     y += row_height(style);
   }
@@ -81,7 +91,8 @@ Legend legend_rows(const Plot& plot, const std::vector<Color>& colors, double wi
       x = 0;
       y += row_height(style);
     }
-    legend.entries.push_back({series.name, series.style, colors[i], {x, y + 0.5 * row_height(style)}});
+    legend.entries.push_back(
+        {series.name, series.style, colors[i], series.weight, {x, y + 0.5 * row_height(style)}});
     x += entry + 1.1 * style.tick;
   }
   if (!legend.entries.empty()) legend.box = {0, 0, width, y + row_height(style)};

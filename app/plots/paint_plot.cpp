@@ -22,7 +22,7 @@ Stroke series_stroke(SeriesStyle style, Color color, double width) {
 }
 
 void paint_marker(const Point& at, double radius, Color color, const PlotStyle& style, Canvas& canvas) {
-  canvas.fill_circle(at, radius + 0.35 * radius, style.theme.paper);
+  canvas.fill_circle(at, radius + 0.35 * radius, style.theme.rim);
   canvas.fill_circle(at, radius, color);
 }
 
@@ -114,7 +114,14 @@ void paint_horizontal_axis(const Plot& plot, const PlotLayout& layout, const Plo
 void paint_series(const Series& series, Color color, const PlotLayout& layout, const PlotStyle& style,
                   Canvas& canvas) {
   const Rect& in = layout.inner;
-  const Stroke stroke = series_stroke(series.style, color, style.line);
+  const Stroke stroke = series_stroke(series.style, color, style.line * series.weight);
+  if (series.style == SeriesStyle::bars) {
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      const Rect bar = bar_rect(layout, series, i);
+      canvas.fill_rect(bar, i < series.marker_colors.size() ? series.marker_colors[i] : color);
+    }
+    return;
+  }
   if (series.style == SeriesStyle::level || series.style == SeriesStyle::level_x) {
     const bool across = series.style == SeriesStyle::level;
     if ((across ? series.y : series.x).empty()) return;
@@ -126,10 +133,20 @@ void paint_series(const Series& series, Color color, const PlotLayout& layout, c
     return;
   }
   if (series.style == SeriesStyle::markers) {
-    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    const std::size_t count = std::min(series.x.size(), series.y.size());
+    const double radius = style.marker * series.weight;
+    for (std::size_t i = 0; series.crowd && i < count; ++i) {
+      const Point p = layout.map(series.x[i], series.y[i], series.right_axis);
+      if (in.inset(-1).contains(p)) canvas.fill_circle(p, 1.35 * radius, style.theme.rim);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
       const Point p = layout.map(series.x[i], series.y[i], series.right_axis);
       if (!in.inset(-1).contains(p)) continue;
-      paint_marker(p, style.marker, i < series.marker_colors.size() ? series.marker_colors[i] : color, style,
+      if (series.crowd) {
+        canvas.fill_circle(p, radius, i < series.marker_colors.size() ? series.marker_colors[i] : color);
+        continue;
+      }
+      paint_marker(p, radius, i < series.marker_colors.size() ? series.marker_colors[i] : color, style,
                    canvas);
     }
     return;
@@ -147,12 +164,16 @@ void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) 
   if (legend.entries.empty()) return;
   if (legend.boxed) canvas.fill_rect(legend.box, style.theme.legend, 3);
   for (const LegendEntry& entry : legend.entries) {
-    if (entry.style == SeriesStyle::markers) {
+    if (entry.style == SeriesStyle::bars) {
+      const double side = 0.9 * style.tick;
+      canvas.fill_rect({entry.at.x + 0.5 * (legend.sample - side), entry.at.y - 0.5 * side, side, side},
+                       entry.color);
+    } else if (entry.style == SeriesStyle::markers) {
       paint_marker({entry.at.x + 0.5 * legend.sample, entry.at.y}, 0.9 * style.marker, entry.color, style,
                    canvas);
     } else {
       const Point ends[] = {entry.at, {entry.at.x + legend.sample, entry.at.y}};
-      canvas.polyline(ends, series_stroke(entry.style, entry.color, style.line));
+      canvas.polyline(ends, series_stroke(entry.style, entry.color, style.line * entry.weight));
     }
     const double gap = (style.compact ? 0.4 : 0.6) * style.tick;
     canvas.text({entry.at.x + legend.sample + gap, entry.at.y}, entry.name,
@@ -191,6 +212,13 @@ void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& sty
     paint_vertical_axis(layout.y_right, plot.y_right.label, true, layout.right_ink, layout, style, canvas);
   }
   paint_legend(layout.legend, style, canvas);
+  for (const PlotTag& tag : layout.tags) {
+    TextStyle text{style.tick, tag.color};
+    text.y = AnchorY::top;
+    text.halo = 0.16 * style.tick;
+    text.halo_color = style.theme.paper;
+    canvas.text({tag.box.x, tag.box.y}, tag.text, text);
+  }
 }
 
 }  // namespace pabd

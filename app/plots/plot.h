@@ -26,8 +26,8 @@ struct Axis {
 };
 
 // level: one horizontal line at y[0]; level_x: one vertical line at x[0]. Both are references and do not
-// widen the fitted range of the other axis.
-enum class SeriesStyle : std::uint8_t { line, dashed, markers, level, level_x };
+// widen the fitted range of the other axis. bars: from 0 (from the foot of a log axis) to y, centred at x.
+enum class SeriesStyle : std::uint8_t { line, dashed, markers, level, level_x, bars };
 
 struct Series {
   std::string name;  // for the legend; empty: not listed
@@ -36,7 +36,11 @@ struct Series {
   SeriesStyle style = SeriesStyle::line;
   int color = -1;  // index into the palette; -1: next
   bool right_axis = false;
-  std::vector<Color> marker_colors;  // one a point; empty: the colour of the series
+  std::vector<Color> marker_colors;  // one a point or bar; empty: the colour of the series
+  double weight = 1;                 // multiplies the width of the line, the size of the markers
+  bool crowd = false;                // markers: one rim around all, for many that overlap
+  double bar_width = 0;              // in units of x
+  std::string tag;                   // written beside a level, a level_x or the last marker
 };
 
 struct Plot {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/plots/legend.h"
+#include "app/plots/tags.h"
 
 namespace pabd {
 namespace {
@@ -25,7 +26,7 @@ void add_colors(const Plot& plot, const PlotTheme& theme, PlotLayout& layout) {
       color = theme.color(next++);
     }
     layout.colors.push_back(color);
-    if (reference || series.style == SeriesStyle::markers) continue;
+    if (reference || series.style == SeriesStyle::markers || series.style == SeriesStyle::bars) continue;
     (series.right_axis ? layout.right_ink : layout.left_ink) = color;
     ++(series.right_axis ? right : left);
   }
@@ -59,6 +60,9 @@ Ranges find_ranges(const Plot& plot) {
       if (px.empty || py.empty) continue;
       ranges.x.add(series.x[i], plot.x.log);
       y.add(series.y[i], log_y);
+      if (series.style != SeriesStyle::bars) continue;
+      for (const double side : {-0.5, 0.5}) ranges.x.add(series.x[i] + side * series.bar_width, plot.x.log);
+      y.add(0, log_y);
     }
   }
   return ranges;
@@ -189,19 +193,38 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
     const double title = plot.title.empty() ? 0 : FontMetrics::line * style.title;
     move_legend(rows, area.x, area.y + title);
     layout.legend = std::move(rows);
+    place_tags(plot, style, font, layout);
     return layout;
   }
   settle();
   Legend legend = legend_column(plot, layout.colors, style, font);
-  if (legend.entries.empty()) return layout;
-  if (!place_inside(legend, plot, layout, style) && area.w > 2.5 * legend.box.w) {
+  if (!legend.entries.empty() && !place_inside(legend, plot, layout, style) && area.w > 2.5 * legend.box.w) {
     outer.w -= legend.box.w + style.gap;
     settle();
     legend.boxed = false;
     move_legend(legend, area.right() - legend.box.w, layout.inner.y);
   }
   layout.legend = std::move(legend);
+  place_tags(plot, style, font, layout);
   return layout;
+}
+
+Rect bar_rect(const PlotLayout& layout, const Series& series, std::size_t index) {
+  const Rect& in = layout.inner;
+  const double half = 0.5 * series.bar_width;
+  const AxisScale& scale = series.right_axis ? layout.y_right : layout.y;
+  const double foot = std::clamp(scale.log ? 0.0 : scale.unit(0), 0.0, 1.0);
+  const double head = std::clamp(scale.unit(series.y[index]), 0.0, 1.0);
+  double x0 = in.x + layout.x.unit(series.x[index] - half) * in.w;
+  double x1 = in.x + layout.x.unit(series.x[index] + half) * in.w;
+  if (!std::isfinite(x0 + x1 + head)) return {in.x, in.bottom(), 0, 0};
+  // On whole pixels, one of them left free between neighbours.
+  x0 = std::clamp(std::round(x0) + 0.5, in.x, in.right());
+  x1 = std::clamp(std::round(x1) - 0.5, in.x, in.right());
+  double tall = std::abs(head - foot) * in.h;
+  if (series.y[index] != 0) tall = std::max(tall, 2.0);  // a single one among hundreds is still seen
+  const double top = head >= foot ? in.bottom() - foot * in.h - tall : in.bottom() - foot * in.h;
+  return {x0, top, std::max(0.0, x1 - x0), tall};
 }
 
 std::vector<std::vector<Point>> pixel_runs(const PlotLayout& layout, const Series& series) {

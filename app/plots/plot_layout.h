@@ -39,6 +39,7 @@ struct LegendEntry {
   std::string name;
   SeriesStyle style;
   Color color;
+  double weight;
   Point at;  // left end of its sample line, on the middle of its text
 };
 
@@ -47,6 +48,13 @@ struct Legend {
   Rect box;            // empty without entries
   bool boxed = false;  // over the data: wants a background
   double sample = 0;   // length of the sample lines
+};
+
+// A short text beside a reference line or a marker.
+struct PlotTag {
+  std::string text;
+  Rect box;  // of the text
+  Color color;
 };
 
 struct PlotLayout {
@@ -59,6 +67,7 @@ struct PlotLayout {
   Color left_ink,
       right_ink;  // colours of the vertical axes: those of their series when there is only one each
   Legend legend;
+  std::vector<PlotTag> tags;
 
   // NaN coordinates for what the axes cannot show.
   Point map(double px, double py, bool right_axis = false) const;
@@ -71,6 +80,9 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
 // The pixels of a line or of markers: runs between breaks, thinned so that a run has a bounded number of
 // points a pixel column (first, lowest, highest, last of each column), far-off points pulled in.
 std::vector<std::vector<Point>> pixel_runs(const PlotLayout& layout, const Series& series);
+
+// The rectangle of bar `index`, cut off at the inside; its width or height is 0 when nothing of it is seen.
+Rect bar_rect(const PlotLayout& layout, const Series& series, std::size_t index);
 
 void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& style, Canvas& canvas);
 

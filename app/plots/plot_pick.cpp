@@ -34,8 +34,10 @@ void for_each_point(const Plot& plot, const PlotLayout& layout, const Visit& vis
 std::optional<PlotPick> nearest_point(const Plot& plot, const PlotLayout& layout, const Point& pixel,
                                       double max_distance) {
   std::optional<PlotPick> best;
-  for_each_point(plot, layout, [&](const Series&, PlotPick pick) {
-    pick.distance = std::hypot(pick.at.x - pixel.x, pick.at.y - pixel.y);
+  for_each_point(plot, layout, [&](const Series& series, PlotPick pick) {
+    const bool inside =
+        series.style == SeriesStyle::bars && bar_rect(layout, series, pick.index).contains(pixel);
+    pick.distance = inside ? 0 : std::hypot(pick.at.x - pixel.x, pick.at.y - pixel.y);
     if (!(pick.distance <= max_distance) || (best && pick.distance > best->distance)) return;
     best = pick;
   });

@@ -14,8 +14,8 @@ struct PlotPick {
   double distance;            // from the pointer; px
 };
 
-// The shown data point nearest to `pixel`, if one is at most `max_distance` px away. Levels and marks are
-// no data. Of equally near points the one drawn last (on top) is taken.
+// The shown data point nearest to `pixel`, if one is at most `max_distance` px away; inside of a bar the
+// distance is 0. Levels and marks are no data. Of equally near points the one drawn last (on top) is taken.
 std::optional<PlotPick> nearest_point(const Plot& plot, const PlotLayout& layout, const Point& pixel,
                                       double max_distance);
 

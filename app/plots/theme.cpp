@@ -18,6 +18,7 @@ const PlotTheme& light_theme() {
                 ink::zero_line,
                 ink::reference,
                 ink::paper,
+                ink::paper,
                 {255, 255, 255, 225},
                 {}};
     for (int k = 0; k < kPaletteSize; ++k) t.palette[static_cast<std::size_t>(k)] = palette_color(k);
@@ -35,6 +36,7 @@ const PlotTheme& dark_theme() {
                                {230, 234, 239, 90},   // zero line
                                {155, 164, 176, 255},  // reference
                                {0x1E, 0x23, 0x29, 255},
+                               {205, 212, 220, 255},  // rim: the darkest markers are the worst contacts
                                {0x1E, 0x23, 0x29, 225},
                                {{
                                    {0x4F, 0x9D, 0xE8, 255},  // blue

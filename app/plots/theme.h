@@ -17,7 +17,8 @@ struct PlotTheme {
   Color text, muted;
   Color axis, grid, minor_grid, zero_line;
   Color reference;  // levels and marks without a colour of their own
-  Color paper;      // what the plot stands on; rims of markers
+  Color paper;      // what the plot stands on
+  Color rim;        // of markers
   Color legend;     // behind a legend over the curves
   std::array<Color, kPaletteSize> palette;
 

@@ -1,0 +1,291 @@
+// The barrier panel's plot, its handles, and the histogram of d/d̂.
+#include "app/plots/figures/barrier_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/plots/axis_ticks.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kLeft = -0.5, kRight = 1.15;  // of the range without deeper contacts; d̂
+constexpr int kSamples = 300;
+constexpr double kFoot = 0.999;    // d/d̂ at which a log axis ends: below lies only the way to 0
+constexpr double kDecades = 1e-9;  // a log axis spans no more than this
+
+enum class Variant : std::uint8_t { printed, onset, even, log };
+
+struct Curve {
+  Variant variant;
+  Barrier barrier;  // κ = 1 J or its equal in J/m²
+};
+
+Variant current_variant(const ContactParams& contact) {
+  if (contact.barrier == BarrierKind::log) return Variant::log;
+  if (contact.barrier == BarrierKind::even) return Variant::even;
+  return contact.onset > 0 ? Variant::onset : Variant::printed;
+}
+
+Barrier barrier_of(Variant variant, const ContactParams& contact) {
+  const double d_hat = contact.d_hat;
+  switch (variant) {
+    case Variant::printed:
+      return {BarrierKind::polynomial, contact.N, d_hat, 1, 0};
+    case Variant::onset:
+      return {BarrierKind::polynomial, contact.N, d_hat, 1, contact.onset};
+    case Variant::even:
+      return {BarrierKind::even, contact.N, d_hat, 1, 0};
+    case Variant::log:
+      break;
+  }
+  return {BarrierKind::log, contact.N, d_hat, 1 / (d_hat * d_hat), 0};
+}
+
+std::string name_of(Variant variant, const ContactParams& contact) {
+  switch (variant) {
+    case Variant::printed:
+      return "printed";
+    case Variant::onset:
+      return "onset *{ε} = " + format_value(contact.onset, 3);
+    case Variant::even:
+      return "even";
+    case Variant::log:
+      break;
+  }
+  return "log";
+}
+
+// The curve in use last, so that it lies on top.
+std::vector<Curve> curves_of(const ContactParams& contact, const BarrierVariants& shown) {
+  const Variant current = current_variant(contact);
+  std::vector<Curve> curves;
+  const auto add = [&](bool wanted, Variant variant) {
+    if (wanted && variant != current) curves.push_back({variant, barrier_of(variant, contact)});
+  };
+  add(shown.log, Variant::log);
+  add(shown.even && contact.N >= 2, Variant::even);
+  add(shown.printed, Variant::printed);
+  add(shown.onset && contact.onset > 0, Variant::onset);
+  curves.push_back({current, barrier_of(current, contact)});
+  return curves;
+}
+
+double height(const Barrier& barrier, double d, const BarrierPanelOptions& options) {
+  const BarrierValue b = evaluate(barrier, d);
+  switch (options.quantity) {
+    case BarrierQuantity::value:
+      return b.value;
+    case BarrierQuantity::slope:
+      return options.log_y ? -b.first : b.first;
+    case BarrierQuantity::curvature:
+      break;
+  }
+  return b.second;
+}
+
+std::string label_of(const BarrierPanelOptions& options) {
+  const bool energy = options.energy;
+  switch (options.quantity) {
+    case BarrierQuantity::value:
+      return energy ? "Ψ [J]" : "B_{N} [1]";
+    case BarrierQuantity::slope:
+      return std::string(options.log_y ? "−" : "") + (energy ? "Ψ′ [N]" : "B_{N}′ [1/m]");
+    case BarrierQuantity::curvature:
+      break;
+  }
+  return energy ? "Ψ″ [N/m]" : "B_{N}″ [1/m²]";
+}
+
+// Samples over [lo, hi], and both sides of d̂ and of the onset's end, where derivatives jump.
+Series sampled(const Barrier& barrier, double lo, double hi, double scale,
+               const BarrierPanelOptions& options) {
+  Series series;
+  for (int k = 0; k <= kSamples; ++k) series.x.push_back(lo + (hi - lo) * k / kSamples);
+  for (const double jump : {barrier.d_hat, barrier.d_hat * (1 - barrier.onset)}) {
+    series.x.push_back(jump - 1e-12 * barrier.d_hat);
+    series.x.push_back(jump + 1e-12 * barrier.d_hat);
+  }
+  std::sort(series.x.begin(), series.x.end());
+  for (const double d : series.x) series.y.push_back(scale * height(barrier, d, options));
+  return series;
+}
+
+// Shows the curve in use whole; where it is infinite, as far as 0.02 d̂.
+PlotRange fitted_range(const Barrier& barrier, double lo, double scale, const BarrierPanelOptions& options) {
+  const double d_hat = barrier.d_hat;
+  const double deep = barrier.kind == BarrierKind::log ? std::max(lo, 0.02 * d_hat) : lo;
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  for (int k = 0; k <= 100; ++k) {
+    const double d = deep + (kFoot * d_hat - deep) * k / 100;
+    const double y = scale * height(barrier, d, options);
+    least = std::min(least, y);
+    largest = std::max(largest, y);
+  }
+  if (options.log_y) {
+    least = std::max(least, kDecades * largest);
+    return least < largest ? PlotRange{least / 1.5, largest * 1.5} : PlotRange{largest / 10, largest * 10};
+  }
+  least = std::min(least, 0.0);
+  largest = std::max(largest, 0.0);
+  const double room = 0.06 * std::max(largest - least, std::numeric_limits<double>::min());
+  return {least - room, largest + room};
+}
+
+// d of the contacts that the barrier acts on, deepest first.
+std::vector<double> active_gaps(double d_hat, const std::vector<ContactReport>& contacts) {
+  std::vector<double> gaps;
+  gaps.reserve(contacts.size());
+  for (const ContactReport& report : contacts) {
+    if (std::isfinite(report.d) && report.d < d_hat) gaps.push_back(report.d);
+  }
+  std::sort(gaps.begin(), gaps.end());
+  return gaps;
+}
+
+Series upright(double x, std::string tag) {
+  Series series;
+  series.style = SeriesStyle::level_x;
+  series.x = {x};
+  series.tag = std::move(tag);
+  return series;
+}
+
+double clamped(double v, double lo, double hi) { return std::min(std::max(v, lo), hi); }
+
+}  // namespace
+
+BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
+                           const std::vector<ContactReport>& contacts,
+                           const std::function<Color(double)>& color, const BarrierPanelOptions& options) {
+  BarrierPanel panel;
+  panel.d_hat = contact.d_hat;
+  const std::vector<double> gaps = active_gaps(contact.d_hat, contacts);
+  panel.contacts = gaps.size();
+  const std::vector<Curve> curves = curves_of(contact, options.variants);
+  const Barrier& current = curves.back().barrier;
+  const bool log = contact.barrier == BarrierKind::log;
+  // κ in joules: of the log barrier over d̂².
+  const double scale = !options.energy ? 1 : log ? kappa * contact.d_hat * contact.d_hat : kappa;
+
+  double left = kLeft * contact.d_hat;
+  if (!gaps.empty()) left = std::min(left, gaps.front() - 0.1 * contact.d_hat);
+  const PlotRange x = options.x.value_or(PlotRange{left, kRight * contact.d_hat});
+  const PlotRange y = options.y.value_or(fitted_range(current, x.lo, scale, options));
+  Plot& plot = panel.plot;
+  plot.title = options.energy ? "Contact potential" : "Contact barrier";
+  plot.x = {"d [m]", false, x.lo, x.hi};
+  plot.y = {label_of(options), options.log_y, y.lo, y.hi};
+
+  constexpr int kColors[] = {1, 0, 2, 6};  // of the variants, the same whichever is in use
+  for (const Curve& curve : curves) {
+    Series series = sampled(curve.barrier, x.lo, x.hi, scale, options);
+    const bool in_use = &curve == &curves.back();
+    series.name = name_of(curve.variant, contact);
+    series.color = kColors[static_cast<std::size_t>(curve.variant)];
+    series.style = in_use ? SeriesStyle::line : SeriesStyle::dashed;
+    series.weight = in_use ? 1.5 : 0.8;
+    plot.series.push_back(std::move(series));
+  }
+  plot.series.push_back(upright(contact.d_hat, "d̂"));
+
+  Series marks;
+  marks.style = SeriesStyle::markers;
+  marks.color = 6;
+  marks.crowd = true;
+  marks.weight = 0.85;
+  const std::size_t most = std::max<std::size_t>(1, options.most_markers);
+  const std::size_t stride = (gaps.size() + most - 1) / most;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    double at = scale * height(current, gaps[k], options);
+    if (!std::isfinite(at)) {
+      ++panel.unbounded;
+      at = at > 0 ? y.hi : y.lo;
+    }
+    if (k % stride != 0) continue;
+    marks.x.push_back(gaps[k]);
+    marks.y.push_back(at);
+    marks.marker_colors.push_back(color(gaps[k] / contact.d_hat));
+  }
+  panel.markers = marks.x.size();
+  if (stride > 1) {
+    marks.name = fmt::format("{} of {} contacts", panel.markers, panel.contacts);
+  } else if (panel.contacts > 0) {
+    marks.name = fmt::format("{} contact{}", panel.contacts, panel.contacts == 1 ? "" : "s");
+  }
+  plot.series.push_back(std::move(marks));
+
+  if (options.energy) {
+    // Where d = 0 is infinite or flat, κ has no height there.
+    const double d = log ? 0.5 * contact.d_hat : 0;
+    const double per_joule = height(current, d, options);
+    if (std::isfinite(per_joule) && per_joule != 0) {
+      panel.kappa = KappaHandle{d, scale * per_joule, scale * per_joule / kappa};
+      Series handle;
+      handle.style = SeriesStyle::markers;
+      handle.color = kColors[static_cast<std::size_t>(current_variant(contact))];
+      handle.weight = 1.7;
+      handle.tag = "κ";
+      handle.x = {d};
+      handle.y = {panel.kappa->y};
+      plot.series.push_back(std::move(handle));
+    }
+  }
+  return panel;
+}
+
+double dragged_d_hat(double x, double now) { return std::isnan(x) ? now : clamped(x, 1e-9, 1e3); }
+
+double dragged_kappa(const KappaHandle& handle, double y, double now) {
+  const double kappa = y / handle.per_kappa;
+  return std::isnan(kappa) ? now : clamped(kappa, 1e-12, 1e18);
+}
+
+ContactHistogram contact_histogram(const ContactParams& contact, const std::vector<ContactReport>& contacts,
+                                   const std::function<Color(double)>& color) {
+  constexpr int kBins = 20;
+  constexpr double kWidth = 1.0 / kBins;
+  ContactHistogram out;
+  const std::vector<double> gaps = active_gaps(contact.d_hat, contacts);
+  out.contacts = gaps.size();
+  out.median = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> counts(kBins + 1, 0.0);  // the first one: d < 0
+  for (const double d : gaps) {
+    const double ratio = d / contact.d_hat;
+    if (d < 0) ++out.overlapping;
+    ++counts[d < 0 ? 0 : 1 + std::min<std::size_t>(kBins - 1, static_cast<std::size_t>(ratio * kBins))];
+  }
+  Series bars;
+  bars.style = SeriesStyle::bars;
+  bars.color = 6;
+  bars.bar_width = kWidth;
+  for (int k = 0; k <= kBins; ++k) {
+    const double at = k == 0 ? -kWidth : (k - 0.5) * kWidth;
+    bars.x.push_back(at);
+    bars.y.push_back(counts[static_cast<std::size_t>(k)]);
+    bars.marker_colors.push_back(color(k == 0 ? -1 : at));
+  }
+  Plot& plot = out.plot;
+  plot.x = {"d/d̂ [1]; left of 0: overlap", false, -0.1, 1.0};
+  plot.y = {"contacts", false, 0, 0, 0, true};
+  plot.y.hi = std::max(4.0, 1.4 * *std::max_element(counts.begin(), counts.end()));
+  plot.title = "No contacts";
+  if (!gaps.empty()) {
+    const std::size_t half = gaps.size() / 2;
+    out.median = (gaps.size() % 2 ? gaps[half] : 0.5 * (gaps[half - 1] + gaps[half])) / contact.d_hat;
+    plot.title = fmt::format("{} contact{}, median d/d̂ {}", gaps.size(), gaps.size() == 1 ? "" : "s",
+                             format_value(out.median, 3));
+    if (out.overlapping > 0) plot.title += fmt::format(", {} overlapping", out.overlapping);
+    plot.series.push_back(std::move(bars));
+    plot.series.push_back(upright(out.median, "median"));
+  }
+  if (contact.barrier == BarrierKind::polynomial && contact.onset > 0) {
+    plot.series.push_back(upright(1 - contact.onset, "onset"));
+  }
+  return out;
+}
+
+}  // namespace pabd
