@@ -26,12 +26,13 @@ float largest_scale(const Mat4f& m) {
 }  // namespace
 
 struct DrawList::Eye {
-  Mat4f matrix;  // world to eye
-  float pixels;  // of a thing of size 1 at distance 1
-  float texel;   // of the shadow map, m
+  Mat4f matrix;     // world to eye
+  float pixels;     // of a thing of size 1 at distance 1
+  float texel;      // of the shadow map, m
+  float tolerance;  // of outlines, pixels
 };
 
-void DrawList::build(const VisualScene& scene, int height, float texel) {
+void DrawList::build(const VisualScene& scene, int height, float texel, float tolerance) {
   instances.clear();
   batches.clear();
   caster_entries_.clear();
@@ -42,7 +43,7 @@ void DrawList::build(const VisualScene& scene, int height, float texel) {
 
   const float pixels =
       static_cast<float>(height) / (2 * std::tan(0.5f * scene.camera.fov * 3.14159265f / 180));
-  const Eye eye{eye_matrix(scene), pixels, texel};
+  const Eye eye{eye_matrix(scene), pixels, texel, tolerance};
   for (int kind = 0; kind < kPrimitiveCount; ++kind) {
     for (const Instance& instance : scene.instances[kind])
       add(scene, eye, instance, static_cast<Primitive>(kind), -1);
@@ -75,7 +76,8 @@ void DrawList::add(const VisualScene& scene, const Eye& eye, const Instance& ins
   const float scale = largest_scale(instance.transform);
   const float depth = -(eye.matrix.row(2).dot(instance.transform.col(3)));
   const float radius = eye.pixels * scale / std::max(depth - scale, 1e-3f * scale + 1e-12f);
-  const Entry entry{&instance, primitive, flat_sided ? only_level : level_for_radius(radius), depth};
+  const Entry entry{&instance, primitive, flat_sided ? only_level : level_for_radius(radius, eye.tolerance),
+                    depth};
   if (instance.color.w() < 1) {
     if (instance.color.w() > 0) transparent_entries_.push_back(entry);
   } else if (instance.xray) {
@@ -85,7 +87,8 @@ void DrawList::add(const VisualScene& scene, const Eye& eye, const Instance& ins
   }
   if (!instance.shadow || instance.color.w() < 1) return;
   // Half a texel is as good as a pixel here: the filter is six texels wide.
-  const int level = flat_sided ? only_level : std::min(2, level_for_radius(0.5f * scale / eye.texel));
+  const int level =
+      flat_sided ? only_level : std::min(2, level_for_radius(0.5f * scale / eye.texel, eye.tolerance));
   caster_entries_.push_back({&instance, primitive, level, 0});
   if (scene.grounds.empty()) return;
   const Ground& floor = scene.grounds.front();

@@ -39,8 +39,8 @@ struct DrawList {
   BatchRange transparent;    // far ones first
 
   // Fills the list from the scene; `height` is that of the frame in pixels, `texel` that of a shadow texel in
-  // m.
-  void build(const VisualScene& scene, int height, float texel);
+  // m, `tolerance` that of outlines in pixels.
+  void build(const VisualScene& scene, int height, float texel, float tolerance = kOutlineTolerance);
 
  private:
   struct Entry {

@@ -51,7 +51,6 @@ void main() {
   vec2 at = vec2(dot(world, axis_u.xyz), dot(world, axis_v.xyz));
   float r = length(at - vec2(axis_u.w, axis_v.w)) / frame.centre.w;
   vec2 pixel = max(fwidth(at), vec2(1e-9));
-  vec3 back = background(gl_FragCoord.y);
 
   float near = 1.0 - smoothstep(1.0, 5.5, r);
   float fine = lines(at, pixel, grid.x, 0.018 * grid.x) * grid.y;
@@ -60,14 +59,22 @@ void main() {
 
   float facing = max(dot(n, frame.light.xyz), 0.0);
   vec3 sky = ambient(n), sunlight = frame.sun.rgb * facing;
+#ifdef LIVE
+#ifdef SHADOWED
+  vec3 shade = mix(sky / (sky + sunlight), vec3(1.0), sun_visibility(world, n));
+#else
+  float shade = 1.0;
+#endif
+#else
 #ifdef SHADOWED
   vec3 lit = sunlight * sun_visibility(world, n);
 #else
   vec3 lit = sunlight;
 #endif
   vec3 shade = (sky * (1.0 - 0.8 * floor_shade(world) * grid.z) + lit) / (sky + sunlight);
+#endif
   vec3 color = frame.floor_color.rgb * shade * (1.0 - line);
-  fragment = vec4(mix(color, back, smoothstep(1.5, 9.0, r)), 1.0);
+  fragment = vec4(mix(color, background(gl_FragCoord.y), smoothstep(1.5, 9.0, r)), 1.0);
 }
 )";
 
@@ -85,8 +92,9 @@ GroundPass::Program::Program(const GlFunctions& gl, const char* name, const char
 
 GroundPass::GroundPass(const GlFunctions& gl)
     : gl_(gl),
-      shadowed_(gl, "shadowed ground", "#define SHADOWED\n"),
-      open_(gl, "open ground", "\n"),
+      soft_{{gl, "shadowed ground", "#define SHADOWED\n"}, {gl, "open ground", "\n"}},
+      plain_{{gl, "shadowed ground in a hurry", "#define SHADOWED\n#define LIVE\n"},
+             {gl, "open ground in a hurry", "#define LIVE\n"}},
       array_(gl),
       vertices_(gl) {
   gl.BindVertexArray(array_.id());
@@ -95,16 +103,17 @@ GroundPass::GroundPass(const GlFunctions& gl)
   gl.EnableVertexAttribArray(0);
 }
 
-void GroundPass::draw(const VisualScene& scene, const ShadowVolume& shadow) const {
+void GroundPass::draw(const VisualScene& scene, const ShadowVolume& shadow, bool soft) const {
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_CULL_FACE);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
-  for (const Ground& ground : scene.grounds) draw_one(scene, shadow, ground);
+  for (const Ground& ground : scene.grounds) draw_one(scene, shadow, ground, soft ? soft_ : plain_);
   gl_.Enable(GL_CULL_FACE);
 }
 
-void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, const Ground& ground) const {
+void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, const Ground& ground,
+                          const Pair& programs) const {
   const Vec3f n = ground.normal.normalized();
   if (!n.allFinite() || !std::isfinite(ground.offset)) return;
   // Seen from below it would only hide the scene.
@@ -159,17 +168,17 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
   gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(Vec3f)), triangles.data(),
                  GL_STREAM_DRAW);
   if (fits) {
-    set_uniforms(shadowed_);
+    set_uniforms(programs.shadowed);
     gl_.DrawArrays(GL_TRIANGLES, 0, 6);
     // The rest lies a little behind instead of having a hole: no seam, and what the first quad covers is not
     // shaded again.
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
     gl_.PolygonOffset(1, 4);
-    set_uniforms(open_);
+    set_uniforms(programs.open);
     gl_.DrawArrays(GL_TRIANGLES, 6, 6);
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
   } else {
-    set_uniforms(casters ? shadowed_ : open_);
+    set_uniforms(casters ? programs.shadowed : programs.open);
     gl_.DrawArrays(GL_TRIANGLES, 0, 6);
   }
 }

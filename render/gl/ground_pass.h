@@ -11,7 +11,8 @@ class GroundPass {
  public:
   explicit GroundPass(const GlFunctions& gl);
 
-  void draw(const VisualScene& scene, const ShadowVolume& shadow) const;
+  // `soft`: RenderQuality::soft_light.
+  void draw(const VisualScene& scene, const ShadowVolume& shadow, bool soft) const;
 
  private:
   struct Program {
@@ -19,11 +20,16 @@ class GroundPass {
     GlProgram program;
     GLint normal, axis_u, axis_v, grid;
   };
-  void draw_one(const VisualScene& scene, const ShadowVolume& shadow, const Ground& ground) const;
+  struct Pair {
+    Program shadowed;  // inside the rectangle where shadows can fall
+    Program open;      // outside it: most of the floor, and much cheaper
+  };
+  void draw_one(const VisualScene& scene, const ShadowVolume& shadow, const Ground& ground,
+                const Pair& programs) const;
 
   const GlFunctions& gl_;
-  Program shadowed_;  // inside the rectangle where shadows can fall
-  Program open_;      // outside it: most of the floor, and much cheaper
+  Pair soft_;
+  Pair plain_;
   GlVertexArray array_;
   GlBuffer vertices_;
 };

@@ -148,10 +148,9 @@ Mesh make_mesh(Primitive primitive, int level) {
   return std::move(b.mesh);
 }
 
-int level_for_radius(float radius) {
-  constexpr double kTolerance = 0.35;  // pixels
+int level_for_radius(float radius, float tolerance) {
   for (int level = 0; level < kLevels - 1; ++level) {
-    if (radius * (1 - std::cos(kPi / kSegments[level])) <= kTolerance) return level;
+    if (radius * (1 - std::cos(kPi / kSegments[level])) <= static_cast<double>(tolerance)) return level;
   }
   return kLevels - 1;
 }

@@ -24,8 +24,10 @@ inline constexpr int kSegments[kLevels] = {8, 16, 24, 48, 96};  // around the ax
 // A mesh that round shapes approximate from inside, with kSegments[level] segments around.
 Mesh make_mesh(Primitive primitive, int level);
 
-// The coarsest level whose outline stays within 0.35 pixels of the true circle of `radius` pixels:
+inline constexpr float kOutlineTolerance = 0.35f;  // pixels
+
+// The coarsest level whose outline stays within `tolerance` pixels of the true circle of `radius` pixels:
 // a polygon of n sides deviates by r (1 − cos(π/n)).
-int level_for_radius(float radius);
+int level_for_radius(float radius, float tolerance = kOutlineTolerance);
 
 }  // namespace pabd

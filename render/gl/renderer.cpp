@@ -46,7 +46,7 @@ struct Renderer::Impl {
     gl.check("setting up the renderer");
   }
 
-  void draw_scene(const VisualScene& scene, const FrameTarget& into);
+  void draw_scene(const VisualScene& scene, const RenderQuality& quality, const FrameTarget& into);
 
   std::optional<FrameTarget>& view(int number) {
     if (number < 0 || number >= kViews) {
@@ -95,6 +95,8 @@ struct Renderer::Impl {
   DrawList list;
   FrameTimes times;
   double queue_time = 0;
+  bool measuring = false;
+  PassTimes passes;
   bool software = false;
 };
 
@@ -114,17 +116,28 @@ void* Renderer::upload_texture(const Image& image) {
 
 void Renderer::free_texture(void* id) { impl_->overlay_pass.free_texture(id); }
 
-void Renderer::Impl::draw_scene(const VisualScene& scene, const FrameTarget& into) {
+void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& quality,
+                                const FrameTarget& into) {
+  auto start = Clock::now();
+  const auto lap = [&](double& time) {
+    if (!measuring) return;
+    gl.Finish();
+    time = milliseconds(start);
+    start = Clock::now();
+  };
   const ShadowVolume shadow = fit_shadow(scene);
-  const FloorVolume floor = fit_floor(scene);
+  const FloorVolume floor = quality.soft_light ? fit_floor(scene) : FloorVolume{};
   const FrameUniforms frame = frame_uniforms(scene, shadow, floor, into.width(), into.height());
-  list.build(scene, into.height(), shadow.texel);
+  list.build(scene, into.height(), shadow.texel, quality.tolerance);
   drawer.upload(list);
   gl.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, uniforms.id());
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
+  lap(passes.prepare);
 
   shadow_pass.draw(list, drawer);
+  lap(passes.shadow);
   contact_shade_pass.draw(list, drawer, floor);
+  lap(passes.contact_shade);
 
   into.bind_for_drawing();
   gl.Enable(GL_FRAMEBUFFER_SRGB);
@@ -134,31 +147,36 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const FrameTarget& int
   gl.Clear(GL_DEPTH_BUFFER_BIT);  // the background covers whatever colour is left
   shadow_pass.bind_map();
   contact_shade_pass.bind_map();
-  surface_pass.draw_bodies(list, drawer);
-  ground_pass.draw(scene, shadow);
+  surface_pass.draw_bodies(list, drawer, quality.soft_light);
+  lap(passes.bodies);
+  ground_pass.draw(scene, shadow, quality.soft_light);
   background_pass.draw();
+  lap(passes.ground);
   surface_pass.draw_glyphs(list, drawer);
-  surface_pass.draw_transparent(list, drawer);
+  surface_pass.draw_transparent(list, drawer, quality.soft_light);
   line_pass.draw(scene.lines);
+  lap(passes.glyphs);
   into.resolve();
+  lap(passes.resolve);
 }
 
 void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay) {
   const auto start = Clock::now();
-  impl_->draw_scene(scene, impl_->target);
+  impl_->draw_scene(scene, {}, impl_->target);
   impl_->draw_overlay(overlay);
   impl_->end_frame(start);
 }
 
-void Renderer::draw_view(int view, const VisualScene& scene, int width, int height) {
+void Renderer::draw_view(int view, const VisualScene& scene, int width, int height,
+                         const RenderQuality& quality) {
   const auto start = Clock::now();
   std::optional<FrameTarget>& target = impl_->view(view);
   if (!target) {
-    target.emplace(impl_->gl, width, height);
+    target.emplace(impl_->gl, width, height, quality.samples);
   } else {
-    target->resize(width, height);
+    target->resize(width, height, quality.samples);
   }
-  impl_->draw_scene(scene, *target);
+  impl_->draw_scene(scene, quality, *target);
   impl_->end_frame(start);
 }
 
@@ -202,6 +220,8 @@ int Renderer::queued() const { return impl_->target.queued(); }
 void Renderer::blit_to_window(int width, int height) { impl_->target.blit_to_default(width, height); }
 
 FrameTimes Renderer::times() const { return impl_->times; }
+void Renderer::measure_passes(bool on) { impl_->measuring = on; }
+PassTimes Renderer::pass_times() const { return impl_->passes; }
 std::string Renderer::gl_renderer() const { return impl_->gl.string(GL_RENDERER); }
 std::string Renderer::gl_version() const { return impl_->gl.string(GL_VERSION); }
 

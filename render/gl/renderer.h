@@ -7,6 +7,7 @@
 #include <string>
 
 #include "render/context/context.h"
+#include "render/gl/quality.h"
 #include "render/output/image.h"
 #include "render/visual/visual_scene.h"
 
@@ -18,6 +19,17 @@ namespace pabd {
 struct FrameTimes {
   double draw = 0;
   double read_back = 0;
+};
+
+// The same by pass, of the last scene drawn while measure_passes() was on.
+struct PassTimes {
+  double prepare = 0;  // sorting, uploading
+  double shadow = 0;
+  double contact_shade = 0;
+  double bodies = 0;
+  double ground = 0;  // and background
+  double glyphs = 0;  // transparent things and lines too
+  double resolve = 0;
 };
 
 // Where a view appears in a window: pixels from its top left corner. A view of another size is stretched.
@@ -57,7 +69,8 @@ class Renderer {
   // (resizing as resize() does) with `background` (linear RGB), the views at their places and the interface
   // over them. The frame is then read back or shown as any other. `view`: 0 … kViews − 1; one that was never
   // drawn shows the background. Throws as the constructor does, Error(defect) for a view out of range.
-  void draw_view(int view, const VisualScene& scene, int width, int height);
+  void draw_view(int view, const VisualScene& scene, int width, int height,
+                 const RenderQuality& quality = {});
   void compose(int width, int height, std::span<const ViewPlace> places, const Vec3f& background,
                const ImDrawData* interface);
 
@@ -72,6 +85,9 @@ class Renderer {
   void blit_to_window(int width, int height);
 
   FrameTimes times() const;
+  // On: GL is finished after every pass, which makes the whole slower but each pass known.
+  void measure_passes(bool on);
+  PassTimes pass_times() const;
   std::string gl_renderer() const;
   std::string gl_version() const;
 

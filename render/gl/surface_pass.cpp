@@ -82,8 +82,20 @@ void main() {
   float sunlit = sun_visibility(world, n) * smoothstep(0.0, 0.12, dot(n, l));
 #endif
   vec3 h = normalize(l + normalize(frame.eye.xyz - world));
+#ifdef LIVE
+  float shine = max(dot(bent, h), 0.0);
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;
+  shine *= shine;
+  float highlight = 0.10 * shine;
+  vec3 around = ambient(bent);
+#else
   float highlight = 0.10 * pow(max(dot(bent, h), 0.0), 40.0);
-  vec3 lit = color.rgb * edge * (ambient(bent) * near_floor(world, n) + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
+  vec3 around = ambient(bent) * near_floor(world, n);
+#endif
+  vec3 lit = color.rgb * edge * (around + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
   fragment = vec4(mix(color.rgb, lit, shaded), color.a * opacity);
 }
 )";
@@ -106,23 +118,25 @@ SurfacePass::Program::Program(const GlFunctions& gl, const char* name, const cha
 
 SurfacePass::SurfacePass(const GlFunctions& gl)
     : gl_(gl),
-      cubes_(gl, "cubes", "#define CUBE\n"),
-      round_(gl, "round bodies", "\n"),
+      soft_{{gl, "cubes", "#define CUBE\n"}, {gl, "round bodies", "\n"}},
+      plain_{{gl, "cubes in a hurry", "#define CUBE\n#define LIVE\n"},
+             {gl, "round bodies in a hurry", "#define LIVE\n"}},
       glyphs_(gl, "glyphs", "#define GLYPH\n") {}
 
-void SurfacePass::draw_lit(const DrawList& list, const BatchRange& range,
-                           const InstanceDrawer& drawer) const {
-  cubes_.program.use();
+void SurfacePass::draw_lit(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer,
+                           bool soft) const {
+  const Lit& lit = soft ? soft_ : plain_;
+  lit.cubes.program.use();
   drawer.draw(list, range, is_cube);
-  round_.program.use();
+  lit.round.program.use();
   drawer.draw(list, range, is_round);
 }
 
-void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer) const {
+void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer, bool soft) const {
   gl_.Disable(GL_BLEND);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
-  draw_lit(list, list.bodies, drawer);
+  draw_lit(list, list.bodies, drawer, soft);
 }
 
 void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer) const {
@@ -148,14 +162,14 @@ void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer
   draw(1);
 }
 
-void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& drawer) const {
+void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& drawer, bool soft) const {
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_FALSE);
   // Batch by batch: the order of the list is the order of depth.
   for (std::size_t i = list.transparent.begin; i < list.transparent.end; ++i) {
-    draw_lit(list, {i, i + 1}, drawer);
+    draw_lit(list, {i, i + 1}, drawer, soft);
   }
   gl_.Disable(GL_BLEND);
   gl_.DepthMask(GL_TRUE);

@@ -10,11 +10,12 @@ class SurfacePass {
  public:
   explicit SurfacePass(const GlFunctions& gl);
 
-  void draw_bodies(const DrawList& list, const InstanceDrawer& drawer) const;
+  // `soft`: RenderQuality::soft_light.
+  void draw_bodies(const DrawList& list, const InstanceDrawer& drawer, bool soft) const;
   // After every opaque body: glyphs that bodies hide, faintly; then those in sight.
   void draw_glyphs(const DrawList& list, const InstanceDrawer& drawer) const;
   // Last of the surfaces: writes no depth.
-  void draw_transparent(const DrawList& list, const InstanceDrawer& drawer) const;
+  void draw_transparent(const DrawList& list, const InstanceDrawer& drawer, bool soft) const;
 
  private:
   // One program a kind of surface: cubes have edges to show, the others are round, glyphs receive no shadow.
@@ -23,11 +24,14 @@ class SurfacePass {
     GlProgram program;
     GLint opacity;
   };
-  void draw_lit(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer) const;
+  struct Lit {
+    Program cubes, round;
+  };
+  void draw_lit(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer, bool soft) const;
 
   const GlFunctions& gl_;
-  Program cubes_;
-  Program round_;
+  Lit soft_;
+  Lit plain_;
   Program glyphs_;
 };
 

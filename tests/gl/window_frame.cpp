@@ -121,6 +121,62 @@ TEST_CASE("a view of half the size fills its place; one that was never drawn lea
   }
 }
 
+TEST_CASE("live quality shows the same: outlines within a pixel, light within a few levels") {
+  constexpr int kSide = 240;
+  VisualScene scene = lit_ball({0.5f, 0.3f, 0.2f, 1});
+  scene.camera.eye = {1.5f, 2.5f, 6};
+  scene.instances[1][0].shadow = true;
+  Instance cube = flat_instance({1.6f, -0.5f, 0}, {0.5f, 0.5f, 0.5f}, {0.2f, 0.4f, 0.6f, 1});
+  cube.shaded = cube.shadow = true;
+  scene.instances[0].push_back(cube);
+  scene.radius = 2.5f;
+  RenderFixture f(16, 16);
+  const ViewPlace place[] = {{0, 0, 0, kSide, kSide}};
+  const auto picture = [&](const RenderQuality& quality) {
+    f.renderer.draw_view(0, scene, kSide, kSide, quality);
+    f.renderer.compose(kSide, kSide, place, {0, 0, 0}, nullptr);
+    return read(f.renderer);
+  };
+  const Image full = picture({}), live = picture(RenderQuality::live()), again = picture({});
+  keep_image("quality_full", full);
+  keep_image("quality_live", live);
+  CHECK(full.rgb == again.rgb);
+  CHECK(full.rgb != live.rgb);
+  // Off by more than 24 levels (of 255) even from the most similar pixel nearby: only along the rims of
+  // shadows, which are harder, and under the bodies, where the darkness near the floor is left out.
+  int off = 0, unlike = 0;
+  double sum = 0;
+  for (int y = 2; y < kSide - 2; ++y) {
+    for (int x = 2; x < kSide - 2; ++x) {
+      const int v = pixel(live, x, y).g;
+      int least = 255;
+      for (int dy = -2; dy <= 2; ++dy) {
+        for (int dx = -2; dx <= 2; ++dx) least = std::min(least, std::abs(v - pixel(full, x + dx, y + dy).g));
+      }
+      off += least > 24;
+      unlike += std::abs(v - pixel(full, x, y).g) > 24;
+      sum += v - pixel(full, x, y).g;
+    }
+  }
+  CAPTURE(off, unlike, sum / (kSide * kSide));
+  CHECK(off < kSide * kSide / 100);
+  CHECK(unlike < kSide * kSide / 30);
+  CHECK(std::abs(sum) / (kSide * kSide) < 2);
+}
+
+TEST_CASE("the passes of a frame are timed when asked for") {
+  RenderFixture f(64, 64);
+  render(f.renderer, lit_ball({0.5f, 0.3f, 0.2f, 1}));
+  CHECK(f.renderer.pass_times().bodies == 0);
+  f.renderer.measure_passes(true);
+  render(f.renderer, lit_ball({0.5f, 0.3f, 0.2f, 1}));
+  const PassTimes t = f.renderer.pass_times();
+  CHECK(t.bodies > 0);
+  CHECK(t.ground > 0);
+  CHECK(t.prepare + t.shadow + t.contact_shade + t.bodies + t.ground + t.glyphs + t.resolve <=
+        f.renderer.times().draw);
+}
+
 TEST_CASE("a view that is not there is refused, and the renderer goes on") {
   RenderFixture f(16, 16);
   CHECK_THROWS_AS(f.renderer.draw_view(Renderer::kViews, {}, 8, 8), Error);
