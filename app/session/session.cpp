@@ -10,22 +10,29 @@
 namespace pabd {
 
 Session::Session(Scene scene, int threads)
-    : scene_(std::move(scene)), params_(scene_.params), state_(scene_.initial) {
+    : Session(std::make_shared<const Scene>(std::move(scene)), threads) {}
+
+Session::Session(std::shared_ptr<const Scene> scene, int threads)
+    : scene_(std::move(scene)),
+      model_(scene_, &scene_->model),
+      params_(scene_->params),
+      state_(scene_->initial) {
   options_.threads = threads;
   describe_start();
 }
 
-double Session::kappa() const { return resolve_kappa(scene_.model, params_); }
+double Session::kappa() const { return resolve_kappa(*model_, params_); }
 
 const StepReport& Session::step() {
-  pabd::step(scene_.model, params_, options_, state_, workspace_, report_);
+  pabd::step(*model_, params_, options_, state_, workspace_, report_);
   history_.add(report_);
   return report_;
 }
 
 void Session::reset() {
-  params_ = scene_.params;
-  state_ = scene_.initial;
+  model_ = {scene_, &scene_->model};
+  params_ = scene_->params;
+  state_ = scene_->initial;
   history_.clear();
   describe_start();
 }
@@ -37,12 +44,15 @@ void Session::set_params(const Params& params) {
   params_ = params;
 }
 
-void Session::set_state(State state) {
-  if (state.size() != scene_.model.size()) {
+void Session::set_state(State state) { restore(model_, std::move(state)); }
+
+void Session::restore(std::shared_ptr<const Model> model, State state) {
+  if (state.size() != model->size()) {
     throw Error(ExitCode::bad_input, "the state has " + std::to_string(state.size()) +
-                                         " bodies, the scene has " + std::to_string(scene_.model.size()) +
+                                         " bodies, the scene has " + std::to_string(model->size()) +
                                          "; use a state of this scene");
   }
+  model_ = std::move(model);
   state_ = std::move(state);
   history_.clear();
   describe_start();
@@ -57,8 +67,8 @@ void Session::describe_start() {
   report_.status = StepStatus::converged;
   report_.kappa = kappa();
   report_.min_gap = std::numeric_limits<double>::infinity();
-  report_.kinetic = kinetic_energy(scene_.model, state_);
-  report_.potential = potential_energy(scene_.model, params_, state_);
+  report_.kinetic = kinetic_energy(*model_, state_);
+  report_.potential = potential_energy(*model_, params_, state_);
 }
 
 }  // namespace pabd

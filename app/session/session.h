@@ -3,6 +3,8 @@
 // in here; any number of sessions may live side by side.
 #pragma once
 
+#include <memory>
+
 #include "app/session/history.h"
 #include "sim/scene/scene.h"
 #include "sim/solver/time_step.h"
@@ -13,16 +15,19 @@ class Session {
  public:
   // `threads` ≥ 1; results do not depend on it.
   explicit Session(Scene scene, int threads = 1);
+  // Shares the scene with others. Precondition: not null.
+  explicit Session(std::shared_ptr<const Scene> scene, int threads = 1);
 
-  const Scene& scene() const { return scene_; }
-  const Model& model() const { return scene_.model; }
+  const Scene& scene() const { return *scene_; }
+  const Model& model() const { return *model_; }
+  const std::shared_ptr<const Model>& shared_model() const { return model_; }
   const Params& params() const { return params_; }
   const State& state() const { return state_; }
   const StepReport& report() const { return report_; }  // of the last step; energies only before the first
   const History& history() const { return history_; }
   double kappa() const;  // resolved contact stiffness; J
 
-  // What later steps put into their reports. Neither changes a result.
+  // What later steps put into their reports. None changes a result.
   void record_iterations(bool on) { options_.record_iterations = on; }
   void report_contacts(bool on) { options_.report_contacts = on; }
 
@@ -39,10 +44,14 @@ class Session {
   // does not fit the model.
   void set_state(State state);
 
+  // Continues from a state of `model`, as a run that is wound back does. Throws like set_state.
+  void restore(std::shared_ptr<const Model> model, State state);
+
  private:
   void describe_start();
 
-  Scene scene_;
+  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Model> model_;  // the scene's own until it is edited
   Params params_;
   State state_;
   StepOptions options_;

@@ -68,7 +68,10 @@ std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
   return camera;
 }
 
-std::string read_file(const std::filesystem::path& file, std::size_t limit) {
+}  // namespace
+
+std::string read_scene_text(const std::filesystem::path& file) {
+  const std::size_t limit = DocumentLimits{}.bytes;
   const auto refuse = [&file](int error) {
     throw Error(ExitCode::file, fmt::format("{}: cannot be read: {}; expected a scene file", file.string(),
                                             std::strerror(error)));
@@ -89,10 +92,8 @@ std::string read_file(const std::filesystem::path& file, std::size_t limit) {
   return text;
 }
 
-}  // namespace
-
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return parse_scene(read_file(file, DocumentLimits{}.bytes), file.string(), file.parent_path(), overrides);
+  return parse_scene(read_scene_text(file), file.string(), file.parent_path(), overrides);
 }
 
 Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path& folder,

@@ -34,6 +34,9 @@ struct Scene {
 // was expected and the remedy; Error(file) when the file cannot be read.
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
+// The text of a scene file. Throws Error(file).
+std::string read_scene_text(const std::filesystem::path& file);
+
 // The same from text; `source` names it in messages, `folder` is what paths in it are relative to.
 Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path& folder,
                   const std::vector<std::string>& overrides = {});

@@ -124,6 +124,7 @@ Params patched(const Params& params, const std::string& patch, const std::string
 }
 
 std::string tuned_value(const Params& params, std::string_view key) {
+  check_key(std::string(key));
   const Json document = to_json<Json>(params);
   const Json& value = at(document, key);
   return value.is_string() ? value.get<std::string>() : value.dump();
@@ -147,12 +148,20 @@ std::string patch_json(const Params& from, const Params& to) {
 
 std::string params_json(const Params& params) { return to_json<OrderedJson>(params).dump(); }
 
-std::string tuned_scene_text(const std::string& scene, const std::string& source, const Params& from,
-                             const Params& to) {
-  (void)parse_document(scene, source);  // refuses what the other parse would let through
+std::string tuned_scene_text(const std::string& scene, const std::string& source,
+                             const std::vector<std::string>& overrides, const Params& params) {
+  Json checked = parse_document(scene, source);
   OrderedJson document = OrderedJson::parse(scene);
-  const OrderedJson values = to_json<OrderedJson>(to);
-  for (const auto& [key, value] : differences(from, to)) put(document, key, at(values, key));
+  ReadContext context{source, {}, {}};
+  if (!overrides.empty()) {
+    context.overrides = apply_overrides(checked, overrides, source);
+    document = OrderedJson::parse(checked.dump());
+  }
+  const Node root(checked, context);
+  const OrderedJson values = to_json<OrderedJson>(params);
+  for (const auto& [key, value] : differences(read_params(ObjectReader(root, keys::scene)), params)) {
+    put(document, key, at(values, key));
+  }
   return document.dump(2) + "\n";
 }
 

@@ -24,8 +24,8 @@ Params tuned(const Params& params, const std::vector<std::string>& sets);
 // `params` with a merge patch. `source` names the text in messages. Throws like `tuned`.
 Params patched(const Params& params, const std::string& patch, const std::string& source);
 
-// The value of one key, as --set takes it: shortest text that reads back exactly. Precondition: a tunable
-// key.
+// The value of one key, as --set takes it: shortest text that reads back exactly. Throws Error(bad_input) for
+// a key that cannot be tuned.
 std::string tuned_value(const Params& params, std::string_view key);
 
 // Keys on which the two differ, with the value in `to`.
@@ -37,9 +37,10 @@ std::string patch_json(const Params& from, const Params& to);
 // All tunable keys as an object of a scene file, on one line; κ "auto" where it is not given.
 std::string params_json(const Params& params);
 
-// The text of a scene file with the tunable keys of `to` written into it where they differ from `from`, as
-// indented JSON. Order of keys is kept, comments there are none. Throws Error(bad_input).
-std::string tuned_scene_text(const std::string& scene, const std::string& source, const Params& from,
-                             const Params& to);
+// The text of a scene file with overrides as load_scene takes them, and the tunable keys of `params` where
+// they differ from what it says then; indented JSON. The order of keys is kept when there are no overrides.
+// Throws Error(bad_input).
+std::string tuned_scene_text(const std::string& scene, const std::string& source,
+                             const std::vector<std::string>& overrides, const Params& params);
 
 }  // namespace pabd

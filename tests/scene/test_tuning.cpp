@@ -62,9 +62,13 @@ TEST_CASE("a tuned scene is the scene with other parameters") {
   const Scene scene = parse_scene(kScene, "scene.json", ".");
   const Params wanted =
       tuned(scene.params, {"contact.kappa=12.5", "contact.friction.dynamic=0.125", "time_step=0.01"});
-  const Scene again = parse_scene(tuned_scene_text(kScene, "scene.json", scene.params, wanted), "again", ".");
+  const Scene again = parse_scene(tuned_scene_text(kScene, "scene.json", {}, wanted), "again", ".");
   CHECK(params_json(again.params) == params_json(wanted));
   CHECK(again.model.size() == 1);
+  const std::string light =
+      tuned_scene_text(kScene, "scene.json", {"bodies.0.density=1", "contact.N=7"}, wanted);
+  CHECK(parse_scene(light, "light", ".").model.mass[0] == Approx(4 * 3.14159265358979 / 3).epsilon(1e-12));
+  CHECK(parse_scene(light, "light", ".").params.contact.N == 4);
   CHECK(again.hash == parse_scene(kScene, "scene.json", ".",
                                   {"contact.kappa=12.5",
                                    "contact.friction={\"static\":0.25,\"dynamic\":0.125}", "time_step=0.01"})
@@ -77,6 +81,7 @@ TEST_CASE("what cannot be tuned is refused with its place") {
              Catch::Contains("contact.kapa") && Catch::Contains("contact.kappa\"?"));
   CHECK_THAT(message([&] { tuned(p, {"bodies.0.density=5"}); }),
              Catch::Contains("no parameter that can be tuned"));
+  CHECK_THAT(message([&] { tuned_value(p, "contact"); }), Catch::Contains("no parameter that can be tuned"));
   CHECK_THAT(message([&] { tuned(p, {"contact.d_hat=-1"}); }),
              Catch::Contains("/contact/d_hat") && Catch::Contains("1e-9"));
   CHECK_THAT(message([&] { tuned(p, {"contact.N=2.5"}); }), Catch::Contains("/contact/N"));

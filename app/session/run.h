@@ -1,0 +1,77 @@
+// A simulation that can be wound back: a session, its timeline, and a place in it. What is changed in the
+// past starts a new branch; the future that it leaves is kept for comparison.
+#pragma once
+
+#include <optional>
+
+#include "app/session/session.h"
+#include "app/session/timeline.h"
+
+namespace pabd {
+
+// Where a branch leaves the run that it came from.
+struct Parting {
+  double time = 0;                // of the moment where it begins; s
+  std::optional<double> differs;  // first moment with another bit; s
+  std::optional<double> parted;   // first moment with a body more than d̂ away; s
+};
+
+class Run {
+ public:
+  // Precondition: scene is not null, threads ≥ 1. `memory`: bytes for states of the past.
+  Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory);
+
+  const Scene& scene() const { return *scene_; }
+  const Model& model() const { return session_.model(); }
+  const std::shared_ptr<const Model>& shared_model() const { return session_.shared_model(); }
+  const State& state() const { return session_.state(); }
+  const StepReport& report() const { return session_.report(); }  // of the step that led here
+  const Params& params() const { return next_; }                  // of the next step
+  double kappa() const { return resolve_kappa(model(), next_); }  // J
+
+  const Timeline& timeline() const { return timeline_; }
+  std::size_t cursor() const { return cursor_; }
+  bool at_end() const { return cursor_ + 1 == timeline_.size(); }
+
+  // The future that the last branch left, and where the two part; null without one.
+  const Timeline* left() const { return left_ ? &*left_ : nullptr; }
+  const std::optional<Parting>& parting() const { return parting_; }
+
+  // A run of its own at the same place of the same past. States are shared.
+  Run fork() const;
+
+  // What reports carry from the next step or seek on.
+  void observe(bool iterations, bool contacts);
+
+  // One step on: in the past the one that was made, at the end a new one. False, with the state as it was,
+  // when the new one left the numbers; report() tells of it.
+  bool advance();
+  // To moment i of the timeline. Precondition: it exists.
+  void seek(std::size_t i);
+  // Back to the beginning, with the present parameters; what was is left.
+  void restart();
+
+  // For the next step. Throws Error(bad_input) as Session does. In the past this starts a branch.
+  void set_params(const Params& params);
+
+  // The step that led here again, with another method, recorded. Nothing for a start.
+  std::vector<IterationRecord> records_with(SolverMethod method) const;
+
+ private:
+  void branch();
+  void add_moment();
+  void compare();
+
+  std::shared_ptr<const Scene> scene_;
+  Session session_;
+  int threads_;
+  bool iterations_ = false, contacts_ = false;
+  Timeline timeline_;
+  std::size_t cursor_ = 0;
+  Params next_;                           // of the next step
+  std::shared_ptr<const Params> shared_;  // the last ones that a step was made with
+  std::optional<Timeline> left_;
+  std::optional<Parting> parting_;
+};
+
+}  // namespace pabd

@@ -1,0 +1,105 @@
+// See timeline.h.
+#include "app/session/timeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "sim/solver/time_step.h"
+
+namespace pabd {
+namespace {
+
+constexpr std::size_t kAllKept = 120;  // of the newest moments, for quick steps back
+constexpr std::int64_t kLongestStride = 64;
+constexpr double kRoom = 0.8;  // part of the budget that is filled after dropping
+
+}  // namespace
+
+std::size_t state_bytes(const State& state) {
+  return sizeof(State) + state.c.size() * (3 * sizeof(Vec3) + sizeof(Mat3)) +
+         state.anchors.size() * sizeof(FrictionAnchor);
+}
+
+double largest_distance(const State& a, const State& b) {
+  double squared = 0;
+  for (std::size_t i = 0; i < std::min(a.c.size(), b.c.size()); ++i) {
+    squared = std::max(squared, (a.c[i] - b.c[i]).squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
+bool same_bits(const State& a, const State& b) {
+  const auto same = [](const auto& x, const auto& y) {
+    return x.size() == y.size() &&
+           (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0);
+  };
+  return a.time == b.time && same(a.c, b.c) && same(a.R, b.R) && same(a.v, b.v) && same(a.omega, b.omega);
+}
+
+void Timeline::add(Moment moment) {
+  bytes_ += state_bytes(*moment.state);
+  moments_.push_back(std::move(moment));
+  if (bytes_ > budget_) shrink();
+}
+
+std::shared_ptr<const State> Timeline::state(std::size_t i, int threads) const {
+  std::size_t kept = i;
+  while (!moments_[kept].state) --kept;
+  if (kept == i) return moments_[i].state;
+  auto state = std::make_shared<State>(*moments_[kept].state);
+  StepWorkspace workspace;
+  StepReport report;
+  StepOptions options;
+  options.threads = threads;
+  for (std::size_t k = kept + 1; k <= i; ++k) {
+    step(*moments_[k].model, *moments_[k].params, options, *state, workspace, report);
+  }
+  return state;
+}
+
+Timeline Timeline::branch(std::size_t i) {
+  Timeline rest(budget_);
+  for (std::size_t k = i + 1; k < moments_.size(); ++k) {
+    if (moments_[k].state) rest.bytes_ += state_bytes(*moments_[k].state);
+    rest.moments_.push_back(std::move(moments_[k]));
+  }
+  moments_.resize(i + 1);
+  bytes_ -= rest.bytes_;
+  return rest;
+}
+
+std::size_t Timeline::at_time(double time) const {
+  const auto after = std::upper_bound(moments_.begin(), moments_.end(), time, [](double t, const Moment& m) {
+    return t < m.report.time - 1e-6 * m.params->h;
+  });
+  return after == moments_.begin() ? 0 : static_cast<std::size_t>(after - moments_.begin()) - 1;
+}
+
+void Timeline::shrink() {
+  const auto enough = static_cast<std::size_t>(kRoom * static_cast<double>(budget_));
+  for (std::int64_t stride = 2; stride <= kLongestStride && bytes_ > enough; stride *= 2)
+    drop_between(stride);
+  while (bytes_ > enough && moments_.size() > 2 * kAllKept) forget_oldest();
+}
+
+void Timeline::drop_between(std::int64_t stride) {
+  if (moments_.size() <= kAllKept) return;
+  for (std::size_t i = 1; i + kAllKept < moments_.size(); ++i) {
+    Moment& m = moments_[i];
+    if (!m.state || m.start || m.report.step % stride == 0) continue;
+    bytes_ -= state_bytes(*m.state);
+    m.state.reset();
+  }
+}
+
+// Up to the next state that is there.
+void Timeline::forget_oldest() {
+  do {
+    if (moments_.front().state) bytes_ -= state_bytes(*moments_.front().state);
+    moments_.pop_front();
+    ++forgotten_;
+  } while (!moments_.front().state);
+}
+
+}  // namespace pabd

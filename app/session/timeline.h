@@ -1,0 +1,73 @@
+// The past of a run: every step with what it was made with, and its state, within a memory budget.
+//
+// When the budget is used up, every second state of the older part is dropped, then every fourth and so on;
+// such a state is computed again from the one before, which gives the same bits because a step is a function
+// of state, parameters and model. Only then are the oldest moments forgotten.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+#include "sim/solver/params.h"
+#include "sim/solver/report.h"
+
+namespace pabd {
+
+struct Moment {
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<const Params> params;  // that the step which ended here was made with
+  std::shared_ptr<const State> state;    // null when it was dropped
+  StepReport report;                     // light; energies only where no step led here
+  bool start = false;  // no step led here: the beginning, or an edit. Such a state is never dropped
+};
+
+class Timeline {
+ public:
+  explicit Timeline(std::size_t budget_bytes) : budget_(budget_bytes) {}
+
+  // The first moment must be a start; the model may only change at a start. The state must be there.
+  void add(Moment moment);
+
+  bool empty() const { return moments_.empty(); }
+  std::size_t size() const { return moments_.size(); }
+  const Moment& operator[](std::size_t i) const { return moments_[i]; }
+  const Moment& back() const { return moments_.back(); }
+
+  // The state of moment i, computed again if it was dropped. `threads` as for a step. Precondition: the first
+  // moment has its state, which is so unless this was cut off another timeline.
+  std::shared_ptr<const State> state(std::size_t i, int threads = 1) const;
+
+  // Cuts off everything behind moment i and returns it, without moment i.
+  Timeline branch(std::size_t i);
+
+  // The last moment that is not after `time` (s, rounding forgiven), or the first one.
+  std::size_t at_time(double time) const;
+
+  std::size_t bytes() const { return bytes_; }  // of the states, about
+  std::size_t budget() const { return budget_; }
+  std::size_t forgotten() const { return forgotten_; }  // moments at the beginning
+
+ private:
+  void shrink();
+  void drop_between(std::int64_t stride);
+  void forget_oldest();
+
+  std::size_t budget_;
+  std::size_t bytes_ = 0, forgotten_ = 0;
+  std::deque<Moment> moments_;
+};
+
+// About how much memory a state takes.
+std::size_t state_bytes(const State& state);
+
+// Largest distance between the places of a body in two states of one model; m.
+double largest_distance(const State& a, const State& b);
+
+// Equal to the last bit.
+bool same_bits(const State& a, const State& b);
+
+}  // namespace pabd

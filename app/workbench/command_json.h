@@ -1,0 +1,159 @@
+// Commands as JSON objects, the form they have in script files: {"do": "set", "key": "contact.kappa", …}.
+// Internal to those who read or write such files.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "app/workbench/command.h"
+#include "sim/error.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+
+using CommandJson = nlohmann::ordered_json;
+
+namespace command_json {
+
+[[noreturn]] inline void refuse(const std::string& what, const std::string& field,
+                                const std::string& expected) {
+  throw Error(ExitCode::bad_input, fmt::format("{}: \"{}\": expected {}", what, field, expected));
+}
+
+// Reads the fields that a command names; a field that is not required keeps its default.
+class Reader {
+ public:
+  Reader(const CommandJson& json, std::string what) : json_(json), what_(std::move(what)) {}
+
+  template <class T>
+  void operator()(const char* field, T& out, bool required = true) {
+    known_.emplace_back(field);
+    const auto it = json_.find(field);
+    if (it == json_.end()) {
+      if (required) refuse(what_, field, "a value; it is missing");
+      return;
+    }
+    read(*it, field, out);
+  }
+
+  void check_unknown() const {
+    for (const auto& [key, value] : json_.items()) {
+      if (key == "do" || std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+      throw Error(ExitCode::bad_input,
+                  fmt::format("{}: it has no {}{}", what_, in_quotes(key), did_you_mean(key, known_)));
+    }
+  }
+
+ private:
+  void read(const CommandJson& j, const char* field, std::string& out) const {
+    if (j.is_number()) {  // 50 for "50": as a person writes it
+      out = j.dump();
+    } else if (j.is_string()) {
+      out = j.get<std::string>();
+    } else if (j.is_array()) {
+      out = j.dump();
+    } else {
+      refuse(what_, field, "a text");
+    }
+  }
+  void read(const CommandJson& j, const char* field, double& out) const {
+    if (!j.is_number()) refuse(what_, field, "a number");
+    out = j.get<double>();
+  }
+  void read(const CommandJson& j, const char* field, int& out) const {
+    if (!j.is_number_integer() || j < std::numeric_limits<int>::min() ||
+        j > std::numeric_limits<int>::max()) {
+      refuse(what_, field, "a whole number");
+    }
+    out = j.get<int>();
+  }
+  void read(const CommandJson& j, const char* field, bool& out) const {
+    if (!j.is_boolean()) refuse(what_, field, "true or false");
+    out = j.get<bool>();
+  }
+  void read(const CommandJson& j, const char* field, Side& out) const {
+    if (j != "a" && j != "b") refuse(what_, field, "\"a\" or \"b\"");
+    out = j == "a" ? Side::a : Side::b;
+  }
+  template <class T>
+  void read(const CommandJson& j, const char* field, std::vector<T>& out) const {
+    if (!j.is_array()) refuse(what_, field, "a list");
+    out.clear();
+    for (const CommandJson& element : j) read(element, field, out.emplace_back());
+  }
+
+  const CommandJson& json_;
+  std::string what_;
+  std::vector<std::string_view> known_;
+};
+
+class Writer {
+ public:
+  explicit Writer(CommandJson& json) : json_(json) {}
+  template <class T>
+  void operator()(const char* field, const T& value, bool = true) {
+    if constexpr (std::is_same_v<T, Side>) {
+      json_[field] = value == Side::a ? "a" : "b";
+    } else {
+      json_[field] = value;
+    }
+  }
+
+ private:
+  CommandJson& json_;
+};
+
+// Finds the alternative of that name and fills it.
+template <class Variant, std::size_t i = 0>
+bool read_alternative(const std::string& name, const CommandJson& json, const std::string& what,
+                      Variant& out) {
+  if constexpr (i == std::variant_size_v<Variant>) {
+    return false;
+  } else {
+    using C = std::variant_alternative_t<i, Variant>;
+    if (name != C::name) return read_alternative<Variant, i + 1>(name, json, what, out);
+    C c;
+    Reader reader(json, what);
+    c.fields(reader);
+    reader.check_unknown();
+    out = std::move(c);
+    return true;
+  }
+}
+
+}  // namespace command_json
+
+// True when `name` is one of the Variant's commands; `out` is it then. Throws Error(bad_input) for fields
+// that do not fit; `what` names the place in messages.
+template <class Variant>
+bool command_from_json(const std::string& name, const CommandJson& json, const std::string& what,
+                       Variant& out) {
+  return command_json::read_alternative(name, json, what, out);
+}
+
+template <class Variant>
+CommandJson command_to_json(const Variant& command) {
+  return std::visit(
+      [](auto c) {
+        CommandJson json = {{"do", c.name}};
+        c.fields(command_json::Writer(json));
+        return json;
+      },
+      command);
+}
+
+// The names of all commands of a variant.
+template <class Variant>
+std::vector<std::string_view> command_names() {
+  return []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::vector<std::string_view>{std::variant_alternative_t<i, Variant>::name...};
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+}  // namespace pabd

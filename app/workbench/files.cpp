@@ -1,0 +1,95 @@
+// Scenes and patches on disk: see workbench.h.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/workbench/workbench.h"
+#include "render/output/atomic_file.h"
+#include "sim/error.h"
+#include "sim/scene/tuning.h"
+
+namespace pabd {
+namespace {
+
+void write_text(const std::string& path, const std::string& text, bool force) {
+  if (path.empty()) throw Error(ExitCode::bad_input, "a file needs a name");
+  std::error_code ignored;
+  if (!force && std::filesystem::exists(path, ignored)) {
+    throw Error(ExitCode::bad_input, path + ": exists already; replace it, or choose another name");
+  }
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace
+
+void Workbench::carry_out(const command::Load& c) {
+  if (a_ && unsaved() && !c.force) {
+    throw Error(ExitCode::bad_input,
+                "parameters were changed and not saved; save them, or load all the same");
+  }
+  Source source;
+  source.path = options_.find_scene ? options_.find_scene(c.scene) : c.scene;
+  source.sets = c.sets;
+  open(std::move(source));
+}
+
+void Workbench::carry_out(const command::Reload&) {
+  if (source_.path.empty()) throw Error(ExitCode::bad_input, "this scene has no file to load again");
+  const auto changes = differences(scene_->params, a_->params());
+  open(source_);
+  std::vector<std::string> values;
+  for (const auto& [key, value] : changes) values.push_back(key + "=" + value);
+  a_->set_params(tuned(a_->params(), values));
+  tell(Severity::note, source_.path + ": loaded again");
+}
+
+bool Workbench::file_changed() {
+  std::error_code error;
+  const auto written = std::filesystem::last_write_time(source_.path, error);
+  if (error || written == source_.written) return false;  // a file that is gone may come back
+  source_.written = written;                              // asked once, also when it turns out to be broken
+  return true;
+}
+
+// Everything is made before anything is given up.
+void Workbench::open(Source source) {
+  std::error_code ignored;
+  source.written = std::filesystem::last_write_time(source.path, ignored);
+  source.text = read_scene_text(source.path);
+  const std::filesystem::path path(source.path);
+  auto scene =
+      std::make_shared<const Scene>(parse_scene(source.text, source.path, path.parent_path(), source.sets));
+  Run run(scene, options_.threads, options_.memory);
+  run.observe(observe_.iterations, observe_.contacts);
+  source_ = std::move(source);
+  scene_ = std::move(scene);
+  a_.emplace(std::move(run));
+  b_.reset();
+  undo_.clear();
+  redo_.clear();
+  held_.clear();
+  diverged_ = false;
+  saved_ = tuning();
+  ++scene_serial_;
+}
+
+void Workbench::carry_out(const command::SaveScene& c) {
+  write_text(c.path, tuned_scene_text(source_.text, source_.path, source_.sets, run_of(c.side).params()),
+             c.force);
+  saved_ = tuning();
+  tell(Severity::note, "saved " + c.path);
+}
+
+void Workbench::carry_out(const command::SavePatch& c) {
+  write_text(c.path, patch_json(scene_->params, run_of(c.side).params()), c.force);
+  saved_ = tuning();
+  tell(Severity::note, "saved " + c.path);
+}
+
+void Workbench::carry_out(const command::ApplyPatch& c) {
+  change(c.side, "patch", patched(run_of(c.side).params(), read_scene_text(c.path), c.path));
+}
+
+}  // namespace pabd

@@ -1,0 +1,160 @@
+// See runner.h.
+#include "app/workbench/runner.h"
+
+#include <algorithm>
+
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+constexpr Seconds kForgiven{0.1};  // further behind than this is not caught up
+constexpr Seconds kMeasured{0.5};  // the real-time factor is a mean over as much
+constexpr Seconds kIdle{0.5};
+
+}  // namespace
+
+Runner::Runner(std::unique_ptr<Workbench> workbench) : workbench_(std::move(workbench)) {
+  publish();
+  thread_ = std::thread([this] {
+    try {
+      work();
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      failure_ = std::current_exception();
+      busy_ = false;
+      settled_.notify_all();
+    }
+  });
+}
+
+Runner::~Runner() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void Runner::send(Command command) {
+  {
+    const std::scoped_lock lock(mutex_);
+    queue_.push_back(std::move(command));
+  }
+  wake_.notify_all();
+}
+
+std::shared_ptr<const Snapshot> Runner::latest() {
+  bool wanted = false;
+  std::shared_ptr<const Snapshot> out;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+    wanted = !std::exchange(taken_, true);
+    out = latest_;
+  }
+  if (wanted) wake_.notify_all();
+  return out;
+}
+
+std::shared_ptr<const Snapshot> Runner::settle() {
+  std::unique_lock lock(mutex_);
+  settled_.wait(lock, [&] { return failure_ || (queue_.empty() && !busy_); });
+  if (failure_) std::rethrow_exception(failure_);
+  taken_ = true;
+  return latest_;
+}
+
+void Runner::work() {
+  std::deque<Command> commands;
+  while (wait_for_work(commands)) {
+    for (const Command& command : commands) carry_out(command);
+    bool changed = !commands.empty();
+    commands.clear();
+    if (keep_pace(Clock::now())) {
+      workbench_->advance();
+      changed = true;
+    }
+    if (look_at_file(Clock::now())) changed = true;
+    if (changed) stale_ = true;
+    bool wanted = false;
+    {
+      const std::scoped_lock lock(mutex_);
+      wanted = taken_;
+    }
+    // At rest every change is shown; in motion only what somebody will see.
+    if (stale_ && (wanted || !workbench_->playing())) publish();
+  }
+}
+
+// False when it is time to stop.
+bool Runner::wait_for_work(std::deque<Command>& commands) {
+  std::unique_lock lock(mutex_);
+  const auto ready = [&] { return stop_ || !queue_.empty(); };
+  if (queue_.empty()) {
+    busy_ = false;
+    settled_.notify_all();
+  }
+  if (!workbench_->playing()) {
+    wake_.wait_for(lock, kIdle, ready);
+  } else if (due_ > Clock::now()) {
+    wake_.wait_until(lock, due_, ready);
+  }
+  commands.swap(queue_);
+  if (!commands.empty()) busy_ = true;
+  return !stop_;
+}
+
+// Whether a step is due now; measures how fast the simulation goes.
+bool Runner::keep_pace(Clock::time_point now) {
+  const bool playing = workbench_->playing();
+  if (!playing || !was_playing_) {
+    was_playing_ = playing;
+    due_ = measured_from_ = now;
+    simulated_ = real_time_factor_ = 0;
+    if (!playing) return false;
+  }
+  if (now < due_) return false;
+  const double h = workbench_->run().params().h;
+  const double speed = workbench_->speed();
+  const auto wall = std::chrono::duration_cast<Clock::duration>(Seconds(speed > 0 ? h / speed : 0));
+  due_ = std::max(due_ + wall, now - std::chrono::duration_cast<Clock::duration>(kForgiven));
+  simulated_ += h;
+  if (const Seconds passed = now - measured_from_; passed > kMeasured) {
+    real_time_factor_ = simulated_ / passed.count();
+    measured_from_ = now;
+    simulated_ = 0;
+  }
+  return true;
+}
+
+void Runner::carry_out(const Command& command) {
+  try {
+    workbench_->apply(command);
+  } catch (const Error& error) {
+    workbench_->tell(Severity::error, error.what());
+  }
+}
+
+// A scene that changed on disk is loaded again; what was tuned stays.
+bool Runner::look_at_file(Clock::time_point now) {
+  if (now < next_look_) return false;
+  next_look_ = now + std::chrono::duration_cast<Clock::duration>(kIdle);
+  if (!workbench_->file_changed()) return false;
+  carry_out(command::Reload{});
+  return true;
+}
+
+void Runner::publish() {
+  auto snapshot = std::make_shared<Snapshot>(workbench_->snapshot());
+  snapshot->real_time_factor = real_time_factor_;
+  stale_ = false;
+  const std::scoped_lock lock(mutex_);
+  latest_ = std::move(snapshot);
+  taken_ = false;
+}
+
+}  // namespace pabd

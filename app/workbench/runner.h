@@ -1,0 +1,67 @@
+// The Workbench in a thread of its own: commands go in, snapshots come out, and nobody waits for a slow step.
+//
+//   UI thread                         simulation's thread
+//   send(command) ──→ queue ──→ Workbench::apply / advance, at the pace asked for
+//   latest()      ←── snapshot ←─┘  a new one after every change that somebody will look at
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "app/workbench/workbench.h"
+
+namespace pabd {
+
+class Runner {
+ public:
+  explicit Runner(std::unique_ptr<Workbench> workbench);
+  ~Runner();  // ends the thread after the step it is in
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
+
+  // Carried out in order. What goes wrong becomes a message in a later snapshot.
+  void send(Command command);
+
+  // The newest snapshot; never waits for a step. Throws what the thread died of.
+  std::shared_ptr<const Snapshot> latest();
+
+  // Waits until everything sent so far is carried out; `latest` shows it then. Not while playing.
+  std::shared_ptr<const Snapshot> settle();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void work();
+  bool wait_for_work(std::deque<Command>& commands);
+  bool keep_pace(Clock::time_point now);
+  void carry_out(const Command& command);
+  void publish();
+  bool look_at_file(Clock::time_point now);
+
+  std::unique_ptr<Workbench> workbench_;  // the thread's own
+
+  std::mutex mutex_;
+  std::condition_variable wake_, settled_;
+  std::deque<Command> queue_;
+  std::shared_ptr<const Snapshot> latest_;
+  bool taken_ = true;  // somebody has the latest snapshot and will want another
+  bool busy_ = false, stop_ = false;
+  std::exception_ptr failure_;
+
+  // Pace: the thread's own.
+  Clock::time_point due_{};  // of the next step
+  Clock::time_point measured_from_{};
+  double simulated_ = 0, real_time_factor_ = 0;
+  bool was_playing_ = false;
+  bool stale_ = false;             // the latest snapshot is not all there is
+  Clock::time_point next_look_{};  // at the scene's file
+
+  std::thread thread_;
+};
+
+}  // namespace pabd

@@ -1,0 +1,66 @@
+// What the Workbench shows of itself: a copy that other threads may keep as long as they like.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/session/run.h"
+#include "app/workbench/command.h"
+#include "sim/scene/scene.h"
+
+namespace pabd {
+
+enum class Severity : std::uint8_t { note, warning, error };
+
+// Something to tell a person, in place, in one line.
+struct Message {
+  std::uint64_t number = 0;  // rises
+  Severity severity = Severity::note;
+  std::string text;
+};
+
+struct HeldCurve {
+  std::string name;  // method and step
+  std::vector<IterationRecord> records;
+};
+
+// One of the simulations.
+struct RunView {
+  std::shared_ptr<const Model> model;
+  State state;
+  StepReport report;  // of the step that led here, with what was observed
+  Params params;      // of the next step
+  double kappa = 0;   // resolved; J
+  std::vector<std::pair<std::string, std::string>>
+      changed;  // keys that differ from the scene, with their value
+  // Light reports of all moments of the timeline, and where in it this one is.
+  std::shared_ptr<const std::vector<StepReport>> history;
+  std::size_t cursor = 0;
+  // Of the run that the last branch left; null without one.
+  std::shared_ptr<const std::vector<StepReport>> left;
+  std::optional<Parting> parting;
+};
+
+struct Snapshot {
+  std::uint64_t serial = 0;        // rises with every snapshot
+  std::uint64_t scene_serial = 0;  // rises with every scene that is loaded
+  std::shared_ptr<const Scene> scene;
+  std::string scene_path;  // file; empty when it came from elsewhere
+  RunView a;
+  std::optional<RunView> b;
+  bool playing = false;
+  double speed = 1;             // asked for
+  double real_time_factor = 0;  // simulated seconds a second of late; 0 when not playing
+  bool diverged = false;        // the step after this state left the numbers
+  bool unsaved = false;         // parameters were changed since they were loaded or saved
+  bool can_undo = false, can_redo = false;
+  std::string undo_text, redo_text;  // "contact.kappa"
+  std::vector<HeldCurve> held;
+  std::vector<Message> messages;  // the latest few, oldest first
+  std::size_t timeline_bytes = 0, timeline_budget = 0, forgotten = 0;
+};
+
+}  // namespace pabd

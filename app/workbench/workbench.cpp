@@ -1,0 +1,188 @@
+// Time and comparison: see workbench.h. Parameters and files are in files of their own.
+#include "app/workbench/workbench.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/error.h"
+#include "sim/scene/tuning.h"
+
+namespace pabd {
+namespace {
+
+constexpr std::size_t kMostMessages = 20, kMostHeld = 6;
+constexpr int kMostSteps = 1'000'000;  // of one command
+
+std::shared_ptr<const std::vector<StepReport>> reports_of(const Timeline& timeline) {
+  auto out = std::make_shared<std::vector<StepReport>>();
+  out->reserve(timeline.size());
+  for (std::size_t i = 0; i < timeline.size(); ++i) out->push_back(timeline[i].report);
+  return out;
+}
+
+}  // namespace
+
+Workbench::Workbench(const WorkbenchOptions& options, const command::Load& scene) : options_(options) {
+  carry_out(scene);
+}
+
+void Workbench::apply(const Command& command) {
+  std::visit([this](const auto& c) { carry_out(c); }, command);
+}
+
+const Run& Workbench::run(Side side) const { return side == Side::b && b_ ? *b_ : *a_; }
+
+Run& Workbench::run_of(Side side) {
+  if (side == Side::a) return *a_;
+  if (!b_) throw Error(ExitCode::bad_input, "there is no second simulation; start one with 'compare'");
+  return *b_;
+}
+
+void Workbench::tell(Severity severity, const std::string& text) {
+  messages_.push_back({++message_number_, severity, text});
+  if (messages_.size() > kMostMessages) messages_.erase(messages_.begin());
+}
+
+bool Workbench::advance() {
+  diverged_ = !a_->advance();
+  // B follows until its time is that of A.
+  while (!diverged_ && b_ && b_->state().time + 0.5 * b_->params().h <= a_->state().time) {
+    if (!b_->advance()) diverged_ = true;
+  }
+  if (!diverged_) return true;
+  playing_ = false;
+  const bool first = a_->report().status == StepStatus::non_finite;
+  const Run& run = first ? *a_ : *b_;
+  tell(Severity::error,
+       fmt::format(
+           "{}diverged at step {} (t = {:.4g} s): the state was no longer finite. Go back, and try a smaller "
+           "time_step, a smaller contact.kappa, or solver.method descent",
+           b_ ? (first ? "A: " : "B: ") : "", run.state().step + 1, run.state().time + run.params().h));
+  return false;
+}
+
+void Workbench::carry_out(const command::Play&) { playing_ = true; }
+void Workbench::carry_out(const command::Pause&) { playing_ = false; }
+
+void Workbench::carry_out(const command::Step& c) {
+  playing_ = false;
+  if (std::abs(static_cast<double>(c.steps)) > kMostSteps) {
+    throw Error(ExitCode::bad_input,
+                fmt::format("step: expected at most {} steps, got {}", kMostSteps, c.steps));
+  }
+  if (c.steps < 0) {
+    const auto back = static_cast<std::size_t>(-c.steps);
+    seek_to(a_->cursor() > back ? a_->cursor() - back : 0);
+  }
+  for (int i = 0; i < c.steps; ++i) {
+    if (!advance()) return;
+  }
+}
+
+void Workbench::carry_out(const command::Seek& c) {
+  playing_ = false;
+  if (!std::isfinite(c.time)) throw Error(ExitCode::bad_input, "seek: expected a time in seconds");
+  seek_to(a_->timeline().at_time(c.time));
+}
+
+void Workbench::seek_to(std::size_t i) {
+  a_->seek(i);
+  if (b_) b_->seek(b_->timeline().at_time(a_->state().time));
+  diverged_ = false;
+}
+
+void Workbench::carry_out(const command::Speed& c) {
+  if (!(c.factor >= 0 && c.factor <= 1000)) {
+    throw Error(
+        ExitCode::bad_input,
+        fmt::format("speed: expected 0 (as fast as it goes) to 1000 times real time, got {}", c.factor));
+  }
+  speed_ = c.factor;
+}
+
+void Workbench::carry_out(const command::Restart&) {
+  a_->restart();
+  if (b_) b_->restart();
+  diverged_ = false;
+}
+
+void Workbench::carry_out(const command::Compare& c) {
+  const Params params = tuned(b_ ? b_->params() : a_->params(), c.values);
+  if (!b_) b_.emplace(a_->fork());
+  b_->set_params(params);
+}
+
+void Workbench::carry_out(const command::EndCompare&) {
+  b_.reset();
+  const auto of_b = [](const Change& change) { return change.side == Side::b; };
+  std::erase_if(undo_, of_b);
+  std::erase_if(redo_, of_b);
+}
+
+void Workbench::carry_out(const command::Hold& c) {
+  SolverMethod method = a_->report().method;
+  if (!c.method.empty()) {
+    method = tuned(a_->params(), {"solver.method=" + c.method, "solver.projection=auto"}).solver.method;
+  }
+  std::vector<IterationRecord> records =
+      c.method.empty() ? a_->report().records : std::vector<IterationRecord>{};
+  if (records.empty()) records = a_->records_with(method);
+  if (records.empty())
+    throw Error(ExitCode::bad_input, "no step with contacts or joints led here: there is nothing to hold");
+  if (held_.size() >= kMostHeld) held_.erase(held_.begin());
+  held_.push_back({fmt::format("{}, step {}", to_string(method), a_->state().step), std::move(records)});
+}
+
+void Workbench::carry_out(const command::DropHeld&) { held_.clear(); }
+
+void Workbench::carry_out(const command::Observe& c) {
+  const bool more = (c.iterations && !observe_.iterations) || (c.contacts && !observe_.contacts);
+  observe_ = c;
+  for (auto* run : {&a_, &b_}) {
+    if (!*run) continue;
+    (*run)->observe(c.iterations, c.contacts);
+    if (more) (*run)->seek((*run)->cursor());
+  }
+}
+
+Snapshot Workbench::snapshot() {
+  Snapshot s;
+  s.serial = ++serial_;
+  s.scene_serial = scene_serial_;
+  s.scene = scene_;
+  s.scene_path = source_.path;
+  s.a = view(*a_);
+  if (b_) s.b = view(*b_);
+  s.playing = playing_;
+  s.speed = speed_;
+  s.diverged = diverged_;
+  s.unsaved = unsaved();
+  s.can_undo = !undo_.empty();
+  s.can_redo = !redo_.empty();
+  if (s.can_undo) s.undo_text = undo_.back().what;
+  if (s.can_redo) s.redo_text = redo_.back().what;
+  s.held = held_;
+  s.messages = messages_;
+  s.timeline_bytes = a_->timeline().bytes() + (b_ ? b_->timeline().bytes() : 0);
+  s.timeline_budget = options_.memory;
+  s.forgotten = a_->timeline().forgotten();
+  return s;
+}
+
+RunView Workbench::view(const Run& run) const {
+  RunView v;
+  v.model = run.shared_model();
+  v.state = run.state();
+  v.report = run.report();
+  v.params = run.params();
+  v.kappa = run.kappa();
+  v.changed = differences(scene_->params, run.params());
+  v.history = reports_of(run.timeline());
+  v.cursor = run.cursor();
+  if (run.left()) v.left = reports_of(*run.left());
+  v.parting = run.parting();
+  return v;
+}
+
+}  // namespace pabd

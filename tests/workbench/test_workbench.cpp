@@ -1,0 +1,223 @@
+// Commands on a workbench and on its thread, by what they leave behind.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/workbench/command_json.h"
+#include "app/workbench/runner.h"
+#include "sim/error.h"
+#include "sim/scene/tuning.h"
+
+using namespace pabd;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct TempFolder {
+  fs::path path = fs::temp_directory_path() / ("pabd_workbench_" + std::to_string(::getpid()));
+  TempFolder() { fs::create_directories(path); }
+  ~TempFolder() { fs::remove_all(path); }
+  std::string file(const std::string& name) const { return (path / name).string(); }
+};
+
+Workbench open(const std::string& scene = PABD_SCENES "/two_boxes.json") {
+  return Workbench({}, command::Load{scene, {}, false});
+}
+
+std::string refusal(Workbench& bench, const Command& command) {
+  try {
+    bench.apply(command);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("parameters: set, undo, redo, reset, and what changed") {
+  Workbench bench = open();
+  const Params scene = bench.run().params();
+  bench.apply(command::Set{"contact.N", "5"});
+  bench.apply(command::Set{"contact.kappa", "10"});
+  bench.apply(command::Set{"contact.kappa", "20", Side::a, true});  // a slider goes on
+  Snapshot s = bench.snapshot();
+  CHECK(s.a.changed ==
+        std::vector<std::pair<std::string, std::string>>{{"contact.N", "5"}, {"contact.kappa", "20.0"}});
+  CHECK(s.a.kappa == 20);
+  CHECK(s.undo_text == "contact.kappa");
+  CHECK(s.unsaved);
+  bench.apply(command::Undo{});
+  CHECK(bench.run().params().contact.kappa == scene.contact.kappa);
+  CHECK(bench.run().params().contact.N == 5);
+  bench.apply(command::Redo{});
+  CHECK(bench.run().params().contact.kappa == 20.0);
+  bench.apply(command::ResetParams{"contact.N"});
+  CHECK(bench.run().params().contact.N == scene.contact.N);
+  bench.apply(command::ResetParams{});
+  CHECK(differences(scene, bench.run().params()).empty());
+  CHECK_FALSE(bench.snapshot().unsaved);
+  CHECK_FALSE(bench.snapshot().can_redo);
+  bench.apply(command::Undo{});
+  CHECK(bench.run().params().contact.kappa == 20.0);
+  CHECK_THAT(refusal(bench, command::Set{"contact.N", "99"}), Catch::Contains("1 to 32"));
+  CHECK_THAT(refusal(bench, command::ResetParams{"contact.M"}), Catch::Contains("contact.M"));
+  CHECK(bench.run().params().contact.kappa == 20.0);
+}
+
+TEST_CASE("time: steps forward and back, seek, restart") {
+  Workbench bench = open();
+  bench.apply(command::Step{30});
+  CHECK(bench.run().state().step == 30);
+  bench.apply(command::Step{-10});
+  CHECK(bench.run().state().step == 20);
+  bench.apply(command::Seek{0.1});
+  CHECK(bench.run().state().step == 6);
+  CHECK(bench.snapshot().a.history->size() == 31);
+  bench.apply(command::Restart{});
+  CHECK(bench.run().state().step == 0);
+  CHECK(bench.snapshot().a.history->size() == 1);
+  CHECK(bench.snapshot().a.left->size() == 30);
+  bench.apply(command::Step{-1});
+  CHECK(bench.run().state().step == 0);
+  CHECK_THAT(refusal(bench, command::Speed{-1}), Catch::Contains("real time"));
+}
+
+TEST_CASE("a second simulation runs in step with the first") {
+  Workbench bench = open();
+  bench.apply(command::Step{5});
+  bench.apply(command::Compare{{"time_step=0.00833333333333333333", "contact.N=6"}});
+  bench.apply(command::Step{10});
+  CHECK(bench.run(Side::a).state().step == 15);
+  CHECK(bench.run(Side::b).state().step == 25);
+  CHECK(bench.run(Side::b).state().time == Approx(bench.run(Side::a).state().time).epsilon(1e-12));
+  const Snapshot s = bench.snapshot();
+  REQUIRE(s.b);
+  CHECK(s.b->changed.size() == 2);
+  bench.apply(command::Set{"contact.N", "2", Side::b});
+  CHECK(bench.run(Side::a).params().contact.N == 3);
+  bench.apply(command::Seek{0.15});
+  CHECK(bench.run(Side::b).state().time == Approx(0.15).epsilon(1e-9));
+  bench.apply(command::EndCompare{});
+  CHECK_FALSE(bench.snapshot().b);
+  CHECK_THAT(refusal(bench, command::Set{"contact.N", "2", Side::b}), Catch::Contains("compare"));
+}
+
+TEST_CASE("equal parameters keep A and B equal to the last bit") {
+  Workbench bench = open();
+  bench.apply(command::Compare{});
+  bench.apply(command::Step{50});
+  CHECK(same_bits(bench.run(Side::a).state(), bench.run(Side::b).state()));
+}
+
+TEST_CASE("held curves, and methods compared on one step") {
+  Workbench bench = open();
+  CHECK_THAT(refusal(bench, command::Hold{}), Catch::Contains("nothing to hold"));
+  bench.apply(command::Step{20});
+  bench.apply(command::Hold{});
+  bench.apply(command::Hold{"sissm"});
+  const Snapshot s = bench.snapshot();
+  REQUIRE(s.held.size() == 2);
+  CHECK(s.held[1].name == "sissm, step 20");
+  CHECK(s.held[1].records.size() > s.held[0].records.size());
+  CHECK_THAT(refusal(bench, command::Hold{"simplex"}), Catch::Contains("descent"));
+  bench.apply(command::DropHeld{});
+  CHECK(bench.snapshot().held.empty());
+}
+
+TEST_CASE("a simulation that diverges is told of and leaves the last good state") {
+  Workbench bench = open();
+  bench.apply(command::Step{20});
+  bench.apply(command::SetAll{{"contact.barrier=log", "contact.d_hat=1"}});  // everything overlaps
+  bench.apply(command::Play{});
+  while (bench.advance()) {
+    if (bench.run().state().step > 200) break;
+  }
+  const Snapshot s = bench.snapshot();
+  if (s.diverged) {
+    CHECK_FALSE(s.playing);
+    CHECK_THAT(s.messages.back().text, Catch::Contains("diverged at step"));
+    CHECK(s.a.state.c[0].allFinite());
+    bench.apply(command::Step{-5});
+    CHECK_FALSE(bench.snapshot().diverged);
+  }
+}
+
+TEST_CASE("files: save, refuse to replace, reload, keep what is not saved") {
+  const TempFolder folder;
+  fs::copy_file(PABD_SCENES "/two_boxes.json", folder.file("scene.json"));
+  Workbench bench = open(folder.file("scene.json"));
+  bench.apply(command::Set{"contact.kappa", "42"});
+  CHECK_THAT(refusal(bench, command::Load{folder.file("scene.json"), {}, false}),
+             Catch::Contains("not saved"));
+  bench.apply(command::SavePatch{folder.file("patch.json")});
+  CHECK_FALSE(bench.snapshot().unsaved);
+  CHECK_THAT(refusal(bench, command::SavePatch{folder.file("patch.json")}),
+             Catch::Contains("exists already"));
+  CHECK_THAT(refusal(bench, command::SaveScene{"/nowhere/scene.json"}), Catch::Contains("/nowhere"));
+  bench.apply(command::SaveScene{folder.file("tuned.json")});
+  CHECK(load_scene(folder.file("tuned.json")).params.contact.kappa == 42.0);
+  bench.apply(command::ResetParams{});
+  bench.apply(command::ApplyPatch{folder.file("patch.json"), Side::a});
+  CHECK(bench.run().params().contact.kappa == 42.0);
+
+  // The file changes on disk: what was tuned stays.
+  CHECK_FALSE(bench.file_changed());
+  const std::string newer =
+      tuned_scene_text(read_scene_text(folder.file("scene.json")), "scene", {},
+                       tuned(bench.run().params(), {"contact.N=7", "contact.kappa=auto"}));
+  std::ofstream(folder.file("scene.json")) << newer;
+  fs::last_write_time(folder.file("scene.json"), fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  CHECK(bench.file_changed());
+  bench.apply(command::Reload{});
+  CHECK(bench.run().params().contact.N == 7);
+  CHECK(bench.run().params().contact.kappa == 42.0);
+  // Broken: the scene that is open stays.
+  std::ofstream(folder.file("scene.json")) << "{ broken";
+  CHECK_THAT(refusal(bench, command::Reload{}), Catch::Contains("line 1"));
+  bench.apply(command::Step{1});
+  CHECK(bench.run().state().step == 1);
+}
+
+TEST_CASE("commands read and write themselves as JSON") {
+  Command c;
+  const auto read = [&](const std::string& text) {
+    const CommandJson json = CommandJson::parse(text);
+    return command_from_json(json.at("do"), json, "action 1", c);
+  };
+  REQUIRE(read(R"({"do":"set","key":"contact.kappa","value":50})"));
+  CHECK(std::get<command::Set>(c).value == "50");
+  REQUIRE(read(R"({"do":"compare","values":["contact.N=4"]})"));
+  CHECK(command_to_json(c).dump() == R"({"do":"compare","values":["contact.N=4"]})");
+  CHECK_FALSE(read(R"({"do":"fly"})"));
+  CHECK_THROWS_WITH(read(R"({"do":"seek"})"), Catch::Contains("action 1") && Catch::Contains("time"));
+  CHECK_THROWS_WITH(read(R"({"do":"seek","tme":1,"time":2})"),
+                    Catch::Contains("tme") && Catch::Contains("\"time\"?"));
+  CHECK_THROWS_WITH(read(R"({"do":"step","steps":1.5})"), Catch::Contains("whole number"));
+  CHECK_THROWS_WITH(read(R"({"do":"set","key":"a","value":"1","side":"c"})"),
+                    Catch::Contains("\"a\" or \"b\""));
+}
+
+TEST_CASE("the thread carries commands out in order, and what goes wrong is a message") {
+  Runner runner(std::make_unique<Workbench>(open()));
+  runner.send(command::Step{10});
+  runner.send(command::Set{"contact.N", "99"});
+  runner.send(command::Set{"contact.N", "9"});
+  auto s = runner.settle();
+  CHECK(s->a.state.step == 10);
+  CHECK(s->a.params.contact.N == 9);
+  REQUIRE(s->messages.size() == 1);
+  CHECK(s->messages[0].severity == Severity::error);
+  runner.send(command::Speed{0});
+  runner.send(command::Play{});
+  while (runner.latest()->a.state.step < 50) std::this_thread::yield();
+  runner.send(command::Pause{});
+  s = runner.settle();
+  CHECK_FALSE(s->playing);
+  Session plain(load_scene(PABD_SCENES "/two_boxes.json"));
+  for (int i = 0; i < 10; ++i) plain.step();
+  plain.set_params(tuned(plain.params(), {"contact.N=9"}));
+  while (plain.state().step < s->a.state.step) plain.step();
+  CHECK(same_bits(plain.state(), s->a.state));
+}
