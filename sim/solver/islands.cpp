@@ -15,11 +15,6 @@ constexpr double kLargeMassRatio = 100;  // in an island: `descent` would need m
 // Above this size it is not even looked at.
 constexpr Index kMostRows = 5000;
 
-Index root(std::vector<Index>& parent, Index i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 bool movable(const Model& model, Index i) { return i != kWorld && !model.fixed[i]; }
 
 void list_joints(const Model& model, StepWorkspace::Impl& w) {
@@ -37,17 +32,6 @@ void list_joints(const Model& model, StepWorkspace::Impl& w) {
   w.joints.resize(static_cast<std::size_t>(w.first_joint[n]));
   w.cursor.assign(w.first_joint.begin(), w.first_joint.end());
   each_end([&](Index i, Index k) { w.joints[w.cursor[i]++] = k; });
-}
-
-// Union of the bodies that hang together.
-void join_islands(const Model& model, StepWorkspace::Impl& w) {
-  w.parent.resize(model.shape.size());
-  std::iota(w.parent.begin(), w.parent.end(), 0);
-  const auto join = [&](Index a, Index b) {
-    if (movable(model, a) && movable(model, b)) w.parent[root(w.parent, a)] = root(w.parent, b);
-  };
-  for (const ContactPatch& patch : w.patches) join(patch.a, patch.b);
-  for (const Joint& joint : model.joints) join(joint.i, joint.j);
 }
 
 // Islands of contacts alone in which a factorisation costs little.
@@ -96,6 +80,16 @@ void choose_piles(const Model& model, double h, const State& state, StepWorkspac
 }
 
 }  // namespace
+
+void join_islands(const Model& model, StepWorkspace::Impl& w) {
+  w.parent.resize(model.shape.size());
+  std::iota(w.parent.begin(), w.parent.end(), 0);
+  const auto join = [&](Index a, Index b) {
+    if (movable(model, a) && movable(model, b)) w.parent[root(w.parent, a)] = root(w.parent, b);
+  };
+  for (const ContactPatch& patch : w.patches) join(patch.a, patch.b);
+  for (const Joint& joint : model.joints) join(joint.i, joint.j);
+}
 
 void find_islands(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w) {
   const SolverMethod method = params.solver.method;

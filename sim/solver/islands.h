@@ -12,4 +12,13 @@ namespace pabd {
 // of piles that cost little to factorise.
 void find_islands(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w);
 
+// Fills w.parent: root(w.parent, i) is the same for all bodies that hang together.
+void join_islands(const Model& model, StepWorkspace::Impl& w);
+
+// The body that stands for i's island. Shortens the way to it.
+inline Index root(std::vector<Index>& parent, Index i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
 }  // namespace pabd

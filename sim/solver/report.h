@@ -34,6 +34,20 @@ struct ContactReport {
   bool sticking;
 };
 
+// One body at the end of a step.
+struct BodyReport {
+  // ‖A − R‖ (Frobenius) and det A of the last iteration of `sissm`, A damped as the iterate is. The other
+  // solvers have no A: 0 and 1, as for bodies that nothing touches.
+  double projection_change = 0;
+  double det_A = 1;
+  // Number of the component of bodies that hang together through joints or contacts within reach, counted
+  // from 0 in order of their lowest body; −1 for a fixed body and for one that has no bonds.
+  Index island = -1;
+  SolverMethod solver = SolverMethod::descent;  // sissm, descent or newton; only where there is an island
+  int contacts = 0;                             // with d < d̂
+  double contact_energy = 0;                    // half of the energy of each of them, Ψ and friction; J
+};
+
 struct PhaseTimes {  // ms, wall clock
   double collision = 0;
   double solve = 0;
@@ -59,6 +73,8 @@ struct StepReport {
   std::vector<IterationRecord> records;  // one an iteration; empty unless StepOptions::record_iterations
   std::vector<ContactReport>
       contact_reports;  // contacts with d < d̂; empty unless StepOptions::report_contacts
+  // One a body, in order of number; empty unless StepOptions::report_bodies, or when the step failed.
+  std::vector<BodyReport> body_reports;
 };
 
 }  // namespace pabd

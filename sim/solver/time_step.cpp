@@ -9,6 +9,7 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
+#include "sim/solver/body_reports.h"
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/free_flight.h"
@@ -134,11 +135,14 @@ bool is_infeasible(const StepWorkspace::Impl& w) {
 void clear(StepReport& report) {
   std::vector<IterationRecord> records = std::move(report.records);
   std::vector<ContactReport> contacts = std::move(report.contact_reports);
+  std::vector<BodyReport> bodies = std::move(report.body_reports);
   records.clear();
   contacts.clear();
+  bodies.clear();
   report = StepReport{};
   report.records = std::move(records);
   report.contact_reports = std::move(contacts);
+  report.body_reports = std::move(bodies);
 }
 
 }  // namespace
@@ -194,6 +198,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   for (std::size_t k = 0; k < w.all_joints.size(); ++k)
     report.elastic += energy_of_joint(end, static_cast<Index>(k));
   report.max_joint_error = largest_joint_error(end);
+  if (options.report_bodies) report_bodies(model, params.solver.method, w, report.body_reports);
   report.kinetic = kinetic_energy(model, state);
   report.potential = potential_energy(model, params, state);
   report.times.total = total.ms();

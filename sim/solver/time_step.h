@@ -26,6 +26,7 @@ struct StepOptions {
   bool report_contacts = false;    // fill StepReport::contact_reports
   int threads = 1;                 // results are bit-identical for every value
   std::vector<Pull> pulls = {};    // finite
+  bool report_bodies = false;      // fill StepReport::body_reports (one pass over bodies and contacts)
 };
 
 // Scratch memory that survives from step to step so that a step does not allocate once it is warm. Holds
