@@ -1,0 +1,39 @@
+// What a ray meets first: picking with the pointer, shooting, measuring.
+//
+// A hit is the first point of a shape's surface along the ray, t ≥ 0. From outside that is where the ray
+// enters; from inside (a plane is a half space) where it leaves, with n·direction > 0. For a compound it is
+// the first surface of any part. A ray whose numbers are not finite, or with no direction, hits nothing.
+#pragma once
+
+#include <optional>
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+
+namespace pabd {
+
+struct Ray {
+  Vec3 origin;     // m
+  Vec3 direction;  // of any length but 0: t counts in it
+};
+
+struct SurfaceHit {
+  double t;     // the point is origin + t direction
+  Vec3 normal;  // of the surface, outward; unit, world
+};
+
+struct RayHit {
+  Index body;
+  double t;
+  Vec3 point;   // world; m
+  Vec3 normal;  // outward; unit, world
+};
+
+// With one shape at the pose (c, R); a plane ignores it.
+std::optional<SurfaceHit> ray_cast(const Shape& shape, const Vec3& c, const Mat3& R, const Ray& ray);
+
+// With all bodies; of equal t the body of the lower number. Linear in the number of bodies. Precondition:
+// state.size() == model.size().
+std::optional<RayHit> ray_cast(const Model& model, const State& state, const Ray& ray);
+
+}  // namespace pabd
