@@ -192,7 +192,7 @@ void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& sty
   }
   if (layout.empty) {
     canvas.stroke_rect(in, style.theme.grid, style.grid);
-    canvas.text({in.x + 0.5 * in.w, in.y + 0.5 * in.h}, "no data",
+    canvas.text({in.x + 0.5 * in.w, in.y + 0.5 * in.h}, plot.none,
                 {style.label, style.theme.muted, AnchorX::center, AnchorY::middle});
     return;
   }

@@ -49,6 +49,7 @@ struct Plot {
   Axis y;
   Axis y_right;  // used when a series asks for it
   std::vector<Series> series;
+  std::string none = "no data";  // said where there is nothing to draw
 };
 
 // Plots side by side (columns) under one title: a figure.

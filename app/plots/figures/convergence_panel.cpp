@@ -1,0 +1,141 @@
+// The convergence panel's plot.
+#include "app/plots/figures/convergence_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pabd {
+namespace {
+
+struct Look {
+  const char* title;
+  const char* label;
+  bool log;
+  const char* none;
+};
+
+Look look_of(ConvergenceQuantity quantity) {
+  switch (quantity) {
+    case ConvergenceQuantity::energy_gap:
+      return {"Energy above its minimum", "E − E_{min} [J]", true, "no iterations recorded"};
+    case ConvergenceQuantity::energy:
+      return {"Incremental potential", "E [J]", false, "no iterations recorded"};
+    case ConvergenceQuantity::residual:
+      return {"Residual", "largest step / d̂ [1]", true, "no iterations recorded"};
+    case ConvergenceQuantity::penetration:
+      return {"Deepest contact", "penetration −d [m]", false, "no contacts in this step"};
+    case ConvergenceQuantity::joint_error:
+      return {"Joints", "largest error [m]", true, "no joints, or no error"};
+    case ConvergenceQuantity::projection_change:
+      break;
+  }
+  return {"What the projection changes", "‖A − R‖ [1]", true, "this solver keeps its bodies rigid"};
+}
+
+double value_of(const IterationRecord& r, ConvergenceQuantity quantity, double least) {
+  switch (quantity) {
+    case ConvergenceQuantity::energy_gap:
+      // What is within rounding of the minimum has no place on a log axis.
+      return r.energy - least > 1e-13 * std::abs(least) ? r.energy - least
+                                                        : std::numeric_limits<double>::quiet_NaN();
+    case ConvergenceQuantity::energy:
+      return r.energy;
+    case ConvergenceQuantity::residual:
+      return r.residual;
+    case ConvergenceQuantity::penetration:
+      return -r.min_gap_after;
+    case ConvergenceQuantity::joint_error:
+      return r.max_joint_error;
+    case ConvergenceQuantity::projection_change:
+      break;
+  }
+  return r.projection_change;
+}
+
+double least_energy(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MethodRun& run : runs) {
+    for (const IterationRecord& r : run.records) {
+      if (std::isfinite(r.energy)) least = std::min(least, r.energy);
+    }
+  }
+  if (minimiser && std::isfinite(minimiser->energy)) least = std::min(least, minimiser->energy);
+  return least;
+}
+
+Series level(double y) {
+  Series series;
+  series.style = SeriesStyle::level;
+  series.y = {y};
+  series.tag = "true minimiser";
+  return series;
+}
+
+}  // namespace
+
+const char* to_string(ConvergenceQuantity quantity) {
+  switch (quantity) {
+    case ConvergenceQuantity::energy_gap:
+      return "E − E_min";
+    case ConvergenceQuantity::energy:
+      return "E";
+    case ConvergenceQuantity::residual:
+      return "residual";
+    case ConvergenceQuantity::penetration:
+      return "penetration";
+    case ConvergenceQuantity::joint_error:
+      return "joint error";
+    case ConvergenceQuantity::projection_change:
+      break;
+  }
+  return "‖A − R‖";
+}
+
+Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
+                       const std::optional<Minimiser>& minimiser) {
+  const Look look = look_of(quantity);
+  Plot plot;
+  plot.title = look.title;
+  plot.x.label = "iteration";
+  plot.x.integer = true;
+  plot.y.label = look.label;
+  plot.y.log = look.log;
+  plot.none = look.none;
+  const double least = least_energy(runs, minimiser);
+  // Held ones first: the present one lies on top.
+  for (std::size_t k = runs.size(); k-- > 0;) {
+    const MethodRun& run = runs[k];
+    Series series;
+    series.name = run.name;
+    series.color = static_cast<int>(k);
+    series.weight = k == 0 ? 1.3 : 1.0;
+    for (std::size_t i = 0; i < run.records.size(); ++i) {
+      series.x.push_back(static_cast<double>(i + 1));
+      series.y.push_back(value_of(run.records[i], quantity, least));
+    }
+    Series before = series;
+    bool differs = false;
+    for (std::size_t i = 0; i < run.records.size(); ++i) {
+      const IterationRecord& r = run.records[i];
+      before.y[i] = -r.min_gap_before;
+      differs = differs || r.min_gap_before != r.min_gap_after;
+    }
+    // Where the projection changes nothing a second curve would only hide the first.
+    if (quantity == ConvergenceQuantity::penetration && differs) {
+      before.name += ", before projection";
+      before.style = SeriesStyle::dashed;
+      series.name += ", after";
+      plot.series.push_back(std::move(before));
+    }
+    plot.series.push_back(std::move(series));
+  }
+  if (minimiser && quantity == ConvergenceQuantity::energy && std::isfinite(minimiser->energy)) {
+    plot.series.push_back(level(minimiser->energy));
+  }
+  if (minimiser && quantity == ConvergenceQuantity::penetration && std::isfinite(minimiser->min_gap)) {
+    plot.series.push_back(level(-minimiser->min_gap));
+  }
+  return plot;
+}
+
+}  // namespace pabd
