@@ -8,6 +8,8 @@
 // smallest half width, so that faces of equal brightness still read as separate and edges catch the light.
 #include "render/gl/surface_pass.h"
 
+#include <algorithm>
+
 #include "render/gl/frame_uniforms.h"
 
 namespace pabd {
@@ -126,10 +128,16 @@ SurfacePass::SurfacePass(const GlFunctions& gl)
 void SurfacePass::draw_lit(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer,
                            bool soft) const {
   const Lit& lit = soft ? soft_ : plain_;
-  lit.cubes.program.use();
-  drawer.draw(list, range, is_cube);
-  lit.round.program.use();
-  drawer.draw(list, range, is_round);
+  const auto begin = list.batches.begin() + static_cast<std::ptrdiff_t>(range.begin);
+  const auto end = list.batches.begin() + static_cast<std::ptrdiff_t>(range.end);
+  if (std::any_of(begin, end, [](const Batch& b) { return is_cube(b.primitive); })) {
+    lit.cubes.program.use();
+    drawer.draw(list, range, is_cube);
+  }
+  if (std::any_of(begin, end, [](const Batch& b) { return is_round(b.primitive); })) {
+    lit.round.program.use();
+    drawer.draw(list, range, is_round);
+  }
 }
 
 void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer, bool soft) const {

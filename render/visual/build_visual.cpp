@@ -8,11 +8,16 @@
 #include "render/visual/bounds.h"
 #include "render/visual/contact_glyphs.h"
 #include "render/visual/joint_glyphs.h"
+#include "render/visual/line_shapes.h"
+#include "render/visual/outline.h"
 #include "render/visual/palette.h"
 #include "sim/body/compound.h"
+#include "sim/joint/expand.h"
 
 namespace pabd {
 namespace {
+
+constexpr double kApart = 4;  // pixels between two rings that do not blur into one
 
 constexpr double kStandardGravity = 9.81;  // m/s², for the weight that arrows are measured against
 
@@ -47,13 +52,14 @@ struct BodyPainter {
   Vec3 c;
   Mat3 R;
   Vec4f color;
+  bool shadow = true;
 
   // A primitive with its centre at `local` in the body frame and scaled by `scale` along the body's axes.
   void add(Primitive primitive, const Vec3& local, const Vec3& scale) const {
     Mat4f m = Mat4f::Identity();
     m.block<3, 3>(0, 0) = (R * scale.asDiagonal()).cast<float>();
     m.block<3, 1>(0, 3) = (c + R * local).cast<float>();
-    out.instances[static_cast<int>(primitive)].push_back({m, color});
+    out.instances[static_cast<int>(primitive)].push_back({m, color, shadow});
   }
 
   void operator()(const Box& box) const { add(Primitive::cube, Vec3::Zero(), box.half); }
@@ -68,7 +74,7 @@ struct BodyPainter {
     if (h > 0) add(Primitive::cylinder, Vec3::Zero(), {r, h, r});
     add(Primitive::hemisphere, {0, h, 0}, {r, r, r});
     // Turned about x, not mirrored: the faces keep their orientation.
-    const BodyPainter turned{out, c, R * Vec3(1, -1, -1).asDiagonal(), color};
+    const BodyPainter turned{out, c, R * Vec3(1, -1, -1).asDiagonal(), color, shadow};
     turned.add(Primitive::hemisphere, {0, h, 0}, {r, r, r});
   }
 
@@ -76,7 +82,7 @@ struct BodyPainter {
     Mat4f m = Mat4f::Identity();
     m.block<3, 3>(0, 0) = (hull.data->bounding_radius * R).cast<float>();
     m.block<3, 1>(0, 3) = (c + R * local).cast<float>();
-    mesh_of(hull, out).instances.push_back({m, color});
+    mesh_of(hull, out).instances.push_back({m, color, shadow});
   }
 
   void operator()(const Hull& hull) const { add(hull, Vec3::Zero()); }
@@ -102,6 +108,37 @@ double typical_weight(const Model& model) {
   return mass > 0 ? kStandardGravity * mass / count : 1.0;
 }
 
+// Colour of a body as the options want it.
+Vec4f choose_color(const Model& model, const VisualOptions& options, Index body) {
+  const bool fixed = model.fixed[body] != 0;
+  if (!options.values.empty() && !fixed) {
+    const auto at = static_cast<std::size_t>(body);
+    const double value = at < options.values.size() ? options.values[at] : std::nan("");
+    return std::isfinite(value) ? value_color(options.value_range.place(value)) : no_value_color();
+  }
+  const Vec4f color = body_color(body, fixed);
+  return options.contacts || options.bonds ? step_back(color) : color;
+}
+
+void add_selection(const Model& model, const State& state, const StepReport& report,
+                   const VisualOptions& options, double scale, VisualScene& out) {
+  if (const auto body = options.selected_body; body && *body >= 0 && *body < model.size())
+    add_outline(model.shape[*body], {state.c[*body], state.R[*body]}, out);
+  if (const auto number = options.selected_joint; number && *number < model.joints.size()) {
+    const Joint& joint = model.joints[*number];
+    if (!options.bonds) add_joint_glyphs(model, state, joint, out);
+    const Vec3 y_i = place(joint.on_i, pose_of(state, joint.i)).y;
+    const Vec3 y_j = place(joint.on_j, pose_of(state, joint.j)).y;
+    add_ring(y_i, 0, out);
+    if ((y_j - y_i).norm() > kApart * PixelMeter(out.camera).at(y_i)) add_ring(y_j, 0, out);
+  }
+  if (const auto number = options.selected_contact; number && *number < report.contact_reports.size()) {
+    const ContactReport& contact = report.contact_reports[*number];
+    if (!options.contacts) add_contact_glyph(contact, options.d_hat, scale, typical_weight(model), out);
+    add_ring(contact.y_a, 1.5 * scale, out);
+  }
+}
+
 }  // namespace
 
 void build_visual(const Model& model, const State& state, const StepReport& report,
@@ -109,20 +146,34 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
   out.clear();
   for (Index i = 0; i < model.size(); ++i) {
     if (!has_finite_pose(state, i)) continue;  // nothing sensible can be drawn
-    Vec4f color = body_color(i, model.fixed[i] != 0);
-    if (options.contacts || options.bonds) color = step_back(color);
-    std::visit(BodyPainter{out, state.c[i], state.R[i], color}, model.shape[i]);
+    std::visit(BodyPainter{out, state.c[i], state.R[i], choose_color(model, options, i)}, model.shape[i]);
   }
   std::erase_if(out.meshes, [](const MeshInstances& mesh) { return mesh.instances.empty(); });
-  if (options.bonds || options.contacts) {
-    const double scale = options.glyph_scale > 0 ? options.glyph_scale : default_glyph_scale(model);
+  const bool scaled = options.bonds || options.contacts || options.selected_contact;
+  const double given = options.glyph_scale;
+  const double scale = !scaled || given > 0 ? given : default_glyph_scale(model);
+  if (options.bonds || options.contacts)
     add_contact_glyphs(report, options, scale, typical_weight(model), out);
-  }
   if (options.bonds) add_joint_glyphs(model, state, out);
+  add_selection(model, state, report, options, scale, out);
   if (const auto around = bounding_sphere(model, state)) {
     out.centre = around->centre.cast<float>();
     out.radius = static_cast<float>(around->radius);
   }
+}
+
+void add_ghost(const Model& model, const State& state, const Vec4f& color, VisualScene& out) {
+  const Index count = std::min(model.size(), static_cast<Index>(std::min(state.c.size(), state.R.size())));
+  for (Index i = 0; i < count; ++i) {
+    if (model.fixed[i] || !has_finite_pose(state, i)) continue;
+    std::visit(BodyPainter{out, state.c[i], state.R[i], color, false}, model.shape[i]);
+  }
+}
+
+Vec4f ghost_color() {
+  Vec4f color = srgb_color(0xd6409f);
+  color.w() = 0.5f;
+  return color;
 }
 
 }  // namespace pabd

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "render/visual/value_map.h"
 #include "render/visual/visual_scene.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
@@ -15,12 +17,28 @@ struct VisualOptions {
   bool contacts = false;   // normal arrows and discs coloured by d/d̂
   double d_hat = 0.01;     // for the colours; m
   double glyph_scale = 0;  // size of glyphs in m; 0: from the size of the bodies
+
+  // A number a body to colour it by (value_map.h), instead of the palette; empty: the palette. Fixed bodies,
+  // values that are not finite and bodies beyond the end of the list are grey.
+  std::vector<double> values;
+  ValueRange value_range;
+
+  // What is selected is outlined, in front of everything. Numbers that are none select nothing.
+  std::optional<Index> selected_body;
+  std::optional<std::size_t> selected_joint;    // of Model::joints; its glyphs are shown
+  std::optional<std::size_t> selected_contact;  // of StepReport::contact_reports; its glyphs are shown
 };
 
 // Fills `out` (reusing its memory). Fixed planes become `grounds`. `report` may lack contact reports. The
 // camera is left alone; glyphs of joints have sizes that suit it, so set it before.
 void build_visual(const Model& model, const State& state, const StepReport& report,
                   const VisualOptions& options, VisualScene& out);
+
+// Adds the movable bodies of a second state of the same model, all in one translucent colour: where they are
+// hidden by the first one, both agree. Bodies without a finite pose, and those beyond the end of the state,
+// are left out. After build_visual.
+void add_ghost(const Model& model, const State& state, const Vec4f& color, VisualScene& out);
+Vec4f ghost_color();
 
 // A camera that frames the movable bodies from a pleasing angle.
 Camera frame_camera(const Model& model, const State& state, double aspect);

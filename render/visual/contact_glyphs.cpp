@@ -28,14 +28,17 @@ void add(VisualScene& out, Primitive primitive, const Mat4f& transform, const Ve
   list(out, primitive).push_back({transform, color, false, shaded, true});
 }
 
+bool is_finite(const ContactReport& contact) {
+  return contact.y_a.allFinite() && contact.y_b.allFinite() && contact.n.allFinite();
+}
+
 double arrow_length(double normal_force, double scale, double weight) {
   const double f = std::isfinite(normal_force) ? std::max(0.0, normal_force) : 0.0;
   return scale * std::min(kLongest, 2.5 + 1.5 * std::log10(1.0 + 9.0 * f / weight));
 }
 
-void add_contact(const ContactReport& contact, const VisualOptions& options, double s, double weight,
-                 VisualScene& out) {
-  const Vec4f color = contact_color(contact.d / options.d_hat);
+void add_contact(const ContactReport& contact, double d_hat, double s, double weight, VisualScene& out) {
+  const Vec4f color = contact_color(contact.d / d_hat);
   const double length = arrow_length(contact.normal_force, s, weight);
   const double head = kHeadLength * s;
   const Vec3& n = contact.n;
@@ -82,11 +85,16 @@ double default_glyph_scale(const Model& model) {
   return 0.26 * *middle;
 }
 
+void add_contact_glyph(const ContactReport& contact, double d_hat, double scale, double weight,
+                       VisualScene& out) {
+  if (is_finite(contact)) add_contact(contact, d_hat, scale, weight, out);
+}
+
 void add_contact_glyphs(const StepReport& report, const VisualOptions& options, double scale, double weight,
                         VisualScene& out) {
   for (const ContactReport& contact : report.contact_reports) {
-    if (!contact.y_a.allFinite() || !contact.y_b.allFinite() || !contact.n.allFinite()) continue;
-    if (options.contacts) add_contact(contact, options, scale, weight, out);
+    if (!is_finite(contact)) continue;
+    if (options.contacts) add_contact(contact, options.d_hat, scale, weight, out);
     if (options.bonds) add_bond(contact, scale, out);
   }
 }

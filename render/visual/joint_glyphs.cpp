@@ -155,11 +155,6 @@ struct JointPainter {
   }
 };
 
-Pose pose_of(const State& state, Index body) {
-  if (body == kWorld) return {Vec3::Zero(), Mat3::Identity()};
-  return {state.c[body], state.R[body]};
-}
-
 bool is_finite(const PlacedFrame& frame) { return frame.y.allFinite() && frame.F.allFinite(); }
 
 }  // namespace
@@ -191,19 +186,26 @@ void add_joint_glyphs(const Joint& joint, const Pose& i, const Pose& j, double t
 }
 
 void add_joint_glyphs(const Model& model, const State& state, VisualScene& out) {
+  for (const Joint& joint : model.joints) add_joint_glyphs(model, state, joint, out);
+}
+
+void add_joint_glyphs(const Model& model, const State& state, const Joint& joint, VisualScene& out) {
   GlyphSize size;
   size.plain = model.joints.size() > kManyJoints;
-  for (const Joint& joint : model.joints) {
-    double width = 1e30, reach = 1e30;  // of the slimmer and of the smaller body
-    for (const Index body : {joint.i, joint.j}) {
-      if (body == kWorld) continue;
-      width = std::min(width, inner_radius(model.shape[body]));
-      reach = std::min(reach, bounding_radius(model.shape[body]));
-    }
-    size.dot = 0.18 * width;
-    size.pull = reach < 1e30 ? reach : 0;
-    add_joint_glyphs(joint, pose_of(state, joint.i), pose_of(state, joint.j), state.time, size, out);
+  double width = 1e30, reach = 1e30;  // of the slimmer and of the smaller body
+  for (const Index body : {joint.i, joint.j}) {
+    if (body == kWorld) continue;
+    width = std::min(width, inner_radius(model.shape[body]));
+    reach = std::min(reach, bounding_radius(model.shape[body]));
   }
+  size.dot = 0.18 * width;
+  size.pull = reach < 1e30 ? reach : 0;
+  add_joint_glyphs(joint, pose_of(state, joint.i), pose_of(state, joint.j), state.time, size, out);
+}
+
+Pose pose_of(const State& state, Index body) {
+  if (body == kWorld) return {Vec3::Zero(), Mat3::Identity()};
+  return {state.c[body], state.R[body]};
 }
 
 unsigned joint_types(const Model& model) {

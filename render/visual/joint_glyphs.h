@@ -25,8 +25,14 @@ struct GlyphSize {
 void add_joint_glyphs(const Joint& joint, const Pose& i, const Pose& j, double time, const GlyphSize& size,
                       VisualScene& out);
 
+// One joint of a model, with sizes that suit its bodies.
+void add_joint_glyphs(const Model& model, const State& state, const Joint& joint, VisualScene& out);
+
 // All joints of a model, with sizes that suit their bodies; thousands as plain dots.
 void add_joint_glyphs(const Model& model, const State& state, VisualScene& out);
+
+// Identity for the world.
+Pose pose_of(const State& state, Index body);
 
 // The types of joints in a model as bits 1 << type, for the legend.
 unsigned joint_types(const Model& model);

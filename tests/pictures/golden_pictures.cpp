@@ -13,6 +13,7 @@
 #include "app/plots/figures/slider_joint.h"
 #include "app/plots/figures/spherical_joint.h"
 #include "render/visual/joint_glyphs.h"
+#include "render/visual/outline.h"
 #include "tests/output/golden.h"
 #include "tests/pictures/joint_scene.h"
 #include "tests/pictures/studio.h"
@@ -52,6 +53,26 @@ TEST_CASE("pyramid with all overlays") {
 TEST_CASE("round and flat shapes") {
   Studio studio(640, 360);
   check(studio.frame(visual_of(StoredStep("shapes"), false)), "shapes", studio);
+}
+
+TEST_CASE("bodies by value, a selected one, a ghost and a spring") {
+  Studio studio(640, 360);
+  const StoredStep stored("shapes");
+  const Model& model = stored.scene.model;
+  const State& state = stored.scene.initial;
+  VisualOptions options;
+  for (Index i = 0; i < model.size(); ++i) options.values.push_back(i);
+  options.value_range = {0, static_cast<double>(model.size() - 1), false};
+  options.selected_body = model.size() - 1;
+  VisualScene scene;
+  scene.camera = frame_camera(model, state, 640.0 / 360);
+  build_visual(model, state, stored.report, options, scene);
+  State other = state;
+  for (Vec3& c : other.c) c += Vec3(0.1, 0.25, 0);
+  add_ghost(model, other, ghost_color(), scene);
+  const Vec3& held = state.c.back();
+  add_spring(held + Vec3(0.5, 0.9, 0.2), held, scene);
+  check(studio.frame(scene), "selection", studio);
 }
 
 TEST_CASE("barrier plot") {

@@ -92,7 +92,9 @@ Image Studio::picture(const Picture& picture) {
 
 VisualScene visual_of(const StoredStep& stored, bool contacts_and_bonds) {
   VisualScene visual;
-  const VisualOptions options{contacts_and_bonds, contacts_and_bonds, stored.scene.params.contact.d_hat, 0};
+  VisualOptions options;
+  options.bonds = options.contacts = contacts_and_bonds;
+  options.d_hat = stored.scene.params.contact.d_hat;
   build_visual(stored.scene.model, stored.scene.initial, stored.report, options, visual);
   const CameraDesc& camera = *stored.scene.camera;
   visual.camera.eye = camera.eye.cast<float>();
