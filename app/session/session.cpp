@@ -58,6 +58,14 @@ void Session::restore(std::shared_ptr<const Model> model, State state) {
   describe_start();
 }
 
+void Session::edit(const ModelEdit& edit) {
+  auto model = std::make_shared<Model>(*model_);
+  apply_edit(edit, scene_->joint_law, *model, state_);
+  model_ = std::move(model);
+  options_.pulls.clear();  // their numbers may have moved
+  describe_start();
+}
+
 // What is known before the first step: energies, but no contacts.
 void Session::describe_start() {
   report_ = StepReport{};

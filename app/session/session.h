@@ -4,8 +4,11 @@
 #pragma once
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "app/session/history.h"
+#include "app/session/model_edit.h"
 #include "sim/scene/scene.h"
 #include "sim/solver/time_step.h"
 
@@ -30,6 +33,10 @@ class Session {
   // What later steps put into their reports. None changes a result.
   void record_iterations(bool on) { options_.record_iterations = on; }
   void report_contacts(bool on) { options_.report_contacts = on; }
+  void report_bodies(bool on) { options_.report_bodies = on; }
+
+  // Hands on bodies in later steps, until they are set anew. Precondition: as for step().
+  void set_pulls(std::vector<Pull> pulls) { options_.pulls = std::move(pulls); }
 
   // One time step. A step that left the numbers says so in its report and leaves the state as it was.
   const StepReport& step();
@@ -43,6 +50,10 @@ class Session {
   // Continues from another state of the same model, the history is forgotten. Throws Error(bad_input) when it
   // does not fit the model.
   void set_state(State state);
+
+  // Continues with bodies or joints added or removed, and without pulls; the history is kept. Throws
+  // Error(bad_input) as apply_edit does; nothing has changed then.
+  void edit(const ModelEdit& edit);
 
   // Continues from a state of `model`, as a run that is wound back does. Throws like set_state.
   void restore(std::shared_ptr<const Model> model, State state);

@@ -22,6 +22,8 @@ inline constexpr Range kSizeRange{1e-6, 1e6, "m"};
 inline constexpr Range kPositionRange{-kFarthest, kFarthest, "m"};
 inline constexpr Range kDensityRange{1e-6, 1e9, "kg/m³"};
 inline constexpr Range kMassRange{1e-9, 1e12, "kg"};
+inline constexpr Range kVelocityRange{-1e6, 1e6, "m/s"};
+inline constexpr Range kSpinRange{-1e7, 1e7, "degrees/s"};
 
 // Mass, or where that is empty the density, of a movable body.
 struct MassSpec {

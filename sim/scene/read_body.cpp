@@ -21,9 +21,6 @@ constexpr Choice kShapes[] = {{"box", static_cast<int>(ShapeType::box)},
                               {"plane", static_cast<int>(ShapeType::plane)},
                               {"mesh", static_cast<int>(ShapeType::mesh)}};
 
-constexpr Range kVelocityRange{-1e6, 1e6, "m/s"};
-constexpr Range kSpinRange{-1e7, 1e7, "degrees/s"};
-
 Plane read_plane(const ObjectReader& in) {
   Plane plane{Vec3::UnitY(), 0};
   if (const auto normal = in.find("normal")) plane.normal = normal->unit_vector();

@@ -1,0 +1,231 @@
+// See model_edit.h.
+#include "app/session/model_edit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "sim/body/mass_properties.h"
+#include "sim/error.h"
+#include "sim/joint/attach.h"
+#include "sim/potential/barrier.h"
+#include "sim/scene/builder.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ExitCode::bad_input, message); }
+
+void require(bool holds, const char* what, const std::string& expected) {
+  if (!holds) refuse(fmt::format("{}: expected {}", what, expected));
+}
+
+void check_number(double x, const Range& range, const char* what) {
+  require(range.contains(x), what, fmt::format("{}, got {}", range.text(), x));
+}
+
+void check_vector(const Vec3& x, const Range& range, const char* what) {
+  for (const double part : x) check_number(part, range, what);
+}
+
+// `name`, or where it is empty the first of "stem 0", "stem 1", … from `count` on that is free.
+template <class List, class NameOf>
+std::string free_name(const std::string& name, const char* stem, const List& list, const NameOf& name_of) {
+  const bool clean =
+      name.size() <= 100 && std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20; });
+  require(clean, "name", "at most 100 bytes without control characters");
+  std::unordered_set<std::string_view> used;
+  for (const auto& item : list) used.insert(name_of(item));
+  if (!name.empty()) {
+    if (used.contains(name))
+      refuse(fmt::format("name: there is already a {}; choose another", in_quotes(name)));
+    return name;
+  }
+  for (std::size_t k = list.size();; ++k) {
+    std::string made_up = fmt::format("{} {}", stem, k);
+    if (!used.contains(made_up)) return made_up;
+  }
+}
+
+struct CheckShape {
+  void operator()(const Box& box) const { check_vector(2 * box.half, kSizeRange, "size"); }
+  void operator()(const Sphere& sphere) const { check_number(sphere.radius, kSizeRange, "radius"); }
+  void operator()(const Capsule& capsule) const {
+    check_number(capsule.radius, kSizeRange, "radius");
+    check_number(capsule.length, kSizeRange, "length");
+  }
+  void operator()(const auto&) const { refuse("shape: expected a box, a sphere or a capsule"); }
+};
+
+MassProperties mass_of(const AddBody& body) {
+  if (body.mass) {
+    check_number(*body.mass, kMassRange, "mass");
+  } else {
+    check_number(body.density, kDensityRange, "density");
+  }
+  if (body.fixed) return {0, Mat3::Zero()};
+  const double density = body.mass ? *body.mass / volume(body.shape) : body.density;
+  MassProperties p = mass_properties(body.shape, density);
+  if (body.mass) p.mass = *body.mass;
+  require(kMassRange.contains(p.mass), "mass",
+          fmt::format("{}, got {}; change the size or the density", kMassRange.text(), p.mass));
+  return p;
+}
+
+void carry_out(const AddBody& body, const BondLaw&, Model& model, State& state) {
+  std::visit(CheckShape{}, body.shape);
+  check_vector(body.position, kPositionRange, "position");
+  check_vector(body.velocity, kVelocityRange, "velocity");
+  check_vector(body.omega, {kSpinRange.lo * kPi / 180, kSpinRange.hi * kPi / 180, "rad/s"},
+               "angular_velocity");
+  const Mat3& R = body.orientation;
+  require((R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff() < 1e-6 && R.determinant() > 0,
+          "orientation", "a rotation");
+  require(!body.fixed || (body.velocity.isZero(0) && body.omega.isZero(0)), "velocity",
+          "[0, 0, 0] for a fixed body");
+  require(model.size() < kMostBodies, "bodies", fmt::format("at most {}", kMostBodies));
+  const MassProperties p = mass_of(body);
+  std::string name =
+      free_name(body.name, "body", model.name, [](const std::string& n) { return std::string_view(n); });
+
+  model.name.push_back(std::move(name));
+  model.shape.push_back(body.shape);
+  model.mass.push_back(p.mass);
+  model.J.push_back(p.J);
+  model.fixed.push_back(body.fixed ? 1 : 0);
+  state.c.push_back(body.position);
+  state.R.push_back(R);
+  state.v.push_back(body.velocity);
+  state.omega.push_back(body.omega);
+}
+
+template <class T>
+void erase_at(std::vector<T>& list, Index i) {
+  list.erase(list.begin() + i);
+}
+
+// Body numbers in the order they had, without the body that is gone: what was sorted stays sorted.
+struct Renumber {
+  Index gone;
+  Index operator()(Index i) const { return i > gone ? i - 1 : i; }
+};
+
+void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& state) {
+  const Index gone = edit.body;
+  require(gone >= 0 && gone < model.size(), "body",
+          fmt::format("a number from 0 to {}, got {}", model.size() - 1, gone));
+  if (model.size() == 1) refuse("body: it is the only one; a scene without bodies cannot run");
+  const Renumber moved{gone};
+
+  std::erase_if(model.joints, [&](const Joint& joint) { return joint.i == gone || joint.j == gone; });
+  for (Joint& joint : model.joints) {
+    joint.i = moved(joint.i);
+    joint.j = moved(joint.j);
+  }
+  std::erase_if(model.no_collide,
+                [&](const auto& pair) { return pair.first == gone || pair.second == gone; });
+  for (auto& [a, b] : model.no_collide) {
+    a = moved(a);
+    b = moved(b);
+  }
+  const auto first = [](const FrictionAnchor& anchor) { return static_cast<Index>(anchor.pair >> 32); };
+  const auto second = [](const FrictionAnchor& anchor) {
+    return static_cast<Index>(anchor.pair & 0xffffffffu);
+  };
+  std::erase_if(state.anchors, [&](const FrictionAnchor& anchor) {
+    return first(anchor) == gone || second(anchor) == gone;
+  });
+  for (FrictionAnchor& anchor : state.anchors) {
+    const auto a = static_cast<std::uint64_t>(moved(first(anchor)));
+    anchor.pair = a << 32 | static_cast<std::uint64_t>(moved(second(anchor)));
+  }
+  erase_at(model.name, gone);
+  erase_at(model.shape, gone);
+  erase_at(model.mass, gone);
+  erase_at(model.J, gone);
+  erase_at(model.fixed, gone);
+  erase_at(state.c, gone);
+  erase_at(state.R, gone);
+  erase_at(state.v, gone);
+  erase_at(state.omega, gone);
+}
+
+void check_law(const BondLaw& law) {
+  const bool soft = law.potential == BondPotential::soft;
+  check_number(law.kappa, {1e-12, 1e18, soft ? "N/m" : "J"}, "kappa");
+  check_number(law.d_hat, {1e-9, 1e3, "m"}, "d_hat");
+  check_number(law.N, {2, kMaxOrder}, "N");
+}
+
+void check_ends(const AddJoint& edit, const Model& model) {
+  bool movable = false;
+  for (const Index end : {edit.i, edit.j}) {
+    require(end >= kWorld && end < model.size(), "bodies",
+            fmt::format("numbers from 0 to {}, or the world, got {}", model.size() - 1, end));
+    movable = movable || (end != kWorld && !model.fixed[static_cast<std::size_t>(end)]);
+  }
+  require(edit.i != edit.j, "bodies", "two different ones");
+  require(movable, "bodies", "at least one that can move");
+}
+
+void carry_out(const AddJoint& edit, const BondLaw& joint_law, Model& model, State& state) {
+  check_ends(edit, model);
+  check_vector(edit.anchor, kPositionRange, "anchor");
+  require(static_cast<std::int64_t>(model.joints.size()) < kMostJoints, "joints",
+          fmt::format("at most {}", kMostJoints));
+  Joint joint;
+  joint.type = edit.type;
+  joint.i = edit.i;
+  joint.j = edit.j;
+  joint.law = edit.law.value_or(joint_law);
+  check_law(joint.law);
+  Mat3 F = Mat3::Identity();
+  if (edit.type == JointType::hinge || edit.type == JointType::slider) {
+    require(edit.axis.allFinite() && edit.axis.stableNorm() >= 1e-9, "axis",
+            "a vector that is at least 1e-9 long");
+    F = frame_about(edit.axis.stableNormalized());
+  }
+  if (edit.type == JointType::distance) {
+    check_vector(edit.anchor_j, kPositionRange, "anchor");
+    joint.length = edit.length.value_or((edit.anchor_j - edit.anchor).norm());
+    check_number(joint.length, {0, 1e6, "m"}, "length");
+    joint.on_i = frame_on(state, joint.i, edit.anchor, F);
+    joint.on_j = frame_on(state, joint.j, edit.anchor_j, F);
+  } else {
+    attach(state, edit.anchor, F, joint);
+    joint.arm = default_arm(model, joint.i, joint.j);
+  }
+  joint.name =
+      free_name(edit.name, "joint", model.joints, [](const Joint& k) { return std::string_view(k.name); });
+
+  model.joints.push_back(std::move(joint));
+  if (edit.i == kWorld || edit.j == kWorld) return;
+  const std::pair<Index, Index> pair = std::minmax(edit.i, edit.j);
+  const auto place = std::lower_bound(model.no_collide.begin(), model.no_collide.end(), pair);
+  if (place == model.no_collide.end() || *place != pair) model.no_collide.insert(place, pair);
+}
+
+void carry_out(const RemoveJoint& edit, const BondLaw&, Model& model, State&) {
+  const auto count = static_cast<Index>(model.joints.size());
+  if (count == 0) refuse("joint: there is none");
+  require(edit.joint >= 0 && edit.joint < count, "joint",
+          fmt::format("a number from 0 to {}, got {}", count - 1, edit.joint));
+  const auto ends = [](const Joint& joint) -> std::pair<Index, Index> {
+    return std::minmax(joint.i, joint.j);
+  };
+  const auto pair = ends(model.joints[static_cast<std::size_t>(edit.joint)]);
+  erase_at(model.joints, edit.joint);
+  const bool held = std::any_of(model.joints.begin(), model.joints.end(),
+                                [&](const Joint& joint) { return ends(joint) == pair; });
+  if (!held) std::erase(model.no_collide, pair);
+}
+
+}  // namespace
+
+void apply_edit(const ModelEdit& edit, const BondLaw& joint_law, Model& model, State& state) {
+  std::visit([&](const auto& e) { carry_out(e, joint_law, model, state); }, edit);
+}
+
+}  // namespace pabd

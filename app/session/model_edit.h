@@ -1,0 +1,68 @@
+// Edits of a simulation that is under way: bodies and joints that come and go. An edit is plain data, so that
+// it can be sent, kept and written to a file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+
+namespace pabd {
+
+// A body as scene files have it: a box, a sphere or a capsule. It gets the highest number.
+struct AddBody {
+  std::string name;  // empty: one is made up
+  Shape shape = Box{Vec3::Constant(0.5)};
+  std::optional<double> mass;           // kg; else by density
+  double density = 1000;                // kg/m³
+  Vec3 position = Vec3::Zero();         // of the centre of mass, world; m
+  Mat3 orientation = Mat3::Identity();  // body to world
+  Vec3 velocity = Vec3::Zero();         // m/s
+  Vec3 omega = Vec3::Zero();            // rad/s
+  bool fixed = false;
+};
+
+// Its joints go with it; higher numbers move down by one.
+struct RemoveBody {
+  Index body = 0;
+};
+
+// A joint at the present pose: angles and offsets count from here. The two bodies no longer collide. It gets
+// the highest number.
+struct AddJoint {
+  std::string name;  // empty: one is made up
+  JointType type = JointType::spherical;
+  Index i = kWorld, j = kWorld;
+  Vec3 anchor = Vec3::Zero();    // world; m. Of a distance joint the point on i
+  Vec3 axis = Vec3::UnitZ();     // world, any length but 0; hinge and slider only
+  Vec3 anchor_j = Vec3::Zero();  // world; m. Distance joint only: the point on j
+  std::optional<double> length;  // distance joint only; m. Else as far as the points are apart
+  std::optional<BondLaw> law;    // else that of the scene's joints
+};
+
+// The bodies collide again, unless another joint holds them. Higher numbers move down by one.
+struct RemoveJoint {
+  Index joint = 0;
+};
+
+using ModelEdit = std::variant<AddBody, RemoveBody, AddJoint, RemoveJoint>;
+
+// Carries `edit` out on a model and a state of it. `joint_law` is for joints without a law of their own.
+// Ranges are those of scene files. Throws Error(bad_input), in one line, when it cannot be done: then nothing
+// has changed. Bodies that an edit does not touch keep every bit of their state.
+void apply_edit(const ModelEdit& edit, const BondLaw& joint_law, Model& model, State& state);
+
+// {"do": "add_body", "shape": {"type": "sphere", "radius": 0.5}, "position": [0, 3, 0]}: keys and units of a
+// scene file, bodies and joints by number, null for the world.
+//   add_body     a body of a scene file
+//   remove_body  body
+//   add_joint    name, type, bodies, anchor (points for a distance), axis, length; potential, kappa, N, d_hat
+//   remove_joint joint
+std::string to_json(const ModelEdit& edit);
+
+// Throws Error(bad_input) naming `source` and the place: unknown keys, wrong types, numbers out of range.
+ModelEdit edit_from_json(const std::string& text, const std::string& source);
+
+}  // namespace pabd

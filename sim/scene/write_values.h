@@ -1,0 +1,22 @@
+// Values of a model as the JSON of scene files: SI units, angles in degrees. Internal to those who write it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "sim/body/joint.h"
+#include "sim/body/shape.h"
+
+namespace pabd {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson json_of(const Vec3& v);
+OrderedJson json_of_rotation(const Mat3& R);  // unit quaternion [w, x, y, z], w ≥ 0
+
+// Null for a hull or a compound: their files are not known.
+OrderedJson json_of(const Shape& shape);
+
+// Adds potential, kappa, and for hard bonds N and d_hat.
+void add_law(const BondLaw& law, OrderedJson& out);
+
+}  // namespace pabd
