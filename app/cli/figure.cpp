@@ -5,8 +5,8 @@
 
 #include "app/cli/backend_option.h"
 #include "app/cli/figure_output.h"
-#include "app/cli/frame_text.h"
 #include "app/cli/simulation_setup.h"
+#include "app/frames/frame_text.h"
 #include "app/overlay/figure2.h"
 #include "app/overlay/figure6.h"
 #include "app/overlay/overlay.h"

@@ -8,11 +8,13 @@
 
 #include "app/cli/backend_option.h"
 #include "app/cli/common.h"
-#include "app/cli/frame_schedule.h"
-#include "app/cli/frame_text.h"
-#include "app/cli/render_pipeline.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
+#include "app/frames/frame_schedule.h"
+#include "app/frames/frame_text.h"
+#include "app/frames/render_pipeline.h"
 #include "render/output/frame_sink.h"
 #include "sim/error.h"
 
@@ -110,28 +112,19 @@ int render(const RenderOptions& options) {
     return 0;
   }
 
-  SinkOptions sink_options;
-  sink_options.width = size.width;
-  sink_options.height = size.height;
-  sink_options.fps = options.fps;
-  sink_options.first_frame = options.resume ? range.first : 0;
-  sink_options.force =
-      options.output.force || options.resume;  // what follows the last whole frame is drawn again
-  const double start_time = session.state().time;
-  const double h = session.params().h;
-  // A still is the only frame that its file sees, but not the first one of the run.
-  const int skipped = range.first - sink_options.first_frame;
-  sink_options.png_text = [common, start_time, h, skipped, fps = options.fps](int written) {
-    const int frame = written + skipped;
-    return frame_text(common, frame, start_time + h * static_cast<double>(step_of_frame(frame, fps, h)));
-  };
-  AsyncSink sink(make_sink(out, sink_options));
+  SinkOptions sink_setup =
+      sink_options(session, common, range, size.width, size.height, options.resume ? range.first : 0);
+  // What follows the last whole frame is drawn again.
+  sink_setup.force = options.output.force || options.resume;
+  AsyncSink sink(make_sink(out, sink_setup));
 
   const InterruptGuard interrupt;
   RenderResult result;
   {
     Progress progress("frame", range.count, !options.common.quiet);
-    result = render_frames(session, range, painter, sink, interrupt, progress);
+    result = render_frames(session, range, painter, sink,
+                           {[&] { return interrupt.requested(); },
+                            [&](int frames, const StepReport& report) { progress.update(frames, report); }});
   }
   if (timings) {
     timings->write(timings_json(result));

@@ -8,12 +8,12 @@
 #include <sstream>
 
 #include "app/cli/common.h"
-#include "app/cli/frame_schedule.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
+#include "app/frames/frame_schedule.h"
 #include "sim/error.h"
 #include "sim/trace/trace.h"
 

@@ -3,11 +3,11 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "app/cli/bounded_queue.h"
-#include "app/cli/camera_option.h"
 #include "app/cli/common.h"
-#include "app/cli/frame_schedule.h"
 #include "app/cli/progress.h"
+#include "app/frames/bounded_queue.h"
+#include "app/frames/camera_option.h"
+#include "app/frames/frame_schedule.h"
 #include "app/session/session.h"
 #include "sim/error.h"
 #include "sim/trace/trace.h"

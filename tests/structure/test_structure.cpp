@@ -151,6 +151,7 @@ TEST_CASE("app's parts keep apart") {
   CHECK(violations("app/session/", kPrinting) == List{});
   CHECK(violations("app/session/", {"render/", "app/cli/", "app/overlay/", "app/plots/", "CLI/"}) == List{});
   CHECK(violations("app/overlay/", {"app/cli/", "CLI/"}) == List{});
+  CHECK(violations("app/frames/", {"app/cli/", "app/gui/", "app/workbench/", "CLI/"}) == List{});
 }
 
 TEST_CASE("files are short and headers say what they are") {

@@ -15,7 +15,7 @@
 #include "app/session/session.h"
 #include "render/output/png.h"
 
-namespace pabd::cli {
+namespace pabd {
 
 struct ViewFacts {
   int width = 0, height = 0;
@@ -40,4 +40,4 @@ PngText frame_text(const PngText& common, int frame, double time);
 // found.
 int find_resume_frame(const std::string& out, int frames, const PngText& common);
 
-}  // namespace pabd::cli
+}  // namespace pabd

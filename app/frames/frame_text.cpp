@@ -1,5 +1,5 @@
 // Text chunks, and finding the last whole frame by them.
-#include "app/cli/frame_text.h"
+#include "app/frames/frame_text.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "sim/error.h"
 #include "sim/trace/trace.h"
 
-namespace pabd::cli {
+namespace pabd {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -118,4 +118,4 @@ int find_resume_frame(const std::string& out, int frames, const PngText& common)
   return next;
 }
 
-}  // namespace pabd::cli
+}  // namespace pabd

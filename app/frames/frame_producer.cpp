@@ -1,12 +1,12 @@
 // The simulation stage.
-#include "app/cli/frame_producer.h"
+#include "app/frames/frame_producer.h"
 
 #include <chrono>
 #include <utility>
 
-#include "app/cli/frame_schedule.h"
+#include "app/frames/frame_schedule.h"
 
-namespace pabd::cli {
+namespace pabd {
 
 FrameProducer::FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped)
     : session_(session), range_(range), stop_requested_(std::move(stop)), skipped_(std::move(skipped)) {
@@ -76,4 +76,4 @@ void FrameProducer::run() {
   ready_.close();
 }
 
-}  // namespace pabd::cli
+}  // namespace pabd

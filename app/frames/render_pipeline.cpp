@@ -1,9 +1,11 @@
 // The middle stage, and what ties the three together.
-#include "app/cli/render_pipeline.h"
+#include "app/frames/render_pipeline.h"
 
 #include <chrono>
 
-namespace pabd::cli {
+#include "app/frames/frame_schedule.h"
+
+namespace pabd {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -15,13 +17,12 @@ double seconds_since(Clock::time_point start) {
 }  // namespace
 
 RenderResult render_frames(Session& session, const FrameRange& range, FramePainter& painter, AsyncSink& sink,
-                           const InterruptGuard& interrupt, Progress& progress) {
+                           const RenderWatch& watch) {
   const auto start = Clock::now();
   RenderResult result;
   Image image;
-  FrameProducer producer(
-      session, range, [&] { return interrupt.requested(); },
-      [&](int frame, const StepReport& report) { progress.update(frame + 1, report); });
+  FrameProducer producer(session, range, watch.stop,
+                         [&](int frame, const StepReport& report) { watch.progress(frame + 1, report); });
 
   // The copy back of a frame runs while the next one is drawn, so one is always on its way.
   const auto deliver = [&] {
@@ -31,14 +32,14 @@ RenderResult render_frames(Session& session, const FrameRange& range, FramePaint
     sink.write(image);
     ++result.frames;
   };
-  while (!interrupt.requested()) {
+  while (!watch.stop()) {
     auto packet = producer.next();
     if (!packet) break;
     const auto begin = Clock::now();
     painter.draw(*packet);
     result.times.draw += seconds_since(begin);
     if (painter.queued() > 1) deliver();
-    progress.update(packet->frame + 1, packet->report);
+    watch.progress(packet->frame + 1, packet->report);
     producer.recycle(*std::move(packet));
   }
   while (painter.queued() > 0) deliver();
@@ -52,4 +53,22 @@ RenderResult render_frames(Session& session, const FrameRange& range, FramePaint
   return result;
 }
 
-}  // namespace pabd::cli
+SinkOptions sink_options(const Session& session, const PngText& common, const FrameRange& range, int width,
+                         int height, int first_written) {
+  SinkOptions options;
+  options.width = width;
+  options.height = height;
+  options.fps = range.fps;
+  options.first_frame = first_written;
+  const double start_time = session.state().time;
+  const double h = session.params().h;
+  // A still is the only frame that its file sees, but not the first one of the run.
+  const int skipped = range.first - first_written;
+  options.png_text = [common, start_time, h, skipped, fps = range.fps](int written) {
+    const int frame = written + skipped;
+    return frame_text(common, frame, start_time + h * static_cast<double>(step_of_frame(frame, fps, h)));
+  };
+  return options;
+}
+
+}  // namespace pabd

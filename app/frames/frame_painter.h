@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "app/cli/camera_option.h"
-#include "app/cli/frame_producer.h"
+#include "app/frames/camera_option.h"
+#include "app/frames/frame_producer.h"
 #include "app/overlay/overlay.h"
 #include "render/gl/renderer.h"
 #include "render/visual/build_visual.h"
 
-namespace pabd::cli {
+namespace pabd {
 
 // What --overlay asked for.
 struct OverlayChoice {
@@ -50,4 +50,4 @@ class FramePainter {
   History history_;
 };
 
-}  // namespace pabd::cli
+}  // namespace pabd

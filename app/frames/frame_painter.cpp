@@ -1,5 +1,5 @@
 // From a frame's state to pixels.
-#include "app/cli/frame_painter.h"
+#include "app/frames/frame_painter.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "render/visual/joint_glyphs.h"
 #include "sim/error.h"
 
-namespace pabd::cli {
+namespace pabd {
 namespace {
 
 // Moves the camera so that its target appears in the middle of `free` (px, in a frame of width × height), and
@@ -106,4 +106,4 @@ void FramePainter::draw(const FramePacket& packet) {
 
 void FramePainter::fetch(Image& out) { renderer_.fetch(out); }
 
-}  // namespace pabd::cli
+}  // namespace pabd

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace pabd::cli {
+namespace pabd {
 
 // Forgiven: a part of the time, so that h = 0.0166667 and 60 frames a second go together; at most a tenth of
 // a step.
@@ -28,4 +28,4 @@ inline std::int64_t step_of_frame(std::int64_t frame, double fps, double h) {
   return steps_until(static_cast<double>(frame) / fps, h);
 }
 
-}  // namespace pabd::cli
+}  // namespace pabd

@@ -6,7 +6,7 @@
 
 #include "render/visual/visual_scene.h"
 
-namespace pabd::cli {
+namespace pabd {
 
 // What was asked for; applied to the camera that the scene names or that frames the bodies.
 struct CameraOption {
@@ -24,4 +24,4 @@ CameraOption parse_camera(const std::string& text);
 // The camera at `time` seconds. Named views keep the base camera's target and distance.
 Camera apply_camera(const CameraOption& option, const Camera& base, double time);
 
-}  // namespace pabd::cli
+}  // namespace pabd

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-namespace pabd::cli {
+namespace pabd {
 
 template <typename T>
 class BoundedQueue {
@@ -67,4 +67,4 @@ class BoundedQueue {
   bool closed_ = false;
 };
 
-}  // namespace pabd::cli
+}  // namespace pabd

@@ -1,5 +1,5 @@
 // Parsing and applying --camera.
-#include "app/cli/camera_option.h"
+#include "app/frames/camera_option.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "sim/error.h"
 #include "sim/math/types.h"
 
-namespace pabd::cli {
+namespace pabd {
 namespace {
 
 [[noreturn]] void fail(const std::string& text, const std::string& why) {
@@ -130,4 +130,4 @@ Camera apply_camera(const CameraOption& option, const Camera& base, double time)
   return camera;
 }
 
-}  // namespace pabd::cli
+}  // namespace pabd

@@ -8,10 +8,10 @@
 #include <thread>
 #include <vector>
 
-#include "app/cli/bounded_queue.h"
+#include "app/frames/bounded_queue.h"
 #include "app/session/session.h"
 
-namespace pabd::cli {
+namespace pabd {
 
 // A copy of everything one frame shows; the simulation is already further on when it is drawn.
 struct FramePacket {
@@ -71,4 +71,4 @@ class FrameProducer {
   std::thread thread_;
 };
 
-}  // namespace pabd::cli
+}  // namespace pabd
