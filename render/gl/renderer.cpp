@@ -180,6 +180,16 @@ void Renderer::draw_view(int view, const VisualScene& scene, int width, int heig
   impl_->end_frame(start);
 }
 
+void Renderer::read_view(int view, Image& out) {
+  std::optional<FrameTarget>& target = impl_->view(view);
+  if (!target) {
+    throw Error(ExitCode::defect,
+                "view " + std::to_string(view) + " of the renderer was read before anything was drawn in it");
+  }
+  target->queue_read();
+  target->fetch(out);
+}
+
 void Renderer::compose(int width, int height, std::span<const ViewPlace> places, const Vec3f& background,
                        const ImDrawData* interface) {
   const auto start = Clock::now();

@@ -41,7 +41,7 @@ struct ViewPlace {
 
 class Renderer {
  public:
-  static constexpr int kViews = 2;  // a scene, and another beside it
+  static constexpr int kViews = 3;  // a scene, another beside it, and one for pictures on the side
 
   // The context must outlive the renderer and be current in every call. Throws Error(no_gl) if a shader or
   // the framebuffer is refused, with the driver's words.
@@ -73,6 +73,8 @@ class Renderer {
                  const RenderQuality& quality = {});
   void compose(int width, int height, std::span<const ViewPlace> places, const Vec3f& background,
                const ImDrawData* interface);
+  // What is in a view, waiting for it. Throws Error(defect) for one that was never drawn.
+  void read_view(int view, Image& out);
 
   // Two pixel buffers: queue_read() starts copying the frame just drawn; fetch() waits for the oldest queued
   // one. Returns false when none is queued. A caller that calls queue_read, fetch in turn gets each frame at

@@ -79,6 +79,9 @@ TEST_CASE("a view in a window has the very bytes of the frame that the same scen
 
   f.renderer.draw_view(0, red, 50, 60);
   f.renderer.draw_view(1, blue, 50, 60);
+  Image blue_view;
+  f.renderer.read_view(1, blue_view);
+  CHECK(blue_view.rgb == blue_frame.rgb);
   const ViewPlace places[] = {{0, 5, 7, 50, 60}, {1, 61, 12, 50, 60}};
   f.renderer.compose(kWidth, kHeight, places, {0, 0, 0}, nullptr);
   const Image window = read(f.renderer);
@@ -182,6 +185,12 @@ TEST_CASE("a view that is not there is refused, and the renderer goes on") {
   CHECK_THROWS_AS(f.renderer.draw_view(Renderer::kViews, {}, 8, 8), Error);
   CHECK_THROWS_AS(f.renderer.draw_view(-1, {}, 8, 8), Error);
   CHECK_THROWS_AS(f.renderer.draw_view(0, {}, 0, 8), Error);
+  Image image;
+  CHECK_THROWS_AS(f.renderer.read_view(1, image), Error);
+  f.renderer.draw_view(1, {}, 5, 9);
+  f.renderer.read_view(1, image);
+  CHECK(image.width == 5);
+  CHECK(image.height == 9);
   f.renderer.draw_view(0, {}, 8, 8);
   f.renderer.compose(16, 16, {}, {1, 1, 1}, nullptr);
   CHECK(same(pixel(read(f.renderer), 3, 3), {255, 255, 255}));

@@ -1,0 +1,155 @@
+// Small pictures of scenes, and a folder of them.
+#include "app/frames/thumbnail.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "render/output/png.h"
+#include "render/visual/build_visual.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kHashDigits = 16;
+constexpr const char* kVersion = "pabd " PABD_VERSION " thumbnail 1";  // count up when the look changes
+
+double to_linear(std::size_t byte) {
+  const double s = static_cast<double>(byte) / 255;
+  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+std::uint8_t to_byte(double linear) {
+  const double s = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(s, 0.0, 1.0)));
+}
+
+PngText text_of(const std::string& scene_hash) {
+  return {{"Software", kVersion}, {"Scene hash", scene_hash}};
+}
+
+// The size in a PNG's header, before anything is unpacked.
+bool has_size(const fs::path& path, unsigned width, unsigned height) {
+  std::array<unsigned char, 24> head{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size())))
+    return false;
+  const auto number = [&](std::size_t at) {
+    return (unsigned{head[at]} << 24) | (unsigned{head[at + 1]} << 16) | (unsigned{head[at + 2]} << 8) |
+           unsigned{head[at + 3]};
+  };
+  return number(16) == width && number(20) == height;
+}
+
+std::optional<fs::path> absolute_path_in(const char* variable) {
+  const char* value = std::getenv(variable);
+  if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
+  return fs::path(value);
+}
+
+}  // namespace
+
+Image halved(const Image& image) {
+  static const std::array<double, 256> linear = [] {
+    std::array<double, 256> table{};
+    for (std::size_t k = 0; k < table.size(); ++k) table[k] = to_linear(k);
+    return table;
+  }();
+  Image half;
+  half.resize(image.width / 2, image.height / 2);
+  const auto row = static_cast<std::size_t>(image.width) * 3;
+  std::uint8_t* to = half.rgb.data();
+  for (int y = 0; y < half.height; ++y) {
+    for (int x = 0; x < half.width; ++x) {
+      const std::uint8_t* from =
+          image.rgb.data() + 2 * static_cast<std::size_t>(y) * row + 6 * static_cast<std::size_t>(x);
+      for (std::size_t c = 0; c < 3; ++c)
+        *to++ = to_byte(
+            (linear[from[c]] + linear[from[c + 3]] + linear[from[c + row]] + linear[from[c + row + 3]]) / 4);
+    }
+  }
+  return half;
+}
+
+Image draw_thumbnail(Renderer& renderer, const Scene& scene, int view) {
+  constexpr double kAspect = static_cast<double>(kThumbnailWidth) / kThumbnailHeight;
+  VisualScene visual;
+  visual.camera = frame_camera(scene.model, scene.initial, kAspect);
+  if (scene.camera) {
+    visual.camera.eye = scene.camera->eye.cast<float>();
+    visual.camera.target = scene.camera->target.cast<float>();
+    visual.camera.fov = static_cast<float>(scene.camera->fov);
+  }
+  build_visual(scene.model, scene.initial, {}, {}, visual);
+  renderer.draw_view(view, visual, 2 * kThumbnailWidth, 2 * kThumbnailHeight);
+  Image large;
+  renderer.read_view(view, large);
+  return halved(large);
+}
+
+ThumbnailCache::ThumbnailCache(std::optional<fs::path> folder) : folder_(std::move(folder)) {}
+
+std::optional<fs::path> ThumbnailCache::default_folder() {
+  if (const auto cache = absolute_path_in("XDG_CACHE_HOME")) return *cache / "pabd" / "thumbnails";
+  if (const auto home = absolute_path_in("HOME")) return *home / ".cache" / "pabd" / "thumbnails";
+  return std::nullopt;
+}
+
+std::optional<fs::path> ThumbnailCache::path_of(const std::string& scene_hash) const {
+  const bool is_hash = scene_hash.size() == kHashDigits &&
+                       scene_hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!folder_ || !is_hash) return std::nullopt;
+  return *folder_ / (scene_hash + ".png");
+}
+
+std::optional<Image> ThumbnailCache::find(const std::string& scene_hash) const {
+  const auto path = path_of(scene_hash);
+  if (!path || !has_size(*path, kThumbnailWidth, kThumbnailHeight)) return std::nullopt;
+  try {
+    if (read_png_text(*path) != text_of(scene_hash)) return std::nullopt;
+    Image image = read_png(*path);
+    if (image.width != kThumbnailWidth || image.height != kThumbnailHeight) return std::nullopt;
+    return image;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+bool ThumbnailCache::store(const std::string& scene_hash, const Image& thumbnail) const {
+  const auto path = path_of(scene_hash);
+  if (!path || thumbnail.width != kThumbnailWidth || thumbnail.height != kThumbnailHeight) return false;
+  std::error_code failure;
+  fs::create_directories(*folder_, failure);
+  if (failure) return false;
+  try {
+    write_png(*path, thumbnail, text_of(scene_hash));
+  } catch (const Error&) {
+    return false;
+  }
+  drop_oldest();
+  return true;
+}
+
+void ThumbnailCache::drop_oldest() const {
+  std::error_code failure;
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
+  for (fs::directory_iterator entry(*folder_, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const fs::file_time_type time = entry->last_write_time(failure);
+    if (!failure && entry->path().extension() == ".png") files.emplace_back(time, entry->path());
+  }
+  if (files.size() <= kMostFiles) return;
+  std::sort(files.begin(), files.end());
+  files.resize(files.size() - kMostFiles);
+  for (const auto& [time, path] : files) fs::remove(path, failure);
+}
+
+}  // namespace pabd
