@@ -12,11 +12,13 @@
 #include "app/cli/progress.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
+#include "app/frames/ab_painter.h"
 #include "app/frames/frame_schedule.h"
 #include "app/frames/frame_text.h"
 #include "app/frames/render_pipeline.h"
 #include "render/output/frame_sink.h"
 #include "sim/error.h"
+#include "sim/scene/tuning.h"
 
 namespace pabd::cli {
 namespace {
@@ -37,6 +39,8 @@ struct RenderOptions {
   std::string backend = "auto";
   std::string from;
   std::string timings;
+  std::string ab;
+  std::string ab_view = "side";
   bool resume = false;
 };
 
@@ -76,6 +80,27 @@ void check_output(const RenderOptions& options) {
   }
 }
 
+constexpr int kLeastSide = 34;  // px: two pictures of the least width, and the seam
+
+void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const FrameSize& size) {
+  if (options.ab.empty() && overlay.panels.difference) {
+    throw Error(ExitCode::bad_input,
+                "--overlay difference: there is nothing to compare; add --ab PATCH.json");
+  }
+  if (!options.ab.empty() && size.width < kLeastSide) {
+    throw Error(ExitCode::bad_input,
+                fmt::format("--size {}: --ab needs a width of {} or more", options.size, kLeastSide));
+  }
+}
+
+// B: the same scene and start with other parameters.
+Session open_patched(const RenderOptions& options, const Session& a) {
+  const Params params = patched(a.params(), read_file(options.ab), options.ab);
+  Session b = open_session(options.scene, options.common, options.from);
+  b.set_params(params);
+  return b;
+}
+
 std::string timings_json(const RenderResult& result) {
   const StageTimes& times = result.times;
   const double slowest = std::max({times.simulate, times.draw, times.encode});
@@ -90,22 +115,31 @@ int render(const RenderOptions& options) {
   const FrameSize size = parse_size(options.size);
   const CameraOption camera = parse_camera(options.camera);
   const OverlayChoice overlay = parse_overlay(options.overlay);
+  const AbView ab_view = parse_ab_view(options.ab_view);
   const std::string& out = options.output.path;
   check_output(options);
+  check_ab(options, overlay, size);
   FrameRange range{0, frame_count(options), options.fps};
   if (is_still(out)) range.first = range.count - 1;
 
   Session session = open_session(options.scene, options.common, options.from);
-  session.record_iterations(overlay.needs_iterations());
-  session.report_contacts(overlay.needs_contacts());
+  std::optional<Session> b;
+  if (!options.ab.empty()) b.emplace(open_patched(options, session));
+  Session* const other = b ? &*b : nullptr;
+  for (Session* run : {&session, other}) {
+    if (!run) continue;
+    run->record_iterations(overlay.needs_iterations());
+    run->report_contacts(overlay.needs_contacts());
+  }
 
   std::optional<TextOutput> timings;
   if (!options.timings.empty()) timings.emplace("--timings", options.timings, options.output.force);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
-  FramePainter painter(*context, session, size.width, size.height, overlay, camera);
-  const PngText common = common_text(session, {size.width, size.height, options.fps, options.overlay,
-                                               options.camera, painter.gl_renderer()});
+  AbPainter painter(*context, session, other, ab_view, size.width, size.height, overlay, camera);
+  const PngText common = common_text(
+      session, {size.width, size.height, options.fps, options.overlay, options.camera, painter.gl_renderer()},
+      other, options.ab_view);
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
     if (!options.common.quiet) write_stderr(fmt::format("all {} frames are there already\n", range.count));
@@ -124,7 +158,8 @@ int render(const RenderOptions& options) {
     Progress progress("frame", range.count, !options.common.quiet);
     result = render_frames(session, range, painter, sink,
                            {[&] { return interrupt.requested(); },
-                            [&](int frames, const StepReport& report) { progress.update(frames, report); }});
+                            [&](int frames, const StepReport& report) { progress.update(frames, report); }},
+                           other);
   }
   if (timings) {
     timings->write(timings_json(result));
@@ -136,7 +171,10 @@ int render(const RenderOptions& options) {
                     result.frames, result.times.total, result.times.simulate, result.times.draw,
                     result.times.encode, context->name(), painter.gl_renderer()));
   }
-  if (result.diverged) throw diverged_error(options.scene, session);
+  if (result.diverged) {
+    throw result.in_b ? diverged_error(options.scene + " with " + options.ab, *b)
+                      : diverged_error(options.scene, session);
+  }
   return interrupt.exit_code();
 }
 
@@ -149,6 +187,7 @@ void add_render_command(CLI::App& app, Action& action) {
                   {"pabd render pyramid -o pyramid.mp4 --time 5 --overlay plots,contacts",
                    "pabd render two_boxes -o 'frames/{frame:04}.png' --frames 120 --size 640x360 --resume",
                    "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
+                   "pabd render stack -o ab.mp4 --ab softer.json --overlay params,series,difference",
                    "pabd render pyramid -o - --size 640x360 | ffplay -f rawvideo -pixel_format rgb24 "
                    "-video_size 640x360 -"},
                   options->common);
@@ -167,13 +206,23 @@ void add_render_command(CLI::App& app, Action& action) {
       ->add_option(
           "--overlay", options->overlay,
           "comma-separated: params; barrier, convergence, series, or plots for these three; contacts "
-          "with their legend, or the legend alone; bonds with the joints; all")
+          "with their legend, or the legend alone; bonds with the joints; all; with --ab also difference")
       ->type_name("LIST");
   command
       ->add_option("--camera", options->camera,
                    "front, side, top, iso, orbit:DEGREES_A_SECOND, or eye=x,y,z,target=x,y,z,fov=degrees "
                    "(any of them)")
       ->type_name("VIEW");
+  auto* ab =
+      command
+          ->add_option("--ab", options->ab,
+                       "beside the scene (A) the same one with changed parameters (B): a JSON merge patch "
+                       "of its keys, such as {\"contact\": {\"kappa\": 50}}")
+          ->type_name("PATCH.json");
+  command
+      ->add_option("--ab-view", options->ab_view, "side: side by side (default); ghost: B translucent over A")
+      ->type_name("VIEW")
+      ->needs(ab);
   add_backend_option(*command, options->backend);
   command->add_option("--from", options->from, "start at a state file of this scene")
       ->type_name("STATE.json");

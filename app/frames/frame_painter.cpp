@@ -14,6 +14,8 @@
 namespace pabd {
 namespace {
 
+constexpr std::ptrdiff_t kMostDistances = 40000;  // kept for the plot
+
 // Moves the camera so that its target appears in the middle of `free` (px, in a frame of width × height), and
 // as far away as that rectangle is smaller than the frame.
 Camera make_room(const Camera& camera, const Rect& free, int width, int height) {
@@ -89,16 +91,51 @@ FramePainter::FramePainter(GlContext& context, const Session& session, int width
   visual_options_.bonds = overlay.bonds;
   visual_options_.contacts = overlay.contacts;
   visual_options_.d_hat = session.params().contact.d_hat;
-  base_camera_ = choose_base_camera(session, static_cast<double>(width) / height);
-  if (choice_.panels.any() && !camera.eye && !camera.target) {
-    base_camera_ = make_room(base_camera_, layout_panels(choice_.panels, width, height).free, width, height);
-  }
+  set_camera(0, 1);
 }
 
-void FramePainter::draw(const FramePacket& packet) {
+// So that panels, and a caption of so many lines, leave the bodies to be seen.
+void FramePainter::set_camera(std::size_t caption_lines, float back) {
+  base_camera_ = choose_base_camera(session_, static_cast<double>(width_) / height_);
+  if (camera_option_.eye || camera_option_.target) return;
+  if (back != 1 && session_.scene().camera)
+    base_camera_.eye += (back - 1) * (base_camera_.eye - base_camera_.target);
+  if (!choice_.panels.any() && caption_lines == 0) return;
+  const PanelLayout layout = layout_panels(choice_.panels, width_, height_);
+  Rect free = layout.free;
+  if (caption_lines > 0) {
+    const double caption = std::min(caption_height(layout.scale, caption_lines), 0.5 * free.h);
+    free.y += caption;
+    free.h -= caption;
+  }
+  base_camera_ = make_room(base_camera_, free, width_, height_);
+}
+
+void FramePainter::compare(const Comparison& comparison) {
+  data_.caption = comparison.caption;
+  data_.details = comparison.details;
+  data_.name = comparison.name;
+  data_.other_name = comparison.other_name;
+  data_.other_history = &other_history_.reports();
+  data_.distances = &distances_;
+  ghost_ = comparison.ghost;
+  set_camera(std::max(comparison.lines, comparison.details.size()), comparison.back);
+}
+
+void FramePainter::add_other(const FramePacket& other, const std::vector<DistancePoint>& apart) {
+  for (const StepReport& report : other.since) other_history_.add(report);
+  if (std::ssize(distances_) >= kMostDistances) {
+    distances_.erase(distances_.begin(), distances_.begin() + kMostDistances / 2);
+  }
+  distances_.insert(distances_.end(), apart.begin(), apart.end());
+}
+
+void FramePainter::draw(const FramePacket& packet, const FramePacket* other) {
   for (const StepReport& report : packet.since) history_.add(report);
+  if (other) add_other(*other, packet.b ? packet.apart : other->apart);
   visual_.camera = apply_camera(camera_option_, base_camera_, packet.state.time - start_time_);
   build_visual(session_.model(), packet.state, packet.report, visual_options_, visual_);
+  if (other && ghost_) add_ghost(session_.model(), other->state, ghost_color(), visual_);
   data_.report = &packet.report;
   renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_));
   renderer_.queue_read();

@@ -24,18 +24,46 @@ struct OverlayChoice {
 // Comma-separated names of panels, "bonds", "contacts", "plots", "all" or "none". Throws Error(bad_input).
 OverlayChoice parse_overlay(const std::string& text);
 
-class FramePainter {
+// Anything that turns packets into images, in order: one run, or two beside each other (ab_painter.h).
+class FrameDrawer {
+ public:
+  virtual ~FrameDrawer() = default;
+  virtual void draw(const FramePacket& packet) = 0;  // and starts copying it back
+  virtual int queued() const = 0;
+  virtual void fetch(Image& out) = 0;  // the oldest frame that was drawn; precondition: queued() > 0
+};
+
+// How a picture shows that there is another run of the same scene.
+struct Comparison {
+  std::string caption;               // in larger letters
+  std::vector<std::string> details;  // lines below it
+  std::string name, other_name;      // for plots: "A", "B"
+  bool ghost = false;                // the other run's bodies too, translucent
+  std::size_t lines = 0;             // room for so many details; the same for pictures side by side
+  float back = 1;                    // how much farther away a scene's own camera is: half a frame sees less
+};
+
+class FramePainter : public FrameDrawer {
  public:
   // `context` is current and outlives this; `session` is only asked for what never changes.
   FramePainter(GlContext& context, const Session& session, int width, int height,
                const OverlayChoice& overlay, const CameraOption& camera);
 
-  void draw(const FramePacket& packet);  // and starts copying it back
-  int queued() const { return renderer_.queued(); }
-  void fetch(Image& out);  // the oldest frame that was drawn; precondition: queued() > 0
+  // From now on with another run. Before the first frame: the camera makes room for the caption, and frames
+  // the bodies where the session is now.
+  void compare(const Comparison& comparison);
+
+  void draw(const FramePacket& packet) override { draw(packet, nullptr); }
+  void draw(const FramePacket& packet,
+            const FramePacket* other);  // the other run at that time, after compare()
+  int queued() const override { return renderer_.queued(); }
+  void fetch(Image& out) override;
   std::string gl_renderer() const { return renderer_.gl_renderer(); }
 
  private:
+  void set_camera(std::size_t caption_lines, float back);
+  void add_other(const FramePacket& other, const std::vector<DistancePoint>& apart);
+
   const Session& session_;
   int width_, height_;
   Renderer renderer_;
@@ -48,6 +76,9 @@ class FramePainter {
   OverlayData data_;   // what all frames have in common
   VisualScene visual_;
   History history_;
+  bool ghost_ = false;
+  History other_history_;
+  std::vector<DistancePoint> distances_;
 };
 
 }  // namespace pabd

@@ -1,6 +1,7 @@
 // The simulation stage.
 #include "app/frames/frame_producer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -8,8 +9,13 @@
 
 namespace pabd {
 
-FrameProducer::FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped)
-    : session_(session), range_(range), stop_requested_(std::move(stop)), skipped_(std::move(skipped)) {
+FrameProducer::FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped,
+                             Session* b)
+    : session_(session),
+      b_(b),
+      range_(range),
+      stop_requested_(std::move(stop)),
+      skipped_(std::move(skipped)) {
   thread_ = std::thread([this] { run(); });
 }
 
@@ -30,16 +36,34 @@ std::optional<FramePacket> FrameProducer::next() {
 void FrameProducer::recycle(FramePacket packet) { spent_.push(std::move(packet)); }
 
 // False when the run ends here.
+bool FrameProducer::make_step(Session& session, std::vector<StepReport>& since) {
+  if (stopped_ || stop_requested_()) return false;
+  const StepReport& report = session.step();
+  if (report.status == StepStatus::non_finite) {
+    diverged_ = &session;
+    return false;
+  }
+  since.push_back(light_copy(report));
+  return true;
+}
+
 bool FrameProducer::advance_to(std::int64_t step) {
   while (session_.state().step < step) {
-    if (stopped_ || stop_requested_()) return false;
-    const StepReport& report = session_.step();
-    if (report.status == StepStatus::non_finite) {
-      diverged_ = true;
-      return false;
-    }
-    since_.push_back(light_copy(report));
+    if (!make_step(session_, since_) || !follow()) return false;
   }
+  return true;
+}
+
+// The second run to the time of the first one.
+bool FrameProducer::follow() {
+  if (!b_) return true;
+  // Times are sums of steps: what is missing by rounding is no step.
+  const double reached = session_.state().time - 1e-6 * std::min(session_.params().h, b_->params().h);
+  while (b_->state().time < reached) {
+    if (!make_step(*b_, since_b_)) return false;
+  }
+  const StateDistance apart = state_distance(session_.state(), b_->state());
+  apart_.push_back({session_.state().time, apart.position, apart.angle});
   return true;
 }
 
@@ -50,6 +74,16 @@ FramePacket FrameProducer::pack(int frame) {
   packet.report = session_.report();
   packet.since.clear();
   std::swap(packet.since, since_);
+  if (b_) {
+    if (!packet.b) packet.b = std::make_shared<FramePacket>();
+    packet.b->frame = frame;
+    packet.b->state = b_->state();
+    packet.b->report = b_->report();
+    packet.b->since.clear();
+    std::swap(packet.b->since, since_b_);
+    packet.apart.clear();
+    std::swap(packet.apart, apart_);
+  }
   return packet;
 }
 

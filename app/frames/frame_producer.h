@@ -4,11 +4,13 @@
 #include <atomic>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <thread>
 #include <vector>
 
 #include "app/frames/bounded_queue.h"
+#include "app/plots/figures/difference.h"
 #include "app/session/session.h"
 
 namespace pabd {
@@ -17,8 +19,10 @@ namespace pabd {
 struct FramePacket {
   int frame = 0;
   State state;
-  StepReport report;              // of the last step, with what the overlays asked for
-  std::vector<StepReport> since;  // light reports of the steps since the packet before
+  StepReport report;                 // of the last step, with what the overlays asked for
+  std::vector<StepReport> since;     // light reports of the steps since the packet before
+  std::shared_ptr<FramePacket> b;    // the second run at the same time, if there is one
+  std::vector<DistancePoint> apart;  // how far it is from this one, at the steps since the packet before
 };
 
 // Frames [first, count) are handed out; those before are simulated only.
@@ -34,8 +38,10 @@ class FrameProducer {
   using Skipped = std::function<void(int frame, const StepReport& report)>;
 
   // Starts. `stop` is asked before every step, `skipped` is told of frames before `range.first`; both are
-  // called in the producer's thread. `session` must outlive this and is not to be touched meanwhile.
-  FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped);
+  // called in the producer's thread. `session` must outlive this and is not to be touched meanwhile, `b` too:
+  // a second run that steps until its time reaches the first one's; may be null.
+  FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped,
+                Session* b = nullptr);
   ~FrameProducer();  // stops and joins
   FrameProducer(const FrameProducer&) = delete;
   FrameProducer& operator=(const FrameProducer&) = delete;
@@ -48,24 +54,28 @@ class FrameProducer {
 
   // Ends the thread after the step it is in.
   void stop();
-  // Both are valid after stop(), or after next() was empty.
-  bool diverged() const { return diverged_; }
+  // These are valid after stop(), or after next() was empty.
+  const Session* diverged() const { return diverged_; }  // the run that left the numbers; null: none
   double busy_seconds() const { return busy_seconds_; }  // spent on simulating and copying, not on waiting
 
  private:
   void run();
   bool advance_to(std::int64_t step);
+  bool follow();
+  bool make_step(Session& session, std::vector<StepReport>& since);
   FramePacket pack(int frame);
 
   Session& session_;
+  Session* const b_;
   const FrameRange range_;
   const StopRequested stop_requested_;
   const Skipped skipped_;
   BoundedQueue<FramePacket> ready_{3};
   BoundedQueue<FramePacket> spent_{8};  // more than there ever are packets: giving back never waits
-  std::vector<StepReport> since_;
+  std::vector<StepReport> since_, since_b_;
+  std::vector<DistancePoint> apart_;
   std::atomic<bool> stopped_ = false;
-  bool diverged_ = false;
+  const Session* diverged_ = nullptr;
   double busy_seconds_ = 0;
   std::exception_ptr failure_;
   std::thread thread_;

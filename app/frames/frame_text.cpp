@@ -8,6 +8,7 @@
 
 #include "render/output/frame_sink.h"
 #include "sim/error.h"
+#include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {
@@ -59,13 +60,15 @@ std::string parameters_json(const Params& params, double kappa, const BondLaw* j
   return dump(json);
 }
 
-PngText common_text(const Session& session, const ViewFacts& view) {
-  const Json view_json = {{"size", {view.width, view.height}},
-                          {"fps", view.fps},
-                          {"overlay", view.overlay},
-                          {"camera", camera_text(session, view.camera)}};
+PngText common_text(const Session& session, const ViewFacts& view, const Session* b,
+                    const std::string& ab_view) {
+  Json view_json = {{"size", {view.width, view.height}},
+                    {"fps", view.fps},
+                    {"overlay", view.overlay},
+                    {"camera", camera_text(session, view.camera)}};
   const BondLaw* joints = session.model().joints.empty() ? nullptr : &session.scene().joint_law;
-  return {
+  if (b) view_json["ab"] = ab_view;
+  PngText text = {
       {"Software", "pabd " PABD_VERSION},
       {"Scene", session.scene().name},
       {"Scene hash", session.scene().hash},
@@ -74,6 +77,11 @@ PngText common_text(const Session& session, const ViewFacts& view) {
       {"View", dump(view_json)},
       {"GL_RENDERER", view.gl_renderer},
   };
+  if (b) {
+    text["B patch"] = dump(Json::parse(patch_json(session.params(), b->params())));
+    text["B parameters"] = parameters_json(b->params(), b->kappa(), joints);
+  }
+  return text;
 }
 
 PngText frame_text(const PngText& common, int frame, double time) {

@@ -6,6 +6,8 @@
 //   Parameters    JSON: what --set can tune, with the stiffness that "auto" came to
 //   Start         hash of the state at frame 0
 //   View          JSON: size, frames a second, overlay, camera as on the command line
+//   B patch       with --ab: the patch that leads from A's parameters to B's, and how both are shown
+//   B parameters  with --ab: what B has
 //   GL_RENDERER   the driver that drew it
 //   Frame, Time   number from 0, and simulated seconds of the state that is shown
 #pragma once
@@ -29,8 +31,9 @@ struct ViewFacts {
 // `joints`, "joints_default": the law of joints that say nothing of their own, its stiffness resolved too.
 std::string parameters_json(const Params& params, double kappa, const BondLaw* joints = nullptr);
 
-// What all frames of one run have in common.
-PngText common_text(const Session& session, const ViewFacts& view);
+// What all frames of one run have in common. `b`: the second run, or null; `ab_view`: "side" or "ghost".
+PngText common_text(const Session& session, const ViewFacts& view, const Session* b = nullptr,
+                    const std::string& ab_view = "");
 
 // With the two chunks of frame `frame`; `time` in seconds.
 PngText frame_text(const PngText& common, int frame, double time);

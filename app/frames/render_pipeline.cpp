@@ -16,13 +16,14 @@ double seconds_since(Clock::time_point start) {
 
 }  // namespace
 
-RenderResult render_frames(Session& session, const FrameRange& range, FramePainter& painter, AsyncSink& sink,
-                           const RenderWatch& watch) {
+RenderResult render_frames(Session& session, const FrameRange& range, FrameDrawer& painter, AsyncSink& sink,
+                           const RenderWatch& watch, Session* b) {
   const auto start = Clock::now();
   RenderResult result;
   Image image;
-  FrameProducer producer(session, range, watch.stop,
-                         [&](int frame, const StepReport& report) { watch.progress(frame + 1, report); });
+  FrameProducer producer(
+      session, range, watch.stop,
+      [&](int frame, const StepReport& report) { watch.progress(frame + 1, report); }, b);
 
   // The copy back of a frame runs while the next one is drawn, so one is always on its way.
   const auto deliver = [&] {
@@ -46,7 +47,8 @@ RenderResult render_frames(Session& session, const FrameRange& range, FramePaint
   producer.stop();
   if (result.frames > 0) sink.finish();
 
-  result.diverged = producer.diverged();
+  result.diverged = producer.diverged() != nullptr;
+  result.in_b = b && producer.diverged() == b;
   result.times.simulate = producer.busy_seconds();
   result.times.encode = sink.busy_ms() / 1000;
   result.times.total = seconds_since(start);

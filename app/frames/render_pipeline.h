@@ -24,6 +24,7 @@ struct StageTimes {
 struct RenderResult {
   int frames = 0;  // written
   bool diverged = false;
+  bool in_b = false;  // it was the second run that diverged
   StageTimes times;
 };
 
@@ -34,9 +35,9 @@ struct RenderWatch {
 };
 
 // Renders the frames of `range` and publishes the output; when stopped or diverged, with the frames that are
-// whole by then. Throws what a stage threw.
-RenderResult render_frames(Session& session, const FrameRange& range, FramePainter& painter, AsyncSink& sink,
-                           const RenderWatch& watch);
+// whole by then. Throws what a stage threw. `b`: a second run beside the first (AbPainter), or null.
+RenderResult render_frames(Session& session, const FrameRange& range, FrameDrawer& painter, AsyncSink& sink,
+                           const RenderWatch& watch, Session* b = nullptr);
 
 // The sink for these frames: size, speed, and in every PNG where it came from (`common`). `session` is at the
 // state of frame 0. Frames are written from `first_written` on (0: those before `range.first` are part of the

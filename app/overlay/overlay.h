@@ -9,6 +9,7 @@
 
 #include "app/overlay/panel_layout.h"
 #include "app/plots/canvas.h"
+#include "app/plots/figures/difference.h"
 #include "app/plots/figures/time_series.h"
 #include "render/visual/visual_scene.h"
 #include "sim/body/joint.h"
@@ -30,6 +31,13 @@ struct OverlayData {
   unsigned joint_types = 0;                          // bits 1 << JointType of what the legend of joints lists
   std::size_t joints = 0;                            // how many
   const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved; may be null
+
+  // Of two runs beside each other. The caption is one line in larger letters, the details follow below it.
+  std::string caption{};
+  std::vector<std::string> details{};
+  std::string name{}, other_name{};                        // "A", "B"
+  const std::vector<StepReport>* other_history = nullptr;  // of the other run, oldest first
+  const std::vector<DistancePoint>* distances = nullptr;   // oldest first
 };
 
 class Overlay {

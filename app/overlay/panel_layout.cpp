@@ -23,7 +23,8 @@ constexpr double kLegendHeight = 50;
 // Below this scale text is too small to read: panels of small frames take more of the frame instead.
 constexpr double kLeastScale = 0.72;
 
-constexpr Panel kAll[] = {Panel::params, Panel::barrier, Panel::convergence, Panel::series, Panel::legend};
+constexpr Panel kAll[] = {Panel::params, Panel::barrier, Panel::convergence,
+                          Panel::series, Panel::legend,  Panel::difference};
 
 bool* flag(OverlayOptions& options, Panel panel) {
   switch (panel) {
@@ -39,6 +40,8 @@ bool* flag(OverlayOptions& options, Panel panel) {
       return &options.legend;
     case Panel::joints:
       return &options.joints;
+    case Panel::difference:
+      return &options.difference;
   }
   return nullptr;
 }
@@ -64,6 +67,8 @@ const char* to_string(Panel panel) {
       return "legend";
     case Panel::joints:
       return "joints";
+    case Panel::difference:
+      return "difference";
   }
   return "?";
 }
@@ -87,12 +92,12 @@ bool enable_panel(OverlayOptions& options, const std::string& name) {
   return false;
 }
 
-std::string panel_names() { return "params, barrier, convergence, series, legend, plots"; }
+std::string panel_names() { return "params, barrier, convergence, series, legend, difference, plots"; }
 
 OverlayOptions parse_panels(const std::string& list) {
   OverlayOptions options;
   if (list.empty() || list == "none") return options;
-  if (list == "all") return {true, true, true, true, true, false, 0};
+  if (list == "all") return {true, true, true, true, true, false, 0, false};
   for (std::size_t i = 0; i <= list.size();) {
     const std::size_t end = std::min(list.find(',', i), list.size());
     const std::string name = list.substr(i, end - i);
@@ -108,7 +113,8 @@ OverlayOptions parse_panels(const std::string& list) {
 
 PanelLayout layout_panels(const OverlayOptions& options, int width, int height) {
   PanelLayout layout;
-  const int plots = int{options.barrier} + int{options.convergence} + int{options.series};
+  const int plots =
+      int{options.barrier} + int{options.convergence} + int{options.series} + int{options.difference};
   const int legends = int{options.legend} + int{options.joints};
   const double left = legends > 0 ? kLegendWidth : options.params ? kParamsWidth : 0;
   const double params_height = kParamsHeight + kParamsRow * options.joint_rows;
@@ -130,7 +136,7 @@ PanelLayout layout_panels(const OverlayOptions& options, int width, int height) 
     const double h = std::min(kPlotHeight * s, (height - 2 * margin - (plots - 1) * gap) / plots);
     column = width - margin - kPlotWidth * s;
     double y = margin;
-    for (const Panel panel : {Panel::barrier, Panel::convergence, Panel::series}) {
+    for (const Panel panel : {Panel::barrier, Panel::convergence, Panel::series, Panel::difference}) {
       if (!options.shows(panel)) continue;
       layout.panels.push_back({panel, snapped(column, y, kPlotWidth * s, h)});
       y += h + gap;

@@ -9,7 +9,7 @@
 
 namespace pabd {
 
-enum class Panel { params, barrier, convergence, series, legend, joints };
+enum class Panel { params, barrier, convergence, series, legend, joints, difference };
 const char* to_string(Panel panel);
 
 struct OverlayOptions {
@@ -17,15 +17,17 @@ struct OverlayOptions {
   bool barrier = false;
   bool convergence = false;
   bool series = false;
-  bool legend = false;  // of contact colours
-  bool joints = false;  // legend of joints; comes with the bonds overlay, not by a name of its own
-  int joint_rows = 0;   // how many of the parameters are about joints: the panel grows
+  bool legend = false;      // of contact colours
+  bool joints = false;      // legend of joints; comes with the bonds overlay, not by a name of its own
+  int joint_rows = 0;       // how many of the parameters are about joints: the panel grows
+  bool difference = false;  // of two runs beside each other
 
   bool shows(Panel panel) const;
-  bool any() const { return params || barrier || convergence || series || legend || joints; }
+  bool any() const { return params || barrier || convergence || series || legend || joints || difference; }
 };
 
-// Switches on the panel of that name: params, barrier, convergence, series, legend; plots: the middle three.
+// Switches on the panel of that name: params, barrier, convergence, series, legend, difference; plots: the
+// middle three.
 // False when there is no such panel. `panel_names` is the list for messages.
 bool enable_panel(OverlayOptions& options, const std::string& name);
 std::string panel_names();

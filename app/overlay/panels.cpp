@@ -195,11 +195,58 @@ Plot live_plot(Panel panel, const OverlayData& data) {
     return report ? convergence_plot(report->records, data.joints > 0)
                   : empty_plot("Convergence of the last step");
   }
+  if (panel == Panel::difference) {
+    return difference_series_plot({}, {}, DifferenceQuantity::distance,
+                                  data.distances ? *data.distances : std::vector<DistancePoint>{});
+  }
   if (!data.history) return empty_plot("Over time");
-  std::vector<HistoryPoint> history;
-  history.reserve(data.history->size());
-  for (const StepReport& r : *data.history) history.push_back(history_point(r));
-  return time_series_plot(history, data.params ? data.params->contact.d_hat : 0, data.joints > 0);
+  const auto plot_of = [&](const std::vector<StepReport>& reports) {
+    std::vector<HistoryPoint> history;
+    history.reserve(reports.size());
+    for (const StepReport& r : reports) history.push_back(history_point(r));
+    return time_series_plot(history, data.params ? data.params->contact.d_hat : 0, data.joints > 0);
+  };
+  Plot plot = plot_of(*data.history);
+  if (!data.other_history) return plot;
+  plot.title = fmt::format("Over time: {} solid, {} dashed", data.name, data.other_name);
+  for (Series& series : plot_of(*data.other_history).series) {
+    series.style = SeriesStyle::dashed;
+    series.name.clear();
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
+constexpr double kLetter = 1.5 * kTitle;               // of a caption
+constexpr double kPitch = FontMetrics::line * kTitle;  // of its details
+
+// Top centre of what the panels leave free.
+void paint_caption(const PanelLayout& layout, const OverlayData& data, Canvas& canvas) {
+  if (data.caption.empty()) return;
+  const double s = layout.scale;
+  const Rect& free = layout.free;
+  const double most = free.w - 4 * kPad * s;
+  if (!(most > 0)) return;
+  const double letter = kLetter * s, text = kTitle * s;
+  std::vector<std::string> lines;
+  for (const std::string& detail : data.details) {
+    for (std::string& line : wrap_text(canvas.font(), detail, text, most)) lines.push_back(std::move(line));
+  }
+  double width = text_width(canvas.font(), data.caption, letter);
+  for (const std::string& line : lines) width = std::max(width, text_width(canvas.font(), line, text));
+  const double pitch = kPitch * s;
+  const double height = FontMetrics::cap * letter + static_cast<double>(lines.size()) * pitch;
+  const double middle = free.x + 0.5 * free.w;
+  const Rect box{std::round(middle - 0.5 * width - kPad * s), std::round(free.y + kPad * s),
+                 std::round(width + 2 * kPad * s), std::round(height + 2 * kPad * s)};
+  canvas.fill_rect({box.x - 1, box.y - 1, box.w + 2, box.h + 2}, kRim, 6 * s);
+  canvas.fill_rect(box, kPanel, 5 * s);
+  canvas.text({middle, box.y + kPad * s}, data.caption, {letter, ink::text, AnchorX::center, AnchorY::top});
+  double y = box.y + kPad * s + FontMetrics::cap * letter + (pitch - FontMetrics::cap * text);
+  for (const std::string& line : lines) {
+    canvas.text({middle, y}, line, {text, ink::text, AnchorX::center, AnchorY::top});
+    y += pitch;
+  }
 }
 
 }  // namespace
@@ -207,6 +254,10 @@ Plot live_plot(Panel panel, const OverlayData& data) {
 int joint_row_count(const OverlayData& data) { return static_cast<int>(joint_rows(data).size()); }
 
 Color contact_ink(double x) { return screen_ink(contact_color(x)); }
+
+double caption_height(double scale, std::size_t details) {
+  return (FontMetrics::cap * kLetter + static_cast<double>(details) * kPitch + 4 * kPad) * scale;
+}
 
 void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas) {
   const double s = layout.scale;
@@ -230,6 +281,7 @@ void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& ca
     }
     canvas.pop_clip();
   }
+  paint_caption(layout, data, canvas);
 }
 
 void paint_labels(const VisualScene& scene, int width, int height, double scale, Canvas& canvas) {

@@ -14,6 +14,9 @@ int joint_row_count(const OverlayData& data);
 // Draws the laid-out panels: a translucent white box each, with its content.
 void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas);
 
+// Height in px that a caption with so many details takes at the top of the free rectangle.
+double caption_height(double scale, std::size_t details);
+
 // The labels of a scene at their places in a frame of width × height px; those behind the eye are left out.
 void paint_labels(const VisualScene& scene, int width, int height, double scale, Canvas& canvas);
 

@@ -10,10 +10,10 @@ TEST_CASE("panels do not overlap and stay inside the frame") {
   const std::pair<int, int> sizes[] = {{640, 360},   {1280, 720}, {1920, 1080}, {2560, 1440}, {3840, 2160},
                                        {1080, 1920}, {720, 720},  {200, 150},   {64, 64},     {3000, 400}};
   for (const auto& [width, height] : sizes) {
-    for (int bits = 1; bits < 64; ++bits) {
-      const OverlayOptions options{(bits & 1) != 0,         (bits & 2) != 0,  (bits & 4) != 0,
-                                   (bits & 8) != 0,         (bits & 16) != 0, (bits & 32) != 0,
-                                   (bits & 32) != 0 ? 4 : 0};
+    for (int bits = 1; bits < 128; ++bits) {
+      const OverlayOptions options{(bits & 1) != 0,          (bits & 2) != 0,  (bits & 4) != 0,
+                                   (bits & 8) != 0,          (bits & 16) != 0, (bits & 32) != 0,
+                                   (bits & 32) != 0 ? 4 : 0, (bits & 64) != 0};
       const PanelLayout layout = layout_panels(options, width, height);
       INFO(width << "x" << height << " panels " << bits);
       REQUIRE(layout.panels.size() ==

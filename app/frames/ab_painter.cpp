@@ -1,0 +1,78 @@
+// Two runs in one picture.
+#include "app/frames/ab_painter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/overlay/parameter_words.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+constexpr int kSeam = 2;                 // px between the halves, white
+constexpr float kBack = 1.4f;            // a compromise between cut-off sides and small bodies
+constexpr std::size_t kMostDetails = 6;  // lines of a caption
+
+std::vector<std::string> details_of(const Session& a, const Session& b) {
+  std::vector<std::string> lines = difference_words(a.params(), a.kappa(), b.params(), b.kappa());
+  if (lines.empty()) lines.emplace_back("the same parameters");
+  if (lines.size() > kMostDetails) {
+    const std::size_t more = lines.size() - (kMostDetails - 1);
+    lines.resize(kMostDetails - 1);
+    lines.push_back(fmt::format("and {} more", more));
+  }
+  return lines;
+}
+
+void paste(const Image& from, int left, Image& to) {
+  const auto row = static_cast<std::ptrdiff_t>(3 * from.width);
+  for (int y = 0; y < from.height; ++y) {
+    std::copy_n(from.rgb.begin() + y * row, row,
+                to.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * to.width + left));
+  }
+}
+
+}  // namespace
+
+AbView parse_ab_view(const std::string& text) {
+  if (text == "side") return AbView::side;
+  if (text == "ghost") return AbView::ghost;
+  throw Error(ExitCode::bad_input, fmt::format("--ab-view {}: expected side or ghost", text));
+}
+
+AbPainter::AbPainter(GlContext& context, const Session& a, const Session* b, AbView view, int width,
+                     int height, const OverlayChoice& overlay, const CameraOption& camera)
+    : left_(context, a, b && view == AbView::side ? (width - kSeam) / 2 : width, height, overlay, camera) {
+  if (!b) return;
+  const std::vector<std::string> details = details_of(a, *b);
+  if (view == AbView::ghost) {
+    left_.compare({"A, and B as a ghost", details, "A", "B", true, 0, 1});
+    return;
+  }
+  right_ = std::make_unique<FramePainter>(context, *b, width - kSeam - (width - kSeam) / 2, height, overlay,
+                                          camera);
+  left_.compare({"A", {"as it is"}, "A", "B", false, details.size(), kBack});
+  right_->compare({"B", details, "B", "A", false, 0, kBack});
+}
+
+void AbPainter::draw(const FramePacket& packet) {
+  left_.draw(packet, packet.b.get());
+  if (right_) right_->draw(*packet.b, &packet);
+}
+
+void AbPainter::fetch(Image& out) {
+  if (!right_) {
+    left_.fetch(out);
+    return;
+  }
+  left_.fetch(left_half_);
+  right_->fetch(right_half_);
+  out.resize(left_half_.width + kSeam + right_half_.width, left_half_.height);
+  std::fill(out.rgb.begin(), out.rgb.end(), std::uint8_t{255});
+  paste(left_half_, 0, out);
+  paste(right_half_, left_half_.width + kSeam, out);
+}
+
+}  // namespace pabd
