@@ -118,7 +118,11 @@ void paint_series(const Series& series, Color color, const PlotLayout& layout, c
   if (series.style == SeriesStyle::bars) {
     for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
       const Rect bar = bar_rect(layout, series, i);
-      canvas.fill_rect(bar, i < series.marker_colors.size() ? series.marker_colors[i] : color);
+      const Color fill = i < series.marker_colors.size() ? series.marker_colors[i] : color;
+      // Where markers have a rim that shows, bars have one: the darkest are the worst contacts.
+      const bool rim = !(style.theme.rim == style.theme.paper) && bar.w > 3 && bar.h > 0;
+      if (rim) canvas.fill_rect(bar, style.theme.rim);
+      canvas.fill_rect(rim ? Rect{bar.x + 1, bar.y + 1, bar.w - 2, bar.h - 1} : bar, fill);
     }
     return;
   }

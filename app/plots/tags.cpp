@@ -24,10 +24,14 @@ Point anchor_of(const Series& series, const PlotLayout& layout) {
   return layout.map(series.x.back(), series.y.back(), series.right_axis);
 }
 
-// Whether a curve passes through the box. Long series are not asked: that would cost more than it is worth.
+// Whether a curve passes through the box, or a bar stands in it. Long series are not asked: that would cost
+// more than it is worth.
 bool hides_curve(const Rect& box, const Plot& plot, const PlotLayout& layout) {
   constexpr std::size_t kLong = 2000;
   for (const Series& series : plot.series) {
+    for (std::size_t i = 0; series.style == SeriesStyle::bars && i < series.x.size(); ++i) {
+      if (bar_rect(layout, series, i).overlaps(box)) return true;
+    }
     const bool curve = series.style == SeriesStyle::line || series.style == SeriesStyle::dashed;
     if (!curve || series.x.size() > kLong) continue;
     for (const std::vector<Point>& run : pixel_runs(layout, series)) {
@@ -43,40 +47,53 @@ bool hides_curve(const Rect& box, const Plot& plot, const PlotLayout& layout) {
   return false;
 }
 
+// Where a tag of this size may stand, best first.
+std::vector<Rect> candidates(const Series& series, const Point& at, double w, double h, const Rect& in,
+                             const PlotStyle& style) {
+  const double gap = style.gap;
+  if (series.style == SeriesStyle::level) {
+    const double left = in.x + gap, right = in.right() - w - gap;
+    const double above = at.y - h - 0.7 * gap, below = at.y + 0.7 * gap;
+    return {{right, above, w, h}, {right, below, w, h}, {left, above, w, h}, {left, below, w, h}};
+  }
+  const bool marker = series.style == SeriesStyle::markers;
+  const double aside = gap + (marker ? style.marker * series.weight : 0);
+  const double right = at.x + aside, left = at.x - aside - w;
+  const double top = marker ? at.y - h - 0.5 * gap : at.y + gap;
+  const double low = marker ? at.y + 0.5 * gap : in.bottom() - h - gap;
+  const double second = top + 1.3 * style.tick;
+  return {{right, top, w, h},   {left, top, w, h},  {right, second, w, h},
+          {left, second, w, h}, {right, low, w, h}, {left, low, w, h}};
+}
+
 }  // namespace
 
 void place_tags(const Plot& plot, const PlotStyle& style, const FontMetrics& font, PlotLayout& layout) {
   if (layout.empty) return;
   const Rect& in = layout.inner;
-  const double height = FontMetrics::cap * style.tick, gap = style.gap;
+  const double height = FontMetrics::cap * style.tick;
   std::vector<Rect> taken;
   if (!layout.legend.entries.empty()) taken.push_back(layout.legend.box);
+  const auto hit = [&](const Rect& box) {
+    return std::any_of(taken.begin(), taken.end(), [&](const Rect& r) { return r.overlaps(box.inset(-2)); });
+  };
   for (std::size_t s = 0; s < plot.series.size(); ++s) {
     const Series& series = plot.series[s];
     if (series.tag.empty()) continue;
     const Point at = anchor_of(series, layout);
     if (!in.inset(-1).contains(at)) continue;
     const double width = text_width(font, series.tag, style.tick);
-    Rect box{at.x + gap, at.y + gap, width, height};
-    if (series.style == SeriesStyle::level) {
-      box.x = at.x - width - gap;
-      box.y = at.y - height - 0.7 * gap;
-    } else if (series.style == SeriesStyle::markers) {
-      box.x = at.x + style.marker * series.weight + gap;
-      box.y = at.y - height - 0.5 * gap;
-    }
-    if (box.right() > in.right()) box.x = at.x - (box.x - at.x) - width;
-    if (series.style == SeriesStyle::level_x && hides_curve(box, plot, layout)) {
-      const Rect low{box.x, in.bottom() - height - gap, width, height};
-      if (!hides_curve(low, plot, layout)) box = low;
-    }
+    const std::vector<Rect> places = candidates(series, at, width, height, in, style);
+    const auto fits = [&](const Rect& box) { return in.contains(box) && !hit(box); };
+    auto best = std::find_if(places.begin(), places.end(),
+                             [&](const Rect& box) { return fits(box) && !hides_curve(box, plot, layout); });
+    if (best == places.end()) best = std::find_if(places.begin(), places.end(), fits);
+    Rect box = best == places.end() ? places[0] : *best;
+    // Nowhere beside it: inside, and down row by row until there is room; a full column keeps the last place
+    // rather than lose the text.
+    box.x = std::clamp(box.x, in.x, std::max(in.x, in.right() - width));
     box.y = std::clamp(box.y, in.y + 1, std::max(in.y + 1, in.bottom() - height - 1));
-    // Down, row by row, until there is room; a full column keeps the last place rather than lose the text.
-    const auto hit = [&] {
-      return std::any_of(taken.begin(), taken.end(),
-                         [&](const Rect& r) { return r.overlaps(box.inset(-2)); });
-    };
-    for (int row = 0; row < 40 && hit() && box.bottom() + 1.3 * style.tick < in.bottom(); ++row) {
+    for (int row = 0; row < 40 && hit(box) && box.bottom() + 1.3 * style.tick < in.bottom(); ++row) {
       box.y += 1.3 * style.tick;
     }
     taken.push_back(box);

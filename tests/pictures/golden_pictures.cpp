@@ -8,10 +8,15 @@
 #include "app/overlay/panels.h"
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier.h"
+#include "app/plots/figures/barrier_panel.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"
+#include "app/plots/figures/convergence_panel.h"
+#include "app/plots/figures/difference.h"
 #include "app/plots/figures/slider_joint.h"
 #include "app/plots/figures/spherical_joint.h"
+#include "app/plots/figures/time_panel.h"
+#include "app/plots/plot_layout.h"
 #include "render/visual/joint_glyphs.h"
 #include "render/visual/outline.h"
 #include "tests/output/golden.h"
@@ -141,4 +146,51 @@ TEST_CASE("a mechanism with all overlays, small") {
 TEST_CASE("figure 5") {
   Studio studio(1200, 600);
   check(studio.picture(figure5()), "figure_5", studio);
+}
+
+TEST_CASE("panels of the window, light and dark") {
+  const StoredStep stored("pyramid");
+  std::vector<ContactReport> contacts = stored.report.contact_reports;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {  // spread, one of them overlapping
+    const double u = static_cast<double>(k % 100) / 100;
+    contacts[k].d = stored.scene.params.contact.d_hat * (k == 0 ? -0.2 : 1 - 0.4 * u * u);
+  }
+  BarrierPanelOptions linear, log;
+  linear.variants = log.variants = {true, true, true, true};
+  log.quantity = BarrierQuantity::slope;
+  log.log_y = true;
+  const ContactParams& contact = stored.scene.params.contact;
+  TimePanelOptions time;
+  time.cursor = 1.3;
+  time.d_hat = contact.d_hat;
+  time.marks = {{0.4, "κ 100 → 50 J", MarkKind::parameter},
+                {0.9, "branch", MarkKind::branch},
+                {1.6, "parts", MarkKind::divergence}};
+  std::vector<DistancePoint> apart;
+  for (int k = 1; k <= 120; ++k) {
+    const double t = k / 60.0;
+    apart.push_back({t, 1e-6 * std::exp(5 * t), 1e-5 * std::exp(4 * t)});
+  }
+  const std::vector<MethodRun> runs{{"descent", invented_records(30, 0.5)},
+                                    {"sissm", invented_records(60, 0.85)}};
+  const std::vector<Plot> plots = {
+      barrier_panel(contact, stored.report.kappa, contacts, contact_ink, linear).plot,
+      barrier_panel(contact, stored.report.kappa, contacts, contact_ink, log).plot,
+      contact_histogram(contact, contacts, contact_ink).plot,
+      convergence_panel(runs, ConvergenceQuantity::penetration, Minimiser{100, 0.002}),
+      time_panel(stored.history, TimeQuantity::gap, time),
+      difference_series_plot({}, {}, DifferenceQuantity::distance, apart)};
+  for (const PlotTheme* theme : {&light_theme(), &dark_theme()}) {
+    Studio studio(1140, 600);
+    const Image image = studio.picture([&](Canvas& canvas, double width, double height) {
+      canvas.fill_rect({0, 0, width, height}, theme->paper);
+      PlotStyle style = panel_style();
+      style.theme = *theme;
+      for (std::size_t k = 0; k < plots.size(); ++k) {
+        const Rect cell{380.0 * static_cast<double>(k % 3), k < 3 ? 0.0 : 300.0, 380, 300};
+        paint_plot(plots[k], layout_plot(plots[k], cell.inset(10), style, canvas.font()), style, canvas);
+      }
+    });
+    check(image, theme == &light_theme() ? "panels_light" : "panels_dark", studio);
+  }
 }
