@@ -28,7 +28,8 @@ std::span<const KeyTable> key_tables() {
                                       KeyTable{"fixed", keys::fixed},
                                       KeyTable{"distance", keys::distance},
                                       KeyTable{"drive", keys::drive},
-                                      KeyTable{"twist", keys::twist}};
+                                      KeyTable{"twist", keys::twist},
+                                      KeyTable{"friction_anchor", keys::friction_anchor}};
   return kTables;
 }
 

@@ -14,10 +14,10 @@ namespace keys {
 
 using Key = std::string_view;
 
-inline constexpr std::array scene{Key("$schema"),     Key("format"),         Key("version"),   Key("name"),
-                                  Key("description"), Key("gravity"),        Key("time_step"), Key("solver"),
-                                  Key("contact"),     Key("joints_default"), Key("bodies"),    Key("joints"),
-                                  Key("generate"),    Key("camera")};
+inline constexpr std::array scene{
+    Key("$schema"), Key("format"),    Key("version"),  Key("name"),    Key("description"),
+    Key("gravity"), Key("time_step"), Key("solver"),   Key("contact"), Key("joints_default"),
+    Key("bodies"),  Key("joints"),    Key("generate"), Key("camera"),  Key("friction_anchors")};
 inline constexpr std::array solver{Key("method"), Key("iterations"), Key("tolerance"), Key("relaxation"),
                                    Key("projection")};
 inline constexpr std::array contact{Key("barrier"), Key("N"),     Key("d_hat"),
@@ -56,25 +56,30 @@ inline constexpr std::array net{Key("type"),  Key("name"),     Key("rows"), Key(
                                 Key("fixed"), Key("density"),  Key("mass"), Key("collide")};
 
 // Joints by their type.
-inline constexpr std::array spherical{
-    Key("name"),      Key("type"),      Key("bodies"), Key("anchor"), Key("drive"), Key("axes"),   Key("arm"),
-    Key("symmetric"), Key("potential"), Key("kappa"),  Key("N"),      Key("d_hat"), Key("collide")};
-inline constexpr std::array hinge{Key("name"),      Key("type"),      Key("bodies"), Key("anchor"),
-                                  Key("axis"),      Key("limits"),    Key("drive"),  Key("arm"),
-                                  Key("symmetric"), Key("potential"), Key("kappa"),  Key("N"),
-                                  Key("d_hat"),     Key("collide")};
-inline constexpr std::array slider{Key("name"), Key("type"),      Key("bodies"),    Key("anchor"),
-                                   Key("axis"), Key("limits"),    Key("drive"),     Key("twist"),
-                                   Key("arm"),  Key("symmetric"), Key("potential"), Key("kappa"),
-                                   Key("N"),    Key("d_hat"),     Key("collide")};
-inline constexpr std::array fixed{Key("name"), Key("type"),      Key("bodies"),    Key("anchor"),
-                                  Key("arm"),  Key("symmetric"), Key("potential"), Key("kappa"),
-                                  Key("N"),    Key("d_hat"),     Key("collide")};
+inline constexpr std::array spherical{Key("name"),      Key("type"),    Key("bodies"), Key("anchor"),
+                                      Key("drive"),     Key("axes"),    Key("arm"),    Key("symmetric"),
+                                      Key("potential"), Key("kappa"),   Key("N"),      Key("d_hat"),
+                                      Key("collide"),   Key("anchors"), Key("frames")};
+inline constexpr std::array hinge{Key("name"),      Key("type"),      Key("bodies"),  Key("anchor"),
+                                  Key("axis"),      Key("limits"),    Key("drive"),   Key("arm"),
+                                  Key("symmetric"), Key("potential"), Key("kappa"),   Key("N"),
+                                  Key("d_hat"),     Key("collide"),   Key("anchors"), Key("frames")};
+inline constexpr std::array slider{
+    Key("name"),  Key("type"),  Key("bodies"),  Key("anchor"),    Key("axis"),      Key("limits"),
+    Key("drive"), Key("twist"), Key("arm"),     Key("symmetric"), Key("potential"), Key("kappa"),
+    Key("N"),     Key("d_hat"), Key("collide"), Key("anchors"),   Key("frames")};
+inline constexpr std::array fixed{Key("name"),  Key("type"),      Key("bodies"),    Key("anchor"),
+                                  Key("arm"),   Key("symmetric"), Key("potential"), Key("kappa"),
+                                  Key("N"),     Key("d_hat"),     Key("collide"),   Key("anchors"),
+                                  Key("frames")};
 inline constexpr std::array distance{Key("name"),   Key("type"),      Key("bodies"), Key("points"),
                                      Key("length"), Key("potential"), Key("kappa"),  Key("N"),
                                      Key("d_hat"),  Key("collide")};
 inline constexpr std::array drive{Key("value"), Key("keys")};
 inline constexpr std::array twist{Key("limits")};
+
+// Of state files as well.
+inline constexpr std::array friction_anchor{Key("bodies"), Key("feature"), Key("stretch"), Key("sliding")};
 
 }  // namespace keys
 

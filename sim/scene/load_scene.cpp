@@ -11,6 +11,7 @@
 #include "sim/scene/generators.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/overrides.h"
+#include "sim/scene/read_anchors.h"
 #include "sim/scene/read_body.h"
 #include "sim/scene/read_joint.h"
 #include "sim/scene/read_params.h"
@@ -51,6 +52,20 @@ void read_bodies(const ObjectReader& scene, MeshLibrary& meshes, SceneBuilder& o
   for (std::size_t i = 0; i < count; ++i) {
     const Node node = bodies->element(i);
     out.add(read_body(node, i, meshes), node);
+  }
+}
+
+// Only a scene that was saved in mid-run has them.
+void read_friction_anchors(const ObjectReader& scene, SceneBuilder& out) {
+  const auto list = scene.find("friction_anchors");
+  if (!list) return;
+  read_anchors(*list, out.model.size(), out.state.anchors);
+  for (const FrictionAnchor& anchor : out.state.anchors) {
+    scene.record("friction_anchors", static_cast<double>(anchor.pair >> 32));
+    scene.record("friction_anchors", static_cast<double>(anchor.pair & 0xffffffffu));
+    scene.record("friction_anchors", static_cast<double>(anchor.feature));
+    scene.record("friction_anchors", anchor.stretch);
+    scene.record("friction_anchors", anchor.sliding ? 1.0 : 0.0);
   }
 }
 
@@ -123,6 +138,7 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
   read_joints(in, names, builder);
   builder.finish_joints(scene.params.gravity, generated);
   if (builder.model.size() == 0) in.fail("the scene has no bodies; expected \"bodies\" or \"generate\"");
+  read_friction_anchors(in, builder);
   scene.camera = read_camera(in);
 
   if (scene.name.empty()) scene.name = std::filesystem::path(source).stem().string();

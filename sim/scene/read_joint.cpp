@@ -87,6 +87,35 @@ Mat3 read_axis(const ObjectReader& in) {
   return frame_about(axis);
 }
 
+// Both frames at one anchor and axis; or, in a scene that was saved in mid-run, each where it stands.
+void read_place(const ObjectReader& in, const Surroundings& around, bool has_axis, Joint& joint) {
+  if (!in.has("anchors") && !in.has("frames")) {
+    const Vec3 anchor = read_anchor(in);
+    return attach(around.scene.state, anchor, has_axis ? read_axis(in) : Mat3(Mat3::Identity()), joint);
+  }
+  for (const std::string_view key : {"anchor", "axis"})
+    if (in.has(key))
+      in.fail_key(key, "\"anchors\" and \"frames\" say it all; remove this key or both of those");
+  const Node anchors = in.require("anchors", "two points [a, b]");
+  const Node frames = in.require("frames", "two unit quaternions [w, x, y, z]");
+  if (anchors.array_size() != 2) anchors.fail_expected("two points [a, b]");
+  if (frames.array_size() != 2) frames.fail_expected("two unit quaternions [w, x, y, z]");
+  for (const std::size_t end : {0, 1}) {
+    const Vec3 anchor = anchors.element(end).vec3(kPositionRange);
+    in.record("anchors", anchor);
+    const Node frame = frames.element(end);
+    const Mat3 F = frame.rotation();
+    double q[4];  // as for bodies
+    frame.numbers(q, {});
+    for (const double x : q) in.record("frames", x);
+    (end == 0 ? joint.on_i : joint.on_j) =
+        frame_on(around.scene.state, end == 0 ? joint.i : joint.j, anchor, F);
+  }
+}
+
+// A joint with frames of its own need not stand at 0.
+bool stands_at_zero(const ObjectReader& in) { return !in.has("frames"); }
+
 void read_arms(const ObjectReader& in, const Surroundings& around, Joint& joint) {
   joint.arm = in.number("arm", kSizeRange, default_arm(around.scene.model, joint.i, joint.j));
   joint.symmetric = in.boolean("symmetric", true);
@@ -97,12 +126,12 @@ void read_motion(const ObjectReader& in, const Range& limits, const Range& drive
   if (in.has("limits") && in.has("drive")) {
     in.fail_key("limits", "a driven joint has no limits; remove one of \"limits\" and \"drive\"");
   }
-  if (in.has("limits")) joint.limits = read_limits(in, "limits", limits, unit);
+  if (in.has("limits")) joint.limits = read_limits(in, "limits", limits, unit, stands_at_zero(in));
   if (const auto node = in.find("drive")) joint.drive = read_drive(*node, drive, unit);
 }
 
 void read_spherical(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  attach(around.scene.state, read_anchor(in), Mat3::Identity(), joint);
+  read_place(in, around, false, joint);
   read_arms(in, around, joint);
   if (const auto drive = in.find("drive")) {
     joint.turn = read_turn(*drive);
@@ -113,22 +142,20 @@ void read_spherical(const ObjectReader& in, const Surroundings& around, Joint& j
 }
 
 void read_hinge(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  const Vec3 anchor = read_anchor(in);
-  attach(around.scene.state, anchor, read_axis(in), joint);
+  read_place(in, around, true, joint);
   read_arms(in, around, joint);
   read_motion(in, kAngleRange, kTurnsRange, kDegree, joint);
 }
 
 void read_slider(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  const Vec3 anchor = read_anchor(in);
-  attach(around.scene.state, anchor, read_axis(in), joint);
+  read_place(in, around, true, joint);
   read_arms(in, around, joint);
   read_motion(in, kPositionRange, kPositionRange, 1, joint);
   const auto twist = in.find("twist");
   if (twist && twist->value().is_object()) {
     const ObjectReader limited(*twist, keys::twist);
     joint.twist = Twist::limited;
-    joint.twist_limits = read_limits(limited, "limits", kAngleRange, kDegree);
+    joint.twist_limits = read_limits(limited, "limits", kAngleRange, kDegree, stands_at_zero(in));
   } else if (twist && !twist->value().is_string()) {
     twist->fail_expected("\"free\", \"locked\" or { \"limits\": [lowest, highest] }");
   } else {
@@ -137,7 +164,7 @@ void read_slider(const ObjectReader& in, const Surroundings& around, Joint& join
 }
 
 void read_fixed(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  attach(around.scene.state, read_anchor(in), Mat3::Identity(), joint);
+  read_place(in, around, false, joint);
   read_arms(in, around, joint);
 }
 

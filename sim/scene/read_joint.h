@@ -14,7 +14,9 @@ BondLaw read_joint_defaults(const ObjectReader& scene);
 void read_joints(const ObjectReader& scene, const BodyNames& names, SceneBuilder& out);
 
 // Parts of a joint (read_drive.cpp). `range` and `unit` are those of the file; the result is in rad or m.
-JointRange read_limits(const ObjectReader& in, std::string_view key, const Range& range, double unit);
+// `at_zero`: limits must include 0, where the joint stands.
+JointRange read_limits(const ObjectReader& in, std::string_view key, const Range& range, double unit,
+                       bool at_zero);
 Profile read_drive(const Node& node, const Range& range, double unit);
 TurnProfile read_turn(const Node& node);  // rotation vectors in degrees
 

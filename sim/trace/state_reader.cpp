@@ -6,6 +6,7 @@
 #include <array>
 
 #include "sim/error.h"
+#include "sim/scene/read_anchors.h"
 #include "sim/scene/reader.h"
 #include "sim/scene/text.h"
 #include "sim/trace/trace.h"
@@ -19,7 +20,6 @@ constexpr std::array kStateKeys{Key("format"), Key("version"), Key("time"),   Ke
                                 Key("hash"),   Key("bodies"),  Key("anchors")};
 constexpr std::array kBodyKeys{Key("name"),     Key("position"),         Key("orientation"), Key("rotation"),
                                Key("velocity"), Key("angular_velocity"), Key("omega")};
-constexpr std::array kAnchorKeys{Key("bodies"), Key("feature"), Key("stretch"), Key("sliding")};
 
 constexpr DocumentLimits kLimits{std::size_t{4} << 30, std::size_t{1} << 28, 32};
 constexpr double kTolerance = 1e-6;  // of a rotation's entries, and between the two ways to write one
@@ -70,38 +70,6 @@ void read_body(const Node& node, const Model& model, std::size_t i, State& state
   }
 }
 
-FrictionAnchor read_anchor(const Node& node, Index count) {
-  const ObjectReader in(node, kAnchorKeys);
-  const Node pair = in.require("bodies", "two body numbers");
-  if (pair.array_size() != 2) pair.fail_expected("two body numbers");
-  const std::int64_t a = pair.element(0).integer(0, count - 1);
-  const std::int64_t b = pair.element(1).integer(0, count - 1);
-  if (a >= b) pair.fail("expected two body numbers in rising order");
-  FrictionAnchor anchor;
-  anchor.pair = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint64_t>(b);
-  anchor.feature = static_cast<std::uint32_t>(in.integer("feature", 0, 0xffffffff));
-  anchor.stretch = in.vec3("stretch", kAny);
-  anchor.sliding = in.boolean("sliding", false);
-  return anchor;
-}
-
-bool before(const FrictionAnchor& a, const FrictionAnchor& b) {
-  return a.pair != b.pair ? a.pair < b.pair : a.feature < b.feature;
-}
-
-void read_anchors(const ObjectReader& in, Index count, State& state) {
-  const auto list = in.find("anchors");
-  if (!list) return;
-  const std::size_t n = list->array_size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Node node = list->element(i);
-    state.anchors.push_back(read_anchor(node, count));
-    if (i > 0 && !before(state.anchors[i - 1], state.anchors[i])) {
-      node.fail("expected anchors in rising order of bodies and feature, each once");
-    }
-  }
-}
-
 }  // namespace
 
 State state_from_json(const Model& model, const std::string& text, const std::string& source) {
@@ -126,7 +94,7 @@ State state_from_json(const Model& model, const std::string& text, const std::st
   state.v.reserve(count);
   state.omega.reserve(count);
   for (std::size_t i = 0; i < count; ++i) read_body(bodies.element(i), model, i, state);
-  read_anchors(in, model.size(), state);
+  if (const auto anchors = in.find("anchors")) read_anchors(*anchors, model.size(), state.anchors);
 
   if (const auto hash = in.find("hash")) {
     const std::string expected = state_hash(state);

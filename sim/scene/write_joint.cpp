@@ -1,0 +1,98 @@
+// See write_joint.h. Every frame is written where it stands, so that angles and offsets keep their zero; only
+// the keys of drives are shifted, in time.
+#include "sim/scene/write_joint.h"
+
+#include <algorithm>
+
+#include "sim/joint/expand.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kDegrees = 180 / kPi;
+
+PlacedFrame placed(const State& state, Index body, const JointFrame& frame) {
+  if (body == kWorld) return {frame.r, frame.F};
+  const auto k = static_cast<std::size_t>(body);
+  return place(frame, {state.c[k], state.R[k]});
+}
+
+OrderedJson range_json(const JointRange& range, double unit) {
+  return OrderedJson::array({range.lo * unit, range.hi * unit});
+}
+
+// The keys from `now` on, as value_of(key's value) gives them.
+template <class Value, class ValueOf>
+OrderedJson keys_from(double now, const Keyed<Value>& profile, const ValueOf& value_of) {
+  const OrderedJson first = value_of(profile.at(now));
+  OrderedJson keys = OrderedJson::array({OrderedJson::array({0.0, first})});
+  for (const auto& [time, value] : profile.keys) {
+    if (time > now) keys.push_back(OrderedJson::array({time - now, value_of(value)}));
+  }
+  if (keys.size() == 1) return {{"value", first}};
+  return {{"keys", keys}};
+}
+
+void add_turn(const Joint& joint, double now, OrderedJson& out) {
+  out["drive"] =
+      keys_from(now, *joint.turn, [](const Vec3& value) { return json_of(Vec3(kDegrees * value)); });
+  static constexpr const char* kArms[] = {"", "x", "y", "xy", "z", "xz", "yz", "xyz"};
+  out["axes"] = kArms[joint.arms & 7];
+}
+
+void add_motion(const Joint& joint, double now, OrderedJson& out) {
+  const double unit = joint.type == JointType::hinge ? kDegrees : 1;
+  if (joint.limits) out["limits"] = range_json(*joint.limits, unit);
+  if (joint.drive)
+    out["drive"] = keys_from(now, *joint.drive, [&](double value) { return OrderedJson(value * unit); });
+}
+
+void add_twist(const Joint& joint, OrderedJson& out) {
+  if (joint.twist == Twist::free) out["twist"] = "free";
+  if (joint.twist == Twist::limited) out["twist"] = {{"limits", range_json(*joint.twist_limits, kDegrees)}};
+}
+
+bool same(const BondLaw& a, const BondLaw& b) {
+  if (a.potential != b.potential || a.kappa != b.kappa) return false;
+  return a.potential == BondPotential::soft || (a.N == b.N && a.d_hat == b.d_hat);
+}
+
+// Limits are softer than their joint where κ is automatic, so that word is kept for joints with limits.
+void add_own_law(const Joint& joint, const BondLaw& joint_law, OrderedJson& out) {
+  const bool softer = (joint.limits || joint.twist_limits) && joint.limit_scale != 1;
+  if (!softer && same(joint.law, joint_law)) return;
+  add_law(joint.law, out);
+  if (softer) out["kappa"] = "auto";
+}
+
+}  // namespace
+
+OrderedJson json_of_joint(const Model& model, const State& state, const Joint& joint, const std::string& name,
+                          const BondLaw& joint_law) {
+  const PlacedFrame on_i = placed(state, joint.i, joint.on_i), on_j = placed(state, joint.j, joint.on_j);
+  OrderedJson out{{"name", name}, {"type", to_string(joint.type)}};
+  out["bodies"] = OrderedJson::array();
+  for (const Index end : {joint.i, joint.j})
+    out["bodies"].push_back(end == kWorld ? OrderedJson()
+                                          : OrderedJson(model.name[static_cast<std::size_t>(end)]));
+  if (joint.type == JointType::distance) {
+    out["points"] = OrderedJson::array({json_of(on_i.y), json_of(on_j.y)});
+    out["length"] = joint.length;
+  } else {
+    out["anchors"] = OrderedJson::array({json_of(on_i.y), json_of(on_j.y)});
+    out["frames"] = OrderedJson::array({json_of_rotation(on_i.F), json_of_rotation(on_j.F)});
+    out["arm"] = joint.arm;
+    if (!joint.symmetric) out["symmetric"] = false;
+  }
+  if (joint.turn) add_turn(joint, state.time, out);
+  add_motion(joint, state.time, out);
+  if (joint.type == JointType::slider) add_twist(joint, out);
+  add_own_law(joint, joint_law, out);
+  if (joint.i != kWorld && joint.j != kWorld) {
+    const std::pair<Index, Index> pair = std::minmax(joint.i, joint.j);
+    if (!std::binary_search(model.no_collide.begin(), model.no_collide.end(), pair)) out["collide"] = true;
+  }
+  return out;
+}
+
+}  // namespace pabd

@@ -1,0 +1,15 @@
+// One joint as an entry of "joints". Internal to sim/scene.
+#pragma once
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+#include "sim/scene/write_values.h"
+
+namespace pabd {
+
+// A joint of the model at the poses and the time of `state`. `name` is for the entry; `joint_law` is what
+// "joints_default" will say.
+OrderedJson json_of_joint(const Model& model, const State& state, const Joint& joint, const std::string& name,
+                          const BondLaw& joint_law);
+
+}  // namespace pabd

@@ -1,0 +1,113 @@
+// See write_scene.h.
+#include "sim/scene/write_scene.h"
+
+#include <fmt/format.h>
+
+#include <unordered_set>
+
+#include "sim/error.h"
+#include "sim/scene/text.h"
+#include "sim/scene/tuning.h"
+#include "sim/scene/write_joint.h"
+
+namespace pabd {
+namespace {
+
+OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) {
+  OrderedJson out{{"name", model.name[i]}, {"shape", json_of(model.shape[i])}};
+  if (out["shape"].is_null()) {
+    throw Error(ExitCode::bad_input,
+                fmt::format("the shape of {} comes from a mesh file, which cannot be written into a scene; "
+                            "remove the body, or save only the parameters",
+                            in_quotes(model.name[i])));
+  }
+  if (std::holds_alternative<Plane>(model.shape[i])) return out;
+  if (model.fixed[i]) {
+    out["fixed"] = true;
+  } else {
+    out["mass"] = model.mass[i];
+  }
+  out["position"] = json_of(state.c[i]);
+  if (state.R[i] != Mat3::Identity()) out["orientation"] = json_of_rotation(state.R[i]);
+  if (!state.v[i].isZero(0)) out["velocity"] = json_of(state.v[i]);
+  if (!state.omega[i].isZero(0)) out["angular_velocity"] = json_of(Vec3(state.omega[i] * (180 / kPi)));
+  return out;
+}
+
+// A name for each joint: those that have none get the first free "joint k".
+std::vector<std::string> joint_names(const Model& model) {
+  std::unordered_set<std::string> used;
+  for (const Joint& joint : model.joints) used.insert(joint.name);
+  std::vector<std::string> names;
+  std::size_t next = 0;
+  for (const Joint& joint : model.joints) {
+    names.push_back(joint.name);
+    while (names.back().empty()) {
+      std::string made_up = fmt::format("joint {}", next++);
+      if (used.insert(made_up).second) names.back() = std::move(made_up);
+    }
+  }
+  return names;
+}
+
+OrderedJson json_of_anchor(const FrictionAnchor& anchor) {
+  OrderedJson out{{"bodies", OrderedJson::array({anchor.pair >> 32, anchor.pair & 0xffffffffu})},
+                  {"feature", anchor.feature},
+                  {"stretch", json_of(anchor.stretch)}};
+  if (anchor.sliding) out["sliding"] = true;
+  return out;
+}
+
+// "key": [ … ] with one entry a line.
+template <class EntryOf>
+std::string list(const char* key, std::size_t count, const EntryOf& entry_of) {
+  std::string out = fmt::format(",\n  \"{}\": [", key);
+  for (std::size_t k = 0; k < count; ++k) {
+    out += k == 0 ? "\n    " : ",\n    ";
+    out += entry_of(k).dump();
+  }
+  return out + (count == 0 ? "]" : "\n  ]");
+}
+
+void check_loads(const std::string& text) {
+  try {
+    parse_scene(text, "the scene as it would be saved", {});
+  } catch (const Error& error) {
+    throw Error(error.code(), std::string("not saved: ") + error.what());
+  }
+}
+
+}  // namespace
+
+std::string scene_to_json(const Model& model, const State& state, const Params& params,
+                          const BondLaw& joint_law, const std::string& name,
+                          const std::optional<CameraDesc>& camera) {
+  std::string out = fmt::format("{{\n  \"format\": \"pabd-scene\",\n  \"version\": 1,\n  \"name\": {}",
+                                OrderedJson(name).dump());
+  const OrderedJson tunable = OrderedJson::parse(params_json(params));
+  for (const auto& [key, value] : tunable.items()) out += fmt::format(",\n  \"{}\": {}", key, value.dump());
+  OrderedJson law = OrderedJson::object();
+  add_law(joint_law, law);
+  out += fmt::format(",\n  \"joints_default\": {}", law.dump());
+  out += list("bodies", model.shape.size(), [&](std::size_t i) { return json_of_body(model, state, i); });
+  if (!model.joints.empty()) {
+    const std::vector<std::string> names = joint_names(model);
+    out += list("joints", model.joints.size(), [&](std::size_t k) {
+      return json_of_joint(model, state, model.joints[k], names[k], joint_law);
+    });
+  }
+  if (!state.anchors.empty()) {
+    out += list("friction_anchors", state.anchors.size(),
+                [&](std::size_t k) { return json_of_anchor(state.anchors[k]); });
+  }
+  if (camera) {
+    const OrderedJson view{
+        {"eye", json_of(camera->eye)}, {"target", json_of(camera->target)}, {"fov", camera->fov}};
+    out += fmt::format(",\n  \"camera\": {}", view.dump());
+  }
+  out += "\n}\n";
+  check_loads(out);
+  return out;
+}
+
+}  // namespace pabd
