@@ -75,6 +75,7 @@ int run_program(int argc, char** argv) {
   add_compare_command(app, action);
   add_scenes_command(app, action);
   add_doctor_command(app, action);
+  add_view_command(app, action);
 
   try {
     app.parse(argc, argv);

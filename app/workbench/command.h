@@ -103,6 +103,13 @@ struct DropHeld {
   static constexpr const char* name = "drop_held";
   void fields(auto&&) {}
 };
+// A message, in place of those that others send.
+struct Tell {
+  static constexpr const char* name = "tell";
+  std::string text;
+  bool error = false;
+  void fields(auto&& f) { f("text", text), f("error", error, false); }
+};
 // What is recorded of later steps: only what somebody looks at.
 struct Observe {
   static constexpr const char* name = "observe";
@@ -154,7 +161,7 @@ struct ApplyPatch {
 using Command = std::variant<command::Set, command::SetAll, command::ResetParams, command::Undo,
                              command::Redo, command::Play, command::Pause, command::Step, command::Seek,
                              command::Speed, command::Restart, command::Compare, command::EndCompare,
-                             command::Hold, command::DropHeld, command::Observe, command::Load,
+                             command::Hold, command::DropHeld, command::Observe, command::Tell, command::Load,
                              command::Reload, command::SaveScene, command::SavePatch, command::ApplyPatch>;
 
 }  // namespace pabd

@@ -146,6 +146,10 @@ void Workbench::carry_out(const command::Observe& c) {
   }
 }
 
+void Workbench::carry_out(const command::Tell& c) {
+  tell(c.error ? Severity::error : Severity::note, c.text);
+}
+
 Snapshot Workbench::snapshot() {
   Snapshot s;
   s.serial = ++serial_;

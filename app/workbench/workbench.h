@@ -70,6 +70,7 @@ class Workbench {
   void carry_out(const command::Hold& c);
   void carry_out(const command::DropHeld& c);
   void carry_out(const command::Observe& c);
+  void carry_out(const command::Tell& c);
   void carry_out(const command::Load& c);
   void carry_out(const command::Reload& c);
   void carry_out(const command::SaveScene& c);

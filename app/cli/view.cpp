@@ -1,0 +1,137 @@
+// pabd view: the interactive window, and the same without a display for scripts.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+
+#include "app/cli/backend_option.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/scene_lookup.h"
+#include "app/cli/streams.h"
+#include "app/gui/script.h"
+#include "app/gui/viewer.h"
+#include "render/context/window.h"
+#include "sim/error.h"
+
+namespace pabd::cli {
+namespace {
+
+constexpr int kBytesPerMegabyte = 1'000'000;
+constexpr double kIdle = 0.1;           // seconds that a window at rest waits for an event
+constexpr double kShortest = 1.0 / 60;  // between frames
+
+struct ViewOptions {
+  CommonOptions common;
+  std::string scene = "two_boxes";
+  std::string script, out = ".", size = "1280x720", backend = "auto";
+  double scale = 0, memory = 512;
+  bool headless = false, force = false, play = false;
+};
+
+std::unique_ptr<Runner> start_runner(const ViewOptions& options) {
+  WorkbenchOptions bench;
+  bench.threads = options.common.thread_count();
+  bench.memory = static_cast<std::size_t>(options.memory * kBytesPerMegabyte);
+  bench.find_scene = [](const std::string& name) { return find_scene(name).string(); };
+  return std::make_unique<Runner>(
+      std::make_unique<Workbench>(bench, command::Load{options.scene, options.common.sets, false}));
+}
+
+int view_headless(const ViewOptions& options, const FrameSize& size) {
+  const Script script(read_file(options.script), options.script);
+  const auto runner = start_runner(options);
+  std::vector<ContextAttempt> attempts;
+  const auto context = create_headless_context(parse_backend(options.backend), attempts);
+  ViewerOptions viewer_options;
+  viewer_options.screen_scale = options.scale > 0 ? options.scale : 1;
+  viewer_options.steady = true;
+  Viewer viewer(*context, *runner, viewer_options);
+  script.run(viewer, *runner, {options.out, options.force, size.width, size.height});
+  if (!options.common.quiet)
+    write_stderr(fmt::format("{}: {} actions done\n", options.script, script.size()));
+  return 0;
+}
+
+int view_window(const ViewOptions& options, const FrameSize& size) {
+  std::unique_ptr<Script> script;
+  if (!options.script.empty()) script = std::make_unique<Script>(read_file(options.script), options.script);
+  const auto runner = start_runner(options);
+  WindowOptions window_options;
+  window_options.width = size.width;
+  window_options.height = size.height;
+  const auto window = open_window(window_options);
+  ViewerOptions viewer_options;
+  viewer_options.screen_scale = options.scale > 0 ? options.scale : window->content_scale();
+  viewer_options.clipboard = [&] { return window->clipboard(); };
+  viewer_options.set_clipboard = [&](const std::string& text) { window->set_clipboard(text); };
+  Viewer viewer(window->context(), *runner, viewer_options);
+  if (options.play) runner->send(command::Play{});
+
+  using Clock = std::chrono::steady_clock;
+  const InterruptGuard interrupt;
+  auto last = Clock::now();
+  bool moved = true;
+  std::string title;
+  if (script) script->run(viewer, *runner, {options.out, options.force, size.width, size.height});
+  while (!interrupt.requested() && !window->display_lost() && !viewer.ui().quit) {
+    const bool playing = viewer.snapshot().playing;
+    for (const WindowEvent& event : window->poll(moved || playing ? 0 : kIdle)) viewer.handle(event);
+    if (window->should_close()) {
+      window->keep_open();  // the viewer asks about what is not saved
+      viewer.send(ViewCommand(command::Quit{}));
+    }
+    int width = 0, height = 0;
+    window->size(width, height);
+    if (width < 1 || height < 1) continue;  // minimised
+    const auto now = Clock::now();
+    viewer.draw(width, height, std::chrono::duration<double>(now - last).count());
+    last = now;
+    viewer.renderer().blit_to_window(width, height);
+    window->context().present();
+    moved = viewer.has_input();
+    const std::string name =
+        viewer.snapshot().scene->name + (viewer.snapshot().unsaved ? " • pabd" : " – pabd");
+    if (name != title) window->set_title(title = name);
+  }
+  if (window->display_lost())
+    throw Error(ExitCode::no_gl, "the display was lost; nothing that is on disk was touched");
+  return interrupt.exit_code();
+}
+
+int view(const ViewOptions& options) {
+  const FrameSize size = parse_size(options.size);
+  if (options.scale != 0) check_range("--scale", options.scale, 0.5, 4);
+  check_range("--memory", options.memory, 1, 1e6, "MB");
+  if (options.headless && options.script.empty()) {
+    throw Error(ExitCode::bad_input,
+                "--headless: nobody can press keys without a display; give --script ACTIONS.json");
+  }
+  return options.headless ? view_headless(options, size) : view_window(options, size);
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App* command = add_command(app, "view", "the interactive window: tune N, d̂ and κ while it runs",
+                                  {"pabd view", "pabd view pyramid --set contact.N=8 --play",
+                                   "pabd view two_boxes --script actions.json --headless -o pictures"},
+                                  options->common);
+  command->add_option("SCENE", options->scene,
+                      "scene file, or the name of a shipped scene (default two_boxes)");
+  command->add_flag("--play", options->play, "start at once");
+  command->add_option("--script", options->script, "carry out a list of actions")->type_name("JSON");
+  command->add_flag("--headless", options->headless, "no window: only the script");
+  command->add_option("-o,--out", options->out, "folder for the frames that a script writes (default: here)")
+      ->type_name("FOLDER");
+  command->add_flag("--force", options->force, "replace files that exist");
+  command->add_option("--size", options->size, "pixels of the window (default 1280x720)")->type_name("WxH");
+  command->add_option("--scale", options->scale, "size of everything (default: what the screen asks for)")
+      ->type_name("F");
+  command->add_option("--memory", options->memory, "for states of the past (default 512)")->type_name("MB");
+  add_backend_option(*command, options->backend);
+  add_scene_options(*command, options->common);
+  command->callback([options, &action] { action = [options] { return view(*options); }; });
+}
+
+}  // namespace pabd::cli

@@ -1,0 +1,125 @@
+// See dialogs.h.
+#include "app/gui/dialogs.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "app/gui/widgets.h"
+
+namespace pabd {
+namespace {
+
+struct Question {
+  const char* what;
+  const char* title;
+  const char* help;
+  const char* button;
+  bool writes;
+};
+constexpr Question kQuestions[] = {
+    {"open", "Open a scene", "A scene file, or the name of a shipped scene", "Open", false},
+    {"save_scene", "Save scene", "The scene file with the present parameters; bodies as at its beginning",
+     "Save", true},
+    {"save_patch", "Save patch", "Only the parameters that differ from the scene", "Save", true},
+    {"apply_patch", "Apply patch", "A patch file: parameters of this or another scene", "Apply", false},
+    {"screenshot", "Screenshot", "A PNG file", "Save", true},
+    {"quit", "Leave?", "Parameters were changed and not saved.", "Leave without saving", false},
+};
+
+const Question* question(const std::string& what) {
+  const auto* found = std::find_if(std::begin(kQuestions), std::end(kQuestions),
+                                   [&](const Question& q) { return what == q.what; });
+  return found == std::end(kQuestions) ? nullptr : found;
+}
+
+std::string first_text(const std::string& what, const GuiFrame& f) {
+  const std::string& name = f.sim.scene->name;
+  if (what == "save_scene") return name + "_tuned.json";
+  if (what == "save_patch") return name + "_patch.json";
+  if (what == "screenshot") return name + ".png";
+  return "";
+}
+
+}  // namespace
+
+void Dialogs::start(const GuiFrame& f) {
+  open_ = f.ui.dialog;
+  text_ = first_text(open_, f);
+  waiting_ = false;
+  ImGui::OpenPopup("##dialog");
+}
+
+void Dialogs::confirm(GuiFrame& f, bool force) {
+  asked_ = f.sim.messages.empty() ? 0 : f.sim.messages.back().number;
+  waiting_ = true;
+  if (open_ == "open") f.out.send(Command(command::Load{text_, {}, force}));
+  if (open_ == "save_scene") f.out.send(Command(command::SaveScene{text_, false, force}));
+  if (open_ == "save_patch") f.out.send(Command(command::SavePatch{text_, force}));
+  if (open_ == "apply_patch") f.out.send(Command(command::ApplyPatch{text_}));
+  if (open_ == "screenshot") f.out.send(ViewCommand(command::Screenshot{text_, with_ui_, force}));
+  if (open_ == "quit") f.out.send(ViewCommand(command::Quit{true}));
+  if (open_ == "screenshot" || open_ == "quit") f.out.send(ViewCommand(command::Ask{""}));
+}
+
+void Dialogs::draw(GuiFrame& f, int width, int height) {
+  if (f.ui.dialog.empty()) {
+    open_.clear();
+    return;
+  }
+  const Question* q = question(f.ui.dialog);
+  if (!q) return;
+  const bool fresh = open_ != f.ui.dialog;
+  if (fresh) start(f);
+  // The answer: a new message that is an error stays here, anything else is success.
+  const Message* answer = !f.sim.messages.empty() && f.sim.messages.back().number > asked_ && waiting_
+                              ? &f.sim.messages.back()
+                              : nullptr;
+  const bool refused = answer && answer->severity == Severity::error;
+
+  ImGui::SetNextWindowPos({0.5f * static_cast<float>(width), 0.4f * static_cast<float>(height)},
+                          ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(f.px(520), static_cast<float>(width) - f.px(24)), 0});
+  if (!ImGui::BeginPopupModal("##dialog", nullptr,
+                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
+    return;
+  heading(f, q->title);
+  muted_label(f, q->help);
+  bool go = false, force = open_ == "quit";
+  if (open_ != "quit") {
+    if (fresh) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    go = ImGui::InputText("##name", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
+  }
+  if (open_ == "screenshot") {
+    ImGui::Checkbox("with panels", &with_ui_);
+    tooltip("Without: the scene alone, as 'pabd render' draws it");
+  }
+  if (refused) {
+    ImGui::PushStyleColor(ImGuiCol_Text, im_color(f.theme().color(1)));
+    ImGui::PushTextWrapPos(0);
+    label(answer->text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
+  ImGui::Dummy({0, f.px(2)});
+  go = ImGui::Button(q->button) || go;
+  if (refused && (q->writes || open_ == "open") &&
+      (answer->text.find("exists already") != std::string::npos ||
+       answer->text.find("not saved") != std::string::npos)) {
+    ImGui::SameLine();
+    if (ImGui::Button(q->writes ? "Replace" : "Load all the same")) go = force = true;
+  }
+  ImGui::SameLine();
+  const bool cancel = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  if (go) confirm(f, force);
+  const bool done = waiting_ && answer && !refused;
+  if (cancel || done) {
+    f.out.send(ViewCommand(command::Ask{""}));
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace pabd

@@ -1,0 +1,50 @@
+// See gui_layout.h.
+#include "app/gui/gui_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pabd {
+namespace {
+
+// Pixels of an ordinary screen.
+constexpr double kToolbar = 38, kTimeline = 88, kLeft = 316, kRight = 388;
+constexpr double kLeastView = 240, kWide = 1.35;  // columns grow up to this on wide windows
+
+}  // namespace
+
+GuiLayout layout_gui(const UiState& ui, int width, int height, double unit, bool two) {
+  GuiLayout out;
+  const double w = width, h = height;
+  if (ui.hidden) {
+    out.view = {0, 0, w, h};
+  } else {
+    const double grow = std::clamp(w / unit / 1280, 1.0, kWide);
+    const double toolbar = std::round(kToolbar * unit), timeline = std::round(kTimeline * unit);
+    const auto index = [](Slot slot) { return static_cast<std::size_t>(slot); };
+    double left = ui.open[index(Slot::left)] ? std::round(kLeft * grow * unit) : 0;
+    const bool top = ui.open[index(Slot::right_top)], bottom = ui.open[index(Slot::right_bottom)];
+    double right = top || bottom ? std::round(kRight * grow * unit) : 0;
+    if (w - left - right < kLeastView * unit && left > 0 && right > 0) right = 0;
+    if (w - left - right < 0.5 * kLeastView * unit) left = std::min(left, w);
+    const double middle = std::max(0.0, h - toolbar - timeline);
+    out.toolbar = {0, 0, w, toolbar};
+    out.timeline = {0, h - timeline, w, timeline};
+    out.view = {left, toolbar, std::max(0.0, w - left - right), middle};
+    out.slots[index(Slot::left)] = {0, toolbar, left, left > 0 ? middle : 0};
+    if (right > 0) {
+      const double split = top && bottom ? std::round(0.53 * middle) : top ? middle : 0;
+      if (top) out.slots[index(Slot::right_top)] = {w - right, toolbar, right, split};
+      if (bottom) out.slots[index(Slot::right_bottom)] = {w - right, toolbar + split, right, middle - split};
+    }
+  }
+  out.views[0] = out.view;
+  if (two) {
+    const double half = std::floor(0.5 * out.view.w);
+    out.views[0].w = half;
+    out.views[1] = {out.view.x + half, out.view.y, out.view.w - half, out.view.h};
+  }
+  return out;
+}
+
+}  // namespace pabd

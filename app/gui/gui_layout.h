@@ -1,0 +1,21 @@
+// Where everything of the window goes. Nothing overlaps: columns that leave the picture too little room are
+// not shown.
+#pragma once
+
+#include <array>
+
+#include "app/gui/ui_state.h"
+#include "app/plots/canvas.h"
+
+namespace pabd {
+
+struct GuiLayout {
+  Rect toolbar, timeline, view;
+  std::array<Rect, kSlots> slots;  // empty (w = 0) when not shown
+  std::array<Rect, 2> views;       // parts of `view` for A and B side by side; the first is all of it else
+};
+
+// `unit`: pixels of a pixel of an ordinary screen. `two`: a second simulation is shown beside the first.
+GuiLayout layout_gui(const UiState& ui, int width, int height, double unit, bool two);
+
+}  // namespace pabd

@@ -1,0 +1,29 @@
+// Window events as Dear ImGui takes them.
+#pragma once
+
+#include <imgui.h>
+
+#include <deque>
+
+#include "render/context/window.h"
+
+namespace pabd {
+
+// Once a context.
+void set_up_imgui_keys(ImGuiIO& io);
+
+// Events of one frame: a press and a release of the same button or key in one frame would not be seen, so
+// that the second waits for the next.
+class ImGuiInput {
+ public:
+  void add(const WindowEvent& event) { waiting_.push_back(event); }
+  bool empty() const { return waiting_.empty(); }
+
+  // Hands the events of one frame to ImGui and returns them.
+  std::vector<WindowEvent> feed(ImGuiIO& io);
+
+ private:
+  std::deque<WindowEvent> waiting_;
+};
+
+}  // namespace pabd

@@ -1,0 +1,110 @@
+// See key_table.h.
+#include "app/gui/key_table.h"
+
+namespace pabd {
+namespace {
+
+using Act = std::function<void(const Snapshot&, const UiState&, Outbox&)>;
+
+template <class C>
+Act sends(C command) {
+  return [command](const Snapshot&, const UiState&, Outbox& out) { out.send(command); };
+}
+Act asks(const char* what) { return sends(ViewCommand(command::Ask{what})); }
+Act looks(const char* from) { return sends(ViewCommand(command::LookFrom{from})); }
+
+Act scales(double factor) {
+  return [factor](const Snapshot&, const UiState& ui, Outbox& out) {
+    out.send(ViewCommand(command::Scale{factor == 0 ? 1 : ui.scale * factor}));
+  };
+}
+
+}  // namespace
+
+const std::vector<KeyBinding>& key_table() {
+  static const std::vector<KeyBinding> table = [] {
+    const Act toggle_play = [](const Snapshot& sim, const UiState&, Outbox& out) {
+      if (sim.playing) {
+        out.send(Command(command::Pause{}));
+      } else {
+        out.send(Command(command::Play{}));
+      }
+    };
+    const auto show = [](const char* what, bool UiState::*on) -> Act {
+      return [what, on](const Snapshot&, const UiState& ui, Outbox& out) {
+        out.send(ViewCommand(command::Show{what, !(ui.*on)}));
+      };
+    };
+    const auto toggle_columns = [](const Snapshot&, const UiState& ui, Outbox& out) {
+      out.send(ViewCommand(command::HideUi{!ui.hidden}));
+    };
+    const auto toggle_help = [](const Snapshot&, const UiState& ui, Outbox& out) {
+      out.send(ViewCommand(command::Help{!ui.help}));
+    };
+    const auto leave = [](const Snapshot&, const UiState& ui, Outbox& out) {
+      if (ui.help) {
+        out.send(ViewCommand(command::Help{false}));
+      } else if (!ui.dialog.empty()) {
+        out.send(ViewCommand(command::Ask{""}));
+      } else {
+        out.send(ViewCommand(command::Select{"none", ""}));
+      }
+    };
+    const auto theme = [](const Snapshot&, const UiState& ui, Outbox& out) {
+      out.send(ViewCommand(command::Theme{!ui.dark}));
+    };
+    std::vector<KeyBinding> t;
+    const auto add = [&t](const char* group, const char* chord, const char* help, Act act) {
+      t.push_back({parse_key_chord(chord), help, group, std::move(act)});
+    };
+    add("Time", "space", "play, pause", toggle_play);
+    add("Time", "right", "one step forward", sends(Command(command::Step{1})));
+    add("Time", "left", "one step back", sends(Command(command::Step{-1})));
+    add("Time", "shift+right", "ten steps forward", sends(Command(command::Step{10})));
+    add("Time", "shift+left", "ten steps back", sends(Command(command::Step{-10})));
+    add("Time", "home", "to the beginning", sends(Command(command::Seek{-1e9})));
+    add("Time", "end", "to the end", sends(Command(command::Seek{1e9})));
+    add("Time", "r", "run again from the beginning, with the present parameters",
+        sends(Command(command::Restart{})));
+    add("View", "f", "frame the selection, or everything", sends(ViewCommand(command::FrameSelection{})));
+    add("View", "0", "the scene's own view", looks("scene"));
+    add("View", "1", "from the front", looks("front"));
+    add("View", "2", "from the right", looks("right"));
+    add("View", "3", "from above", looks("top"));
+    add("View", "4", "at an angle", looks("iso"));
+    add("View", "c", "show contacts", show("contacts", &UiState::contacts));
+    add("View", "b", "show bonds and joints", show("bonds", &UiState::bonds));
+    add("Window", "tab", "hide everything but the picture", toggle_columns);
+    add("Window", "t", "light or dark", theme);
+    add("Window", "ctrl+=", "larger", scales(1.1));
+    add("Window", "ctrl+-", "smaller", scales(1 / 1.1));
+    add("Window", "ctrl+0", "ordinary size", scales(0));
+    add("Window", "shift+/", "this help", toggle_help);
+    add("Window", "f1", "this help", toggle_help);
+    add("Window", "escape", "close, select nothing", leave);
+    add("Parameters", "ctrl+z", "undo", sends(Command(command::Undo{})));
+    add("Parameters", "ctrl+y", "redo", sends(Command(command::Redo{})));
+    add("Parameters", "ctrl+shift+z", "redo", sends(Command(command::Redo{})));
+    add("Parameters", "h", "hold the convergence of this step", sends(Command(command::Hold{})));
+    add("Parameters", "ctrl+shift+c", "copy as a 'pabd render' command",
+        sends(ViewCommand(command::CopyCommand{})));
+    add("Files", "ctrl+o", "open a scene", asks("open"));
+    add("Files", "ctrl+s", "save the scene with these parameters", asks("save_scene"));
+    add("Files", "ctrl+r", "load the scene's file again", sends(Command(command::Reload{})));
+    add("Files", "f12", "screenshot", asks("screenshot"));
+    add("Files", "ctrl+q", "leave", sends(ViewCommand(command::Quit{})));
+    return t;
+  }();
+  return table;
+}
+
+const std::vector<MouseHelp>& mouse_table() {
+  static const std::vector<MouseHelp> table = {
+      {"drag", "turn the view"},
+      {"shift+drag, middle drag", "move the view"},
+      {"wheel, right drag", "nearer, farther"},
+  };
+  return table;
+}
+
+}  // namespace pabd

@@ -1,0 +1,51 @@
+// A panel of the window: reads, draws, and sends commands. Each has a file of its own.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "app/gui/ui_state.h"
+#include "app/overlay/font_atlas.h"
+#include "app/plots/canvas.h"
+#include "app/plots/theme.h"
+#include "app/workbench/snapshot.h"
+#include "render/gl/renderer.h"
+
+namespace pabd {
+
+// What panels and keys want done, in order.
+struct Outbox {
+  std::vector<Command> commands;
+  std::vector<ViewCommand> view;
+
+  void send(Command command) { commands.push_back(std::move(command)); }
+  void send(ViewCommand command) { view.push_back(std::move(command)); }
+};
+
+// What a frame is made from, for everything that draws into it.
+struct GuiFrame {
+  const Snapshot& sim;
+  const UiState& ui;
+  double unit;  // pixels of a pixel of an ordinary screen
+  FontAtlas& fonts;
+  const FontMetrics& metrics;
+  Outbox& out;
+
+  const PlotTheme& theme() const { return ui.dark ? dark_theme() : light_theme(); }
+  float px(double ordinary) const { return static_cast<float>(ordinary * unit); }
+};
+
+class GuiPanel {
+ public:
+  virtual ~GuiPanel() = default;
+  virtual const char* name() const = 0;   // "barrier": in commands and settings
+  virtual const char* title() const = 0;  // of its tab, UTF-8
+  virtual const char* help() const = 0;   // one line under the mouse
+  virtual Slot slot() const = 0;
+  // Fills the current ImGui window, whose content region is the panel's.
+  virtual void draw(GuiFrame& frame) = 0;
+};
+
+}  // namespace pabd

@@ -1,0 +1,48 @@
+// Makers of the panels, in the order of their tabs.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/gui/panel.h"
+
+namespace pabd {
+
+std::unique_ptr<GuiPanel> make_parameters_panel();
+std::unique_ptr<GuiPanel> make_barrier_panel();
+std::unique_ptr<GuiPanel> make_convergence_panel();
+std::unique_ptr<GuiPanel> make_series_panel();
+
+inline std::vector<std::unique_ptr<GuiPanel>> make_panels() {
+  std::vector<std::unique_ptr<GuiPanel>> out;
+  out.push_back(make_parameters_panel());
+  out.push_back(make_barrier_panel());
+  out.push_back(make_convergence_panel());
+  out.push_back(make_series_panel());
+  return out;
+}
+
+// Parts of the window that are no panels. Each fills the ImGui window that is open.
+void draw_toolbar(GuiFrame& frame);
+class TimelineBar {
+ public:
+  void draw(GuiFrame& frame);
+
+ private:
+  double wanted_ = -1;  // time that a drag asked for and that has not come yet; s
+};
+
+// Over the picture: what the simulation has to say, until it is read; `seconds` since the last frame.
+class MessageList {
+ public:
+  void draw(GuiFrame& frame, const Rect& view, double seconds);
+
+ private:
+  std::uint64_t dismissed_ = 0;
+  std::uint64_t newest_ = 0;
+  double age_ = 0;
+};
+
+void draw_help(GuiFrame& frame, int width, int height);
+
+}  // namespace pabd

@@ -1,0 +1,42 @@
+// The picture in the middle: what a snapshot and the view's settings look like. Drawn again only when one of
+// them changed.
+#pragma once
+
+#include "app/gui/gui_layout.h"
+#include "app/gui/ui_state.h"
+#include "app/workbench/snapshot.h"
+#include "render/gl/renderer.h"
+#include "render/visual/build_visual.h"
+
+namespace pabd {
+
+class SceneView {
+ public:
+  // Into the renderer's views; true when something was drawn.
+  bool draw(const Snapshot& sim, const UiState& ui, const GuiLayout& layout, const RenderQuality& quality,
+            Renderer& renderer);
+
+  // What was built last, for labels and picking.
+  const VisualScene& scene() const { return visual_[0]; }
+
+ private:
+  struct Key {
+    std::uint64_t serial = 0;
+    Camera camera;
+    int width = 0, height = 0;
+    bool contacts = false, bonds = false, side = false;
+    ColorQuantity color = ColorQuantity::body;
+    Selection selection;
+    bool dark = false;
+    int samples = 0;
+  };
+  static bool same(const Key& a, const Key& b);
+
+  Key key_;
+  VisualScene visual_[2];
+};
+
+// The camera that the scene names, or one that frames its bodies.
+Camera scene_camera(const Scene& scene, double aspect);
+
+}  // namespace pabd

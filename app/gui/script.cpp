@@ -1,0 +1,278 @@
+// See script.h.
+#include "app/gui/script.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <thread>
+
+#include "app/gui/view_actions.h"
+#include "app/workbench/command_json.h"
+#include "render/output/png.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kFrameSeconds = 1.0 / 60;
+constexpr int kMostFrames = 10000;
+constexpr auto kMostWait = std::chrono::seconds(60);
+
+[[noreturn]] void refuse(const std::string& what, const std::string& why) {
+  throw Error(ExitCode::bad_input, what + ": " + why);
+}
+
+// Fields of the script's own actions; absent: no value.
+std::string text(const Json& a, const char* field, const std::string& what,
+                 const std::string& fallback = "") {
+  if (!a.contains(field)) return fallback;
+  if (!a[field].is_string()) refuse(what, fmt::format("\"{}\": expected a text", field));
+  return a[field].get<std::string>();
+}
+double number(const Json& a, const char* field, const std::string& what, double fallback) {
+  if (!a.contains(field)) return fallback;
+  if (!a[field].is_number()) refuse(what, fmt::format("\"{}\": expected a number", field));
+  return a[field].get<double>();
+}
+Point point(const Json& a, const char* field, const std::string& what) {
+  const bool fits = a.contains(field) && a[field].is_array() && a[field].size() == 2 &&
+                    a[field][0].is_number() && a[field][1].is_number();
+  if (!fits) refuse(what, fmt::format("\"{}\": expected [x, y] in pixels", field));
+  return {a[field][0].get<double>(), a[field][1].get<double>()};
+}
+
+class Player {
+ public:
+  Player(Viewer& viewer, Runner& runner, const ScriptOptions& options)
+      : viewer_(viewer), runner_(runner), options_(options), width_(options.width), height_(options.height) {
+    settle();
+  }
+
+  void play(const Json& a, const std::string& what) {
+    const std::string name = a["do"];
+    Command command;
+    ViewCommand view;
+    if (command_from_json(name, a, what, command)) {
+      viewer_.send(command);
+    } else if (command_from_json(name, a, what, view)) {
+      viewer_.send(view);
+    } else if (name == "key") {
+      key(a, what);
+    } else if (name == "mouse") {
+      mouse(a, what);
+    } else if (name == "type") {
+      for (const char32_t c : decode_text(text(a, "text", what))) viewer_.handle(TextTyped{utf8(c)});
+    } else if (name == "window") {
+      window(a, what);
+    } else if (name == "frame") {
+      frame(a, what);
+      return;
+    } else if (name == "wait") {
+      const int frames = static_cast<int>(std::min<double>(number(a, "frames", what, 1), kMostFrames));
+      for (int i = 0; i < frames; ++i) draw();
+      return;
+    } else if (name == "expect") {
+      settle();
+      expect(a, what);
+      return;
+    } else if (name == "until") {
+      until(a, what);
+      return;
+    }
+    settle();
+  }
+
+ private:
+  static std::string utf8(char32_t c) {
+    std::string out;
+    if (c < 0x80) {
+      out += static_cast<char>(c);
+    } else if (c < 0x800) {
+      out += {static_cast<char>(0xC0 | c >> 6), static_cast<char>(0x80 | (c & 0x3F))};
+    } else {
+      out += {static_cast<char>(0xE0 | c >> 12), static_cast<char>(0x80 | (c >> 6 & 0x3F)),
+              static_cast<char>(0x80 | (c & 0x3F))};
+    }
+    return out;
+  }
+
+  void draw() { viewer_.draw(width_, height_, kFrameSeconds); }
+
+  // Until nothing is under way: events are taken, commands carried out, and the frame shows it.
+  void settle() {
+    do {
+      draw();
+    } while (viewer_.has_input());
+    draw();  // what the last event started
+    if (!viewer_.snapshot().playing) runner_.settle();
+    draw();
+    if (!viewer_.snapshot().playing) runner_.settle();
+    draw();
+  }
+
+  void key(const Json& a, const std::string& what) {
+    const KeyChord chord = parse_key_chord(text(a, "key", what));
+    const std::string how = text(a, "how", what, "press");
+    if (how != "release") viewer_.handle(KeyChanged{chord.key, chord.modifiers, true, false});
+    if (how != "hold") viewer_.handle(KeyChanged{chord.key, chord.modifiers, false, false});
+  }
+
+  void click(MouseButton button, bool pressed, const Modifiers& m) {
+    viewer_.handle(MouseClicked{button, pressed, m});
+    draw();
+  }
+
+  void mouse(const Json& a, const std::string& what) {
+    const Point at = point(a, "at", what);
+    const MouseButton button = parse_mouse_button(text(a, "button", what, "left"));
+    const std::string how = text(a, "how", what, a.contains("to") ? "drag" : "move");
+    const Modifiers m =
+        a.contains("with") ? parse_key_chord(text(a, "with", what) + "+a").modifiers : Modifiers{};
+    viewer_.handle(MouseMoved{at.x, at.y});
+    draw();
+    draw();  // widgets learn of the pointer one frame before a press
+    if (how == "press") click(button, true, m);
+    if (how == "release") click(button, false, m);
+    if (how == "click" || how == "double_click") {
+      for (int i = how == "click" ? 1 : 0; i < 2; ++i) {
+        click(button, true, m);
+        click(button, false, m);
+      }
+    }
+    if (how == "drag") {
+      constexpr int kPieces = 8;
+      const Point to = point(a, "to", what);
+      click(button, true, m);
+      for (int i = 1; i <= kPieces; ++i) {
+        const double s = static_cast<double>(i) / kPieces;
+        viewer_.handle(MouseMoved{at.x + s * (to.x - at.x), at.y + s * (to.y - at.y)});
+        draw();
+      }
+      if (text(a, "end", what, "release") == "release") click(button, false, m);
+    }
+    if (a.contains("wheel")) viewer_.handle(MouseScrolled{0, number(a, "wheel", what, 0)});
+  }
+
+  void window(const Json& a, const std::string& what) {
+    if (a.contains("size")) {
+      const Point size = point(a, "size", what);
+      if (!(size.x >= 64 && size.x <= 8192 && size.y >= 64 && size.y <= 8192))
+        refuse(what, "\"size\": expected 64 to 8192 pixels");
+      width_ = static_cast<int>(size.x);
+      height_ = static_cast<int>(size.y);
+    }
+    const double scale = number(a, "scale", what, 0);
+    if (scale != 0) {
+      if (!(scale >= 0.5 && scale <= 4)) refuse(what, "\"scale\": expected 0.5 to 4");
+      viewer_.set_screen_scale(scale);
+    }
+  }
+
+  void frame(const Json& a, const std::string& what) {
+    settle();
+    const std::filesystem::path path = options_.folder / text(a, "path", what);
+    std::error_code ignored;
+    if (!options_.force && std::filesystem::exists(path, ignored))
+      refuse(what, path.string() + " exists already; use --force to replace it");
+    Image image;
+    viewer_.renderer().queue_read();
+    viewer_.renderer().fetch(image);
+    write_png(path, image, {{"Software", "pabd"}});
+  }
+
+  // Empty when it holds, else what is there instead.
+  std::string failure(const Json& a, const std::string& what) {
+    const Json document = state_document(viewer_.snapshot(), viewer_.ui());
+    const std::string at = text(a, "at", what);
+    const Json* value = nullptr;
+    try {
+      value = &document.at(Json::json_pointer(at));
+    } catch (const Json::exception&) {
+      refuse(what, fmt::format("there is no {}", at));
+    }
+    const bool numeric = value->is_number();
+    const double x = numeric ? value->get<double>() : 0;
+    bool holds = true;
+    if (a.contains("is"))
+      holds = holds && (numeric && a["is"].is_number() ? x == a["is"].get<double>() : *value == a["is"]);
+    if (a.contains("is_not")) holds = holds && !(*value == a["is_not"]);
+    if (a.contains("near"))
+      holds = holds && numeric && std::abs(x - number(a, "near", what, 0)) <= number(a, "within", what, 1e-9);
+    if (a.contains("above")) holds = holds && numeric && x > number(a, "above", what, 0);
+    if (a.contains("below")) holds = holds && numeric && x < number(a, "below", what, 0);
+    if (a.contains("contains")) {
+      const std::string all = value->is_string() ? value->get<std::string>() : value->dump();
+      holds = holds && all.find(text(a, "contains", what)) != std::string::npos;
+    }
+    return holds ? ""
+                 : fmt::format("{} is {}", at, value->dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+
+  void expect(const Json& a, const std::string& what) {
+    if (const std::string wrong = failure(a, what); !wrong.empty()) {
+      Json wanted = a;
+      wanted.erase("do");
+      throw Error(ExitCode::images_differ,
+                  fmt::format("{}: expected {}, but {}", what, wanted.dump(), wrong));
+    }
+  }
+
+  // For a simulation that plays: draws until it holds.
+  void until(const Json& a, const std::string& what) {
+    const auto end = std::chrono::steady_clock::now() + kMostWait;
+    do {
+      draw();
+      if (failure(a, what).empty()) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    } while (std::chrono::steady_clock::now() < end);
+    expect(a, what);
+  }
+
+  Viewer& viewer_;
+  Runner& runner_;
+  const ScriptOptions& options_;
+  int width_, height_;
+};
+
+constexpr std::string_view kOwn[] = {"key", "mouse", "type", "window", "frame", "expect", "wait", "until"};
+
+}  // namespace
+
+Script::Script(const std::string& json, const std::string& source) : source_(source) {
+  Json document;
+  try {
+    document = Json::parse(json);
+  } catch (const Json::exception& error) {
+    throw Error(ExitCode::bad_input, fmt::format("{}: {}", source, error.what()));
+  }
+  if (document.is_object() && document.contains("actions")) document = Json(document["actions"]);
+  if (!document.is_array()) refuse(source, "expected a list of actions, or an object with \"actions\"");
+  std::vector<std::string_view> names(std::begin(kOwn), std::end(kOwn));
+  for (const std::string_view name : command_names<Command>()) names.push_back(name);
+  for (const std::string_view name : command_names<ViewCommand>()) names.push_back(name);
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    const Json& a = document[i];
+    const std::string what = fmt::format("{}: action {}", source, i);
+    if (!a.is_object() || !a.contains("do") || !a["do"].is_string())
+      refuse(what, "expected an object with \"do\"");
+    const std::string name = a["do"];
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      refuse(what, fmt::format("there is no {}{}", in_quotes(name), did_you_mean(name, names)));
+    Command command;
+    ViewCommand view;
+    if (!command_from_json(name, a, what, command)) command_from_json(name, a, what, view);
+    actions_.push_back(a);
+  }
+}
+
+void Script::run(Viewer& viewer, Runner& runner, const ScriptOptions& options) const {
+  Player player(viewer, runner, options);
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    player.play(actions_[i], fmt::format("{}: action {}", source_, i));
+    if (viewer.ui().quit) return;
+  }
+}
+
+}  // namespace pabd

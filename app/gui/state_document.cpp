@@ -1,0 +1,104 @@
+// The state of the tool as JSON: what scripts expect things of.
+//
+//   /scene/name, /scene/hash, /scene/bodies, /scene/joints
+//   /a/step, /a/time, /a/hash, /a/cursor, /a/moments, /a/params/contact/kappa, /a/kappa, /a/changed,
+//   /a/report/…, /a/bodies (of at most 100: name, position, velocity); /b the same, null without a second
+//   /playing, /speed, /diverged, /unsaved, /can_undo, /can_redo, /held, /message, /messages
+//   /ui/…
+#include "app/gui/script.h"
+#include "app/gui/view_actions.h"
+#include "sim/scene/tuning.h"
+#include "sim/trace/trace.h"
+
+namespace pabd {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostBodies = 100;
+
+Json vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+Json run_json(const RunView& run) {
+  Json params = Json::parse(params_json(run.params));
+  Json changed = Json::object();
+  for (const auto& [key, value] : run.changed) changed[key] = value;
+  const StepReport& r = run.report;
+  Json bodies = Json::array();
+  for (std::size_t i = 0; i < std::min(kMostBodies, run.state.c.size()); ++i) {
+    bodies.push_back(
+        {{"name", run.model->name[i]}, {"position", vec(run.state.c[i])}, {"velocity", vec(run.state.v[i])}});
+  }
+  Json parting;
+  if (run.parting) {
+    parting = {{"time", run.parting->time}, {"differs", nullptr}, {"parted", nullptr}};
+    if (run.parting->differs) parting["differs"] = *run.parting->differs;
+    if (run.parting->parted) parting["parted"] = *run.parting->parted;
+  }
+  return {{"step", run.state.step},
+          {"time", run.state.time},
+          {"hash", state_hash(run.state)},
+          {"cursor", run.cursor},
+          {"moments", run.history->size()},
+          {"left", run.left ? run.left->size() : 0},
+          {"parting", parting},
+          {"params", std::move(params)},
+          {"kappa", run.kappa},
+          {"changed", std::move(changed)},
+          {"report",
+           {{"method", to_string(r.method)},
+            {"status", to_string(r.status)},
+            {"iterations", r.iterations},
+            {"records", r.records.size()},
+            {"contacts", r.contacts},
+            {"contact_reports", r.contact_reports.size()},
+            {"kinetic", r.kinetic},
+            {"max_penetration", r.max_penetration},
+            {"max_joint_error", r.max_joint_error},
+            {"residual", r.residual}}},
+          {"bodies", std::move(bodies)},
+          {"body_count", run.model->shape.size()},
+          {"joint_count", run.model->joints.size()}};
+}
+
+}  // namespace
+
+Json state_document(const Snapshot& sim, const UiState& ui) {
+  static constexpr const char* kKinds[] = {"none", "body", "joint", "contact"};
+  Json held = Json::array();
+  for (const HeldCurve& h : sim.held) held.push_back(h.name);
+  Json messages = Json::array();
+  for (const Message& m : sim.messages) messages.push_back(m.text);
+  return {{"scene", {{"name", sim.scene->name}, {"hash", sim.scene->hash}}},
+          {"a", run_json(sim.a)},
+          {"b", sim.b ? run_json(*sim.b) : Json()},
+          {"playing", sim.playing},
+          {"speed", sim.speed},
+          {"diverged", sim.diverged},
+          {"unsaved", sim.unsaved},
+          {"can_undo", sim.can_undo},
+          {"can_redo", sim.can_redo},
+          {"held", std::move(held)},
+          {"message", sim.messages.empty() ? "" : sim.messages.back().text},
+          {"messages", std::move(messages)},
+          {"ui",
+           {{"dark", ui.dark},
+            {"scale", ui.scale},
+            {"help", ui.help},
+            {"hidden", ui.hidden},
+            {"panels", {ui.shown[0], ui.shown[1], ui.shown[2]}},
+            {"open", {ui.open[0], ui.open[1], ui.open[2]}},
+            {"eye", vec(ui.camera.eye)},
+            {"target", vec(ui.camera.target)},
+            {"fov", ui.camera.fov},
+            {"contacts", ui.contacts},
+            {"bonds", ui.bonds},
+            {"color", to_string(ui.color)},
+            {"selection",
+             {{"kind", kKinds[static_cast<std::size_t>(ui.selection.kind)]}, {"index", ui.selection.index}}},
+            {"side_by_side", ui.side_by_side},
+            {"dialog", ui.dialog},
+            {"quit", ui.quit}}}};
+}
+
+}  // namespace pabd

@@ -1,0 +1,140 @@
+// The bar along the bottom: play, step, speed, and every moment of the past to go back to.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kSpeeds[] = {0.01, 0.1, 0.25, 0.5, 1, 2, 0};
+
+std::string speed_text(double factor) {
+  return factor == 0 ? "as fast as it goes" : fmt::format("{:g}× real time", factor);
+}
+
+struct Track {
+  ImVec2 lo, hi;
+  double t0, t1;
+  float x(double t) const {
+    return lo.x + static_cast<float>((t - t0) / std::max(t1 - t0, 1e-9)) * (hi.x - lo.x);
+  }
+  double time(float px) const {
+    return t0 + (t1 - t0) * std::clamp(static_cast<double>((px - lo.x) / (hi.x - lo.x)), 0.0, 1.0);
+  }
+};
+
+// Penetrations and iteration limits as ticks, one a pixel column at most.
+void draw_marks(const GuiFrame& f, const Track& track, const std::vector<StepReport>& history,
+                ImDrawList& list) {
+  float last = -1;
+  for (const StepReport& r : history) {
+    if (r.max_penetration <= 0) continue;
+    const float x = std::floor(track.x(r.time));
+    if (x == last) continue;
+    last = x;
+    list.AddRectFilled({x, track.hi.y - f.px(4)}, {x + std::max(1.0f, f.px(1)), track.hi.y},
+                       packed(f.theme().color(1)));
+  }
+}
+
+void draw_flag(const GuiFrame& f, const Track& track, double time, Color color, ImDrawList& list) {
+  const float x = std::round(track.x(time));
+  list.AddRectFilled({x, track.lo.y}, {x + f.px(1.5), track.hi.y}, packed(color));
+  list.AddTriangleFilled({x, track.lo.y}, {x + f.px(7), track.lo.y + f.px(3.5)}, {x, track.lo.y + f.px(7)},
+                         packed(color));
+}
+
+}  // namespace
+
+void TimelineBar::draw(GuiFrame& f) {
+  const std::vector<StepReport>& history = *f.sim.a.history;
+  const double now = f.sim.a.state.time;
+  if (icon_button(f, "restart", "From the beginning, with the present parameters (r)"))
+    f.out.send(Command(command::Restart{}));
+  ImGui::SameLine();
+  if (icon_button(f, "back", "One step back (←)", f.sim.a.cursor > 0)) f.out.send(Command(command::Step{-1}));
+  ImGui::SameLine();
+  if (icon_button(f, f.sim.playing ? "pause" : "play", f.sim.playing ? "Pause (space)" : "Play (space)")) {
+    if (f.sim.playing) {
+      f.out.send(Command(command::Pause{}));
+    } else {
+      f.out.send(Command(command::Play{}));
+    }
+  }
+  ImGui::SameLine();
+  if (icon_button(f, "forward", "One step forward (→)")) f.out.send(Command(command::Step{1}));
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(f.px(146));
+  if (ImGui::BeginCombo("##speed", speed_text(f.sim.speed).c_str())) {
+    for (const double factor : kSpeeds) {
+      if (ImGui::Selectable(speed_text(factor).c_str(), factor == f.sim.speed))
+        f.out.send(Command(command::Speed{factor}));
+    }
+    ImGui::EndCombo();
+  }
+  tooltip("How fast it plays");
+  ImGui::SameLine(0, f.px(16));
+  label(fmt::format("{:.3f} s", now));
+  ImGui::SameLine();
+  muted_label(f, fmt::format("step {}", f.sim.a.state.step));
+  const bool past = f.sim.a.cursor + 1 < history.size();
+  if (past) {
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, im_color(f.theme().color(0)));
+    label(fmt::format("in the past: play replays, a change starts a branch"));
+    ImGui::PopStyleColor();
+  } else if (f.sim.a.parting) {
+    ImGui::SameLine();
+    const Parting& p = *f.sim.a.parting;
+    muted_label(
+        f, p.parted
+               ? fmt::format("parts from the run before at {:.3f} s (a body is more than d̂ away)", *p.parted)
+           : p.differs ? fmt::format("differs from the run before since {:.3f} s, by less than d̂", *p.differs)
+                       : "equal to the run before so far");
+  }
+  const std::string memory = fmt::format("{} moments, {:.0f} of {:.0f} MB", history.size(),
+                                         static_cast<double>(f.sim.timeline_bytes) / 1e6,
+                                         static_cast<double>(f.sim.timeline_budget) / 1e6);
+  const float width = ImGui::CalcTextSize(memory.c_str()).x;
+  if (ImGui::GetContentRegionMax().x - width >
+      ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + f.px(12)) {
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    muted_label(f, memory);
+    tooltip("Older states are thinned out when the memory is full, and computed again when they are needed");
+  }
+
+  // The track.
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size = {ImGui::GetContentRegionAvail().x, f.px(24)};
+  ImGui::InvisibleButton("##track", size);
+  double end = std::max(history.back().time, now);
+  if (f.sim.a.left && !f.sim.a.left->empty()) end = std::max(end, f.sim.a.left->back().time);
+  const double start = history.front().time;
+  const Track track{at, {at.x + size.x, at.y + size.y}, start, std::max(end, start + 1e-3)};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(track.lo, track.hi, ImGui::GetColorU32(ImGuiCol_FrameBg), f.px(4));
+  list.AddRectFilled(track.lo, {track.x(history.back().time), track.hi.y},
+                     ImGui::GetColorU32(ImGuiCol_FrameBgHovered), f.px(4));
+  draw_marks(f, track, history, list);
+  if (f.sim.a.parting) {
+    draw_flag(f, track, f.sim.a.parting->time, f.theme().muted, list);
+    if (f.sim.a.parting->parted) draw_flag(f, track, *f.sim.a.parting->parted, f.theme().color(1), list);
+  }
+  const float x = std::round(track.x(now));
+  list.AddRectFilled({x - f.px(1.5), track.lo.y - f.px(2)}, {x + f.px(1.5), track.hi.y + f.px(2)},
+                     ImGui::GetColorU32(ImGuiCol_SliderGrabActive), f.px(1.5));
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    const double t = track.time(ImGui::GetMousePos().x);
+    if (ImGui::IsItemActive() && t != wanted_) {
+      f.out.send(Command(command::Seek{t}));
+      wanted_ = t;
+    }
+    tooltip(fmt::format("{:.3f} s", t));
+  }
+}
+
+}  // namespace pabd

@@ -1,0 +1,47 @@
+// Everything about the view that outlives a frame, as plain data: changed by ViewCommands only.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "app/gui/view_command.h"
+#include "render/visual/camera_control.h"
+#include "sim/math/types.h"
+
+namespace pabd {
+
+// Places for panels; each shows one of its panels.
+enum class Slot : std::uint8_t { left, right_top, right_bottom };
+inline constexpr int kSlots = 3;
+
+enum class ColorQuantity : std::uint8_t { body, projection, speed, energy, component };
+
+struct Selection {
+  enum class Kind : std::uint8_t { none, body, joint, contact };
+  Kind kind = Kind::none;
+  Index index = 0;  // of a contact: among the reports of the step
+  bool operator==(const Selection&) const = default;
+};
+
+struct UiState {
+  bool dark = true;
+  double scale = 1;  // chosen by the person, times the screen's
+  bool help = false, hidden = false;
+  std::array<std::string, kSlots> shown{"parameters", "barrier", "convergence"};
+  std::array<bool, kSlots> open{true, true, true};
+
+  CameraPose camera;
+  bool contacts = true, bonds = true;
+  ColorQuantity color = ColorQuantity::body;
+  Selection selection;
+  bool side_by_side = false;  // of A and B; else B is a ghost
+
+  command::BarrierView barrier;
+  std::string convergence = "all", series = "gaps";
+
+  std::string dialog;  // see command::Ask; empty: none
+  bool quit = false;
+};
+
+}  // namespace pabd

@@ -1,0 +1,215 @@
+// See view_actions.h.
+#include "app/gui/view_actions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/scene_view.h"
+#include "render/visual/bounds.h"
+#include "sim/error.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+namespace {
+
+struct PanelPlace {
+  std::string_view name;
+  Slot slot;
+};
+constexpr PanelPlace kPanels[] = {{"parameters", Slot::left},
+                                  {"barrier", Slot::right_top},
+                                  {"convergence", Slot::right_bottom},
+                                  {"series", Slot::right_bottom}};
+
+// The one of `words` that is meant. Throws Error(bad_input) with the list.
+template <std::size_t n>
+std::size_t one(const std::string& word, const std::string_view (&words)[n], const char* what) {
+  for (std::size_t i = 0; i < n; ++i) {
+    if (word == words[i]) return i;
+  }
+  throw Error(ExitCode::bad_input,
+              fmt::format("{}: {} is not one of {}", what, in_quotes(word), one_of(words)));
+}
+
+std::string quoted(const std::string& word) {
+  if (!word.empty() &&
+      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+%@") ==
+          word.npos)
+    return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+Vec3 point(const std::vector<double>& v, const char* what) {
+  if (v.size() != 3 ||
+      !std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x) && std::abs(x) <= 1e6; })) {
+    throw Error(ExitCode::bad_input,
+                fmt::format("look: \"{}\": expected three numbers up to 1e6, in metres", what));
+  }
+  return {v[0], v[1], v[2]};
+}
+
+struct Actor {
+  const Snapshot& sim;
+  const Viewport& port;
+  UiState& ui;
+
+  void operator()(const command::Panel& c) const {
+    const auto slot = static_cast<std::size_t>(slot_of_panel(c.panel));
+    if (c.on) ui.shown[slot] = c.panel;
+    ui.open[slot] = c.on;
+  }
+  void operator()(const command::Theme& c) const { ui.dark = c.dark; }
+  void operator()(const command::Scale& c) const {
+    if (!(c.factor >= 0.5 && c.factor <= 4))
+      throw Error(ExitCode::bad_input, fmt::format("scale: expected 0.5 to 4, got {}", c.factor));
+    ui.scale = c.factor;
+  }
+  void operator()(const command::Help& c) const { ui.help = c.on; }
+  void operator()(const command::HideUi& c) const { ui.hidden = c.on; }
+  void operator()(const command::Look& c) const {
+    CameraPose pose = ui.camera;
+    pose.eye = point(c.eye, "eye");
+    pose.target = point(c.target, "target");
+    if (!(pose.distance() > 1e-6))
+      throw Error(ExitCode::bad_input, "look: the eye is in the target; expected two different points");
+    if (c.fov != 0) {
+      if (!(c.fov >= 1 && c.fov <= 170))
+        throw Error(ExitCode::bad_input,
+                    fmt::format("look: \"fov\": expected 1 to 170 degrees, got {}", c.fov));
+      pose.fov = c.fov;
+    }
+    ui.camera = pose;
+  }
+  void operator()(const command::LookFrom& c) const {
+    static constexpr std::string_view kViews[] = {"front", "back",   "right", "left",
+                                                  "top",   "bottom", "iso",   "scene"};
+    const std::size_t i = one(c.view, kViews, "look_from");
+    if (i == 7) {
+      ui.camera = precise(scene_camera(*sim.scene, port.width / port.height));
+    } else {
+      ui.camera = look_from(ui.camera, static_cast<AxisView>(i));
+    }
+  }
+  void operator()(const command::FrameSelection&) const {
+    if (const auto sphere = selected_sphere()) ui.camera = frame_sphere(ui.camera, port, *sphere);
+  }
+  void operator()(const command::Select& c) const {
+    static constexpr std::string_view kKinds[] = {"none", "body", "joint", "contact"};
+    Selection selection;
+    selection.kind = static_cast<Selection::Kind>(one(c.kind, kKinds, "select"));
+    if (selection.kind != Selection::Kind::none) selection.index = index_of(selection.kind, c.item);
+    ui.selection = selection;
+  }
+  void operator()(const command::ColorBy& c) const {
+    static constexpr std::string_view kNames[] = {"body", "projection", "speed", "energy", "component"};
+    ui.color = static_cast<ColorQuantity>(one(c.quantity, kNames, "color_by"));
+  }
+  void operator()(const command::Show& c) const {
+    static constexpr std::string_view kWhat[] = {"contacts", "bonds"};
+    (one(c.what, kWhat, "show") == 0 ? ui.contacts : ui.bonds) = c.on;
+  }
+  void operator()(const command::CompareView& c) const {
+    static constexpr std::string_view kHow[] = {"ghost", "side"};
+    ui.side_by_side = one(c.how, kHow, "compare_view") == 1;
+  }
+  void operator()(const command::BarrierView& c) const {
+    static constexpr std::string_view kWhat[] = {"value", "slope", "curvature"};
+    one(c.quantity, kWhat, "barrier_view");
+    ui.barrier = c;
+  }
+  void operator()(const command::ConvergenceView& c) const { ui.convergence = c.quantity; }
+  void operator()(const command::SeriesView& c) const { ui.series = c.quantity; }
+  void operator()(const command::Ask& c) const {
+    static constexpr std::string_view kWhat[] = {"",           "open",        "save_scene", "save_state",
+                                                 "save_patch", "apply_patch", "screenshot", "quit"};
+    one(c.what, kWhat, "ask");
+    ui.dialog = c.what;
+  }
+  void operator()(const command::Quit&) const {}
+  void operator()(const command::Screenshot&) const {}
+  void operator()(const command::CopyCommand&) const {}
+
+  Index index_of(Selection::Kind kind, const std::string& item) const {
+    const Model& model = *sim.a.model;
+    const std::size_t count = kind == Selection::Kind::body    ? model.shape.size()
+                              : kind == Selection::Kind::joint ? model.joints.size()
+                                                               : sim.a.report.contact_reports.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (kind == Selection::Kind::body && model.name[i] == item) return static_cast<Index>(i);
+      if (kind == Selection::Kind::joint && !item.empty() && model.joints[i].name == item)
+        return static_cast<Index>(i);
+    }
+    const bool digits =
+        !item.empty() && item.size() <= 9 && item.find_first_not_of("0123456789") == item.npos;
+    if (digits && std::stoul(item) < count) return static_cast<Index>(std::stoul(item));
+    throw Error(
+        ExitCode::bad_input,
+        fmt::format("select: there is no {}; expected a name, or a number below {}", in_quotes(item), count));
+  }
+
+  std::optional<BoundingSphere> selected_sphere() const {
+    const Model& model = *sim.a.model;
+    const auto body_sphere = [&](Index body) -> std::optional<BoundingSphere> {
+      const auto i = static_cast<std::size_t>(body);
+      const double radius = bounding_radius(model.shape[i]);
+      if (!std::isfinite(radius) || !has_finite_pose(sim.a.state, body)) return std::nullopt;
+      return BoundingSphere{sim.a.state.c[i], 1.5 * radius};
+    };
+    const auto index = static_cast<std::size_t>(ui.selection.index);
+    switch (ui.selection.kind) {
+      case Selection::Kind::body:
+        if (index < model.shape.size()) return body_sphere(ui.selection.index);
+        break;
+      case Selection::Kind::joint:
+        if (index < model.joints.size()) {
+          const Joint& joint = model.joints[index];
+          return body_sphere(joint.j != kWorld ? joint.j : joint.i);
+        }
+        break;
+      case Selection::Kind::contact:
+        if (index < sim.a.report.contact_reports.size()) {
+          const ContactReport& contact = sim.a.report.contact_reports[index];
+          return BoundingSphere{contact.y_b, 20 * sim.a.params.contact.d_hat};
+        }
+        break;
+      case Selection::Kind::none:
+        break;
+    }
+    return bounding_sphere(model, sim.a.state);
+  }
+};
+
+}  // namespace
+
+void apply_view_command(const ViewCommand& command, const Snapshot& sim, const Viewport& port, UiState& ui) {
+  std::visit(Actor{sim, port, ui}, command);
+}
+
+Slot slot_of_panel(const std::string& name) {
+  std::string_view names[std::size(kPanels)];
+  for (std::size_t i = 0; i < std::size(kPanels); ++i) names[i] = kPanels[i].name;
+  return kPanels[one(name, names, "panel")].slot;
+}
+
+const char* to_string(ColorQuantity quantity) {
+  static constexpr const char* kNames[] = {"body", "projection", "speed", "energy", "component"};
+  return kNames[static_cast<std::size_t>(quantity)];
+}
+
+std::string render_command(const Snapshot& sim, const UiState& ui) {
+  const CameraPose& c = ui.camera;
+  std::string out = "pabd render " + quoted(sim.scene_path) + " -o " + quoted(sim.scene->name + ".mp4");
+  for (const auto& [key, value] : sim.a.changed) out += " --set " + quoted(key + "=" + value);
+  std::string overlay = ui.contacts ? "contacts" : "";
+  if (ui.bonds) overlay += overlay.empty() ? "bonds" : ",bonds";
+  if (!overlay.empty()) out += " --overlay " + overlay;
+  out += fmt::format(" --camera eye={:.6g},{:.6g},{:.6g},target={:.6g},{:.6g},{:.6g},fov={:.4g}", c.eye.x(),
+                     c.eye.y(), c.eye.z(), c.target.x(), c.target.y(), c.target.z(), c.fov);
+  return out;
+}
+
+}  // namespace pabd

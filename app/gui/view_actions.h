@@ -1,0 +1,22 @@
+// What view commands do to the state of the view.
+#pragma once
+
+#include "app/gui/ui_state.h"
+#include "app/workbench/snapshot.h"
+#include "render/visual/camera_control.h"
+
+namespace pabd {
+
+// Throws Error(bad_input) when it does not fit: then nothing has changed. Screenshots, copying and quitting
+// need more than the state and are left to the caller. `port` is the picture's.
+void apply_view_command(const ViewCommand& command, const Snapshot& sim, const Viewport& port, UiState& ui);
+
+// The slot of a panel by name. Throws Error(bad_input).
+Slot slot_of_panel(const std::string& name);
+
+const char* to_string(ColorQuantity quantity);
+
+// 'pabd render …' that makes a video of what is seen: scene, parameters, camera.
+std::string render_command(const Snapshot& sim, const UiState& ui);
+
+}  // namespace pabd

@@ -1,0 +1,145 @@
+// What a person does to the view: panels, camera, colours, pictures. None of it changes a simulation. The
+// same form as app/workbench/command.h.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/workbench/command.h"
+
+namespace pabd {
+
+namespace command {
+
+// Brings a panel to the front ("barrier"), or closes its column.
+struct Panel {
+  static constexpr const char* name = "panel";
+  std::string panel;
+  bool on = true;
+  void fields(auto&& f) { f("panel", panel), f("on", on, false); }
+};
+struct Theme {
+  static constexpr const char* name = "theme";
+  bool dark = true;
+  void fields(auto&& f) { f("dark", dark); }
+};
+// Size of texts and everything else, times what the screen asks for; 0.5 … 4.
+struct Scale {
+  static constexpr const char* name = "scale";
+  double factor = 1;
+  void fields(auto&& f) { f("factor", factor); }
+};
+struct Help {
+  static constexpr const char* name = "help";
+  bool on = true;
+  void fields(auto&& f) { f("on", on, false); }
+};
+// Only the picture.
+struct HideUi {
+  static constexpr const char* name = "hide_ui";
+  bool on = true;
+  void fields(auto&& f) { f("on", on, false); }
+};
+struct Look {
+  static constexpr const char* name = "look";
+  std::vector<double> eye, target;  // three numbers each, m
+  double fov = 0;                   // degrees; 0: as it is
+  void fields(auto&& f) { f("eye", eye), f("target", target), f("fov", fov, false); }
+};
+// "scene", "iso", "front", "back", "left", "right", "top", "bottom".
+struct LookFrom {
+  static constexpr const char* name = "look_from";
+  std::string view;
+  void fields(auto&& f) { f("view", view); }
+};
+// What is selected fills the view; without a selection everything.
+struct FrameSelection {
+  static constexpr const char* name = "frame_selection";
+  void fields(auto&&) {}
+};
+// `kind`: "none", "body", "joint", "contact"; `item`: number, or the name of a body or joint.
+struct Select {
+  static constexpr const char* name = "select";
+  std::string kind = "body", item;
+  void fields(auto&& f) { f("kind", kind), f("item", item, false); }
+};
+// "body", "projection" (‖A − R‖), "speed", "energy", "component".
+struct ColorBy {
+  static constexpr const char* name = "color_by";
+  std::string quantity;
+  void fields(auto&& f) { f("quantity", quantity); }
+};
+// What is drawn into the picture: "contacts", "bonds".
+struct Show {
+  static constexpr const char* name = "show";
+  std::string what;
+  bool on = true;
+  void fields(auto&& f) { f("what", what), f("on", on, false); }
+};
+// How a second simulation is shown: "ghost" or "side".
+struct CompareView {
+  static constexpr const char* name = "compare_view";
+  std::string how;
+  void fields(auto&& f) { f("how", how); }
+};
+// `quantity`: "value", "slope", "curvature".
+struct BarrierView {
+  static constexpr const char* name = "barrier_view";
+  std::string quantity = "value";
+  bool log = false, energy = true, printed = true, onset = false, even = false, log_barrier = false;
+  bool histogram = true;
+  void fields(auto&& f) {
+    f("quantity", quantity, false), f("log", log, false), f("energy", energy, false);
+    f("printed", printed, false), f("onset", onset, false), f("even", even, false);
+    f("log_barrier", log_barrier, false), f("histogram", histogram, false);
+  }
+};
+struct ConvergenceView {
+  static constexpr const char* name = "convergence_view";
+  std::string quantity;
+  void fields(auto&& f) { f("quantity", quantity); }
+};
+struct SeriesView {
+  static constexpr const char* name = "series_view";
+  std::string quantity;
+  void fields(auto&& f) { f("quantity", quantity); }
+};
+// A PNG of the window, or without `ui` of the scene alone, as `pabd render` would draw it. Size 0: that of
+// the window.
+struct Screenshot {
+  static constexpr const char* name = "screenshot";
+  std::string path;
+  bool ui = true, force = false;
+  int width = 0, height = 0;
+  void fields(auto&& f) {
+    f("path", path), f("ui", ui, false), f("force", force, false);
+    f("width", width, false), f("height", height, false);
+  }
+};
+// A dialog that asks for a file name: "open", "save_scene", "save_state", "save_patch", "apply_patch",
+// "screenshot"; "" closes it.
+struct Ask {
+  static constexpr const char* name = "ask";
+  std::string what;
+  void fields(auto&& f) { f("what", what); }
+};
+struct CopyCommand {
+  static constexpr const char* name = "copy_command";
+  void fields(auto&&) {}
+};
+struct Quit {
+  static constexpr const char* name = "quit";
+  bool force = false;  // although something is not saved
+  void fields(auto&& f) { f("force", force, false); }
+};
+
+}  // namespace command
+
+using ViewCommand =
+    std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::HideUi,
+                 command::Look, command::LookFrom, command::FrameSelection, command::Select, command::ColorBy,
+                 command::Show, command::CompareView, command::BarrierView, command::ConvergenceView,
+                 command::SeriesView, command::Screenshot, command::Ask, command::CopyCommand, command::Quit>;
+
+}  // namespace pabd

@@ -1,0 +1,295 @@
+// A frame, in the order in which it comes about: see viewer.h.
+#include "app/gui/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "app/gui/dialogs.h"
+#include "app/gui/gui_theme.h"
+#include "app/gui/hands.h"
+#include "app/gui/imgui_input.h"
+#include "app/gui/key_table.h"
+#include "app/gui/panels.h"
+#include "app/gui/scene_view.h"
+#include "app/gui/view_actions.h"
+#include "app/gui/widgets.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+constexpr int kStartWidth = 1280, kStartHeight = 720;
+constexpr std::size_t kMostSizes = 24;  // text sizes that are kept
+
+constexpr ImGuiWindowFlags kFixedWindow =
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+ImGuiContext* make_imgui_context() {
+  ImGuiContext* context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io.ConfigInputTextCursorBlink = false;  // every picture of a state is the same
+  set_up_imgui_keys(io);
+  return context;
+}
+
+void begin_fixed(const char* id, const Rect& r, ImGuiWindowFlags more = 0) {
+  ImGui::SetNextWindowPos({static_cast<float>(r.x), static_cast<float>(r.y)});
+  ImGui::SetNextWindowSize({static_cast<float>(r.w), static_cast<float>(r.h)});
+  ImGui::Begin(id, nullptr, kFixedWindow | more);
+}
+
+}  // namespace
+
+struct Viewer::Impl {
+  Runner& runner;
+  ViewerOptions options;
+  ImGuiContext* imgui;
+  Renderer renderer;
+  FontMetrics metrics;
+  FontAtlas fonts;
+  UiState ui;
+  std::shared_ptr<const Snapshot> sim;
+  std::uint64_t scene_serial = 0;
+  ImGuiInput input;
+  Hands hands;
+  SceneView view;
+  GuiLayout layout;
+  std::vector<std::unique_ptr<GuiPanel>> panels = make_panels();
+  TimelineBar timeline;
+  MessageList messages;
+  Dialogs dialogs;
+  int width = kStartWidth, height = kStartHeight;
+  bool themed_dark = false;
+  double themed_unit = 0;
+  command::Observe observed;
+
+  Impl(GlContext& context, Runner& r, const ViewerOptions& o)
+      : runner(r),
+        options(o),
+        imgui(make_imgui_context()),
+        renderer(context, kStartWidth, kStartHeight),
+        fonts(*ImGui::GetIO().Fonts, [this](const unsigned char* rgba, int w,
+                                            int h) { return renderer.upload_font_atlas(rgba, w, h); }),
+        sim(runner.latest()) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = this;
+    io.GetClipboardTextFn = [](void* self) { return static_cast<Impl*>(self)->clipboard_text(); };
+    io.SetClipboardTextFn = [](void* self, const char* text) { static_cast<Impl*>(self)->copy(text); };
+    layout = layout_gui(ui, width, height, unit(), false);
+    observe();
+  }
+  ~Impl() { ImGui::DestroyContext(imgui); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  double unit() const { return options.screen_scale * ui.scale; }
+  Viewport port() const { return {std::max(1.0, layout.views[0].w), std::max(1.0, layout.views[0].h)}; }
+
+  std::string clipboard_buffer;
+  const char* clipboard_text() {
+    clipboard_buffer = options.clipboard ? options.clipboard() : clipboard_buffer;
+    return clipboard_buffer.c_str();
+  }
+  void copy(const std::string& text) {
+    clipboard_buffer = text;
+    if (options.set_clipboard) options.set_clipboard(text);
+  }
+
+  void tell(Severity severity, const std::string& text) {
+    runner.send(command::Tell{text, severity == Severity::error});
+  }
+
+  void act(const ViewCommand& c) {
+    apply_view_command(c, *sim, port(), ui);
+    if (std::holds_alternative<command::CopyCommand>(c)) {
+      copy(render_command(*sim, ui));
+      tell(Severity::note, "copied: " + clipboard_buffer);
+    } else if (const auto* shot = std::get_if<command::Screenshot>(&c)) {
+      screenshots.push_back(*shot);
+    } else if (const auto* quit = std::get_if<command::Quit>(&c)) {
+      if (sim->unsaved && !quit->force) {
+        ui.dialog = "quit";
+      } else {
+        ui.quit = true;
+      }
+    }
+  }
+  std::vector<command::Screenshot> screenshots;
+
+  // Only what somebody looks at is recorded.
+  void observe() {
+    command::Observe want;
+    const bool bottom = ui.open[2] && !ui.hidden, top = ui.open[1] && !ui.hidden;
+    want.iterations = bottom && ui.shown[2] == "convergence";
+    want.contacts = ui.contacts || ui.bonds || top;
+    want.bodies = ui.color != ColorQuantity::body || ui.selection.kind == Selection::Kind::body;
+    if (want.iterations == observed.iterations && want.contacts == observed.contacts &&
+        want.bodies == observed.bodies)
+      return;
+    observed = want;
+    runner.send(want);
+  }
+
+  void handle_keys(const WindowEvent& event, Outbox& out) {
+    const auto* key = std::get_if<KeyChanged>(&event);
+    if (!key || !key->pressed || ImGui::GetIO().WantTextInput) return;
+    if (!ui.dialog.empty()) return;
+    Modifiers modifiers = key->modifiers;
+    for (const KeyBinding& binding : key_table()) {
+      if (binding.chord.key == key->key && binding.chord.modifiers == modifiers) binding.act(*sim, ui, out);
+    }
+  }
+
+  void take_events(GuiFrame& frame) {
+    const ImGuiIO& io = ImGui::GetIO();
+    for (const WindowEvent& event : input.feed(ImGui::GetIO())) {
+      handle_keys(event, frame.out);
+      const Rect& place = layout.views[0];
+      const bool in_picture = layout.view.contains(Point{static_cast<double>(io.MousePos.x),
+                                                         static_cast<double>(io.MousePos.y)}) &&
+                              !io.WantCaptureMouse;
+      hands.handle(event, in_picture, place, frame, ui.camera);
+      if (std::holds_alternative<CloseRequested>(event)) frame.out.send(ViewCommand(command::Quit{}));
+      if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
+        if (!dropped->paths.empty()) frame.out.send(Command(command::Load{dropped->paths.back(), {}, false}));
+      }
+    }
+  }
+
+  void restyle() {
+    if (themed_dark == ui.dark && themed_unit == unit()) return;
+    if (themed_unit != unit() && fonts.size_count() > kMostSizes) fonts.forget_sizes();
+    themed_dark = ui.dark;
+    themed_unit = unit();
+    apply_gui_theme(ImGui::GetStyle(), ui.dark, unit());
+  }
+
+  void draw_slot(GuiFrame& frame, Slot slot) {
+    const Rect& rect = layout.slots[static_cast<std::size_t>(slot)];
+    if (rect.w <= 0 || rect.h <= 0) return;
+    const std::string id = fmt::format("##slot{}", static_cast<int>(slot));
+    begin_fixed(id.c_str(), rect);
+    std::string& shown = ui.shown[static_cast<std::size_t>(slot)];
+    GuiPanel* current = nullptr;
+    for (const auto& panel : panels) {
+      if (panel->slot() != slot) continue;
+      if (current == nullptr || shown == panel->name()) current = panel.get();
+    }
+    bool first = true;
+    for (const auto& panel : panels) {
+      if (panel->slot() != slot) continue;
+      if (!first) ImGui::SameLine(0, frame.px(2));
+      first = false;
+      if (toggle_button(frame, panel->title(), panel.get() == current, panel->help()))
+        frame.out.send(ViewCommand(command::Panel{panel->name(), true}));
+    }
+    ImGui::BeginChild("##content");
+    if (current) current->draw(frame);
+    ImGui::EndChild();
+    // A line between the panel and the picture.
+    const float x = static_cast<float>(slot == Slot::left ? rect.right() - frame.px(1) : rect.x);
+    ImGui::GetWindowDrawList()->AddRectFilled({x, static_cast<float>(rect.y)},
+                                              {x + frame.px(1), static_cast<float>(rect.bottom())},
+                                              ImGui::GetColorU32(ImGuiCol_Separator));
+    ImGui::End();
+  }
+
+  void draw_interface(GuiFrame& frame, double seconds) {
+    if (!ui.hidden) {
+      begin_fixed("##toolbar", layout.toolbar, ImGuiWindowFlags_NoScrollbar);
+      draw_toolbar(frame);
+      ImGui::End();
+      for (const Slot slot : {Slot::left, Slot::right_top, Slot::right_bottom}) draw_slot(frame, slot);
+      begin_fixed("##timeline", layout.timeline, ImGuiWindowFlags_NoScrollbar);
+      timeline.draw(frame);
+      ImGui::End();
+    }
+    messages.draw(frame, layout.view, seconds);
+    if (ui.help) draw_help(frame, width, height);
+    dialogs.draw(frame, width, height);
+  }
+
+  void send_all(Outbox& out) {
+    for (Command& c : out.commands) runner.send(std::move(c));
+    for (const ViewCommand& c : out.view) {
+      try {
+        act(c);
+      } catch (const Error& error) {
+        tell(Severity::error, error.what());
+      }
+    }
+    observe();
+  }
+
+  // What belongs to the scene starts anew with another one.
+  void follow_scene() {
+    if (sim->scene_serial == scene_serial) return;
+    scene_serial = sim->scene_serial;
+    ui.camera = precise(scene_camera(*sim->scene, port().width / port().height));
+    ui.selection = {};
+  }
+
+  void draw(double seconds) {
+    ImGui::SetCurrentContext(imgui);
+    sim = runner.latest();
+    layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
+    follow_scene();
+    restyle();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+    io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
+    Outbox out;
+    GuiFrame frame{*sim, ui, unit(), fonts, metrics, out};
+    take_events(frame);
+    ImFont* font = fonts.font(kTextSize * unit());
+    if (fonts.stale()) {
+      fonts.bake();
+      font = fonts.font(kTextSize * unit());
+    }
+    io.FontDefault = font;
+    ImGui::NewFrame();
+    draw_interface(frame, seconds);
+    ImGui::Render();
+    RenderQuality quality = options.steady ? RenderQuality{} : RenderQuality::live();
+    view.draw(*sim, ui, layout, quality, renderer);
+    std::vector<ViewPlace> places;
+    for (int i = 0; i < (sim->b && ui.side_by_side ? 2 : 1); ++i) {
+      const Rect& r = layout.views[static_cast<std::size_t>(i)];
+      places.push_back({i, static_cast<int>(std::lround(r.x)), static_cast<int>(std::lround(r.y)),
+                        static_cast<int>(std::lround(r.w)), static_cast<int>(std::lround(r.h))});
+    }
+    renderer.compose(width, height, places, window_background(ui.dark), ImGui::GetDrawData());
+    send_all(out);
+  }
+};
+
+Viewer::Viewer(GlContext& context, Runner& runner, const ViewerOptions& options)
+    : impl_(std::make_unique<Impl>(context, runner, options)) {}
+Viewer::~Viewer() = default;
+
+void Viewer::handle(const WindowEvent& event) { impl_->input.add(event); }
+void Viewer::send(const Command& command) { impl_->runner.send(command); }
+void Viewer::send(const ViewCommand& command) { impl_->act(command); }
+
+void Viewer::draw(int width, int height, double seconds) {
+  impl_->width = width;
+  impl_->height = height;
+  impl_->draw(seconds);
+}
+
+Renderer& Viewer::renderer() { return impl_->renderer; }
+const UiState& Viewer::ui() const { return impl_->ui; }
+const Snapshot& Viewer::snapshot() const { return *impl_->sim; }
+void Viewer::set_screen_scale(double scale) { impl_->options.screen_scale = scale; }
+bool Viewer::has_input() const { return !impl_->input.empty(); }
+
+}  // namespace pabd

@@ -1,0 +1,53 @@
+// The window's content: takes events, draws a frame, sends commands to the simulation. Where the frame is
+// shown, on a screen or in a file, is the caller's business.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/gui/gui_layout.h"
+#include "app/gui/panel.h"
+#include "app/workbench/runner.h"
+#include "render/context/window.h"
+#include "render/gl/renderer.h"
+
+namespace pabd {
+
+struct ViewerOptions {
+  double screen_scale = 1;  // pixels of a pixel of an ordinary screen
+  bool steady = false;      // for pictures of tests: nothing that depends on the clock is shown
+  std::function<std::string()> clipboard;
+  std::function<void(const std::string&)> set_clipboard;
+};
+
+class Viewer {
+ public:
+  // `context` is current in every call and outlives the viewer, as does `runner`.
+  Viewer(GlContext& context, Runner& runner, const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  void handle(const WindowEvent& event);
+  void send(const Command& command);
+  // Throws Error(bad_input) when it does not fit: then nothing has changed.
+  void send(const ViewCommand& command);
+
+  // Draws a frame of that size in pixels, `seconds` after the last one, into the renderer.
+  void draw(int width, int height, double seconds);
+
+  Renderer& renderer();
+  const UiState& ui() const;
+  const Snapshot& snapshot() const;  // that the last frame showed
+  void set_screen_scale(double scale);
+  bool has_input() const;  // events that wait for the next frame
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pabd

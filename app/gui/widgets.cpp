@@ -1,0 +1,160 @@
+// See widgets.h.
+#include "app/gui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "app/overlay/imgui_canvas.h"
+
+namespace pabd {
+namespace {
+
+ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
+
+void triangle(ImDrawList& list, ImVec2 centre, float r, float direction, ImU32 ink) {
+  list.AddTriangleFilled(centre + ImVec2(-0.8f * r * direction, -r), centre + ImVec2(r * direction, 0),
+                         centre + ImVec2(-0.8f * r * direction, r), ink);
+}
+
+void bar(ImDrawList& list, ImVec2 centre, float r, float x, float width, ImU32 ink) {
+  list.AddRectFilled(centre + ImVec2(x * r - 0.5f * width * r, -r),
+                     centre + ImVec2(x * r + 0.5f * width * r, r), ink);
+}
+
+// A curved arrow: `direction` +1 to the right.
+void hook(ImDrawList& list, ImVec2 centre, float r, float direction, ImU32 ink) {
+  constexpr float kTurn = 4.4f, kStart = -0.6f;
+  constexpr int kPieces = 20;
+  for (int i = 0; i <= kPieces; ++i) {
+    const float t = kStart - kTurn * static_cast<float>(i) / kPieces;
+    list.PathLineTo(centre + ImVec2(direction * r * std::cos(t), r * std::sin(t)));
+  }
+  list.PathStroke(ink, 0, 0.28f * r);
+  const ImVec2 tip = centre + ImVec2(direction * r * std::cos(kStart), r * std::sin(kStart));
+  list.AddTriangleFilled(tip + ImVec2(-0.75f * r * direction, -0.05f * r),
+                         tip + ImVec2(0.45f * r * direction, -0.35f * r),
+                         tip + ImVec2(0.2f * r * direction, 0.75f * r), ink);
+}
+
+void draw_sign(ImDrawList& list, const char* sign, ImVec2 c, float r, ImU32 ink) {
+  const auto is = [sign](const char* name) { return std::strcmp(sign, name) == 0; };
+  if (is("play")) triangle(list, c, r, 1, ink);
+  if (is("pause")) {
+    bar(list, c, r, -0.5f, 0.5f, ink);
+    bar(list, c, r, 0.5f, 0.5f, ink);
+  }
+  if (is("forward")) {
+    triangle(list, c + ImVec2(-0.2f * r, 0), 0.9f * r, 1, ink);
+    bar(list, c, 0.9f * r, 0.95f, 0.35f, ink);
+  }
+  if (is("back")) {
+    triangle(list, c + ImVec2(0.2f * r, 0), 0.9f * r, -1, ink);
+    bar(list, c, 0.9f * r, -0.95f, 0.35f, ink);
+  }
+  if (is("restart")) {
+    bar(list, c, 0.9f * r, -1.0f, 0.35f, ink);
+    triangle(list, c + ImVec2(-0.15f * r, 0), 0.75f * r, -1, ink);
+    triangle(list, c + ImVec2(0.75f * r, 0), 0.75f * r, -1, ink);
+  }
+  if (is("undo") || is("reset")) hook(list, c, 0.8f * r, -1, ink);
+  if (is("redo")) hook(list, c, 0.8f * r, 1, ink);
+}
+
+}  // namespace
+
+ImU32 packed(Color c) { return IM_COL32(c.r, c.g, c.b, c.a); }
+ImVec4 im_color(Color c) { return ImGui::ColorConvertU32ToFloat4(packed(c)); }
+
+void label(const std::string& text) { ImGui::TextUnformatted(ui_text(text).c_str()); }
+
+void muted_label(const GuiFrame& frame, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, im_color(frame.theme().muted));
+  label(text);
+  ImGui::PopStyleColor();
+}
+
+void tooltip(const std::string& text) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || text.empty()) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+  label(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void heading(const GuiFrame& frame, const std::string& text) {
+  ImGui::Dummy({0, frame.px(2)});
+  label(text);
+  const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+  const float y = std::round(0.5f * (lo.y + hi.y));
+  const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+  ImGui::GetWindowDrawList()->AddRectFilled({hi.x + frame.px(8), y}, {right, y + frame.px(1)},
+                                            packed(frame.theme().grid));
+}
+
+void read_out(const GuiFrame& frame, const std::string& name, const std::string& value, bool warn) {
+  muted_label(frame, name);
+  const std::string text = ui_text(value);
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SameLine(std::max(ImGui::GetItemRectSize().x + frame.px(6), ImGui::GetContentRegionMax().x - width));
+  if (warn) ImGui::PushStyleColor(ImGuiCol_Text, im_color(frame.theme().color(1)));
+  ImGui::TextUnformatted(text.c_str());
+  if (warn) ImGui::PopStyleColor();
+}
+
+bool icon_button(const GuiFrame& frame, const char* sign, const std::string& help, bool enabled) {
+  const float side = ImGui::GetFrameHeight();
+  ImGui::BeginDisabled(!enabled);
+  ImGui::PushID(sign);
+  const bool pressed = ImGui::Button("##icon", {side * 1.15f, side});
+  ImGui::PopID();
+  const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
+  const Color ink = enabled ? frame.theme().text : frame.theme().muted;
+  draw_sign(*ImGui::GetWindowDrawList(), sign, {0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, 0.25f * side,
+            packed({ink.r, ink.g, ink.b, static_cast<std::uint8_t>(enabled ? 255 : 90)}));
+  ImGui::EndDisabled();
+  tooltip(help);
+  return pressed;
+}
+
+bool toggle_button(const GuiFrame& frame, const std::string& text, bool on, const std::string& help) {
+  if (on) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    ImGui::PushStyleColor(ImGuiCol_Text, im_color(frame.theme().text));
+  } else {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleColor(ImGuiCol_Text, im_color(frame.theme().muted));
+  }
+  const bool pressed = ImGui::Button(ui_text(text).c_str());
+  ImGui::PopStyleColor(2);
+  tooltip(help);
+  return pressed;
+}
+
+PlotTouch plot_widget(GuiFrame& frame, const char* id, const Plot& plot, ImVec2 size) {
+  PlotTouch touch;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  size = {std::max(size.x, frame.px(40)), std::max(size.y, frame.px(40))};
+  ImGui::InvisibleButton(id, size);
+  touch.hovered = ImGui::IsItemHovered();
+  touch.pressed = ImGui::IsItemActivated();
+  touch.held = ImGui::IsItemActive();
+  touch.clicked = touch.hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                  !ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+  touch.double_clicked = touch.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  const ImVec2 mouse = ImGui::GetMousePos();
+  touch.mouse = {static_cast<double>(mouse.x), static_cast<double>(mouse.y)};
+
+  PlotStyle style = panel_style().scaled(frame.unit);
+  style.theme = frame.theme();
+  touch.layout = layout_plot(plot,
+                             {static_cast<double>(at.x), static_cast<double>(at.y),
+                              static_cast<double>(size.x), static_cast<double>(size.y)},
+                             style, frame.metrics);
+  ImGuiCanvas canvas(frame.metrics, frame.fonts, *ImGui::GetWindowDrawList());
+  paint_plot(plot, touch.layout, style, canvas);
+  return touch;
+}
+
+}  // namespace pabd

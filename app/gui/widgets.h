@@ -1,0 +1,41 @@
+// Small things that several panels use.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/gui/panel.h"
+#include "app/plots/plot_layout.h"
+
+namespace pabd {
+
+// Text with d̂ and other signs, for ImGui's own functions.
+void label(const std::string& text);
+void muted_label(const GuiFrame& frame, const std::string& text);
+// Shows `text` while the mouse rests on the last item.
+void tooltip(const std::string& text);
+ImU32 packed(Color color);
+ImVec4 im_color(Color color);
+
+// A heading across the panel.
+void heading(const GuiFrame& frame, const std::string& text);
+// name …… value, the value right-aligned; `warn` in the colour of warnings.
+void read_out(const GuiFrame& frame, const std::string& name, const std::string& value, bool warn = false);
+
+// A button with a drawn sign, square, as high as other widgets. Signs: "play", "pause", "back", "forward",
+// "restart", "undo", "redo", "reset".
+bool icon_button(const GuiFrame& frame, const char* sign, const std::string& help, bool enabled = true);
+
+// A button that stays pressed.
+bool toggle_button(const GuiFrame& frame, const std::string& text, bool on, const std::string& help);
+
+// What the mouse does on a plot.
+struct PlotTouch {
+  PlotLayout layout;
+  bool hovered = false, pressed = false, held = false, clicked = false, double_clicked = false;
+  Point mouse;  // pixels; layout.unmap gives data
+};
+// A plot of that size (pixels) at the cursor; `id` is unique in the panel.
+PlotTouch plot_widget(GuiFrame& frame, const char* id, const Plot& plot, ImVec2 size);
+
+}  // namespace pabd
