@@ -81,8 +81,9 @@ class Window {
   virtual bool display_lost() const = 0;
 
   virtual double content_scale() const = 0;
-  virtual void size(int& width, int& height) const = 0;  // of the framebuffer
-  virtual void set_size(int width, int height) = 0;      // as in WindowOptions
+  // Of the framebuffer; 0×0 while the window is minimised or its display lost.
+  virtual void size(int& width, int& height) const = 0;
+  virtual void set_size(int width, int height) = 0;  // as in WindowOptions
   virtual void set_title(const std::string& title) = 0;
   virtual void set_cursor(MouseCursor cursor) = 0;
   // Frames of the screen to wait for in present(); 0: none. The context must be current.
