@@ -17,8 +17,10 @@ namespace pabd::cli {
 namespace {
 
 constexpr int kBytesPerMegabyte = 1'000'000;
-constexpr double kIdle = 0.1;           // seconds that a window at rest waits for an event
-constexpr double kShortest = 1.0 / 60;  // between frames
+constexpr double kIdle = 0.1;  // seconds that a window at rest waits for an event
+
+// Ends a script early: the window was closed, or the program was interrupted.
+struct LeftScript {};
 
 struct ViewOptions {
   CommonOptions common;
@@ -46,7 +48,7 @@ int view_headless(const ViewOptions& options, const FrameSize& size) {
   viewer_options.screen_scale = options.scale > 0 ? options.scale : 1;
   viewer_options.steady = true;
   Viewer viewer(*context, *runner, viewer_options);
-  script.run(viewer, *runner, {options.out, options.force, size.width, size.height});
+  script.run(viewer, *runner, {options.out, options.force, size.width, size.height, {}, {}});
   if (!options.common.quiet)
     write_stderr(fmt::format("{}: {} actions done\n", options.script, script.size()));
   return 0;
@@ -67,31 +69,46 @@ int view_window(const ViewOptions& options, const FrameSize& size) {
   Viewer viewer(window->context(), *runner, viewer_options);
   if (options.play) runner->send(command::Play{});
 
-  using Clock = std::chrono::steady_clock;
   const InterruptGuard interrupt;
-  auto last = Clock::now();
-  bool moved = true;
   std::string title;
-  if (script) script->run(viewer, *runner, {options.out, options.force, size.width, size.height});
-  while (!interrupt.requested() && !window->display_lost() && !viewer.ui().quit) {
-    const bool playing = viewer.snapshot().playing;
-    for (const WindowEvent& event : window->poll(moved || playing ? 0 : kIdle)) viewer.handle(event);
+  int width = 0, height = 0;
+  const auto take_events = [&](double wait) {
+    for (const WindowEvent& event : window->poll(wait)) viewer.handle(event);
     if (window->should_close()) {
       window->keep_open();  // the viewer asks about what is not saved
       viewer.send(ViewCommand(command::Quit{}));
     }
-    int width = 0, height = 0;
     window->size(width, height);
+  };
+  const auto present = [&] {
+    viewer.renderer().blit_to_window(width, height);
+    window->context().present();
+    const std::string name =
+        viewer.snapshot().scene->name + (viewer.snapshot().unsaved ? " • pabd" : " – pabd");
+    if (name != title) window->set_title(title = name);
+  };
+  const auto leaving = [&] { return interrupt.requested() || window->display_lost() || viewer.ui().quit; };
+
+  if (script) {
+    ScriptOptions script_options{options.out, options.force, size.width, size.height, {}, present};
+    script_options.before_frame = [&] {
+      take_events(0);
+      if (interrupt.requested() || window->display_lost()) throw LeftScript();
+    };
+    try {
+      script->run(viewer, *runner, script_options);
+    } catch (const LeftScript&) {
+    }
+  }
+  using Clock = std::chrono::steady_clock;
+  for (auto last = Clock::now(); !leaving();) {
+    const bool busy = viewer.has_input() || viewer.snapshot().playing;
+    take_events(busy ? 0 : kIdle);
     if (width < 1 || height < 1) continue;  // minimised
     const auto now = Clock::now();
     viewer.draw(width, height, std::chrono::duration<double>(now - last).count());
     last = now;
-    viewer.renderer().blit_to_window(width, height);
-    window->context().present();
-    moved = viewer.has_input();
-    const std::string name =
-        viewer.snapshot().scene->name + (viewer.snapshot().unsaved ? " • pabd" : " – pabd");
-    if (name != title) window->set_title(title = name);
+    present();
   }
   if (window->display_lost())
     throw Error(ExitCode::no_gl, "the display was lost; nothing that is on disk was touched");

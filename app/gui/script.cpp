@@ -43,6 +43,18 @@ Point point(const Json& a, const char* field, const std::string& what) {
   return {a[field][0].get<double>(), a[field][1].get<double>()};
 }
 
+// "{out}" → folder, in every text of an action.
+void fill_in(Json& value, const std::string& folder) {
+  if (value.is_string()) {
+    std::string s = value;
+    for (std::size_t at = 0; (at = s.find("{out}", at)) != std::string::npos; at += folder.size())
+      s.replace(at, 5, folder);
+    value = s;
+  } else if (value.is_structured()) {
+    for (Json& part : value) fill_in(part, folder);
+  }
+}
+
 class Player {
  public:
   Player(Viewer& viewer, Runner& runner, const ScriptOptions& options)
@@ -98,7 +110,11 @@ class Player {
     return out;
   }
 
-  void draw() { viewer_.draw(width_, height_, kFrameSeconds); }
+  void draw() {
+    if (options_.before_frame) options_.before_frame();
+    viewer_.draw(width_, height_, kFrameSeconds);
+    if (options_.after_frame) options_.after_frame();
+  }
 
   // Until nothing is under way: events are taken, commands carried out, and the frame shows it.
   void settle() {
@@ -270,7 +286,9 @@ Script::Script(const std::string& json, const std::string& source) : source_(sou
 void Script::run(Viewer& viewer, Runner& runner, const ScriptOptions& options) const {
   Player player(viewer, runner, options);
   for (std::size_t i = 0; i < actions_.size(); ++i) {
-    player.play(actions_[i], fmt::format("{}: action {}", source_, i));
+    Json action = actions_[i];
+    fill_in(action, options.folder.string());
+    player.play(action, fmt::format("{}: action {}", source_, i));
     if (viewer.ui().quit) return;
   }
 }

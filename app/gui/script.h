@@ -19,6 +19,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -28,9 +29,11 @@
 namespace pabd {
 
 struct ScriptOptions {
-  std::filesystem::path folder;  // what paths of frames are relative to
+  std::filesystem::path folder;  // what paths of frames are relative to; "{out}" in any text means it
   bool force = false;            // replace files
   int width = 1280, height = 720;
+  // For a window: called before and after every frame, to take events and to show it. May be empty.
+  std::function<void()> before_frame, after_frame;
 };
 
 class Script {
