@@ -162,11 +162,14 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
   }
 }
 
+// A touch smaller: faces that coincide with those of the first state lie behind them, without speckles.
+constexpr double kGhostSize = 0.996;
+
 void add_ghost(const Model& model, const State& state, const Vec4f& color, VisualScene& out) {
   const Index count = std::min(model.size(), static_cast<Index>(std::min(state.c.size(), state.R.size())));
   for (Index i = 0; i < count; ++i) {
     if (model.fixed[i] || !has_finite_pose(state, i)) continue;
-    std::visit(BodyPainter{out, state.c[i], state.R[i], color, false}, model.shape[i]);
+    std::visit(BodyPainter{out, state.c[i], kGhostSize * state.R[i], color, false}, model.shape[i]);
   }
 }
 

@@ -35,8 +35,8 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
                   const VisualOptions& options, VisualScene& out);
 
 // Adds the movable bodies of a second state of the same model, all in one translucent colour: where they are
-// hidden by the first one, both agree. Bodies without a finite pose, and those beyond the end of the state,
-// are left out. After build_visual.
+// hidden by the first one, both agree (the ghost is a touch smaller for that). Bodies without a finite pose,
+// and those beyond the end of the state, are left out. After build_visual.
 void add_ghost(const Model& model, const State& state, const Vec4f& color, VisualScene& out);
 Vec4f ghost_color();
 

@@ -219,6 +219,8 @@ TEST_CASE("a ghost is the movable bodies of another state, translucent and witho
   const auto& balls = scene.instances[static_cast<int>(Primitive::sphere)];
   REQUIRE(balls.size() == 2);
   CHECK(balls[1].transform(0, 3) - balls[0].transform(0, 3) == Approx(0.3));
+  CHECK(balls[1].transform(0, 0) < balls[0].transform(0, 0));  // hidden where both agree
+  CHECK(balls[1].transform(0, 0) == Approx(balls[0].transform(0, 0)).epsilon(0.005));
   CHECK(balls[1].color == ghost_color());
   CHECK(ghost_color().w() < 1);
   CHECK_FALSE(balls[1].shadow);
