@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/gui/widgets.h"
 
@@ -34,7 +35,7 @@ const Question* question(const std::string& what) {
 }
 
 std::string first_text(const std::string& what, const GuiFrame& f) {
-  const std::string& name = f.sim.scene->name;
+  const std::string name = std::filesystem::path(f.sim.scene_path).stem().string();
   if (what == "save_scene") return name + "_tuned.json";
   if (what == "save_patch") return name + "_patch.json";
   if (what == "screenshot") return name + ".png";

@@ -8,7 +8,7 @@ namespace pabd {
 namespace {
 
 // Pixels of an ordinary screen.
-constexpr double kToolbar = 38, kTimeline = 88, kLeft = 316, kRight = 388;
+constexpr double kToolbar = 38, kTimeline = 74, kLeft = 332, kRight = 388;
 constexpr double kLeastView = 240, kWide = 1.35;  // columns grow up to this on wide windows
 
 }  // namespace

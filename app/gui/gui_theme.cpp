@@ -22,8 +22,8 @@ void apply_gui_theme(ImGuiStyle& style, bool dark, double unit) {
   style = ImGuiStyle();
   style.AntiAliasedLinesUseTex = false;
   style.WindowPadding = {px(12), px(8)};
-  style.FramePadding = {px(7), px(3.5)};
-  style.ItemSpacing = {px(7), px(5)};
+  style.FramePadding = {px(7), px(3)};
+  style.ItemSpacing = {px(7), px(4)};
   style.ItemInnerSpacing = {px(5), px(4)};
   style.CellPadding = {px(4), px(2)};
   style.IndentSpacing = px(14);

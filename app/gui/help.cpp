@@ -26,7 +26,7 @@ std::string shown(const KeyChord& chord) {
       break;
   }
   std::string name = to_string(chord.key);
-  if (name.size() == 1 || !out.empty() || name[0] == 'f') name[0] = static_cast<char>(std::toupper(name[0]));
+  name[0] = static_cast<char>(std::toupper(name[0]));
   return out + name;
 }
 
@@ -37,40 +37,49 @@ void row(const GuiFrame& f, const std::string& keys, const std::string& help, fl
   muted_label(f, help);
 }
 
+// Groups of the key table, by name.
+void groups(const GuiFrame& f, std::initializer_list<const char*> names) {
+  for (const std::string name : names) {
+    heading(f, name);
+    for (const KeyBinding& binding : key_table()) {
+      if (binding.group == name) row(f, shown(binding.chord), binding.help, f.px(100));
+    }
+    ImGui::Dummy({0, f.px(4)});
+  }
+}
+
 }  // namespace
 
 void draw_help(GuiFrame& f, int width, int height) {
+  const float room_x = static_cast<float>(width) - f.px(24), room_y = static_cast<float>(height) - f.px(24);
   ImGui::SetNextWindowPos({0.5f * static_cast<float>(width), 0.5f * static_cast<float>(height)},
                           ImGuiCond_Always, {0.5f, 0.5f});
-  const float w = std::min(f.px(820), static_cast<float>(width) - f.px(24)),
-              h = std::min(f.px(520), static_cast<float>(height) - f.px(24));
-  ImGui::SetNextWindowSize({w, h});
+  ImGui::SetNextWindowSize({std::min(f.px(860), room_x), std::min(f.px(590), room_y)});
   ImGui::SetNextWindowFocus();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, f.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, f.px(1));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {f.px(20), f.px(14)});
   ImGui::Begin("##help", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_AlwaysVerticalScrollbar * 0);
-  const bool two = w > f.px(640);
-  if (two) ImGui::Columns(2, "##keys", false);
-  std::string group;
-  for (const KeyBinding& binding : key_table()) {
-    if (binding.group != group) {
-      if (two && binding.group == "Window") ImGui::NextColumn();
-      group = binding.group;
-      ImGui::Dummy({0, f.px(3)});
-      label(group);
-      ImGui::Separator();
-    }
-    row(f, shown(binding.chord), binding.help, f.px(104));
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - f.px(24));
+  if (ImGui::BeginTable("##keys", 2)) {
+    ImGui::TableSetupColumn("left", ImGuiTableColumnFlags_WidthFixed, half);
+    ImGui::TableSetupColumn("right", ImGuiTableColumnFlags_WidthFixed, half);
+    ImGui::TableNextColumn();
+    ImGui::BeginChild("##left", {half - f.px(20), f.px(540)}, false, ImGuiWindowFlags_NoScrollbar);
+    groups(f, {"Time", "View"});
+    ImGui::EndChild();
+    ImGui::TableNextColumn();
+    ImGui::BeginChild("##right", {half, f.px(540)}, false, ImGuiWindowFlags_NoScrollbar);
+    groups(f, {"Window", "Parameters", "Files"});
+    heading(f, "Mouse in the picture");
+    for (const MouseHelp& m : mouse_table()) row(f, m.gesture, m.help, f.px(176));
+    ImGui::EndChild();
+    ImGui::EndTable();
   }
-  ImGui::Dummy({0, f.px(3)});
-  label("Mouse in the picture");
-  ImGui::Separator();
-  for (const MouseHelp& m : mouse_table()) row(f, m.gesture, m.help, f.px(164));
-  if (two) ImGui::Columns(1);
   ImGui::End();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
 }
 
 }  // namespace pabd

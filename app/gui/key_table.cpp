@@ -64,8 +64,7 @@ const std::vector<KeyBinding>& key_table() {
     add("Time", "shift+left", "ten steps back", sends(Command(command::Step{-10})));
     add("Time", "home", "to the beginning", sends(Command(command::Seek{-1e9})));
     add("Time", "end", "to the end", sends(Command(command::Seek{1e9})));
-    add("Time", "r", "run again from the beginning, with the present parameters",
-        sends(Command(command::Restart{})));
+    add("Time", "r", "again from the beginning", sends(Command(command::Restart{})));
     add("View", "f", "frame the selection, or everything", sends(ViewCommand(command::FrameSelection{})));
     add("View", "0", "the scene's own view", looks("scene"));
     add("View", "1", "from the front", looks("front"));
@@ -85,11 +84,10 @@ const std::vector<KeyBinding>& key_table() {
     add("Parameters", "ctrl+z", "undo", sends(Command(command::Undo{})));
     add("Parameters", "ctrl+y", "redo", sends(Command(command::Redo{})));
     add("Parameters", "ctrl+shift+z", "redo", sends(Command(command::Redo{})));
-    add("Parameters", "h", "hold the convergence of this step", sends(Command(command::Hold{})));
-    add("Parameters", "ctrl+shift+c", "copy as a 'pabd render' command",
-        sends(ViewCommand(command::CopyCommand{})));
+    add("Parameters", "h", "hold the convergence", sends(Command(command::Hold{})));
+    add("Parameters", "ctrl+shift+c", "copy as a command line", sends(ViewCommand(command::CopyCommand{})));
     add("Files", "ctrl+o", "open a scene", asks("open"));
-    add("Files", "ctrl+s", "save the scene with these parameters", asks("save_scene"));
+    add("Files", "ctrl+s", "save the scene, as tuned", asks("save_scene"));
     add("Files", "ctrl+r", "load the scene's file again", sends(Command(command::Reload{})));
     add("Files", "f12", "screenshot", asks("screenshot"));
     add("Files", "ctrl+q", "leave", sends(ViewCommand(command::Quit{})));

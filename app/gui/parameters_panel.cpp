@@ -1,131 +1,23 @@
 // Everything that can be tuned while it runs: a slider and a field for the exact value each, what differs
 // from the scene marked, with a way back.
 #include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
+#include <cstdlib>
 
 #include "app/gui/panels.h"
+#include "app/gui/parameter_rows.h"
 #include "app/gui/widgets.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {
 namespace {
 
-enum class Kind : std::uint8_t { real, log, integer, log_integer, choice };
-
-struct Row {
-  const char* key;
-  const char* symbol;
-  const char* help;
-  Kind kind;
-  double lo, hi;  // of the slider; the field takes everything that is allowed
-  const char* unit;
-  std::array<const char*, 4> choices;
-};
-
-constexpr Row kContact[] = {
-    {"contact.barrier",
-     "barrier",
-     "Which potential Ψ keeps bodies apart: the polynomial sum S(5), its even part, or the log barrier S(4)",
-     Kind::choice,
-     0,
-     0,
-     "",
-     {"polynomial", "even", "log", nullptr}},
-    {"contact.N",
-     "order N",
-     "Highest order of the polynomial barrier: higher is softer far from the surface and steeper where "
-     "bodies overlap",
-     Kind::integer,
-     1,
-     32,
-     "",
-     {}},
-    {"contact.d_hat", "thickness d̂", "Distance at which contacts begin to push", Kind::log, 1e-5, 1, "m", {}},
-    {"contact.kappa",
-     "stiffness κ",
-     "Height of the barrier. auto: ten times the heaviest body rests on four contacts at d = 0.9 d̂",
-     Kind::log,
-     1e-3,
-     1e9,
-     "J",
-     {}},
-    {"contact.onset",
-     "onset ε",
-     "Part of d̂ over which the force rises from zero; 0 is the printed formula, whose force jumps",
-     Kind::real,
-     0,
-     0.9,
-     "",
-     {}},
-    {"contact.friction.static",
-     "friction μ, static",
-     "Largest friction force over normal force while sticking",
-     Kind::real,
-     0,
-     1.5,
-     "",
-     {}},
-    {"contact.friction.dynamic",
-     "friction μ, dynamic",
-     "The same while sliding; not above the static one",
-     Kind::real,
-     0,
-     1.5,
-     "",
-     {}},
-};
-constexpr Row kSolver[] = {
-    {"solver.method",
-     "solver",
-     "sissm is the paper's; descent is for large piles; newton solves what hangs together at once; auto "
-     "chooses for each island",
-     Kind::choice,
-     0,
-     0,
-     "",
-     {"auto", "sissm", "descent", "newton"}},
-    {"solver.projection",
-     "projection",
-     "How the affine matrix becomes a rotation. auto: polar for sissm, tangent for descent",
-     Kind::choice,
-     0,
-     0,
-     "",
-     {"auto", "polar", "weighted", "tangent"}},
-    {"solver.iterations", "iterations", "At most so many in a step", Kind::log_integer, 1, 1000, "", {}},
-    {"solver.tolerance",
-     "tolerance",
-     "A step ends when no body moves by more than this part of d̂ in an iteration",
-     Kind::log,
-     1e-12,
-     1,
-     "",
-     {}},
-    {"solver.relaxation",
-     "relaxation",
-     "Part of the Jacobi step that sissm takes",
-     Kind::real,
-     0.05,
-     1,
-     "",
-     {}},
-};
-constexpr Row kWorldRows[] = {
-    {"time_step", "time step h", "Simulated seconds a step", Kind::log, 1e-4, 0.1, "s", {}},
-};
-
 bool is_changed(const RunView& run, const std::string& key) {
   return std::any_of(run.changed.begin(), run.changed.end(), [&](const auto& c) { return c.first == key; });
-}
-
-double number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return end == text.c_str() ? 0 : value;
 }
 
 class ParametersPanel final : public GuiPanel {
@@ -148,12 +40,11 @@ class ParametersPanel final : public GuiPanel {
     const RunView& run = side_ == Side::b && f.sim.b ? *f.sim.b : f.sim.a;
     actions(f, run);
     heading(f, "Contact");
-    for (const Row& row : kContact) draw_row(f, run, row);
+    for (const ParameterRow& row : kContactRows) draw_row(f, run, row);
     heading(f, "Solver");
-    for (const Row& row : kSolver) draw_row(f, run, row);
+    for (const ParameterRow& row : kSolverRows) draw_row(f, run, row);
     heading(f, "World");
-    for (const Row& row : kWorldRows) draw_row(f, run, row);
-    gravity(f, run);
+    for (const ParameterRow& row : kWorldRows) draw_row(f, run, row);
     heading(f, "Keep");
     keep(f, run);
   }
@@ -211,23 +102,28 @@ class ParametersPanel final : public GuiPanel {
     }
     ImGui::PopID();
   }
-  float label_width(const GuiFrame& f) const { return f.px(112); }
+  float label_width(const GuiFrame& f) const { return f.px(94); }
   float widget_width() const {
     return ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() * 1.15f -
-           ImGui::GetStyle().ItemSpacing.x;
+           ImGui::GetStyle().ItemInnerSpacing.x;
   }
 
-  void draw_row(GuiFrame& f, const RunView& run, const Row& row) {
-    begin_row(f, run, row.key, row.symbol, row.help);
-    if (row.kind == Kind::choice) {
+  void draw_row(GuiFrame& f, const RunView& run, const ParameterRow& row) {
+    begin_row(f, run, row.key, row.name, row.help);
+    if (row.kind == ParameterKind::choice) {
       choice(f, run, row);
+    } else if (row.kind == ParameterKind::text) {
+      field(f, run, row, widget_width());
     } else {
-      slider(f, run, row);
+      const float exact = f.px(88);
+      slider(f, run, row, widget_width() - exact - ImGui::GetStyle().ItemInnerSpacing.x);
+      ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+      field(f, run, row, exact);
     }
     end_row(f, run, row.key);
   }
 
-  void choice(GuiFrame& f, const RunView& run, const Row& row) {
+  void choice(GuiFrame& f, const RunView& run, const ParameterRow& row) {
     const std::string now = tuned_value(run.params, row.key);
     ImGui::SetNextItemWidth(widget_width());
     if (!ImGui::BeginCombo("##choice", now.c_str())) return;
@@ -237,50 +133,59 @@ class ParametersPanel final : public GuiPanel {
     ImGui::EndCombo();
   }
 
-  void slider(GuiFrame& f, const RunView& run, const Row& row) {
-    const bool kappa = std::strcmp(row.key, "contact.kappa") == 0;
+  void slider(GuiFrame& f, const RunView& run, const ParameterRow& row, float width) {
     const std::string text = tuned_value(run.params, row.key);
-    const bool automatic = text == "auto";
-    double value = automatic ? run.kappa : number(text);
-    const bool whole = row.kind == Kind::integer || row.kind == Kind::log_integer;
-    const float field = f.px(78), width = widget_width();
-    ImGui::SetNextItemWidth(std::max(f.px(20), width - field - ImGui::GetStyle().ItemInnerSpacing.x));
-    const bool log = row.kind == Kind::log || row.kind == Kind::log_integer;
+    const double value = text == "auto" ? run.kappa : std::strtod(text.c_str(), nullptr);
+    const bool whole = row.kind == ParameterKind::integer || row.kind == ParameterKind::log_integer;
+    const bool log = row.kind == ParameterKind::log || row.kind == ParameterKind::log_integer;
     double moved = std::clamp(value, row.lo, row.hi);
+    ImGui::SetNextItemWidth(std::max(f.px(20), width));
     const bool slid =
         ImGui::SliderScalar("##slider", ImGuiDataType_Double, &moved, &row.lo, &row.hi, "",
                             (log ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_NoInput);
     if (ImGui::IsItemActivated()) dragging_ = false;
     if (slid) {
-      set(f, row.key, whole ? fmt::format("{}", std::lround(moved)) : fmt::format("{:.4g}", moved),
+      set(f, row.key, whole ? fmt::format("{}", std::lround(moved)) : fmt::format("{:.3g}", moved),
           dragging_);
       dragging_ = true;
     }
-    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    ImGui::SetNextItemWidth(field);
-    const std::string format = whole ? "%.0f" : automatic ? "auto %.3g" : "%.6g";
-    ImGui::InputDouble("##field", &value, 0, 0, format.c_str(), ImGuiInputTextFlags_AutoSelectAll);
-    if (ImGui::IsItemDeactivatedAfterEdit())
-      set(f, row.key, whole ? fmt::format("{}", std::lround(value)) : fmt::format("{}", value), false);
-    tooltip(std::string(row.unit).empty()
-                ? "Exact value"
-                : fmt::format("Exact value, {}",
-                              kappa && run.params.contact.barrier == BarrierKind::log ? "J/m²" : row.unit));
-    if (kappa && !automatic) {
-      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + label_width(f));
-      if (ImGui::SmallButton("auto")) set(f, row.key, "auto", false);
-      tooltip("κ such that ten times the heaviest movable body rests on four contacts at d = 0.9 d̂");
-    }
   }
 
-  void gravity(GuiFrame& f, const RunView& run) {
-    begin_row(f, run, "gravity", "gravity", "Acceleration along x, y and z, m/s²");
-    double g[3] = {run.params.gravity.x(), run.params.gravity.y(), run.params.gravity.z()};
-    ImGui::SetNextItemWidth(widget_width());
-    ImGui::InputScalarN("##gravity", ImGuiDataType_Double, g, 3, nullptr, nullptr, "%.4g");
-    if (ImGui::IsItemDeactivatedAfterEdit())
-      set(f, "gravity", fmt::format("[{},{},{}]", g[0], g[1], g[2]), false);
-    end_row(f, run, "gravity");
+  // What the field shows: the value as it is written in a scene, with its unit.
+  static std::string shown(const RunView& run, const ParameterRow& row) {
+    std::string text = tuned_value(run.params, row.key);
+    const Vec3& g = run.params.gravity;
+    if (row.kind == ParameterKind::text) return fmt::format("{:.6g}, {:.6g}, {:.6g}", g.x(), g.y(), g.z());
+    std::string unit = row.unit;
+    if (unit == "J" && run.params.contact.barrier == BarrierKind::log) unit = "J/m²";
+    if (text == "auto") return fmt::format("auto {:.3g} {}", run.kappa, unit);
+    const double value = std::strtod(text.c_str(), nullptr);
+    text = fmt::format("{:.5g}", value);
+    return unit.empty() ? text : text + " " + unit;
+  }
+
+  // What was typed, as --set takes it.
+  static std::string typed(const std::string& text, const ParameterRow& row) {
+    if (row.kind == ParameterKind::text) return "[" + text + "]";
+    return text.substr(0, text.find_first_of(" \t"));
+  }
+
+  // The exact value. What is typed is kept here while it is being typed.
+  void field(GuiFrame& f, const RunView& run, const ParameterRow& row, float width) {
+    const bool mine = typing_ == row.key;
+    std::string text = mine ? typed_ : shown(run, row);
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputText("##field", &text, ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemActive()) {
+      typing_ = row.key;
+      typed_ = text;
+    }
+    if (mine && ImGui::IsItemDeactivated()) {
+      if (typed_ != shown(run, row)) set(f, row.key, typed(typed_, row), false);
+      typing_.clear();
+    }
+    tooltip(std::string("Exact value: ") + tuned_value(run.params, row.key) +
+            (std::string_view(row.key) == "contact.kappa" ? "; a number, or auto" : ""));
   }
 
   void keep(GuiFrame& f, const RunView&) {
@@ -298,7 +203,8 @@ class ParametersPanel final : public GuiPanel {
   }
 
   Side side_ = Side::a;
-  bool dragging_ = false;  // the slider that is held has sent something already
+  bool dragging_ = false;       // the slider that is held has sent something already
+  std::string typing_, typed_;  // key of the field that is being typed in, and its text
 };
 
 }  // namespace

@@ -81,20 +81,30 @@ void TimelineBar::draw(GuiFrame& f) {
   label(fmt::format("{:.3f} s", now));
   ImGui::SameLine();
   muted_label(f, fmt::format("step {}", f.sim.a.state.step));
+  // What does not fit any more is left out.
+  const auto room_for = [&](const std::string& text) {
+    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetStyle().ItemSpacing.x;
+    return end + ImGui::CalcTextSize(ui_text(text).c_str()).x <= ImGui::GetContentRegionMax().x;
+  };
   const bool past = f.sim.a.cursor + 1 < history.size();
+  std::string story;
   if (past) {
-    ImGui::SameLine();
-    ImGui::PushStyleColor(ImGuiCol_Text, im_color(f.theme().color(0)));
-    label(fmt::format("in the past: play replays, a change starts a branch"));
-    ImGui::PopStyleColor();
+    story = "in the past: play replays, a change starts a branch";
+    if (!room_for(story)) story = "in the past";
   } else if (f.sim.a.parting) {
-    ImGui::SameLine();
     const Parting& p = *f.sim.a.parting;
-    muted_label(
-        f, p.parted
-               ? fmt::format("parts from the run before at {:.3f} s (a body is more than d̂ away)", *p.parted)
-           : p.differs ? fmt::format("differs from the run before since {:.3f} s, by less than d̂", *p.differs)
-                       : "equal to the run before so far");
+    story = p.parted
+                ? fmt::format("parts from the run before at {:.3f} s (a body is more than d̂ away)", *p.parted)
+            : p.differs
+                ? fmt::format("differs from the run before since {:.3f} s, by less than d̂", *p.differs)
+                : "equal to the run before so far";
+    if (!room_for(story)) story = p.parted ? fmt::format("parts at {:.3f} s", *p.parted) : "";
+  }
+  if (!story.empty() && room_for(story)) {
+    ImGui::SameLine();
+    ImGui::PushStyleColor(ImGuiCol_Text, im_color(past ? f.theme().color(0) : f.theme().muted));
+    label(story);
+    ImGui::PopStyleColor();
   }
   const std::string memory = fmt::format("{} moments, {:.0f} of {:.0f} MB", history.size(),
                                          static_cast<double>(f.sim.timeline_bytes) / 1e6,

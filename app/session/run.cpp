@@ -21,6 +21,7 @@ Run Run::fork() const {
   out.timeline_ = timeline_;
   out.seek(cursor_);
   out.next_ = next_;
+  out.newest_ = at_end() ? next_ : newest_;
   return out;
 }
 
@@ -46,6 +47,7 @@ bool Run::advance() {
 // A moment is reached by the step that led to it, so that its report is whole.
 void Run::seek(std::size_t i) {
   const Moment& m = timeline_[i];
+  if (at_end()) newest_ = next_;
   if (m.start || i == 0) {
     session_.restore(m.model, *timeline_.state(i, threads_));
   } else {
@@ -55,7 +57,11 @@ void Run::seek(std::size_t i) {
   }
   // The parameters of a start are only those that were in force.
   cursor_ = i;
-  if (at_end()) return;
+  if (at_end()) {
+    next_ = newest_;  // also those that no step was made with yet
+    shared_.reset();
+    return;
+  }
   shared_ = timeline_[i + 1].params;
   next_ = *shared_;
 }

@@ -68,7 +68,8 @@ class Run {
   bool iterations_ = false, contacts_ = false;
   Timeline timeline_;
   std::size_t cursor_ = 0;
-  Params next_;                           // of the next step
+  Params next_;    // of the next step
+  Params newest_;  // the same at the end of the timeline, while the cursor is elsewhere
   std::shared_ptr<const Params> shared_;  // the last ones that a step was made with
   std::optional<Timeline> left_;
   std::optional<Parting> parting_;

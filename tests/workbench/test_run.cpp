@@ -108,6 +108,20 @@ TEST_CASE("a change in the past is a branch that says where it parts from what i
   CHECK(run.params().gravity.y() == 9.81);
 }
 
+TEST_CASE("parameters that no step was made with yet survive a look at the past") {
+  Run run(two_boxes(), 1, kPlenty);
+  for (int i = 0; i < 10; ++i) REQUIRE(run.advance());
+  const int scene_N = run.params().contact.N;
+  run.set_params(tuned(run.params(), {"contact.N=7"}));
+  run.seek(5);
+  CHECK(run.params().contact.N == scene_N);
+  run.seek(10);
+  CHECK(run.params().contact.N == 7);
+  REQUIRE(run.advance());
+  CHECK(run.timeline().back().params->contact.N == 7);
+  CHECK(run.timeline()[10].params->contact.N == scene_N);
+}
+
 TEST_CASE("a step can be made again with another method, and nothing moves") {
   Run run(two_boxes(), 1, kPlenty);
   for (int i = 0; i < 20; ++i) REQUIRE(run.advance());
