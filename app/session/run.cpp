@@ -1,10 +1,51 @@
 // See run.h.
 #include "app/session/run.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {
+namespace {
+
+constexpr double kFarthest = 1e6;   // m
+constexpr double kStiffest = 1e18;  // N/m
+
+void check_pull(const Pull& pull, const Model& model) {
+  if (pull.body < 0 || pull.body >= model.size()) {
+    throw Error(ExitCode::bad_input, fmt::format("pull: there is no body {}; expected a number below {}",
+                                                 pull.body, model.size()));
+  }
+  const auto i = static_cast<std::size_t>(pull.body);
+  if (model.fixed[i]) {
+    throw Error(
+        ExitCode::bad_input,
+        fmt::format("pull: {} is fixed and cannot be pulled; choose a body that moves", model.name[i]));
+  }
+  const bool fits =
+      pull.r.allFinite() && pull.target.allFinite() && pull.r.cwiseAbs().maxCoeff() <= kFarthest &&
+      pull.target.cwiseAbs().maxCoeff() <= kFarthest && pull.kappa > 0 && pull.kappa <= kStiffest;
+  if (!fits) {
+    throw Error(
+        ExitCode::bad_input,
+        fmt::format("pull: expected places up to {:g} m from the origin and a stiffness from 0 to {:g} "
+                    "N/m",
+                    kFarthest, kStiffest));
+  }
+}
+
+std::vector<Pull> listed(const Pulls& pulls) { return pulls ? *pulls : std::vector<Pull>{}; }
+
+bool equal(const std::vector<Pull>& a, const std::vector<Pull>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Pull& x, const Pull& y) {
+    return x.body == y.body && x.r == y.r && x.target == y.target && x.kappa == y.kappa;
+  });
+}
+
+}  // namespace
 
 Run::Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory)
     : scene_(scene),
@@ -17,19 +58,23 @@ Run::Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory)
 
 Run Run::fork() const {
   Run out(scene_, threads_, timeline_.budget());
-  out.observe(iterations_, contacts_);
+  out.observe(iterations_, contacts_, bodies_);
   out.timeline_ = timeline_;
+  out.cursor_ = cursor_;
   out.seek(cursor_);
   out.next_ = next_;
   out.newest_ = at_end() ? next_ : newest_;
+  out.pulls_ = pulls_;
   return out;
 }
 
-void Run::observe(bool iterations, bool contacts) {
+void Run::observe(bool iterations, bool contacts, bool bodies) {
   iterations_ = iterations;
   contacts_ = contacts;
+  bodies_ = bodies;
   session_.record_iterations(iterations);
   session_.report_contacts(contacts);
+  session_.report_bodies(bodies);
 }
 
 bool Run::advance() {
@@ -38,25 +83,29 @@ bool Run::advance() {
     return true;
   }
   session_.set_params(next_);
+  session_.set_pulls(listed(pulls_));
   if (session_.step().status == StepStatus::non_finite) return false;
   add_moment();
   compare();
   return true;
 }
 
-// A moment is reached by the step that led to it, so that its report is whole.
+// A moment is reached by the step that led to it, so that its report is whole. To the next moment no state is
+// looked up: this one is where the session is.
 void Run::seek(std::size_t i) {
   const Moment& m = timeline_[i];
   if (at_end()) newest_ = next_;
   if (m.start || i == 0) {
     session_.restore(m.model, *timeline_.state(i, threads_));
   } else {
-    session_.restore(m.model, *timeline_.state(i - 1, threads_));
+    if (i != cursor_ + 1) session_.restore(m.model, *timeline_.state(i - 1, threads_));
     session_.set_params(*m.params);
+    session_.set_pulls(listed(m.pulls));
     session_.step();
   }
   // The parameters of a start are only those that were in force.
   cursor_ = i;
+  pulls_.reset();
   if (at_end()) {
     next_ = newest_;  // also those that no step was made with yet
     shared_.reset();
@@ -64,6 +113,7 @@ void Run::seek(std::size_t i) {
   }
   shared_ = timeline_[i + 1].params;
   next_ = *shared_;
+  pulls_ = timeline_[i + 1].pulls;
 }
 
 void Run::restart() {
@@ -84,6 +134,42 @@ void Run::set_params(const Params& params) {
   shared_.reset();
 }
 
+void Run::set_pulls(std::vector<Pull> pulls) {
+  for (const Pull& pull : pulls) check_pull(pull, model());
+  if (equal(pulls, listed(pulls_))) return;
+  if (!at_end()) branch();
+  pulls_ = pulls.empty() ? nullptr : std::make_shared<const std::vector<Pull>>(std::move(pulls));
+}
+
+std::shared_ptr<const MadeEdit> Run::edit(const ModelEdit& edit) {
+  auto made =
+      std::make_shared<const MadeEdit>(MadeEdit{to_json(edit), std::holds_alternative<AddJoint>(edit)});
+  session_.edit(edit_from_json(made->text, "edit"));
+  if (!at_end()) branch();
+  pulls_.reset();
+  add_moment(made);
+  return made;
+}
+
+bool Run::undo_edit(const MadeEdit& edit) {
+  for (std::size_t i = timeline_.size(); i-- > 1;) {
+    if (timeline_[i].edit.get() != &edit) continue;
+    seek(i - 1);
+    pulls_.reset();
+    branch();
+    return true;
+  }
+  return false;
+}
+
+std::string Run::edits() const {
+  std::string out;
+  for (const auto& edit : timeline_.forgotten_edits()) out += edit.made->text + "\n";
+  for (std::size_t i = 0; i <= cursor_; ++i)
+    if (timeline_[i].edit) out += timeline_[i].edit->text + "\n";
+  return out;
+}
+
 std::vector<IterationRecord> Run::records_with(SolverMethod method) const {
   const Moment& m = timeline_[cursor_];
   if (m.start || cursor_ == 0) return {};
@@ -96,6 +182,7 @@ std::vector<IterationRecord> Run::records_with(SolverMethod method) const {
   StepOptions options;
   options.threads = threads_;
   options.record_iterations = true;
+  options.pulls = listed(m.pulls);
   StepWorkspace workspace;
   StepReport report;
   step(*m.model, params, options, state, workspace, report);
@@ -108,11 +195,11 @@ void Run::branch() {
   parting_ = Parting{session_.state().time, {}, {}};
 }
 
-void Run::add_moment() {
+void Run::add_moment(std::shared_ptr<const MadeEdit> edit) {
   if (!shared_) shared_ = std::make_shared<const Params>(next_);
-  const bool start = timeline_.empty();
+  const bool start = timeline_.empty() || edit;
   timeline_.add({session_.shared_model(), shared_, std::make_shared<const State>(session_.state()),
-                 light_copy(session_.report()), start});
+                 light_copy(session_.report()), start, start ? nullptr : pulls_, std::move(edit)});
   cursor_ = timeline_.size() - 1;
 }
 

@@ -1,5 +1,6 @@
 // A simulation that can be wound back: a session, its timeline, and a place in it. What is changed in the
-// past starts a new branch; the future that it leaves is kept for comparison.
+// past starts a new branch; the future that it leaves is kept for comparison. Edits and pulls are part of the
+// past: it is replayed and computed again with them.
 #pragma once
 
 #include <optional>
@@ -41,7 +42,7 @@ class Run {
   Run fork() const;
 
   // What reports carry from the next step or seek on.
-  void observe(bool iterations, bool contacts);
+  void observe(bool iterations, bool contacts, bool bodies = false);
 
   // One step on: in the past the one that was made, at the end a new one. False, with the state as it was,
   // when the new one left the numbers; report() tells of it.
@@ -54,23 +55,39 @@ class Run {
   // For the next step. Throws Error(bad_input) as Session does. In the past this starts a branch.
   void set_params(const Params& params);
 
+  // Hands on bodies in the steps to come, until they are set anew or another moment is gone to. In the past
+  // this starts a branch. Throws Error(bad_input) for a body that is none or fixed and numbers that are none.
+  void set_pulls(std::vector<Pull> pulls);
+  const Pulls& pulls() const { return pulls_; }  // of the next step
+
+  // Bodies or joints added or removed, here and now: a moment of its own that no step led to. In the past
+  // this starts a branch; pulls end. Throws Error(bad_input) as apply_edit does: nothing has changed then.
+  // The result identifies the edit in the timeline.
+  std::shared_ptr<const MadeEdit> edit(const ModelEdit& edit);
+  // Back to the moment before an edit, from where everything goes on anew. False, and nothing happens, when
+  // the timeline does not hold it (any more).
+  bool undo_edit(const MadeEdit& edit);
+  // All edits that led to the present model, as JSON, one a line.
+  std::string edits() const;
+
   // The step that led here again, with another method, recorded. Nothing for a start.
   std::vector<IterationRecord> records_with(SolverMethod method) const;
 
  private:
   void branch();
-  void add_moment();
+  void add_moment(std::shared_ptr<const MadeEdit> edit = nullptr);
   void compare();
 
   std::shared_ptr<const Scene> scene_;
   Session session_;
   int threads_;
-  bool iterations_ = false, contacts_ = false;
+  bool iterations_ = false, contacts_ = false, bodies_ = false;
   Timeline timeline_;
   std::size_t cursor_ = 0;
   Params next_;    // of the next step
   Params newest_;  // the same at the end of the timeline, while the cursor is elsewhere
   std::shared_ptr<const Params> shared_;  // the last ones that a step was made with
+  Pulls pulls_;                           // of the next step
   std::optional<Timeline> left_;
   std::optional<Parting> parting_;
 };

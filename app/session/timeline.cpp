@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "sim/solver/time_step.h"
-
 namespace pabd {
 namespace {
 
@@ -38,7 +36,7 @@ bool same_bits(const State& a, const State& b) {
 }
 
 void Timeline::add(Moment moment) {
-  bytes_ += state_bytes(*moment.state);
+  if (moment.state) bytes_ += state_bytes(*moment.state);
   moments_.push_back(std::move(moment));
   if (bytes_ > budget_) shrink();
 }
@@ -53,6 +51,7 @@ std::shared_ptr<const State> Timeline::state(std::size_t i, int threads) const {
   StepOptions options;
   options.threads = threads;
   for (std::size_t k = kept + 1; k <= i; ++k) {
+    options.pulls = moments_[k].pulls ? *moments_[k].pulls : std::vector<Pull>{};
     step(*moments_[k].model, *moments_[k].params, options, *state, workspace, report);
   }
   return state;
@@ -76,6 +75,11 @@ std::size_t Timeline::at_time(double time) const {
   return after == moments_.begin() ? 0 : static_cast<std::size_t>(after - moments_.begin()) - 1;
 }
 
+void Timeline::set_forgotten(std::size_t moments, std::vector<ForgottenEdit> edits) {
+  forgotten_ = moments;
+  forgotten_edits_ = std::move(edits);
+}
+
 void Timeline::shrink() {
   const auto enough = static_cast<std::size_t>(kRoom * static_cast<double>(budget_));
   for (std::int64_t stride = 2; stride <= kLongestStride && bytes_ > enough; stride *= 2)
@@ -96,7 +100,9 @@ void Timeline::drop_between(std::int64_t stride) {
 // Up to the next state that is there.
 void Timeline::forget_oldest() {
   do {
-    if (moments_.front().state) bytes_ -= state_bytes(*moments_.front().state);
+    const Moment& m = moments_.front();
+    if (m.state) bytes_ -= state_bytes(*m.state);
+    if (m.edit) forgotten_edits_.push_back({m.edit, m.edit->adds_joint ? m.state : nullptr});
     moments_.pop_front();
     ++forgotten_;
   } while (!moments_.front().state);

@@ -9,13 +9,24 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/solver/params.h"
 #include "sim/solver/report.h"
+#include "sim/solver/time_step.h"
 
 namespace pabd {
+
+// An edit as it was carried out: its JSON (model_edit.h), so that carrying it out again gives the same bits.
+struct MadeEdit {
+  std::string text;
+  bool adds_joint = false;
+};
+
+using Pulls = std::shared_ptr<const std::vector<Pull>>;  // null: none
 
 struct Moment {
   std::shared_ptr<const Model> model;
@@ -23,13 +34,17 @@ struct Moment {
   std::shared_ptr<const State> state;    // null when it was dropped
   StepReport report;                     // light; energies only where no step led here
   bool start = false;  // no step led here: the beginning, or an edit. Such a state is never dropped
+  Pulls pulls;         // that the step which ended here was made with
+  std::shared_ptr<const MadeEdit> edit;  // that led here; null without one
+  std::string hash = {};                 // state_hash, where it came from a recording; else empty
 };
 
 class Timeline {
  public:
   explicit Timeline(std::size_t budget_bytes) : budget_(budget_bytes) {}
 
-  // The first moment must be a start; the model may only change at a start. The state must be there.
+  // The first moment must be a start, or have its state; the model may only change at a start. A state may be
+  // absent where the moments before lead to it.
   void add(Moment moment);
 
   bool empty() const { return moments_.empty(); }
@@ -49,6 +64,15 @@ class Timeline {
 
   std::size_t bytes() const { return bytes_; }  // of the states, about
   std::size_t budget() const { return budget_; }
+  // Edits that led to the model of the first moment, of moments that are forgotten.
+  struct ForgottenEdit {
+    std::shared_ptr<const MadeEdit> made;
+    std::shared_ptr<const State>
+        state;  // where a joint was added: its frames are those of these poses; else null
+  };
+  const std::vector<ForgottenEdit>& forgotten_edits() const { return forgotten_edits_; }
+  void set_forgotten(std::size_t moments, std::vector<ForgottenEdit> edits);  // of a recording
+
   std::size_t forgotten() const { return forgotten_; }  // moments at the beginning
 
  private:
@@ -59,6 +83,7 @@ class Timeline {
   std::size_t budget_;
   std::size_t bytes_ = 0, forgotten_ = 0;
   std::deque<Moment> moments_;
+  std::vector<ForgottenEdit> forgotten_edits_;
 };
 
 // About how much memory a state takes.

@@ -82,6 +82,39 @@ struct Restart {
   void fields(auto&&) {}
 };
 
+// ---- hands ----
+// Bodies or joints added or removed, here and now. `edit` is an object as in app/session/model_edit.h:
+// {"do": "edit", "edit": {"do": "remove_body", "body": 3}}.
+struct Edit {
+  static constexpr const char* name = "edit";
+  std::string edit;
+  void fields(auto&& f) { f("edit", edit); }
+};
+// A hand on a body, until it lets go: a soft spring from `target` to `point` of the body.
+struct Pull {
+  static constexpr const char* name = "pull";
+  int body = 0;
+  std::vector<double> point, target;  // three numbers each: body frame, world; m
+  double kappa = 0;                   // N/m; 0: as swings the body alone at 2 Hz
+  void fields(auto&& f) { f("body", body), f("point", point), f("target", target), f("kappa", kappa, false); }
+};
+struct Release {
+  static constexpr const char* name = "release";
+  void fields(auto&&) {}
+};
+// A ball.
+struct Shoot {
+  static constexpr const char* name = "shoot";
+  std::vector<double> from, direction;  // three numbers each: where its centre starts, m; of any length
+  double speed = 10;                    // m/s
+  double radius = 0.2;                  // m
+  double density = 1000;                // kg/m³
+  void fields(auto&& f) {
+    f("from", from), f("direction", direction), f("speed", speed, false), f("radius", radius, false);
+    f("density", density, false);
+  }
+};
+
 // ---- comparing ----
 // A second simulation in step with the first, from here on; `values` is how its parameters differ.
 struct Compare {
@@ -160,8 +193,9 @@ struct ApplyPatch {
 // What the Workbench carries out.
 using Command = std::variant<command::Set, command::SetAll, command::ResetParams, command::Undo,
                              command::Redo, command::Play, command::Pause, command::Step, command::Seek,
-                             command::Speed, command::Restart, command::Compare, command::EndCompare,
-                             command::Hold, command::DropHeld, command::Observe, command::Tell, command::Load,
+                             command::Speed, command::Restart, command::Edit, command::Pull, command::Release,
+                             command::Shoot, command::Compare, command::EndCompare, command::Hold,
+                             command::DropHeld, command::Observe, command::Tell, command::Load,
                              command::Reload, command::SaveScene, command::SavePatch, command::ApplyPatch>;
 
 }  // namespace pabd

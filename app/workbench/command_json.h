@@ -55,7 +55,7 @@ class Reader {
       out = j.dump();
     } else if (j.is_string()) {
       out = j.get<std::string>();
-    } else if (j.is_array()) {
+    } else if (j.is_array() || j.is_object()) {
       out = j.dump();
     } else {
       refuse(what_, field, "a text");

@@ -7,6 +7,7 @@
 #include "render/output/atomic_file.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
+#include "sim/scene/write_scene.h"
 
 namespace pabd {
 namespace {
@@ -26,8 +27,7 @@ void write_text(const std::string& path, const std::string& text, bool force) {
 
 void Workbench::carry_out(const command::Load& c) {
   if (a_ && unsaved() && !c.force) {
-    throw Error(ExitCode::bad_input,
-                "parameters were changed and not saved; save them, or load all the same");
+    throw Error(ExitCode::bad_input, "what was changed is not saved; save it, or load all the same");
   }
   Source source;
   source.path = options_.find_scene ? options_.find_scene(c.scene) : c.scene;
@@ -62,7 +62,7 @@ void Workbench::open(Source source) {
   auto scene =
       std::make_shared<const Scene>(parse_scene(source.text, source.path, path.parent_path(), source.sets));
   Run run(scene, options_.threads, options_.memory);
-  run.observe(observe_.iterations, observe_.contacts);
+  run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
   source_ = std::move(source);
   scene_ = std::move(scene);
   a_.emplace(std::move(run));
@@ -72,14 +72,29 @@ void Workbench::open(Source source) {
   held_.clear();
   diverged_ = false;
   saved_ = tuning();
+  saved_edits_.clear();
   ++scene_serial_;
 }
 
 void Workbench::carry_out(const command::SaveScene& c) {
-  write_text(c.path, tuned_scene_text(source_.text, source_.path, source_.sets, run_of(c.side).params()),
-             c.force);
+  const Run& run = run_of(c.side);
+  if (c.state) {
+    std::string name = std::filesystem::path(c.path).stem().string();
+    if (name.empty()) name = scene_->name;
+    write_text(c.path,
+               scene_to_json(run.model(), run.state(), run.params(), scene_->joint_law, name, scene_->camera),
+               c.force);
+  } else {
+    write_text(c.path, tuned_scene_text(source_.text, source_.path, source_.sets, run.params()), c.force);
+  }
   saved_ = tuning();
-  tell(Severity::note, "saved " + c.path);
+  if (c.state) saved_edits_ = a_->edits();
+  const bool partly = !c.state && a_->edits() != saved_edits_;
+  tell(partly ? Severity::warning : Severity::note,
+       "saved " + c.path +
+           (partly ? ", without the bodies and joints that were added or removed here; save the "
+                     "present state to keep them"
+                   : ""));
 }
 
 void Workbench::carry_out(const command::SavePatch& c) {

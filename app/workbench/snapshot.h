@@ -39,6 +39,7 @@ struct RunView {
   // Light reports of all moments of the timeline, and where in it this one is.
   std::shared_ptr<const std::vector<StepReport>> history;
   std::size_t cursor = 0;
+  std::vector<Pull> pulls;  // hands on bodies in the next step
   // Of the run that the last branch left; null without one.
   std::shared_ptr<const std::vector<StepReport>> left;
   std::optional<Parting> parting;

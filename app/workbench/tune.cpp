@@ -42,7 +42,11 @@ void Workbench::change(Side side, const std::string& what, const Params& after, 
     undo_.back().after = after;
     return;
   }
-  undo_.push_back({side, what, before, after});
+  keep({side, what, before, after});
+}
+
+void Workbench::keep(Change change) {
+  undo_.push_back(std::move(change));
   if (undo_.size() > kMostChanges) undo_.erase(undo_.begin());
 }
 
@@ -51,10 +55,18 @@ void Workbench::carry_out(const command::Redo&) { restore(redo_, undo_, false); 
 
 void Workbench::restore(std::vector<Change>& from, std::vector<Change>& to, bool before) {
   if (from.empty()) return;
-  const Change change = from.back();
-  run_of(change.side).set_params(before ? change.before : change.after);
+  Change change = from.back();
+  if (change.run_a) {
+    undo_restart(change);
+  } else if (!change.edit) {
+    run_of(change.side).set_params(before ? change.before : change.after);
+  } else if (before) {
+    undo_edit(change);
+  } else {
+    change = make_edit(*change.edit, change.what);
+  }
   from.pop_back();
-  to.push_back(change);
+  to.push_back(std::move(change));
 }
 
 std::string Workbench::tuning() const {

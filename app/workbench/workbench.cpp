@@ -88,7 +88,13 @@ void Workbench::carry_out(const command::Seek& c) {
 
 void Workbench::seek_to(std::size_t i) {
   a_->seek(i);
-  if (b_) b_->seek(b_->timeline().at_time(a_->state().time));
+  if (b_) {
+    std::size_t j = b_->timeline().at_time(a_->state().time);
+    // Edits that A has before it at this time are none of B yet.
+    for (++i; i < a_->timeline().size() && a_->timeline()[i].edit && j > 0 && b_->timeline()[j].edit; ++i)
+      --j;
+    b_->seek(j);
+  }
   diverged_ = false;
 }
 
@@ -102,6 +108,14 @@ void Workbench::carry_out(const command::Speed& c) {
 }
 
 void Workbench::carry_out(const command::Restart&) {
+  if (!a_->edits().empty()) {
+    Change change{Side::a, "restart", a_->params(), a_->params()};
+    change.run_a = std::make_shared<Run>(a_->fork());
+    if (b_) change.run_b = std::make_shared<Run>(b_->fork());
+    keep(std::move(change));
+    redo_.clear();
+    tell(Severity::note, "bodies and joints are those of the scene again; undo brings back what was made");
+  }
   a_->restart();
   if (b_) b_->restart();
   diverged_ = false;
@@ -137,11 +151,12 @@ void Workbench::carry_out(const command::Hold& c) {
 void Workbench::carry_out(const command::DropHeld&) { held_.clear(); }
 
 void Workbench::carry_out(const command::Observe& c) {
-  const bool more = (c.iterations && !observe_.iterations) || (c.contacts && !observe_.contacts);
+  const bool more = (c.iterations && !observe_.iterations) || (c.contacts && !observe_.contacts) ||
+                    (c.bodies && !observe_.bodies);
   observe_ = c;
   for (auto* run : {&a_, &b_}) {
     if (!*run) continue;
-    (*run)->observe(c.iterations, c.contacts);
+    (*run)->observe(c.iterations, c.contacts, c.bodies);
     if (more) (*run)->seek((*run)->cursor());
   }
 }
@@ -184,6 +199,7 @@ RunView Workbench::view(const Run& run) const {
   v.changed = differences(scene_->params, run.params());
   v.history = reports_of(run.timeline());
   v.cursor = run.cursor();
+  if (run.pulls()) v.pulls = *run.pulls();
   if (run.left()) v.left = reports_of(*run.left());
   v.parting = run.parting();
   return v;

@@ -52,6 +52,11 @@ class Workbench {
     Side side;
     std::string what;
     Params before, after;
+    // Of an edit: what was done, in A and in B (null: there was none), and how to do it again.
+    std::shared_ptr<const MadeEdit> edit_a = nullptr, edit_b = nullptr;
+    std::optional<ModelEdit> edit = {};
+    // Of a restart that gave up edits: what was before it.
+    std::shared_ptr<Run> run_a = nullptr, run_b = nullptr;
   };
 
   void carry_out(const command::Set& c);
@@ -65,6 +70,10 @@ class Workbench {
   void carry_out(const command::Seek& c);
   void carry_out(const command::Speed& c);
   void carry_out(const command::Restart& c);
+  void carry_out(const command::Edit& c);
+  void carry_out(const command::Pull& c);
+  void carry_out(const command::Release& c);
+  void carry_out(const command::Shoot& c);
   void carry_out(const command::Compare& c);
   void carry_out(const command::EndCompare& c);
   void carry_out(const command::Hold& c);
@@ -79,9 +88,14 @@ class Workbench {
 
   Run& run_of(Side side);
   void change(Side side, const std::string& what, const Params& after, bool more = false);
+  Change make_edit(const ModelEdit& edit, const std::string& what);
+  void edit_here(const ModelEdit& edit, const std::string& what);
+  void undo_edit(const Change& change);
+  void undo_restart(Change& change);
+  void keep(Change change);
   void restore(std::vector<Change>& from, std::vector<Change>& to, bool before);
   std::string tuning() const;
-  bool unsaved() const { return tuning() != saved_; }
+  bool unsaved() const { return tuning() != saved_ || a_->edits() != saved_edits_; }
   void open(Source source);
   void seek_to(std::size_t moment);
   RunView view(const Run& run) const;
@@ -92,7 +106,8 @@ class Workbench {
   std::uint64_t scene_serial_ = 0, serial_ = 0, message_number_ = 0;
   std::optional<Run> a_, b_;
   bool playing_ = false, diverged_ = false;
-  std::string saved_;  // parameters as they were last saved or loaded, both sides
+  std::string saved_;        // parameters as they were last saved or loaded, both sides
+  std::string saved_edits_;  // the same of bodies and joints
   double speed_ = 1;
   command::Observe observe_;
   std::vector<Change> undo_, redo_;
