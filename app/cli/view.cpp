@@ -73,7 +73,11 @@ int view_window(const ViewOptions& options, const FrameSize& size) {
   std::string title;
   int width = 0, height = 0;
   const auto take_events = [&](double wait) {
-    for (const WindowEvent& event : window->poll(wait)) viewer.handle(event);
+    for (const WindowEvent& event : window->poll(wait)) {
+      const auto* scaled = std::get_if<ScaleChanged>(&event);
+      if (scaled && options.scale == 0) viewer.set_screen_scale(scaled->scale);
+      viewer.handle(event);
+    }
     if (window->should_close()) {
       window->keep_open();  // the viewer asks about what is not saved
       viewer.send(ViewCommand(command::Quit{}));
@@ -83,6 +87,7 @@ int view_window(const ViewOptions& options, const FrameSize& size) {
   const auto present = [&] {
     viewer.renderer().blit_to_window(width, height);
     window->context().present();
+    window->set_cursor(viewer.cursor());
     const std::string name =
         viewer.snapshot().scene->name + (viewer.snapshot().unsaved ? " • pabd" : " – pabd");
     if (name != title) window->set_title(title = name);

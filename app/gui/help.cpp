@@ -69,12 +69,12 @@ void draw_help(GuiFrame& f, int width, int height) {
     ImGui::TableNextColumn();
     ImGui::BeginChild("##left", {half - f.px(20), f.px(540)}, false, ImGuiWindowFlags_NoScrollbar);
     groups(f, {"Time", "View"});
+    heading(f, "Mouse in the picture");
+    for (const MouseHelp& m : mouse_table()) row(f, m.gesture, m.help, f.px(176));
     ImGui::EndChild();
     ImGui::TableNextColumn();
     ImGui::BeginChild("##right", {half, f.px(540)}, false, ImGuiWindowFlags_NoScrollbar);
     groups(f, {"Window", "Parameters", "Files"});
-    heading(f, "Mouse in the picture");
-    for (const MouseHelp& m : mouse_table()) row(f, m.gesture, m.help, f.px(176));
     ImGui::EndChild();
     ImGui::EndTable();
   }

@@ -290,6 +290,20 @@ Renderer& Viewer::renderer() { return impl_->renderer; }
 const UiState& Viewer::ui() const { return impl_->ui; }
 const Snapshot& Viewer::snapshot() const { return *impl_->sim; }
 void Viewer::set_screen_scale(double scale) { impl_->options.screen_scale = scale; }
+MouseCursor Viewer::cursor() const {
+  switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput:
+      return MouseCursor::text;
+    case ImGuiMouseCursor_ResizeEW:
+      return MouseCursor::resize_horizontal;
+    case ImGuiMouseCursor_ResizeNS:
+      return MouseCursor::resize_vertical;
+    case ImGuiMouseCursor_Hand:
+      return MouseCursor::hand;
+    default:
+      return MouseCursor::arrow;
+  }
+}
 bool Viewer::has_input() const { return !impl_->input.empty(); }
 
 }  // namespace pabd

@@ -43,7 +43,8 @@ class Viewer {
   const UiState& ui() const;
   const Snapshot& snapshot() const;  // that the last frame showed
   void set_screen_scale(double scale);
-  bool has_input() const;  // events that wait for the next frame
+  MouseCursor cursor() const;  // that suits what the pointer is over
+  bool has_input() const;      // events that wait for the next frame
 
  private:
   struct Impl;
