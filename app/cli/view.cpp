@@ -27,7 +27,7 @@ struct ViewOptions {
   std::string scene = "two_boxes";
   std::string script, out = ".", size = "1280x720", backend = "auto";
   double scale = 0, memory = 512;
-  bool headless = false, force = false, play = false;
+  bool headless = false, actions = false, force = false, play = false;
 };
 
 std::unique_ptr<Runner> start_runner(const ViewOptions& options) {
@@ -121,6 +121,10 @@ int view_window(const ViewOptions& options, const FrameSize& size) {
 }
 
 int view(const ViewOptions& options) {
+  if (options.actions) {
+    write_stdout(action_list());
+    return 0;
+  }
   const FrameSize size = parse_size(options.size);
   if (options.scale != 0) check_range("--scale", options.scale, 0.5, 4);
   check_range("--memory", options.memory, 1, 1e6, "MB");
@@ -143,6 +147,7 @@ void add_view_command(CLI::App& app, Action& action) {
                       "scene file, or the name of a shipped scene (default two_boxes)");
   command->add_flag("--play", options->play, "start at once");
   command->add_option("--script", options->script, "carry out a list of actions")->type_name("JSON");
+  command->add_flag("--actions", options->actions, "list the actions of scripts and leave");
   command->add_flag("--headless", options->headless, "no window: only the script");
   command->add_option("-o,--out", options->out, "folder for the frames that a script writes (default: here)")
       ->type_name("FOLDER");

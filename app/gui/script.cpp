@@ -10,6 +10,7 @@
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
 #include "sim/error.h"
+#include "sim/scene/document.h"
 
 namespace pabd {
 namespace {
@@ -257,12 +258,8 @@ constexpr std::string_view kOwn[] = {"key", "mouse", "type", "window", "frame", 
 }  // namespace
 
 Script::Script(const std::string& json, const std::string& source) : source_(source) {
-  Json document;
-  try {
-    document = Json::parse(json);
-  } catch (const Json::exception& error) {
-    throw Error(ExitCode::bad_input, fmt::format("{}: {}", source, error.what()));
-  }
+  (void)parse_document(json, source);  // refuses what is not JSON, too deep or too large, with its place
+  Json document = Json::parse(json);   // keeps the order
   if (document.is_object() && document.contains("actions")) document = Json(document["actions"]);
   if (!document.is_array()) refuse(source, "expected a list of actions, or an object with \"actions\"");
   std::vector<std::string_view> names(std::begin(kOwn), std::end(kOwn));
@@ -281,6 +278,21 @@ Script::Script(const std::string& json, const std::string& source) : source_(sou
     if (!command_from_json(name, a, what, command)) command_from_json(name, a, what, view);
     actions_.push_back(a);
   }
+}
+
+std::string action_list() {
+  return "Of the simulation:\n" + command_list<Command>() + "Of the view:\n" + command_list<ViewCommand>() +
+         "As a person does it:\n"
+         "  key               key [, how: press, hold, release]\n"
+         "  mouse             at [, how: move, press, release, click, double_click] [, to] [, end: release, "
+         "hold]\n"
+         "                    [, button] [, with: ctrl, shift] [, wheel]\n"
+         "  type              text\n"
+         "  window            [size] [, scale]\n"
+         "Of the script:\n"
+         "  frame             path\n"
+         "  expect, until     at, and any of: is, is_not, near [, within], above, below, contains\n"
+         "  wait              [frames]\n";
 }
 
 void Script::run(Viewer& viewer, Runner& runner, const ScriptOptions& options) const {

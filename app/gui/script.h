@@ -52,6 +52,9 @@ class Script {
   std::string source_;
 };
 
+// Every action with its fields, a line each, for people.
+std::string action_list();
+
 // What a script can look at: sessions, view, messages; see the source for its parts.
 nlohmann::ordered_json state_document(const Snapshot& sim, const UiState& ui);
 

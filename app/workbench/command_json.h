@@ -147,6 +147,26 @@ CommandJson command_to_json(const Variant& command) {
       command);
 }
 
+// "set  key, value [, side] [, more]": every command of a variant with its fields, those with a default in
+// brackets; one a line.
+template <class Variant>
+std::string command_list() {
+  return []<std::size_t... i>(std::index_sequence<i...>) {
+    std::string out;
+    const auto line = [&out](auto c) {
+      std::string fields;
+      c.fields([&](const char* field, const auto&, bool required = true) {
+        const std::string separator = fields.empty() ? "" : ", ";
+        fields += required ? separator + field : (fields.empty() ? "[" : " [, ") + std::string(field) + "]";
+      });
+      out += fields.empty() ? fmt::format("  {}\n", c.name) : fmt::format("  {:<18}{}\n", c.name, fields);
+    };
+    (line(std::variant_alternative_t<i, Variant>{}), ...);
+    return out;
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
 // The names of all commands of a variant.
 template <class Variant>
 std::vector<std::string_view> command_names() {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/gui/script.h"
+#include "app/workbench/command_json.h"
 #include "render/output/png.h"
 #include "sim/error.h"
 #include "tests/output/golden.h"
@@ -110,7 +111,7 @@ TEST_CASE("the same script gives the same bytes") {
 }
 
 TEST_CASE("a script that is wrong is refused with its place before anything is done") {
-  CHECK_THAT(refusal("{"), Catch::Contains("s.json") && Catch::Contains("parse error"));
+  CHECK_THAT(refusal("{"), Catch::Contains("s.json") && Catch::Contains("line 1"));
   CHECK_THAT(refusal("{}"), Catch::Contains("list of actions"));
   CHECK_THAT(refusal(R"([{"do":"stepp"}])"), Catch::Contains("action 0") && Catch::Contains("\"step\"?"));
   CHECK_THAT(refusal(R"([{"do":"step"},{"do":"seek"}])"),
@@ -121,6 +122,18 @@ TEST_CASE("a script that is wrong is refused with its place before anything is d
   CHECK_THAT(refusal(R"([{"do":"step","steps":3},{"do":"expect","at":"/a/step","is":4}])"),
              Catch::Contains("/a/step is 3"));
   CHECK(refusal(R"([{"do":"step","steps":3},{"do":"expect","at":"/a/step","is":3}])").empty());
+}
+
+TEST_CASE("the list of actions has every command once, with its fields") {
+  const std::string list = action_list();
+  for (const auto& names : {command_names<Command>(), command_names<ViewCommand>()}) {
+    for (const std::string_view name : names) {
+      INFO(name);
+      const std::string line = "\n  " + std::string(name);
+      CHECK((list.find(line + " ") != list.npos || list.find(line + "\n") != list.npos));
+    }
+  }
+  CHECK_THAT(list, Catch::Contains("set               key, value [, side] [, more]\n"));
 }
 
 TEST_CASE("the copied command repeats what is seen") {
