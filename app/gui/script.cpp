@@ -15,7 +15,7 @@
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using ActionJson = nlohmann::ordered_json;
 
 constexpr double kFrameSeconds = 1.0 / 60;
 constexpr int kMostFrames = 10000;
@@ -26,18 +26,18 @@ constexpr auto kMostWait = std::chrono::seconds(60);
 }
 
 // Fields of the script's own actions; absent: no value.
-std::string text(const Json& a, const char* field, const std::string& what,
+std::string text(const ActionJson& a, const char* field, const std::string& what,
                  const std::string& fallback = "") {
   if (!a.contains(field)) return fallback;
   if (!a[field].is_string()) refuse(what, fmt::format("\"{}\": expected a text", field));
   return a[field].get<std::string>();
 }
-double number(const Json& a, const char* field, const std::string& what, double fallback) {
+double number(const ActionJson& a, const char* field, const std::string& what, double fallback) {
   if (!a.contains(field)) return fallback;
   if (!a[field].is_number()) refuse(what, fmt::format("\"{}\": expected a number", field));
   return a[field].get<double>();
 }
-Point point(const Json& a, const char* field, const std::string& what) {
+Point point(const ActionJson& a, const char* field, const std::string& what) {
   const bool fits = a.contains(field) && a[field].is_array() && a[field].size() == 2 &&
                     a[field][0].is_number() && a[field][1].is_number();
   if (!fits) refuse(what, fmt::format("\"{}\": expected [x, y] in pixels", field));
@@ -45,14 +45,14 @@ Point point(const Json& a, const char* field, const std::string& what) {
 }
 
 // "{out}" → folder, in every text of an action.
-void fill_in(Json& value, const std::string& folder) {
+void fill_in(ActionJson& value, const std::string& folder) {
   if (value.is_string()) {
     std::string s = value;
     for (std::size_t at = 0; (at = s.find("{out}", at)) != std::string::npos; at += folder.size())
       s.replace(at, 5, folder);
     value = s;
   } else if (value.is_structured()) {
-    for (Json& part : value) fill_in(part, folder);
+    for (ActionJson& part : value) fill_in(part, folder);
   }
 }
 
@@ -63,7 +63,7 @@ class Player {
     settle();
   }
 
-  void play(const Json& a, const std::string& what) {
+  void play(const ActionJson& a, const std::string& what) {
     const std::string name = a["do"];
     Command command;
     ViewCommand view;
@@ -129,7 +129,7 @@ class Player {
     draw();
   }
 
-  void key(const Json& a, const std::string& what) {
+  void key(const ActionJson& a, const std::string& what) {
     const KeyChord chord = parse_key_chord(text(a, "key", what));
     const std::string how = text(a, "how", what, "press");
     if (how != "release") viewer_.handle(KeyChanged{chord.key, chord.modifiers, true, false});
@@ -141,7 +141,7 @@ class Player {
     draw();
   }
 
-  void mouse(const Json& a, const std::string& what) {
+  void mouse(const ActionJson& a, const std::string& what) {
     const Point at = point(a, "at", what);
     const MouseButton button = parse_mouse_button(text(a, "button", what, "left"));
     const std::string how = text(a, "how", what, a.contains("to") ? "drag" : "move");
@@ -172,7 +172,7 @@ class Player {
     if (a.contains("wheel")) viewer_.handle(MouseScrolled{0, number(a, "wheel", what, 0)});
   }
 
-  void window(const Json& a, const std::string& what) {
+  void window(const ActionJson& a, const std::string& what) {
     if (a.contains("size")) {
       const Point size = point(a, "size", what);
       if (!(size.x >= 64 && size.x <= 8192 && size.y >= 64 && size.y <= 8192))
@@ -187,7 +187,7 @@ class Player {
     }
   }
 
-  void frame(const Json& a, const std::string& what) {
+  void frame(const ActionJson& a, const std::string& what) {
     settle();
     const std::filesystem::path path = options_.folder / text(a, "path", what);
     std::error_code ignored;
@@ -200,13 +200,13 @@ class Player {
   }
 
   // Empty when it holds, else what is there instead.
-  std::string failure(const Json& a, const std::string& what) {
-    const Json document = state_document(viewer_.snapshot(), viewer_.ui());
+  std::string failure(const ActionJson& a, const std::string& what) {
+    const ActionJson document = state_document(viewer_.snapshot(), viewer_.ui());
     const std::string at = text(a, "at", what);
-    const Json* value = nullptr;
+    const ActionJson* value = nullptr;
     try {
-      value = &document.at(Json::json_pointer(at));
-    } catch (const Json::exception&) {
+      value = &document.at(ActionJson::json_pointer(at));
+    } catch (const ActionJson::exception&) {
       refuse(what, fmt::format("there is no {}", at));
     }
     const bool numeric = value->is_number();
@@ -224,12 +224,13 @@ class Player {
       holds = holds && all.find(text(a, "contains", what)) != std::string::npos;
     }
     return holds ? ""
-                 : fmt::format("{} is {}", at, value->dump(-1, ' ', false, Json::error_handler_t::replace));
+                 : fmt::format("{} is {}", at,
+                               value->dump(-1, ' ', false, ActionJson::error_handler_t::replace));
   }
 
-  void expect(const Json& a, const std::string& what) {
+  void expect(const ActionJson& a, const std::string& what) {
     if (const std::string wrong = failure(a, what); !wrong.empty()) {
-      Json wanted = a;
+      ActionJson wanted = a;
       wanted.erase("do");
       throw Error(ExitCode::images_differ,
                   fmt::format("{}: expected {}, but {}", what, wanted.dump(), wrong));
@@ -237,7 +238,7 @@ class Player {
   }
 
   // For a simulation that plays: draws until it holds.
-  void until(const Json& a, const std::string& what) {
+  void until(const ActionJson& a, const std::string& what) {
     const auto end = std::chrono::steady_clock::now() + kMostWait;
     do {
       draw();
@@ -259,14 +260,14 @@ constexpr std::string_view kOwn[] = {"key", "mouse", "type", "window", "frame", 
 
 Script::Script(const std::string& json, const std::string& source) : source_(source) {
   (void)parse_document(json, source);  // refuses what is not JSON, too deep or too large, with its place
-  Json document = Json::parse(json);   // keeps the order
-  if (document.is_object() && document.contains("actions")) document = Json(document["actions"]);
+  ActionJson document = ActionJson::parse(json);  // keeps the order
+  if (document.is_object() && document.contains("actions")) document = ActionJson(document["actions"]);
   if (!document.is_array()) refuse(source, "expected a list of actions, or an object with \"actions\"");
   std::vector<std::string_view> names(std::begin(kOwn), std::end(kOwn));
   for (const std::string_view name : command_names<Command>()) names.push_back(name);
   for (const std::string_view name : command_names<ViewCommand>()) names.push_back(name);
   for (std::size_t i = 0; i < document.size(); ++i) {
-    const Json& a = document[i];
+    const ActionJson& a = document[i];
     const std::string what = fmt::format("{}: action {}", source, i);
     if (!a.is_object() || !a.contains("do") || !a["do"].is_string())
       refuse(what, "expected an object with \"do\"");
@@ -298,7 +299,7 @@ std::string action_list() {
 void Script::run(Viewer& viewer, Runner& runner, const ScriptOptions& options) const {
   Player player(viewer, runner, options);
   for (std::size_t i = 0; i < actions_.size(); ++i) {
-    Json action = actions_[i];
+    ActionJson action = actions_[i];
     fill_in(action, options.folder.string());
     player.play(action, fmt::format("{}: action {}", source_, i));
     if (viewer.ui().quit) return;
