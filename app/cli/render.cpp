@@ -137,9 +137,10 @@ int render(const RenderOptions& options) {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
   AbPainter painter(*context, session, other, ab_view, size.width, size.height, overlay, camera);
-  const PngText common = common_text(
-      session, {size.width, size.height, options.fps, options.overlay, options.camera, painter.gl_renderer()},
-      other, options.ab_view);
+  const PngText common = common_text(session,
+                                     {size.width, size.height, options.fps, options.overlay,
+                                      camera_text(camera, options.camera), painter.gl_renderer()},
+                                     other, options.ab_view);
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
     if (!options.common.quiet) write_stderr(fmt::format("all {} frames are there already\n", range.count));
@@ -210,8 +211,8 @@ void add_render_command(CLI::App& app, Action& action) {
       ->type_name("LIST");
   command
       ->add_option("--camera", options->camera,
-                   "front, side, top, iso, orbit:DEGREES_A_SECOND, or eye=x,y,z,target=x,y,z,fov=degrees "
-                   "(any of them)")
+                   "front, side, top, iso, orbit:DEGREES_A_SECOND, eye=x,y,z,target=x,y,z,fov=degrees "
+                   "(any of them), or camera keys that 'pabd view' saved (.json)")
       ->type_name("VIEW");
   auto* ab =
       command

@@ -30,6 +30,14 @@ struct ViewOptions {
   bool headless = false, actions = false, force = false, play = false;
 };
 
+ViewerOptions viewer_options(const ViewOptions& options, double screen_scale) {
+  ViewerOptions out;
+  out.screen_scale = options.scale > 0 ? options.scale : screen_scale;
+  out.steady = options.headless;
+  out.shipped_scenes = [] { return shipped_scenes(); };
+  return out;
+}
+
 std::unique_ptr<Runner> start_runner(const ViewOptions& options) {
   WorkbenchOptions bench;
   bench.threads = options.common.thread_count();
@@ -44,10 +52,7 @@ int view_headless(const ViewOptions& options, const FrameSize& size) {
   const auto runner = start_runner(options);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
-  ViewerOptions viewer_options;
-  viewer_options.screen_scale = options.scale > 0 ? options.scale : 1;
-  viewer_options.steady = true;
-  Viewer viewer(*context, *runner, viewer_options);
+  Viewer viewer(*context, *runner, viewer_options(options, 1));
   script.run(viewer, *runner, {options.out, options.force, size.width, size.height, {}, {}});
   if (!options.common.quiet)
     write_stderr(fmt::format("{}: {} actions done\n", options.script, script.size()));
@@ -62,11 +67,10 @@ int view_window(const ViewOptions& options, const FrameSize& size) {
   window_options.width = size.width;
   window_options.height = size.height;
   const auto window = open_window(window_options);
-  ViewerOptions viewer_options;
-  viewer_options.screen_scale = options.scale > 0 ? options.scale : window->content_scale();
-  viewer_options.clipboard = [&] { return window->clipboard(); };
-  viewer_options.set_clipboard = [&](const std::string& text) { window->set_clipboard(text); };
-  Viewer viewer(window->context(), *runner, viewer_options);
+  ViewerOptions setup = viewer_options(options, window->content_scale());
+  setup.clipboard = [&] { return window->clipboard(); };
+  setup.set_clipboard = [&](const std::string& text) { window->set_clipboard(text); };
+  Viewer viewer(window->context(), *runner, setup);
   if (options.play) runner->send(command::Play{});
 
   const InterruptGuard interrupt;

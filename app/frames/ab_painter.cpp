@@ -57,6 +57,11 @@ AbPainter::AbPainter(GlContext& context, const Session& a, const Session* b, AbV
   right_->compare({"B", details, "B", "A", false, 0, kBack});
 }
 
+void AbPainter::refresh() {
+  left_.refresh();
+  if (right_) right_->refresh();
+}
+
 void AbPainter::draw(const FramePacket& packet) {
   left_.draw(packet, packet.b.get());
   if (right_) right_->draw(*packet.b, &packet);

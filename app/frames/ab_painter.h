@@ -19,6 +19,7 @@ class AbPainter : public FrameDrawer {
   AbPainter(GlContext& context, const Session& a, const Session* b, AbView view, int width, int height,
             const OverlayChoice& overlay, const CameraOption& camera);
 
+  void refresh();  // as FramePainter; of both
   void draw(const FramePacket& packet) override;
   int queued() const override { return left_.queued(); }
   void fetch(Image& out) override;

@@ -5,9 +5,12 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
+#include "app/frames/camera_keys.h"
 #include "sim/error.h"
 #include "sim/math/types.h"
 
@@ -16,8 +19,8 @@ namespace {
 
 [[noreturn]] void fail(const std::string& text, const std::string& why) {
   throw Error(ExitCode::bad_input,
-              fmt::format("--camera {}: {}; expected front, side, top, iso, orbit:DEGREES_A_SECOND, or "
-                          "eye=x,y,z,target=x,y,z,fov=degrees",
+              fmt::format("--camera {}: {}; expected front, side, top, iso, orbit:DEGREES_A_SECOND, "
+                          "eye=x,y,z,target=x,y,z,fov=degrees, or a file of camera keys (.json)",
                           text, why));
 }
 
@@ -28,6 +31,13 @@ float parse_number(const std::string& text, std::string_view word) {
     fail(text, fmt::format("'{}' is not a number up to 1e6", word));
   }
   return value;
+}
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file) throw Error(ExitCode::file, path + ": cannot be read; expected a file of camera keys");
+  return text;
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -55,6 +65,9 @@ void set_key(CameraOption& option, const std::string& text, std::string_view key
     if (numbers.size() != 1 || numbers[0] < 1 || numbers[0] > 170)
       fail(text, "fov is one number, 1 … 170 degrees");
     option.fov = numbers[0];
+  } else if (key == "up" && !option.up) {
+    option.up = to_vector(text, key, numbers);
+    if (!(option.up->norm() > 1e-6f)) fail(text, "up is no direction");
   } else {
     fail(text, fmt::format("'{}' is unknown or given twice", key));
   }
@@ -66,12 +79,16 @@ CameraOption parse_camera(const std::string& text) {
   using View = CameraOption::View;
   CameraOption option;
   if (text.empty()) return option;
-  if (text == "front") return {View::front, 0, {}, {}, {}};
-  if (text == "side") return {View::side, 0, {}, {}, {}};
-  if (text == "top") return {View::top, 0, {}, {}, {}};
-  if (text == "iso") return {View::iso, 0, {}, {}, {}};
+  if (text == "front") return {View::front, 0, {}, {}, {}, {}, {}};
+  if (text == "side") return {View::side, 0, {}, {}, {}, {}, {}};
+  if (text == "top") return {View::top, 0, {}, {}, {}, {}, {}};
+  if (text == "iso") return {View::iso, 0, {}, {}, {}, {}, {}};
   if (text.starts_with("orbit:")) {
-    return {View::orbit, parse_number(text, std::string_view(text).substr(6)), {}, {}, {}};
+    return {View::orbit, parse_number(text, std::string_view(text).substr(6)), {}, {}, {}, {}, {}};
+  }
+  if (text.ends_with(".json")) {
+    option.keys = parse_camera_keys(read_text(text), text).keys;
+    return option;
   }
 
   std::string_view key;
@@ -94,8 +111,21 @@ CameraOption parse_camera(const std::string& text) {
   return option;
 }
 
+std::string camera_words(const Camera& camera) {
+  const auto three = [](const Vec3f& v) { return fmt::format("{},{},{}", v.x(), v.y(), v.z()); };
+  std::string out =
+      fmt::format("eye={},target={},fov={}", three(camera.eye), three(camera.target), camera.fov);
+  if (camera.up != Vec3f::UnitY()) out += ",up=" + three(camera.up);
+  return out;
+}
+
+std::string camera_text(const CameraOption& option, const std::string& text) {
+  return option.keys.empty() ? text : camera_keys_json({"", option.keys});
+}
+
 Camera apply_camera(const CameraOption& option, const Camera& base, double time) {
   using View = CameraOption::View;
+  if (!option.keys.empty()) return rounded(camera_at(option.keys, time));
   Camera camera = base;
   const Vec3f offset = base.eye - base.target;
   const float distance = offset.norm();
@@ -124,6 +154,7 @@ Camera apply_camera(const CameraOption& option, const Camera& base, double time)
   if (option.eye) camera.eye = *option.eye;
   if (option.target) camera.target = *option.target;
   if (option.fov) camera.fov = *option.fov;
+  if (option.up) camera.up = *option.up;
   if ((camera.eye - camera.target).norm() < 1e-6f) {
     throw Error(ExitCode::bad_input, "--camera: the eye lies in the target; name both eye=… and target=…");
   }

@@ -79,25 +79,29 @@ FramePainter::FramePainter(GlContext& context, const Session& session, int width
       camera_option_(camera),
       start_time_(session.state().time) {
   data_.scene_name = session.scene().name;
-  data_.params = &session.params();
-  data_.kappa = session.kappa();
   data_.report = &session.report();
   data_.history = &history_.reports();
-  data_.joint_types = joint_types(session.model());
-  data_.joints = session.model().joints.size();
   data_.joint_law = &session.scene().joint_law;
+  refresh();
   choice_.panels.joints = choice_.bonds && data_.joint_types != 0;
   choice_.panels.joint_rows = joint_row_count(data_);
   visual_options_.bonds = overlay.bonds;
   visual_options_.contacts = overlay.contacts;
-  visual_options_.d_hat = session.params().contact.d_hat;
   set_camera(0, 1);
+}
+
+void FramePainter::refresh() {
+  data_.params = &session_.params();
+  data_.kappa = session_.kappa();
+  data_.joint_types = joint_types(session_.model());
+  data_.joints = session_.model().joints.size();
+  visual_options_.d_hat = session_.params().contact.d_hat;
 }
 
 // So that panels, and a caption of so many lines, leave the bodies to be seen.
 void FramePainter::set_camera(std::size_t caption_lines, float back) {
   base_camera_ = choose_base_camera(session_, static_cast<double>(width_) / height_);
-  if (camera_option_.eye || camera_option_.target) return;
+  if (camera_option_.eye || camera_option_.target || !camera_option_.keys.empty()) return;
   if (back != 1 && session_.scene().camera)
     base_camera_.eye += (back - 1) * (base_camera_.eye - base_camera_.target);
   if (!choice_.panels.any() && caption_lines == 0) return;
@@ -133,7 +137,9 @@ void FramePainter::add_other(const FramePacket& other, const std::vector<Distanc
 void FramePainter::draw(const FramePacket& packet, const FramePacket* other) {
   for (const StepReport& report : packet.since) history_.add(report);
   if (other) add_other(*other, packet.b ? packet.apart : other->apart);
-  visual_.camera = apply_camera(camera_option_, base_camera_, packet.state.time - start_time_);
+  visual_.camera =
+      apply_camera(camera_option_, base_camera_,
+                   camera_option_.keys.empty() ? packet.state.time - start_time_ : packet.state.time);
   build_visual(session_.model(), packet.state, packet.report, visual_options_, visual_);
   if (other && ghost_) add_ghost(session_.model(), other->state, ghost_color(), visual_);
   data_.report = &packet.report;

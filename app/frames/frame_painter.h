@@ -45,9 +45,13 @@ struct Comparison {
 
 class FramePainter : public FrameDrawer {
  public:
-  // `context` is current and outlives this; `session` is only asked for what never changes.
+  // `context` is current and outlives this; `session` is only asked for what does not change: model and
+  // parameters.
   FramePainter(GlContext& context, const Session& session, int width, int height,
                const OverlayChoice& overlay, const CameraOption& camera);
+
+  // The session has other parameters or another model now.
+  void refresh();
 
   // From now on with another run. Before the first frame: the camera makes room for the caption, and frames
   // the bodies where the session is now.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
 namespace pabd {
@@ -25,6 +26,10 @@ constexpr Question kQuestions[] = {
     {"save_patch", "Save patch", "Only the parameters that differ from the scene", "Save", true},
     {"apply_patch", "Apply patch", "A patch file: parameters of this or another scene", "Apply", false},
     {"screenshot", "Screenshot", "A PNG file", "Save", true},
+    {"record", "Video", ".mp4, .webm or .gif; or a folder/{frame:04}.png for one picture a frame", "Record",
+     true},
+    {"save_camera", "Save camera keys", "A file that 'pabd render --camera' takes", "Save", true},
+    {"load_camera", "Load camera keys", "A file of camera keys", "Load", false},
     {"quit", "Leave?", "Parameters were changed and not saved.", "Leave without saving", false},
 };
 
@@ -39,6 +44,8 @@ std::string first_text(const std::string& what, const GuiFrame& f) {
   if (what == "save_scene") return name + "_tuned.json";
   if (what == "save_patch") return name + "_patch.json";
   if (what == "screenshot") return name + ".png";
+  if (what == "record") return name + ".mp4";
+  if (what == "save_camera") return name + "_camera.json";
   return "";
 }
 
@@ -46,8 +53,10 @@ std::string first_text(const std::string& what, const GuiFrame& f) {
 
 void Dialogs::start(const GuiFrame& f) {
   open_ = f.ui.dialog;
-  text_ = first_text(open_, f);
+  text_ = f.ui.dialog_text.empty() ? first_text(open_, f) : f.ui.dialog_text;
   waiting_ = false;
+  record_.from = record_.to = -1;
+  along_keys_ = f.ui.fly && !f.ui.camera_keys.empty();
   ImGui::OpenPopup("##dialog");
 }
 
@@ -59,8 +68,16 @@ void Dialogs::confirm(GuiFrame& f, bool force) {
   if (open_ == "save_patch") f.out.send(Command(command::SavePatch{text_, force}));
   if (open_ == "apply_patch") f.out.send(Command(command::ApplyPatch{text_}));
   if (open_ == "screenshot") f.out.send(ViewCommand(command::Screenshot{text_, with_ui_, force}));
+  if (open_ == "save_camera") f.out.send(ViewCommand(command::SaveCamera{text_, force}));
+  if (open_ == "load_camera") f.out.send(ViewCommand(command::LoadCamera{text_}));
+  if (open_ == "record") {
+    record_.path = text_;
+    record_.force = force;
+    f.out.send(ViewCommand(command::Fly{along_keys_}));
+    f.out.send(ViewCommand(record_));
+  }
   if (open_ == "quit") f.out.send(ViewCommand(command::Quit{true}));
-  if (open_ == "screenshot" || open_ == "quit") f.out.send(ViewCommand(command::Ask{""}));
+  if (open_ == "quit") f.out.send(ViewCommand(command::Ask{}));
 }
 
 void Dialogs::draw(GuiFrame& f, int width, int height) {
@@ -97,6 +114,14 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
     ImGui::Checkbox("with panels", &with_ui_);
     tooltip("Without: the scene alone, as 'pabd render' draws it");
   }
+  if (open_ == "record") draw_record_fields(f, record_, along_keys_);
+  // Known before it is tried.
+  const bool unsaved = open_ == "open" && f.sim.unsaved;
+  if (unsaved && !refused) {
+    ImGui::PushTextWrapPos(0);
+    label("Parameters of " + f.sim.scene->name + " were changed and not saved.");
+    ImGui::PopTextWrapPos();
+  }
   if (refused) {
     ImGui::PushStyleColor(ImGuiCol_Text, im_color(f.theme().color(1)));
     ImGui::PushTextWrapPos(0);
@@ -105,11 +130,9 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
     ImGui::PopStyleColor();
   }
   ImGui::Dummy({0, f.px(2)});
-  go = ImGui::Button(q->button) || go;
-  if (refused && (q->writes || open_ == "open") &&
-      (answer->text.find("exists already") != std::string::npos ||
-       answer->text.find("not saved") != std::string::npos)) {
-    ImGui::SameLine();
+  if (!unsaved) go = ImGui::Button(q->button) || go;
+  if (unsaved || (refused && q->writes && answer->text.find("exists already") != std::string::npos)) {
+    if (!unsaved) ImGui::SameLine();
     if (ImGui::Button(q->writes ? "Replace" : "Load all the same")) go = force = true;
   }
   ImGui::SameLine();
@@ -117,7 +140,7 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
   if (go) confirm(f, force);
   const bool done = waiting_ && answer && !refused;
   if (cancel || done) {
-    f.out.send(ViewCommand(command::Ask{""}));
+    f.out.send(ViewCommand(command::Ask{}));
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();

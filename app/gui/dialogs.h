@@ -21,6 +21,8 @@ class Dialogs {
   std::uint64_t asked_ = 0;  // newest message when it was confirmed
   bool waiting_ = false;     // for the answer to what was confirmed
   bool with_ui_ = true;      // screenshot
+  command::Record record_;
+  bool along_keys_ = false;
 };
 
 }  // namespace pabd

@@ -10,7 +10,7 @@ template <class C>
 Act sends(C command) {
   return [command](const Snapshot&, const UiState&, Outbox& out) { out.send(command); };
 }
-Act asks(const char* what) { return sends(ViewCommand(command::Ask{what})); }
+Act asks(const char* what) { return sends(ViewCommand(command::Ask{what, ""})); }
 Act looks(const char* from) { return sends(ViewCommand(command::LookFrom{from})); }
 
 Act scales(double factor) {
@@ -41,11 +41,14 @@ const std::vector<KeyBinding>& key_table() {
     const auto toggle_help = [](const Snapshot&, const UiState& ui, Outbox& out) {
       out.send(ViewCommand(command::Help{!ui.help}));
     };
+    const auto toggle_costs = [](const Snapshot&, const UiState& ui, Outbox& out) {
+      out.send(ViewCommand(command::Costs{!ui.costs}));
+    };
     const auto leave = [](const Snapshot&, const UiState& ui, Outbox& out) {
       if (ui.help) {
         out.send(ViewCommand(command::Help{false}));
       } else if (!ui.dialog.empty()) {
-        out.send(ViewCommand(command::Ask{""}));
+        out.send(ViewCommand(command::Ask{}));
       } else {
         out.send(ViewCommand(command::Select{"none", ""}));
       }
@@ -89,6 +92,9 @@ const std::vector<KeyBinding>& key_table() {
     add("Files", "ctrl+o", "open a scene", asks("open"));
     add("Files", "ctrl+s", "save the scene, as tuned", asks("save_scene"));
     add("Files", "ctrl+r", "load the scene's file again", sends(Command(command::Reload{})));
+    add("View", "k", "a camera key here and now", sends(ViewCommand(command::AddCameraKey{})));
+    add("Window", "p", "what a frame costs", toggle_costs);
+    add("Files", "ctrl+e", "video of the past", asks("record"));
     add("Files", "f12", "screenshot", asks("screenshot"));
     add("Files", "ctrl+q", "leave", sends(ViewCommand(command::Quit{})));
     return t;

@@ -24,6 +24,9 @@ struct Outbox {
   void send(ViewCommand command) { view.push_back(std::move(command)); }
 };
 
+class Recorder;
+class SceneList;
+
 // What a frame is made from, for everything that draws into it.
 struct GuiFrame {
   const Snapshot& sim;
@@ -32,6 +35,8 @@ struct GuiFrame {
   FontAtlas& fonts;
   const FontMetrics& metrics;
   Outbox& out;
+  const SceneList& scenes;
+  const Recorder& recorder;
 
   const PlotTheme& theme() const { return ui.dark ? dark_theme() : light_theme(); }
   float px(double ordinary) const { return static_cast<float>(ordinary * unit); }

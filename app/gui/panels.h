@@ -1,6 +1,7 @@
 // Makers of the panels, in the order of their tabs.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,7 @@
 namespace pabd {
 
 std::unique_ptr<GuiPanel> make_parameters_panel();
+std::unique_ptr<GuiPanel> make_scenes_panel();
 std::unique_ptr<GuiPanel> make_barrier_panel();
 std::unique_ptr<GuiPanel> make_convergence_panel();
 std::unique_ptr<GuiPanel> make_series_panel();
@@ -16,6 +18,7 @@ std::unique_ptr<GuiPanel> make_series_panel();
 inline std::vector<std::unique_ptr<GuiPanel>> make_panels() {
   std::vector<std::unique_ptr<GuiPanel>> out;
   out.push_back(make_parameters_panel());
+  out.push_back(make_scenes_panel());
   out.push_back(make_barrier_panel());
   out.push_back(make_convergence_panel());
   out.push_back(make_series_panel());
@@ -42,6 +45,15 @@ class MessageList {
   std::uint64_t newest_ = 0;
   double age_ = 0;
 };
+
+// How far a video is, while one is made.
+void draw_recording(GuiFrame& frame, const Rect& view);
+// What its dialog asks for beside the name.
+void draw_record_fields(const GuiFrame& frame, command::Record& record, bool& along_keys);
+
+// Views and key frames of the camera: a button of the toolbar, and the marks of the keys on the timeline.
+void draw_camera_menu(GuiFrame& frame);
+void draw_camera_marks(const GuiFrame& frame, const std::function<float(double)>& x_of_time, float y);
 
 void draw_help(GuiFrame& frame, int width, int height);
 

@@ -70,7 +70,11 @@ class Player {
     if (command_from_json(name, a, what, command)) {
       viewer_.send(command);
     } else if (command_from_json(name, a, what, view)) {
-      viewer_.send(view);
+      try {
+        viewer_.send(view);
+      } catch (const Error& error) {  // to be seen in place, as what commands of the simulation answer
+        viewer_.send(Command(command::Tell{error.what(), true}));
+      }
     } else if (name == "key") {
       key(a, what);
     } else if (name == "mouse") {
@@ -133,7 +137,7 @@ class Player {
     const KeyChord chord = parse_key_chord(text(a, "key", what));
     const std::string how = text(a, "how", what, "press");
     if (how != "release") viewer_.handle(KeyChanged{chord.key, chord.modifiers, true, false});
-    if (how != "hold") viewer_.handle(KeyChanged{chord.key, chord.modifiers, false, false});
+    if (how != "hold") viewer_.handle(KeyChanged{chord.key, {}, false, false});  // ctrl is let go too
   }
 
   void click(MouseButton button, bool pressed, const Modifiers& m) {

@@ -65,6 +65,9 @@ Json run_json(const RunView& run) {
 
 Json state_document(const Snapshot& sim, const UiState& ui) {
   static constexpr const char* kKinds[] = {"none", "body", "joint", "contact"};
+  Json camera_keys = Json::array();
+  for (const CameraKey& key : ui.camera_keys)
+    camera_keys.push_back({{"time", key.time}, {"eye", vec(key.pose.eye)}});
   Json held = Json::array();
   for (const HeldCurve& h : sim.held) held.push_back(h.name);
   Json messages = Json::array();
@@ -91,6 +94,9 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
             {"eye", vec(ui.camera.eye)},
             {"target", vec(ui.camera.target)},
             {"fov", ui.camera.fov},
+            {"camera_keys", std::move(camera_keys)},
+            {"fly", ui.fly},
+            {"costs", ui.costs},
             {"contacts", ui.contacts},
             {"bonds", ui.bonds},
             {"color", to_string(ui.color)},
@@ -98,6 +104,7 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
              {{"kind", kKinds[static_cast<std::size_t>(ui.selection.kind)]}, {"index", ui.selection.index}}},
             {"side_by_side", ui.side_by_side},
             {"dialog", ui.dialog},
+            {"dialog_text", ui.dialog_text},
             {"quit", ui.quit}}}};
 }
 

@@ -134,6 +134,8 @@ void TimelineBar::draw(GuiFrame& f) {
     draw_flag(f, track, f.sim.a.parting->time, f.theme().muted, list);
     if (f.sim.a.parting->parted) draw_flag(f, track, *f.sim.a.parting->parted, f.theme().color(1), list);
   }
+  draw_camera_marks(
+      f, [&](double t) { return track.x(t); }, track.lo.y + f.px(7));
   const float x = std::round(track.x(now));
   list.AddRectFilled({x - f.px(1.5), track.lo.y - f.px(2)}, {x + f.px(1.5), track.hi.y + f.px(2)},
                      ImGui::GetColorU32(ImGuiCol_SliderGrabActive), f.px(1.5));

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/gui/panels.h"
+#include "app/gui/pictures.h"
 #include "app/gui/widgets.h"
 
 namespace pabd {
@@ -53,6 +54,15 @@ void draw_toolbar(GuiFrame& f) {
       f.out.send(Command(command::Compare{}));
     }
   }
+
+  ImGui::SameLine(0, f.px(22));
+  draw_camera_menu(f);
+  ImGui::SameLine();
+  if (toggle_button(f, "Picture", false, "A PNG of the window or of the scene alone (f12)"))
+    f.out.send(ViewCommand(command::Ask{"screenshot", ""}));
+  ImGui::SameLine();
+  if (toggle_button(f, "Video", f.recorder.busy(), "A video of the past, as 'pabd render' makes it (ctrl+e)"))
+    f.out.send(ViewCommand(command::Ask{"record", ""}));
 
   const float right = ImGui::GetContentRegionMax().x;
   ImGui::SameLine(right - f.px(78));

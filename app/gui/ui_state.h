@@ -4,9 +4,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/gui/view_command.h"
-#include "render/visual/camera_control.h"
+#include "render/visual/camera_path.h"
 #include "sim/math/types.h"
 
 namespace pabd {
@@ -27,11 +28,13 @@ struct Selection {
 struct UiState {
   bool dark = true;
   double scale = 1;  // chosen by the person, times the screen's
-  bool help = false, hidden = false;
+  bool help = false, hidden = false, costs = false;
   std::array<std::string, kSlots> shown{"parameters", "barrier", "convergence"};
   std::array<bool, kSlots> open{true, true, true};
 
   CameraPose camera;
+  std::vector<CameraKey> camera_keys;  // in order of time
+  bool fly = false;
   bool contacts = true, bonds = true;
   ColorQuantity color = ColorQuantity::body;
   Selection selection;
@@ -40,7 +43,9 @@ struct UiState {
   command::BarrierView barrier;
   std::string convergence = "all", series = "gaps";
 
-  std::string dialog;  // see command::Ask; empty: none
+  std::string dialog;               // see command::Ask; empty: none
+  std::string dialog_text;          // what it starts with; empty: something that fits
+  std::vector<std::string> recent;  // scenes that were open, newest first
   bool quit = false;
 };
 

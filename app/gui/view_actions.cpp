@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/frames/camera_keys.h"
+#include "app/gui/pictures.h"
 #include "app/gui/scene_view.h"
 #include "render/visual/bounds.h"
 #include "sim/error.h"
@@ -19,6 +21,7 @@ struct PanelPlace {
   Slot slot;
 };
 constexpr PanelPlace kPanels[] = {{"parameters", Slot::left},
+                                  {"scenes", Slot::left},
                                   {"barrier", Slot::right_top},
                                   {"convergence", Slot::right_bottom},
                                   {"series", Slot::right_bottom}};
@@ -125,10 +128,28 @@ struct Actor {
   void operator()(const command::SeriesView& c) const { ui.series = c.quantity; }
   void operator()(const command::Ask& c) const {
     static constexpr std::string_view kWhat[] = {"",           "open",        "save_scene", "save_state",
-                                                 "save_patch", "apply_patch", "screenshot", "quit"};
+                                                 "save_patch", "apply_patch", "screenshot", "quit",
+                                                 "record",     "save_camera", "load_camera"};
     one(c.what, kWhat, "ask");
     ui.dialog = c.what;
+    ui.dialog_text = c.text;
   }
+  void operator()(const command::AddCameraKey&) const {
+    add_camera_key(ui.camera_keys, {sim.a.state.time, ui.camera});
+  }
+  void operator()(const command::DropCameraKey& c) const {
+    const auto count = std::ssize(ui.camera_keys);
+    if (c.index < 0 || c.index >= count)
+      throw Error(ExitCode::bad_input, fmt::format("drop_camera_key: expected a number below {}", count));
+    ui.camera_keys.erase(ui.camera_keys.begin() + c.index);
+  }
+  void operator()(const command::ClearCameraKeys&) const { ui.camera_keys.clear(); }
+  void operator()(const command::Fly& c) const { ui.fly = c.on; }
+  void operator()(const command::Costs& c) const { ui.costs = c.on; }
+  void operator()(const command::Record&) const {}
+  void operator()(const command::StopRecord&) const {}
+  void operator()(const command::SaveCamera&) const {}
+  void operator()(const command::LoadCamera&) const {}
   void operator()(const command::Quit&) const {}
   void operator()(const command::Screenshot&) const {}
   void operator()(const command::CopyCommand&) const {}
@@ -201,14 +222,10 @@ const char* to_string(ColorQuantity quantity) {
 }
 
 std::string render_command(const Snapshot& sim, const UiState& ui) {
-  const CameraPose& c = ui.camera;
   std::string out = "pabd render " + quoted(sim.scene_path) + " -o " + quoted(sim.scene->name + ".mp4");
   for (const auto& [key, value] : sim.a.changed) out += " --set " + quoted(key + "=" + value);
-  std::string overlay = ui.contacts ? "contacts" : "";
-  if (ui.bonds) overlay += overlay.empty() ? "bonds" : ",bonds";
-  if (!overlay.empty()) out += " --overlay " + overlay;
-  out += fmt::format(" --camera eye={:.6g},{:.6g},{:.6g},target={:.6g},{:.6g},{:.6g},fov={:.4g}", c.eye.x(),
-                     c.eye.y(), c.eye.z(), c.target.x(), c.target.y(), c.target.z(), c.fov);
+  if (const std::string overlay = overlay_words(ui); overlay != "none") out += " --overlay " + overlay;
+  out += " --camera " + camera_words(rounded(ui.camera));
   return out;
 }
 

@@ -117,12 +117,72 @@ struct Screenshot {
     f("width", width, false), f("height", height, false);
   }
 };
+// A video of the past as `pabd render` makes it, with the view's camera, or along the camera keys while
+// flying. `from`, `to` in seconds; negative: the first or last moment. `overlay` as for `pabd render`; empty:
+// what the view shows.
+struct Record {
+  static constexpr const char* name = "record";
+  std::string path;
+  double from = -1, to = -1, fps = 60;
+  int width = 1280, height = 720;
+  std::string overlay;
+  bool force = false;
+  void fields(auto&& f) {
+    f("path", path), f("from", from, false), f("to", to, false), f("fps", fps, false);
+    f("width", width, false), f("height", height, false), f("overlay", overlay, false);
+    f("force", force, false);
+  }
+};
+// Ends it: with the frames that are there, or without a file.
+struct StopRecord {
+  static constexpr const char* name = "stop_record";
+  bool keep = true;
+  void fields(auto&& f) { f("keep", keep, false); }
+};
+// The camera as it is becomes a key frame at the present time of the simulation.
+struct AddCameraKey {
+  static constexpr const char* name = "add_camera_key";
+  void fields(auto&&) {}
+};
+struct DropCameraKey {
+  static constexpr const char* name = "drop_camera_key";
+  int index = 0;  // in order of time
+  void fields(auto&& f) { f("index", index); }
+};
+struct ClearCameraKeys {
+  static constexpr const char* name = "clear_camera_keys";
+  void fields(auto&&) {}
+};
+// The camera follows its keys while time goes on.
+struct Fly {
+  static constexpr const char* name = "fly";
+  bool on = true;
+  void fields(auto&& f) { f("on", on, false); }
+};
+// Camera keys as a file, which `pabd render --camera` takes.
+struct SaveCamera {
+  static constexpr const char* name = "save_camera";
+  std::string path;
+  bool force = false;
+  void fields(auto&& f) { f("path", path), f("force", force, false); }
+};
+struct LoadCamera {
+  static constexpr const char* name = "load_camera";
+  std::string path;
+  void fields(auto&& f) { f("path", path); }
+};
+// What a frame costs, part by part.
+struct Costs {
+  static constexpr const char* name = "costs";
+  bool on = true;
+  void fields(auto&& f) { f("on", on, false); }
+};
 // A dialog that asks for a file name: "open", "save_scene", "save_state", "save_patch", "apply_patch",
-// "screenshot"; "" closes it.
+// "screenshot", "record", "save_camera", "load_camera"; "" closes it. `text`: what it starts with.
 struct Ask {
   static constexpr const char* name = "ask";
-  std::string what;
-  void fields(auto&& f) { f("what", what); }
+  std::string what, text = {};
+  void fields(auto&& f) { f("what", what), f("text", text, false); }
 };
 struct CopyCommand {
   static constexpr const char* name = "copy_command";
@@ -140,6 +200,9 @@ using ViewCommand =
     std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::HideUi,
                  command::Look, command::LookFrom, command::FrameSelection, command::Select, command::ColorBy,
                  command::Show, command::CompareView, command::BarrierView, command::ConvergenceView,
-                 command::SeriesView, command::Screenshot, command::Ask, command::CopyCommand, command::Quit>;
+                 command::SeriesView, command::Screenshot, command::Record, command::StopRecord,
+                 command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys, command::Fly,
+                 command::SaveCamera, command::LoadCamera, command::Costs, command::Ask, command::CopyCommand,
+                 command::Quit>;
 
 }  // namespace pabd

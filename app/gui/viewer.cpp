@@ -14,7 +14,9 @@
 #include "app/gui/imgui_input.h"
 #include "app/gui/key_table.h"
 #include "app/gui/panels.h"
+#include "app/gui/scene_list.h"
 #include "app/gui/scene_view.h"
+#include "app/gui/studio.h"
 #include "app/gui/view_actions.h"
 #include "app/gui/widgets.h"
 #include "sim/error.h"
@@ -23,6 +25,7 @@ namespace pabd {
 namespace {
 
 constexpr int kStartWidth = 1280, kStartHeight = 720;
+constexpr std::size_t kMostRecent = 10;
 constexpr std::size_t kMostSizes = 24;  // text sizes that are kept
 
 constexpr ImGuiWindowFlags kFixedWindow =
@@ -59,6 +62,7 @@ struct Viewer::Impl {
   UiState ui;
   std::shared_ptr<const Snapshot> sim;
   std::uint64_t scene_serial = 0;
+  std::string followed;  // file of the scene that the camera was set for
   ImGuiInput input;
   Hands hands;
   SceneView view;
@@ -67,6 +71,10 @@ struct Viewer::Impl {
   TimelineBar timeline;
   MessageList messages;
   Dialogs dialogs;
+  SceneList scenes;
+  bool scenes_shown = false;
+  Studio studio;
+  double flown_to = -1;  // time that the camera has followed its keys to; s
   int width = kStartWidth, height = kStartHeight;
   bool themed_dark = false;
   double themed_unit = 0;
@@ -79,7 +87,10 @@ struct Viewer::Impl {
         renderer(context, kStartWidth, kStartHeight),
         fonts(*ImGui::GetIO().Fonts, [this](const unsigned char* rgba, int w,
                                             int h) { return renderer.upload_font_atlas(rgba, w, h); }),
-        sim(runner.latest()) {
+        sim(runner.latest()),
+        scenes(o.shipped_scenes, o.steady),
+        studio(context, r, o.steady,
+               [this](Severity severity, const std::string& text) { tell(severity, text); }) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = this;
     io.GetClipboardTextFn = [](void* self) { return static_cast<Impl*>(self)->clipboard_text(); };
@@ -110,12 +121,13 @@ struct Viewer::Impl {
 
   void act(const ViewCommand& c) {
     apply_view_command(c, *sim, port(), ui);
+    studio.act(c, *sim, ui);
     if (std::holds_alternative<command::CopyCommand>(c)) {
       copy(render_command(*sim, ui));
       tell(Severity::note, "copied: " + clipboard_buffer);
-    } else if (const auto* shot = std::get_if<command::Screenshot>(&c)) {
-      screenshots.push_back(*shot);
     } else if (const auto* quit = std::get_if<command::Quit>(&c)) {
+      if (studio.recorder().busy() && !quit->force)
+        throw Error(ExitCode::bad_input, "a video is being made: stop or cancel it first");
       if (sim->unsaved && !quit->force) {
         ui.dialog = "quit";
       } else {
@@ -123,7 +135,6 @@ struct Viewer::Impl {
       }
     }
   }
-  std::vector<command::Screenshot> screenshots;
 
   // Only what somebody looks at is recorded.
   void observe() {
@@ -214,6 +225,7 @@ struct Viewer::Impl {
       ImGui::End();
     }
     messages.draw(frame, layout.view, seconds);
+    draw_recording(frame, layout.view);
     if (ui.help) draw_help(frame, width, height);
     dialogs.draw(frame, width, height);
   }
@@ -234,8 +246,38 @@ struct Viewer::Impl {
   void follow_scene() {
     if (sim->scene_serial == scene_serial) return;
     scene_serial = sim->scene_serial;
-    ui.camera = precise(scene_camera(*sim->scene, port().width / port().height));
+    if (sim->scene_path.empty() || sim->scene_path != followed) {  // else: the same one again
+      ui.camera = precise(scene_camera(*sim->scene, port().width / port().height));
+      ui.fly = false;
+    }
+    followed = sim->scene_path;
     ui.selection = {};
+    remember(sim->scene_path);
+    scenes_shown = false;  // another folder, perhaps
+  }
+
+  void remember(const std::string& path) {
+    if (path.empty()) return;
+    std::error_code ignored;
+    const std::string full = std::filesystem::absolute(path, ignored).lexically_normal().string();
+    std::erase(ui.recent, full);
+    ui.recent.insert(ui.recent.begin(), full);
+    if (ui.recent.size() > kMostRecent) ui.recent.resize(kMostRecent);
+  }
+
+  // While time goes on the camera follows its keys; at rest it may be moved by hand.
+  void fly() {
+    const double time = sim->a.state.time;
+    if (ui.fly && !ui.camera_keys.empty() && time != flown_to) ui.camera = camera_at(ui.camera_keys, time);
+    flown_to = ui.fly ? time : -1;
+  }
+
+  // Pictures of scenes are made while somebody looks at them.
+  void list_scenes() {
+    const bool shown = !ui.hidden && ui.open[0] && ui.shown[0] == "scenes";
+    if (shown && !scenes_shown) scenes.look(sim->scene_path, ui.recent, renderer);
+    if (shown) scenes.update(renderer);
+    scenes_shown = shown;
   }
 
   void draw(double seconds) {
@@ -243,12 +285,14 @@ struct Viewer::Impl {
     sim = runner.latest();
     layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
     follow_scene();
+    list_scenes();
+    fly();
     restyle();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
     Outbox out;
-    GuiFrame frame{*sim, ui, unit(), fonts, metrics, out};
+    GuiFrame frame{*sim, ui, unit(), fonts, metrics, out, scenes, studio.recorder()};
     take_events(frame);
     ImFont* font = fonts.font(kTextSize * unit());
     if (fonts.stale()) {
@@ -268,6 +312,7 @@ struct Viewer::Impl {
                         static_cast<int>(std::lround(r.w)), static_cast<int>(std::lround(r.h))});
     }
     renderer.compose(width, height, places, window_background(ui.dark), ImGui::GetDrawData());
+    studio.work(*sim, ui, width, height, renderer);
     send_all(out);
   }
 };
@@ -304,6 +349,8 @@ MouseCursor Viewer::cursor() const {
       return MouseCursor::arrow;
   }
 }
-bool Viewer::has_input() const { return !impl_->input.empty(); }
+bool Viewer::has_input() const {
+  return !impl_->input.empty() || impl_->studio.busy() || (impl_->scenes_shown && impl_->scenes.busy());
+}
 
 }  // namespace pabd

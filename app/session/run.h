@@ -23,6 +23,7 @@ class Run {
   Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory);
 
   const Scene& scene() const { return *scene_; }
+  const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
   const Model& model() const { return session_.model(); }
   const std::shared_ptr<const Model>& shared_model() const { return session_.shared_model(); }
   const State& state() const { return session_.state(); }

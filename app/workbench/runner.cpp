@@ -47,6 +47,17 @@ void Runner::send(Command command) {
   wake_.notify_all();
 }
 
+std::future<RunCopies> Runner::copy_runs() {
+  std::future<RunCopies> out;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+    out = copies_.emplace_back().get_future();
+  }
+  wake_.notify_all();
+  return out;
+}
+
 std::shared_ptr<const Snapshot> Runner::latest() {
   bool wanted = false;
   std::shared_ptr<const Snapshot> out;
@@ -72,6 +83,7 @@ void Runner::work() {
   std::deque<Command> commands;
   while (wait_for_work(commands)) {
     for (const Command& command : commands) carry_out(command);
+    hand_out_copies();
     bool changed = !commands.empty();
     commands.clear();
     if (keep_pace(Clock::now())) {
@@ -93,7 +105,7 @@ void Runner::work() {
 // False when it is time to stop.
 bool Runner::wait_for_work(std::deque<Command>& commands) {
   std::unique_lock lock(mutex_);
-  const auto ready = [&] { return stop_ || !queue_.empty(); };
+  const auto ready = [&] { return stop_ || !queue_.empty() || !copies_.empty(); };
   if (queue_.empty()) {
     busy_ = false;
     settled_.notify_all();
@@ -106,6 +118,20 @@ bool Runner::wait_for_work(std::deque<Command>& commands) {
   commands.swap(queue_);
   if (!commands.empty()) busy_ = true;
   return !stop_;
+}
+
+void Runner::hand_out_copies() {
+  std::vector<std::promise<RunCopies>> wanted;
+  {
+    const std::scoped_lock lock(mutex_);
+    if (!queue_.empty()) return;  // sent before: first those
+    wanted.swap(copies_);
+  }
+  for (std::promise<RunCopies>& promise : wanted) {
+    RunCopies copies{workbench_->run().fork(), {}};
+    if (workbench_->comparing()) copies.b.emplace(workbench_->run(Side::b).fork());
+    promise.set_value(std::move(copies));
+  }
 }
 
 // Whether a step is due now; measures how fast the simulation goes.

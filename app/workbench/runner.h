@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -16,6 +17,12 @@
 #include "app/workbench/workbench.h"
 
 namespace pabd {
+
+// Copies of both runs: their pasts and where they are. States are shared.
+struct RunCopies {
+  Run a;
+  std::optional<Run> b;
+};
 
 class Runner {
  public:
@@ -30,6 +37,9 @@ class Runner {
   // The newest snapshot; never waits for a step. Throws what the thread died of.
   std::shared_ptr<const Snapshot> latest();
 
+  // Copies of the runs, after everything sent so far; the future is broken when the thread ends before.
+  std::future<RunCopies> copy_runs();
+
   // Waits until everything sent so far is carried out; `latest` shows it then. Not while playing.
   std::shared_ptr<const Snapshot> settle();
 
@@ -38,6 +48,7 @@ class Runner {
 
   void work();
   bool wait_for_work(std::deque<Command>& commands);
+  void hand_out_copies();
   bool keep_pace(Clock::time_point now);
   void carry_out(const Command& command);
   void publish();
@@ -48,6 +59,7 @@ class Runner {
   std::mutex mutex_;
   std::condition_variable wake_, settled_;
   std::deque<Command> queue_;
+  std::vector<std::promise<RunCopies>> copies_;  // that somebody waits for
   std::shared_ptr<const Snapshot> latest_;
   bool taken_ = true;  // somebody has the latest snapshot and will want another
   bool busy_ = false, stop_ = false;

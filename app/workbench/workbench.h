@@ -32,6 +32,7 @@ class Workbench {
   bool playing() const { return playing_; }
   double speed() const { return speed_; }
   const Run& run(Side side = Side::a) const;
+  bool comparing() const { return b_.has_value(); }
 
   // Whether the scene's file is another one than when it was loaded or last asked.
   bool file_changed();

@@ -50,6 +50,11 @@ void AsyncSink::write(const Image& frame) {
   changed_.notify_all();
 }
 
+bool AsyncSink::has_room() const {
+  const std::lock_guard lock(mutex_);
+  return count_ < ring_.size() || failure_ || ending_;
+}
+
 void AsyncSink::finish() {
   {
     const std::lock_guard lock(mutex_);

@@ -22,6 +22,7 @@ class AsyncSink : public FrameSink {
   ~AsyncSink() override;
 
   void write(const Image& frame) override;  // copies; waits while the ring is full
+  bool has_room() const;                    // write() would not wait
   void finish() override;                   // writes what waits, then finishes the inner sink
 
   double busy_ms() const;     // time that the inner sink worked, so far

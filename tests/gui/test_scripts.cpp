@@ -52,6 +52,12 @@ void carry_out(const Script& script, const TempFolder& folder, std::string& rend
   Runner runner(std::make_unique<Workbench>(bench, command::Load{"two_boxes", {}, false}));
   ViewerOptions options;
   options.steady = true;
+  options.shipped_scenes = [] {
+    std::vector<fs::path> out;
+    for (const char* name : {"dominoes", "four_bar", "pile", "two_boxes"})
+      out.emplace_back(shipped_scene(name));
+    return out;
+  };
   if (copied) options.set_clipboard = [copied](const std::string& text) { *copied = text; };
   Viewer viewer(*context, runner, options);
   renderer = viewer.renderer().gl_renderer();

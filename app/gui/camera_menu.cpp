@@ -1,0 +1,82 @@
+// The camera's views and key frames, as a menu of the toolbar; the marks of the keys on the timeline.
+#include <fmt/format.h>
+
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace pabd {
+namespace {
+
+constexpr struct {
+  const char* view;
+  const char* text;
+} kViews[] = {{"scene", "as the scene says (0)"}, {"front", "from the front (1)"},
+              {"right", "from the right (2)"},    {"top", "from above (3)"},
+              {"iso", "at an angle (4)"},         {"back", "from the back"},
+              {"left", "from the left"},          {"bottom", "from below"}};
+
+void draw_keys(GuiFrame& f) {
+  if (ImGui::Button("Add key here")) f.out.send(ViewCommand(command::AddCameraKey{}));
+  tooltip("The camera as it is now, at the present time (k)");
+  if (f.ui.camera_keys.empty()) {
+    ImGui::PushTextWrapPos(f.px(270));
+    muted_label(f, "No keys yet. With two or more at different times the camera flies from one to the next.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  ImGui::SameLine();
+  bool fly = f.ui.fly;
+  if (ImGui::Checkbox("fly along", &fly)) f.out.send(ViewCommand(command::Fly{fly}));
+  tooltip("The camera follows its keys while time goes on");
+  const float height = ImGui::GetTextLineHeightWithSpacing() *
+                       static_cast<float>(std::min<std::size_t>(f.ui.camera_keys.size(), 8));
+  ImGui::BeginChild("##keys", {f.px(270), height});
+  for (std::size_t i = 0; i < f.ui.camera_keys.size(); ++i) {
+    const CameraKey& key = f.ui.camera_keys[i];
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(fmt::format("{:.3f} s", key.time).c_str(), false, 0, {f.px(190), 0})) {
+      f.out.send(Command(command::Seek{key.time}));
+      const auto numbers = [](const Vec3& v) { return std::vector<double>{v.x(), v.y(), v.z()}; };
+      f.out.send(ViewCommand(command::Look{numbers(key.pose.eye), numbers(key.pose.target), key.pose.fov}));
+    }
+    tooltip("Goes to that time and looks from there");
+    ImGui::SameLine(f.px(204));
+    if (ImGui::SmallButton("remove")) f.out.send(ViewCommand(command::DropCameraKey{static_cast<int>(i)}));
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+  if (ImGui::Button("Save…")) f.out.send(ViewCommand(command::Ask{"save_camera", ""}));
+  tooltip("As a file that 'pabd render --camera' takes");
+  ImGui::SameLine();
+  if (ImGui::Button("Remove all")) f.out.send(ViewCommand(command::ClearCameraKeys{}));
+}
+
+}  // namespace
+
+void draw_camera_menu(GuiFrame& f) {
+  if (toggle_button(f, "Camera", f.ui.fly && !f.ui.camera_keys.empty(), "Views, and a camera that moves"))
+    ImGui::OpenPopup("##camera");
+  ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + f.px(4)});
+  if (!ImGui::BeginPopup("##camera")) return;
+  heading(f, "Look");
+  for (const auto& v : kViews) {
+    if (ImGui::Selectable(v.text)) f.out.send(ViewCommand(command::LookFrom{v.view}));
+  }
+  heading(f, "Key frames");
+  draw_keys(f);
+  if (!f.ui.camera_keys.empty()) ImGui::SameLine();
+  if (ImGui::Button("Load…")) f.out.send(ViewCommand(command::Ask{"load_camera", ""}));
+  ImGui::EndPopup();
+}
+
+void draw_camera_marks(const GuiFrame& f, const std::function<float(double)>& x_of_time, float y) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float r = f.px(4.5);
+  for (const CameraKey& key : f.ui.camera_keys) {
+    const float x = std::round(x_of_time(key.time));
+    list.AddQuadFilled({x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}, packed(f.theme().color(2)));
+    list.AddQuad({x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}, packed(f.theme().text), f.px(1));
+  }
+}
+
+}  // namespace pabd

@@ -1,0 +1,77 @@
+// Pictures and videos of what the window shows, drawn as `pabd render` draws.
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/frames/ab_painter.h"
+#include "app/frames/past_producer.h"
+#include "app/gui/ui_state.h"
+#include "app/workbench/runner.h"
+#include "render/gl/renderer.h"
+#include "render/output/async_sink.h"
+
+namespace pabd {
+
+// As for `pabd render --overlay` and `--camera`, of what the view shows.
+std::string overlay_words(const UiState& ui);
+
+// Throws Error when that file must not be written: no name, or one that exists (without `force`).
+void check_writable(const std::string& path, bool force);
+
+// The frame that was composed last, into a file.
+void save_window(const std::string& path, const Snapshot& sim, const UiState& ui, Renderer& renderer);
+
+// The scene alone, pixel for pixel what `pabd render` draws of this state with this camera; width × height
+// pixels. Throws Error(bad_input) for a size, Error(file).
+void save_scene_picture(const std::string& path, const Snapshot& sim, const UiState& ui, int width,
+                        int height, GlContext& context);
+
+// Makes a video of the past while the window goes on: in each frame as much as fits into a while.
+class Recorder {
+ public:
+  struct Progress {
+    std::string path;
+    int done = 0, count = 0;  // frames; count 0: not known yet
+    bool finishing = false;   // all are drawn, the file is being completed
+  };
+  struct Outcome {
+    std::string text;
+    bool error = false;
+  };
+
+  Recorder(GlContext& context, Runner& runner) : context_(context), runner_(runner) {}
+
+  // Throws Error(bad_input) when it cannot be; what only turns out later, update() tells.
+  void start(const command::Record& record, const UiState& ui);
+  // Ends it with the frames that are there, or without a file.
+  void stop(bool keep);
+
+  // Draws for about `budget`; with `all` until everything is done. What there is to say about it, if
+  // anything.
+  std::optional<Outcome> update(std::chrono::milliseconds budget, bool all);
+
+  bool busy() const { return job_ != nullptr; }
+  Progress progress() const;
+
+ private:
+  struct Job;
+  struct JobDeleter {
+    void operator()(Job* job) const;
+  };
+  std::optional<Outcome> work(std::chrono::milliseconds budget, bool all);
+  void begin(RunCopies runs);
+  void open(const PastPacket& first);
+  void draw(const PastPacket& packet);
+  void deliver();
+  void finish();
+
+  GlContext& context_;
+  Runner& runner_;
+  std::unique_ptr<Job, JobDeleter> job_;
+};
+
+}  // namespace pabd

@@ -1,0 +1,212 @@
+// Videos of the past: see pictures.h.
+//
+//   Runner (a copy of the runs) → PastProducer (a thread) → AbPainter (here) → AsyncSink (a thread) → file
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/frames/frame_text.h"
+#include "app/gui/pictures.h"
+#include "sim/error.h"
+
+namespace pabd {
+
+struct Recorder::Job {
+  command::Record record;
+  std::string overlay_text, camera_text;
+  OverlayChoice overlay;
+  CameraOption camera;
+  AbView ab_view = AbView::ghost;
+  std::future<RunCopies> runs;
+  std::shared_ptr<const Scene> scene;
+  std::unique_ptr<PastProducer> producer;
+  std::unique_ptr<Session> a, b;  // what the painter asks
+  std::unique_ptr<AbPainter> painter;
+  std::unique_ptr<AsyncSink> sink;
+  std::future<void> finished;
+  Image image;
+  int drawn = 0, written = 0;
+  bool stopping = false;  // with what is there
+};
+
+void Recorder::JobDeleter::operator()(Job* job) const { delete job; }
+
+namespace {
+
+void check(const char* what, double value, double lo, double hi) {
+  if (value >= lo && value <= hi) return;
+  throw Error(ExitCode::bad_input,
+              fmt::format("record: {}: expected {:g} to {:g}, got {:g}", what, lo, hi, value));
+}
+
+template <class T>
+bool ready(const std::future<T>& future) {
+  return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+void follow(Session& session, const std::shared_ptr<const Model>& model, const Params& params,
+            const State& state, bool& changed) {
+  if (session.shared_model() != model) {
+    session.restore(model, state);
+    changed = true;
+  }
+  // Every field counts: a number that is off by a bit is another run.
+  if (parameters_json(session.params(), session.kappa()) != parameters_json(params, session.kappa())) {
+    session.set_params(params);
+    changed = true;
+  }
+}
+
+}  // namespace
+
+void Recorder::start(const command::Record& record, const UiState& ui) {
+  if (busy()) throw Error(ExitCode::bad_input, "record: one video is being made; stop it first");
+  check("fps", record.fps, 0.01, 1000);
+  check("width", record.width, 16, 16384);
+  check("height", record.height, 16, 16384);
+  check("from", record.from, -1, 1e9);
+  check("to", record.to, -1, 1e9);
+  if (record.path == "-") throw Error(ExitCode::bad_input, "record: expected the name of a file");
+  check_writable(record.path, record.force);
+  std::unique_ptr<Job, JobDeleter> job(new Job);
+  job->record = record;
+  job->overlay_text = record.overlay.empty() ? overlay_words(ui) : record.overlay;
+  job->overlay = parse_overlay(job->overlay_text);
+  if (ui.fly && !ui.camera_keys.empty()) {
+    job->camera.keys = ui.camera_keys;
+  } else {
+    job->camera_text = camera_words(rounded(ui.camera));
+    job->camera = parse_camera(job->camera_text);
+  }
+  job->ab_view = ui.side_by_side ? AbView::side : AbView::ghost;
+  job->runs = runner_.copy_runs();
+  job_ = std::move(job);
+}
+
+void Recorder::begin(RunCopies runs) {
+  Job& job = *job_;
+  job.scene = runs.a.shared_scene();
+  job.a = std::make_unique<Session>(job.scene);
+  if (runs.b) job.b = std::make_unique<Session>(job.scene);
+  const OverlayChoice& overlay = job.overlay;
+  job.producer = std::make_unique<PastProducer>(std::move(runs.a), std::move(runs.b),
+                                                PastRange{job.record.from, job.record.to, job.record.fps},
+                                                overlay.needs_iterations(), overlay.needs_contacts());
+}
+
+// With the first frame everything that pictures have in common is known.
+void Recorder::open(const PastPacket& first) {
+  Job& job = *job_;
+  job.a->set_params(first.params);
+  job.a->restore(first.model, first.frame.state);
+  if (job.b) {
+    job.b->set_params(first.params_b);
+    job.b->restore(first.model_b, first.frame.b->state);
+  }
+  const command::Record& r = job.record;
+  job.painter = std::make_unique<AbPainter>(context_, *job.a, job.b.get(), job.ab_view, r.width, r.height,
+                                            job.overlay, job.camera);
+  const ViewFacts facts{r.width,
+                        r.height,
+                        r.fps,
+                        job.overlay_text,
+                        camera_text(job.camera, job.camera_text),
+                        job.painter->gl_renderer()};
+  const PngText common =
+      common_text(*job.a, facts, job.b.get(), job.ab_view == AbView::side ? "side" : "ghost");
+  SinkOptions options;
+  options.width = r.width;
+  options.height = r.height;
+  options.fps = r.fps;
+  options.force = r.force;
+  options.png_text = [common, producer = job.producer.get()](int frame) {
+    return frame_text(common, frame, producer->time(frame));
+  };
+  job.sink = std::make_unique<AsyncSink>(make_sink(r.path, options));
+}
+
+void Recorder::deliver() {
+  job_->painter->fetch(job_->image);
+  job_->sink->write(job_->image);
+  ++job_->written;
+}
+
+void Recorder::draw(const PastPacket& packet) {
+  Job& job = *job_;
+  if (!job.painter) open(packet);
+  bool changed = false;
+  follow(*job.a, packet.model, packet.params, packet.frame.state, changed);
+  if (job.b) follow(*job.b, packet.model_b, packet.params_b, packet.frame.b->state, changed);
+  if (changed) job.painter->refresh();
+  job.painter->draw(packet.frame);
+  ++job.drawn;
+  if (job.painter->queued() > 1) deliver();
+}
+
+// An encoder takes its time at the end.
+void Recorder::finish() {
+  Job& job = *job_;
+  while (job.painter && job.painter->queued() > 0) deliver();
+  job.finished = std::async(std::launch::async, [sink = job.sink.get()] { sink->finish(); });
+}
+
+std::optional<Recorder::Outcome> Recorder::work(std::chrono::milliseconds budget, bool all) {
+  using Clock = std::chrono::steady_clock;
+  Job& job = *job_;
+  const auto end = Clock::now() + budget;
+  if (!job.producer) {
+    if (!all && !ready(job.runs)) return std::nullopt;
+    begin(job.runs.get());
+    if (!all)
+      return Outcome{fmt::format("recording {} frames: {}", job.producer->count(), job.record.path), false};
+  }
+  while (!job.finished.valid() && !job.stopping && job.drawn < job.producer->count()) {
+    if (!all && (Clock::now() >= end || (job.sink && !job.sink->has_room()))) return std::nullopt;
+    const auto packet = job.producer->next(all);
+    if (!packet && !all) return std::nullopt;
+    if (!packet) break;
+    draw(*packet);
+  }
+  if (!job.finished.valid()) {
+    if (job.drawn == 0) job.producer->next(true);  // throws why
+    if (job.drawn == 0) return Outcome{"record: stopped before the first frame; nothing was written", false};
+    finish();
+  }
+  if (!all && !ready(job.finished)) return std::nullopt;
+  job.finished.get();
+  return Outcome{fmt::format("saved {}: {} frames, {:.3g} s at {:g} a second", job.record.path, job.written,
+                             job.written / job.record.fps, job.record.fps),
+                 false};
+}
+
+std::optional<Recorder::Outcome> Recorder::update(std::chrono::milliseconds budget, bool all) {
+  if (!busy()) return std::nullopt;
+  std::optional<Outcome> outcome;
+  bool over = true;
+  try {
+    const bool began = job_->producer != nullptr;
+    outcome = work(budget, all);
+    over = outcome.has_value() && (all || began);
+  } catch (const std::exception& error) {
+    outcome = Outcome{error.what(), true};
+  }
+  if (over && outcome) job_.reset();
+  return outcome;
+}
+
+void Recorder::stop(bool keep) {
+  if (!busy()) throw Error(ExitCode::bad_input, "stop_record: nothing is being recorded");
+  if (keep && job_->drawn > 0) {
+    job_->stopping = true;
+  } else {
+    job_.reset();
+  }
+}
+
+Recorder::Progress Recorder::progress() const {
+  if (!busy()) return {};
+  return {job_->record.path, job_->drawn, job_->producer ? job_->producer->count() : 0,
+          job_->finished.valid()};
+}
+
+}  // namespace pabd

@@ -1,0 +1,85 @@
+// While a video is made: how far it is, over the picture at the top, and how to end it. The fields that its
+// dialog asks for.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "app/gui/panels.h"
+#include "app/gui/pictures.h"
+#include "app/gui/widgets.h"
+
+namespace pabd {
+
+void draw_recording(GuiFrame& f, const Rect& view) {
+  if (!f.recorder.busy()) return;
+  const Recorder::Progress p = f.recorder.progress();
+  const float width = std::min(f.px(360), static_cast<float>(view.w) - f.px(24));
+  if (width < f.px(80)) return;
+  ImGui::SetNextWindowPos({static_cast<float>(view.x + 0.5 * view.w), static_cast<float>(view.y) + f.px(12)},
+                          ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::Begin("##recording", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  label(p.path);
+  const std::string text = p.finishing    ? std::string("finishing the file")
+                           : p.count == 0 ? std::string("waiting for the step under way")
+                                          : fmt::format("{} of {} frames", p.done, p.count);
+  const float done = p.count > 0 ? static_cast<float>(p.done) / static_cast<float>(p.count) : 0;
+  ImGui::ProgressBar(done, {-1, 0}, text.c_str());
+  if (ImGui::Button("Stop")) f.out.send(ViewCommand(command::StopRecord{true}));
+  tooltip("The file with the frames that are there");
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) f.out.send(ViewCommand(command::StopRecord{false}));
+  tooltip("No file");
+  ImGui::End();
+}
+
+void draw_record_fields(const GuiFrame& f, command::Record& r, bool& along_keys) {
+  const auto& history = *f.sim.a.history;
+  const double first = history.front().time, last = history.back().time;
+  const float field = f.px(84);
+  const auto number = [&](const char* id, double& value, const char* format, const char* help) {
+    ImGui::SetNextItemWidth(field);
+    ImGui::InputDouble(id, &value, 0, 0, format);
+    tooltip(help);
+    ImGui::SameLine();
+  };
+  const auto name = [&](const char* text) {
+    ImGui::AlignTextToFramePadding();
+    muted_label(f, text);
+    ImGui::SameLine(f.px(80));
+  };
+  name("time");
+  if (r.from < 0) r.from = first;
+  if (r.to < 0) r.to = last;
+  number("##from", r.from, "%.3f s", "First moment");
+  label("to");
+  ImGui::SameLine();
+  number("##to", r.to, "%.3f s", "Last moment");
+  muted_label(f, fmt::format("of {:.3f} to {:.3f} s", first, last));
+  name("frames");
+  number("##fps", r.fps, "%g", "Frames a second of simulated time");
+  label("a second");
+  name("size");
+  ImGui::SetNextItemWidth(field);
+  ImGui::InputInt("##width", &r.width, 0);
+  tooltip("Width in pixels");
+  ImGui::SameLine();
+  label("×");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(field);
+  ImGui::InputInt("##height", &r.height, 0);
+  tooltip("Height in pixels");
+  ImGui::SameLine();
+  label("pixels");
+  ImGui::BeginDisabled(f.ui.camera_keys.empty());
+  ImGui::Checkbox("along the camera keys", &along_keys);
+  ImGui::EndDisabled();
+  tooltip(f.ui.camera_keys.empty() ? "There are no camera keys: the camera stays where it is"
+                                   : "Else the camera stays where it is");
+}
+
+}  // namespace pabd

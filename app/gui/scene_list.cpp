@@ -1,0 +1,228 @@
+// See scene_list.h.
+#include "app/gui/scene_list.h"
+
+#include <algorithm>
+
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As people write it, without what a path may hold twice.
+std::string clean(const fs::path& path) {
+  std::error_code failure;
+  const fs::path full = fs::weakly_canonical(path, failure);
+  return (failure ? path : full).string();
+}
+
+fs::file_time_type time_of(const std::string& path) {
+  std::error_code failure;
+  const auto time = fs::last_write_time(path, failure);
+  return failure ? fs::file_time_type::min() : time;
+}
+
+std::vector<fs::path> json_files(const fs::path& folder) {
+  std::vector<fs::path> out;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    std::error_code ignored;
+    if (entry->path().extension() == ".json" && entry->is_regular_file(ignored)) out.push_back(entry->path());
+  }
+  std::sort(out.begin(), out.end());
+  if (out.size() > SceneList::kMostFiles) out.resize(SceneList::kMostFiles);
+  return out;
+}
+
+}  // namespace
+
+SceneList::SceneList(Files shipped, bool steady)
+    : shipped_(std::move(shipped)),
+      steady_(steady),
+      cache_(steady ? std::nullopt : ThumbnailCache::default_folder()) {
+  if (!steady_) thread_ = std::thread([this] { work(); });
+}
+
+SceneList::~SceneList() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+bool SceneList::busy() const {
+  const std::scoped_lock lock(mutex_);
+  return !wanted_.empty() || reading_ > 0 || !found_.empty() || !undrawn_.empty();
+}
+
+SceneList::Found SceneList::read(const std::string& path) const {
+  Found found;
+  found.path = path;
+  found.card.read = true;
+  found.card.without_picture = true;
+  std::string text;
+  try {
+    std::error_code failure;
+    const std::uintmax_t size = fs::file_size(path, failure);
+    if (!failure && size > kMostBytes) {
+      found.card.description = "a large file: it is read when it is opened";
+      return found;
+    }
+    text = read_scene_text(path);
+    auto scene = std::make_shared<const Scene>(parse_scene(text, path, fs::path(path).parent_path()));
+    found.card.description = scene->description;
+    found.card.bodies = scene->model.shape.size();
+    found.card.joints = scene->model.joints.size();
+    if (found.card.bodies > kMostBodies) return found;
+    found.card.without_picture = false;
+    found.picture = cache_.find(scene->hash);
+    found.scene = std::move(scene);
+  } catch (const std::exception& error) {
+    // Patches, scripts and the like lie beside scenes.
+    found.is_scene = text.empty() || text.find("\"pabd-scene\"") != std::string::npos;
+    found.card.error = error.what();
+    // The list says which file it is.
+    const std::string place = path + ": ";
+    if (found.card.error.starts_with(place)) found.card.error.erase(0, place.size());
+  }
+  return found;
+}
+
+void SceneList::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wake_.wait(lock, [&] { return stop_ || !wanted_.empty(); });
+    if (stop_) return;
+    const std::string path = std::move(wanted_.front());
+    wanted_.pop_front();
+    reading_ = 1;
+    lock.unlock();
+    Found found = read(path);
+    lock.lock();
+    reading_ = 0;
+    found_.push_back(std::move(found));
+  }
+}
+
+void SceneList::add(SceneCard::Group group, const fs::path& file, std::vector<SceneCard>& out) const {
+  const std::string path = clean(file);
+  if (std::any_of(out.begin(), out.end(), [&](const SceneCard& c) { return c.path == path; })) return;
+  SceneCard card;
+  card.group = group;
+  card.path = path;
+  card.name = file.stem().string();
+  out.push_back(std::move(card));
+}
+
+void SceneList::look(const std::string& open_path, const std::vector<std::string>& recent,
+                     Renderer& renderer) {
+  std::vector<fs::path> shipped;
+  try {
+    if (shipped_) shipped = shipped_();
+  } catch (const std::exception&) {  // a folder that went away
+  }
+  open_ = open_path.empty() ? "" : clean(open_path);
+  const fs::path folder = fs::path(open_).parent_path();
+  const bool among_shipped = !shipped.empty() && fs::path(clean(shipped.front())).parent_path() == folder;
+  std::vector<SceneCard> cards;
+  if (!folder.empty() && !among_shipped) {
+    add(SceneCard::Group::folder, open_, cards);
+    for (const fs::path& file : json_files(folder)) add(SceneCard::Group::folder, file, cards);
+  }
+  std::vector<SceneCard> later;
+  for (const fs::path& file : shipped) add(SceneCard::Group::shipped, file, later);
+  for (const std::string& path : recent) {
+    std::error_code failure;
+    const bool listed =
+        std::any_of(later.begin(), later.end(), [&](const SceneCard& c) { return c.path == clean(path); });
+    if (!listed && fs::is_regular_file(path, failure)) add(SceneCard::Group::recent, path, cards);
+  }
+  for (SceneCard& card : later) {
+    if (std::none_of(cards.begin(), cards.end(), [&](const SceneCard& c) { return c.path == card.path; }))
+      cards.push_back(std::move(card));
+  }
+
+  // What is known stays; the rest is read.
+  std::deque<std::string> wanted;
+  std::vector<std::pair<std::string, fs::file_time_type>> written;
+  for (SceneCard& card : cards) {
+    written.emplace_back(card.path, time_of(card.path));
+    const auto old = std::find_if(cards_.begin(), cards_.end(),
+                                  [&](const SceneCard& c) { return c.path == card.path && c.read; });
+    const bool same = std::find(written_.begin(), written_.end(), written.back()) != written_.end();
+    if (old != cards_.end() && same) {
+      const SceneCard::Group group = card.group;
+      card = *old;
+      card.group = group;
+      old->picture = nullptr;
+    } else {
+      wanted.push_back(card.path);
+    }
+  }
+  for (const SceneCard& old : cards_) {
+    if (old.picture) renderer.free_texture(old.picture);
+  }
+  cards_ = std::move(cards);
+  written_ = std::move(written);
+  {
+    const std::scoped_lock lock(mutex_);
+    wanted_ = std::move(wanted);
+  }
+  wake_.notify_all();
+}
+
+void SceneList::take(Found found, Renderer& renderer) {
+  const auto card =
+      std::find_if(cards_.begin(), cards_.end(), [&](const SceneCard& c) { return c.path == found.path; });
+  if (card == cards_.end()) return;
+  if (!found.is_scene) {
+    cards_.erase(card);
+    return;
+  }
+  if (card->picture) renderer.free_texture(card->picture);
+  found.card.group = card->group;
+  found.card.path = card->path;
+  found.card.name = card->name;
+  *card = found.card;
+  if (!found.card.without_picture) undrawn_.push_back(std::move(found));
+}
+
+// False when there was nothing to draw, because it was kept from an earlier run.
+bool SceneList::draw(Found& found, Renderer& renderer) {
+  const auto card =
+      std::find_if(cards_.begin(), cards_.end(), [&](const SceneCard& c) { return c.path == found.path; });
+  if (card == cards_.end()) return false;
+  const bool kept = found.picture.has_value();
+  if (!kept) {
+    found.picture = draw_thumbnail(renderer, *found.scene);
+    cache_.store(found.scene->hash, *found.picture);
+  }
+  card->picture = renderer.upload_texture(*found.picture);
+  return !kept;
+}
+
+void SceneList::update(Renderer& renderer) {
+  if (steady_) {
+    while (!wanted_.empty()) {
+      take(read(wanted_.front()), renderer);
+      wanted_.pop_front();
+    }
+  }
+  std::deque<Found> found;
+  {
+    const std::scoped_lock lock(mutex_);
+    found.swap(found_);
+  }
+  for (Found& f : found) take(std::move(f), renderer);
+  bool drawn = false;
+  while (!undrawn_.empty() && (steady_ || !drawn)) {
+    drawn = draw(undrawn_.front(), renderer) || drawn;
+    undrawn_.pop_front();
+  }
+}
+
+}  // namespace pabd

@@ -1,0 +1,86 @@
+// See studio.h.
+#include "app/gui/studio.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "app/frames/camera_keys.h"
+#include "render/output/atomic_file.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+constexpr std::chrono::milliseconds kShare{20};  // of a frame, for a video
+
+struct Keys {
+  const Snapshot& sim;
+  UiState& ui;
+
+  std::string save(const command::SaveCamera& c) const {
+    if (ui.camera_keys.empty())
+      throw Error(ExitCode::bad_input, "save_camera: there are no camera keys; add one first");
+    check_writable(c.path, c.force);
+    AtomicFile file(c.path);
+    file.write(camera_keys_json({sim.scene->name, ui.camera_keys}));
+    file.commit();
+    return "saved " + c.path;
+  }
+  std::string load(const command::LoadCamera& c) const {
+    CameraKeys keys = parse_camera_keys(read_scene_text(c.path), c.path);
+    ui.camera_keys = std::move(keys.keys);
+    const bool same = keys.scene.empty() || keys.scene == sim.scene->name;
+    return fmt::format("{}: {} camera keys{}", c.path, ui.camera_keys.size(),
+                       same ? "" : ", made for the scene " + keys.scene);
+  }
+};
+
+}  // namespace
+
+void Studio::act(const ViewCommand& command, const Snapshot& sim, UiState& ui) {
+  const Keys keys{sim, ui};
+  if (const auto* shot = std::get_if<command::Screenshot>(&command)) {
+    check_writable(shot->path, shot->force);
+    waiting_.push_back(*shot);
+    ui.dialog.clear();  // the picture is of what is behind it
+  } else if (const auto* record = std::get_if<command::Record>(&command)) {
+    recorder_.start(*record, ui);
+  } else if (const auto* stop = std::get_if<command::StopRecord>(&command)) {
+    recorder_.stop(stop->keep);
+    if (!recorder_.busy()) tell_(Severity::note, "the recording was ended; no file was made");
+  } else if (const auto* save = std::get_if<command::SaveCamera>(&command)) {
+    tell_(Severity::note, keys.save(*save));
+  } else if (const auto* load = std::get_if<command::LoadCamera>(&command)) {
+    tell_(Severity::note, keys.load(*load));
+  }
+}
+
+void Studio::take(const command::Screenshot& shot, const Snapshot& sim, const UiState& ui, int width,
+                  int height, Renderer& renderer) {
+  try {
+    if (shot.ui) {
+      save_window(shot.path, sim, ui, renderer);
+    } else {
+      save_scene_picture(shot.path, sim, ui, shot.width > 0 ? shot.width : width,
+                         shot.height > 0 ? shot.height : height, context_);
+    }
+    tell_(Severity::note, "saved " + shot.path);
+  } catch (const Error& error) {
+    tell_(Severity::error, error.what());
+  }
+}
+
+void Studio::work(const Snapshot& sim, const UiState& ui, int width, int height, Renderer& renderer) {
+  ImGuiContext* const current = ImGui::GetCurrentContext();
+  // A dialog that was just closed is still on this frame.
+  const bool clear = !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (clear) {
+    for (const command::Screenshot& shot : std::exchange(waiting_, {}))
+      take(shot, sim, ui, width, height, renderer);
+  }
+  if (const auto outcome = recorder_.update(kShare, steady_))
+    tell_(outcome->error ? Severity::error : Severity::note, outcome->text);
+  ImGui::SetCurrentContext(current);
+}
+
+}  // namespace pabd
