@@ -9,6 +9,7 @@
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
 #include "app/gui/script.h"
+#include "app/gui/settings.h"
 #include "app/gui/viewer.h"
 #include "render/context/window.h"
 #include "sim/error.h"
@@ -17,6 +18,7 @@ namespace pabd::cli {
 namespace {
 
 constexpr int kBytesPerMegabyte = 1'000'000;
+constexpr const char* kSize = "1280x720";
 constexpr double kIdle = 0.1;  // seconds that a window at rest waits for an event
 
 // Ends a script early: the window was closed, or the program was interrupted.
@@ -25,7 +27,7 @@ struct LeftScript {};
 struct ViewOptions {
   CommonOptions common;
   std::string scene = "two_boxes";
-  std::string script, out = ".", size = "1280x720", backend = "auto";
+  std::string script, out = ".", size, backend = "auto";
   double scale = 0, memory = 512;
   bool headless = false, actions = false, force = false, play = false;
 };
@@ -59,15 +61,40 @@ int view_headless(const ViewOptions& options, const FrameSize& size) {
   return 0;
 }
 
-int view_window(const ViewOptions& options, const FrameSize& size) {
+// How the window looked when it was left; a script always begins with the same looks.
+Settings kept_settings(const ViewOptions& options, Runner& runner) {
+  const auto path = settings_path();
+  if (!path || !options.script.empty()) return {};
+  try {
+    return read_settings(*path);
+  } catch (const Error& error) {
+    runner.send(command::Tell{error.what(), true});
+    return {};
+  }
+}
+
+void keep_settings(const ViewOptions& options, const UiState& ui, int width, int height) {
+  const auto path = settings_path();
+  if (!path || !options.script.empty()) return;
+  try {
+    write_settings(*path, {ui, width, height});
+  } catch (const Error& error) {
+    if (!options.common.quiet) write_stderr(std::string("pabd: note: ") + error.what() + "\n");
+  }
+}
+
+int view_window(const ViewOptions& options, FrameSize size) {
   std::unique_ptr<Script> script;
   if (!options.script.empty()) script = std::make_unique<Script>(read_file(options.script), options.script);
   const auto runner = start_runner(options);
+  const Settings kept = kept_settings(options, *runner);
+  if (options.size.empty() && kept.width > 0 && kept.height > 0) size = {kept.width, kept.height};
   WindowOptions window_options;
   window_options.width = size.width;
   window_options.height = size.height;
   const auto window = open_window(window_options);
   ViewerOptions setup = viewer_options(options, window->content_scale());
+  setup.start = kept.ui;
   setup.clipboard = [&] { return window->clipboard(); };
   setup.set_clipboard = [&](const std::string& text) { window->set_clipboard(text); };
   Viewer viewer(window->context(), *runner, setup);
@@ -119,6 +146,7 @@ int view_window(const ViewOptions& options, const FrameSize& size) {
     last = now;
     present();
   }
+  keep_settings(options, viewer.ui(), width, height);
   if (window->display_lost())
     throw Error(ExitCode::no_gl, "the display was lost; nothing that is on disk was touched");
   return interrupt.exit_code();
@@ -129,7 +157,7 @@ int view(const ViewOptions& options) {
     write_stdout(action_list());
     return 0;
   }
-  const FrameSize size = parse_size(options.size);
+  const FrameSize size = parse_size(options.size.empty() ? kSize : options.size);
   if (options.scale != 0) check_range("--scale", options.scale, 0.5, 4);
   check_range("--memory", options.memory, 1, 1e6, "MB");
   if (options.headless && options.script.empty()) {
@@ -156,7 +184,10 @@ void add_view_command(CLI::App& app, Action& action) {
   command->add_option("-o,--out", options->out, "folder for the frames that a script writes (default: here)")
       ->type_name("FOLDER");
   command->add_flag("--force", options->force, "replace files that exist");
-  command->add_option("--size", options->size, "pixels of the window (default 1280x720)")->type_name("WxH");
+  command
+      ->add_option("--size", options->size,
+                   "pixels of the window (default: as it was left, at first 1280x720)")
+      ->type_name("WxH");
   command->add_option("--scale", options->scale, "size of everything (default: what the screen asks for)")
       ->type_name("F");
   command->add_option("--memory", options->memory, "for states of the past (default 512)")->type_name("MB");

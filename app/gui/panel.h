@@ -24,6 +24,7 @@ struct Outbox {
   void send(ViewCommand command) { view.push_back(std::move(command)); }
 };
 
+class FrameCosts;
 class Recorder;
 class SceneList;
 
@@ -37,6 +38,8 @@ struct GuiFrame {
   Outbox& out;
   const SceneList& scenes;
   const Recorder& recorder;
+  const FrameCosts& costs;
+  bool steady;  // for pictures of tests: nothing that depends on the clock
 
   const PlotTheme& theme() const { return ui.dark ? dark_theme() : light_theme(); }
   float px(double ordinary) const { return static_cast<float>(ordinary * unit); }

@@ -31,8 +31,10 @@ bool SceneView::same(const Key& a, const Key& b) {
 }
 
 bool SceneView::draw(const Snapshot& sim, const UiState& ui, const GuiLayout& layout,
-                     const RenderQuality& quality, Renderer& renderer) {
-  const auto pixels = [](double length) { return std::max(1, static_cast<int>(std::lround(length))); };
+                     const RenderQuality& quality, double scale, Renderer& renderer) {
+  const auto pixels = [scale](double length) {
+    return std::max(1, static_cast<int>(std::lround(scale * length)));
+  };
   const int width = pixels(layout.views[0].w), height = pixels(layout.views[0].h);
   const bool two = sim.b && ui.side_by_side;
   const Key key{sim.serial, rounded(ui.camera), width,        height,  ui.contacts,    ui.bonds,

@@ -12,9 +12,9 @@ namespace pabd {
 
 class SceneView {
  public:
-  // Into the renderer's views; true when something was drawn.
+  // Into the renderer's views, `scale` times as large as their places; true when something was drawn.
   bool draw(const Snapshot& sim, const UiState& ui, const GuiLayout& layout, const RenderQuality& quality,
-            Renderer& renderer);
+            double scale, Renderer& renderer);
 
   // What was built last, for labels and picking.
   const VisualScene& scene() const { return visual_[0]; }

@@ -1,6 +1,7 @@
 // The bar along the top: the scene, what the picture shows, and how fast everything goes.
 #include <fmt/format.h>
 
+#include "app/gui/frame_costs.h"
 #include "app/gui/panels.h"
 #include "app/gui/pictures.h"
 #include "app/gui/widgets.h"
@@ -65,6 +66,12 @@ void draw_toolbar(GuiFrame& f) {
     f.out.send(ViewCommand(command::Ask{"record", ""}));
 
   const float right = ImGui::GetContentRegionMax().x;
+  if (!f.steady) {
+    ImGui::SameLine(right - f.px(150));
+    if (toggle_button(f, fmt::format("{:.0f} fps", f.costs.frames_a_second()), f.ui.costs,
+                      "Frames of the window a second; more with a click (p)"))
+      f.out.send(ViewCommand(command::Costs{!f.ui.costs}));
+  }
   ImGui::SameLine(right - f.px(78));
   if (ImGui::Button(f.ui.dark ? "Light" : "Dark", {f.px(46), 0}))
     f.out.send(ViewCommand(command::Theme{!f.ui.dark}));

@@ -9,10 +9,12 @@
 #include <filesystem>
 
 #include "app/gui/dialogs.h"
+#include "app/gui/frame_costs.h"
 #include "app/gui/gui_theme.h"
 #include "app/gui/hands.h"
 #include "app/gui/imgui_input.h"
 #include "app/gui/key_table.h"
+#include "app/gui/live_picture.h"
 #include "app/gui/panels.h"
 #include "app/gui/scene_list.h"
 #include "app/gui/scene_view.h"
@@ -66,6 +68,8 @@ struct Viewer::Impl {
   ImGuiInput input;
   Hands hands;
   SceneView view;
+  LivePicture live;
+  FrameCosts costs;
   GuiLayout layout;
   std::vector<std::unique_ptr<GuiPanel>> panels = make_panels();
   TimelineBar timeline;
@@ -87,6 +91,7 @@ struct Viewer::Impl {
         renderer(context, kStartWidth, kStartHeight),
         fonts(*ImGui::GetIO().Fonts, [this](const unsigned char* rgba, int w,
                                             int h) { return renderer.upload_font_atlas(rgba, w, h); }),
+        ui(o.start),
         sim(runner.latest()),
         scenes(o.shipped_scenes, o.steady),
         studio(context, r, o.steady,
@@ -126,9 +131,9 @@ struct Viewer::Impl {
       copy(render_command(*sim, ui));
       tell(Severity::note, "copied: " + clipboard_buffer);
     } else if (const auto* quit = std::get_if<command::Quit>(&c)) {
-      if (studio.recorder().busy() && !quit->force)
-        throw Error(ExitCode::bad_input, "a video is being made: stop or cancel it first");
-      if (sim->unsaved && !quit->force) {
+      if (studio.recorder().busy() && !quit->force) {
+        tell(Severity::error, "a video is being made: stop or cancel it first");
+      } else if (sim->unsaved && !quit->force) {
         ui.dialog = "quit";
       } else {
         ui.quit = true;
@@ -226,6 +231,7 @@ struct Viewer::Impl {
     }
     messages.draw(frame, layout.view, seconds);
     draw_recording(frame, layout.view);
+    draw_costs(frame, layout.view);
     if (ui.help) draw_help(frame, width, height);
     dialogs.draw(frame, width, height);
   }
@@ -283,6 +289,7 @@ struct Viewer::Impl {
   void draw(double seconds) {
     ImGui::SetCurrentContext(imgui);
     sim = runner.latest();
+    costs.begin(*sim);
     layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
     follow_scene();
     list_scenes();
@@ -292,7 +299,7 @@ struct Viewer::Impl {
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
     Outbox out;
-    GuiFrame frame{*sim, ui, unit(), fonts, metrics, out, scenes, studio.recorder()};
+    GuiFrame frame{*sim, ui, unit(), fonts, metrics, out, scenes, studio.recorder(), costs, options.steady};
     take_events(frame);
     ImFont* font = fonts.font(kTextSize * unit());
     if (fonts.stale()) {
@@ -303,8 +310,11 @@ struct Viewer::Impl {
     ImGui::NewFrame();
     draw_interface(frame, seconds);
     ImGui::Render();
-    RenderQuality quality = options.steady ? RenderQuality{} : RenderQuality::live();
-    view.draw(*sim, ui, layout, quality, renderer);
+    costs.done(FrameCosts::interface);
+    const LivePicture::Plan plan = options.steady ? LivePicture::Plan{} : live.plan(*sim, ui, seconds);
+    if (plan.draw && view.draw(*sim, ui, layout, plan.quality, plan.scale, renderer))
+      live.took(plan, renderer.times().draw);
+    costs.done(FrameCosts::picture);
     std::vector<ViewPlace> places;
     for (int i = 0; i < (sim->b && ui.side_by_side ? 2 : 1); ++i) {
       const Rect& r = layout.views[static_cast<std::size_t>(i)];
@@ -313,6 +323,7 @@ struct Viewer::Impl {
     }
     renderer.compose(width, height, places, window_background(ui.dark), ImGui::GetDrawData());
     studio.work(*sim, ui, width, height, renderer);
+    costs.done(FrameCosts::compose);
     send_all(out);
   }
 };

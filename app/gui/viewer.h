@@ -20,6 +20,7 @@ namespace pabd {
 struct ViewerOptions {
   double screen_scale = 1;  // pixels of a pixel of an ordinary screen
   bool steady = false;      // for pictures of tests: nothing that depends on the clock is shown
+  UiState start;            // what the view begins with
   std::function<std::vector<std::filesystem::path>()> shipped_scenes;
   std::function<std::string()> clipboard;
   std::function<void(const std::string&)> set_clipboard;

@@ -1,0 +1,154 @@
+// See settings.h.
+#include "app/gui/settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/view_actions.h"
+#include "render/output/atomic_file.h"
+#include "sim/error.h"
+
+namespace pabd {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRecent = 10;
+constexpr int kLeastSide = 320, kLargestSide = 8192;  // pixels
+constexpr std::uintmax_t kMostBytes = 100'000;
+
+[[noreturn]] void refuse(const std::string& source, const std::string& place, const std::string& expected) {
+  throw Error(ExitCode::bad_input,
+              fmt::format("{}: {}: expected {}; the settings were not used", source, place, expected));
+}
+
+std::optional<fs::path> folder_of(const char* variable) {
+  const char* value = std::getenv(variable);
+  if (value == nullptr || !fs::path(value).is_absolute()) return std::nullopt;
+  return fs::path(value);
+}
+
+// A field that may be missing.
+template <class T>
+void read(const Json& json, const char* field, bool fits, const std::string& source, const char* expected,
+          T& out) {
+  if (!json.contains(field)) return;
+  if (!fits) refuse(source, std::string("/") + field, expected);
+  out = json[field].get<T>();
+}
+
+void read_flag(const Json& json, const char* field, const std::string& source, bool& out) {
+  read(json, field, json.contains(field) && json[field].is_boolean(), source, "true or false", out);
+}
+
+ColorQuantity color_of(const std::string& word, const std::string& source) {
+  for (const ColorQuantity q : {ColorQuantity::body, ColorQuantity::projection, ColorQuantity::speed,
+                                ColorQuantity::energy, ColorQuantity::component}) {
+    if (word == to_string(q)) return q;
+  }
+  refuse(source, "/color", "what colours say, as 'color_by' names it");
+}
+
+}  // namespace
+
+std::optional<fs::path> settings_path() {
+  if (const auto config = folder_of("XDG_CONFIG_HOME")) return *config / "pabd" / "view.json";
+  if (const auto home = folder_of("HOME")) return *home / ".config" / "pabd" / "view.json";
+  return std::nullopt;
+}
+
+std::string settings_json(const Settings& settings) {
+  const UiState& ui = settings.ui;
+  // A window that was too small or too large to be asked for again.
+  const auto side = [](int pixels) { return pixels >= kLeastSide && pixels <= kLargestSide ? pixels : 0; };
+  const Json json = {{"format", "pabd-view-settings"},
+                     {"version", 1},
+                     {"dark", ui.dark},
+                     {"scale", ui.scale},
+                     {"shown", ui.shown},
+                     {"open", ui.open},
+                     {"contacts", ui.contacts},
+                     {"bonds", ui.bonds},
+                     {"color", to_string(ui.color)},
+                     {"width", side(settings.width)},
+                     {"height", side(settings.height)},
+                     {"recent", ui.recent}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Settings parse_settings(const std::string& text, const std::string& source) {
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::exception& error) {
+    throw Error(ExitCode::bad_input, fmt::format("{}: {}; the settings were not used", source, error.what()));
+  }
+  if (!json.is_object() || !json.contains("format") || json["format"] != "pabd-view-settings")
+    refuse(source, "/format", "\"pabd-view-settings\"");
+  if (!json.contains("version") || json["version"] != 1) refuse(source, "/version", "1");
+  Settings out;
+  UiState& ui = out.ui;
+  for (const auto& [field, value] :
+       {std::pair<const char*, bool*>{"dark", &ui.dark}, {"contacts", &ui.contacts}, {"bonds", &ui.bonds}})
+    read_flag(json, field, source, *value);
+  const bool scale =
+      json.contains("scale") && json["scale"].is_number() && json["scale"] >= 0.5 && json["scale"] <= 4.0;
+  read(json, "scale", scale, source, "0.5 to 4", ui.scale);
+  if (json.contains("color"))
+    ui.color = color_of(json["color"].is_string() ? json["color"].get<std::string>() : "", source);
+  const auto list = [&](const char* field, std::size_t least, std::size_t most, auto fits) {
+    if (!json.contains(field)) return false;
+    const Json& a = json[field];
+    if (!a.is_array() || a.size() < least || a.size() > most || !std::all_of(a.begin(), a.end(), fits))
+      refuse(source, std::string("/") + field, fmt::format("a list of {} to {}", least, most));
+    return true;
+  };
+  const auto is_text = [](const Json& j) { return j.is_string(); };
+  if (list("open", kSlots, kSlots, [](const Json& j) { return j.is_boolean(); }))
+    ui.open = json["open"].get<std::array<bool, kSlots>>();
+  if (list("shown", kSlots, kSlots, is_text)) {
+    for (std::size_t i = 0; i < kSlots; ++i) {
+      const auto name = json["shown"][i].get<std::string>();
+      if (static_cast<std::size_t>(slot_of_panel(name)) == i) ui.shown[i] = name;
+    }
+  }
+  if (list("recent", 0, kMostRecent, is_text)) ui.recent = json["recent"].get<std::vector<std::string>>();
+  const auto side = [&](const char* field) {
+    return json.contains(field) && json[field].is_number_integer() &&
+           (json[field] == 0 || (json[field] >= kLeastSide && json[field] <= kLargestSide));
+  };
+  read(json, "width", side("width"), source, "320 to 8192 pixels", out.width);
+  read(json, "height", side("height"), source, "320 to 8192 pixels", out.height);
+  return out;
+}
+
+Settings read_settings(const fs::path& path) {
+  std::error_code failure;
+  if (!fs::exists(path, failure)) return {};
+  if (fs::file_size(path, failure) > kMostBytes || failure)
+    refuse(path.string(), "the file", "less than 100 kB of JSON");
+  std::ifstream file(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file) throw Error(ExitCode::file, path.string() + ": cannot be read; the settings were not used");
+  return parse_settings(text, path.string());
+}
+
+void write_settings(const fs::path& path, const Settings& settings) {
+  std::error_code failure;
+  fs::create_directories(path.parent_path(), failure);
+  if (failure) {
+    throw Error(ExitCode::file, fmt::format("{}: cannot be made ({}); the settings are not kept",
+                                            path.parent_path().string(), failure.message()));
+  }
+  AtomicFile file(path.string());
+  file.write(settings_json(settings));
+  file.commit();
+}
+
+}  // namespace pabd
