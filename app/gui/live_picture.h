@@ -16,17 +16,16 @@ class LivePicture {
     double scale = 1;  // of the picture's sides
   };
 
-  // `seconds` since the last frame.
-  Plan plan(const Snapshot& sim, const UiState& ui, double seconds);
+  // `now` in seconds, since whenever.
+  Plan plan(const Snapshot& sim, const UiState& ui, double now);
   // Milliseconds that a picture after `plan` took.
   void took(const Plan& plan, double ms);
 
  private:
   LiveScale scale_;
   Camera camera_;
-  double rest_ = 1e9;    // s since something moved
-  double last_ms_ = 0;   // of a picture
-  bool skipped_ = true;  // the frame before drew none
+  double moved_ = -1e9, drawn_ = -1e9;  // when something moved last, and a picture was begun; s
+  double last_ms_ = 0;                  // of a picture
 };
 
 }  // namespace pabd

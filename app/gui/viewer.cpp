@@ -46,6 +46,10 @@ ImGuiContext* make_imgui_context() {
   return context;
 }
 
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 void begin_fixed(const char* id, const Rect& r, ImGuiWindowFlags more = 0) {
   ImGui::SetNextWindowPos({static_cast<float>(r.x), static_cast<float>(r.y)});
   ImGui::SetNextWindowSize({static_cast<float>(r.w), static_cast<float>(r.h)});
@@ -311,9 +315,10 @@ struct Viewer::Impl {
     draw_interface(frame, seconds);
     ImGui::Render();
     costs.done(FrameCosts::interface);
-    const LivePicture::Plan plan = options.steady ? LivePicture::Plan{} : live.plan(*sim, ui, seconds);
+    const double before = seconds_now();
+    const LivePicture::Plan plan = options.steady ? LivePicture::Plan{} : live.plan(*sim, ui, seconds_now());
     if (plan.draw && view.draw(*sim, ui, layout, plan.quality, plan.scale, renderer))
-      live.took(plan, renderer.times().draw);
+      live.took(plan, 1000 * (seconds_now() - before));
     costs.done(FrameCosts::picture);
     std::vector<ViewPlace> places;
     for (int i = 0; i < (sim->b && ui.side_by_side ? 2 : 1); ++i) {

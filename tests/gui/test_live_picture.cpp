@@ -1,0 +1,47 @@
+// When the picture of the scene is drawn, and how well: by a made-up clock.
+#include <catch2/catch.hpp>
+
+#include "app/gui/live_picture.h"
+
+using namespace pabd;
+
+TEST_CASE("at rest the picture is as good as it can be, in motion plain and seldom enough") {
+  LivePicture live;
+  Snapshot sim;
+  UiState ui;
+  ui.camera.eye.x() += 1;
+  CHECK(live.plan(sim, ui, 0).quality.samples == RenderQuality::live().samples);
+  const auto rest = live.plan(sim, ui, 1);
+  CHECK(rest.draw);
+  CHECK(rest.scale == 1);
+  CHECK(rest.quality.samples == RenderQuality{}.samples);
+
+  // Pictures of 40 ms in frames that take 10 ms else: at most half of the time goes into them.
+  sim.playing = true;
+  double now = 2, drawing = 0;
+  for (const double start = now; now < start + 5;) {
+    const auto plan = live.plan(sim, ui, now);
+    CHECK(plan.quality.samples == RenderQuality::live().samples);
+    CHECK(plan.scale >= 0.5);
+    now += 0.01;
+    if (!plan.draw) continue;
+    live.took(plan, 40);
+    now += 0.04;
+    drawing += 0.04;
+  }
+  CHECK(drawing > 0.4 * 5);
+  CHECK(drawing < 0.52 * 5);
+
+  // Paused: plain for a moment, then good again.
+  sim.playing = false;
+  CHECK(live.plan(sim, ui, now + 0.1).quality.samples == RenderQuality::live().samples);
+  CHECK(live.plan(sim, ui, now + 0.5).quality.samples == RenderQuality{}.samples);
+
+  // Quick pictures are drawn in every frame.
+  sim.playing = true;
+  for (int i = 0; i < 20; ++i) {
+    const auto plan = live.plan(sim, ui, now + 1 + 0.016 * i);
+    if (i > 0) CHECK(plan.draw);
+    if (plan.draw) live.took(plan, 5);
+  }
+}
