@@ -135,6 +135,10 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
     if (!unsaved) ImGui::SameLine();
     if (ImGui::Button(q->writes ? "Replace" : "Load all the same")) go = force = true;
   }
+  if (open_ == "quit") {
+    ImGui::SameLine();
+    if (ImGui::Button("Save first…")) f.out.send(ViewCommand(command::Ask{"save_scene"}));
+  }
   ImGui::SameLine();
   const bool cancel = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (go) confirm(f, force);

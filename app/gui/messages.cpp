@@ -32,8 +32,10 @@ void MessageList::draw(GuiFrame& f, const Rect& view, double seconds) {
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   const Color ink = m.severity == Severity::note ? f.theme().color(2) : f.theme().color(1);
   const ImVec2 lo = ImGui::GetWindowPos();
-  ImGui::GetWindowDrawList()->AddRectFilled(lo, {lo.x + f.px(4), lo.y + ImGui::GetWindowHeight()},
-                                            packed(ink));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRectFullScreen();
+  list.AddRectFilled(lo, {lo.x + f.px(4), lo.y + ImGui::GetWindowHeight()}, packed(ink));
+  list.PopClipRect();
   ImGui::PushTextWrapPos(width - f.px(44));
   label(m.text);
   ImGui::PopTextWrapPos();

@@ -83,10 +83,11 @@ class ParametersPanel final : public GuiPanel {
     ImGui::AlignTextToFramePadding();
     if (changed) {
       const ImVec2 at = ImGui::GetCursorScreenPos();
-      ImGui::GetWindowDrawList()->AddRectFilled({at.x - f.px(9), at.y},
-                                                {at.x - f.px(6), at.y + ImGui::GetFrameHeight()},
+      ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + f.px(2)},
+                                                {at.x + f.px(3), at.y + ImGui::GetFrameHeight() - f.px(2)},
                                                 packed(f.theme().color(1)));
     }
+    ImGui::SetCursorPosX(left + f.px(8));
     if (!changed) ImGui::PushStyleColor(ImGuiCol_Text, im_color(f.theme().muted));
     label(symbol);
     if (!changed) ImGui::PopStyleColor();
@@ -102,7 +103,7 @@ class ParametersPanel final : public GuiPanel {
     }
     ImGui::PopID();
   }
-  float label_width(const GuiFrame& f) const { return f.px(94); }
+  float label_width(const GuiFrame& f) const { return f.px(102); }
   float widget_width() const {
     return ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() * 1.15f -
            ImGui::GetStyle().ItemInnerSpacing.x;

@@ -173,6 +173,7 @@ class Player {
       }
       if (text(a, "end", what, "release") == "release") click(button, false, m);
     }
+    if (m != Modifiers{}) viewer_.handle(KeyChanged{Key::ctrl, {}, false, false});  // let go of
     if (a.contains("wheel")) viewer_.handle(MouseScrolled{0, number(a, "wheel", what, 0)});
   }
 

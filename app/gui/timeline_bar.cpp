@@ -106,9 +106,9 @@ void TimelineBar::draw(GuiFrame& f) {
     label(story);
     ImGui::PopStyleColor();
   }
-  const std::string memory = fmt::format("{} moments, {:.0f} of {:.0f} MB", history.size(),
-                                         static_cast<double>(f.sim.timeline_bytes) / 1e6,
-                                         static_cast<double>(f.sim.timeline_budget) / 1e6);
+  const std::string memory = fmt::format(
+      "{} moment{}, {:.0f} of {:.0f} MB", history.size(), history.size() == 1 ? "" : "s",
+      static_cast<double>(f.sim.timeline_bytes) / 1e6, static_cast<double>(f.sim.timeline_budget) / 1e6);
   const float width = ImGui::CalcTextSize(memory.c_str()).x;
   if (ImGui::GetContentRegionMax().x - width >
       ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + f.px(12)) {

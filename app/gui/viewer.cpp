@@ -128,6 +128,14 @@ struct Viewer::Impl {
     runner.send(command::Tell{text, severity == Severity::error});
   }
 
+  void try_to(const ViewCommand& c) {
+    try {
+      act(c);
+    } catch (const Error& error) {
+      tell(Severity::error, error.what());
+    }
+  }
+
   void act(const ViewCommand& c) {
     apply_view_command(c, *sim, port(), ui);
     studio.act(c, *sim, ui);
@@ -242,13 +250,7 @@ struct Viewer::Impl {
 
   void send_all(Outbox& out) {
     for (Command& c : out.commands) runner.send(std::move(c));
-    for (const ViewCommand& c : out.view) {
-      try {
-        act(c);
-      } catch (const Error& error) {
-        tell(Severity::error, error.what());
-      }
-    }
+    for (const ViewCommand& c : out.view) try_to(c);
     observe();
   }
 
@@ -339,7 +341,7 @@ Viewer::~Viewer() = default;
 
 void Viewer::handle(const WindowEvent& event) { impl_->input.add(event); }
 void Viewer::send(const Command& command) { impl_->runner.send(command); }
-void Viewer::send(const ViewCommand& command) { impl_->act(command); }
+void Viewer::send(const ViewCommand& command) { impl_->try_to(command); }
 
 void Viewer::draw(int width, int height, double seconds) {
   impl_->width = width;

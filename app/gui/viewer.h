@@ -36,8 +36,7 @@ class Viewer {
 
   void handle(const WindowEvent& event);
   void send(const Command& command);
-  // Throws Error(bad_input) when it does not fit: then nothing has changed.
-  void send(const ViewCommand& command);
+  void send(const ViewCommand& command);  // what does not fit changes nothing and becomes a message
 
   // Draws a frame of that size in pixels, `seconds` after the last one, into the renderer.
   void draw(int width, int height, double seconds);
