@@ -201,7 +201,38 @@ class Player {
     Image image;
     viewer_.renderer().queue_read();
     viewer_.renderer().fetch(image);
-    write_png(path, image, {{"Software", "pabd"}});
+    write_png(path, part_of(image, text(a, "of", what, "window"), what), {{"Software", "pabd"}});
+  }
+
+  Image part_of(const Image& image, const std::string& part, const std::string& what) const {
+    const GuiLayout& layout = viewer_.layout();
+    if (part == "window") return image;
+    if (part == "left") return cut(image, layout.slots[0]);
+    if (part == "right_top") return cut(image, layout.slots[1]);
+    if (part == "right_bottom") return cut(image, layout.slots[2]);
+    if (part == "picture") return cut(image, layout.view);
+    if (part == "toolbar") return cut(image, layout.toolbar);
+    if (part == "timeline") return cut(image, layout.timeline);
+    refuse(what, "\"of\": expected window, left, right_top, right_bottom, picture, toolbar or timeline");
+  }
+
+  static Image cut(const Image& image, const Rect& rect) {
+    const auto pixel = [](double x, int most) {
+      return std::clamp(static_cast<int>(std::lround(x)), 0, most);
+    };
+    const int x0 = pixel(rect.x, image.width - 1), y0 = pixel(rect.y, image.height - 1);
+    Image out;
+    out.resize(std::max(1, pixel(rect.right(), image.width) - x0),
+               std::max(1, pixel(rect.bottom(), image.height) - y0));
+    const std::size_t row = static_cast<std::size_t>(out.width) * 3;
+    for (int y = 0; y < out.height; ++y) {
+      const auto from = (static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(x0)) *
+                        3;
+      std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(from), row,
+                  out.rgb.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row));
+    }
+    return out;
   }
 
   // Empty when it holds, else what is there instead.
@@ -296,7 +327,8 @@ std::string action_list() {
          "  type              text\n"
          "  window            [size] [, scale]\n"
          "Of the script:\n"
-         "  frame             path\n"
+         "  frame             path [, of: window, left, right_top, right_bottom, picture, toolbar, "
+         "timeline]\n"
          "  expect, until     at, and any of: is, is_not, near [, within], above, below, contains\n"
          "  wait              [frames]\n";
 }

@@ -353,6 +353,7 @@ Renderer& Viewer::renderer() { return impl_->renderer; }
 const UiState& Viewer::ui() const { return impl_->ui; }
 const Snapshot& Viewer::snapshot() const { return *impl_->sim; }
 void Viewer::set_screen_scale(double scale) { impl_->options.screen_scale = scale; }
+const GuiLayout& Viewer::layout() const { return impl_->layout; }
 MouseCursor Viewer::cursor() const {
   switch (ImGui::GetMouseCursor()) {
     case ImGuiMouseCursor_TextInput:

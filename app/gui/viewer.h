@@ -45,8 +45,9 @@ class Viewer {
   const UiState& ui() const;
   const Snapshot& snapshot() const;  // that the last frame showed
   void set_screen_scale(double scale);
-  MouseCursor cursor() const;  // that suits what the pointer is over
-  bool has_input() const;      // events that wait for the next frame
+  const GuiLayout& layout() const;  // of the last frame
+  MouseCursor cursor() const;       // that suits what the pointer is over
+  bool has_input() const;           // events that wait for the next frame
 
  private:
   struct Impl;
