@@ -52,7 +52,9 @@ std::future<RunCopies> Runner::copy_runs() {
   {
     const std::scoped_lock lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
-    out = copies_.emplace_back().get_future();
+    std::promise<RunCopies> promise;
+    out = promise.get_future();
+    queue_.emplace_back(std::move(promise));
   }
   wake_.notify_all();
   return out;
@@ -80,12 +82,17 @@ std::shared_ptr<const Snapshot> Runner::settle() {
 }
 
 void Runner::work() {
-  std::deque<Command> commands;
-  while (wait_for_work(commands)) {
-    for (const Command& command : commands) carry_out(command);
-    hand_out_copies();
-    bool changed = !commands.empty();
-    commands.clear();
+  std::deque<Job> jobs;
+  while (wait_for_work(jobs)) {
+    for (Job& job : jobs) {
+      if (const auto* command = std::get_if<Command>(&job)) {
+        carry_out(*command);
+      } else {
+        std::get<std::promise<RunCopies>>(job).set_value(copies());
+      }
+    }
+    bool changed = !jobs.empty();
+    jobs.clear();
     if (keep_pace(Clock::now())) {
       workbench_->advance();
       changed = true;
@@ -103,9 +110,9 @@ void Runner::work() {
 }
 
 // False when it is time to stop.
-bool Runner::wait_for_work(std::deque<Command>& commands) {
+bool Runner::wait_for_work(std::deque<Job>& jobs) {
   std::unique_lock lock(mutex_);
-  const auto ready = [&] { return stop_ || !queue_.empty() || !copies_.empty(); };
+  const auto ready = [&] { return stop_ || !queue_.empty(); };
   if (queue_.empty()) {
     busy_ = false;
     settled_.notify_all();
@@ -115,23 +122,15 @@ bool Runner::wait_for_work(std::deque<Command>& commands) {
   } else if (due_ > Clock::now()) {
     wake_.wait_until(lock, due_, ready);
   }
-  commands.swap(queue_);
-  if (!commands.empty()) busy_ = true;
+  jobs.swap(queue_);
+  if (!jobs.empty()) busy_ = true;
   return !stop_;
 }
 
-void Runner::hand_out_copies() {
-  std::vector<std::promise<RunCopies>> wanted;
-  {
-    const std::scoped_lock lock(mutex_);
-    if (!queue_.empty()) return;  // sent before: first those
-    wanted.swap(copies_);
-  }
-  for (std::promise<RunCopies>& promise : wanted) {
-    RunCopies copies{workbench_->run().fork(), {}};
-    if (workbench_->comparing()) copies.b.emplace(workbench_->run(Side::b).fork());
-    promise.set_value(std::move(copies));
-  }
+RunCopies Runner::copies() const {
+  RunCopies out{workbench_->run().fork(), {}};
+  if (workbench_->comparing()) out.b.emplace(workbench_->run(Side::b).fork());
+  return out;
 }
 
 // Whether a step is due now; measures how fast the simulation goes.

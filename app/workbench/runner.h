@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <variant>
 
 #include "app/workbench/workbench.h"
 
@@ -45,12 +46,13 @@ class Runner {
 
  private:
   using Clock = std::chrono::steady_clock;
+  using Job = std::variant<Command, std::promise<RunCopies>>;
 
   void work();
-  bool wait_for_work(std::deque<Command>& commands);
-  void hand_out_copies();
+  bool wait_for_work(std::deque<Job>& jobs);
   bool keep_pace(Clock::time_point now);
   void carry_out(const Command& command);
+  RunCopies copies() const;
   void publish();
   bool look_at_file(Clock::time_point now);
 
@@ -58,8 +60,7 @@ class Runner {
 
   std::mutex mutex_;
   std::condition_variable wake_, settled_;
-  std::deque<Command> queue_;
-  std::vector<std::promise<RunCopies>> copies_;  // that somebody waits for
+  std::deque<Job> queue_;
   std::shared_ptr<const Snapshot> latest_;
   bool taken_ = true;  // somebody has the latest snapshot and will want another
   bool busy_ = false, stop_ = false;
