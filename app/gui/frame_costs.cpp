@@ -51,7 +51,9 @@ void FrameCosts::done(Part part) {
 
 void draw_costs(GuiFrame& f, const Rect& view) {
   const float width = std::min(f.px(250), static_cast<float>(view.w) - f.px(24));
-  if (!f.ui.costs || width < f.px(120)) return;
+  // Popups come first.
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (!f.ui.costs || popup || width < f.px(120)) return;
   ImGui::SetNextWindowPos({static_cast<float>(view.x) + f.px(12), static_cast<float>(view.y) + f.px(12)});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::Begin("##costs", nullptr,
@@ -70,7 +72,7 @@ void draw_costs(GuiFrame& f, const Rect& view) {
   heading(f, "Simulation");
   const PhaseTimes& t = f.sim.a.report.times;
   row("steps", f.costs.steps_a_second(), "1/s", f.sim.playing);
-  row("simulated seconds a second", f.sim.real_time_factor, "", f.sim.playing);
+  row("times real time", f.sim.real_time_factor, "×", f.sim.playing);
   row("collision", t.collision, "ms");
   row("solver", t.solve, "ms");
   ImGui::End();

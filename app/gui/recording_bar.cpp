@@ -28,7 +28,9 @@ void draw_recording(GuiFrame& f, const Rect& view) {
                            : p.count == 0 ? std::string("waiting for the step under way")
                                           : fmt::format("{} of {} frames", p.done, p.count);
   const float done = p.count > 0 ? static_cast<float>(p.done) / static_cast<float>(p.count) : 0;
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   ImGui::ProgressBar(done, {-1, 0}, text.c_str());
+  ImGui::PopStyleColor();
   if (ImGui::Button("Stop")) f.out.send(ViewCommand(command::StopRecord{true}));
   tooltip("The file with the frames that are there");
   ImGui::SameLine();

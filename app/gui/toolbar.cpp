@@ -19,6 +19,32 @@ constexpr struct {
                {ColorQuantity::energy, "energy", "energy"},
                {ColorQuantity::component, "component", "solver component"}};
 
+// Pixels of an ordinary screen: for what makes files, and for what is at the right end.
+constexpr double kOutput = 232, kRight = 156;
+
+void draw_output(GuiFrame& f) {
+  draw_camera_menu(f);
+  ImGui::SameLine();
+  if (toggle_button(f, "Picture", false, "A PNG of the window or of the scene alone (f12)"))
+    f.out.send(ViewCommand(command::Ask{"screenshot"}));
+  ImGui::SameLine();
+  if (toggle_button(f, "Video", f.recorder.busy(), "A video of the past, as 'pabd render' makes it (ctrl+e)"))
+    f.out.send(ViewCommand(command::Ask{"record"}));
+}
+
+// The same in a narrow window.
+void draw_short_output(GuiFrame& f) {
+  if (toggle_button(f, "…", f.recorder.busy(), "Pictures, videos, camera keys")) ImGui::OpenPopup("##output");
+  if (!ImGui::BeginPopup("##output")) return;
+  if (ImGui::Selectable("Picture…")) f.out.send(ViewCommand(command::Ask{"screenshot"}));
+  if (ImGui::Selectable("Video…")) f.out.send(ViewCommand(command::Ask{"record"}));
+  if (ImGui::Selectable("Add camera key (k)")) f.out.send(ViewCommand(command::AddCameraKey{}));
+  if (ImGui::Selectable("Fly along the keys", f.ui.fly)) f.out.send(ViewCommand(command::Fly{!f.ui.fly}));
+  if (ImGui::Selectable("Save camera keys…")) f.out.send(ViewCommand(command::Ask{"save_camera"}));
+  if (ImGui::Selectable("Load camera keys…")) f.out.send(ViewCommand(command::Ask{"load_camera"}));
+  ImGui::EndPopup();
+}
+
 }  // namespace
 
 void draw_toolbar(GuiFrame& f) {
@@ -56,17 +82,17 @@ void draw_toolbar(GuiFrame& f) {
     }
   }
 
-  ImGui::SameLine(0, f.px(22));
-  draw_camera_menu(f);
-  ImGui::SameLine();
-  if (toggle_button(f, "Picture", false, "A PNG of the window or of the scene alone (f12)"))
-    f.out.send(ViewCommand(command::Ask{"screenshot", ""}));
-  ImGui::SameLine();
-  if (toggle_button(f, "Video", f.recorder.busy(), "A video of the past, as 'pabd render' makes it (ctrl+e)"))
-    f.out.send(ViewCommand(command::Ask{"record", ""}));
-
   const float right = ImGui::GetContentRegionMax().x;
-  if (!f.steady) {
+  const float used = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+  ImGui::SameLine(0, f.px(22));
+  if (used + f.px(kOutput) < right - f.px(kRight)) {
+    draw_output(f);
+  } else {
+    ImGui::SameLine(0, f.px(6));
+    draw_short_output(f);
+  }
+  const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+  if (!f.steady && end < right - f.px(kRight)) {
     ImGui::SameLine(right - f.px(150));
     if (toggle_button(f, fmt::format("{:.0f} fps", f.costs.frames_a_second()), f.ui.costs,
                       "Frames of the window a second; more with a click (p)"))
