@@ -19,6 +19,8 @@ constexpr struct {
                {ColorQuantity::energy, "energy", "energy"},
                {ColorQuantity::component, "component", "solver component"}};
 
+constexpr double kIdleFrames = 15;  // 1/s
+
 // Pixels of an ordinary screen: for what makes files, and for what is at the right end.
 constexpr double kOutput = 232, kRight = 156;
 
@@ -94,7 +96,10 @@ void draw_toolbar(GuiFrame& f) {
   const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
   if (!f.steady && end < right - f.px(kRight)) {
     ImGui::SameLine(right - f.px(150));
-    if (toggle_button(f, fmt::format("{:.0f} fps", f.costs.frames_a_second()), f.ui.costs,
+    // At rest the window waits for events: that is not slow.
+    const double fps = f.costs.frames_a_second();
+    const bool idle = !f.sim.playing && fps < kIdleFrames;
+    if (toggle_button(f, idle ? "at rest" : fmt::format("{:.0f} fps", fps), f.ui.costs,
                       "Frames of the window a second; more with a click (p)"))
       f.out.send(ViewCommand(command::Costs{!f.ui.costs}));
   }
