@@ -73,6 +73,7 @@ struct Viewer::Impl {
   Hands hands;
   SceneView view;
   LivePicture live;
+  double plain_composing = 0;  // s that a frame without a new picture took
   FrameCosts costs;
   GuiLayout layout;
   std::vector<std::unique_ptr<GuiPanel>> panels = make_panels();
@@ -319,8 +320,8 @@ struct Viewer::Impl {
     costs.done(FrameCosts::interface);
     const double before = seconds_now();
     const LivePicture::Plan plan = options.steady ? LivePicture::Plan{} : live.plan(*sim, ui, seconds_now());
-    if (plan.draw && view.draw(*sim, ui, layout, plan.quality, plan.scale, renderer))
-      live.took(plan, 1000 * (seconds_now() - before));
+    const bool drawn = plan.draw && view.draw(*sim, ui, layout, plan.quality, plan.scale, renderer);
+    const double between = seconds_now();
     costs.done(FrameCosts::picture);
     std::vector<ViewPlace> places;
     for (int i = 0; i < (sim->b && ui.side_by_side ? 2 : 1); ++i) {
@@ -329,6 +330,10 @@ struct Viewer::Impl {
                         static_cast<int>(std::lround(r.w)), static_cast<int>(std::lround(r.h))});
     }
     renderer.compose(width, height, places, window_background(ui.dark), ImGui::GetDrawData());
+    // Software GL does the work of a picture when it is put to use.
+    const double composing = seconds_now() - between;
+    if (!drawn) plain_composing = composing;
+    if (drawn) live.took(plan, 1000 * (between - before + std::max(0.0, composing - plain_composing)));
     studio.work(*sim, ui, width, height, renderer);
     costs.done(FrameCosts::compose);
     send_all(out);
