@@ -9,6 +9,7 @@
 #include "render/output/frame_sink.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
+#include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {
@@ -38,24 +39,9 @@ Json law_json(const BondLaw& law) {
 }  // namespace
 
 std::string parameters_json(const Params& params, double kappa, const BondLaw* joints) {
-  const ContactParams& contact = params.contact;
-  Json json = {
-      {"gravity", {params.gravity.x(), params.gravity.y(), params.gravity.z()}},
-      {"time_step", params.h},
-      {"solver",
-       {{"method", to_string(params.solver.method)},
-        {"iterations", params.solver.iterations},
-        {"tolerance", params.solver.tolerance},
-        {"relaxation", params.solver.relaxation},
-        {"projection", to_string(params.solver.projection)}}},
-      {"contact",
-       {{"barrier", to_string(contact.barrier)},
-        {"N", contact.N},
-        {"d_hat", contact.d_hat},
-        {"kappa", kappa},
-        {"onset", contact.onset},
-        {"friction", {{"static", contact.mu_static}, {"dynamic", contact.mu_dynamic}}}}},
-  };
+  Params resolved = params;
+  resolved.contact.kappa = kappa;
+  Json json = Json::parse(params_json(resolved));
   if (joints) json["joints_default"] = law_json(*joints);
   return dump(json);
 }
