@@ -1,27 +1,336 @@
-// The barrier that contacts see, to read and to tune on.
-#include "app/plots/figures/barrier_panel.h"
+// The barrier that contacts see, to read and to tune on: curves, every contact at its d, how the contacts are
+// spread over d/d̂, what the numbers say and what would help.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "app/gui/barrier_drag.h"
+#include "app/gui/contact_strip.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "app/overlay/font_atlas.h"
+#include "app/overlay/imgui_canvas.h"
 #include "app/overlay/panels.h"
+#include "app/plots/axis_ticks.h"
+#include "app/session/contact_advice.h"
+#include "sim/scene/tuning.h"
 
 namespace pabd {
 namespace {
+
+constexpr double kReach = 8;                     // of a grip, px of an ordinary screen
+constexpr int kLinger = 40;                      // frames: warnings that come and go move nothing
+constexpr double kTall = 430;                    // from here on there is room for everything
+constexpr double kStrip = 30, kHistogram = 150;  // heights, the same
+
+struct Unknown {
+  std::string_view key;
+  const char* symbol;
+};
+constexpr Unknown kSymbols[] = {{"contact.kappa", "κ"},      {"contact.onset", "ε"},
+                                {"contact.barrier", "Ψ"},    {"solver.iterations", "iterations"},
+                                {"solver.method", "solver"}, {"time_step", "h"}};
+
+std::string symbol(const std::string& key) {
+  for (const Unknown& u : kSymbols) {
+    if (u.key == key) return u.symbol;
+  }
+  return key;
+}
+
+bool is_number(const std::string& text, double& value) {
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return end != text.c_str() && *end == 0;
+}
+
+std::string short_value(const std::string& text) {
+  double value = 0;
+  return is_number(text, value) ? format_value(value, 3) : text;
+}
+
+bool in_force(const Params& params, const Advice& advice) {
+  const std::string now = tuned_value(params, advice.key);
+  double a = 0, b = 0;
+  if (is_number(now, a) && is_number(advice.value, b)) return std::abs(a - b) <= 1e-9 * std::abs(b);
+  return now == advice.value;
+}
 
 class BarrierPanelView final : public GuiPanel {
  public:
   const char* name() const override { return "barrier"; }
   const char* title() const override { return "Barrier"; }
   const char* help() const override {
-    return "Ψ, Ψ′ and Ψ″ against the distance d, with a marker for every contact";
+    return "Ψ, Ψ′ and Ψ″ against the distance d, with a marker for every contact; drag d̂ and κ";
   }
   Slot slot() const override { return Slot::right_top; }
 
   void draw(GuiFrame& f) override {
-    BarrierPanelOptions options;
-    const BarrierPanel data = barrier_panel(f.sim.a.params.contact, f.sim.a.kappa,
-                                            f.sim.a.report.contact_reports, contact_ink, options);
-    plot_widget(f, "barrier", data.plot, ImGui::GetContentRegionAvail());
+    const bool tall = ImGui::GetContentRegionAvail().y > f.px(kTall);
+    update(f, tall);
+    warned_ = advice_.empty() ? std::max(0, warned_ - 1) : kLinger;
+    controls(f);
+    const float room = ImGui::GetContentRegionAvail().y, gap = ImGui::GetStyle().ItemSpacing.y;
+    const bool histogram = f.ui.barrier.histogram;
+    const float numbers = 2 * ImGui::GetTextLineHeightWithSpacing();
+    const float least = box_height(f, tall);
+    float rest = numbers + least + gap;
+    if (histogram) rest += f.px(tall ? kHistogram : kStrip) + gap;
+    draw_plot(f, std::max(f.px(96), room - rest - gap));
+    if (histogram && tall) {
+      plot_widget(f, "histogram", histogram_.plot, {ImGui::GetContentRegionAvail().x, f.px(kHistogram)});
+    } else if (histogram) {
+      draw_contact_strip(f, strip_, layout_, f.px(kStrip));
+    }
+    draw_numbers(f);
+    draw_advice(f, tall);
   }
+
+ private:
+  // What costs something, once a snapshot.
+  void update(const GuiFrame& f, bool tall) {
+    const RunView& run = f.sim.a;
+    const bool same =
+        serial_ == f.sim.serial && view_ == f.ui.barrier && held_ == drag_.active() && tall_ == tall;
+    if (same) return;
+    tall_ = tall;
+    view_ = f.ui.barrier;
+    held_ = drag_.active();
+    BarrierPanelOptions options;
+    options.quantity = view_.quantity == "slope"       ? BarrierQuantity::slope
+                       : view_.quantity == "curvature" ? BarrierQuantity::curvature
+                                                       : BarrierQuantity::value;
+    options.log_y = view_.log;
+    options.energy = view_.energy;
+    options.variants = {view_.printed, view_.onset, view_.even, view_.log_barrier};
+    options.most_markers = 600;
+    if (held_) {
+      options.x = drag_.x();
+      options.y = drag_.y();
+    }
+    panel_ = barrier_panel(run.params.contact, run.kappa, run.report.contact_reports, contact_ink, options);
+    panel_.plot.title.clear();       // the tab says it
+    if (!tall && view_.histogram) {  // the strip below says both
+      panel_.plot.x.label.clear();
+      for (Series& series : panel_.plot.series) {
+        if (series.crowd) series.name.clear();
+      }
+    }
+    if (serial_ == f.sim.serial) return;
+    serial_ = f.sim.serial;
+    histogram_ = contact_histogram(run.params.contact, run.report.contact_reports, contact_ink);
+    strip_ = contact_strip(panel_.plot.x.lo, run.params.contact.d_hat, run.report.contact_reports);
+    if (model_ != run.model) {
+      model_ = run.model;
+      masses_ = mass_range(*model_);
+    }
+    // Numbers are of the parameters of now, advice is about the step that was made.
+    StepReport report = run.report;
+    report.kappa = run.kappa;
+    numbers_ = contact_numbers(*model_, masses_, run.params, run.state, report);
+    if (!held_) advice_ = contact_advice(*model_, run.params, run.state, run.report);
+  }
+
+  void controls(GuiFrame& f) {
+    command::BarrierView view = f.ui.barrier;
+    bool changed = false;
+    struct Choice {
+      const char *value, *energy, *plain, *help;
+    };
+    static constexpr Choice kChoices[] = {
+        {"value", "Ψ", "B", "The potential: energy of a contact at distance d"},
+        {"slope", "Ψ′", "B′", "Its slope: minus the normal force"},
+        {"curvature", "Ψ″", "B″", "Its curvature: how stiff a contact is"}};
+    for (const Choice& c : kChoices) {
+      if (&c != kChoices) ImGui::SameLine(0, f.px(2));
+      if (toggle_button(f, view.energy ? c.energy : c.plain, view.quantity == c.value, c.help)) {
+        view.quantity = c.value;
+        changed = true;
+      }
+    }
+    ImGui::SameLine(0, f.px(12));
+    const auto toggle = [&](const char* text, bool& on, const char* help) {
+      if (toggle_button(f, text, on, help)) {
+        on = !on;
+        changed = true;
+      }
+      ImGui::SameLine(0, f.px(2));
+    };
+    toggle("log", view.log, "Logarithmic height");
+    bool plain = !view.energy;
+    toggle("/ κ", plain, "B_N = Ψ/κ, the bare polynomial, in place of energies and forces");
+    view.energy = !plain;
+    toggle("d/d̂", view.histogram, "How the contacts are spread over d/d̂, below the plot");
+    if (ImGui::Button("Curves…")) ImGui::OpenPopup("curves");
+    tooltip("Other barriers beside the one in use");
+    if (ImGui::BeginPopup("curves")) {
+      muted_label(f, "beside the one in use");
+      const auto check = [&](const char* text, bool& on) {
+        changed = ImGui::Checkbox(ui_text(text).c_str(), &on) || changed;
+      };
+      check("printed formula, ε = 0", view.printed);
+      check("with onset ε", view.onset);
+      check("even orders only", view.even);
+      check("log barrier", view.log_barrier);
+      ImGui::EndPopup();
+    }
+    if (changed) f.out.send(ViewCommand(view));
+  }
+
+  void draw_plot(GuiFrame& f, float height) {
+    const PlotTouch touch =
+        plot_widget(f, "barrier", panel_.plot, {ImGui::GetContentRegionAvail().x, height});
+    layout_ = touch.layout;
+    const BarrierGrip under =
+        touch.hovered ? barrier_grip(panel_, touch.layout, touch.mouse, f.px(kReach)) : BarrierGrip::none;
+    if (touch.pressed && under != BarrierGrip::none)
+      drag_.begin(under, panel_, f.sim.a.kappa, touch.layout, touch.mouse);
+    if (drag_.active() && touch.held) {
+      if (auto set = drag_.move(touch.layout, touch.mouse)) f.out.send(Command(std::move(*set)));
+    }
+    if (drag_.active() && !touch.held) drag_.end();
+    mark_grip(f, drag_.active() ? drag_.grip() : under);
+  }
+
+  void mark_grip(GuiFrame& f, BarrierGrip grip) const {
+    if (grip == BarrierGrip::none) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 ink = ImGui::GetColorU32(ImGuiCol_SliderGrabActive);
+    const ContactParams& contact = f.sim.a.params.contact;
+    std::string text;
+    if (grip == BarrierGrip::d_hat) {
+      const auto x = static_cast<float>(layout_.map(panel_.d_hat, panel_.plot.y.hi).x);
+      list.AddRectFilled({x - f.px(1.5), static_cast<float>(layout_.inner.y)},
+                         {x + f.px(1.5), static_cast<float>(layout_.inner.bottom())}, ink);
+      ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+      text = fmt::format("d̂ = {} m", format_value(contact.d_hat));
+    } else {
+      const Point at = layout_.map(panel_.kappa->d, panel_.kappa->y);
+      list.AddCircle({static_cast<float>(at.x), static_cast<float>(at.y)}, f.px(9), ink, 24, f.px(2));
+      ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+      text = fmt::format("κ = {} {}", format_value(f.sim.a.kappa),
+                         contact.barrier == BarrierKind::log ? "J/m²" : "J");
+    }
+    ImGui::BeginTooltip();
+    label(text + (drag_.active() ? "" : ", drag to change"));
+    ImGui::EndTooltip();
+  }
+
+  void draw_numbers(GuiFrame& f) const {
+    const ContactParams& contact = f.sim.a.params.contact;
+    const auto value = [](double v, const char* unit) {
+      return std::isfinite(v) ? format_value(v, 3) + unit : std::string("none");
+    };
+    std::string gap = "–", where = "There is no gravity, or nothing that moves.";
+    bool deep = false;
+    if (numbers_.rest) {
+      const RestGap& rest = *numbers_.rest;
+      gap = value(rest.gap / contact.d_hat, " d̂");
+      deep = !(rest.gap > 0);
+      where = fmt::format(
+          "Gap at which the barrier carries the heaviest resting body, {}: {} on each of {} "
+          "contacts{}",
+          model_->name[static_cast<std::size_t>(rest.body)], value(rest.load, " N"), rest.contacts,
+          rest.assumed ? " (assumed: nothing rests yet)" : "");
+    }
+    const float half = std::round(0.5f * (ImGui::GetContentRegionAvail().x - f.px(14)));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    cell(f, at, half, "rest gap", gap, where, deep);
+    cell(f, {at.x + half + f.px(14), at.y}, half, "largest force",
+         f.sim.a.report.contact_reports.empty() ? "–" : value(numbers_.largest_force, " N"),
+         "Largest normal force of a contact in this step", false);
+    const std::string stiffness =
+        "κ h²/(m d̂²), contact stiffness against inertia over one step: well above 1 a contact is stiffer "
+        "than what a step can resolve, well below it is soft";
+    cell(f, {at.x, at.y + line}, half, "κh²/md̂²", value(numbers_.stiffness_median, ""),
+         stiffness + ". For the median mass.", false);
+    cell(f, {at.x + half + f.px(14), at.y + line}, half, "of heaviest",
+         value(numbers_.stiffness_heaviest, ""), stiffness + ". For the heaviest body.", false);
+    ImGui::SetCursorScreenPos({at.x, at.y + 2 * line});
+  }
+
+  static void cell(const GuiFrame& f, ImVec2 at, float width, const std::string& name,
+                   const std::string& value, const std::string& help, bool warn) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string text = ui_text(value);
+    list.AddText(at, packed(f.theme().muted), ui_text(name).c_str());
+    list.AddText({at.x + width - ImGui::CalcTextSize(text.c_str()).x, at.y},
+                 packed(warn ? f.theme().color(1) : f.theme().text), text.c_str());
+    ImGui::SetCursorScreenPos(at);
+    ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+    tooltip(help);
+  }
+
+  float box_height(const GuiFrame& f, bool tall) const {
+    const int lines = tall ? 5 : warned_ > 0 ? 2 : 1;
+    return static_cast<float>(lines) * ImGui::GetTextLineHeight() + f.px(lines > 1 ? 10 : 2);
+  }
+
+  void draw_advice(GuiFrame& f, bool tall) {
+    ImGui::BeginChild("##advice", {0, 0});
+    const auto& reports = f.sim.a.report.contact_reports;
+    if (advice_.empty()) {
+      muted_label(
+          f, reports.empty() ? "No contacts yet: press play (space)." : "No warnings: nothing overlaps.");
+    }
+    for (std::size_t i = 0; i < advice_.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      advice_box(f, advice_[i], tall);
+      ImGui::PopID();
+    }
+    ImGui::EndChild();
+  }
+
+  void advice_box(GuiFrame& f, const Advice& advice, bool tall) const {
+    const float pad = f.px(6), width = ImGui::GetContentRegionAvail().x;
+    const bool done = in_force(f.sim.a.params, advice);
+    const std::string button =
+        done ? "at the next step" : ui_text(symbol(advice.key) + " = " + short_value(advice.value));
+    const float bw = ImGui::CalcTextSize(button.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float wrap = width - bw - 3.5f * pad;
+    const std::string what = ui_text(advice.what), why = ui_text(advice.why);
+    const ImVec2 size = ImGui::CalcTextSize(what.c_str(), nullptr, false, wrap);
+    const float more = tall ? ImGui::CalcTextSize(why.c_str(), nullptr, false, wrap).y + f.px(2) : 0;
+    const float height = std::max(size.y + more + 1.4f * pad, ImGui::GetFrameHeight() + pad);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end = {at.x + width, at.y + height};
+    list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_FrameBg), f.px(4));
+    list.AddRectFilled(at, {at.x + f.px(3), end.y}, packed(f.theme().color(1)), f.px(2));
+    ImGui::Dummy({width - bw - pad, height});
+    tooltip(advice.why);
+    ImFont* font = ImGui::GetFont();
+    list.AddText(font, ImGui::GetFontSize(), {at.x + 1.5f * pad, at.y + 0.7f * pad}, packed(f.theme().text),
+                 what.c_str(), nullptr, wrap);
+    if (tall)
+      list.AddText(font, ImGui::GetFontSize(), {at.x + 1.5f * pad, at.y + 0.7f * pad + size.y + f.px(2)},
+                   packed(f.theme().muted), why.c_str(), nullptr, wrap);
+    ImGui::SetCursorScreenPos({end.x - bw - 0.7f * pad, at.y + 0.5f * (height - ImGui::GetFrameHeight())});
+    ImGui::BeginDisabled(done);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (ImGui::Button(button.c_str())) f.out.send(Command(command::Set{advice.key, advice.value}));
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    tooltip(done ? "" : "Set it: " + advice.key + " = " + advice.value + ". " + advice.why);
+    ImGui::SetCursorScreenPos({at.x, end.y + f.px(4)});
+  }
+
+  std::uint64_t serial_ = 0;
+  command::BarrierView view_;
+  bool held_ = false, tall_ = false;
+  BarrierPanel panel_;
+  ContactHistogram histogram_;
+  ContactStrip strip_;
+  std::shared_ptr<const Model> model_;
+  MassRange masses_;
+  ContactNumbers numbers_;
+  std::vector<Advice> advice_;
+  int warned_ = 0;  // frames for which the room for advice stays
+  PlotLayout layout_;
+  BarrierDrag drag_;
 };
 
 }  // namespace

@@ -1,10 +1,27 @@
-// How the solver converged within the step that led to the present state.
+// How the solver converged within the step that led to the present state, and what others make of that step.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
 #include "app/gui/panels.h"
-#include "app/gui/widgets.h"
-#include "app/plots/figures/convergence.h"
+#include "app/gui/plot_reading.h"
+#include "app/plots/axis_ticks.h"
+#include "app/plots/figures/convergence_panel.h"
 
 namespace pabd {
 namespace {
+
+constexpr const char* kWords[] = {"all in one",  "E − E_min",   "energy E", "residual",
+                                  "penetration", "joint error", "‖A − R‖"};
+static_assert(std::size(kWords) == std::size(kConvergenceViews));
+
+constexpr const char* kMethods[] = {"sissm", "descent", "newton"};
+
+std::size_t shown(const UiState& ui) {
+  const auto it = std::find(std::begin(kConvergenceViews), std::end(kConvergenceViews), ui.convergence);
+  return it == std::end(kConvergenceViews) ? 0 : static_cast<std::size_t>(it - std::begin(kConvergenceViews));
+}
 
 class ConvergencePanel final : public GuiPanel {
  public:
@@ -16,9 +33,110 @@ class ConvergencePanel final : public GuiPanel {
   Slot slot() const override { return Slot::right_bottom; }
 
   void draw(GuiFrame& f) override {
-    plot_widget(f, "convergence", convergence_plot(f.sim.a.report.records, !f.sim.a.model->joints.empty()),
-                ImGui::GetContentRegionAvail());
+    controls(f);
+    status(f);
+    update(f);
+    const PlotTouch touch = plot_widget(f, "convergence", plot_, ImGui::GetContentRegionAvail());
+    read_point(f, plot_, touch, "iteration");
   }
+
+ private:
+  void controls(GuiFrame& f) const {
+    const std::size_t now = shown(f.ui);
+    if (const auto i = word_combo("##what", kWords, std::size(kWords), now, f.px(112),
+                                  "What of every iteration is plotted"))
+      f.out.send(ViewCommand(command::ConvergenceView{std::string(kConvergenceViews[*i])}));
+    ImGui::SameLine();
+    const bool any = f.sim.a.report.step > 0 && !f.sim.a.report.records.empty();
+    ImGui::BeginDisabled(!any);
+    if (ImGui::Button("Hold")) hold(f, "");
+    tooltip("Keeps this curve, to compare it with those of other parameters and solvers");
+    ImGui::SameLine();
+    if (ImGui::Button("Hold as…")) ImGui::OpenPopup("as");
+    tooltip("Solves this very step with another method, and keeps its curve");
+    ImGui::EndDisabled();
+    if (ImGui::BeginPopup("as")) {
+      muted_label(f, "this step solved by");
+      for (const char* method : kMethods) {
+        if (ImGui::Selectable(method)) hold(f, method);
+      }
+      ImGui::EndPopup();
+    }
+    if (f.sim.held.empty()) return;
+    ImGui::SameLine();
+    if (ImGui::Button(fmt::format("Drop {}", f.sim.held.size()).c_str()))
+      f.out.send(Command(command::DropHeld{}));
+    tooltip("Forgets the curves that are kept");
+  }
+
+  // Curves are compared quantity by quantity.
+  static void hold(GuiFrame& f, const char* method) {
+    f.out.send(Command(command::Hold{method}));
+    if (shown(f.ui) == 0) f.out.send(ViewCommand(command::ConvergenceView{"residual"}));
+  }
+
+  static void status(const GuiFrame& f) {
+    const StepReport& r = f.sim.a.report;
+    if (r.step == 0 || r.records.empty()) {
+      muted_label(f, r.step == 0 ? "No step yet: press play (space) or → for one step."
+                                 : fmt::format("Step {}: no iterations, nothing touched.", r.step));
+      return;
+    }
+    const bool limit = r.status == StepStatus::iteration_limit && f.sim.a.params.solver.tolerance > 0;
+    const std::string how = r.status == StepStatus::non_finite ? "left the numbers"
+                            : limit ? fmt::format("stopped at the limit of {}", r.iterations)
+                            : r.status == StepStatus::converged
+                                ? fmt::format("converged in {}", r.iterations)
+                                : fmt::format("{} iterations, as asked", r.iterations);
+    muted_label(f, fmt::format("step {}, {}:", r.step, to_string(r.method)));
+    ImGui::SameLine(0, f.px(4));
+    const bool warn = limit || r.status == StepStatus::non_finite;
+    ImGui::PushStyleColor(ImGuiCol_Text, im_color(warn ? f.theme().color(1) : f.theme().text));
+    label(how);
+    ImGui::PopStyleColor();
+    tooltip(limit ? "The step ended before its tolerance: more iterations, another solver, or a larger "
+                    "tolerance"
+                  : "Every body moved by less than the tolerance in the last iteration");
+    const std::string residual = ", residual " + format_value(r.residual, 2);
+    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    if (end + ImGui::CalcTextSize(residual.c_str()).x > ImGui::GetContentRegionMax().x) return;
+    ImGui::SameLine(0, 0);
+    muted_label(f, residual);
+  }
+
+  void update(const GuiFrame& f) {
+    const std::size_t what = shown(f.ui);
+    if (serial_ == f.sim.serial && what_ == what) return;
+    serial_ = f.sim.serial;
+    what_ = what;
+    const StepReport& r = f.sim.a.report;
+    if (what == 0) {
+      plot_ = convergence_plot(r.records, !f.sim.a.model->joints.empty());
+      plot_.title.clear();  // the list says it
+    } else {
+      const auto quantity = static_cast<ConvergenceQuantity>(what - 1);
+      std::vector<MethodRun> runs{{to_string(r.method), r.records}};
+      std::size_t others = 0;
+      for (const HeldCurve& held : f.sim.held) {
+        // E_min is one step's own.
+        if (quantity == ConvergenceQuantity::energy_gap && held.step != r.step) {
+          ++others;
+        } else {
+          runs.push_back(
+              {held.step == r.step ? "held: " + held.name.substr(0, held.name.find(',')) : held.name,
+               held.records});
+        }
+      }
+      plot_ = convergence_panel(runs, quantity);
+      plot_.title = others == 0 ? "" : fmt::format("{} held of other steps not shown", others);
+    }
+    thin_lines(plot_, 2000);
+    if (r.step == 0) plot_.none = "no step yet";
+  }
+
+  std::uint64_t serial_ = 0;
+  std::size_t what_ = 0;
+  Plot plot_;
 };
 
 }  // namespace

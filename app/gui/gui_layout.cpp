@@ -33,7 +33,7 @@ GuiLayout layout_gui(const UiState& ui, int width, int height, double unit, bool
     out.view = {left, toolbar, std::max(0.0, w - left - right), middle};
     out.slots[index(Slot::left)] = {0, toolbar, left, left > 0 ? middle : 0};
     if (right > 0) {
-      const double split = top && bottom ? std::round(0.53 * middle) : top ? middle : 0;
+      const double split = top && bottom ? std::round(0.58 * middle) : top ? middle : 0;
       if (top) out.slots[index(Slot::right_top)] = {w - right, toolbar, right, split};
       if (bottom) out.slots[index(Slot::right_bottom)] = {w - right, toolbar + split, right, middle - split};
     }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/gui/gui_layout.h"
 #include "app/gui/panel.h"
 
 namespace pabd {
@@ -14,6 +15,7 @@ std::unique_ptr<GuiPanel> make_scenes_panel();
 std::unique_ptr<GuiPanel> make_barrier_panel();
 std::unique_ptr<GuiPanel> make_convergence_panel();
 std::unique_ptr<GuiPanel> make_series_panel();
+std::unique_ptr<GuiPanel> make_compare_panel();
 
 inline std::vector<std::unique_ptr<GuiPanel>> make_panels() {
   std::vector<std::unique_ptr<GuiPanel>> out;
@@ -22,6 +24,7 @@ inline std::vector<std::unique_ptr<GuiPanel>> make_panels() {
   out.push_back(make_barrier_panel());
   out.push_back(make_convergence_panel());
   out.push_back(make_series_panel());
+  out.push_back(make_compare_panel());
   return out;
 }
 
@@ -54,6 +57,9 @@ void draw_record_fields(const GuiFrame& frame, command::Record& record, bool& al
 // Views and key frames of the camera: a button of the toolbar, and the marks of the keys on the timeline.
 void draw_camera_menu(GuiFrame& frame);
 void draw_camera_marks(const GuiFrame& frame, const std::function<float(double)>& x_of_time, float y);
+
+// "A" and "B" over the pictures of two simulations.
+void draw_compare_labels(GuiFrame& frame, const GuiLayout& layout);
 
 void draw_help(GuiFrame& frame, int width, int height);
 

@@ -42,6 +42,7 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const GuiLayout& la
   if (same(key, key_)) return false;
   key_ = key;
   build(sim.a, ui, visual_[0]);
+  if (sim.b && !two) add_ghost(*sim.b->model, sim.b->state, ghost_color(), visual_[0]);
   renderer.draw_view(0, visual_[0], width, height, quality);
   if (two) {
     build(*sim.b, ui, visual_[1]);

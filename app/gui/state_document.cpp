@@ -3,10 +3,13 @@
 //   /scene/name, /scene/hash, /scene/bodies, /scene/joints
 //   /a/step, /a/time, /a/hash, /a/cursor, /a/moments, /a/params/contact/kappa, /a/kappa, /a/changed,
 //   /a/report/…, /a/bodies (of at most 100: name, position, velocity); /b the same, null without a second
+//   /distance (of A and B now, m), /distances (moments at which it is known)
 //   /playing, /speed, /diverged, /unsaved, /can_undo, /can_redo, /held, /message, /messages
 //   /ui/…
 #include "app/gui/script.h"
 #include "app/gui/view_actions.h"
+#include "app/plots/figures/difference.h"
+#include "app/workbench/command_json.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 
@@ -75,11 +78,14 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
   return {{"scene", {{"name", sim.scene->name}, {"hash", sim.scene->hash}}},
           {"a", run_json(sim.a)},
           {"b", sim.b ? run_json(*sim.b) : Json()},
+          {"distances", sim.distances->size()},
+          {"distance", sim.b ? state_distance(sim.a.state, sim.b->state).position : 0},
           {"playing", sim.playing},
           {"speed", sim.speed},
           {"diverged", sim.diverged},
           {"unsaved", sim.unsaved},
           {"can_undo", sim.can_undo},
+          {"undo_text", sim.undo_text},
           {"can_redo", sim.can_redo},
           {"held", std::move(held)},
           {"message", sim.messages.empty() ? "" : sim.messages.back().text},
@@ -103,6 +109,10 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
             {"selection",
              {{"kind", kKinds[static_cast<std::size_t>(ui.selection.kind)]}, {"index", ui.selection.index}}},
             {"side_by_side", ui.side_by_side},
+            {"convergence", ui.convergence},
+            {"series", ui.series},
+            {"difference", ui.difference},
+            {"barrier", command_to_json(ViewCommand(ui.barrier))},
             {"dialog", ui.dialog},
             {"dialog_text", ui.dialog_text},
             {"quit", ui.quit}}}};

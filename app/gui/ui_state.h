@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/gui/view_command.h"
@@ -15,6 +16,14 @@ namespace pabd {
 // Places for panels; each shows one of its panels.
 enum class Slot : std::uint8_t { left, right_top, right_bottom };
 inline constexpr int kSlots = 3;
+
+// Words for what panels plot, in the order of their lists.
+inline constexpr std::string_view kConvergenceViews[] = {
+    "all", "energy_gap", "energy", "residual", "penetration", "joint_error", "projection_change"};
+inline constexpr std::string_view kSeriesViews[] = {"overview",    "gap",      "penetration", "energies",
+                                                    "joint_error", "contacts", "iterations",  "milliseconds"};
+inline constexpr std::string_view kDifferenceViews[] = {"distance", "gap",         "penetration",
+                                                        "energies", "joint_error", "contacts"};
 
 enum class ColorQuantity : std::uint8_t { body, projection, speed, energy, component };
 
@@ -41,7 +50,7 @@ struct UiState {
   bool side_by_side = false;  // of A and B; else B is a ghost
 
   command::BarrierView barrier;
-  std::string convergence = "all", series = "gaps";
+  std::string convergence = "all", series = "overview", difference = "distance";
 
   std::string dialog;               // see command::Ask; empty: none
   std::string dialog_text;          // what it starts with; empty: something that fits

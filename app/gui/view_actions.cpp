@@ -16,6 +16,8 @@
 namespace pabd {
 namespace {
 
+constexpr double kStepBack = 1.4;  // between cut-off sides and small bodies
+
 struct PanelPlace {
   std::string_view name;
   Slot slot;
@@ -24,7 +26,8 @@ constexpr PanelPlace kPanels[] = {{"parameters", Slot::left},
                                   {"scenes", Slot::left},
                                   {"barrier", Slot::right_top},
                                   {"convergence", Slot::right_bottom},
-                                  {"series", Slot::right_bottom}};
+                                  {"series", Slot::right_bottom},
+                                  {"compare", Slot::right_top}};
 
 // The one of `words` that is meant. Throws Error(bad_input) with the list.
 template <std::size_t n>
@@ -117,15 +120,30 @@ struct Actor {
   }
   void operator()(const command::CompareView& c) const {
     static constexpr std::string_view kHow[] = {"ghost", "side"};
-    ui.side_by_side = one(c.how, kHow, "compare_view") == 1;
+    const bool side = one(c.how, kHow, "compare_view") == 1;
+    // Half as wide a picture wants a step back.
+    if (sim.b && side != ui.side_by_side)
+      ui.camera.eye =
+          ui.camera.target + (side ? kStepBack : 1 / kStepBack) * (ui.camera.eye - ui.camera.target);
+    ui.side_by_side = side;
   }
   void operator()(const command::BarrierView& c) const {
     static constexpr std::string_view kWhat[] = {"value", "slope", "curvature"};
     one(c.quantity, kWhat, "barrier_view");
     ui.barrier = c;
   }
-  void operator()(const command::ConvergenceView& c) const { ui.convergence = c.quantity; }
-  void operator()(const command::SeriesView& c) const { ui.series = c.quantity; }
+  void operator()(const command::ConvergenceView& c) const {
+    one(c.quantity, kConvergenceViews, "convergence_view");
+    ui.convergence = c.quantity;
+  }
+  void operator()(const command::SeriesView& c) const {
+    one(c.quantity, kSeriesViews, "series_view");
+    ui.series = c.quantity;
+  }
+  void operator()(const command::DifferenceView& c) const {
+    one(c.quantity, kDifferenceViews, "difference_view");
+    ui.difference = c.quantity;
+  }
   void operator()(const command::Ask& c) const {
     static constexpr std::string_view kWhat[] = {"",           "open",        "save_scene", "save_state",
                                                  "save_patch", "apply_patch", "screenshot", "quit",

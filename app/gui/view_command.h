@@ -94,14 +94,24 @@ struct BarrierView {
     f("printed", printed, false), f("onset", onset, false), f("even", even, false);
     f("log_barrier", log_barrier, false), f("histogram", histogram, false);
   }
+  bool operator==(const BarrierView&) const = default;
 };
+// `quantity`: "all", "energy_gap", "energy", "residual", "penetration", "joint_error", "projection_change".
 struct ConvergenceView {
   static constexpr const char* name = "convergence_view";
   std::string quantity;
   void fields(auto&& f) { f("quantity", quantity); }
 };
+// `quantity`: "overview", "gap", "penetration", "energies", "joint_error", "contacts", "iterations",
+// "milliseconds".
 struct SeriesView {
   static constexpr const char* name = "series_view";
+  std::string quantity;
+  void fields(auto&& f) { f("quantity", quantity); }
+};
+// What of B − A is plotted: "distance", "gap", "penetration", "energies", "joint_error", "contacts".
+struct DifferenceView {
+  static constexpr const char* name = "difference_view";
   std::string quantity;
   void fields(auto&& f) { f("quantity", quantity); }
 };
@@ -200,9 +210,9 @@ using ViewCommand =
     std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::HideUi,
                  command::Look, command::LookFrom, command::FrameSelection, command::Select, command::ColorBy,
                  command::Show, command::CompareView, command::BarrierView, command::ConvergenceView,
-                 command::SeriesView, command::Screenshot, command::Record, command::StopRecord,
-                 command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys, command::Fly,
-                 command::SaveCamera, command::LoadCamera, command::Costs, command::Ask, command::CopyCommand,
-                 command::Quit>;
+                 command::SeriesView, command::DifferenceView, command::Screenshot, command::Record,
+                 command::StopRecord, command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys,
+                 command::Fly, command::SaveCamera, command::LoadCamera, command::Costs, command::Ask,
+                 command::CopyCommand, command::Quit>;
 
 }  // namespace pabd

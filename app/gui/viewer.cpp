@@ -242,6 +242,7 @@ struct Viewer::Impl {
       timeline.draw(frame);
       ImGui::End();
     }
+    draw_compare_labels(frame, layout);
     messages.draw(frame, layout.view, seconds);
     draw_recording(frame, layout.view);
     draw_costs(frame, layout.view);

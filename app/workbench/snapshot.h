@@ -24,7 +24,13 @@ struct Message {
 
 struct HeldCurve {
   std::string name;  // method and step
+  std::int64_t step = 0;
   std::vector<IterationRecord> records;
+};
+
+// How far two runs are apart: largest distance between the places of a body.
+struct RunDistance {
+  double time, position;  // s, m
 };
 
 // One of the simulations.
@@ -52,6 +58,7 @@ struct Snapshot {
   std::string scene_path;  // file; empty when it came from elsewhere
   RunView a;
   std::optional<RunView> b;
+  std::shared_ptr<const std::vector<RunDistance>> distances;  // of A and B at common times; never null
   bool playing = false;
   double speed = 1;             // asked for
   double real_time_factor = 0;  // simulated seconds a second of late; 0 when not playing

@@ -36,6 +36,7 @@ void Workbench::change(Side side, const std::string& what, const Params& after, 
   const Params before = run.params();
   if (differences(before, after).empty()) return;
   run.set_params(after);
+  measure_distance();
   diverged_ = false;
   redo_.clear();
   if (more && !undo_.empty() && undo_.back().what == what && undo_.back().side == side) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/error.h"
@@ -50,6 +51,7 @@ bool Workbench::advance() {
   while (!diverged_ && b_ && b_->state().time + 0.5 * b_->params().h <= a_->state().time) {
     if (!b_->advance()) diverged_ = true;
   }
+  measure_distance();
   if (!diverged_) return true;
   playing_ = false;
   const bool first = a_->report().status == StepStatus::non_finite;
@@ -95,6 +97,7 @@ void Workbench::seek_to(std::size_t i) {
       --j;
     b_->seek(j);
   }
+  measure_distance();
   diverged_ = false;
 }
 
@@ -123,8 +126,12 @@ void Workbench::carry_out(const command::Restart&) {
 
 void Workbench::carry_out(const command::Compare& c) {
   const Params params = tuned(b_ ? b_->params() : a_->params(), c.values);
-  if (!b_) b_.emplace(a_->fork());
+  if (!b_) {
+    b_.emplace(a_->fork());
+    distances_.clear();
+  }
   b_->set_params(params);
+  measure_distance();
 }
 
 void Workbench::carry_out(const command::EndCompare&) {
@@ -145,7 +152,8 @@ void Workbench::carry_out(const command::Hold& c) {
   if (records.empty())
     throw Error(ExitCode::bad_input, "no step with contacts or joints led here: there is nothing to hold");
   if (held_.size() >= kMostHeld) held_.erase(held_.begin());
-  held_.push_back({fmt::format("{}, step {}", to_string(method), a_->state().step), std::move(records)});
+  const std::int64_t step = a_->state().step;
+  held_.push_back({fmt::format("{}, step {}", to_string(method), step), step, std::move(records)});
 }
 
 void Workbench::carry_out(const command::DropHeld&) { held_.clear(); }
@@ -165,6 +173,23 @@ void Workbench::carry_out(const command::Tell& c) {
   tell(c.error ? Severity::error : Severity::note, c.text);
 }
 
+// At times that both have a state of. What lies behind the present when a run takes another course is gone.
+void Workbench::measure_distance() {
+  if (!b_ || a_->state().c.size() != b_->state().c.size()) return;
+  const double time = a_->state().time;
+  if (std::abs(b_->state().time - time) > 1e-9 * std::max(1.0, time)) return;
+  const double end = std::min(a_->timeline().back().report.time, b_->timeline().back().report.time);
+  while (!distances_.empty() && distances_.back().time > std::max(time, end)) distances_.pop_back();
+  const auto at = std::lower_bound(distances_.begin(), distances_.end(), time - 1e-12,
+                                   [](const RunDistance& d, double t) { return d.time < t; });
+  const RunDistance here{time, largest_distance(a_->state(), b_->state())};
+  if (at != distances_.end() && at->time <= time + 1e-12) {
+    *at = here;
+  } else {
+    distances_.insert(at, here);
+  }
+}
+
 Snapshot Workbench::snapshot() {
   Snapshot s;
   s.serial = ++serial_;
@@ -173,6 +198,7 @@ Snapshot Workbench::snapshot() {
   s.scene_path = source_.path;
   s.a = view(*a_);
   if (b_) s.b = view(*b_);
+  s.distances = std::make_shared<std::vector<RunDistance>>(b_ ? distances_ : std::vector<RunDistance>{});
   s.playing = playing_;
   s.speed = speed_;
   s.diverged = diverged_;

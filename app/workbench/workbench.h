@@ -100,6 +100,7 @@ class Workbench {
   void open(Source source);
   void seek_to(std::size_t moment);
   RunView view(const Run& run) const;
+  void measure_distance();
 
   WorkbenchOptions options_;
   Source source_;
@@ -113,6 +114,7 @@ class Workbench {
   command::Observe observe_;
   std::vector<Change> undo_, redo_;
   std::vector<HeldCurve> held_;
+  std::vector<RunDistance> distances_;  // ascending in time
   std::vector<Message> messages_;
 };
 

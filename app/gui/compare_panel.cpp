@@ -1,0 +1,221 @@
+// Two parameter sets on one scene: what differs, how far the two are apart, and how they are shown.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+
+#include "app/gui/panels.h"
+#include "app/gui/plot_reading.h"
+#include "app/overlay/imgui_canvas.h"
+#include "app/plots/axis_ticks.h"
+#include "app/plots/figures/difference.h"
+#include "sim/math/types.h"
+#include "sim/scene/tuning.h"
+
+namespace pabd {
+namespace {
+
+constexpr const char* kWords[] = {"distance", "gap", "penetration", "energies", "joint error", "contacts"};
+static_assert(std::size(kWords) == std::size(kDifferenceViews));
+
+constexpr std::size_t kMostPoints = 1600;
+constexpr int kRows = 3;  // of the table before it scrolls
+
+std::size_t shown(const UiState& ui) {
+  const auto it = std::find(std::begin(kDifferenceViews), std::end(kDifferenceViews), ui.difference);
+  return it == std::end(kDifferenceViews) ? 0 : static_cast<std::size_t>(it - std::begin(kDifferenceViews));
+}
+
+// "5" for "5.0"; words stay.
+std::string short_number(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == 0 ? format_value(value) : text;
+}
+
+void wrapped(const GuiFrame& f, const std::string& text) {
+  ImGui::PushTextWrapPos(0);
+  muted_label(f, text);
+  ImGui::PopTextWrapPos();
+}
+
+class ComparePanel final : public GuiPanel {
+ public:
+  const char* name() const override { return "compare"; }
+  const char* title() const override { return "A/B"; }
+  const char* help() const override { return "Two parameter sets on the same scene, in step"; }
+  Slot slot() const override { return Slot::right_top; }
+
+  void draw(GuiFrame& f) override {
+    if (!f.sim.b) {
+      offer(f);
+      return;
+    }
+    update(f);
+    controls(f);
+    table(f);
+    now(f);
+    const PlotTouch touch = plot_widget(f, "difference", plot_, ImGui::GetContentRegionAvail());
+    const auto pick = read_time(f, plot_, touch);
+    if (pick && touch.pressed) f.out.send(Command(command::Seek{pick->x}));
+  }
+
+ private:
+  static void offer(GuiFrame& f) {
+    ImGui::Dummy({0, f.px(4)});
+    wrapped(
+        f,
+        "Compare two parameter sets on the same scene. B is a second simulation that runs in step with A, "
+        "shown as a ghost or side by side. It starts with A's parameters: change them under Parameters, B.");
+    ImGui::Dummy({0, f.px(4)});
+    if (ImGui::Button("Compare from here")) f.out.send(Command(command::Compare{}));
+    tooltip("B starts at this moment, where A is now");
+    ImGui::SameLine();
+    if (ImGui::Button("Compare from the beginning")) {
+      f.out.send(Command(command::Restart{}));
+      f.out.send(Command(command::Compare{}));
+    }
+    tooltip("A starts again with its present parameters, and B with it");
+  }
+
+  void controls(GuiFrame& f) {
+    const bool side = f.ui.side_by_side;
+    if (toggle_button(f, "Ghost", !side, "The bodies of B as translucent ones over A"))
+      f.out.send(ViewCommand(command::CompareView{"ghost"}));
+    ImGui::SameLine(0, f.px(2));
+    if (toggle_button(f, "Side by side", side, "A on the left, B on the right, one camera"))
+      f.out.send(ViewCommand(command::CompareView{"side"}));
+    const float end = ImGui::CalcTextSize("End").x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float take = ImGui::CalcTextSize("Take B's").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - end - take - ImGui::GetStyle().ItemSpacing.x);
+    ImGui::BeginDisabled(differing_.empty());
+    if (ImGui::Button("Take B's")) {
+      command::SetAll all;
+      for (const Difference& d : differing_) all.values.push_back(d.key + "=" + d.b);
+      f.out.send(Command(std::move(all)));
+    }
+    ImGui::EndDisabled();
+    tooltip("Gives A the parameters of B; one step of undo");
+    ImGui::SameLine();
+    if (ImGui::Button("End")) f.out.send(Command(command::EndCompare{}));
+    tooltip("Ends the comparison: B goes, A stays as it is");
+  }
+
+  void table(GuiFrame& f) const {
+    if (differing_.empty()) {
+      wrapped(f, "A and B have the same parameters. Choose B in the Parameters panel and change one.");
+      return;
+    }
+    const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+    const int rows = std::min(static_cast<int>(differing_.size()), kRows);
+    const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
+    if (!ImGui::BeginTable("##differing", 3, flags, {0, line * static_cast<float>(rows + 1) + f.px(2)}))
+      return;
+    ImGui::TableSetupColumn("parameter", 0, 2.2f);
+    ImGui::TableSetupColumn("A", 0, 1);
+    ImGui::TableSetupColumn("B", 0, 1);
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableNextRow();
+    for (const char* text : {"parameter", "A", "B"}) {
+      ImGui::TableNextColumn();
+      muted_label(f, text);
+    }
+    for (const Difference& d : differing_) {
+      ImGui::TableNextRow();
+      for (const std::string* text : {&d.key, &d.a, &d.b}) {
+        ImGui::TableNextColumn();
+        label(short_number(*text));
+        tooltip(*text);
+      }
+    }
+    ImGui::EndTable();
+  }
+
+  void now(GuiFrame& f) {
+    if (const auto i = word_combo("##what", kWords, std::size(kWords), shown(f.ui), f.px(104),
+                                  "What of B − A is plotted over time"))
+      f.out.send(ViewCommand(command::DifferenceView{std::string(kDifferenceViews[*i])}));
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    if (distance_.body < 0 || distance_.position == 0) {
+      muted_label(f, "now: the same to the last bit");
+      return;
+    }
+    label(fmt::format("now {} m", format_value(distance_.position, 3)));
+    tooltip("Largest distance between the places of a body in A and in B, at this moment");
+    ImGui::SameLine(0, f.px(5));
+    muted_label(f, fmt::format("{}, {}°", f.sim.a.model->name[static_cast<std::size_t>(distance_.body)],
+                               format_value(distance_.angle * 180 / kPi, 2)));
+    tooltip("The body that is farthest away, and the largest angle between a body's two attitudes");
+  }
+
+  void update(const GuiFrame& f) {
+    const std::size_t what = shown(f.ui);
+    if (serial_ == f.sim.serial && what_ == what) return;
+    const bool numbers = serial_ != f.sim.serial;
+    serial_ = f.sim.serial;
+    what_ = what;
+    const RunView &a = f.sim.a, &b = *f.sim.b;
+    if (numbers) {
+      differing_.clear();
+      for (const auto& [key, value] : differences(a.params, b.params))
+        differing_.push_back({key, tuned_value(a.params, key), value});
+      distance_ = state_distance(a.state, b.state);
+    }
+    std::vector<DistancePoint> distances;
+    for (const RunDistance& d : *f.sim.distances) distances.push_back({d.time, d.position, 0});
+    plot_ = difference_series_plot(*a.history, *b.history, static_cast<DifferenceQuantity>(what), distances);
+    plot_.y.label = what == 0 ? "largest distance [m]" : plot_.y.label;
+    plot_.title.clear();
+    if (what == 0) {
+      plot_.series[0].name.clear();
+      if (distances.size() < 2) plot_.none = "no step yet: press play";
+    }
+    thin_lines(plot_, kMostPoints);
+    Series cursor;
+    cursor.style = SeriesStyle::level_x;
+    cursor.x = {a.state.time};
+    cursor.weight = 2;
+    plot_.series.push_back(std::move(cursor));
+  }
+
+  struct Difference {
+    std::string key, a, b;
+  };
+
+  std::uint64_t serial_ = 0;
+  std::size_t what_ = 0;
+  std::vector<Difference> differing_;
+  StateDistance distance_;
+  Plot plot_;
+};
+
+}  // namespace
+
+std::unique_ptr<GuiPanel> make_compare_panel() { return std::make_unique<ComparePanel>(); }
+
+void draw_compare_labels(GuiFrame& f, const GuiLayout& layout) {
+  if (!f.sim.b) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto tag = [&](const Rect& view, const std::string& text) {
+    const std::string shown_text = ui_text(text);
+    const ImVec2 size = ImGui::CalcTextSize(shown_text.c_str());
+    const ImVec2 at = {static_cast<float>(view.x) + f.px(10), static_cast<float>(view.y) + f.px(10)};
+    list.AddRectFilled(at, {at.x + size.x + f.px(14), at.y + size.y + f.px(8)},
+                       ImGui::GetColorU32(ImGuiCol_PopupBg, 0.85f), f.px(4));
+    list.AddText({at.x + f.px(7), at.y + f.px(4)}, packed(f.theme().text), shown_text.c_str());
+  };
+  if (!f.ui.side_by_side) {
+    tag(layout.view, "A, and B as a ghost");
+    return;
+  }
+  tag(layout.views[0], "A");
+  tag(layout.views[1], "B");
+  const auto x = static_cast<float>(layout.views[1].x);
+  list.AddRectFilled({x - f.px(1), static_cast<float>(layout.view.y)},
+                     {x + f.px(1), static_cast<float>(layout.view.bottom())},
+                     ImGui::GetColorU32(ImGuiCol_Separator));
+}
+
+}  // namespace pabd

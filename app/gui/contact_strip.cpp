@@ -1,0 +1,85 @@
+// See contact_strip.h.
+#include "app/gui/contact_strip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/widgets.h"
+#include "app/overlay/imgui_canvas.h"
+#include "app/overlay/panels.h"
+#include "app/plots/axis_ticks.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kText = 10.5;  // px of an ordinary screen
+
+// m
+double bin_start(const ContactStrip& strip, int bin) {
+  return strip.lo + bin * (strip.d_hat - strip.lo) / ContactStrip::kBins;
+}
+
+}  // namespace
+
+ContactStrip contact_strip(double lo, double d_hat, const std::vector<ContactReport>& contacts) {
+  ContactStrip strip;
+  strip.lo = lo;
+  strip.d_hat = d_hat;
+  std::vector<double> ratios;
+  for (const ContactReport& c : contacts) {
+    const double ratio = c.d / d_hat;
+    if (!std::isfinite(ratio) || ratio >= 1) continue;
+    ratios.push_back(ratio);
+    const int bin = static_cast<int>(std::max(0.0, (c.d - lo) / (d_hat - lo) * ContactStrip::kBins));
+    int& count = strip.counts[static_cast<std::size_t>(std::min(bin, ContactStrip::kBins - 1))];
+    strip.most = std::max(strip.most, ++count);
+  }
+  strip.contacts = static_cast<int>(ratios.size());
+  if (ratios.empty()) return strip;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  strip.median = *middle;
+  return strip;
+}
+
+void draw_contact_strip(GuiFrame& f, const ContactStrip& strip, const PlotLayout& plot, float height) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::InvisibleButton("##strip", {ImGui::GetContentRegionAvail().x, height});
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto left = static_cast<float>(plot.inner.x), right = static_cast<float>(plot.inner.right());
+  const float foot = at.y + height - f.px(1);
+  const auto x = [&](double d) {
+    return std::clamp(static_cast<float>(plot.map(d, plot.y.hi).x), left, right);
+  };
+  list.AddRectFilled({left, foot}, {right, foot + f.px(1)}, packed(f.theme().axis));
+  const ImVec2 mouse = ImGui::GetMousePos();
+  std::string under;
+  for (int bin = 0; bin < ContactStrip::kBins; ++bin) {
+    const int count = strip.counts[static_cast<std::size_t>(bin)];
+    const double lo = bin_start(strip, bin), hi = bin_start(strip, bin + 1);
+    const float x0 = std::round(x(lo)), x1 = std::round(x(hi));
+    if (x1 <= x0) continue;
+    if (count > 0) {
+      const float bar =
+          std::max(f.px(2), (height - f.px(3)) * static_cast<float>(count) / static_cast<float>(strip.most));
+      list.AddRectFilled({x0, foot - bar}, {std::max(x0 + 1, x1 - f.px(1)), foot},
+                         packed(contact_ink(0.5 * (lo + hi) / strip.d_hat)));
+    }
+    if (mouse.x >= x0 && mouse.x < x1)
+      under = fmt::format("{} of {} contacts with d/d̂ {} {}", count, strip.contacts,
+                          bin == 0 ? "below" : fmt::format("from {:.2f} to", lo / strip.d_hat),
+                          fmt::format("{:.2f}", hi / strip.d_hat));
+  }
+  const std::string text = ui_text(
+      strip.contacts == 0 ? std::string("d [m]; no contacts")
+                          : fmt::format("d [m]; {} contact{}, median {} d̂", strip.contacts,
+                                        strip.contacts == 1 ? "" : "s", format_value(strip.median, 3)));
+  if (ImFont* font = f.fonts.font(kText * f.unit))
+    list.AddText(font, font->FontSize, {left + f.px(3), at.y}, packed(f.theme().muted), text.c_str());
+  if (hovered && !under.empty()) tooltip(under);
+}
+
+}  // namespace pabd

@@ -1,0 +1,128 @@
+// See plot_reading.h.
+#include "app/gui/plot_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plots/rich_text.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kReach = 18;  // px of an ordinary screen
+
+void keep(const Series& from, std::size_t i, Series& to) {
+  to.x.push_back(from.x[i]);
+  to.y.push_back(from.y[i]);
+}
+
+void thin_line(Series& series, std::size_t most) {
+  const std::size_t count = std::min(series.x.size(), series.y.size());
+  const std::size_t piece = (4 * count + most - 1) / most;
+  Series out;
+  for (std::size_t begin = 0; begin < count; begin += piece) {
+    const std::size_t end = std::min(count, begin + piece);
+    std::size_t picks[4] = {begin, begin, begin, end - 1};
+    for (std::size_t i = begin; i < end; ++i) {
+      // Not finite (a gap without contacts) breaks the line: no extreme.
+      if (!std::isfinite(series.y[i])) continue;
+      if (!(series.y[picks[1]] <= series.y[i])) picks[1] = i;
+      if (!(series.y[picks[2]] >= series.y[i]) || !std::isfinite(series.y[picks[2]])) picks[2] = i;
+    }
+    std::sort(std::begin(picks), std::end(picks));
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (k == 0 || picks[k] != picks[k - 1]) keep(series, picks[k], out);
+    }
+  }
+  series.x = std::move(out.x);
+  series.y = std::move(out.y);
+}
+
+bool is_line(const Series& series) {
+  return series.style == SeriesStyle::line || series.style == SeriesStyle::dashed;
+}
+
+// "E − E_min 1.2·10⁻³ J" of a label "E − E_{min} [J]".
+std::string worded(const Plot& plot, const Series& series, const std::string& called, double y) {
+  const std::string label_text = plain_text(series.right_axis ? plot.y_right.label : plot.y.label);
+  const std::size_t bracket = label_text.rfind(" [");
+  std::string name = bracket == label_text.npos ? label_text : label_text.substr(0, bracket), unit;
+  if (bracket != label_text.npos) unit = label_text.substr(bracket + 2, label_text.size() - bracket - 3);
+  if (unit == "1") unit.clear();
+  if (!called.empty()) name = plain_text(called);
+  return fmt::format("{}: {}{}{}", name, std::isfinite(y) ? format_value(y) : "–", unit.empty() ? "" : " ",
+                     unit);
+}
+
+}  // namespace
+
+void thin_lines(Plot& plot, std::size_t most) {
+  most = std::max<std::size_t>(most, 8);
+  for (Series& series : plot.series) {
+    if (is_line(series) && series.x.size() > most) thin_line(series, most);
+  }
+}
+
+std::optional<PlotPick> read_point(GuiFrame& f, const Plot& plot, const PlotTouch& touch,
+                                   const char* x_name) {
+  if (!touch.hovered) return std::nullopt;
+  const auto pick = nearest_point(plot, touch.layout, touch.mouse, f.px(kReach));
+  if (!pick) return std::nullopt;
+  ImGui::GetWindowDrawList()->AddCircle({static_cast<float>(pick->at.x), static_cast<float>(pick->at.y)},
+                                        f.px(5), packed(f.theme().text), 20, f.px(1.5));
+  ImGui::BeginTooltip();
+  muted_label(f, fmt::format("{} {}", x_name, format_value(pick->x)));
+  const Series& series = plot.series[pick->series];
+  label(worded(plot, series, series.name, pick->y));
+  ImGui::EndTooltip();
+  return pick;
+}
+
+std::optional<PlotPick> read_time(GuiFrame& f, const Plot& plot, const PlotTouch& touch,
+                                  const std::vector<std::string>& names) {
+  if (!touch.hovered && !touch.held) return std::nullopt;
+  Point at = touch.mouse;
+  const Rect& inner = touch.layout.inner;
+  if (touch.held) {  // a drag goes on outside
+    at = {std::clamp(at.x, inner.x, inner.right()), std::clamp(at.y, inner.y, inner.bottom())};
+  }
+  const auto pick = nearest_in_x(plot, touch.layout, at);
+  if (!pick) return std::nullopt;
+  const auto x = static_cast<float>(std::round(pick->at.x));
+  ImGui::GetWindowDrawList()->AddRectFilled({x, static_cast<float>(inner.y)},
+                                            {x + f.px(1), static_cast<float>(inner.bottom())},
+                                            packed(f.theme().text));
+  ImGui::BeginTooltip();
+  muted_label(f, fmt::format("{:.4g} s, a click goes there", pick->x));
+  for (std::size_t s = 0; s < plot.series.size(); ++s) {
+    const Series& series = plot.series[s];
+    if (!is_line(series) || series.x.empty()) continue;
+    if (pick->x < series.x.front() || pick->x > series.x.back()) continue;  // a run that is shorter
+    auto next = std::lower_bound(series.x.begin(), series.x.end(), pick->x);
+    if (next == series.x.end() || (next != series.x.begin() && pick->x - next[-1] < *next - pick->x)) --next;
+    label(worded(plot, series, s < names.size() ? names[s] : series.name,
+                 series.y[static_cast<std::size_t>(next - series.x.begin())]));
+  }
+  ImGui::EndTooltip();
+  return pick;
+}
+
+std::optional<std::size_t> word_combo(const char* id, const char* const* words, std::size_t count,
+                                      std::size_t now, float width, const char* help) {
+  std::optional<std::size_t> chosen;
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo(id, ui_text(words[now]).c_str(), ImGuiComboFlags_HeightLarge);
+  if (!open) {
+    tooltip(help);
+    return chosen;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (ImGui::Selectable(ui_text(words[i]).c_str(), i == now)) chosen = i;
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+}  // namespace pabd

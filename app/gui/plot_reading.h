@@ -1,0 +1,31 @@
+// Reading plots of panels: long curves made short, and what is under the pointer.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/gui/widgets.h"
+#include "app/plots/plot_pick.h"
+
+namespace pabd {
+
+// Lines of more than `most` points keep the first, lowest, highest and last one of every piece, in order: at
+// most `most` (at least 8), the same picture, and cheap to draw however long the run.
+void thin_lines(Plot& plot, std::size_t most);
+
+// A ring around the point nearest to the pointer, and its numbers. `x_name`: "iteration".
+std::optional<PlotPick> read_point(GuiFrame& frame, const Plot& plot, const PlotTouch& touch,
+                                   const char* x_name);
+
+// An upright line at the point whose x (in seconds) is nearest, and the values of all lines there, under
+// `names` (one a series; fewer: the series' own).
+std::optional<PlotPick> read_time(GuiFrame& frame, const Plot& plot, const PlotTouch& touch,
+                                  const std::vector<std::string>& names = {});
+
+// A list of words to choose from: the index of the one that is chosen now, if one is.
+std::optional<std::size_t> word_combo(const char* id, const char* const* words, std::size_t count,
+                                      std::size_t now, float width, const char* help);
+
+}  // namespace pabd
