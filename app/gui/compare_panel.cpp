@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 
@@ -143,7 +144,11 @@ class ComparePanel final : public GuiPanel {
       return;
     }
     label(fmt::format("now {} m", format_value(distance_.position, 3)));
-    tooltip("Largest distance between the places of a body in A and in B, at this moment");
+    const double late = 1e3 * (f.sim.a.state.time - f.sim.b->state.time);
+    tooltip("Largest distance between the places of a body in A and in B, at this moment" +
+            (std::abs(late) < 1e-6 ? std::string()
+                                   : fmt::format("; B's steps end at other times, now {:.3g} ms {}",
+                                                 std::abs(late), late > 0 ? "earlier" : "later")));
     ImGui::SameLine(0, f.px(5));
     muted_label(f, fmt::format("{}, {}°", f.sim.a.model->name[static_cast<std::size_t>(distance_.body)],
                                format_value(distance_.angle * 180 / kPi, 2)));
