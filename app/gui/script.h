@@ -11,7 +11,8 @@
 //   {"do": "type", "text": "12.5"}
 //   {"do": "window", "size": [1280, 720], "scale": 1}
 //   {"do": "frame", "path": "panel.png"}                   draws, and writes what is seen, or a part of it:
-//                                                          "of": "left", "right_top", "right_bottom", "picture", …
+//                                                          "of": "left", "right_top", "right_bottom",
+//                                                          "picture", …
 //   {"do": "expect", "at": "/a/step", "is": 10}            also "near" with "within", "above", "below",
 //   "contains"
 //   {"do": "wait", "frames": 3}, {"do": "until", "at": "/a/step", "above": 50}

@@ -22,12 +22,9 @@ struct PanelPlace {
   std::string_view name;
   Slot slot;
 };
-constexpr PanelPlace kPanels[] = {{"parameters", Slot::left},
-                                  {"scenes", Slot::left},
-                                  {"barrier", Slot::right_top},
-                                  {"convergence", Slot::right_bottom},
-                                  {"series", Slot::right_bottom},
-                                  {"compare", Slot::right_top}};
+constexpr PanelPlace kPanels[] = {{"parameters", Slot::left},     {"scenes", Slot::left},
+                                  {"barrier", Slot::right_top},   {"convergence", Slot::right_bottom},
+                                  {"series", Slot::right_bottom}, {"compare", Slot::right_top}};
 
 // The one of `words` that is meant. Throws Error(bad_input) with the list.
 template <std::size_t n>
