@@ -56,6 +56,16 @@ Run::Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory)
   add_moment();
 }
 
+Run::Run(std::shared_ptr<const Scene> scene, int threads, Timeline past)
+    : scene_(scene),
+      session_(std::move(scene), threads),
+      threads_(threads),
+      timeline_(std::move(past)),
+      cursor_(timeline_.size() - 1),
+      next_(*timeline_.back().params) {
+  seek(cursor_);
+}
+
 Run Run::fork() const {
   Run out(scene_, threads_, timeline_.budget());
   out.observe(iterations_, contacts_, bodies_);
@@ -165,7 +175,7 @@ bool Run::undo_edit(const MadeEdit& edit) {
 std::string Run::edits() const {
   std::string out;
   for (const auto& edit : timeline_.forgotten_edits()) out += edit.made->text + "\n";
-  for (std::size_t i = 0; i <= cursor_; ++i)
+  for (std::size_t i = 0; i < timeline_.size(); ++i)
     if (timeline_[i].edit) out += timeline_[i].edit->text + "\n";
   return out;
 }

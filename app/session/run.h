@@ -22,6 +22,9 @@ class Run {
   // Precondition: scene is not null, threads ≥ 1. `memory`: bytes for states of the past.
   Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory);
 
+  // Goes on where a recording ends. Precondition: `past` is of this scene and has a moment.
+  Run(std::shared_ptr<const Scene> scene, int threads, Timeline past);
+
   const Scene& scene() const { return *scene_; }
   const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
   const Model& model() const { return session_.model(); }
@@ -68,7 +71,7 @@ class Run {
   // Back to the moment before an edit, from where everything goes on anew. False, and nothing happens, when
   // the timeline does not hold it (any more).
   bool undo_edit(const MadeEdit& edit);
-  // All edits that led to the present model, as JSON, one a line.
+  // All edits of the timeline, as JSON, one a line.
   std::string edits() const;
 
   // The step that led here again, with another method, recorded. Nothing for a start.

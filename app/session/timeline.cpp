@@ -84,7 +84,8 @@ void Timeline::shrink() {
   const auto enough = static_cast<std::size_t>(kRoom * static_cast<double>(budget_));
   for (std::int64_t stride = 2; stride <= kLongestStride && bytes_ > enough; stride *= 2)
     drop_between(stride);
-  while (bytes_ > enough && moments_.size() > 2 * kAllKept) forget_oldest();
+  while (bytes_ > enough && moments_.size() > 2 * kAllKept && forget_oldest()) {
+  }
 }
 
 void Timeline::drop_between(std::int64_t stride) {
@@ -97,8 +98,10 @@ void Timeline::drop_between(std::int64_t stride) {
   }
 }
 
-// Up to the next state that is there.
-void Timeline::forget_oldest() {
+// Up to the next state that is there; false when there is none.
+bool Timeline::forget_oldest() {
+  const auto stands = [](const Moment& m) { return m.state != nullptr; };
+  if (std::none_of(moments_.begin() + 1, moments_.end(), stands)) return false;
   do {
     const Moment& m = moments_.front();
     if (m.state) bytes_ -= state_bytes(*m.state);
@@ -106,6 +109,7 @@ void Timeline::forget_oldest() {
     moments_.pop_front();
     ++forgotten_;
   } while (!moments_.front().state);
+  return true;
 }
 
 }  // namespace pabd

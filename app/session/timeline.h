@@ -78,7 +78,7 @@ class Timeline {
  private:
   void shrink();
   void drop_between(std::int64_t stride);
-  void forget_oldest();
+  bool forget_oldest();
 
   std::size_t budget_;
   std::size_t bytes_ = 0, forgotten_ = 0;

@@ -188,14 +188,29 @@ struct ApplyPatch {
   void fields(auto&& f) { f("path", path), f("side", side, false); }
 };
 
+// The timeline of A as a file, and back: only for the same scene.
+struct SaveRecording {
+  static constexpr const char* name = "save_recording";
+  std::string path;
+  bool force = false;
+  void fields(auto&& f) { f("path", path), f("force", force, false); }
+};
+struct LoadRecording {
+  static constexpr const char* name = "load_recording";
+  std::string path;
+  bool force = false;  // although something is not saved
+  void fields(auto&& f) { f("path", path), f("force", force, false); }
+};
+
 }  // namespace command
 
 // What the Workbench carries out.
-using Command = std::variant<command::Set, command::SetAll, command::ResetParams, command::Undo,
-                             command::Redo, command::Play, command::Pause, command::Step, command::Seek,
-                             command::Speed, command::Restart, command::Edit, command::Pull, command::Release,
-                             command::Shoot, command::Compare, command::EndCompare, command::Hold,
-                             command::DropHeld, command::Observe, command::Tell, command::Load,
-                             command::Reload, command::SaveScene, command::SavePatch, command::ApplyPatch>;
+using Command =
+    std::variant<command::Set, command::SetAll, command::ResetParams, command::Undo, command::Redo,
+                 command::Play, command::Pause, command::Step, command::Seek, command::Speed,
+                 command::Restart, command::Edit, command::Pull, command::Release, command::Shoot,
+                 command::Compare, command::EndCompare, command::Hold, command::DropHeld, command::Observe,
+                 command::Tell, command::Load, command::Reload, command::SaveScene, command::SavePatch,
+                 command::ApplyPatch, command::SaveRecording, command::LoadRecording>;
 
 }  // namespace pabd

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/session/recording.h"
 #include "app/workbench/workbench.h"
 #include "render/output/atomic_file.h"
 #include "sim/error.h"
@@ -105,6 +106,37 @@ void Workbench::carry_out(const command::SavePatch& c) {
 
 void Workbench::carry_out(const command::ApplyPatch& c) {
   change(c.side, "patch", patched(run_of(c.side).params(), read_scene_text(c.path), c.path));
+}
+
+void Workbench::carry_out(const command::SaveRecording& c) {
+  write_text(c.path, encode_recording(*a_), c.force);
+  saved_ = tuning();
+  saved_edits_ = a_->edits();
+  tell(Severity::note, fmt::format("saved {}: {} moments", c.path, a_->timeline().size()));
+}
+
+// Everything is made before anything is given up.
+void Workbench::carry_out(const command::LoadRecording& c) {
+  if (unsaved() && !c.force)
+    throw Error(ExitCode::bad_input, "what was changed is not saved; save it, or load all the same");
+  Timeline past = decode_recording(read_scene_text(c.path), c.path, scene_, options_.memory);
+  const auto differs = first_difference(past, options_.threads);
+  Run run(scene_, options_.threads, std::move(past));
+  run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
+  a_.emplace(std::move(run));
+  b_.reset();
+  undo_.clear();
+  redo_.clear();
+  held_.clear();
+  playing_ = diverged_ = false;
+  saved_ = tuning();
+  saved_edits_ = a_->edits();
+  const std::string what = fmt::format("{}: {} moments", c.path, a_->timeline().size());
+  if (!differs) return tell(Severity::note, what);
+  tell(Severity::warning,
+       fmt::format("{}; made by another build or machine: from step {} on, what is computed again differs in "
+                   "the last bits",
+                   what, *differs));
 }
 
 }  // namespace pabd

@@ -86,6 +86,8 @@ class Workbench {
   void carry_out(const command::SaveScene& c);
   void carry_out(const command::SavePatch& c);
   void carry_out(const command::ApplyPatch& c);
+  void carry_out(const command::SaveRecording& c);
+  void carry_out(const command::LoadRecording& c);
 
   Run& run_of(Side side);
   void change(Side side, const std::string& what, const Params& after, bool more = false);

@@ -1,6 +1,9 @@
 // Edits and pulls are part of the past: wound back, thinned out and replayed they give the same bits.
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+#include <fstream>
+
 #include "app/session/run.h"
 #include "app/workbench/workbench.h"
 #include "sim/error.h"
@@ -167,4 +170,48 @@ TEST_CASE("a pull moves a body towards the hand and ends with it; a ball flies w
   CHECK_THROWS_AS(bench.apply(command::Shoot{{5, 3, 0}, {0, 0, 0}}), Error);
   CHECK_THROWS_AS(bench.apply(command::Shoot{{5, 3, 0}, {0, 0, 1}, 1, -1}), Error);
   CHECK(bench.run().model().size() == bodies + 1);
+}
+
+TEST_CASE("recordings and states are saved and come back, and what does not fit changes nothing") {
+  std::string folder = (std::filesystem::temp_directory_path() / "pabd_hands_XXXXXX").string();
+  REQUIRE(::mkdtemp(folder.data()) != nullptr);
+  const std::string file = folder + "/run.pabdrec", state = folder + "/state.json";
+  const command::Load scene{PABD_SCENES "/two_boxes.json", {}, false};
+  Workbench bench({}, scene);
+  bench.apply(command::Step{30});
+  bench.apply(command::Pull{2, {0, 0, 0}, {1, 3, 0}});
+  bench.apply(command::Step{10});
+  bench.apply(command::Release{});
+  bench.apply(command::Shoot{{5, 2, 0}, {-1, 0, 0}});
+  bench.apply(command::Step{40});
+  CHECK(bench.snapshot().unsaved);
+  bench.apply(command::SaveRecording{file});
+  CHECK_FALSE(bench.snapshot().unsaved);
+  CHECK_THROWS_AS(bench.apply(command::SaveRecording{file}), Error);  // exists
+  bench.apply(command::SaveRecording{file, true});
+
+  Workbench other({}, scene);
+  other.apply(command::Set{"contact.kappa", "77"});
+  CHECK_THROWS_AS(other.apply(command::LoadRecording{file}), Error);  // not saved
+  other.apply(command::LoadRecording{file, true});
+  CHECK(same_bits(other.run().state(), bench.run().state()));
+  CHECK(other.run().timeline().size() == bench.run().timeline().size());
+  CHECK(other.snapshot().messages.back().severity == Severity::note);
+  other.apply(command::Seek{0.6});
+  bench.apply(command::Seek{0.6});
+  CHECK(same_bits(other.run().state(), bench.run().state()));
+  CHECK(other.snapshot().a.pulls.size() == 1);  // the hand is seen again
+
+  Workbench pyramid({}, command::Load{PABD_SCENES "/pyramid.json", {}, false});
+  CHECK_THROWS_WITH(pyramid.apply(command::LoadRecording{file}), Catch::Contains("open that scene first"));
+  std::ofstream(file, std::ios::trunc) << "pabd-rec";
+  CHECK_THROWS_WITH(other.apply(command::LoadRecording{file}), Catch::Contains("run.pabdrec"));
+  CHECK(other.run().timeline().size() == 82);
+
+  bench.apply(command::Seek{1e9});
+  bench.apply(command::SaveScene{state, true});
+  Workbench third({}, command::Load{state, {}, false});
+  CHECK(third.run().model().size() == 4);
+  CHECK(largest_distance(third.run().state(), bench.run().state()) < 1e-12);
+  std::filesystem::remove_all(folder);
 }

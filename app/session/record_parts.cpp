@@ -1,0 +1,95 @@
+// See record_parts.h.
+#include "app/session/record_parts.h"
+
+#include <utility>
+
+namespace pabd {
+namespace {
+
+constexpr std::size_t kBodyBytes = 18 * 8, kAnchorBytes = 8 + 4 + 3 * 8 + 1;
+
+}  // namespace
+
+void write_state(const State& s, ByteWriter& out) {
+  out.number(s.time);
+  out.u64(static_cast<std::uint64_t>(s.step));
+  out.u32(s.c.size());
+  for (std::size_t i = 0; i < s.c.size(); ++i) {
+    out.matrix(s.c[i]);
+    out.matrix(s.R[i]);
+    out.matrix(s.v[i]);
+    out.matrix(s.omega[i]);
+  }
+  out.u32(s.anchors.size());
+  for (const FrictionAnchor& a : s.anchors) {
+    out.u64(a.pair);
+    out.u32(a.feature);
+    out.matrix(a.stretch);
+    out.u8(a.sliding ? 1 : 0);
+  }
+}
+
+void write_report(const StepReport& r, ByteWriter& out) {
+  out.u64(static_cast<std::uint64_t>(r.step));
+  out.u8(static_cast<std::uint8_t>(r.method));
+  out.u8(static_cast<std::uint8_t>(r.status));
+  out.u32(static_cast<std::uint32_t>(r.iterations));
+  out.u32(static_cast<std::uint32_t>(r.contacts));
+  for (const double x : {r.time, r.kinetic, r.potential, r.elastic, r.kappa, r.max_penetration, r.min_gap,
+                         r.max_joint_error, r.residual, r.times.collision, r.times.solve, r.times.total})
+    out.number(x);
+}
+
+State read_state(ByteReader& in, Index bodies) {
+  State s;
+  s.time = in.finite();
+  s.step = static_cast<std::int64_t>(in.u64());
+  const std::size_t n = in.count(kBodyBytes);
+  in.require(n == static_cast<std::size_t>(bodies), "a state has another number of bodies than its model");
+  s.c.resize(n);
+  s.R.resize(n);
+  s.v.resize(n);
+  s.omega.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    in.matrix(s.c[i]);
+    in.matrix(s.R[i]);
+    in.matrix(s.v[i]);
+    in.matrix(s.omega[i]);
+    const Mat3 off = s.R[i].transpose() * s.R[i] - Mat3::Identity();
+    in.require(off.cwiseAbs().maxCoeff() < 1e-6 && s.R[i].determinant() > 0, "an orientation is no rotation");
+  }
+  s.anchors.resize(in.count(kAnchorBytes));
+  const auto order = [](const FrictionAnchor& a) { return std::pair(a.pair, a.feature); };
+  for (std::size_t k = 0; k < s.anchors.size(); ++k) {
+    FrictionAnchor& a = s.anchors[k];
+    a.pair = in.u64();
+    a.feature = in.u32();
+    in.matrix(a.stretch);
+    a.sliding = in.flag();
+    in.require(a.pair >> 32 < n && (a.pair & 0xffffffffu) < n, "a contact is of a body that is none");
+    in.require(k == 0 || order(s.anchors[k - 1]) < order(a), "contacts are out of order");
+  }
+  return s;
+}
+
+StepReport read_report(ByteReader& in) {
+  StepReport r;
+  r.step = static_cast<std::int64_t>(in.u64());
+  const std::uint8_t method = in.u8(), status = in.u8();
+  in.require(method <= static_cast<std::uint8_t>(SolverMethod::automatic) &&
+                 status <= static_cast<std::uint8_t>(StepStatus::non_finite),
+             "a solver or its outcome is unknown");
+  r.method = static_cast<SolverMethod>(method);
+  r.status = static_cast<StepStatus>(status);
+  const std::uint32_t iterations = in.u32(), contacts = in.u32();
+  in.require(iterations <= 1u << 30 && contacts <= 1u << 30, "a count is too large");
+  r.iterations = static_cast<int>(iterations);
+  r.contacts = static_cast<int>(contacts);
+  r.time = in.finite();
+  for (double* x : {&r.kinetic, &r.potential, &r.elastic, &r.kappa, &r.max_penetration, &r.min_gap,
+                    &r.max_joint_error, &r.residual, &r.times.collision, &r.times.solve, &r.times.total})
+    *x = in.number();
+  return r;
+}
+
+}  // namespace pabd

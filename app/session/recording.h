@@ -1,0 +1,34 @@
+// A run as a file: what every step was made with, what it said, and its exact state every so many steps;
+// everything between is computed again when it is wanted, to the same bits.
+//
+//   "pabd-rec", version (u32), size of the rest without the checksum (u64)
+//   scene       hash, name, number of bodies: a recording belongs to one scene
+//   tables      parameters (JSON), edits (JSON; of forgotten moments with their state), hands
+//   moments     start, edit, parameters, hands, report, hash of the state, state
+//   checksum    16 hex digits over everything before it
+//
+// Integers and numbers are little endian, texts have their length (u32) before them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/session/run.h"
+
+namespace pabd {
+
+// The whole timeline of a run; what a branch left is not part of it.
+std::string encode_recording(const Run& run);
+
+// The timeline of a recording of this scene, with `memory` bytes for states. Throws Error(bad_input) in one
+// line that names `source`, when it is no recording or one of another version, of another scene, cut off,
+// damaged, or says what no run can.
+Timeline decode_recording(const std::string& bytes, const std::string& source,
+                          const std::shared_ptr<const Scene>& scene, std::size_t memory);
+
+// The first of the last steps whose state comes out otherwise than recorded; none when all agree. Another
+// build or machine may round differently.
+std::optional<std::int64_t> first_difference(const Timeline& recorded, int threads);
+
+}  // namespace pabd
