@@ -23,14 +23,20 @@ constexpr Question kQuestions[] = {
     {"open", "Open a scene", "A scene file, or the name of a shipped scene", "Open", false},
     {"save_scene", "Save scene", "The scene file with the present parameters; bodies as at its beginning",
      "Save", true},
+    {"save_state", "Save state", "A scene file that starts with the bodies and joints as they are now",
+     "Save", true},
     {"save_patch", "Save patch", "Only the parameters that differ from the scene", "Save", true},
     {"apply_patch", "Apply patch", "A patch file: parameters of this or another scene", "Apply", false},
     {"screenshot", "Screenshot", "A PNG file", "Save", true},
     {"record", "Video", ".mp4, .webm or .gif; or a folder/{frame:04}.png for one picture a frame", "Record",
      true},
+    {"save_recording", "Save recording", "The whole timeline: steps, hands, edits; for this scene", "Save",
+     true},
+    {"load_recording", "Load recording", "A recording of this scene; it replaces the timeline", "Load",
+     false},
     {"save_camera", "Save camera keys", "A file that 'pabd render --camera' takes", "Save", true},
     {"load_camera", "Load camera keys", "A file of camera keys", "Load", false},
-    {"quit", "Leave?", "Parameters were changed and not saved.", "Leave without saving", false},
+    {"quit", "Leave?", "What was changed is not saved.", "Leave without saving", false},
 };
 
 const Question* question(const std::string& what) {
@@ -42,6 +48,8 @@ const Question* question(const std::string& what) {
 std::string first_text(const std::string& what, const GuiFrame& f) {
   const std::string name = std::filesystem::path(f.sim.scene_path).stem().string();
   if (what == "save_scene") return name + "_tuned.json";
+  if (what == "save_state") return name + "_state.json";
+  if (what == "save_recording" || what == "load_recording") return name + ".pabdrec";
   if (what == "save_patch") return name + "_patch.json";
   if (what == "screenshot") return name + ".png";
   if (what == "record") return name + ".mp4";
@@ -65,6 +73,9 @@ void Dialogs::confirm(GuiFrame& f, bool force) {
   waiting_ = true;
   if (open_ == "open") f.out.send(Command(command::Load{text_, {}, force}));
   if (open_ == "save_scene") f.out.send(Command(command::SaveScene{text_, false, force}));
+  if (open_ == "save_state") f.out.send(Command(command::SaveScene{text_, true, force}));
+  if (open_ == "save_recording") f.out.send(Command(command::SaveRecording{text_, force}));
+  if (open_ == "load_recording") f.out.send(Command(command::LoadRecording{text_, force}));
   if (open_ == "save_patch") f.out.send(Command(command::SavePatch{text_, force}));
   if (open_ == "apply_patch") f.out.send(Command(command::ApplyPatch{text_}));
   if (open_ == "screenshot") f.out.send(ViewCommand(command::Screenshot{text_, with_ui_, force}));
@@ -116,10 +127,10 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
   }
   if (open_ == "record") draw_record_fields(f, record_, along_keys_);
   // Known before it is tried.
-  const bool unsaved = open_ == "open" && f.sim.unsaved;
+  const bool unsaved = (open_ == "open" || open_ == "load_recording") && f.sim.unsaved;
   if (unsaved && !refused) {
     ImGui::PushTextWrapPos(0);
-    label("Parameters of " + f.sim.scene->name + " were changed and not saved.");
+    label("What was changed in " + f.sim.scene->name + " is not saved.");
     ImGui::PopTextWrapPos();
   }
   if (refused) {

@@ -54,7 +54,7 @@ void draw_help(GuiFrame& f, int width, int height) {
   const float room_x = static_cast<float>(width) - f.px(24), room_y = static_cast<float>(height) - f.px(24);
   ImGui::SetNextWindowPos({0.5f * static_cast<float>(width), 0.5f * static_cast<float>(height)},
                           ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(f.px(860), room_x), std::min(f.px(590), room_y)});
+  ImGui::SetNextWindowSize({std::min(f.px(860), room_x), std::min(f.px(650), room_y)});
   ImGui::SetNextWindowFocus();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, f.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, f.px(1));
@@ -67,13 +67,13 @@ void draw_help(GuiFrame& f, int width, int height) {
     ImGui::TableSetupColumn("left", ImGuiTableColumnFlags_WidthFixed, half);
     ImGui::TableSetupColumn("right", ImGuiTableColumnFlags_WidthFixed, half);
     ImGui::TableNextColumn();
-    ImGui::BeginChild("##left", {half - f.px(20), f.px(540)}, false, ImGuiWindowFlags_NoScrollbar);
+    ImGui::BeginChild("##left", {half - f.px(20), f.px(600)}, false, ImGuiWindowFlags_NoScrollbar);
     groups(f, {"Time", "View"});
     heading(f, "Mouse in the picture");
-    for (const MouseHelp& m : mouse_table()) row(f, m.gesture, m.help, f.px(176));
+    for (const MouseHelp& m : mouse_table()) row(f, m.gesture, m.help, f.px(164));
     ImGui::EndChild();
     ImGui::TableNextColumn();
-    ImGui::BeginChild("##right", {half, f.px(540)}, false, ImGuiWindowFlags_NoScrollbar);
+    ImGui::BeginChild("##right", {half, f.px(600)}, false, ImGuiWindowFlags_NoScrollbar);
     groups(f, {"Window", "Parameters", "Files"});
     ImGui::EndChild();
     ImGui::EndTable();

@@ -1,6 +1,8 @@
 // See key_table.h.
 #include "app/gui/key_table.h"
 
+#include "app/session/model_edit.h"
+
 namespace pabd {
 namespace {
 
@@ -50,8 +52,14 @@ const std::vector<KeyBinding>& key_table() {
       } else if (!ui.dialog.empty()) {
         out.send(ViewCommand(command::Ask{}));
       } else {
-        out.send(ViewCommand(command::Select{"none", ""}));
+        const bool waits = ui.joining.has_value();
+        out.send(waits ? ViewCommand(command::Join{""}) : ViewCommand(command::Select{"none", ""}));
       }
+    };
+    const auto remove = [](const Snapshot&, const UiState& ui, Outbox& out) {
+      const auto edit = [&out](const ModelEdit& what) { out.send(Command(command::Edit{to_json(what)})); };
+      if (ui.selection.kind == Selection::Kind::body) edit(RemoveBody{ui.selection.index});
+      if (ui.selection.kind == Selection::Kind::joint) edit(RemoveJoint{ui.selection.index});
     };
     const auto theme = [](const Snapshot&, const UiState& ui, Outbox& out) {
       out.send(ViewCommand(command::Theme{!ui.dark}));
@@ -68,6 +76,7 @@ const std::vector<KeyBinding>& key_table() {
     add("Time", "home", "to the beginning", sends(Command(command::Seek{-1e9})));
     add("Time", "end", "to the end", sends(Command(command::Seek{1e9})));
     add("Time", "r", "again from the beginning", sends(Command(command::Restart{})));
+    add("View", "delete", "remove the selected body or joint", remove);
     add("View", "f", "frame the selection, or everything", sends(ViewCommand(command::FrameSelection{})));
     add("View", "0", "the scene's own view", looks("scene"));
     add("View", "1", "from the front", looks("front"));
@@ -91,6 +100,9 @@ const std::vector<KeyBinding>& key_table() {
     add("Parameters", "ctrl+shift+c", "copy as a command line", sends(ViewCommand(command::CopyCommand{})));
     add("Files", "ctrl+o", "open a scene", asks("open"));
     add("Files", "ctrl+s", "save the scene, as tuned", asks("save_scene"));
+    add("Files", "ctrl+shift+s", "save the state as a scene", asks("save_state"));
+    add("Files", "ctrl+shift+e", "save the timeline as a recording", asks("save_recording"));
+    add("Files", "ctrl+l", "load a recording", asks("load_recording"));
     add("Files", "ctrl+r", "load the scene's file again", sends(Command(command::Reload{})));
     add("View", "k", "a camera key here and now", sends(ViewCommand(command::AddCameraKey{})));
     add("Window", "p", "what a frame costs", toggle_costs);
@@ -104,6 +116,9 @@ const std::vector<KeyBinding>& key_table() {
 
 const std::vector<MouseHelp>& mouse_table() {
   static const std::vector<MouseHelp> table = {
+      {"double-click", "select what is there"},
+      {"Ctrl+drag", "pull a body; wheel: depth"},
+      {"space+click", "shoot a ball"},
       {"drag", "turn the view"},
       {"shift+drag, middle drag", "move the view"},
       {"wheel, right drag", "nearer, farther"},

@@ -11,6 +11,7 @@
 namespace pabd {
 
 std::unique_ptr<GuiPanel> make_parameters_panel();
+std::unique_ptr<GuiPanel> make_inspector_panel();
 std::unique_ptr<GuiPanel> make_scenes_panel();
 std::unique_ptr<GuiPanel> make_barrier_panel();
 std::unique_ptr<GuiPanel> make_convergence_panel();
@@ -20,6 +21,7 @@ std::unique_ptr<GuiPanel> make_compare_panel();
 inline std::vector<std::unique_ptr<GuiPanel>> make_panels() {
   std::vector<std::unique_ptr<GuiPanel>> out;
   out.push_back(make_parameters_panel());
+  out.push_back(make_inspector_panel());
   out.push_back(make_scenes_panel());
   out.push_back(make_barrier_panel());
   out.push_back(make_convergence_panel());

@@ -196,8 +196,19 @@ class ParametersPanel final : public GuiPanel {
     };
     ask("Save scene…", "save_scene", "The scene file with these parameters (ctrl+s)");
     ImGui::SameLine();
+    ask("Save state…", "save_state", "A scene that starts with the bodies as they are now (ctrl+shift+s)");
     ask("Save patch…", "save_patch", "Only what differs from the scene, for --ab and for other scenes");
+    ImGui::SameLine();
     ask("Apply patch…", "apply_patch", "Parameters from a patch file");
+    if (ImGui::Button("Recording…")) ImGui::OpenPopup("##recording");
+    tooltip("The timeline with hands and edits, as a file");
+    if (ImGui::BeginPopup("##recording")) {
+      if (ImGui::Selectable("Save the timeline… (ctrl+shift+e)"))
+        f.out.send(ViewCommand(command::Ask{"save_recording"}));
+      if (ImGui::Selectable("Load a recording… (ctrl+l)"))
+        f.out.send(ViewCommand(command::Ask{"load_recording"}));
+      ImGui::EndPopup();
+    }
     ImGui::SameLine();
     if (ImGui::Button("Copy command")) f.out.send(ViewCommand(command::CopyCommand{}));
     tooltip("'pabd render …' with these parameters and this camera, to the clipboard (ctrl+shift+c)");

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/body_colors.h"
 #include "render/visual/bounds.h"
+#include "render/visual/outline.h"
 
 namespace pabd {
 namespace {
@@ -13,13 +15,29 @@ bool same_camera(const Camera& a, const Camera& b) {
   return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov == b.fov;
 }
 
-void build(const RunView& run, const UiState& ui, VisualScene& out) {
+void select(const Selection& selection, VisualOptions& options) {
+  const auto number = static_cast<std::size_t>(selection.index);
+  if (selection.kind == Selection::Kind::body) options.selected_body = selection.index;
+  if (selection.kind == Selection::Kind::joint) options.selected_joint = number;
+  if (selection.kind == Selection::Kind::contact) options.selected_contact = number;
+}
+
+void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) {
+  const RunView& run = side == Side::b ? *sim.b : sim.a;
   VisualOptions options;
   options.contacts = ui.contacts;
   options.bonds = ui.bonds;
   options.d_hat = run.params.contact.d_hat;
   out.camera = rounded(ui.camera);
+  BodyColors colors = body_colors(sim, side, ui.color);
+  options.values = std::move(colors.values);
+  options.value_range = colors.range;
+  if (ui.selection.index >= 0) select(ui.selection, options);
   build_visual(*run.model, run.state, run.report, options, out);
+  for (const Pull& pull : run.pulls) {
+    const auto i = static_cast<std::size_t>(pull.body);
+    if (i < run.state.c.size()) add_spring(pull.target, run.state.c[i] + run.state.R[i] * pull.r, out);
+  }
 }
 
 }  // namespace
@@ -41,11 +59,11 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const GuiLayout& la
                 two,        ui.color,           ui.selection, ui.dark, quality.samples};
   if (same(key, key_)) return false;
   key_ = key;
-  build(sim.a, ui, visual_[0]);
+  build(sim, Side::a, ui, visual_[0]);
   if (sim.b && !two) add_ghost(*sim.b->model, sim.b->state, ghost_color(), visual_[0]);
   renderer.draw_view(0, visual_[0], width, height, quality);
   if (two) {
-    build(*sim.b, ui, visual_[1]);
+    build(sim, Side::b, ui, visual_[1]);
     renderer.draw_view(1, visual_[1], pixels(layout.views[1].w), height, quality);
   }
   return true;

@@ -59,6 +59,7 @@ Json run_json(const RunView& run) {
             {"max_penetration", r.max_penetration},
             {"max_joint_error", r.max_joint_error},
             {"residual", r.residual}}},
+          {"pulls", run.pulls.size()},
           {"bodies", std::move(bodies)},
           {"body_count", run.model->shape.size()},
           {"joint_count", run.model->joints.size()}};
@@ -108,6 +109,7 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
             {"color", to_string(ui.color)},
             {"selection",
              {{"kind", kKinds[static_cast<std::size_t>(ui.selection.kind)]}, {"index", ui.selection.index}}},
+            {"joining", ui.joining ? ui.joining->type : ""},
             {"side_by_side", ui.side_by_side},
             {"convergence", ui.convergence},
             {"series", ui.series},

@@ -17,7 +17,7 @@ constexpr struct {
                {ColorQuantity::projection, "projection", "‖A − R‖"},
                {ColorQuantity::speed, "speed", "speed"},
                {ColorQuantity::energy, "energy", "energy"},
-               {ColorQuantity::component, "component", "solver component"}};
+               {ColorQuantity::component, "component", "component"}};
 
 constexpr double kIdleFrames = 15;  // 1/s
 

@@ -30,8 +30,18 @@ enum class ColorQuantity : std::uint8_t { body, projection, speed, energy, compo
 struct Selection {
   enum class Kind : std::uint8_t { none, body, joint, contact };
   Kind kind = Kind::none;
-  Index index = 0;  // of a contact: among the reports of the step
+  Index index = 0;         // of a contact: among the reports of the step; −1: it is open now
+  Index a = -1, b = -1;    // of a contact: its bodies
+  Vec3 at = Vec3::Zero();  // of a body: where it was picked, and the normal there; body frame
+  Vec3 normal = Vec3::UnitY();
   bool operator==(const Selection&) const = default;
+};
+
+// A joint that waits for its second body.
+struct Joining {
+  std::string type;
+  Index body = 0;  // the first one
+  Vec3 at;         // on it; body frame
 };
 
 struct UiState {
@@ -47,6 +57,7 @@ struct UiState {
   bool contacts = true, bonds = true;
   ColorQuantity color = ColorQuantity::body;
   Selection selection;
+  std::optional<Joining> joining;
   bool side_by_side = false;  // of A and B; else B is a ghost
 
   command::BarrierView barrier;

@@ -22,9 +22,10 @@ struct PanelPlace {
   std::string_view name;
   Slot slot;
 };
-constexpr PanelPlace kPanels[] = {{"parameters", Slot::left},     {"scenes", Slot::left},
-                                  {"barrier", Slot::right_top},   {"convergence", Slot::right_bottom},
-                                  {"series", Slot::right_bottom}, {"compare", Slot::right_top}};
+constexpr PanelPlace kPanels[] = {
+    {"parameters", Slot::left},   {"inspector", Slot::left},           {"scenes", Slot::left},
+    {"barrier", Slot::right_top}, {"convergence", Slot::right_bottom}, {"series", Slot::right_bottom},
+    {"compare", Slot::right_top}};
 
 // The one of `words` that is meant. Throws Error(bad_input) with the list.
 template <std::size_t n>
@@ -46,11 +47,11 @@ std::string quoted(const std::string& word) {
   return out + "'";
 }
 
-Vec3 point(const std::vector<double>& v, const char* what) {
+Vec3 point(const std::vector<double>& v, const char* command, const char* what) {
   if (v.size() != 3 ||
       !std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x) && std::abs(x) <= 1e6; })) {
     throw Error(ExitCode::bad_input,
-                fmt::format("look: \"{}\": expected three numbers up to 1e6, in metres", what));
+                fmt::format("{}: \"{}\": expected three numbers up to 1e6, in metres", command, what));
   }
   return {v[0], v[1], v[2]};
 }
@@ -75,8 +76,8 @@ struct Actor {
   void operator()(const command::HideUi& c) const { ui.hidden = c.on; }
   void operator()(const command::Look& c) const {
     CameraPose pose = ui.camera;
-    pose.eye = point(c.eye, "eye");
-    pose.target = point(c.target, "target");
+    pose.eye = point(c.eye, "look", "eye");
+    pose.target = point(c.target, "look", "target");
     if (!(pose.distance() > 1e-6))
       throw Error(ExitCode::bad_input, "look: the eye is in the target; expected two different points");
     if (c.fov != 0) {
@@ -105,7 +106,23 @@ struct Actor {
     Selection selection;
     selection.kind = static_cast<Selection::Kind>(one(c.kind, kKinds, "select"));
     if (selection.kind != Selection::Kind::none) selection.index = index_of(selection.kind, c.item);
+    if (!c.at.empty()) selection.at = point(c.at, "select", "at");
+    if (!c.normal.empty()) selection.normal = point(c.normal, "select", "normal");
+    if (selection.kind == Selection::Kind::contact) {
+      const ContactReport& contact = sim.a.report.contact_reports[static_cast<std::size_t>(selection.index)];
+      selection.a = contact.a;
+      selection.b = contact.b;
+    }
     ui.selection = selection;
+    ui.joining.reset();
+    if (selection.kind != Selection::Kind::none) ui.shown[static_cast<std::size_t>(Slot::left)] = "inspector";
+  }
+  void operator()(const command::Join& c) const {
+    static constexpr std::string_view kTypes[] = {"", "spherical", "hinge", "slider", "fixed", "distance"};
+    if (one(c.type, kTypes, "join") == 0) return ui.joining.reset();
+    if (ui.selection.kind != Selection::Kind::body)
+      throw Error(ExitCode::bad_input, "join: select the first body, by a double-click on it");
+    ui.joining = Joining{c.type, ui.selection.index, ui.selection.at};
   }
   void operator()(const command::ColorBy& c) const {
     static constexpr std::string_view kNames[] = {"body", "projection", "speed", "energy", "component"};
@@ -142,9 +159,9 @@ struct Actor {
     ui.difference = c.quantity;
   }
   void operator()(const command::Ask& c) const {
-    static constexpr std::string_view kWhat[] = {"",           "open",        "save_scene", "save_state",
-                                                 "save_patch", "apply_patch", "screenshot", "quit",
-                                                 "record",     "save_camera", "load_camera"};
+    static constexpr std::string_view kWhat[] = {
+        "",     "open",   "save_scene",  "save_state",  "save_patch",     "apply_patch",   "screenshot",
+        "quit", "record", "save_camera", "load_camera", "save_recording", "load_recording"};
     one(c.what, kWhat, "ask");
     ui.dialog = c.what;
     ui.dialog_text = c.text;

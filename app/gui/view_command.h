@@ -58,11 +58,22 @@ struct FrameSelection {
   static constexpr const char* name = "frame_selection";
   void fields(auto&&) {}
 };
-// `kind`: "none", "body", "joint", "contact"; `item`: number, or the name of a body or joint.
+// `kind`: "none", "body", "joint", "contact"; `item`: number, or the name of a body or joint. Of a body also
+// where, and the normal there: body frame, three numbers each; else its centre.
 struct Select {
   static constexpr const char* name = "select";
   std::string kind = "body", item;
-  void fields(auto&& f) { f("kind", kind), f("item", item, false); }
+  std::vector<double> at = {}, normal = {};
+  void fields(auto&& f) {
+    f("kind", kind), f("item", item, false), f("at", at, false), f("normal", normal, false);
+  }
+};
+// A joint from where the selected body was picked to the body that is double-clicked next, at the place of
+// the click. `type`: "spherical", "hinge", "slider", "fixed", "distance"; "" ends the wait.
+struct Join {
+  static constexpr const char* name = "join";
+  std::string type;
+  void fields(auto&& f) { f("type", type); }
 };
 // "body", "projection" (‖A − R‖), "speed", "energy", "component".
 struct ColorBy {
@@ -188,7 +199,8 @@ struct Costs {
   void fields(auto&& f) { f("on", on, false); }
 };
 // A dialog that asks for a file name: "open", "save_scene", "save_state", "save_patch", "apply_patch",
-// "screenshot", "record", "save_camera", "load_camera"; "" closes it. `text`: what it starts with.
+// "save_recording", "load_recording", "screenshot", "record", "save_camera", "load_camera"; "" closes it.
+// `text`: what it starts with.
 struct Ask {
   static constexpr const char* name = "ask";
   std::string what, text = {};
@@ -208,11 +220,11 @@ struct Quit {
 
 using ViewCommand =
     std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::HideUi,
-                 command::Look, command::LookFrom, command::FrameSelection, command::Select, command::ColorBy,
-                 command::Show, command::CompareView, command::BarrierView, command::ConvergenceView,
-                 command::SeriesView, command::DifferenceView, command::Screenshot, command::Record,
-                 command::StopRecord, command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys,
-                 command::Fly, command::SaveCamera, command::LoadCamera, command::Costs, command::Ask,
-                 command::CopyCommand, command::Quit>;
+                 command::Look, command::LookFrom, command::FrameSelection, command::Select, command::Join,
+                 command::ColorBy, command::Show, command::CompareView, command::BarrierView,
+                 command::ConvergenceView, command::SeriesView, command::DifferenceView, command::Screenshot,
+                 command::Record, command::StopRecord, command::AddCameraKey, command::DropCameraKey,
+                 command::ClearCameraKeys, command::Fly, command::SaveCamera, command::LoadCamera,
+                 command::Costs, command::Ask, command::CopyCommand, command::Quit>;
 
 }  // namespace pabd

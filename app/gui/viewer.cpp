@@ -16,6 +16,8 @@
 #include "app/gui/key_table.h"
 #include "app/gui/live_picture.h"
 #include "app/gui/panels.h"
+#include "app/gui/pick.h"
+#include "app/gui/picture_notes.h"
 #include "app/gui/scene_list.h"
 #include "app/gui/scene_view.h"
 #include "app/gui/studio.h"
@@ -161,6 +163,7 @@ struct Viewer::Impl {
     want.iterations = bottom && ui.shown[2] == "convergence";
     want.contacts = ui.contacts || ui.bonds || top;
     want.bodies = ui.color != ColorQuantity::body || ui.selection.kind == Selection::Kind::body;
+    want.contacts = want.contacts || ui.selection.kind != Selection::Kind::none;
     if (want.iterations == observed.iterations && want.contacts == observed.contacts &&
         want.bodies == observed.bodies)
       return;
@@ -170,9 +173,12 @@ struct Viewer::Impl {
 
   void handle_keys(const WindowEvent& event, Outbox& out) {
     const auto* key = std::get_if<KeyChanged>(&event);
-    if (!key || !key->pressed || ImGui::GetIO().WantTextInput) return;
+    if (!key || ImGui::GetIO().WantTextInput) return;
     if (!ui.dialog.empty()) return;
+    if (key->key == Key::space ? !hands.plays(*key) : !key->pressed) return;
+    if (hands.pulling() && key->key == Key::escape) return;  // ends the pull only
     Modifiers modifiers = key->modifiers;
+    if (hands.pulling()) modifiers.ctrl = false;  // held for the pull
     for (const KeyBinding& binding : key_table()) {
       if (binding.chord.key == key->key && binding.chord.modifiers == modifiers) binding.act(*sim, ui, out);
     }
@@ -182,11 +188,10 @@ struct Viewer::Impl {
     const ImGuiIO& io = ImGui::GetIO();
     for (const WindowEvent& event : input.feed(ImGui::GetIO())) {
       handle_keys(event, frame.out);
-      const Rect& place = layout.views[0];
       const bool in_picture = layout.view.contains(Point{static_cast<double>(io.MousePos.x),
                                                          static_cast<double>(io.MousePos.y)}) &&
                               !io.WantCaptureMouse;
-      hands.handle(event, in_picture, place, frame, ui.camera);
+      hands.handle(event, in_picture, layout, frame, ui.camera);
       if (std::holds_alternative<CloseRequested>(event)) frame.out.send(ViewCommand(command::Quit{}));
       if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
         if (!dropped->paths.empty()) frame.out.send(Command(command::Load{dropped->paths.back(), {}, false}));
@@ -257,8 +262,12 @@ struct Viewer::Impl {
   }
 
   // What belongs to the scene starts anew with another one.
-  void follow_scene() {
-    if (sim->scene_serial == scene_serial) return;
+  void follow_scene(const Snapshot& before) {
+    if (sim->scene_serial == scene_serial) {
+      ui.selection = follow(ui.selection, before.a, sim->a);
+      if (ui.joining && before.a.model != sim->a.model) ui.joining.reset();
+      return;
+    }
     scene_serial = sim->scene_serial;
     if (sim->scene_path.empty() || sim->scene_path != followed) {  // else: the same one again
       ui.camera = precise(scene_camera(*sim->scene, port().width / port().height));
@@ -266,6 +275,7 @@ struct Viewer::Impl {
     }
     followed = sim->scene_path;
     ui.selection = {};
+    ui.joining.reset();
     remember(sim->scene_path);
     scenes_shown = false;  // another folder, perhaps
   }
@@ -296,10 +306,10 @@ struct Viewer::Impl {
 
   void draw(double seconds) {
     ImGui::SetCurrentContext(imgui);
-    sim = runner.latest();
+    const auto last = std::exchange(sim, runner.latest());
     costs.begin(*sim);
     layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
-    follow_scene();
+    follow_scene(*last);
     list_scenes();
     fly();
     restyle();
@@ -316,6 +326,8 @@ struct Viewer::Impl {
     }
     io.FontDefault = font;
     ImGui::NewFrame();
+    hands.select(layout, frame);
+    draw_picture_notes(frame, layout);
     draw_interface(frame, seconds);
     ImGui::Render();
     costs.done(FrameCosts::interface);

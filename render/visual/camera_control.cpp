@@ -49,7 +49,7 @@ CameraAxes axes_of(const CameraPose& pose) {
   return {right, back.cross(right), back};
 }
 
-Ray ray_through(const CameraPose& pose, const Viewport& port, double x, double y) {
+ViewRay ray_through(const CameraPose& pose, const Viewport& port, double x, double y) {
   const CameraAxes axes = axes_of(pose);
   const double pixel = 2 * half_height(pose) / port.height;
   const Vec3 along =
@@ -107,7 +107,7 @@ CameraPose zoom(const CameraPose& pose, const Viewport& port, double factor, dou
   if (!(factor > 0) || !(distance > 0)) return pose;
   const double share = std::clamp(distance / factor, kLeastDistance, kLargestDistance) / distance;
   const CameraAxes axes = axes_of(pose);
-  const Ray ray = ray_through(pose, port, x, y);
+  const ViewRay ray = ray_through(pose, port, x, y);
   const double reach = (depth > 0 ? depth : distance) / -ray.direction.dot(axes.back);
   // Everything shrinks towards the point under the pointer, which therefore stays where it is seen.
   const Vec3 point = ray.origin + reach * ray.direction;

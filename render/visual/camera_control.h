@@ -33,11 +33,11 @@ struct Viewport {
   double width = 1280, height = 720;
 };
 
-struct Ray {
+struct ViewRay {
   Vec3 origin;     // the eye
   Vec3 direction;  // unit
 };
-Ray ray_through(const CameraPose& pose, const Viewport& port, double x, double y);
+ViewRay ray_through(const CameraPose& pose, const Viewport& port, double x, double y);
 
 struct PixelPoint {
   double x, y;

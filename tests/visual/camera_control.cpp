@@ -41,7 +41,7 @@ CameraPose key_pose(const Vec3& target, double azimuth, double elevation, double
 TEST_CASE("a ray through a pixel and back is that pixel") {
   for (const CameraPose& pose : poses()) {
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, {340.0, 300.0}, {17.25, 590.5}, {679.0, 3.0}}) {
-      const Ray ray = ray_through(pose, kPort, x, y);
+      const ViewRay ray = ray_through(pose, kPort, x, y);
       CHECK(ray.direction.norm() == Approx(1).epsilon(1e-14));
       for (const double reach : {0.1, 7.0, 300.0}) {
         const PixelPoint back = to_pixel(pose, kPort, ray.origin + reach * ray.direction);
@@ -81,7 +81,7 @@ TEST_CASE("panning takes along what is under the pointer") {
   for (CameraPose pose : poses()) {
     double x = 100, y = 420;
     const double depth = 0.7 * pose.distance();
-    const Ray ray = ray_through(pose, kPort, x, y);
+    const ViewRay ray = ray_through(pose, kPort, x, y);
     const Vec3 grabbed = ray.origin + depth / -ray.direction.dot(axes_of(pose).back) * ray.direction;
     const double distance = pose.distance();
     for (int k = 0; k < 1000; ++k) {
@@ -99,7 +99,7 @@ TEST_CASE("zooming leaves what is under the pointer where it is") {
   for (const CameraPose& pose : poses()) {
     const double x = 500, y = 111;
     for (const double depth : {0.0, 2.5}) {
-      const Ray ray = ray_through(pose, kPort, x, y);
+      const ViewRay ray = ray_through(pose, kPort, x, y);
       const double reach = (depth > 0 ? depth : pose.distance()) / -ray.direction.dot(axes_of(pose).back);
       const Vec3 point = ray.origin + reach * ray.direction;
       for (const double factor : {1.1, 0.3, 40.0}) {

@@ -1,0 +1,98 @@
+// See body_colors.h.
+#include "app/gui/body_colors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/body/mass_properties.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGoldenPart = 0.6180339887498949;  // of the map from one part to the next: never alike
+constexpr double kDecades = 1e-4;                   // of a logarithmic range
+
+double value_of(const RunView& run, std::size_t i, ColorQuantity quantity) {
+  if (run.model->fixed[i]) return kNone;
+  if (quantity == ColorQuantity::speed) return run.state.v[i].norm();
+  if (i >= run.report.body_reports.size()) return kNone;
+  const BodyReport& r = run.report.body_reports[i];
+  switch (quantity) {
+    case ColorQuantity::projection:
+      return r.projection_change;
+    case ColorQuantity::energy:
+      return kinetic_energy_of(*run.model, run.state, static_cast<Index>(i)) + r.contact_energy;
+    case ColorQuantity::component:
+      return r.island < 0 ? kNone : r.island;
+    default:
+      return kNone;
+  }
+}
+
+std::vector<double> values_of(const RunView& run, ColorQuantity quantity) {
+  std::vector<double> out(run.model->shape.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = value_of(run, i, quantity);
+  return out;
+}
+
+double largest(const std::vector<double>& values) {
+  double out = 0;
+  for (const double v : values) {
+    if (std::isfinite(v)) out = std::max(out, v);
+  }
+  return out;
+}
+
+// The next of 1, 2, 5, 10, … times a power of ten.
+double round_up(double x) {
+  const double power = std::pow(10, std::floor(std::log10(x)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (x <= step * power * (1 + 1e-9)) return step * power;
+  }
+  return 10 * power;
+}
+
+}  // namespace
+
+double kinetic_energy_of(const Model& model, const State& state, Index body) {
+  const auto i = static_cast<std::size_t>(body);
+  if (model.fixed[i]) return 0;
+  const Vec3 w = state.R[i].transpose() * state.omega[i];
+  return 0.5 * (model.mass[i] * state.v[i].squaredNorm() + w.dot(inertia_tensor(model.J[i]) * w));
+}
+
+BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity) {
+  BodyColors out;
+  if (quantity == ColorQuantity::body) return out;
+  const RunView& run = side == Side::b && sim.b ? *sim.b : sim.a;
+  out.values = values_of(run, quantity);
+  double hi = largest(out.values);
+  if (sim.b) hi = std::max(hi, largest(values_of(side == Side::b ? sim.a : *sim.b, quantity)));
+  if (quantity == ColorQuantity::component) {
+    out.title = "bodies that hang together";
+    out.parts = true;
+    for (double& v : out.values) {
+      if (!std::isfinite(v)) continue;
+      out.count = std::max(out.count, static_cast<int>(v) + 1);
+      v = std::fmod(0.25 + kGoldenPart * v, 1.0);
+    }
+    return out;
+  }
+  out.range.logarithmic = quantity != ColorQuantity::speed;
+  if (hi == 0 && quantity == ColorQuantity::projection) {
+    out.title = "‖A − R‖ is 0: only sissm has an A";
+    out.parts = true;
+    return out;
+  }
+  hi = std::max(hi, quantity == ColorQuantity::projection ? 1e-12 : 1e-6);
+  out.range.hi = round_up(hi);
+  out.range.lo = out.range.logarithmic ? kDecades * out.range.hi : 0;
+  out.title = quantity == ColorQuantity::projection ? "‖A − R‖"
+              : quantity == ColorQuantity::speed    ? "speed, m/s"
+                                                    : "kinetic and contact energy, J";
+  return out;
+}
+
+}  // namespace pabd

@@ -1,0 +1,28 @@
+// A number a body to colour it by, and what the colours mean.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/gui/ui_state.h"
+#include "app/workbench/snapshot.h"
+#include "render/visual/value_map.h"
+
+namespace pabd {
+
+struct BodyColors {
+  std::vector<double> values;  // NaN: grey
+  ValueRange range;            // the same for both simulations
+  std::string title;           // with its unit
+  bool parts = false;          // colours tell parts from each other and have no order
+  int count = 0;               // of the parts
+};
+
+// Empty values for ColorQuantity::body, and for what the step's report does not hold (yet). The range ends at
+// 1, 2 or 5 times a power of ten, so that it rests while numbers change.
+BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity);
+
+// Kinetic energy of a body; J.
+double kinetic_energy_of(const Model& model, const State& state, Index body);
+
+}  // namespace pabd

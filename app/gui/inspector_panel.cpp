@@ -1,0 +1,279 @@
+// What is selected, by its numbers; without a selection the list of bodies and joints.
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/body_maker.h"
+#include "app/gui/inspector_rows.h"
+#include "app/gui/panels.h"
+#include "app/gui/widgets.h"
+
+namespace pabd {
+namespace {
+
+constexpr std::size_t kMostLines = 40;  // of contacts of one body
+
+void select(GuiFrame& f, const char* kind, std::size_t number) {
+  f.out.send(ViewCommand(command::Select{kind, std::to_string(number)}));
+}
+
+void edit(GuiFrame& f, const ModelEdit& what) { f.out.send(Command(command::Edit{to_json(what)})); }
+
+bool contains(const std::string& text, const std::string& part) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+}
+
+// A line that can be clicked: a name, and something about it on the right.
+bool entry(const GuiFrame& f, const std::string& id, const std::string& name, const std::string& about) {
+  const bool clicked = ImGui::Selectable(id.c_str());
+  ImGui::SameLine(0, 0);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + f.px(2));
+  label(name);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - f.px(4) - ImGui::CalcTextSize(ui_text(about).c_str()).x);
+  muted_label(f, about);
+  return clicked;
+}
+
+// A long list with a field that filters it; only what is seen costs time.
+class NameList {
+ public:
+  void draw(GuiFrame& f) {
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::InputTextWithHint("##filter", "find a body or joint by its name", &filter_)) model_.reset();
+    refresh(f.sim.a.model);
+    ImGui::BeginChild("##names", {0, std::max(f.px(110), ImGui::GetContentRegionAvail().y - f.px(158))});
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(found_.size()));
+    while (clipper.Step()) {
+      for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
+        line(f, found_[static_cast<std::size_t>(row)]);
+    }
+    clipper.End();
+    if (found_.empty()) muted_label(f, "nothing has that name");
+    ImGui::EndChild();
+  }
+
+ private:
+  struct Entry {
+    bool joint;
+    Index number;
+  };
+
+  void refresh(const std::shared_ptr<const Model>& model) {
+    if (model == model_) return;
+    model_ = model;
+    found_.clear();
+    for (Index i = 0; i < model->size(); ++i)
+      if (contains(body_title(*model, i), filter_)) found_.push_back({false, i});
+    for (std::size_t k = 0; k < model->joints.size(); ++k)
+      if (contains(joint_title(*model, static_cast<Index>(k)), filter_))
+        found_.push_back({true, static_cast<Index>(k)});
+  }
+
+  void line(GuiFrame& f, const Entry& e) const {
+    const Model& model = *model_;
+    const auto i = static_cast<std::size_t>(e.number);
+    const std::string title = e.joint ? joint_title(model, e.number) : body_title(model, e.number);
+    const std::string kind = e.joint ? std::string(to_string(model.joints[i].type)) + " joint"
+                                     : (model.fixed[i] ? "fixed" : fmt::format("{:.4g} kg", model.mass[i]));
+    if (entry(f, fmt::format("##{}{}", e.joint ? "j" : "b", e.number), title, kind))
+      select(f, e.joint ? "joint" : "body", i);
+  }
+
+  std::string filter_;
+  std::shared_ptr<const Model> model_;
+  std::vector<Entry> found_;
+};
+
+class InspectorPanel final : public GuiPanel {
+ public:
+  const char* name() const override { return "inspector"; }
+  const char* title() const override { return "Inspector"; }
+  const char* help() const override {
+    return "The numbers of a body, joint or contact; double-click one in the picture";
+  }
+  Slot slot() const override { return Slot::left; }
+
+  void draw(GuiFrame& f) override {
+    const RunView& run = f.sim.a;
+    const Selection& s = f.ui.selection;
+    const auto i = static_cast<std::size_t>(s.index);
+    switch (s.kind) {
+      case Selection::Kind::body:
+        if (i < run.model->shape.size()) return body(f, s.index);
+        break;
+      case Selection::Kind::joint:
+        if (i < run.model->joints.size()) return joint(f, s.index);
+        break;
+      case Selection::Kind::contact:
+        return contact(f, s);
+      case Selection::Kind::none:
+        break;
+    }
+    nothing(f);
+  }
+
+ private:
+  void nothing(GuiFrame& f) {
+    ImGui::PushTextWrapPos(0);
+    muted_label(f, "Double-click a body, joint or contact in the picture, or choose one here.");
+    ImGui::PopTextWrapPos();
+    heading(f,
+            fmt::format("{} bodies, {} joints", f.sim.a.model->shape.size(), f.sim.a.model->joints.size()));
+    list_.draw(f);
+    heading(f, "new body");
+    maker_.draw(f);
+  }
+
+  // Title, buttons and numbers; true when it is to be deleted.
+  bool top(GuiFrame& f, const std::string& title, const InspectorRows& rows, const char* remove) {
+    label(title);
+    if (f.sim.b) {
+      ImGui::SameLine();
+      muted_label(f, "in A");
+    }
+    if (ImGui::Button("Frame")) f.out.send(ViewCommand(command::FrameSelection{}));
+    tooltip("Fill the picture with it (f)");
+    ImGui::SameLine(0, f.px(4));
+    if (ImGui::Button("Copy numbers")) ImGui::SetClipboardText(as_text(title, rows).c_str());
+    tooltip("Everything below as text");
+    bool gone = false;
+    if (remove) {
+      ImGui::SameLine(0, f.px(4));
+      gone = ImGui::Button("Delete");
+      tooltip(remove);
+    }
+    ImGui::SameLine(0, f.px(4));
+    if (ImGui::Button("List")) f.out.send(ViewCommand(command::Select{"none", ""}));
+    tooltip("Back to the list of bodies and joints (Esc)");
+    for (const InspectorRow& row : rows) {
+      if (row.value.empty()) {
+        heading(f, row.name);
+      } else {
+        read_out(f, row.name, row.value, row.warn);
+        tooltip(row.help);
+      }
+    }
+    return gone;
+  }
+
+  void body(GuiFrame& f, Index number) {
+    const Model& model = *f.sim.a.model;
+    if (top(f, body_title(model, number), body_rows(f.sim.a, number),
+            "Remove this body and its joints (Del); undo brings it back"))
+      edit(f, RemoveBody{number});
+    contacts_of(f, number);
+    heading(f, "joints");
+    for (std::size_t k = 0; k < model.joints.size(); ++k) {
+      if (model.joints[k].i != number && model.joints[k].j != number) continue;
+      if (ImGui::Selectable(
+              ui_text(fmt::format("{}##joint{}", joint_title(model, static_cast<Index>(k)), k)).c_str()))
+        select(f, "joint", k);
+    }
+    join(f, number);
+  }
+
+  void contacts_of(GuiFrame& f, Index number) const {
+    const auto& contacts = f.sim.a.report.contact_reports;
+    std::size_t shown = 0, more = 0;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const ContactReport& c = contacts[k];
+      if (c.a != number && c.b != number) continue;
+      if (++shown > kMostLines) {
+        ++more;
+        continue;
+      }
+      const std::string other = body_title(*f.sim.a.model, c.a == number ? c.b : c.a);
+      if (entry(f, fmt::format("##contact{}", k), "with " + other, force_text(c.normal_force)))
+        select(f, "contact", k);
+    }
+    if (more > 0) muted_label(f, fmt::format("and {} more", more));
+  }
+
+  // A joint from here to what is double-clicked next, or to the world.
+  void join(GuiFrame& f, Index number) {
+    static constexpr const char* kTypes[] = {"spherical", "hinge", "slider", "fixed", "distance"};
+    const RunView& run = f.sim.a;
+    const auto i = static_cast<std::size_t>(number);
+    ImGui::SetNextItemWidth(f.px(92));
+    if (ImGui::BeginCombo("##type", kTypes[type_])) {
+      for (int t = 0; t < 5; ++t)
+        if (ImGui::Selectable(kTypes[t], t == type_)) type_ = t;
+      ImGui::EndCombo();
+    }
+    tooltip("Type of the new joint");
+    ImGui::SameLine(0, f.px(4));
+    const bool waits = f.ui.joining.has_value();
+    if (ImGui::Button(waits ? "double-click it…" : "Join to body…"))
+      f.out.send(ViewCommand(command::Join{waits ? "" : kTypes[type_]}));
+    tooltip("Then double-click the second body where the joint shall be");
+    ImGui::SameLine(0, f.px(4));
+    ImGui::BeginDisabled(run.model->fixed[i] != 0);
+    const bool world = ImGui::Button("To world");
+    tooltip("Where this body was double-clicked, as it stands now");
+    if (world) {
+      AddJoint joint;
+      static constexpr JointType kJoint[] = {JointType::spherical, JointType::hinge, JointType::slider,
+                                             JointType::fixed, JointType::distance};
+      joint.type = kJoint[type_];
+      joint.j = number;
+      joint.anchor = joint.anchor_j = run.state.c[i] + run.state.R[i] * f.ui.selection.at;
+      // A distance joint hangs it from above.
+      const double radius = bounding_radius(run.model->shape[i]);
+      if (joint.type == JointType::distance && std::isfinite(radius)) joint.anchor.y() += 2 * radius;
+      joint.axis = run.state.R[i] * f.ui.selection.normal;
+      edit(f, joint);
+    }
+    ImGui::EndDisabled();
+  }
+
+  void joint(GuiFrame& f, Index number) {
+    const Model& model = *f.sim.a.model;
+    if (top(f, joint_title(model, number), joint_rows(f.sim.a, number),
+            "Remove this joint (Del); undo brings it back"))
+      edit(f, RemoveJoint{number});
+    const Joint& joint = model.joints[static_cast<std::size_t>(number)];
+    ends(f, joint.i, joint.j);
+  }
+
+  void contact(GuiFrame& f, const Selection& s) {
+    const Model& model = *f.sim.a.model;
+    const auto i = static_cast<std::size_t>(s.index);
+    if (s.index < 0 || i >= f.sim.a.report.contact_reports.size()) {
+      ImGui::PushTextWrapPos(0);
+      muted_label(f, "This contact is open now: its bodies are d̂ or more apart.");
+      ImGui::PopTextWrapPos();
+    } else {
+      const std::string title =
+          fmt::format("contact of {} and {}", body_title(model, s.a), body_title(model, s.b));
+      top(f, title, contact_rows(f.sim.a, s.index), nullptr);
+    }
+    if (s.a >= 0 && s.b >= 0) ends(f, s.a, s.b);
+  }
+
+  void ends(GuiFrame& f, Index a, Index b) const {
+    heading(f, "bodies");
+    for (const Index body : {a, b}) {
+      if (body == kWorld || body >= f.sim.a.model->size()) continue;
+      if (ImGui::Selectable(
+              ui_text(fmt::format("{}##end{}", body_title(*f.sim.a.model, body), body)).c_str()))
+        select(f, "body", static_cast<std::size_t>(body));
+    }
+  }
+
+  NameList list_;
+  BodyMaker maker_;
+  int type_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<GuiPanel> make_inspector_panel() { return std::make_unique<InspectorPanel>(); }
+
+}  // namespace pabd

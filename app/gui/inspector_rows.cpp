@@ -1,0 +1,240 @@
+// See inspector_rows.h.
+//
+//   f          force of a contact on body b: f_n n + friction; on a the opposite    N
+//   f          force of a joint on body j: −Σ ∂Ψ/∂y_j over its bonds S(1, 2, 5)     N
+//   angle      φ of j against i about the axis n                                    degrees
+#include "app/gui/inspector_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/body_colors.h"
+#include "render/visual/joint_glyphs.h"
+#include "sim/bond/point_bond.h"
+#include "sim/joint/expand.h"
+#include "sim/math/so3.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kDegrees = 180 / kPi;
+
+std::string text(double x, const char* unit = "") {
+  return fmt::format("{:.4g}{}{}", std::abs(x) < 1e-14 ? 0.0 : x, *unit ? " " : "", unit);
+}
+// Tenths of a millimetre where they fit, without a sign on zero.
+std::string part(double x, int digits) {
+  const double step = std::pow(10, -digits);
+  if (std::abs(x) < 0.5 * step) x = 0;
+  return std::abs(x) < 1e4 ? fmt::format("{:.{}f}", x, digits) : fmt::format("{:.3g}", x);
+}
+std::string text(const Vec3& v, const char* unit, int digits = 3) {
+  return fmt::format("{}  {}  {}{}{}", part(v.x(), digits), part(v.y(), digits), part(v.z(), digits),
+                     *unit ? " " : "", unit);
+}
+std::string force_text(const Vec3& f) {
+  const double least = 1e-6 * f.norm();
+  const auto shown = [least](double x) { return fmt::format("{:.3g}", std::abs(x) < least ? 0.0 : x); };
+  return fmt::format("{}  {}  {} N", shown(f.x()), shown(f.y()), shown(f.z()));
+}
+
+struct ShapeText {
+  std::string operator()(const Box& b) const {
+    return fmt::format("box {:.4g} × {:.4g} × {:.4g} m", 2 * b.half.x(), 2 * b.half.y(), 2 * b.half.z());
+  }
+  std::string operator()(const Sphere& s) const { return fmt::format("sphere, radius {:.4g} m", s.radius); }
+  std::string operator()(const Capsule& c) const {
+    return fmt::format("capsule {:.4g} m + {:.4g} m", 2 * c.radius, c.length);
+  }
+  std::string operator()(const Plane&) const { return "plane"; }
+  std::string operator()(const Hull&) const { return "convex hull"; }
+  std::string operator()(const Compound&) const { return "compound of hulls"; }
+};
+
+struct OnBody {
+  int contacts = 0;
+  Vec3 force = Vec3::Zero();
+};
+OnBody contact_force(const RunView& run, Index body) {
+  OnBody out;
+  for (const ContactReport& c : run.report.contact_reports) {
+    if (c.a != body && c.b != body) continue;
+    ++out.contacts;
+    out.force += (c.b == body ? 1.0 : -1.0) * (c.normal_force * c.n + c.friction);
+  }
+  return out;
+}
+
+void add_pose(const RunView& run, std::size_t i, InspectorRows& rows) {
+  const State& s = run.state;
+  rows.push_back({"pose", ""});
+  rows.push_back({"position", text(s.c[i], "m", 4), "Of the centre of mass, in the world"});
+  Quat q(s.R[i]);
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  rows.push_back(
+      {"q", fmt::format("{}  {}  {}  {}", part(q.w(), 4), part(q.x(), 4), part(q.y(), 4), part(q.z(), 4)),
+       "Orientation, body to world, as a unit quaternion w x y z"});
+  const Vec3 turn = log_so3(s.R[i]);
+  const double angle = turn.norm();
+  rows.push_back({"turned by", fmt::format("{}°", part(angle * kDegrees, 3)), "Angle of the same rotation"});
+  if (angle > 1e-9) rows.push_back({"about", text(turn / angle, "", 4), "Its axis, unit"});
+}
+
+void add_motion(const RunView& run, Index body, InspectorRows& rows) {
+  const auto i = static_cast<std::size_t>(body);
+  const State& s = run.state;
+  const double mass = run.model->mass[i];
+  rows.push_back({"motion and energy", ""});
+  rows.push_back({"speed", text(s.v[i].norm(), "m/s")});
+  rows.push_back({"velocity", text(s.v[i], "m/s")});
+  rows.push_back({"ω", text(s.omega[i], "rad/s"), "Angular velocity, world"});
+  rows.push_back({"kinetic energy", text(kinetic_energy_of(*run.model, s, body), "J")});
+  rows.push_back({"potential energy", text(-mass * run.params.gravity.dot(s.c[i]), "J"), "−m g·c"});
+  if (i < run.report.body_reports.size()) {
+    rows.push_back({"contact energy", text(run.report.body_reports[i].contact_energy, "J"),
+                    "Half of the energy of each contact of this body"});
+  }
+}
+
+void add_solver(const RunView& run, std::size_t i, InspectorRows& rows) {
+  if (i >= run.report.body_reports.size()) return;
+  const BodyReport& r = run.report.body_reports[i];
+  rows.push_back({"solver", ""});
+  rows.push_back(
+      {"component",
+       r.island < 0 ? "none: nothing touches it" : fmt::format("{}, by {}", r.island, to_string(r.solver)),
+       "Bodies that hang together through contacts or joints are solved together"});
+  rows.push_back(
+      {"‖A − R‖", text(r.projection_change),
+       "How far the affine matrix of the last iteration was from the rotation it became; sissm only"});
+  rows.push_back({"det A", fmt::format("{:.6f}", r.det_A), "1 for a rotation", !(r.det_A > 0)});
+}
+
+// What a joint measures and what keeps it in range.
+void add_measures(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, InspectorRows& rows) {
+  const auto range = [](const JointRange& r, double scale, const char* unit) {
+    return fmt::format("{:.4g} … {:.4g}{}", r.lo * scale, r.hi * scale, unit);
+  };
+  const bool slides = joint.type == JointType::slider;
+  if (joint.type == JointType::hinge || slides)
+    rows.push_back(
+        {"angle φ", fmt::format("{:.3f}°", kDegrees * joint_angle(fi, fj)), "Of j against i about the axis"});
+  if (slides)
+    rows.push_back({"offset λ", text(joint_offset(fi, fj), "m"), "Of j along the axis, from the start"});
+  if (joint.limits)
+    rows.push_back({"limits", slides ? range(*joint.limits, 1, " m") : range(*joint.limits, kDegrees, "°")});
+  if (joint.twist_limits) rows.push_back({"angle limits", range(*joint.twist_limits, kDegrees, "°")});
+  if (joint.drive || joint.turn) rows.push_back({"drive", "follows its time profile"});
+  if (joint.type == JointType::distance) {
+    rows.push_back({"length", text((fj.y - fi.y).norm(), "m")});
+    rows.push_back({"rest length", text(joint.length, "m")});
+  }
+}
+
+}  // namespace
+
+std::string body_title(const Model& model, Index body) {
+  if (body == kWorld) return "the world";
+  const auto i = static_cast<std::size_t>(body);
+  return model.name[i].empty() ? fmt::format("body {}", body) : model.name[i];
+}
+
+std::string joint_title(const Model& model, Index joint) {
+  const Joint& k = model.joints[static_cast<std::size_t>(joint)];
+  if (!k.name.empty()) return k.name;
+  return fmt::format("{}: {} – {}", to_string(k.type), body_title(model, k.i), body_title(model, k.j));
+}
+
+InspectorRows body_rows(const RunView& run, Index body) {
+  const auto i = static_cast<std::size_t>(body);
+  const bool fixed = run.model->fixed[i] != 0;
+  InspectorRows rows;
+  rows.push_back({"number", std::to_string(body)});
+  rows.push_back({"shape", std::visit(ShapeText{}, run.model->shape[i])});
+  rows.push_back({"mass", fixed ? "fixed: it never moves" : text(run.model->mass[i], "kg")});
+  if (const Plane* plane = std::get_if<Plane>(&run.model->shape[i])) {
+    rows.push_back({"normal", text(plane->normal, "")});
+    rows.push_back({"offset", text(plane->offset, "m")});
+  } else {
+    add_pose(run, i, rows);
+  }
+  if (!fixed) {
+    add_motion(run, body, rows);
+    add_solver(run, i, rows);
+  }
+  const OnBody on = contact_force(run, body);
+  rows.push_back({"contacts", ""});
+  rows.push_back({"number of contacts", std::to_string(on.contacts), "With d < d̂"});
+  if (on.contacts > 0) {
+    rows.push_back({"force", text(on.force.norm(), "N"), "Size of the sum over its contacts"});
+    rows.push_back({"as a vector", force_text(on.force)});
+  }
+  return rows;
+}
+
+InspectorRows joint_rows(const RunView& run, Index number) {
+  const Model& model = *run.model;
+  const Joint& joint = model.joints[static_cast<std::size_t>(number)];
+  const Pose i = pose_of(run.state, joint.i), j = pose_of(run.state, joint.j);
+  BondList bonds;
+  expand(joint, i, j, run.state.time, bonds);
+  double error = 0, energy = 0;
+  Vec3 force = Vec3::Zero();
+  for (int k = 0; k < bonds.count; ++k) {
+    const PointBondForce f = evaluate(joint.law, bonds.bond[static_cast<std::size_t>(k)]);
+    error = std::max(error, f.stretch);
+    energy += f.energy;
+    force -= f.gradient;
+  }
+  const bool soft = joint.law.potential == BondPotential::soft;
+  InspectorRows rows;
+  rows.push_back({"number", std::to_string(number)});
+  rows.push_back({"type", to_string(joint.type)});
+  rows.push_back({"i", body_title(model, joint.i)});
+  rows.push_back({"j", body_title(model, joint.j)});
+  rows.push_back(
+      {"potential", soft ? "soft" : fmt::format("hard, N = {}, d̂ = {:.4g} m", joint.law.N, joint.law.d_hat)});
+  rows.push_back({"κ", text(joint.law.kappa, soft ? "N/m" : "J")});
+  rows.push_back({"now", ""});
+  rows.push_back({"error", text(error, "m"), "Largest distance between two points that should meet"});
+  add_measures(joint, place(joint.on_i, i), place(joint.on_j, j), rows);
+  rows.push_back({"force", text(force.norm(), "N"), "On j, summed over its bonds"});
+  rows.push_back({"energy", text(energy, "J")});
+  return rows;
+}
+
+InspectorRows contact_rows(const RunView& run, Index number) {
+  const ContactReport& c = run.report.contact_reports[static_cast<std::size_t>(number)];
+  const double d_hat = run.params.contact.d_hat, friction = c.friction.norm();
+  InspectorRows rows;
+  rows.push_back({"a", body_title(*run.model, c.a), "Owns the normal"});
+  rows.push_back({"b", body_title(*run.model, c.b)});
+  rows.push_back({"gap", ""});
+  rows.push_back({"d", text(c.d, "m"), "Below 0 the two overlap", c.d < 0});
+  rows.push_back({"d / d̂", fmt::format("{:.4f}", c.d / d_hat), "At 1 the barrier begins to push", c.d < 0});
+  rows.push_back({"force", ""});
+  rows.push_back({"normal force", text(c.normal_force, "N"), "−Ψ'(d)"});
+  rows.push_back({"friction force", text(friction, "N")});
+  if (c.normal_force > 0)
+    rows.push_back({"friction / normal", fmt::format("{:.4f}", friction / c.normal_force), "At most μ"});
+  rows.push_back({"state", c.sticking ? "sticks" : "slides"});
+  rows.push_back({"place", ""});
+  rows.push_back({"normal n", text(c.n, "", 4), "Unit, from a to b"});
+  rows.push_back({"point on a", text(c.y_a, "m", 4)});
+  rows.push_back({"point on b", text(c.y_b, "m", 4)});
+  return rows;
+}
+
+std::string force_text(double newton) {
+  return newton >= 1000 ? fmt::format("{:.4g} kN", 1e-3 * newton) : fmt::format("{:.3g} N", newton);
+}
+
+std::string as_text(const std::string& title, const InspectorRows& rows) {
+  std::string out = title + "\n";
+  for (const InspectorRow& row : rows) out += row.name + (row.value.empty() ? "\n" : ": " + row.value + "\n");
+  return out;
+}
+
+}  // namespace pabd

@@ -1,0 +1,120 @@
+// See picture_notes.h.
+#include "app/gui/picture_notes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/body_colors.h"
+#include "app/gui/inspector_rows.h"
+#include "app/gui/widgets.h"
+#include "render/visual/camera_control.h"
+
+namespace pabd {
+namespace {
+
+ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
+
+// Text on a plate; `anchor`: part of its size that is left of and above `at`.
+void note(const GuiFrame& f, ImVec2 at, const std::string& text, ImVec2 anchor) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const std::string shown = ui_text(text);
+  const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+  const ImVec2 pad(f.px(7), f.px(4));
+  const ImVec2 lo(std::round(at.x - anchor.x * (size.x + 2 * pad.x)),
+                  std::round(at.y - anchor.y * (size.y + 2 * pad.y)));
+  list.AddRectFilled(lo, lo + size + pad + pad, packed(f.theme().legend), f.px(4));
+  list.AddText(lo + pad, packed(f.theme().text), shown.c_str());
+}
+
+// Linear light to the numbers of a screen.
+int srgb_byte(float linear) {
+  const double s = linear <= 0.0031308f ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return static_cast<int>(std::lround(255 * std::clamp(s, 0.0, 1.0)));
+}
+
+ImU32 map_color(double t) {
+  const Vec4f c = value_color(t);
+  return IM_COL32(srgb_byte(c.x()), srgb_byte(c.y()), srgb_byte(c.z()), 255);
+}
+
+std::string parts_text(const BodyColors& colors) {
+  if (colors.title.starts_with("‖")) return colors.title;
+  if (colors.count == 0) return "nothing touches: no components";
+  return fmt::format("{} component{}, one colour each; grey: alone or fixed", colors.count,
+                     colors.count == 1 ? "" : "s");
+}
+
+void legend(const GuiFrame& f, const Rect& view) {
+  const BodyColors colors = body_colors(f.sim, Side::a, f.ui.color);
+  if (colors.values.empty() || view.w < 220 * f.unit) return;
+  const float right = static_cast<float>(view.right()) - f.px(12),
+              top = static_cast<float>(view.y) + f.px(12);
+  if (colors.parts) return note(f, {right, top}, parts_text(colors), {1, 0});
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float width = f.px(200), bar = f.px(10), line = ImGui::GetTextLineHeight();
+  const ImVec2 pad(f.px(10), f.px(7));
+  const ImVec2 lo(right - width - 2 * pad.x, top);
+  list.AddRectFilled(lo, {right, top + 2 * line + bar + 2 * pad.y + f.px(6)}, packed(f.theme().legend),
+                     f.px(4));
+  const ImVec2 at = lo + pad;
+  const std::string title = ui_text(colors.title);
+  list.AddText(at, packed(f.theme().text), title.c_str());
+  const float bar_top = at.y + line + f.px(3);
+  constexpr int kPieces = 50;
+  for (int i = 0; i < kPieces; ++i) {
+    const float a = at.x + width * static_cast<float>(i) / kPieces;
+    list.AddRectFilled({a, bar_top}, {at.x + width * static_cast<float>(i + 1) / kPieces, bar_top + bar},
+                       map_color((i + 0.5) / kPieces));
+  }
+  const float below = bar_top + bar + f.px(3);
+  const auto number = [&](double t) {
+    const ValueRange& r = colors.range;
+    return fmt::format("{:.3g}", r.logarithmic ? r.lo * std::pow(r.hi / r.lo, t) : r.lo + t * (r.hi - r.lo));
+  };
+  for (const double t : {0.0, 0.5, 1.0}) {
+    const std::string text = number(t);
+    const float w = ImGui::CalcTextSize(text.c_str()).x;
+    list.AddText({std::round(at.x + static_cast<float>(t) * (width - w)), below}, packed(f.theme().muted),
+                 text.c_str());
+  }
+}
+
+// Beside the springs of hands: how hard they pull.
+void pulls(const GuiFrame& f, const RunView& run, const Rect& view) {
+  for (const Pull& pull : run.pulls) {
+    const auto i = static_cast<std::size_t>(pull.body);
+    if (i >= run.state.c.size()) continue;
+    const Vec3 held = run.state.c[i] + run.state.R[i] * pull.r;
+    const PixelPoint a = to_pixel(f.ui.camera, {view.w, view.h}, held);
+    const PixelPoint b = to_pixel(f.ui.camera, {view.w, view.h}, pull.target);
+    if (!(a.depth > 0 && b.depth > 0)) continue;
+    const double force = pull.kappa * (pull.target - held).norm();
+    const double x = std::clamp(view.x + b.x, view.x + 4, view.right() - 90 * f.unit);
+    const double y = std::clamp(view.y + b.y, view.y + 30 * f.unit, view.bottom() - 8);
+    note(f, {static_cast<float>(x) + f.px(14), static_cast<float>(y)}, force_text(force), {0, 0.5f});
+  }
+}
+
+}  // namespace
+
+void draw_picture_notes(GuiFrame& f, const GuiLayout& layout) {
+  const bool two = f.sim.b && f.ui.side_by_side;
+  ImGui::GetBackgroundDrawList()->PushClipRect(
+      {static_cast<float>(layout.view.x), static_cast<float>(layout.view.y)},
+      {static_cast<float>(layout.view.right()), static_cast<float>(layout.view.bottom())});
+  legend(f, layout.view);
+  pulls(f, f.sim.a, layout.views[0]);
+  if (two) pulls(f, *f.sim.b, layout.views[1]);
+  if (f.ui.joining) {
+    note(f,
+         {static_cast<float>(layout.view.x + 0.5 * layout.view.w),
+          static_cast<float>(layout.view.y) + f.px(f.ui.color == ColorQuantity::body ? 12 : 80)},
+         fmt::format("double-click the body that a {} joint should hold (Esc: none)", f.ui.joining->type),
+         {0.5f, 0});
+  }
+  ImGui::GetBackgroundDrawList()->PopClipRect();
+}
+
+}  // namespace pabd
