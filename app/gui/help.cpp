@@ -70,7 +70,7 @@ void draw_help(GuiFrame& f, int width, int height) {
     ImGui::BeginChild("##left", {half - f.px(20), f.px(600)}, false, ImGuiWindowFlags_NoScrollbar);
     groups(f, {"Time", "View"});
     heading(f, "Mouse in the picture");
-    for (const MouseHelp& m : mouse_table()) row(f, m.gesture, m.help, f.px(164));
+    for (const MouseHelp& m : mouse_table()) row(f, m.gesture, m.help, f.px(182));
     ImGui::EndChild();
     ImGui::TableNextColumn();
     ImGui::BeginChild("##right", {half, f.px(600)}, false, ImGuiWindowFlags_NoScrollbar);

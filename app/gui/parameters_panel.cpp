@@ -116,7 +116,7 @@ class ParametersPanel final : public GuiPanel {
     } else if (row.kind == ParameterKind::text) {
       field(f, run, row, widget_width());
     } else {
-      const float exact = f.px(88);
+      const float exact = f.px(98);
       slider(f, run, row, widget_width() - exact - ImGui::GetStyle().ItemInnerSpacing.x);
       ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
       field(f, run, row, exact);
@@ -159,7 +159,10 @@ class ParametersPanel final : public GuiPanel {
     if (row.kind == ParameterKind::text) return fmt::format("{:.6g}, {:.6g}, {:.6g}", g.x(), g.y(), g.z());
     std::string unit = row.unit;
     if (unit == "J" && run.params.contact.barrier == BarrierKind::log) unit = "J/m²";
-    if (text == "auto") return fmt::format("auto {:.3g} {}", run.kappa, unit);
+    if (text == "auto") {
+      const std::string resolved = fmt::format("auto {:.3g}", run.kappa);
+      return resolved.size() > 9 ? resolved : resolved + " " + unit;  // as much as the field holds
+    }
     const double value = std::strtod(text.c_str(), nullptr);
     text = fmt::format("{:.5g}", value);
     return unit.empty() ? text : text + " " + unit;
