@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<std::vector<std::string>> kCommands = {
     {"run"},    {"render"},  {"plot"},   {"plot", "barrier"}, {"plot", "convergence"},
-    {"figure"}, {"compare"}, {"scenes"}, {"doctor"}};
+    {"figure"}, {"compare"}, {"scenes"}, {"doctor"},          {"view"}};
 
 }  // namespace
 
@@ -35,7 +35,6 @@ TEST_CASE("the program's help lists its commands and exit codes") {
   CHECK(help.exit_code == 0);
   for (const auto& command : kCommands) CHECK(help.out.find("  " + command[0]) != std::string::npos);
   CHECK(help.out.find("130/143 interrupted") != std::string::npos);
-  CHECK(help.out.find("view") == std::string::npos);
 }
 
 TEST_CASE("the version is one line, everywhere") {
@@ -50,7 +49,6 @@ TEST_CASE("the version is one line, everywhere") {
 TEST_CASE("a wrong command line is refused in one line with a remedy") {
   const std::vector<std::vector<std::string>> wrong = {
       {},
-      {"view"},
       {"dance"},
       {"run"},
       {"run", "pyramid", "--sideways"},
@@ -78,6 +76,16 @@ TEST_CASE("a wrong command line is refused in one line with a remedy") {
 }
 
 TEST_CASE("values out of range are refused, naming the option") {
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"view", "--headless"},
+                                             {"view", "--headless", "--script", "a.json", "--scale", "9"},
+                                             {"view", "--memory", "0"}}) {
+    CAPTURE(command);
+    const Outcome outcome = run_pabd(command);
+    CHECK(outcome.exit_code == 2);
+    CHECK(is_error_line(outcome.err,
+                        {command.back() == "--headless" ? "--script" : command[command.size() - 2]}));
+  }
   const TempFolder folder;
   const std::string out = folder / "a.png";
   const std::vector<std::pair<std::string, std::vector<std::string>>> wrong = {
@@ -153,7 +161,7 @@ TEST_CASE("a name that is nearly right gets a suggestion, a missing command the 
   const Outcome far = run_pabd({"run", "submarine"});
   CHECK(is_error_line(far.err, {"submarine", "pabd scenes"}));
   CHECK(far.err.find("did you mean") == std::string::npos);
-  CHECK(is_error_line(run_pabd({}).err, {"render, run, plot,", " or doctor", "pabd --help"}));
+  CHECK(is_error_line(run_pabd({}).err, {"render, run, plot,", " or view", "pabd --help"}));
   CHECK(is_error_line(run_pabd({"plot"}).err, {"barrier or convergence", "pabd plot --help"}));
 }
 
