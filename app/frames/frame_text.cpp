@@ -9,7 +9,6 @@
 #include "render/output/frame_sink.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
-#include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {
