@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRest = 0.3;    // s without motion, then it is drawn as well as it can be
 constexpr double kLeisure = 12;  // ms; a quicker picture is drawn in every frame
-constexpr double kShare = 0.4;   // of the time at most goes into slower ones
+constexpr double kShare = 0.3;   // of the time at most goes into slower ones
 // Smaller ones look bad, and are hardly quicker where there are many bodies.
 constexpr double kSmallest = 0.5;
 
