@@ -9,6 +9,7 @@
 #include "render/output/png.h"
 #include "sim/error.h"
 #include "tests/output/golden.h"
+#include "tests/output/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;
@@ -16,23 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::string kHash = "0123456789abcdef";
-
-// An empty folder that goes away again.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "pabd_thumbnails_XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // Sets or (null) removes a variable of the environment for a while.
 class Variable {
@@ -95,7 +79,7 @@ TEST_CASE("halving averages light, not bytes") {
 }
 
 TEST_CASE("what was stored is found again, and only that") {
-  const Folder folder;
+  const TempFolder folder;
   const ThumbnailCache cache(folder.path() / "not" / "there" / "yet");
   CHECK_FALSE(cache.find(kHash));
   REQUIRE(cache.store(kHash, some_picture()));
@@ -107,7 +91,7 @@ TEST_CASE("what was stored is found again, and only that") {
 }
 
 TEST_CASE("what is damaged, of another size, scene or version is not found, and can be replaced") {
-  const Folder folder;
+  const TempFolder folder;
   const ThumbnailCache cache(folder.path());
   const fs::path file = folder.path() / (kHash + ".png");
   REQUIRE(cache.store("fedcba9876543210", some_picture()));
@@ -136,7 +120,7 @@ TEST_CASE("what is damaged, of another size, scene or version is not found, and 
 }
 
 TEST_CASE("names that are no hash reach no file") {
-  const Folder folder;
+  const TempFolder folder;
   const ThumbnailCache cache(folder.path());
   for (const char* name :
        {"", "..", "../../etc/passwd", "0123456789ABCDEF", "0123456789abcde/", "0123456789abcdef0"}) {
@@ -152,7 +136,7 @@ TEST_CASE("without a folder, or with one that cannot be, nothing is kept and not
   const ThumbnailCache none(std::nullopt);
   CHECK_FALSE(none.store(kHash, some_picture()));
   CHECK_FALSE(none.find(kHash));
-  const Folder folder;
+  const TempFolder folder;
   std::ofstream(folder.path() / "file") << "in the way";
   const ThumbnailCache blocked(folder.path() / "file" / "thumbnails");
   CHECK_FALSE(blocked.store(kHash, some_picture()));
@@ -173,7 +157,7 @@ TEST_CASE("the folder is that of the XDG convention") {
 }
 
 TEST_CASE("the oldest go when there are too many") {
-  const Folder folder;
+  const TempFolder folder;
   const ThumbnailCache cache(folder.path());
   const auto now = fs::file_time_type::clock::now();
   for (std::size_t k = 0; k < ThumbnailCache::kMostFiles; ++k) {

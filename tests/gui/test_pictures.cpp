@@ -11,6 +11,7 @@
 #include "app/frames/render_pipeline.h"
 #include "app/gui/script.h"
 #include "render/output/png.h"
+#include "tests/output/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;
@@ -19,23 +20,6 @@ namespace {
 
 const std::string kScene = PABD_SCENES "/two_boxes.json";
 constexpr const char* kCamera = "eye=3,2,4,target=0,0.5,0,fov=40";
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "pabd_pictures_XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  ~Folder() { fs::remove_all(path); }
-};
 
 std::unique_ptr<GlContext> make_context() {
   std::vector<ContextAttempt> attempts;
@@ -71,9 +55,9 @@ void play(const std::string& actions, const fs::path& folder) {
 void check_same(const fs::path& folder, const char* a, const char* b, int count) {
   for (int frame = 0; frame < count; ++frame) {
     INFO(frame);
-    const std::string mine = bytes_of(frame_path((folder / a).string(), frame));
+    const std::string mine = read_bytes(frame_path((folder / a).string(), frame));
     CHECK_FALSE(mine.empty());
-    const bool same = mine == bytes_of(frame_path((folder / b).string(), frame));
+    const bool same = mine == read_bytes(frame_path((folder / b).string(), frame));
     CHECK(same);
   }
   CHECK_FALSE(fs::exists(frame_path((folder / a).string(), count)));
@@ -82,35 +66,35 @@ void check_same(const fs::path& folder, const char* a, const char* b, int count)
 }  // namespace
 
 TEST_CASE("a video of the past is what render makes of the run") {
-  const Folder folder;
+  const TempFolder folder;
   play(R"([{"do":"step","steps":24},{"do":"look","eye":[3,2,4],"target":[0,0.5,0],"fov":40},
            {"do":"record","path":"{out}/a{frame:03}.png","width":160,"height":90,"to":0.3334},
            {"do":"record","path":"{out}/c{frame:03}.png","width":160,"height":90,"to":0.2,"fps":100,
             "overlay":"convergence,series,contacts"},
            {"do":"expect","at":"/message","contains":"saved"}])",
-       folder.path);
-  render((folder.path / "b{frame:03}.png").string(), 20, 60, "contacts,bonds", kCamera);
-  check_same(folder.path, "a{frame:03}.png", "b{frame:03}.png", 20);
-  render((folder.path / "d{frame:03}.png").string(), 20, 100, "convergence,series,contacts", kCamera);
-  check_same(folder.path, "c{frame:03}.png", "d{frame:03}.png", 20);
+       folder.path());
+  render((folder.path() / "b{frame:03}.png").string(), 20, 60, "contacts,bonds", kCamera);
+  check_same(folder.path(), "a{frame:03}.png", "b{frame:03}.png", 20);
+  render((folder.path() / "d{frame:03}.png").string(), 20, 100, "convergence,series,contacts", kCamera);
+  check_same(folder.path(), "c{frame:03}.png", "d{frame:03}.png", 20);
 }
 
 TEST_CASE("parameters that were set at the start are those of the video, and the camera flies the same way") {
-  const Folder folder;
+  const TempFolder folder;
   play(R"([{"do":"set","key":"contact.kappa","value":50},
            {"do":"look","eye":[3,2,4],"target":[0,0.5,0],"fov":40},{"do":"add_camera_key"},
            {"do":"step","steps":20},
            {"do":"look","eye":[-3,1,4],"target":[0,0.7,0],"fov":50},{"do":"add_camera_key"},
            {"do":"save_camera","path":"{out}/keys.json"},{"do":"fly"},
            {"do":"record","path":"{out}/a{frame:03}.png","width":160,"height":90}])",
-       folder.path);
-  const std::string keys = (folder.path / "keys.json").string();
-  render((folder.path / "b{frame:03}.png").string(), 20, 60, "contacts,bonds", keys, {"contact.kappa=50"});
+       folder.path());
+  const std::string keys = (folder.path() / "keys.json").string();
+  render((folder.path() / "b{frame:03}.png").string(), 20, 60, "contacts,bonds", keys, {"contact.kappa=50"});
   // The hash of the scene is that before --set, everything else is the same.
   for (int frame = 0; frame < 20; ++frame) {
     INFO(frame);
-    const fs::path a = frame_path((folder.path / "a{frame:03}.png").string(), frame);
-    const fs::path b = frame_path((folder.path / "b{frame:03}.png").string(), frame);
+    const fs::path a = frame_path((folder.path() / "a{frame:03}.png").string(), frame);
+    const fs::path b = frame_path((folder.path() / "b{frame:03}.png").string(), frame);
     const bool same = read_png(a).rgb == read_png(b).rgb;
     CHECK(same);
     PngText mine = read_png_text(a), theirs = read_png_text(b);
@@ -118,26 +102,26 @@ TEST_CASE("parameters that were set at the start are those of the video, and the
     theirs.erase("Scene hash");
     CHECK(mine == theirs);
   }
-  const bool moved = read_png(folder.path / "a000.png").rgb != read_png(folder.path / "a019.png").rgb;
+  const bool moved = read_png(folder.path() / "a000.png").rgb != read_png(folder.path() / "a019.png").rgb;
   CHECK(moved);
 }
 
 TEST_CASE("a screenshot without panels is the picture that render makes of that step") {
-  const Folder folder;
+  const TempFolder folder;
   play(R"([{"do":"step","steps":12},{"do":"look","eye":[3,2,4],"target":[0,0.5,0],"fov":40},
            {"do":"screenshot","path":"{out}/a.png","ui":false,"width":160,"height":90},
            {"do":"screenshot","path":"{out}/w.png"}])",
-       folder.path);
-  render((folder.path / "b{frame:03}.png").string(), 13, 60, "contacts,bonds", kCamera);
-  const Image mine = read_png(folder.path / "a.png"), theirs = read_png(folder.path / "b012.png");
+       folder.path());
+  render((folder.path() / "b{frame:03}.png").string(), 13, 60, "contacts,bonds", kCamera);
+  const Image mine = read_png(folder.path() / "a.png"), theirs = read_png(folder.path() / "b012.png");
   const bool same = mine.rgb == theirs.rgb;
   CHECK(same);
-  const PngText text = read_png_text(folder.path / "a.png");
-  const PngText other = read_png_text(folder.path / "b012.png");
+  const PngText text = read_png_text(folder.path() / "a.png");
+  const PngText other = read_png_text(folder.path() / "b012.png");
   for (const char* key :
        {"Software", "Scene", "Scene hash", "Parameters", "Start", "GL_RENDERER", "Frame", "Time"})
     CHECK(text.at(key) == other.at(key));
-  CHECK(read_png(folder.path / "w.png").width == 640);
+  CHECK(read_png(folder.path() / "w.png").width == 640);
 }
 
 TEST_CASE("frames of the past: which moment each shows") {

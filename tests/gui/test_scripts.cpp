@@ -12,18 +12,12 @@
 #include "render/output/png.h"
 #include "sim/error.h"
 #include "tests/output/golden.h"
+#include "tests/output/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 std::string shipped_scene(const std::string& name) {
   if (fs::exists(name)) return name;
@@ -31,16 +25,6 @@ std::string shipped_scene(const std::string& name) {
   if (!fs::exists(path)) throw Error(ExitCode::file, name + ": no such scene");
   return path.string();
 }
-
-struct TempFolder {
-  fs::path path;
-  TempFolder() {
-    std::string name = (fs::temp_directory_path() / "pabd_gui_XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path = name;
-  }
-  ~TempFolder() { fs::remove_all(path); }
-};
 
 // A tool of its own for every script.
 void carry_out(const Script& script, const TempFolder& folder, std::string& renderer,
@@ -61,7 +45,7 @@ void carry_out(const Script& script, const TempFolder& folder, std::string& rend
   if (copied) options.set_clipboard = [copied](const std::string& text) { *copied = text; };
   Viewer viewer(*context, runner, options);
   renderer = viewer.renderer().gl_renderer();
-  script.run(viewer, runner, {folder.path, false, 1280, 720, {}, {}});
+  script.run(viewer, runner, {folder.path(), false, 1280, 720, {}, {}});
 }
 
 std::vector<fs::path> sorted(const fs::path& folder, const char* extension) {
@@ -92,10 +76,10 @@ TEST_CASE("every script finds what it expects, and its frames are the approved o
     DYNAMIC_SECTION(path.stem().string()) {
       const TempFolder folder;
       std::string renderer;
-      const Script script(text_of(path), path.filename().string());
+      const Script script(read_bytes(path), path.filename().string());
       REQUIRE(script.size() > 0);
       carry_out(script, folder, renderer);
-      for (const fs::path& frame : sorted(folder.path, ".png")) {
+      for (const fs::path& frame : sorted(folder.path(), ".png")) {
         if (frame.stem().string().starts_with("free_")) continue;  // not for comparing
         const CompareResult result = check_golden(read_png(frame), "gui_" + frame.stem().string(), renderer);
         INFO(result.reason);
@@ -113,7 +97,7 @@ TEST_CASE("the same script gives the same bytes") {
   std::string renderer;
   carry_out(script, first, renderer);
   carry_out(script, second, renderer);
-  CHECK(text_of(first.path / "free_a.png") == text_of(second.path / "free_a.png"));
+  CHECK(read_bytes(first.path() / "free_a.png") == read_bytes(second.path() / "free_a.png"));
 }
 
 TEST_CASE("a script that is wrong is refused with its place before anything is done") {

@@ -6,6 +6,7 @@
 
 #include "app/gui/settings.h"
 #include "sim/error.h"
+#include "tests/output/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;
@@ -76,15 +77,12 @@ TEST_CASE("settings that make no sense are refused with their place") {
 }
 
 TEST_CASE("settings on disk: none, written, in a place where nothing can be written") {
-  std::string name = (fs::temp_directory_path() / "pabd_settings_XXXXXX").string();
-  REQUIRE(::mkdtemp(name.data()) != nullptr);
-  const fs::path folder = name;
+  const TempFolder folder;
   CHECK(read_settings(folder / "none.json").ui.dark);
   write_settings(folder / "new" / "view.json", unusual());
   CHECK(read_settings(folder / "new" / "view.json").width == 1600);
   std::ofstream(folder / "file") << "x";
   CHECK_THROWS_AS(write_settings(folder / "file" / "view.json", unusual()), Error);
-  fs::remove_all(folder);
   REQUIRE(::setenv("XDG_CONFIG_HOME", "/somewhere", 1) == 0);
   CHECK(settings_path() == fs::path("/somewhere/pabd/view.json"));
   REQUIRE(::unsetenv("XDG_CONFIG_HOME") == 0);

@@ -8,6 +8,7 @@
 #include "app/workbench/workbench.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
+#include "tests/output/temp_folder.h"
 
 using namespace pabd;
 
@@ -173,9 +174,8 @@ TEST_CASE("a pull moves a body towards the hand and ends with it; a ball flies w
 }
 
 TEST_CASE("recordings and states are saved and come back, and what does not fit changes nothing") {
-  std::string folder = (std::filesystem::temp_directory_path() / "pabd_hands_XXXXXX").string();
-  REQUIRE(::mkdtemp(folder.data()) != nullptr);
-  const std::string file = folder + "/run.pabdrec", state = folder + "/state.json";
+  const TempFolder folder;
+  const std::string file = (folder / "run.pabdrec").string(), state = (folder / "state.json").string();
   const command::Load scene{PABD_SCENES "/two_boxes.json", {}, false};
   Workbench bench({}, scene);
   bench.apply(command::Step{30});
@@ -213,5 +213,4 @@ TEST_CASE("recordings and states are saved and come back, and what does not fit 
   Workbench third({}, command::Load{state, {}, false});
   CHECK(third.run().model().size() == 4);
   CHECK(largest_distance(third.run().state(), bench.run().state()) < 1e-12);
-  std::filesystem::remove_all(folder);
 }
