@@ -12,6 +12,7 @@
 
 #include "render/output/png.h"
 #include "render/visual/build_visual.h"
+#include "render/visual/srgb.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -21,16 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kHashDigits = 16;
 constexpr const char* kVersion = "pabd " PABD_VERSION " thumbnail 1";  // count up when the look changes
-
-double to_linear(std::size_t byte) {
-  const double s = static_cast<double>(byte) / 255;
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
-
-std::uint8_t to_byte(double linear) {
-  const double s = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(s, 0.0, 1.0)));
-}
 
 PngText text_of(const std::string& scene_hash) {
   return {{"Software", kVersion}, {"Scene hash", scene_hash}};
@@ -60,7 +51,7 @@ std::optional<fs::path> absolute_path_in(const char* variable) {
 Image halved(const Image& image) {
   static const std::array<double, 256> linear = [] {
     std::array<double, 256> table{};
-    for (std::size_t k = 0; k < table.size(); ++k) table[k] = to_linear(k);
+    for (std::size_t k = 0; k < table.size(); ++k) table[k] = linear_from_srgb(static_cast<double>(k) / 255);
     return table;
   }();
   Image half;
@@ -72,7 +63,7 @@ Image halved(const Image& image) {
       const std::uint8_t* from =
           image.rgb.data() + 2 * static_cast<std::size_t>(y) * row + 6 * static_cast<std::size_t>(x);
       for (std::size_t c = 0; c < 3; ++c)
-        *to++ = to_byte(
+        *to++ = srgb_byte(
             (linear[from[c]] + linear[from[c + 3]] + linear[from[c + row]] + linear[from[c + row + 3]]) / 4);
     }
   }

@@ -10,6 +10,7 @@
 #include "app/gui/inspector_rows.h"
 #include "app/gui/widgets.h"
 #include "render/visual/camera_control.h"
+#include "render/visual/srgb.h"
 
 namespace pabd {
 namespace {
@@ -26,12 +27,6 @@ void note(const GuiFrame& f, ImVec2 at, const std::string& text, ImVec2 anchor) 
                   std::round(at.y - anchor.y * (size.y + 2 * pad.y)));
   list.AddRectFilled(lo, lo + size + pad + pad, packed(f.theme().legend), f.px(4));
   list.AddText(lo + pad, packed(f.theme().text), shown.c_str());
-}
-
-// Linear light to the numbers of a screen.
-int srgb_byte(float linear) {
-  const double s = linear <= 0.0031308f ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-  return static_cast<int>(std::lround(255 * std::clamp(s, 0.0, 1.0)));
 }
 
 ImU32 map_color(double t) {

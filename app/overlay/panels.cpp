@@ -13,6 +13,7 @@
 #include "app/plots/plot_layout.h"
 #include "render/visual/build_visual.h"
 #include "render/visual/palette.h"
+#include "render/visual/srgb.h"
 
 namespace pabd {
 namespace {
@@ -21,12 +22,6 @@ constexpr Color kPanel{255, 255, 255, 232};
 constexpr Color kRim{0, 0, 0, 26};
 constexpr double kPad = 10;
 constexpr double kTitle = 12, kText = 10.5;
-
-std::uint8_t srgb_byte(float linear) {
-  const double v = std::clamp(static_cast<double>(linear), 0.0, 1.0);
-  const double s = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(std::lround(255 * s));
-}
 
 Color screen_ink(const Vec4f& c) { return {srgb_byte(c.x()), srgb_byte(c.y()), srgb_byte(c.z()), 255}; }
 

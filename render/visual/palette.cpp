@@ -1,8 +1,8 @@
 // Palette of bodies and bonds, and the colour map of contacts.
 //
-//   x        d/d̂                          palette of contacts: lightness grows with x, so that the order
-//   survives in
-//                                         grey and for every kind of colour blindness
+//   x   d/d̂   palette of contacts: lightness grows with x, so that the order survives in grey and for every
+//   kind
+//             of colour blindness
 #include "render/visual/palette.h"
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 #include <cmath>
 
 #include "render/visual/build_visual.h"
+#include "render/visual/srgb.h"
 
 namespace pabd {
 namespace {
 
-float srgb_to_linear(std::uint32_t byte) {
-  const double s = static_cast<double>(byte & 0xffu) / 255.0;
-  return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+float linear_from_byte(std::uint32_t byte) {
+  return static_cast<float>(linear_from_srgb((byte & 0xffu) / 255.0));
 }
 
 // Warm to cool, all of similar lightness and low chroma.
@@ -61,7 +61,7 @@ std::uint32_t scramble(std::uint32_t v) {
 }  // namespace
 
 Vec4f srgb_color(std::uint32_t rrggbb) {
-  return {srgb_to_linear(rrggbb >> 16), srgb_to_linear(rrggbb >> 8), srgb_to_linear(rrggbb), 1.0f};
+  return {linear_from_byte(rrggbb >> 16), linear_from_byte(rrggbb >> 8), linear_from_byte(rrggbb), 1.0f};
 }
 
 Vec4f body_color(Index number, bool fixed) {
