@@ -14,6 +14,7 @@ ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<floa
 
 ImU32 packed(Color c) { return IM_COL32(c.r, c.g, c.b, c.a); }
 
+constexpr double kPi = 3.14159265358979323846;
 constexpr double kSharpTurn = 0.75;          // cosine: beyond about 40° a mitred corner would stick out
 constexpr double kItalicSlant = 0.20;        // of letters that stand for quantities
 constexpr std::size_t kLongestPiece = 8000;  // points of one draw call: indices have 16 bits
@@ -62,8 +63,7 @@ void ImGuiCanvas::solid_polyline(std::span<const Point> points, Color color, dou
     const bool sharp = directed && next.x * direction.x + next.y * direction.y < kSharpTurn;
     if (sharp || piece.size() >= kLongestPiece) {
       flush(false);
-      if (sharp && width > 1.2)
-        list_.AddCircleFilled(vec(last.x, last.y), static_cast<float>(0.5 * width - 0.25), ink, 10);
+      if (sharp && width > 1.2) fill_circle(last, 0.5 * width - 0.25, color);
       piece.assign(1, vec(last.x, last.y));
     }
     piece.push_back(vec(p.x, p.y));
@@ -94,9 +94,30 @@ void ImGuiCanvas::fill_rect(const Rect& rect, Color color, double corner_radius)
                       static_cast<float>(corner_radius));
 }
 
+// Triangles of our own: Dear ImGui takes the processor's approximate square root for the rim, and thousands
+// of markers over each other add up what it differs by between makers of processors.
 void ImGuiCanvas::fill_circle(const Point& center, double radius, Color color) {
   const int segments = std::clamp(static_cast<int>(4 + 5 * std::sqrt(radius)), 12, 64);
-  list_.AddCircleFilled(vec(center.x, center.y), static_cast<float>(radius), packed(color), segments);
+  const ImU32 ink = packed(color), clear = ink & ~IM_COL32_A_MASK;
+  const double soft = 0.5 / std::cos(kPi / segments);  // half the width of the rim, at the corners
+  const double inner = std::max(0.0, radius - soft), outer = radius + soft;
+  list_.PrimReserve(3 * (segments - 2) + 6 * segments, 2 * segments);
+  const unsigned first = list_._VtxCurrentIdx;
+  const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+  const auto index = [&](int corner, int ring) {
+    list_.PrimWriteIdx(static_cast<ImDrawIdx>(first + 2 * static_cast<unsigned>(corner % segments) +
+                                              static_cast<unsigned>(ring)));
+  };
+  for (int k = 0; k < segments; ++k) {
+    const double x = std::cos(2 * kPi * k / segments), y = std::sin(2 * kPi * k / segments);
+    list_.PrimWriteVtx(vec(center.x + inner * x, center.y + inner * y), white, ink);
+    list_.PrimWriteVtx(vec(center.x + outer * x, center.y + outer * y), white, clear);
+  }
+  for (int k = 0; k < segments; ++k) {
+    if (k >= 2) index(0, 0), index(k - 1, 0), index(k, 0);
+    index(k, 0), index(k, 1), index(k + 1, 1);
+    index(k, 0), index(k + 1, 1), index(k + 1, 0);
+  }
 }
 
 void ImGuiCanvas::text(const Point& at, std::string_view rich, const TextStyle& style) {
@@ -111,7 +132,7 @@ void ImGuiCanvas::text(const Point& at, std::string_view rich, const TextStyle& 
                                       : Point{at.x + start, std::round(at.y + down)};
   if (style.halo > 0) {
     for (int k = 0; k < 12; ++k) {
-      const double angle = 2 * 3.14159265358979323846 * k / 12;
+      const double angle = 2 * kPi * k / 12;
       glyphs(layout, {origin.x + style.halo * std::cos(angle), origin.y + style.halo * std::sin(angle)},
              style.vertical, {style.halo_color.r, style.halo_color.g, style.halo_color.b, style.color.a});
     }

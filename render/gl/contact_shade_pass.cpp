@@ -89,7 +89,6 @@ void ContactShadePass::draw(const DrawList& list, const InstanceDrawer& drawer,
   if (!floor.exists) return;
   gl_.Viewport(0, 0, kFloorMapSize, kFloorMapSize);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[0].id());
-  gl_.Disable(GL_FRAMEBUFFER_SRGB);
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_CULL_FACE);
   gl_.Enable(GL_DEPTH_TEST);

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "render/gl/encode_pass.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -30,7 +33,7 @@ FrameTarget::FrameTarget(const GlFunctions& gl, int width, int height, int sampl
       width_(width),
       height_(height),
       samples_(samples),
-      multisampled_(gl),
+      drawn_(gl),
       resolved_(gl),
       slots_{Slot(gl), Slot(gl)} {
   allocate();
@@ -55,7 +58,7 @@ void FrameTarget::allocate() {
         ExitCode::bad_input,
         fmt::format("frame size {}x{}: expected at least 1x1; give --size WIDTHxHEIGHT", width_, height_));
   }
-  const GLint limit = gl_.integer(GL_MAX_RENDERBUFFER_SIZE);
+  const GLint limit = std::min(gl_.integer(GL_MAX_RENDERBUFFER_SIZE), gl_.integer(GL_MAX_TEXTURE_SIZE));
   const auto refuse = [&](const std::string& reason) {
     throw Error(
         ExitCode::no_gl,
@@ -64,39 +67,39 @@ void FrameTarget::allocate() {
                     gl_.string(GL_RENDERER), width_, height_, samples_, samples_ == 1 ? "" : "s", reason));
   };
   if (width_ > limit || height_ > limit) refuse(fmt::format("the largest side is {}", limit));
-  if (gl_.integer(GL_MAX_SAMPLES) < samples_)
-    refuse(fmt::format("it offers {}", gl_.integer(GL_MAX_SAMPLES)));
+  const GLint most = std::min(gl_.integer(GL_MAX_SAMPLES), gl_.integer(GL_MAX_COLOR_TEXTURE_SAMPLES));
+  if (most < samples_) refuse(fmt::format("it offers {}", most));
 
   // The old storage goes first, so that both never exist together.
-  samples_color_.reset();
+  light_.reset();
   depth_.reset();
   color_.reset();
+  light_.emplace(gl_);
   depth_.emplace(gl_);
   color_.emplace(gl_);
 
-  // Zero samples: a plain buffer.
-  const auto attach = [&](GLenum point, const GlRenderbuffer& buffer, GLenum format, GLsizei samples) {
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-    gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width_, height_);
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, buffer.id());
-  };
   const bool several = samples_ > 1;
-  GLenum status = GL_FRAMEBUFFER_COMPLETE;
+  const GLenum kind = several ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
+  gl_.BindTexture(kind, light_->id());
   if (several) {
-    samples_color_.emplace(gl_);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
-    attach(GL_COLOR_ATTACHMENT0, *samples_color_, GL_SRGB8_ALPHA8, samples_);
-    attach(GL_DEPTH_ATTACHMENT, *depth_, GL_DEPTH_COMPONENT24, samples_);
-    status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    gl_.TexImage2DMultisample(kind, samples_, GL_RGBA16, width_, height_, GL_TRUE);
+  } else {
+    gl_.TexImage2D(kind, 0, GL_RGBA16, width_, height_, 0, GL_RGBA, GL_UNSIGNED_SHORT, nullptr);
+    gl_.TexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_.TexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_->id());
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, several ? samples_ : 0, GL_DEPTH_COMPONENT24, width_,
+                                     height_);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, light_->id(), 0);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_->id());
+  GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) {
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, color_->id());
+    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
-    attach(GL_COLOR_ATTACHMENT0, *color_, GL_SRGB8_ALPHA8, 0);
-    if (several) {
-      gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
-    } else {
-      attach(GL_DEPTH_ATTACHMENT, *depth_, GL_DEPTH_COMPONENT24, 0);
-    }
+    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_->id());
     status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   }
   const GLenum error = gl_.GetError();
@@ -105,7 +108,7 @@ void FrameTarget::allocate() {
 }
 
 void FrameTarget::bind_for_drawing() const {
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, samples_ > 1 ? multisampled_.id() : resolved_.id());
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   gl_.Viewport(0, 0, width_, height_);
 }
 
@@ -114,15 +117,12 @@ void FrameTarget::bind_resolved() const {
   gl_.Viewport(0, 0, width_, height_);
 }
 
-void FrameTarget::resolve() const {
-  if (samples_ == 1) return;
-  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.id());
-  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-  gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+void FrameTarget::resolve(const EncodePass& encode) const {
+  bind_resolved();
+  encode.draw(*light_, samples_);
 }
 
 void FrameTarget::blit_to_default(int width, int height) const {
-  gl_.Disable(GL_FRAMEBUFFER_SRGB);  // the bytes are sRGB already
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   const bool same = width == width_ && height == height_;
@@ -131,7 +131,6 @@ void FrameTarget::blit_to_default(int width, int height) const {
 }
 
 void FrameTarget::blit_to(const FrameTarget& other, const PixelRect& rect) const {
-  gl_.Disable(GL_FRAMEBUFFER_SRGB);
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, other.resolved_.id());
   const bool same = rect.width == width_ && rect.height == height_;

@@ -1,5 +1,5 @@
-// The framebuffers of a frame: several samples a pixel to draw into, one to keep, and two pixel buffers to
-// read it back.
+// The framebuffers of a frame: linear light with several samples a pixel to draw into, sRGB bytes to keep,
+// and two pixel buffers to read them back.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,8 @@
 #include "render/output/image.h"
 
 namespace pabd {
+
+class EncodePass;
 
 inline constexpr int kSamples = 4;  // what software GL offers; more is an error there
 
@@ -28,9 +30,9 @@ class FrameTarget {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  void bind_for_drawing() const;  // with a depth buffer
-  void resolve() const;           // averages the samples, in linear light
-  void bind_resolved() const;     // what resolve() left, or with one sample what was drawn
+  void bind_for_drawing() const;  // linear light, 16 bits a channel, with a depth buffer
+  void resolve(const EncodePass& encode) const;
+  void bind_resolved() const;  // sRGB bytes: what resolve() left; no depth
   void blit_to_default(int width, int height) const;
   // Copies the resolved frame into a rectangle of another one, stretched if need be. Bytes stay as they are.
   void blit_to(const FrameTarget& other, const PixelRect& rect) const;
@@ -55,9 +57,10 @@ class FrameTarget {
   int width_;
   int height_;
   int samples_;
-  GlFramebuffer multisampled_;
+  GlFramebuffer drawn_;
   GlFramebuffer resolved_;
-  std::optional<GlRenderbuffer> samples_color_, depth_, color_;  // samples_color_: only with several
+  std::optional<GlTexture> light_;
+  std::optional<GlRenderbuffer> depth_, color_;
   Slot slots_[2];
   int oldest_ = 0;
   int queued_ = 0;

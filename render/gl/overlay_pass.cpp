@@ -126,7 +126,6 @@ void OverlayPass::draw(const ImDrawData& data, int width, int height) const {
   }
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);
-  gl_.Disable(GL_FRAMEBUFFER_SRGB);  // ImGui's colours are sRGB and are blended as such
   gl_.Enable(GL_BLEND);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_.Enable(GL_SCISSOR_TEST);

@@ -7,12 +7,14 @@
 
 #include "render/gl/background_pass.h"
 #include "render/gl/contact_shade_pass.h"
+#include "render/gl/encode_pass.h"
 #include "render/gl/frame_target.h"
 #include "render/gl/ground_pass.h"
 #include "render/gl/line_pass.h"
 #include "render/gl/overlay_pass.h"
 #include "render/gl/shadow_pass.h"
 #include "render/gl/surface_pass.h"
+#include "render/visual/srgb.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -38,6 +40,7 @@ struct Renderer::Impl {
         ground_pass(gl),
         background_pass(gl),
         line_pass(gl),
+        encode_pass(gl),
         overlay_pass(gl),
         uniforms(gl) {
     const std::string renderer = gl.string(GL_RENDERER);
@@ -58,8 +61,8 @@ struct Renderer::Impl {
 
   void clear(const Vec3f& color) {
     target.bind_resolved();
-    gl.Enable(GL_FRAMEBUFFER_SRGB);
-    gl.ClearColor(color.x(), color.y(), color.z(), 1);
+    const auto byte = [](float light) { return static_cast<float>(srgb_byte(light)) / 255; };
+    gl.ClearColor(byte(color.x()), byte(color.y()), byte(color.z()), 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
   }
 
@@ -90,6 +93,7 @@ struct Renderer::Impl {
   GroundPass ground_pass;
   BackgroundPass background_pass;
   LinePass line_pass;
+  EncodePass encode_pass;
   OverlayPass overlay_pass;
   GlBuffer uniforms;
   DrawList list;
@@ -140,7 +144,6 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   lap(passes.contact_shade);
 
   into.bind_for_drawing();
-  gl.Enable(GL_FRAMEBUFFER_SRGB);
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_CULL_FACE);
   gl.DepthMask(GL_TRUE);
@@ -156,7 +159,7 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   surface_pass.draw_transparent(list, drawer, quality.soft_light);
   line_pass.draw(scene.lines);
   lap(passes.glyphs);
-  into.resolve();
+  into.resolve(encode_pass);
   lap(passes.resolve);
 }
 
