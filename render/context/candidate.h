@@ -23,6 +23,10 @@ inline constexpr int kGlMinor = 3;
 void add_egl_candidates(std::vector<ContextCandidate>& out);
 void add_osmesa_candidates(std::vector<ContextCandidate>& out);
 
+// Mesa's software renderer takes vectors as wide as the processor's; every machine is asked for the same
+// width, unless the user set LP_NATIVE_VECTOR_WIDTH. Before any GL library is opened.
+void fix_vector_width();
+
 // Asks the current context for its version; empty when it is at least the wanted one.
 std::string check_gl_version(GlContext& context);
 

@@ -45,6 +45,7 @@ std::string utf8_of(unsigned code) {
 class Glfw {
  public:
   Glfw() {
+    fix_vector_width();
     if (glfwInit() != GLFW_TRUE) throw Error(ExitCode::no_gl, "no window: " + last_error() + kRemedy);
     loss_ = std::make_unique<DisplayLoss>();
   }

@@ -1,6 +1,9 @@
 // The one place that knows every headless candidate and their order.
 #include <fmt/format.h>
 
+#include <cstdlib>
+#include <mutex>
+
 #include "render/context/candidate.h"
 #include "sim/error.h"
 
@@ -11,6 +14,7 @@ constexpr unsigned kGlMajorVersion = 0x821B;
 constexpr unsigned kGlMinorVersion = 0x821C;
 
 std::vector<ContextCandidate> candidates(Backend backend) {
+  fix_vector_width();
   std::vector<ContextCandidate> list;
   if (backend != Backend::osmesa) add_egl_candidates(list);
   if (backend != Backend::egl) add_osmesa_candidates(list);
@@ -29,6 +33,11 @@ std::string explain(const std::vector<ContextAttempt>& attempts) {
 }
 
 }  // namespace
+
+void fix_vector_width() {
+  static std::once_flag once;
+  std::call_once(once, [] { ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0); });
+}
 
 std::string check_gl_version(GlContext& context) {
   using GetIntegerv = void (*)(unsigned, int*);

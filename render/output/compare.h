@@ -37,7 +37,7 @@ CompareResult compare_images(const Image& actual, const Image& expected, Compare
 // what only one image covers is marked.
 Image difference_image(const Image& actual, const Image& expected);
 
-// "llvmpipe-avx", "softpipe", "nvidia", …: images of one class are compared by same_class. From GL_RENDERER.
+// "llvmpipe-128", "softpipe", "nvidia", …: images of one class are compared by same_class. From GL_RENDERER.
 std::string renderer_class(const std::string& gl_renderer);
 
 }  // namespace pabd

@@ -15,10 +15,10 @@ std::string lower(const std::string& text) {
   return result;
 }
 
-// "llvmpipe (LLVM 15.0.6, 256 bits)": the vector width decides how Mesa rounds.
+// "llvmpipe (LLVM 15.0.6, 256 bits)": code for other vectors may round elsewhere.
 std::string llvmpipe_class(const std::string& name) {
   constexpr std::array<std::pair<std::string_view, const char*>, 3> widths = {
-      {{"128 bits", "llvmpipe-sse"}, {"256 bits", "llvmpipe-avx"}, {"512 bits", "llvmpipe-avx512"}}};
+      {{"128 bits", "llvmpipe-128"}, {"256 bits", "llvmpipe-256"}, {"512 bits", "llvmpipe-512"}}};
   for (const auto& [bits, result] : widths) {
     if (name.find(bits) != std::string::npos) return result;
   }

@@ -14,7 +14,7 @@ namespace pabd {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* reference_class = "llvmpipe-avx";
+constexpr const char* reference_class = "llvmpipe-128";
 
 bool updating() {
   const char* wish = std::getenv("PABD_UPDATE_GOLDEN");

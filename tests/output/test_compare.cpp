@@ -220,10 +220,10 @@ TEST_CASE("a failure is saved for people and scripts") {
 }
 
 TEST_CASE("renderer classes") {
-  CHECK(renderer_class("llvmpipe (LLVM 15.0.6, 256 bits)") == "llvmpipe-avx");
-  CHECK(renderer_class("llvmpipe (LLVM 19.1.1 256 bits)") == "llvmpipe-avx");
-  CHECK(renderer_class("llvmpipe (LLVM 15.0.6, 128 bits)") == "llvmpipe-sse");
-  CHECK(renderer_class("llvmpipe (LLVM 15.0.6, 512 bits)") == "llvmpipe-avx512");
+  CHECK(renderer_class("llvmpipe (LLVM 15.0.6, 256 bits)") == "llvmpipe-256");
+  CHECK(renderer_class("llvmpipe (LLVM 19.1.1 256 bits)") == "llvmpipe-256");
+  CHECK(renderer_class("llvmpipe (LLVM 15.0.6, 128 bits)") == "llvmpipe-128");
+  CHECK(renderer_class("llvmpipe (LLVM 15.0.6, 512 bits)") == "llvmpipe-512");
   CHECK(renderer_class("softpipe") == "softpipe");
   CHECK(renderer_class("zink (llvmpipe (LLVM 15.0.6, 256 bits))") == "zink");
   CHECK(renderer_class("NVIDIA GeForce RTX 3080/PCIe/SSE2") == "nvidia");

@@ -1,0 +1,70 @@
+// The same pixels from every processor: software GL is made to believe in others.
+#include <catch2/catch.hpp>
+
+#include "render/output/compare.h"
+#include "render/output/png.h"
+#include "tests/cli/program.h"
+
+using namespace pabd;
+using namespace pabd::test;
+
+namespace {
+
+using Environment = std::map<std::string, std::string>;
+
+std::string name_of(const Environment& environment) {
+  std::string name;
+  for (const auto& [key, value] : environment) name += (name.empty() ? "" : " ") + key + "=" + value;
+  return name.empty() ? "as it comes" : name;
+}
+
+struct Drawn {
+  Image image;
+  PngText text;
+};
+
+// Every kind of body with contacts, joints of a mechanism left out: shading, shadows, lines, panels with
+// curves.
+Drawn draw(const TempFolder& folder, const Environment& environment) {
+  const std::string file = folder / "frame.png";
+  const Outcome outcome = run_pabd({"render", "shapes", "--time", "0", "--size", "480x270", "--overlay",
+                                    "contacts,params,barrier", "--quiet", "--force", "-o", file},
+                                   {environment, {}, {}, -1});
+  INFO(name_of(environment) << ": " << outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  return {read_png(file), read_png_text(file)};
+}
+
+}  // namespace
+
+TEST_CASE("vector widths and instruction sets of software GL draw the same pixels") {
+  const TempFolder folder;
+  const Drawn usual = draw(folder, {});
+  REQUIRE(usual.text.at("GL_RENDERER").starts_with("llvmpipe"));
+  // One width on every machine, unless the user asks for another.
+  CHECK(usual.text.at("GL_RENDERER").find("128 bits") != std::string::npos);
+
+  std::string report;
+  for (const char* width : {"128", "256"}) {
+    for (const char* instructions : {"", "sse4.1", "avx", "avx2"}) {
+      Environment environment = {{"LP_NATIVE_VECTOR_WIDTH", width}};
+      if (*instructions) environment["GALLIUM_OVERRIDE_CPU_CAPS"] = instructions;
+      const Drawn other = draw(folder, environment);
+      CHECK(other.text.at("GL_RENDERER").find(width) != std::string::npos);
+      const bool same = other.image.rgb == usual.image.rgb;
+      report += name_of(environment) + (same ? ": the same pixels\n" : ": DIFFERENT pixels\n");
+      CAPTURE(report);
+      CHECK(same);
+    }
+  }
+  WARN(report);
+}
+
+TEST_CASE("without SSE 4.1 software GL rounds in another way, by no more than one sees") {
+  const TempFolder folder;
+  const Drawn usual = draw(folder, {});
+  const Drawn old = draw(folder, {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse2"}});
+  const CompareResult result = compare_images(old.image, usual.image, CompareTier::cross_class);
+  INFO(result.reason);
+  CHECK(result.equal);
+}
