@@ -234,9 +234,8 @@ void BroadPhase::find(const std::vector<Aabb>& boxes, const std::vector<std::uin
                       Team& team, std::vector<IndexPair>& pairs) {
   choose_levels(boxes);
   fill_cells(boxes, fixed);
-  constexpr std::size_t kWorthwhile = 256;  // cells
-  const std::size_t chunks =
-      threads > 1 && cells.size() >= kWorthwhile ? 4 * static_cast<std::size_t>(threads) : 1;
+  constexpr std::size_t kCells = 32;  // some ten microseconds
+  const std::size_t chunks = team.ranges(threads, cells.size(), kCells);
   if (found.size() < chunks) found.resize(chunks);
   for (auto& bucket : found) bucket.clear();
   team.for_each(threads, chunks, 1, [&](std::size_t k) {

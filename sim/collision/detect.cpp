@@ -162,12 +162,12 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   out.clear();
   const Poses poses{model, c, R};
   const IndexPair* first = pairs.data();
-  constexpr std::size_t kWorthwhile = 256;  // pairs
-  if (threads <= 1 || pairs.size() < kWorthwhile) {
+  constexpr std::size_t kPairs = 32;  // some ten microseconds
+  const std::size_t chunks = workspace.team.ranges(threads, pairs.size(), kPairs);
+  if (chunks == 1) {
     collide_range(poses, reach, skip, first, first + pairs.size(), out);
     return;
   }
-  const std::size_t chunks = 4 * static_cast<std::size_t>(threads);
   auto& partial = workspace.partial;
   if (partial.size() < chunks) partial.resize(chunks);
   workspace.team.for_each(threads, chunks, 1, [&](std::size_t k) {

@@ -30,6 +30,8 @@ struct Team::Shared {
   std::atomic<std::size_t> next{0};
   std::atomic<bool> open{false}, leaving{false};
   std::atomic<int> inside{0};
+  bool contrary = false;
+  std::atomic<int> come{0};        // to this loop; counted only when contrary
   std::atomic<unsigned> round{0};  // one more for each loop, and at the end
   std::mutex mutex;
   std::exception_ptr failure;
@@ -40,13 +42,21 @@ struct Team::Shared {
       for (;;) {
         const std::size_t begin = next.fetch_add(loop.block);
         if (begin >= loop.count) return;
-        loop.run(loop.body, begin, std::min(loop.count, begin + loop.block));
+        const std::size_t end = std::min(loop.count, begin + loop.block);
+        contrary ? loop.run(loop.body, loop.count - end, loop.count - begin)
+                 : loop.run(loop.body, begin, end);
       }
     } catch (...) {
       next = loop.count;
       const std::lock_guard lock(mutex);
       if (!failure) failure = std::current_exception();
     }
+  }
+
+  // Until every invited member and the caller are here.
+  void meet() {
+    come.fetch_add(1);
+    while (come.load() <= invited) std::this_thread::yield();
   }
 
   void serve(int number) {
@@ -57,7 +67,10 @@ struct Team::Shared {
       seen = round.load();
       if (leaving.load()) return;
       inside.fetch_add(1);
-      if (open.load() && number < invited) take_blocks();
+      if (open.load() && number < invited) {
+        if (contrary) meet();
+        take_blocks();
+      }
       inside.fetch_sub(1);
     }
   }
@@ -75,6 +88,7 @@ struct Team::Shared {
 };
 
 Team::Team() = default;
+Team::Team(const Sharing& sharing) : sharing_(sharing) {}
 Team::~Team() = default;
 Team::Team(Team&&) noexcept = default;
 Team& Team::operator=(Team&&) noexcept = default;
@@ -88,8 +102,11 @@ void Team::share(int threads, const Loop& loop) {
   s.loop = loop;
   s.invited = static_cast<int>(helpers);
   s.next = 0;
+  s.contrary = sharing_.contrary;
+  s.come = 0;
   s.open = true;
   s.next_round();
+  if (s.contrary) s.meet();
   s.take_blocks();
   s.open = false;
   for (int k = 0; s.inside.load() > 0; ++k) k < kSpins ? pause() : std::this_thread::yield();

@@ -7,32 +7,53 @@
 // thread, spinning: measured 3 to 9 times slower with two threads than with one on a busy machine.)
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 
 namespace pabd {
 
+// When a loop is worth sharing: to wake another thread may take longer than the work.
+struct Sharing {
+  std::size_t least_blocks = 8;  // a loop of fewer is done in order on the calling thread
+  std::size_t largest_block = std::numeric_limits<std::size_t>::max();  // no loop takes more items at a time
+  // For tests of what depends on threads or order: nobody begins before all have come, and a shared loop goes
+  // from its end to its start. Slow.
+  bool contrary = false;
+};
+
 class Team {
  public:
   Team();
+  explicit Team(const Sharing& sharing);
   ~Team();
   Team(Team&&) noexcept;
   Team& operator=(Team&&) noexcept;
 
+  // Is a loop over `count` items, `block` at a time, shared by up to `threads` threads?
+  bool shares(int threads, std::size_t count, std::size_t block) const {
+    return threads > 1 && count >= sharing_.least_blocks * std::min(block, sharing_.largest_block);
+  }
+
+  // For loops that fill a bucket a range of items: how many ranges to cut `count` items into, 1 when it is
+  // not worth sharing.
+  std::size_t ranges(int threads, std::size_t count, std::size_t block) const {
+    return shares(threads, count, block) ? 4 * static_cast<std::size_t>(threads) : 1;
+  }
+
   // Calls body(k) for k = 0 … count − 1 on up to `threads` threads, each taking `block` at a time; threads
-  // are started when first needed. Fewer than kWorthwhile blocks are done in order on the calling thread: to
-  // wake another may take longer. What `body` throws is thrown here.
-  static constexpr std::size_t kWorthwhile = 8;
+  // are started when first needed. What `body` throws is thrown here.
   template <class Body>
   void for_each(int threads, std::size_t count, std::size_t block, const Body& body) {
-    if (threads <= 1 || count < kWorthwhile * block) {
+    if (!shares(threads, count, block)) {
       for (std::size_t k = 0; k < count; ++k) body(k);
       return;
     }
     share(threads, {[](const void* f, std::size_t begin, std::size_t end) {
                       for (std::size_t k = begin; k < end; ++k) (*static_cast<const Body*>(f))(k);
                     },
-                    &body, count, block});
+                    &body, count, std::min(block, sharing_.largest_block)});
   }
 
  private:
@@ -45,6 +66,7 @@ class Team {
 
   void share(int threads, const Loop& loop);
 
+  Sharing sharing_;
   std::unique_ptr<Shared> shared_;
 };
 

@@ -6,8 +6,10 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
+using pabd::Sharing;
 using pabd::Team;
 
 TEST_CASE("every item is done once, for any number of threads and items") {
@@ -45,4 +47,52 @@ TEST_CASE("what an item throws arrives at the caller, and the team still works")
     team.for_each(3, 100, 8, [&](std::size_t k) { sum += static_cast<int>(k); });
     CHECK(sum == 4950);
   }
+}
+
+TEST_CASE("a loop is shared from as many blocks on as the team was told") {
+  const Team usual, each(Sharing{1, 1, false}), three(Sharing{3, 16, false});
+  CHECK_FALSE(usual.shares(1, 1000000, 64));
+  CHECK_FALSE(usual.shares(8, 8 * 64 - 1, 64));
+  CHECK(usual.shares(2, 8 * 64, 64));
+  CHECK(each.shares(2, 1, 64));
+  CHECK_FALSE(each.shares(1, 100, 1));
+  CHECK_FALSE(three.shares(2, 47, 64));
+  CHECK(three.shares(2, 48, 64));
+  CHECK(three.shares(2, 24, 8));
+  CHECK(usual.ranges(3, 511, 64) == 1);
+  CHECK(usual.ranges(3, 512, 64) == 12);
+}
+
+TEST_CASE("a contrary team has every thread in every loop, down to one item each") {
+  for (const int threads : {2, 3, 8}) {
+    Team team(Sharing{1, 1, true});
+    for (int round = 0; round < 50; ++round) {
+      // Each item waits for the others: with a thread too few they would wait to the end of their patience.
+      constexpr long kPatience = 100'000'000;
+      std::atomic<int> begun{0};
+      std::atomic<int> alone{0};
+      team.for_each(threads, static_cast<std::size_t>(threads), 64, [&](std::size_t) {
+        ++begun;
+        for (long k = 0; begun < threads; ++k) {
+          if (k == kPatience) {
+            ++alone;
+            return;
+          }
+          std::this_thread::yield();
+        }
+      });
+      REQUIRE(alone == 0);
+    }
+  }
+}
+
+TEST_CASE("a contrary team goes from the last item to the first") {
+  Team team(Sharing{1, 1, true});
+  std::vector<int> order(200, 0);
+  std::atomic<int> turn{0};
+  team.for_each(2, order.size(), 64, [&](std::size_t k) { order[k] = ++turn; });
+  // Of two threads one may rest on its item while the other goes on: all but that one are in order.
+  int out_of_order = 0;
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) out_of_order += order[k] < order[k + 1] ? 1 : 0;
+  CHECK(out_of_order < 100);
 }
