@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace pabd {
 namespace {
@@ -25,14 +24,6 @@ double largest_distance(const State& a, const State& b) {
     squared = std::max(squared, (a.c[i] - b.c[i]).squaredNorm());
   }
   return std::sqrt(squared);
-}
-
-bool same_bits(const State& a, const State& b) {
-  const auto same = [](const auto& x, const auto& y) {
-    return x.size() == y.size() &&
-           (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0);
-  };
-  return a.time == b.time && same(a.c, b.c) && same(a.R, b.R) && same(a.v, b.v) && same(a.omega, b.omega);
 }
 
 void Timeline::add(Moment moment) {

@@ -92,7 +92,4 @@ std::size_t state_bytes(const State& state);
 // Largest distance between the places of a body in two states of one model; m.
 double largest_distance(const State& a, const State& b);
 
-// Equal to the last bit.
-bool same_bits(const State& a, const State& b);
-
 }  // namespace pabd

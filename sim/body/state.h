@@ -35,4 +35,7 @@ struct State {
   Index size() const { return static_cast<Index>(c.size()); }
 };
 
+// Equal to the last bit in everything that the next step depends on.
+bool same_bits(const State& a, const State& b);
+
 }  // namespace pabd

@@ -1,0 +1,38 @@
+// See state.h.
+#include "sim/body/state.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace pabd {
+namespace {
+
+// Numbers by their bits: 0 is not −0, NaN is NaN.
+bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+template <class Matrix>
+bool same_entries(const Matrix& a, const Matrix& b) {
+  return std::equal(a.data(), a.data() + a.size(), b.data(), [](double x, double y) { return same(x, y); });
+}
+
+template <class Matrix>
+bool same_list(const std::vector<Matrix>& a, const std::vector<Matrix>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_entries<Matrix>);
+}
+
+// Every member is named, so that one more does not compile until it is compared as well.
+bool same_anchor(const FrictionAnchor& a, const FrictionAnchor& b) {
+  const auto& [pair, feature, stretch, sliding] = a;
+  return pair == b.pair && feature == b.feature && same_entries(stretch, b.stretch) && sliding == b.sliding;
+}
+
+}  // namespace
+
+bool same_bits(const State& a, const State& b) {
+  const auto& [time, step, c, R, v, omega, anchors] = a;
+  return same(time, b.time) && step == b.step && same_list(c, b.c) && same_list(R, b.R) &&
+         same_list(v, b.v) && same_list(omega, b.omega) &&
+         std::equal(anchors.begin(), anchors.end(), b.anchors.begin(), b.anchors.end(), same_anchor);
+}
+
+}  // namespace pabd
