@@ -1,6 +1,6 @@
 #include "sim/solver/joint_set.h"
 
-#include <algorithm>
+#include "sim/math/extremes.h"
 
 namespace pabd {
 
@@ -74,8 +74,7 @@ double largest_joint_error(const SolveContext& s) {
     if (joint.type == JointType::distance && joint.law.potential == BondPotential::soft)
       continue;  // a spring
     expand_at(s, static_cast<Index>(k), kWorld, {}, list);
-    for (int b = 0; b < list.count; ++b)
-      largest = std::max(largest, evaluate(joint.law, list.bond[b]).stretch);
+    for (int b = 0; b < list.count; ++b) largest = larger(largest, evaluate(joint.law, list.bond[b]).stretch);
   }
   return largest;
 }

@@ -18,7 +18,7 @@ LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Po
   const Lanes u = length(state.u);
   const Lanes alpha_t = friction_weight(law, patch.limit, u);
   out.energy = sum(f.value + friction_energy(law, patch.limit, u));
-  out.active = sum(f.alpha_n) + sum(alpha_t) > 0;
+  out.active = !(sum(f.alpha_n) + sum(alpha_t) <= 0);  // what is no number must not be passed over
   if (!out.active) return out;
   out.back = a.c - b.c;
 

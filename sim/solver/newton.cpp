@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/math/extremes.h"
 #include "sim/solver/linear_bonds.h"
 
 namespace pabd {
@@ -216,7 +217,7 @@ void predict_forces(const SolveContext& s, NewtonSystem& system) {
 // Largest step that turns no body by more than 1 rad.
 double longest_step(const NewtonSystem& system) {
   double turn = 0;
-  for (const Vec6& step : system.step) turn = std::max(turn, step.tail<3>().norm());
+  for (const Vec6& step : system.step) turn = larger(turn, step.tail<3>().norm());
   return turn > 1 ? 1 / turn : 1;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <limits>
 
+#include "sim/math/extremes.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/weighted_projection.h"
 
@@ -48,9 +49,9 @@ double affine_distance(const StepWorkspace::Impl& w, const ContactPatch& patch) 
     const Vec3 y_b = w.next[patch.b].c + w.A[patch.b] * lane(patch.normal_b, k);
     if (patch.turns) {  // the gap is part of the deformed body
       const Vec3 y_a = w.next[patch.a].c + w.A[patch.a] * (plane - patch.gap[k] * n);
-      smallest = std::min(smallest, (cofactor * n).normalized().dot(y_b - y_a));
+      smallest = smaller(smallest, (cofactor * n).normalized().dot(y_b - y_a));
     } else {
-      smallest = std::min(smallest, patch.gap[k] + n.dot(y_b - w.next[patch.a].c - w.A[patch.a] * plane));
+      smallest = smaller(smallest, patch.gap[k] + n.dot(y_b - w.next[patch.a].c - w.A[patch.a] * plane));
     }
   }
   return smallest;
@@ -66,7 +67,7 @@ void sissm_iteration(const SolveContext& s, double* before) {
                             [&](std::size_t j) { global_and_local_step(s, w.colored[j]); });
   if (before) {
     *before = std::numeric_limits<double>::infinity();
-    for (const ContactPatch& patch : w.patches) *before = std::min(*before, affine_distance(w, patch));
+    for (const ContactPatch& patch : w.patches) *before = smaller(*before, affine_distance(w, patch));
   }
   w.pose.swap(w.next);
 }

@@ -1,9 +1,9 @@
 #include "sim/solver/step_summary.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "sim/body/mass_properties.h"
+#include "sim/math/extremes.h"
 #include "sim/solver/joint_set.h"
 
 namespace pabd {
@@ -36,7 +36,7 @@ double smallest_gap(const StepWorkspace::Impl& w) {
   double gap = std::numeric_limits<double>::infinity();
   for (const ContactPatch& patch : w.patches) {
     const ContactState s = state_of(w, patch);
-    for (int k = 0; k < patch.count; ++k) gap = std::min(gap, s.d[k]);
+    for (int k = 0; k < patch.count; ++k) gap = smaller(gap, s.d[k]);
   }
   return gap;
 }
@@ -52,7 +52,7 @@ void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepRep
     const Lanes energy = f.value + friction_energy(w.law, patch.limit, length(s.u));
     const Lanes alpha_t = friction_weight(w.law, patch.limit, length(s.u));
     for (int k = 0; k < patch.count; ++k) {
-      report.min_gap = std::min(report.min_gap, s.d[k]);
+      report.min_gap = smaller(report.min_gap, s.d[k]);
       if (s.d[k] >= w.law.barrier.d_hat) continue;
       report.elastic += energy[k];
       ++report.contacts;
@@ -63,7 +63,7 @@ void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepRep
           {patch.a, patch.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k], -alpha_t[k] * u, sticking});
     }
   }
-  report.max_penetration = report.min_gap < 0 ? -report.min_gap : 0.0;
+  report.max_penetration = larger(0, -report.min_gap);
 }
 
 }  // namespace pabd

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "sim/body/mass_properties.h"
+#include "sim/math/extremes.h"
 #include "sim/math/so3.h"
 #include "sim/solver/body_reports.h"
 #include "sim/solver/coloring.h"
@@ -59,10 +61,11 @@ void update_velocities(const Model& model, const Params& params, StepWorkspace::
   }
 }
 
-bool all_finite(const StepWorkspace::Impl& w) {
+// Of the bodies at `pose`, and their velocities.
+bool all_finite(const std::vector<Pose>& pose, const StepWorkspace::Impl& w) {
   double sum = 0;
   for (std::size_t i = 0; i < w.v.size(); ++i)
-    sum += 0.0 * (w.pose[i].c.sum() + w.pose[i].R.sum() + w.v[i].sum() + w.omega[i].sum());
+    sum += 0.0 * (pose[i].c.sum() + pose[i].R.sum() + w.v[i].sum() + w.omega[i].sum());
   return sum == 0;  // 0 · x is NaN for an infinite or undefined x
 }
 
@@ -72,12 +75,12 @@ void record(const SolveContext& s, double residual, double gap_before, StepRepor
   r.residual = residual;
   r.min_gap_after = smallest_gap(s.w);
   r.min_gap_before = report.method == SolverMethod::sissm ? gap_before : r.min_gap_after;
-  r.max_penetration_before = std::max(0.0, -r.min_gap_before);
-  r.max_penetration_after = std::max(0.0, -r.min_gap_after);
+  r.max_penetration_before = larger(0, -r.min_gap_before);
+  r.max_penetration_after = larger(0, -r.min_gap_after);
   r.max_joint_error = largest_joint_error(s);
   r.projection_change = 0;
   if (report.method == SolverMethod::sissm) {
-    for (const Index i : s.w.solved) r.projection_change = std::max(r.projection_change, s.w.projected[i]);
+    for (const Index i : s.w.solved) r.projection_change = larger(r.projection_change, s.w.projected[i]);
   }
   report.records.push_back(r);
 }
@@ -112,9 +115,12 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
     }
     ++report.iterations;
     report.residual = 0;
-    for (const Index i : w.solved) report.residual = std::max(report.residual, w.moved[i]);
+    for (const Index i : w.solved) report.residual = larger(report.residual, w.moved[i]);
     if (options.record_iterations) record(s, report.residual, gap_before, report);
-    if (!std::isfinite(report.residual)) return;
+    if (!std::isfinite(report.residual)) {
+      report.status = StepStatus::non_finite;
+      return;
+    }
     if (!(report.residual < s.params.solver.tolerance)) {
       every_body = false;
     } else if (!every_body && any_rests(w)) {
@@ -130,6 +136,17 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
 // The log barrier has no force for a pair that overlaps: such a start is reported, not solved.
 bool is_infeasible(const StepWorkspace::Impl& w) {
   return w.law.barrier.kind == BarrierKind::log && smallest_gap(w) <= 0;
+}
+
+// The step was not made: what it would have ended with is not known.
+void fail(const Stopwatch& total, StepReport& report) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  report.status = StepStatus::non_finite;
+  if (report.iterations == 0) report.residual = kUnknown;
+  for (double* quantity : {&report.kinetic, &report.potential, &report.elastic, &report.max_penetration,
+                           &report.min_gap, &report.max_joint_error})
+    *quantity = kUnknown;
+  report.times.total = total.ms();
 }
 
 void clear(StepReport& report) {
@@ -157,7 +174,8 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   report.method =
       params.solver.method == SolverMethod::automatic ? SolverMethod::descent : params.solver.method;
 
-  predict(model, params, state, options.threads, w);        // 1. free flight: Q*
+  predict(model, params, state, options.threads, w);  // 1. free flight: Q*
+  if (!all_finite(w.star, w)) return fail(total, report);
   find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
   list_ends(model, w);
   take_pulls(model, options.pulls, w);
@@ -179,11 +197,8 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   update_velocities(model, params, w);  // 4. velocities
   report.times.solve = solving.ms();
 
-  if (!feasible || !all_finite(w)) {
-    report.status = StepStatus::non_finite;
-    report.times.total = total.ms();
-    return;
-  }
+  if (!feasible || report.status == StepStatus::non_finite || !all_finite(w.pose, w))
+    return fail(total, report);
   for (std::size_t i = 0; i < w.v.size(); ++i) {
     state.c[i] = w.pose[i].c;
     state.R[i] = w.pose[i].R;
