@@ -15,6 +15,7 @@
 #include "app/cli/streams.h"
 #include "app/frames/frame_schedule.h"
 #include "sim/error.h"
+#include "sim/solver/step_summary.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::cli {
@@ -28,11 +29,12 @@ struct RunOptions {
   std::string from;
   std::string trace;
   std::string iterations;
+  std::string joints;
   std::string state;
   bool force = false;
 };
 
-// The three files a run can write; each appears when it is whole.
+// The files a run can write; each appears when it is whole.
 class RunOutputs {
  public:
   explicit RunOutputs(const RunOptions& options) {
@@ -41,19 +43,22 @@ class RunOutputs {
     };
     open("--trace", options.trace, trace_);
     open("--iterations", options.iterations, iterations_);
+    open("--joints", options.joints, joints_);
     open("--state", options.state, state_);
     emit(trace_, [](std::ostream& out) { write_steps_header(out); });
     emit(iterations_, [](std::ostream& out) { write_iterations_header(out); });
+    emit(joints_, [](std::ostream& out) { write_joints_header(out); });
   }
 
-  void add(const StepReport& report) {
+  void add(const Model& model, const StepReport& report) {
     emit(trace_, [&](std::ostream& out) { write_steps_row(out, report); });
     emit(iterations_, [&](std::ostream& out) { write_iterations_rows(out, report); });
+    emit(joints_, [&](std::ostream& out) { write_joints_rows(out, model, report); });
   }
 
   void finish(const Session& session) {
     if (state_) state_->write(state_to_json(session.model(), session.state()));
-    for (auto* output : {&trace_, &iterations_, &state_}) {
+    for (auto* output : {&trace_, &iterations_, &joints_, &state_}) {
       if (*output) (*output)->finish();
     }
   }
@@ -67,21 +72,22 @@ class RunOutputs {
     output->write(text_.view());
   }
 
-  std::optional<TextOutput> trace_, iterations_, state_;
+  std::optional<TextOutput> trace_, iterations_, joints_, state_;
   std::ostringstream text_;
 };
 
 void check_options(const RunOptions& options) {
   if (options.time) check_range("--time", *options.time, 0, 1e6, "s");
   if (options.steps) check_range("--steps", static_cast<double>(*options.steps), 0, 1e9);
-  const std::string* paths[] = {&options.trace, &options.iterations, &options.state};
-  for (int i = 0; i < 3; ++i) {
+  const std::string* paths[] = {&options.trace, &options.iterations, &options.joints, &options.state};
+  for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) {
       if (!paths[i]->empty() && *paths[i] == *paths[j]) {
         throw Error(
             ExitCode::bad_input,
-            fmt::format("{}: named for two outputs; give each of --trace, --iterations, --state its own",
-                        *paths[i]));
+            fmt::format(
+                "{}: named for two outputs; give each of --trace, --iterations, --joints, --state its own",
+                *paths[i]));
       }
     }
   }
@@ -94,6 +100,7 @@ struct Extremes {
   std::int64_t unsolved = 0;                             // steps that ended at the iteration limit
 
   void add(const StepReport& report) {
+    if (report.status == StepStatus::non_finite) return;
     gap = std::min(gap, report.min_gap);
     joint_error = std::max(joint_error, report.max_joint_error);
     if (report.status == StepStatus::iteration_limit) ++unsolved;
@@ -101,7 +108,6 @@ struct Extremes {
 };
 
 std::string summary(const Session& session, std::int64_t steps, double seconds, const Extremes& worst) {
-  const StepReport& report = session.report();
   const std::string gap = std::isfinite(worst.gap) ? fmt::format("{:.4g} m", worst.gap) : "none";
   const std::string joints =
       session.model().joints.empty() ? "" : fmt::format(" · largest joint error {:.2g} m", worst.joint_error);
@@ -111,7 +117,7 @@ std::string summary(const Session& session, std::int64_t steps, double seconds, 
       "{} steps to t = {:.6g} s{}, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J · state "
       "{}\n",
       steps, session.state().time, unsolved, steps > 0 ? 1e3 * seconds / static_cast<double>(steps) : 0.0,
-      gap, joints, report.kinetic, state_hash(session.state()));
+      gap, joints, kinetic_energy(session.model(), session.state()), state_hash(session.state()));
 }
 
 int run(const RunOptions& options) {
@@ -121,6 +127,7 @@ int run(const RunOptions& options) {
       options.steps.value_or(steps_until(options.time.value_or(5.0), session.params().h));
   RunOutputs outputs(options);
   session.record_iterations(!options.iterations.empty());
+  session.report_joints(!options.joints.empty());
 
   const InterruptGuard interrupt;
   std::int64_t done = 0;
@@ -131,7 +138,7 @@ int run(const RunOptions& options) {
     Progress progress("step", steps, !options.common.quiet);
     while (done < steps && !diverged && !interrupt.requested()) {
       const StepReport& report = session.step();
-      outputs.add(report);
+      outputs.add(session.model(), report);
       diverged = report.status == StepStatus::non_finite;
       worst.add(report);
       progress.update(++done, report);
@@ -152,7 +159,8 @@ void add_run_command(CLI::App& app, Action& action) {
       add_command(app, "run", "simulate a scene without drawing it",
                   {"pabd run pyramid --time 5 --trace steps.csv --state end.json",
                    "pabd run pyramid --from end.json --steps 60 --trace -",
-                   "pabd run two_boxes --steps 1 --iterations iterations.csv --set solver.method=sissm"},
+                   "pabd run two_boxes --steps 1 --iterations iterations.csv --set solver.method=sissm",
+                   "pabd run bridge --time 10 --joints joints.csv"},
                   options->common);
   command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
   auto* time = command->add_option("--time", options->time, "simulated time (default 5 s)")->type_name("S");
@@ -161,6 +169,8 @@ void add_run_command(CLI::App& app, Action& action) {
       ->type_name("STATE.json");
   command->add_option("--trace", options->trace, "a row a step; - is standard output")->type_name("CSV");
   command->add_option("--iterations", options->iterations, "a row an iteration of the solver")
+      ->type_name("CSV");
+  command->add_option("--joints", options->joints, "a row a joint and step: its reaction, N and N m")
       ->type_name("CSV");
   command->add_option("--state", options->state, "the state at the end")->type_name("JSON");
   command->add_flag("--force", options->force, "overwrite what exists");

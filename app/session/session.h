@@ -34,6 +34,7 @@ class Session {
   void record_iterations(bool on) { options_.record_iterations = on; }
   void report_contacts(bool on) { options_.report_contacts = on; }
   void report_bodies(bool on) { options_.report_bodies = on; }
+  void report_joints(bool on) { options_.report_joints = on; }
 
   // Hands on bodies in later steps, until they are set anew. Precondition: as for step().
   void set_pulls(std::vector<Pull> pulls) { options_.pulls = std::move(pulls); }

@@ -48,6 +48,13 @@ struct BodyReport {
   double contact_energy = 0;                    // half of the energy of each of them, Ψ and friction; J
 };
 
+// What the first body of a joint does to the second one through it, at the end of a step; world axes.
+struct JointReport {
+  Vec3 force = Vec3::Zero();   // N
+  Vec3 moment = Vec3::Zero();  // about the joint's anchor on the first body; N m
+  Vec3 axis = Vec3::UnitX();   // of the joint, with the first body; unit
+};
+
 struct PhaseTimes {  // ms, wall clock
   double collision = 0;
   double solve = 0;
@@ -75,6 +82,9 @@ struct StepReport {
       contact_reports;  // contacts with d < d̂; empty unless StepOptions::report_contacts
   // One a body, in order of number; empty unless StepOptions::report_bodies, or when the step failed.
   std::vector<BodyReport> body_reports;
+  // One a joint of the model, in order of number; empty unless StepOptions::report_joints, or when the step
+  // failed.
+  std::vector<JointReport> joint_reports;
 };
 
 }  // namespace pabd

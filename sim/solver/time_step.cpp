@@ -17,6 +17,7 @@
 #include "sim/solver/free_flight.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/islands.h"
+#include "sim/solver/joint_reports.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/newton.h"
 #include "sim/solver/solve.h"
@@ -153,13 +154,16 @@ void clear(StepReport& report) {
   std::vector<IterationRecord> records = std::move(report.records);
   std::vector<ContactReport> contacts = std::move(report.contact_reports);
   std::vector<BodyReport> bodies = std::move(report.body_reports);
+  std::vector<JointReport> joints = std::move(report.joint_reports);
   records.clear();
   contacts.clear();
   bodies.clear();
+  joints.clear();
   report = StepReport{};
   report.records = std::move(records);
   report.contact_reports = std::move(contacts);
   report.body_reports = std::move(bodies);
+  report.joint_reports = std::move(joints);
 }
 
 }  // namespace
@@ -213,6 +217,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   for (std::size_t k = 0; k < w.all_joints.size(); ++k)
     report.elastic += energy_of_joint(end, static_cast<Index>(k));
   report.max_joint_error = largest_joint_error(end);
+  if (options.report_joints) report_joints(end, report.joint_reports);
   if (options.report_bodies) report_bodies(model, params.solver.method, w, report.body_reports);
   report.kinetic = kinetic_energy(model, state);
   report.potential = potential_energy(model, params, state);

@@ -27,6 +27,7 @@ struct StepOptions {
   int threads = 1;                 // results are bit-identical for every value
   std::vector<Pull> pulls = {};    // finite
   bool report_bodies = false;      // fill StepReport::body_reports (one pass over bodies and contacts)
+  bool report_joints = false;      // fill StepReport::joint_reports (one pass over the joints)
 };
 
 // Scratch memory that survives from step to step so that a step does not allocate once it is warm. Holds

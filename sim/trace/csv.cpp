@@ -1,4 +1,4 @@
-// The two CSV files of a run. Numbers have as many digits as it takes to read back the same bits. See
+// The CSV files of a run. Numbers have as many digits as it takes to read back the same bits. See
 // trace.h.
 #include <fmt/format.h>
 
@@ -12,6 +12,14 @@ namespace {
 
 void put(std::ostream& out, const fmt::memory_buffer& line) {
   out.write(line.data(), static_cast<std::streamsize>(line.size()));
+}
+
+// A name as a field: in quotes where it needs them (RFC 4180).
+std::string field(const std::string& name) {
+  if (name.find_first_of(",\"\n\r") == name.npos) return name;
+  std::string out = "\"";
+  for (const char c : name) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
 }
 
 }  // namespace
@@ -42,6 +50,21 @@ void write_iterations_rows(std::ostream& out, const StepReport& report) {
     fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{},{}\n", report.step, ++iteration, i.energy,
                    i.residual, i.max_penetration_before, i.max_penetration_after, i.max_joint_error,
                    i.projection_change);
+  }
+  put(out, line);
+}
+
+void write_joints_header(std::ostream& out) {
+  out << "step,time,joint,name,force_x,force_y,force_z,moment_x,moment_y,moment_z,axial_force,axial_moment\n";
+}
+
+void write_joints_rows(std::ostream& out, const Model& model, const StepReport& report) {
+  fmt::memory_buffer line;
+  for (std::size_t k = 0; k < report.joint_reports.size(); ++k) {
+    const JointReport& r = report.joint_reports[k];
+    fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{},{},{},{},{},{}\n", report.step,
+                   report.time, k, field(model.joints[k].name), r.force.x(), r.force.y(), r.force.z(),
+                   r.moment.x(), r.moment.y(), r.moment.z(), r.force.dot(r.axis), r.moment.dot(r.axis));
   }
   put(out, line);
 }

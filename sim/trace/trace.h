@@ -19,6 +19,9 @@ void write_steps_header(std::ostream& out);
 void write_steps_row(std::ostream& out, const StepReport& report);
 void write_iterations_header(std::ostream& out);
 void write_iterations_rows(std::ostream& out, const StepReport& report);  // one row an IterationRecord
+void write_joints_header(std::ostream& out);
+// One row a joint of the model; nothing without StepReport::joint_reports.
+void write_joints_rows(std::ostream& out, const Model& model, const StepReport& report);
 
 // State JSON. Numbers are printed so that reading them gives the same bits.
 std::string state_to_json(const Model& model, const State& state);
