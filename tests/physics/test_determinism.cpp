@@ -1,0 +1,91 @@
+// The same bits for every number of threads: every loop that is shared runs on all of them here, also in
+// scenes that are too small to be worth it.
+
+#include <catch2/catch.hpp>
+
+#include "sim/scene/scene.h"
+#include "sim/solver/workspace.h"
+
+using namespace pabd;
+
+namespace {
+
+constexpr Sharing kEveryLoop{1, 1, true};  // item by item, by every thread, from the last to the first
+
+// What a run comes to: its end, and what every step said.
+struct Outcome {
+  State end;
+  std::vector<StepReport> reports;
+};
+
+Outcome run(const Scene& scene, SolverMethod method, int threads, int steps) {
+  Params params = scene.params;
+  params.solver.method = method;
+  params.solver.iterations = std::min(params.solver.iterations, 6);
+  StepWorkspace workspace;
+  workspace.impl().collision.team = Team(kEveryLoop);
+  const StepOptions options{true, true, threads, {}, true, true};
+  Outcome out{scene.initial, {}};
+  for (int k = 0; k < steps; ++k) {
+    StepReport report;
+    step(scene.model, params, options, out.end, workspace, report);
+    out.reports.push_back(std::move(report));
+  }
+  return out;
+}
+
+void require_same(const StepReport& a, const StepReport& b) {
+  CHECK(a.method == b.method);
+  CHECK(a.status == b.status);
+  CHECK(a.iterations == b.iterations);
+  CHECK(a.contacts == b.contacts);
+  const auto same = [](double x, double y) { return x == y || (x != x && y != y); };
+  CHECK(same(a.kinetic, b.kinetic));
+  CHECK(same(a.potential, b.potential));
+  CHECK(same(a.elastic, b.elastic));
+  CHECK(same(a.min_gap, b.min_gap));
+  CHECK(same(a.max_joint_error, b.max_joint_error));
+  CHECK(same(a.residual, b.residual));
+  REQUIRE(a.records.size() == b.records.size());
+  for (std::size_t k = 0; k < a.records.size(); ++k) CHECK(same(a.records[k].energy, b.records[k].energy));
+  REQUIRE(a.contact_reports.size() == b.contact_reports.size());
+  for (std::size_t k = 0; k < a.contact_reports.size(); ++k) {
+    CHECK(same(a.contact_reports[k].d, b.contact_reports[k].d));
+    CHECK(a.contact_reports[k].friction == b.contact_reports[k].friction);
+  }
+  REQUIRE(a.joint_reports.size() == b.joint_reports.size());
+  for (std::size_t k = 0; k < a.joint_reports.size(); ++k)
+    CHECK(a.joint_reports[k].force == b.joint_reports[k].force);
+}
+
+}  // namespace
+
+TEST_CASE("every solver gives the same bits on 1, 2, 3 and 8 threads, in scenes of every kind") {
+  for (const char* name :
+       {"two_boxes", "shapes", "meshes", "chairs", "stack", "ragdoll", "bridge", "card_house"}) {
+    const Scene scene = load_scene(std::string(PABD_SCENES "/") + name + ".json");
+    for (const SolverMethod method :
+         {SolverMethod::automatic, SolverMethod::descent, SolverMethod::newton, SolverMethod::sissm}) {
+      constexpr int kSteps = 4;
+      const Outcome alone = run(scene, method, 1, kSteps);
+      for (const int threads : {2, 3, 8}) {
+        INFO(name << ", " << to_string(method) << ", " << threads << " threads");
+        const Outcome together = run(scene, method, threads, kSteps);
+        CHECK(same_bits(together.end, alone.end));
+        for (int k = 0; k < kSteps; ++k) require_same(together.reports[k], alone.reports[k]);
+      }
+    }
+  }
+}
+
+TEST_CASE("sticking and sliding contacts: the same bits for every number of threads") {
+  for (const double slope : {0.3, 0.9}) {  // tan of the angle; μ = 0.5
+    const Scene scene =
+        load_scene(PABD_SCENES "/incline.json", {"gravity=[" + std::to_string(-9 * slope) + ",-9,0.5]"});
+    for (const SolverMethod method : {SolverMethod::descent, SolverMethod::newton, SolverMethod::sissm}) {
+      const Outcome alone = run(scene, method, 1, 20);
+      REQUIRE_FALSE(alone.end.anchors.empty());
+      for (const int threads : {2, 3, 8}) CHECK(same_bits(run(scene, method, threads, 20).end, alone.end));
+    }
+  }
+}
