@@ -6,11 +6,11 @@
 #include <cmath>
 #include <thread>
 
+#include "app/gui/script_reader.h"
 #include "app/gui/view_actions.h"
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
 #include "sim/error.h"
-#include "sim/scene/document.h"
 
 namespace pabd {
 namespace {
@@ -290,32 +290,10 @@ class Player {
   int width_, height_;
 };
 
-constexpr std::string_view kOwn[] = {"key", "mouse", "type", "window", "frame", "expect", "wait", "until"};
-
 }  // namespace
 
-Script::Script(const std::string& json, const std::string& source) : source_(source) {
-  (void)parse_document(json, source);  // refuses what is not JSON, too deep or too large, with its place
-  ActionJson document = ActionJson::parse(json);  // keeps the order
-  if (document.is_object() && document.contains("actions")) document = ActionJson(document["actions"]);
-  if (!document.is_array()) refuse(source, "expected a list of actions, or an object with \"actions\"");
-  std::vector<std::string_view> names(std::begin(kOwn), std::end(kOwn));
-  for (const std::string_view name : command_names<Command>()) names.push_back(name);
-  for (const std::string_view name : command_names<ViewCommand>()) names.push_back(name);
-  for (std::size_t i = 0; i < document.size(); ++i) {
-    const ActionJson& a = document[i];
-    const std::string what = fmt::format("{}: action {}", source, i);
-    if (!a.is_object() || !a.contains("do") || !a["do"].is_string())
-      refuse(what, "expected an object with \"do\"");
-    const std::string name = a["do"];
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      refuse(what, fmt::format("there is no {}{}", in_quotes(name), did_you_mean(name, names)));
-    Command command;
-    ViewCommand view;
-    if (!command_from_json(name, a, what, command)) command_from_json(name, a, what, view);
-    actions_.push_back(a);
-  }
-}
+Script::Script(const std::string& json, const std::string& source)
+    : actions_(read_script(json, source)), source_(source) {}
 
 std::string action_list() {
   return "Of the simulation:\n" + command_list<Command>() + "Of the view:\n" + command_list<ViewCommand>() +
