@@ -8,11 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/error.h"
+#include "sim/scene/document.h"
 
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kSameTime = 1e-6;  // s
 constexpr double kLargest = 1e6;    // of every number
@@ -22,7 +23,7 @@ constexpr std::size_t kMostKeys = 10000;
   throw Error(ExitCode::bad_input, fmt::format("{}: {}: expected {}", source, place, expected));
 }
 
-Json vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+OrderedJson vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 double number(const Json& json, const std::string& source, const std::string& place, double lo, double hi) {
   const double value = json.is_number() ? json.get<double>() : std::nan("");
@@ -58,10 +59,11 @@ CameraKey key_from(const Json& json, const std::string& source, const std::strin
 
 std::string camera_keys_json(const CameraKeys& keys) {
   std::string out = "{\n  \"format\": \"pabd-camera\",\n  \"version\": 1,\n  \"scene\": ";
-  out += Json(keys.scene).dump(-1, ' ', false, Json::error_handler_t::replace) + ",\n  \"keys\": [";
+  out += OrderedJson(keys.scene).dump(-1, ' ', false, OrderedJson::error_handler_t::replace) +
+         ",\n  \"keys\": [";
   for (std::size_t i = 0; i < keys.keys.size(); ++i) {
     const CameraKey& key = keys.keys[i];
-    Json json = {{"time", key.time}, {"eye", vec(key.pose.eye)}, {"target", vec(key.pose.target)}};
+    OrderedJson json = {{"time", key.time}, {"eye", vec(key.pose.eye)}, {"target", vec(key.pose.target)}};
     if (key.pose.up != Vec3(0, 1, 0)) json["up"] = vec(key.pose.up);
     json["fov"] = key.pose.fov;
     out += (i > 0 ? ",\n    " : "\n    ") + json.dump();
@@ -70,12 +72,7 @@ std::string camera_keys_json(const CameraKeys& keys) {
 }
 
 CameraKeys parse_camera_keys(const std::string& text, const std::string& source) {
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const Json::exception& error) {
-    throw Error(ExitCode::bad_input, fmt::format("{}: {}", source, error.what()));
-  }
+  const Json json = parse_document(text, source);
   if (!json.is_object() || !json.contains("format") || json["format"] != "pabd-camera")
     refuse(source, "/format", "\"pabd-camera\": a camera that was saved by 'pabd view'");
   if (!json.contains("version") || json["version"] != 1) refuse(source, "/version", "1");

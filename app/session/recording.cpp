@@ -9,6 +9,7 @@
 #include "app/session/record_parts.h"
 #include "sim/error.h"
 #include "sim/scene/hash.h"
+#include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 
@@ -117,9 +118,9 @@ class Decoder {
     const std::uint32_t bodies = in_.u32();
     if (hash != scene_->hash || bodies != scene_->model.shape.size()) {
       const bool other = name != scene_->name;
-      in_.fail(fmt::format("a recording of the scene {} with {} bodies{}; open that scene first", name,
-                           bodies,
-                           other ? ", not of " + scene_->name : " as it was then: it has changed since"));
+      in_.fail(fmt::format(
+          "a recording of the scene {} with {} bodies{}; open that scene first", printable(name), bodies,
+          other ? ", not of " + printable(scene_->name) : " as it was then: it has changed since"));
     }
   }
 
