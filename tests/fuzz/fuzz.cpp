@@ -1,0 +1,30 @@
+#include "tests/fuzz/fuzz.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+namespace pabd::fuzz {
+
+void require(bool holds, const char* property) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", property);
+  std::abort();
+}
+
+void check_error(const Error& error) {
+  const std::string_view what = error.what();
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  const bool fits = error.code() == ExitCode::bad_input && !what.empty() &&
+                    std::none_of(what.begin(), what.end(), is_control);
+  if (!fits) std::fprintf(stderr, "code %d: %s\n", static_cast<int>(error.code()), error.what());
+  require(fits, "a refusal is one line without control characters, with the code of a bad input");
+}
+
+}  // namespace pabd::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fuzz({reinterpret_cast<const char*>(data), size});
+  return 0;
+}

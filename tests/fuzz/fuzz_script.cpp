@@ -1,0 +1,7 @@
+// A script of actions, read and checked, not played.
+#include "app/gui/script_reader.h"
+#include "tests/fuzz/fuzz.h"
+
+void fuzz(std::string_view bytes) {
+  pabd::fuzz::accepts([&] { pabd::read_script(std::string(bytes), "script.json"); });
+}
