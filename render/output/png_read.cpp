@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -46,7 +47,10 @@ void on_read(png_structp png, png_bytep data, std::size_t size) {
   png_longjmp(png, 1);
 }
 
-void on_warning(png_structp, png_const_charp) {}
+// libpng only warns of a chunk above the limit, and then takes as much memory as it claims.
+void on_warning(png_structp png, png_const_charp message) {
+  if (std::strstr(message, "too large")) png_error(png, message);
+}
 
 // A PNG file open for reading, closed and freed at the end of the scope.
 class Reader {

@@ -192,6 +192,17 @@ TEST_CASE("huge pictures are refused before memory is asked for") {
   CHECK(caught([&] { read_png(folder / "a.png"); }).says("do not fit into"));
 }
 
+TEST_CASE(
+    "a chunk that claims more than the limit is refused before memory is asked for, whatever its kind") {
+  const TempFolder folder;
+  for (const char* kind : {"iTXt", "zTXt", "tEXt", "sPLT", "pCAL", "sCAL", "eXIf", "iCCP", "abCd"}) {
+    INFO(kind);
+    write_bytes(folder / "a.png", signature + header(2, 2, 8, 2) + big_endian(0x4C540019) + kind + "Title");
+    CHECK(caught([&] { read_png(folder / "a.png"); }).code == bad_input);
+    CHECK(caught([&] { read_png(folder / "a.png"); }).says("too large"));
+  }
+}
+
 TEST_CASE("damaged files are refused or read, and never crash") {
   const TempFolder folder;
   const Image image = test_frame(24, 18, 3);
