@@ -63,8 +63,9 @@ void AbPainter::refresh() {
 }
 
 void AbPainter::draw(const FramePacket& packet) {
-  left_.draw(packet, packet.b.get());
-  if (right_) right_->draw(*packet.b, &packet);
+  const double time = packet.state.time;
+  left_.draw(packet, packet.b.get(), time);
+  if (right_) right_->draw(*packet.b, &packet, time);
 }
 
 void AbPainter::fetch(Image& out) {

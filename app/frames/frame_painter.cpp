@@ -134,12 +134,11 @@ void FramePainter::add_other(const FramePacket& other, const std::vector<Distanc
   distances_.insert(distances_.end(), apart.begin(), apart.end());
 }
 
-void FramePainter::draw(const FramePacket& packet, const FramePacket* other) {
+void FramePainter::draw(const FramePacket& packet, const FramePacket* other, double time) {
   for (const StepReport& report : packet.since) history_.add(report);
   if (other) add_other(*other, packet.b ? packet.apart : other->apart);
   visual_.camera =
-      apply_camera(camera_option_, base_camera_,
-                   camera_option_.keys.empty() ? packet.state.time - start_time_ : packet.state.time);
+      apply_camera(camera_option_, base_camera_, camera_option_.keys.empty() ? time - start_time_ : time);
   build_visual(session_.model(), packet.state, packet.report, visual_options_, visual_);
   if (other && ghost_) add_ghost(session_.model(), other->state, ghost_color(), visual_);
   data_.report = &packet.report;

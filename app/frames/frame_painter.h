@@ -57,9 +57,9 @@ class FramePainter : public FrameDrawer {
   // the bodies where the session is now.
   void compare(const Comparison& comparison);
 
-  void draw(const FramePacket& packet) override { draw(packet, nullptr); }
-  void draw(const FramePacket& packet,
-            const FramePacket* other);  // the other run at that time, after compare()
+  void draw(const FramePacket& packet) override { draw(packet, nullptr, packet.state.time); }
+  // With the other run, after compare(). `time`: where the camera is, the same for both; s.
+  void draw(const FramePacket& packet, const FramePacket* other, double time);
   int queued() const override { return renderer_.queued(); }
   void fetch(Image& out) override;
   std::string gl_renderer() const { return renderer_.gl_renderer(); }

@@ -57,13 +57,13 @@ bool FrameProducer::advance_to(std::int64_t step) {
 // The second run to the time of the first one.
 bool FrameProducer::follow() {
   if (!b_) return true;
-  // Times are sums of steps: what is missing by rounding is no step.
-  const double reached = session_.state().time - 1e-6 * std::min(session_.params().h, b_->params().h);
-  while (b_->state().time < reached) {
+  const double time = session_.state().time, h = b_->params().h;
+  while (is_reached(b_->state().time + h, time, h)) {
     if (!make_step(*b_, since_b_)) return false;
   }
+  if (!is_common_time(time, b_->state().time, h)) return true;
   const StateDistance apart = state_distance(session_.state(), b_->state());
-  apart_.push_back({session_.state().time, apart.position, apart.angle});
+  apart_.push_back({time, apart.position, apart.angle});
   return true;
 }
 

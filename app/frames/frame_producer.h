@@ -22,7 +22,7 @@ struct FramePacket {
   StepReport report;                 // of the last step, with what the overlays asked for
   std::vector<StepReport> since;     // light reports of the steps since the packet before
   std::shared_ptr<FramePacket> b;    // the second run at the same time, if there is one
-  std::vector<DistancePoint> apart;  // how far it is from this one, at the steps since the packet before
+  std::vector<DistancePoint> apart;  // how far it is from this one, at common times since the packet before
 };
 
 // Frames [first, count) are handed out; those before are simulated only.
@@ -39,7 +39,7 @@ class FrameProducer {
 
   // Starts. `stop` is asked before every step, `skipped` is told of frames before `range.first`; both are
   // called in the producer's thread. `session` must outlive this and is not to be touched meanwhile, `b` too:
-  // a second run that steps until its time reaches the first one's; may be null.
+  // a second run in step with the first one (step_at_time.h); may be null.
   FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped,
                 Session* b = nullptr);
   ~FrameProducer();  // stops and joins

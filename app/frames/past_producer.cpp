@@ -72,7 +72,7 @@ PastProducer::PastProducer(Run a, std::optional<Run> b, const PastRange& range, 
   a_.observe(iterations, contacts);
   if (b_) b_->observe(iterations, contacts);
   reported_ = first;
-  if (b_) reported_b_ = b_->timeline().at_time(timeline[first].report.time);
+  if (b_) reported_b_ = moment_in_step(timeline, first, b_->timeline());
   thread_ = std::thread([this] { run(); });
 }
 
@@ -87,34 +87,51 @@ std::optional<PastPacket> PastProducer::next(bool wait) {
   return packet;
 }
 
+// A to a moment. B is taken along from each moment to the next, as their distance is measured at all of them.
+void PastProducer::go_to(std::size_t moment, std::vector<DistancePoint>& apart) {
+  if (!b_) {
+    if (moment != a_.cursor()) a_.seek(moment);
+    return;
+  }
+  while (a_.cursor() < moment) {
+    a_.seek(a_.cursor() + 1);
+    const std::size_t moment_b = moment_in_step(a_.timeline(), a_.cursor(), b_->timeline());
+    if (moment_b != b_->cursor()) b_->seek(moment_b);
+    const double time = a_.state().time;
+    if (a_.state().size() != b_->state().size()) continue;
+    if (!is_common_time(time, b_->state().time, b_->timeline()[moment_b].params->h)) continue;
+    const StateDistance distance = state_distance(a_.state(), b_->state());
+    apart.push_back({time, distance.position, distance.angle});
+  }
+}
+
 PastPacket PastProducer::pack(int frame) {
-  const auto fill = [frame](Run& run, std::size_t moment, std::size_t& reported, FramePacket& out) {
-    run.seek(moment);
+  const auto fill = [frame](const Run& run, std::size_t& reported, FramePacket& out) {
     out.frame = frame;
     out.state = run.state();
     out.report = run.report();
-    out.since = reports(run.timeline(), reported, moment);
-    reported = std::max(reported, moment);
+    out.since = reports(run.timeline(), reported, run.cursor());
+    reported = std::max(reported, run.cursor());
   };
   PastPacket packet;
   const std::size_t moment = moments_[static_cast<std::size_t>(frame)];
-  fill(a_, moment, reported_, packet.frame);
+  go_to(moment, packet.frame.apart);
+  fill(a_, reported_, packet.frame);
   packet.model = a_.shared_model();
   packet.params = params_at(a_.timeline(), moment);
   if (b_) {
     packet.frame.b = std::make_shared<FramePacket>();
-    const std::size_t moment_b = b_->timeline().at_time(a_.state().time);
-    fill(*b_, moment_b, reported_b_, *packet.frame.b);
+    fill(*b_, reported_b_, *packet.frame.b);
     packet.model_b = b_->shared_model();
-    packet.params_b = params_at(b_->timeline(), moment_b);
-    const StateDistance apart = state_distance(a_.state(), b_->state());
-    packet.frame.apart = {{a_.state().time, apart.position, apart.angle}};
+    packet.params_b = params_at(b_->timeline(), b_->cursor());
   }
   return packet;
 }
 
 void PastProducer::run() {
   try {
+    a_.seek(reported_);
+    if (b_) b_->seek(reported_b_);
     for (int frame = 0; frame < count(); ++frame) {
       if (!ready_.push(pack(frame))) break;
     }

@@ -50,6 +50,7 @@ class PastProducer {
 
  private:
   void run();
+  void go_to(std::size_t moment, std::vector<DistancePoint>& apart);
   PastPacket pack(int frame);
 
   Run a_;

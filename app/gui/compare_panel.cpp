@@ -175,7 +175,7 @@ class ComparePanel final : public GuiPanel {
     plot_.title.clear();
     if (what == 0) {
       plot_.series[0].name.clear();
-      if (distances.size() < 2) plot_.none = "no step yet: press play";
+      if (distances.size() < 2) plot_.none = "no step to a common time yet: press play";
     }
     thin_lines(plot_, kMostPoints);
     Series cursor;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/step_at_time.h"
+
 namespace pabd {
 namespace {
 
@@ -61,7 +63,7 @@ Timeline Timeline::branch(std::size_t i) {
 
 std::size_t Timeline::at_time(double time) const {
   const auto after = std::upper_bound(moments_.begin(), moments_.end(), time, [](double t, const Moment& m) {
-    return t < m.report.time - 1e-6 * m.params->h;
+    return !is_reached(m.report.time, t, m.params->h);
   });
   return after == moments_.begin() ? 0 : static_cast<std::size_t>(after - moments_.begin()) - 1;
 }

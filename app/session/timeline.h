@@ -59,7 +59,7 @@ class Timeline {
   // Cuts off everything behind moment i and returns it, without moment i.
   Timeline branch(std::size_t i);
 
-  // The last moment that is not after `time` (s, rounding forgiven), or the first one.
+  // The last moment that is not after `time` (s; step_at_time.h), or the first one.
   std::size_t at_time(double time) const;
 
   std::size_t bytes() const { return bytes_; }  // of the states, about

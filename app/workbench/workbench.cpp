@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/step_at_time.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
 
@@ -46,11 +47,7 @@ void Workbench::tell(Severity severity, const std::string& text) {
 }
 
 bool Workbench::advance() {
-  diverged_ = !a_->advance();
-  // B follows until its time is that of A.
-  while (!diverged_ && b_ && b_->state().time + 0.5 * b_->params().h <= a_->state().time) {
-    if (!b_->advance()) diverged_ = true;
-  }
+  diverged_ = !a_->advance() || !follow();
   measure_distance();
   if (!diverged_) return true;
   playing_ = false;
@@ -62,6 +59,20 @@ bool Workbench::advance() {
            "time_step, a smaller contact.kappa, or solver.method descent",
            b_ ? (first ? "A: " : "B: ") : "", run.state().step + 1, run.state().time + run.params().h));
   return false;
+}
+
+// B to where A is: through what it has been through already, then with new steps. False when it diverged.
+bool Workbench::follow() {
+  if (!b_) return true;
+  const std::size_t known = moment_in_step(a_->timeline(), a_->cursor(), b_->timeline());
+  while (b_->cursor() < known) {
+    if (!b_->advance()) return false;
+  }
+  const double time = a_->state().time;
+  while (b_->at_end() && is_reached(b_->state().time + b_->params().h, time, b_->params().h)) {
+    if (!b_->advance()) return false;
+  }
+  return true;
 }
 
 void Workbench::carry_out(const command::Play&) { playing_ = true; }
@@ -90,13 +101,7 @@ void Workbench::carry_out(const command::Seek& c) {
 
 void Workbench::seek_to(std::size_t i) {
   a_->seek(i);
-  if (b_) {
-    std::size_t j = b_->timeline().at_time(a_->state().time);
-    // Edits that A has before it at this time are none of B yet.
-    for (++i; i < a_->timeline().size() && a_->timeline()[i].edit && j > 0 && b_->timeline()[j].edit; ++i)
-      --j;
-    b_->seek(j);
-  }
+  if (b_) b_->seek(moment_in_step(a_->timeline(), i, b_->timeline()));
   measure_distance();
   diverged_ = false;
 }
@@ -177,7 +182,7 @@ void Workbench::carry_out(const command::Tell& c) {
 void Workbench::measure_distance() {
   if (!b_ || a_->state().c.size() != b_->state().c.size()) return;
   const double time = a_->state().time;
-  if (std::abs(b_->state().time - time) > 1e-9 * std::max(1.0, time)) return;
+  if (!is_common_time(time, b_->state().time, b_->timeline()[b_->cursor()].params->h)) return;
   const double end = std::min(a_->timeline().back().report.time, b_->timeline().back().report.time);
   while (!distances_.empty() && distances_.back().time > std::max(time, end)) distances_.pop_back();
   const auto at = std::lower_bound(distances_.begin(), distances_.end(), time - 1e-12,

@@ -98,6 +98,7 @@ class Workbench {
   void keep(Change change);
   void restore(std::vector<Change>& from, std::vector<Change>& to, bool before);
   std::string tuning() const;
+  bool follow();
   bool unsaved() const { return tuning() != saved_ || a_->edits() != saved_edits_; }
   void open(Source source);
   void seek_to(std::size_t moment);

@@ -140,8 +140,49 @@ TEST_CASE("what cannot be compared is refused in one line") {
   CHECK(missing.exit_code == 3);
 }
 
-TEST_CASE("B steps until its time reaches A's, with whatever time step") {
-  for (const double h : {1.0 / 60, 1.0 / 240, 0.01, 0.05, 1.0 / 7}) {
+// Times as fractions of a second, so that what is expected is exact.
+struct Fraction {
+  int over, under;
+  double value() const { return static_cast<double>(over) / under; }
+};
+
+TEST_CASE("B is at its last step that is not after A's time, with whatever time steps") {
+  const Fraction pairs[][2] = {
+      {{1, 60}, {1, 60}},  {{1, 60}, {1, 240}}, {{1, 60}, {1, 100}}, {{1, 60}, {1, 20}},  {{1, 60}, {1, 7}},
+      {{1, 100}, {1, 60}}, {{1, 240}, {1, 90}}, {{1, 50}, {3, 200}}, {{1, 30}, {2, 125}}, {{1, 7}, {1, 11}}};
+  for (const auto& [step_a, step_b] : pairs) {
+    CAPTURE(step_a.under, step_b.over, step_b.under);
+    pabd::Session a(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
+    pabd::Session b(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
+    pabd::Params params = a.params();
+    params.h = step_a.value();
+    a.set_params(params);
+    params.h = step_b.value();
+    b.set_params(params);
+    constexpr int kFrames = 40;
+    pabd::FrameProducer producer(
+        a, {0, kFrames, 1 / step_a.value()}, [] { return false; }, [](int, const pabd::StepReport&) {}, &b);
+    std::vector<int> common, measured;
+    while (const auto packet = producer.next()) {
+      REQUIRE(packet->b);
+      const int k = packet->frame;
+      CHECK(packet->state.step == k);
+      // ⌊k h_A / h_B⌋
+      const int over = k * step_a.over * step_b.under, under = step_a.under * step_b.over;
+      CHECK(packet->b->state.step == over / under);
+      if (k > 0 && over % under == 0) common.push_back(k);
+      for (const pabd::DistancePoint& point : packet->apart) {
+        CHECK(point.time == packet->state.time);
+        measured.push_back(k);
+        CHECK((step_a.value() == step_b.value() ? point.position == 0 : point.position >= 0));
+      }
+    }
+    CHECK(measured == common);
+  }
+}
+
+TEST_CASE("steps that were rounded where they were written are in step") {
+  for (const double h : {0.0166667, 0.01666666}) {
     CAPTURE(h);
     pabd::Session a(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
     pabd::Session b(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
@@ -149,20 +190,97 @@ TEST_CASE("B steps until its time reaches A's, with whatever time step") {
     params.h = h;
     b.set_params(params);
     pabd::FrameProducer producer(
-        a, {0, 30, 60}, [] { return false; }, [](int, const pabd::StepReport&) {}, &b);
-    std::size_t points = 0;
+        a, {0, 200, 60}, [] { return false; }, [](int, const pabd::StepReport&) {}, &b);
     while (const auto packet = producer.next()) {
-      REQUIRE(packet->b);
-      const double behind = packet->state.time - packet->b->state.time;
-      CHECK(behind <= 1e-6);
-      CHECK(behind > -h * (1 + 1e-9));
-      points += packet->apart.size();
-      if (packet->frame > 0) {
-        CHECK(packet->apart.back().time == packet->state.time);
-        const double apart = packet->apart.back().position;
-        CHECK((h == a.params().h ? apart == 0 : apart >= 0));
-      }
+      CHECK(packet->b->state.step == packet->frame);
+      CHECK(packet->apart.size() == (packet->frame > 0 ? 1 : 0));
     }
-    CHECK(points == 29);
+  }
+}
+
+TEST_CASE("both halves are seen from the same place, where B is behind as well") {
+  const TempFolder folder;
+  write_text(folder / "still.json", R"({ "format": "pabd-scene", "version": 1, "name": "still",
+    "bodies": [ { "name": "box", "shape": { "type": "box", "size": [1, 2, 3] }, "fixed": true } ] })");
+  write_text(folder / "patch.json", R"({"time_step": 0.3})");
+  REQUIRE(run_pabd({"render", folder / "still.json", "--size", "322x180", "--time", "0.2", "-o",
+                    folder / "s.png", "--ab", folder / "patch.json", "--camera", "orbit:300", "--quiet"})
+              .exit_code == 0);
+  const Image image = read_png(folder / "s.png");
+  CHECK(half_a(image) == half_b(image));
+}
+
+TEST_CASE("the window, its videos and render show the same step of B, whatever the two time steps") {
+  struct Case {
+    const char *a, *b, *fps, *view;
+  };
+  constexpr int kSteps = 14;
+  const Case cases[] = {{"0.016666666666666666", "0.01", "60", "ghost"},
+                        {"0.016666666666666666", "0.004166666666666667", "60", "side"},
+                        {"0.01", "0.016666666666666666", "100", "side"},
+                        {"0.004", "0.009", "250", "ghost"}};
+  const std::string size = R"("width":160,"height":90)";
+  const std::string camera = R"("eye":[3,2,4],"target":[0,0.5,0],"fov":40)";
+  for (const Case& c : cases) {
+    CAPTURE(c.a, c.b);
+    const TempFolder folder;
+    const auto frame = [&](const std::string& letter, int i) {
+      return folder / (letter + (i < 10 ? "0" : "") + std::to_string(i) + ".png");
+    };
+    std::vector<std::pair<std::string, int>> shots;
+    const auto go = [&](const std::string& letter, int steps, int to) {
+      shots.emplace_back(letter, to);
+      return R"(,{"do":"step","steps":)" + std::to_string(steps) + R"(},{"do":"screenshot","ui":false,)" +
+             size + R"(,"path":")" + frame(letter, to) + R"("})";
+    };
+    std::string script = R"([{"do":"compare","values":["contact.kappa=20","time_step=)" + std::string(c.b) +
+                         R"("]},{"do":"compare_view","how":")" + c.view + R"("},{"do":"look",)" + camera +
+                         "}";
+    for (int i = 1; i <= kSteps; ++i) script += go("live", 1, i);
+    for (int i = kSteps - 3; i > 0; i -= 3) script += go("back", -3, i);
+    for (int i = 5; i <= kSteps; i += 3) script += go("again", 3, i);
+    const std::string record = R"(,{"do":"record",)" + size + R"(,"fps":)" + c.fps;
+    script += record + R"(,"path":")" + (folder / "v{frame:02}.png") + R"("})";
+    script += record + R"(,"overlay":"params,series,difference","path":")" + (folder / "o{frame:02}.png") +
+              R"("}])";
+    write_text(folder / "script.json", script);
+    const std::string set = std::string("time_step=") + c.a;
+    const Outcome view = run_pabd({"view", "two_boxes", "--set", set, "--headless", "--script",
+                                   folder / "script.json", "--threads", "1"});
+    CAPTURE(view.err);
+    REQUIRE(view.exit_code == 0);
+
+    const std::string patch = R"({"contact": {"kappa": 20}, "time_step": )" + std::string(c.b) + "}";
+    write_text(folder / "patch.json", patch);
+    const auto render_ab = [&](const char* out, const char* overlay) {
+      const Outcome outcome = run_pabd({"render",    "two_boxes",
+                                        "--set",     set,
+                                        "--ab",      folder / "patch.json",
+                                        "--ab-view", c.view,
+                                        "--size",    "160x90",
+                                        "--fps",     c.fps,
+                                        "--frames",  std::to_string(kSteps + 1),
+                                        "--overlay", overlay,
+                                        "--camera",  "eye=3,2,4,target=0,0.5,0,fov=40",
+                                        "-o",        folder / out,
+                                        "--quiet",   "--threads",
+                                        "1"});
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.exit_code == 0);
+    };
+    render_ab("r{frame:02}.png", "contacts,bonds");
+    render_ab("p{frame:02}.png", "params,series,difference");
+    for (int i = 0; i < kSteps; ++i) {
+      CAPTURE(i);
+      const bool plain = read_text(frame("v", i)) == read_text(frame("r", i));
+      CHECK(plain);
+      const bool overlays = read_text(frame("o", i)) == read_text(frame("p", i));
+      CHECK(overlays);
+    }
+    for (const auto& [letter, i] : shots) {
+      CAPTURE(letter, i);
+      const bool same = read_png(frame(letter, i)).rgb == read_png(frame("r", i)).rgb;
+      CHECK(same);
+    }
   }
 }

@@ -54,7 +54,7 @@ Plot distance_plot(std::span<const DistancePoint> distances) {
   plot.y.label = "position [m]";
   plot.y_right.label = "angle [°]";
   plot.y.log = plot.y_right.log = true;
-  plot.none = "A and B are the same";
+  plot.none = distances.empty() ? "no common time of A and B yet" : "A and B are the same";
   Series position, angle;
   position.name = "largest distance";
   position.color = 1;
