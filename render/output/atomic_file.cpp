@@ -53,22 +53,21 @@ std::string remedy(int reason, const fs::path& path) {
               fmt::format("{}: {}: {}{}", path.string(), what, system_reason(reason), remedy(reason, path)));
 }
 
-void check_folder(const fs::path& path) {
-  const fs::path folder = folder_of(path);
-  struct stat info;
-  if (::stat(folder.c_str(), &info) == 0) {
-    if (!S_ISDIR(info.st_mode)) {
+// The folders above `path` that are missing, innermost first.
+std::vector<fs::path> missing_folders(const fs::path& path) {
+  std::vector<fs::path> missing;
+  for (fs::path folder = folder_of(path);; folder = folder_of(folder)) {
+    struct stat info;
+    if (::stat(folder.c_str(), &info) == 0) {
+      if (S_ISDIR(info.st_mode)) return missing;
       throw Error(ExitCode::file, fmt::format("{}: {} is a file, not a folder; choose another folder",
                                               path.string(), folder.string()));
     }
-    return;
+    const int reason = errno;
+    if (reason != ENOENT || folder == folder_of(folder))
+      fail_for(path, fmt::format("the folder {} cannot be used", folder.string()), reason);
+    missing.push_back(folder);
   }
-  const int reason = errno;
-  if (reason == ENOENT) {
-    throw Error(ExitCode::file, fmt::format("{}: the folder {} does not exist; create it: mkdir -p {}",
-                                            path.string(), folder.string(), folder.string()));
-  }
-  fail_for(path, fmt::format("the folder {} cannot be used", folder.string()), reason);
 }
 
 std::string random_letters() {
@@ -87,9 +86,27 @@ std::string random_letters() {
 
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(path_) {
+NewFolders::NewFolders(const fs::path& file) {
+  const std::vector<fs::path> missing = missing_folders(file);
+  for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+    if (::mkdir(folder->c_str(), 0777) == 0) {
+      made_.push_back(*folder);
+    } else if (errno != EEXIST) {  // else: another program made it meanwhile
+      const int reason = errno;
+      remove();
+      fail_for(file, fmt::format("the folder {} cannot be made", folder->string()), reason);
+    }
+  }
+}
+
+NewFolders::~NewFolders() { remove(); }
+
+void NewFolders::remove() {
+  for (; !made_.empty(); made_.pop_back()) ::rmdir(made_.back().c_str());
+}
+
+AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), folders_(path_), target_(path_) {
   if (path_.empty()) throw Error(ExitCode::file, "an output file needs a name; none was given");
-  check_folder(path_);
   if (path_.filename().empty()) {
     throw Error(ExitCode::file, fmt::format("{}: this names a folder; add a file name", path_.string()));
   }
@@ -167,6 +184,7 @@ void AtomicFile::commit() {
   if (closed != 0 && errno != EINTR) fail("could not be closed", errno);
   if (!direct_ && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail("could not get its name", errno);
   committed_ = true;
+  folders_.keep();
   if (direct_) return;
 
   // The name itself lives in the folder: without this it can be lost in a power cut.

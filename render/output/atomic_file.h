@@ -4,13 +4,31 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pabd {
 
+// Folders that are made for a file, and go again with the object unless it is kept or they are in use.
+class NewFolders {
+ public:
+  explicit NewFolders(const std::filesystem::path& file);  // throws Error(file)
+  ~NewFolders();
+  NewFolders(const NewFolders&) = delete;
+  NewFolders& operator=(const NewFolders&) = delete;
+
+  void keep() { made_.clear(); }
+
+ private:
+  void remove();
+
+  std::vector<std::filesystem::path> made_;  // outermost first
+};
+
 class AtomicFile {
  public:
-  // Opens a temporary file beside `path`. Throws Error(file) with path, reason and remedy.
-  // A link is followed, so that the file it names is replaced and not the link. A device or a pipe
+  // Opens a temporary file beside `path`, whose folder is made if need be. Throws Error(file) with path,
+  // reason and remedy. A link is followed, so that the file it names is replaced and not the link. A device
+  // or a pipe
   // (/dev/stdout) cannot be replaced and is written directly.
   explicit AtomicFile(std::filesystem::path path);
   ~AtomicFile();  // removes the temporary file unless committed
@@ -30,7 +48,8 @@ class AtomicFile {
   void flush();
   [[noreturn]] void fail(const std::string& what, int reason) const;
 
-  std::filesystem::path path_;    // as the caller named it: for messages
+  std::filesystem::path path_;  // as the caller named it: for messages
+  NewFolders folders_;
   std::filesystem::path target_;  // links followed
   std::filesystem::path temporary_;
   std::string buffer_;
@@ -39,8 +58,8 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-// Throws the Error(file) that AtomicFile(path) would throw: to learn of a missing folder before hours of
-// simulating.
+// Throws the Error(file) that AtomicFile(path) would throw: to learn before hours of simulating. Leaves
+// nothing.
 void check_creatable(const std::filesystem::path& path);
 
 }  // namespace pabd

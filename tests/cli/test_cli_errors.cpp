@@ -96,8 +96,8 @@ TEST_CASE("an output that cannot be made is exit code 3, before any work") {
   const TempFolder folder;
   write_text(folder / "file", "");
   const std::string below = (folder / "file") + "/out";
-  const std::string nowhere = folder / "none/out";
-  for (const std::string& place : {below, nowhere}) {
+  const std::string deeper = (folder / "file") + "/none/out";
+  for (const std::string& place : {below, deeper}) {
     const std::vector<std::vector<std::string>> commands = {
         {"run", "pile", "--time", "1000", "--trace", place + ".csv"},
         {"run", "pile", "--time", "1000", "--state", place + ".json"},

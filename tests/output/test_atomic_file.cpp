@@ -112,12 +112,38 @@ TEST_CASE("a link stays and the file that it names is replaced") {
   CHECK(read_bytes(folder / "data/real") == "new");
 }
 
-TEST_CASE("folders that are missing or no folders are named, with the remedy") {
+TEST_CASE("folders that are missing are made, and go again when nothing came into them") {
   const TempFolder folder;
-  const Caught missing = caught([&] { AtomicFile file(folder / "no/such/a.txt"); });
-  CHECK(missing.code == file_error);
-  CHECK(missing.says((folder / "no/such").string() + " does not exist"));
-  CHECK(missing.says("mkdir -p"));
+  {
+    AtomicFile file(folder / "a/b c/d/x.txt");
+    CHECK(fs::is_directory(folder / "a/b c/d"));
+  }
+  CHECK(folder.names().empty());
+  check_creatable(folder / "a/x.txt");
+  CHECK(folder.names().empty());
+  {
+    AtomicFile file(folder / "a/b c/x.txt");
+    file.write("x");
+    file.commit();
+  }
+  CHECK(read_bytes(folder / "a/b c/x.txt") == "x");
+  {
+    AtomicFile other(folder / "e/f/x.txt");
+    write_bytes(folder / "e/y.txt", "of another program");
+  }
+  CHECK_FALSE(fs::exists(folder / "e/f"));
+  CHECK(read_bytes(folder / "e/y.txt") == "of another program");
+  const WorkingFolder here(folder.path());
+  AtomicFile relative("g/h/x.txt");
+  relative.commit();
+  CHECK(fs::exists(folder / "g/h/x.txt"));
+}
+
+TEST_CASE("folders that cannot be made or are none are named, with the remedy") {
+  const TempFolder folder;
+  const Caught long_name = caught([&] { AtomicFile file(folder / "b" / std::string(300, 'n') / "a.txt"); });
+  CHECK(long_name.code == file_error);
+  CHECK(folder.names().empty());
 
   write_bytes(folder / "file", "");
   const Caught below = caught([&] { AtomicFile file(folder / "file/a.txt"); });
@@ -128,7 +154,7 @@ TEST_CASE("folders that are missing or no folders are named, with the remedy") {
   CHECK(caught([&] { AtomicFile file(folder.path()); }).says("this is a folder"));
   CHECK(caught([&] { AtomicFile file(folder / "file" / ""); }).code == file_error);
   CHECK(caught([] { AtomicFile file(""); }).code == file_error);
-  CHECK(caught([&] { check_creatable(folder / "no/such/a.txt"); }).code == file_error);
+  CHECK(caught([&] { check_creatable(folder / "file/such/a.txt"); }).code == file_error);
   CHECK_NOTHROW(check_creatable(folder / "fine"));
   CHECK(folder.names() == std::vector<std::string>{"file"});
 }
