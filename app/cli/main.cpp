@@ -9,6 +9,7 @@
 #include "app/cli/common.h"
 #include "app/cli/streams.h"
 #include "sim/error.h"
+#include "sim/scene/text.h"
 
 namespace pabd::cli {
 namespace {
@@ -44,13 +45,49 @@ const CLI::App* innermost(const CLI::App& app) {
   return command;
 }
 
+std::vector<std::string> subcommands(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* choice : command.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(choice->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string guess(const std::string& word, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  return did_you_mean(word, views);
+}
+
+// A word where a subcommand, or an option that there is, is expected; empty without one.
+std::string unknown_word(const CLI::App& command) {
+  const std::vector<std::string> rest = command.remaining();
+  if (rest.empty()) return "";
+  const std::string& word = rest.front();
+  if (word.starts_with("--")) {
+    const std::string name = word.substr(0, word.find('='));
+    return fmt::format("{}: no such option{}", printable(word), guess(name, option_names(command)));
+  }
+  const std::vector<std::string> names = subcommands(command);
+  if (names.empty() || word.starts_with("-")) return "";
+  return fmt::format("{}: no such command{}", printable(word), guess(word, names));
+}
+
 // What is wrong with the command line, with the choices where a subcommand is missing.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
-  std::string message = one_line(error.what());
-  const auto choices = innermost(app)->get_subcommands([](const CLI::App*) { return true; });
-  if (error.get_name() == "RequiredError" && !choices.empty()) {
-    for (std::size_t i = 0; i < choices.size(); ++i)
-      message += (i == 0 ? ": " : i + 1 < choices.size() ? ", " : " or ") + choices[i]->get_name();
+  const CLI::App& command = *innermost(app);
+  std::string message = unknown_word(command);
+  if (message.empty()) {
+    message = one_line(error.what());
+    const std::vector<std::string> choices = subcommands(command);
+    for (std::size_t i = 0; error.get_name() == "RequiredError" && i < choices.size(); ++i)
+      message += (i == 0 ? ": " : i + 1 < choices.size() ? ", " : " or ") + choices[i];
   }
   return fmt::format("{}; '{} --help' shows how it is used", message, command_path(app));
 }
@@ -62,10 +99,11 @@ int run_program(int argc, char** argv) {
   app.footer(
       "Examples:\n"
       "  pabd render pyramid -o pyramid.mp4 --time 5\n"
-      "  pabd run my_scene.json --time 10 --trace steps.csv\n"
+      "  pabd view two_boxes\n"
+      "  pabd run pyramid --time 10 --trace steps.csv\n"
       "  pabd plot barrier -o barrier.svg --N 1,2,3,8\n"
       "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder,\n"
-      "            7 images differ, 130/143 interrupted.\n");
+      "            7 images differ or an expectation failed, 130/143 interrupted.\n");
 
   Action action;
   add_render_command(app, action);

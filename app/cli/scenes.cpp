@@ -1,4 +1,4 @@
-// pabd scenes: what is shipped, a line each.
+// pabd scenes: what is shipped, a line each, or one of them as it is.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +17,7 @@ namespace {
 
 struct ScenesOptions {
   CommonOptions common;
+  std::string scene;
   bool json = false;
 };
 
@@ -27,7 +28,11 @@ struct Row {
   std::string description;
 };
 
-int list_scenes(const ScenesOptions& options) {
+int scenes(const ScenesOptions& options) {
+  if (!options.scene.empty()) {
+    write_stdout(read_file(find_scene(options.scene)));
+    return 0;
+  }
   std::vector<Row> rows;
   for (const auto& file : shipped_scenes()) {
     const Scene scene = load_scene(file);
@@ -63,10 +68,13 @@ int list_scenes(const ScenesOptions& options) {
 
 void add_scenes_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<ScenesOptions>();
-  CLI::App* command = add_command(app, "scenes", "list the shipped scenes",
-                                  {"pabd scenes", "pabd scenes --json"}, options->common);
-  command->add_flag("--json", options->json, "print the list as JSON");
-  command->callback([options, &action] { action = [options] { return list_scenes(*options); }; });
+  CLI::App* command = add_command(
+      app, "scenes", "list the shipped scenes, or print one",
+      {"pabd scenes", "pabd scenes --json", "pabd scenes pyramid > my_scene.json"}, options->common);
+  auto* scene =
+      command->add_option("SCENE", options->scene, "print this one, to begin a scene of one's own with");
+  command->add_flag("--json", options->json, "print the list as JSON")->excludes(scene);
+  command->callback([options, &action] { action = [options] { return scenes(*options); }; });
 }
 
 }  // namespace pabd::cli

@@ -154,6 +154,12 @@ TEST_CASE("shipped scenes are listed and are found by name") {
   CHECK(run_pabd({"run", PABD_SCENES "/two_boxes.json", "--steps", "1", "--quiet"}, setting).exit_code == 0);
 }
 
+TEST_CASE("a shipped scene is printed as it is, to begin another one with") {
+  CHECK(run_pabd({"scenes", "pyramid"}).out == read_text(PABD_SCENES "/pyramid.json"));
+  CHECK(run_pabd({"scenes", "pyramids"}).exit_code == 3);
+  CHECK(run_pabd({"scenes", "pyramid", "--json"}).exit_code == 2);
+}
+
 TEST_CASE("a name that is nearly right gets a suggestion, a missing command the choices") {
   const Outcome scene = run_pabd({"run", "pendulm"});
   CHECK(scene.exit_code == 3);
@@ -161,6 +167,22 @@ TEST_CASE("a name that is nearly right gets a suggestion, a missing command the 
   const Outcome far = run_pabd({"run", "submarine"});
   CHECK(is_error_line(far.err, {"submarine", "pabd scenes"}));
   CHECK(far.err.find("did you mean") == std::string::npos);
+  const std::vector<std::pair<std::vector<std::string>, std::string>> misspelt = {
+      {{"rendr", "pyramid", "-o", "a.png"},
+       "rendr: no such command; did you mean \"render\"?; 'pabd --help'"},
+      {{"scene"}, "scene: no such command; did you mean \"scenes\"?"},
+      {{"plot", "convergance", "stack"}, "did you mean \"convergence\"?; 'pabd plot --help'"},
+      {{"render", "stack", "--overly=plots"}, "--overly=plots: no such option; did you mean \"--overlay\"?"},
+      {{"plot", "barrier", "--dhat", "0.1"}, "did you mean \"--d-hat\"?; 'pabd plot barrier --help'"}};
+  for (const auto& [command, words] : misspelt) {
+    CAPTURE(command);
+    const Outcome outcome = run_pabd(command);
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 2);
+    CHECK(is_error_line(outcome.err, {words}));
+  }
+  const Outcome strange = run_pabd({"dance"});
+  CHECK(is_error_line(strange.err, {"dance: no such command; 'pabd --help'"}));
   CHECK(is_error_line(run_pabd({}).err, {"render, run, plot,", " or view", "pabd --help"}));
   CHECK(is_error_line(run_pabd({"plot"}).err, {"barrier or convergence", "pabd plot --help"}));
 }
