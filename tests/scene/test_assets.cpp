@@ -143,6 +143,64 @@ TEST_CASE("slider-crank: the piston is where the crank's angle puts it", "[scene
   CHECK(highest - lowest == Approx(2 * r).epsilon(1e-3));  // one whole turn
 }
 
+TEST_CASE("four-bar linkage: the pen follows a closed curve", "[scene]") {
+  Scene s = load_scene(kAssets / "scenes" / "four_bar.json");
+  const auto& names = s.model.name;
+  const auto pen = static_cast<std::size_t>(std::find(names.begin(), names.end(), "pen") - names.begin());
+  StepWorkspace workspace;
+  StepReport report;
+  std::vector<Vec3> path;
+  // The crank turns by 180° a second after the first one: two seconds for each time round.
+  const int second = 240;
+  for (int k = 0; k < 5 * second; ++k) {
+    step(s.model, s.params, {}, s.initial, workspace, report);
+    if (k >= second) path.push_back(s.initial.c[pen]);
+  }
+  double width = 0, apart = 0;
+  for (int k = 0; k < 2 * second; ++k) {
+    const auto i = static_cast<std::size_t>(k), again = static_cast<std::size_t>(k + 2 * second);
+    width = std::max(width, (path[i] - path[0]).norm());
+    apart = std::max(apart, (path[i] - path[again]).norm());
+  }
+  CHECK(width > 0.5);
+  CHECK(apart < 1e-4);  // the step of 0.004166667 s is 3e-10 s off a part of a second
+}
+
+TEST_CASE("so many as a scene's description says are in it", "[scene]") {
+  struct Promise {
+    const char *scene, *words, *name;  // name: how those bodies' names begin; empty: all that move
+    int count;
+  };
+  const Promise promises[] = {{"bridge", "22 hinged planks", "plank", 22},
+                              {"chain_heavy_end", "18 light links", "chain", 18},
+                              {"dominoes", "80 dominoes", "domino", 80},
+                              {"ferris_wheel", "ten gondolas", "gondola", 10},
+                              {"meshes", "nine wedge blocks", "stone", 9},
+                              {"newtons_cradle", "three resting ones", "ball", 5},
+                              {"pile", "1000 boxes, spheres and capsules", "", 1000},
+                              {"pyramid", "210 bricks", "", 210},
+                              {"stack", "Ten cubes", "", 10},
+                              {"trampoline", "225 tiles", "tile", 225},
+                              {"two_boxes", "Two boxes", "", 2},
+                              {"wrecking_ball", "twelve links", "chain", 12}};
+  for (const Promise& promise : promises) {
+    INFO(promise.scene);
+    const Scene s = load_scene(kAssets / "scenes" / (std::string(promise.scene) + ".json"));
+    CHECK(s.description.find(promise.words) != std::string::npos);
+    int count = 0;
+    for (std::size_t i = 0; i < s.model.name.size(); ++i)
+      count += *promise.name ? s.model.name[i].starts_with(promise.name) : !s.model.fixed[i];
+    CHECK(count == promise.count);
+  }
+  const Scene heavy = load_scene(kAssets / "scenes" / "chain_heavy_end.json");
+  double link = 0, ball = 0;
+  for (std::size_t i = 0; i < heavy.model.name.size(); ++i) {
+    if (heavy.model.name[i] == "ball") ball = heavy.model.mass[i];
+    if (heavy.model.name[i] == "chain 0") link = heavy.model.mass[i];
+  }
+  CHECK(ball / link == Approx(500).epsilon(0.01));
+}
+
 TEST_CASE("figures of the shipped scenes", "[scene]") {
   const auto load = [](const char* name) {
     return load_scene(kAssets / "scenes" / (std::string(name) + ".json"));
