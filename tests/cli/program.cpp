@@ -80,6 +80,11 @@ Outcome run_pabd(const std::vector<std::string>& arguments, const Setting& setti
   return wait_for(start(folder, with_program(arguments), setting), setting);
 }
 
+Outcome run_shell(const std::string& line, const Setting& setting) {
+  const TempFolder folder;
+  return wait_for(start(folder, {"/bin/sh", "-c", line}, setting), setting);
+}
+
 Outcome run_pabd_interrupted(const std::vector<std::string>& arguments, int signal,
                              const std::function<bool(const std::string& err)>& ready, int times) {
   const TempFolder folder;

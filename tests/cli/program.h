@@ -27,6 +27,9 @@ struct Setting {
 // Runs pabd to its end.
 Outcome run_pabd(const std::vector<std::string>& arguments, const Setting& setting = {});
 
+// Runs a line of a shell to its end.
+Outcome run_shell(const std::string& line, const Setting& setting = {});
+
 // Runs pabd, sends `signal` (`times` in a row) as soon as `ready` (given what it wrote to standard error so
 // far) holds, and waits. Fails the test if `ready` does not hold within a minute.
 Outcome run_pabd_interrupted(const std::vector<std::string>& arguments, int signal,
