@@ -12,7 +12,7 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kWords[] = {"all in one",  "E − E_min",   "energy E", "residual",
+constexpr const char* kWords[] = {"all in one",  "E − E_end",   "energy E", "residual",
                                   "penetration", "joint error", "‖A − R‖"};
 static_assert(std::size(kWords) == std::size(kConvergenceViews));
 
@@ -118,7 +118,7 @@ class ConvergencePanel final : public GuiPanel {
       std::vector<MethodRun> runs{{to_string(r.method), r.records}};
       std::size_t others = 0;
       for (const HeldCurve& held : f.sim.held) {
-        // E_min is one step's own.
+        // E_end is one step's own.
         if (quantity == ConvergenceQuantity::energy_gap && held.step != r.step) {
           ++others;
         } else {

@@ -66,7 +66,7 @@ Legend legend_column(const Plot& plot, const std::vector<Color>& colors, const P
   double width = 0, y = pad;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
-    if (series.name.empty()) continue;
+    if (series.name.empty() || !is_drawn(series, plot)) continue;
     legend.entries.push_back(
         {series.name, series.style, colors[i], series.weight, {pad, y + 0.5 * row_height(style)}});
     width = std::max(width, text_width(font, series.name, style.tick));
@@ -82,20 +82,23 @@ Legend legend_rows(const Plot& plot, const std::vector<Color>& colors, double wi
                    const FontMetrics& font) {
   Legend legend;
   legend.sample = sample_length(style);
-  double x = 0, y = 0;
+  Point drawn, named;  // where the next entry goes
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
     if (series.name.empty()) continue;
     const double entry = legend.sample + 0.4 * style.tick + text_width(font, series.name, style.tick);
-    if (x > 0 && x + entry > width) {
-      x = 0;
-      y += row_height(style);
-    }
-    legend.entries.push_back(
-        {series.name, series.style, colors[i], series.weight, {x, y + 0.5 * row_height(style)}});
-    x += entry + 1.1 * style.tick;
+    const auto place = [&](Point& next) {
+      if (next.x > 0 && next.x + entry > width) next = {0, next.y + row_height(style)};
+      const Point at{next.x, next.y + 0.5 * row_height(style)};
+      next.x += entry + 1.1 * style.tick;
+      return at;
+    };
+    place(named);
+    // Room for all: the axes stay where they are when a curve comes and goes from frame to frame.
+    legend.box = {0, 0, width, named.y + row_height(style)};
+    if (!is_drawn(series, plot)) continue;
+    legend.entries.push_back({series.name, series.style, colors[i], series.weight, place(drawn)});
   }
-  if (!legend.entries.empty()) legend.box = {0, 0, width, y + row_height(style)};
   return legend;
 }
 

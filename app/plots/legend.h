@@ -5,10 +5,11 @@
 
 namespace pabd {
 
-// One entry under the other, at the origin. Series without a name are left out.
+// One entry under the other, at the origin. Series without a name, and those that nothing is seen of, are
+// left out.
 Legend legend_column(const Plot& plot, const std::vector<Color>& colors, const PlotStyle& style,
                      const FontMetrics& font);
-// Entries in rows at most `width` wide, at the origin.
+// The same in rows at most `width` wide, with room for those that nothing is seen of.
 Legend legend_rows(const Plot& plot, const std::vector<Color>& colors, double width, const PlotStyle& style,
                    const FontMetrics& font);
 

@@ -39,33 +39,39 @@ struct Ranges {
   DataRange x, y, right;
 };
 
+void add_range(const Series& series, const Plot& plot, Ranges& ranges) {
+  const bool log_y = series.right_axis ? plot.y_right.log : plot.y.log;
+  DataRange& y = series.right_axis ? ranges.right : ranges.y;
+  if (series.style == SeriesStyle::level) {
+    if (!series.y.empty()) y.add(series.y[0], log_y);
+    return;
+  }
+  if (series.style == SeriesStyle::level_x) {
+    if (!series.x.empty()) ranges.x.add(series.x[0], plot.x.log);
+    return;
+  }
+  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    // A point that one axis cannot show does not widen the other.
+    DataRange px, py;
+    px.add(series.x[i], plot.x.log);
+    py.add(series.y[i], log_y);
+    if (px.empty || py.empty) continue;
+    ranges.x.add(series.x[i], plot.x.log);
+    y.add(series.y[i], log_y);
+    if (series.style != SeriesStyle::bars) continue;
+    for (const double side : {-0.5, 0.5}) ranges.x.add(series.x[i] + side * series.bar_width, plot.x.log);
+    y.add(0, log_y);
+  }
+}
+
 Ranges find_ranges(const Plot& plot) {
   Ranges ranges;
-  for (const Series& series : plot.series) {
-    const bool log_y = series.right_axis ? plot.y_right.log : plot.y.log;
-    DataRange& y = series.right_axis ? ranges.right : ranges.y;
-    if (series.style == SeriesStyle::level) {
-      if (!series.y.empty()) y.add(series.y[0], log_y);
-      continue;
-    }
-    if (series.style == SeriesStyle::level_x) {
-      if (!series.x.empty()) ranges.x.add(series.x[0], plot.x.log);
-      continue;
-    }
-    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-      // A point that one axis cannot show does not widen the other.
-      DataRange px, py;
-      px.add(series.x[i], plot.x.log);
-      py.add(series.y[i], log_y);
-      if (px.empty || py.empty) continue;
-      ranges.x.add(series.x[i], plot.x.log);
-      y.add(series.y[i], log_y);
-      if (series.style != SeriesStyle::bars) continue;
-      for (const double side : {-0.5, 0.5}) ranges.x.add(series.x[i] + side * series.bar_width, plot.x.log);
-      y.add(0, log_y);
-    }
-  }
+  for (const Series& series : plot.series) add_range(series, plot, ranges);
   return ranges;
+}
+
+bool overlaps(const Axis& axis, const DataRange& data) {
+  return !data.empty && (axis.lo == axis.hi || (data.hi >= axis.lo && data.lo <= axis.hi));
 }
 
 double widest_tick(const AxisScale& axis, double size, const FontMetrics& font) {
@@ -153,6 +159,15 @@ Point PlotLayout::unmap(const Point& pixel, bool right_axis, bool only_inside) c
   }
   return {x.value((pixel.x - inner.x) / inner.w),
           (right_axis ? y_right : y).value((inner.bottom() - pixel.y) / inner.h)};
+}
+
+bool is_drawn(const Series& series, const Plot& plot) {
+  Ranges seen;
+  add_range(series, plot, seen);
+  const Axis& y = series.right_axis ? plot.y_right : plot.y;
+  const DataRange& data = series.right_axis ? seen.right : seen.y;
+  const bool across = series.style == SeriesStyle::level, upright = series.style == SeriesStyle::level_x;
+  return (across || overlaps(plot.x, seen.x)) && (upright || overlaps(y, data));
 }
 
 PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font) {

@@ -75,6 +75,9 @@ struct PlotLayout {
   Point unmap(const Point& pixel, bool right_axis = false, bool only_inside = false) const;
 };
 
+// Whether anything of a series is seen: a log axis shows no zero, a given range not all values.
+bool is_drawn(const Series& series, const Plot& plot);
+
 PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font);
 
 // The pixels of a line or of markers: runs between breaks, thinned so that a run has a bounded number of

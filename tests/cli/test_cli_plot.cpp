@@ -134,3 +134,21 @@ TEST_CASE("compare tells equal from different by its exit code") {
   CHECK(run_pabd({"compare", folder / "a.png", folder / "text.png"}).exit_code == 2);
   CHECK(run_pabd({"compare", folder / "a.png", folder / "none.png"}).exit_code == 3);
 }
+
+TEST_CASE("E minus E_min of a converged solve falls to rounding and is never negative") {
+  // Bodies that slide: the friction bounds change while a step is solved, and E with them.
+  for (const auto& [scene, step] : std::vector<std::pair<const char*, const char*>>{
+           {"incline", "1"}, {"incline", "30"}, {"stack", "20"}, {"shapes", "45"}}) {
+    CAPTURE(scene, step);
+    const Outcome csv =
+        run_pabd({"plot", "convergence", scene, "-o", "-", "--at-step", step, "--method", "descent"});
+    REQUIRE(csv.exit_code == 0);
+    std::vector<double> gaps;
+    for (const std::string& row : lines_of(csv.out)) {
+      if (row.starts_with("Energy gap,descent,")) gaps.push_back(std::stod(row.substr(row.rfind(',') + 1)));
+    }
+    REQUIRE(gaps.size() > 5);
+    for (const double gap : gaps) CHECK_FALSE(gap < 0);
+    CHECK_FALSE(gaps.back() > 1e-9);  // J; NaN is within rounding
+  }
+}

@@ -123,6 +123,32 @@ TEST_CASE("convergence figure: gaps above the minimum, penetration with its sign
   CHECK(std::isnan(own.plots[0].series[1].y[1]));
 }
 
+TEST_CASE("E minus E_min is never negative: it is measured from what solves end with") {
+  // Friction bounds that are not right yet: the second iteration lies below the minimum of the step.
+  const std::vector<IterationRecord> records{record(4, 1, 0.1, 0.1), record(0.9, 0.5, 0.1, 0.1),
+                                             record(1.5, 0.1, 0.1, 0.1), record(1, 0.01, 0.1, 0.1)};
+  const auto gaps = [&](const std::optional<Minimiser>& minimiser) {
+    return convergence_figure({{"descent", records}}, minimiser).plots[0].series[0].y;
+  };
+  const auto at_reference = gaps(Minimiser{1, 0.1});
+  CHECK(at_reference[0] == 3);
+  CHECK(std::isnan(at_reference[1]));
+  CHECK(at_reference[2] == 0.5);
+  CHECK(std::isnan(at_reference[3]));
+  CHECK(gaps(Minimiser{0.75, 0.1}) == std::vector<double>{3.25, 0.15000000000000002, 0.75, 0.25});
+  // A reference that a solve gets below is none, and is not called the minimum.
+  const Figure below = convergence_figure({{"descent", records}}, Minimiser{1.25, 0.1});
+  CHECK(below.plots[0].series[0].y[0] == 3);
+  CHECK(below.plots[0].y.label == "E − E_{end} [J]");
+  CHECK(below.caption.find("minimum") == std::string::npos);
+  const Figure above = convergence_figure({{"descent", records}}, Minimiser{1, 0.1});
+  CHECK(above.plots[0].y.label == "E − E_{min} [J]");
+  CHECK(above.caption.find("minimum") != std::string::npos);
+  const Plot live = convergence_plot(records);
+  CHECK(live.series[0].y[0] == 3);
+  CHECK(std::isnan(live.series[0].y[1]));
+}
+
 TEST_CASE("convergence with joints: their error in a plot of its own, contacts only where there are any") {
   constexpr double inf = std::numeric_limits<double>::infinity();
   std::vector<IterationRecord> records{record(3, 1, inf, inf), record(2, 0.5, inf, inf)};

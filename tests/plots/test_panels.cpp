@@ -71,7 +71,7 @@ TEST_CASE("convergence panel: each quantity is the record's number, the present 
   CHECK(energy.series[0].color == 1);
   CHECK(energy.series[1].y[1] == 5.1);
   CHECK_FALSE(energy.y.log);
-  // One E_min for all: the least recorded is that of descent's last iteration, 5.001.
+  // One E_end for all: the least that a run ends with is that of descent, 5.001.
   const Plot gap = convergence_panel(runs, ConvergenceQuantity::energy_gap);
   CHECK(gap.y.log);
   CHECK(named(gap, "descent")->y[0] == Approx(0.999));

@@ -116,6 +116,52 @@ TEST_CASE("a legend that would hide curves stands beside the plot") {
   CHECK(layout.legend.box.right() <= layout.area.right() + kExact);
 }
 
+TEST_CASE("a legend names what is drawn and nothing else") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const FontMetrics font;
+  const auto named = [&](const Plot& plot, const PlotStyle& style) {
+    std::vector<std::string> names;
+    for (const LegendEntry& e : layout_plot(plot, {0, 0, 500, 300}, style, font).legend.entries)
+      names.push_back(e.name);
+    return names;
+  };
+  const auto series = [](const char* name, std::vector<double> y, SeriesStyle style = SeriesStyle::line) {
+    Series s;
+    s.name = name;
+    s.style = style;
+    s.x = {1, 2, 3};
+    s.y = std::move(y);
+    return s;
+  };
+  Plot plot;
+  plot.y.log = true;
+  plot.series = {series("zero", {0, 0, 0}),
+                 series("seen", {1, 0.1, 0.01}),
+                 series("below", {-1, -2, -3}),
+                 series("none", {nan, nan, nan}),
+                 series("once", {nan, 1e-3, nan}),
+                 series("level", {1e-2}, SeriesStyle::level),
+                 series("no level", {-1}, SeriesStyle::level)};
+  for (const PlotStyle& style : {panel_style(), figure_style()}) {
+    CHECK(named(plot, style) == std::vector<std::string>{"seen", "once", "level"});
+    plot.y.log = false;
+    CHECK(named(plot, style) ==
+          std::vector<std::string>{"zero", "seen", "below", "once", "level", "no level"});
+    plot.y.log = true;
+  }
+  // The axes of a panel do not jump when a curve comes or goes.
+  Plot later = plot;
+  for (Series& s : later.series) s.y.assign(s.y.size(), 0.5);
+  const PlotLayout before = layout_plot(plot, {0, 0, 200, 200}, panel_style(), font);
+  const PlotLayout after = layout_plot(later, {0, 0, 200, 200}, panel_style(), font);
+  CHECK(before.inner.y == after.inner.y);
+  CHECK(after.legend.entries.size() == 7);
+  // A given range may leave a curve out.
+  plot.x.lo = 3.5;
+  plot.x.hi = 4;
+  CHECK(named(plot, panel_style()) == std::vector<std::string>{"level"});
+}
+
 TEST_CASE("a plot without data says so; a plot of any size stays inside") {
   const FontMetrics font;
   Plot empty;

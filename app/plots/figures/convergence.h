@@ -1,8 +1,9 @@
 // How a solver converges within one step: `pabd plot convergence`, the live panel, and figure 7 of the
 // supplement.
 //
-//   E        incremental potential                               J
-//   E_min    its least value: given, or the least one recorded   J
+//   E        incremental potential                                                  J
+//   E_min    its least value, from a reference solve of the same step               J
+//   E_end    without a reference: the least value that one of the solves ends with  J
 //   residual largest step of a body in an iteration over d̂       1
 //   −d       penetration, before the projection onto SO(3) and after it; m
 //   joint error: largest distance between points that a joint wants together; m
@@ -21,10 +22,16 @@
 
 namespace pabd {
 
+// E depends on the friction bounds, which follow the contact forces until a solve ends: only values that
+// solves end with are compared, and an earlier one that lies below has no place in a plot of E − E_min.
+
 struct MethodRun {
   std::string name;  // "sissm"
   std::vector<IterationRecord> records;
 };
+
+// E of the last iteration; infinite when there is none.
+double ending_energy(const std::vector<IterationRecord>& records);
 
 // What the true minimiser of E over rigid poses has.
 struct Minimiser {

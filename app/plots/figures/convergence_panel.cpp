@@ -17,7 +17,7 @@ struct Look {
 Look look_of(ConvergenceQuantity quantity) {
   switch (quantity) {
     case ConvergenceQuantity::energy_gap:
-      return {"Energy above its minimum", "E − E_{min} [J]", true, "no iterations recorded"};
+      return {"Energy above its end", "E − E_{end} [J]", true, "no iterations recorded"};
     case ConvergenceQuantity::energy:
       return {"Incremental potential", "E [J]", false, "no iterations recorded"};
     case ConvergenceQuantity::residual:
@@ -35,7 +35,8 @@ Look look_of(ConvergenceQuantity quantity) {
 double value_of(const IterationRecord& r, ConvergenceQuantity quantity, double least) {
   switch (quantity) {
     case ConvergenceQuantity::energy_gap:
-      // What is within rounding of the minimum has no place on a log axis.
+      // What is within rounding of the end, or below it with other friction bounds, has no place on a log
+      // axis.
       return r.energy - least > 1e-13 * std::abs(least) ? r.energy - least
                                                         : std::numeric_limits<double>::quiet_NaN();
     case ConvergenceQuantity::energy:
@@ -54,13 +55,8 @@ double value_of(const IterationRecord& r, ConvergenceQuantity quantity, double l
 
 double least_energy(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser) {
   double least = std::numeric_limits<double>::infinity();
-  for (const MethodRun& run : runs) {
-    for (const IterationRecord& r : run.records) {
-      if (std::isfinite(r.energy)) least = std::min(least, r.energy);
-    }
-  }
-  if (minimiser && std::isfinite(minimiser->energy)) least = std::min(least, minimiser->energy);
-  return least;
+  for (const MethodRun& run : runs) least = std::min(least, ending_energy(run.records));
+  return minimiser && minimiser->energy <= least ? minimiser->energy : least;
 }
 
 Series level(double y) {
@@ -76,7 +72,7 @@ Series level(double y) {
 const char* to_string(ConvergenceQuantity quantity) {
   switch (quantity) {
     case ConvergenceQuantity::energy_gap:
-      return "E − E_min";
+      return "E − E_end";
     case ConvergenceQuantity::energy:
       return "E";
     case ConvergenceQuantity::residual:
@@ -102,6 +98,10 @@ Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity q
   plot.y.log = look.log;
   plot.none = look.none;
   const double least = least_energy(runs, minimiser);
+  if (quantity == ConvergenceQuantity::energy_gap && minimiser && least == minimiser->energy) {
+    plot.title = "Energy above its minimum";
+    plot.y.label = "E − E_{min} [J]";
+  }
   // Held ones first: the present one lies on top.
   for (std::size_t k = runs.size(); k-- > 0;) {
     const MethodRun& run = runs[k];
