@@ -130,7 +130,7 @@ class BarrierPanelView final : public GuiPanel {
     StepReport report = run.report;
     report.kappa = run.kappa;
     numbers_ = contact_numbers(*model_, masses_, run.params, run.state, report);
-    if (!held_) advice_ = contact_advice(*model_, run.params, run.state, run.report);
+    if (!held_) advice_ = contact_advice(*model_, run.made_with, run.state, run.report);
   }
 
   void controls(GuiFrame& f) {

@@ -82,7 +82,7 @@ class ConvergencePanel final : public GuiPanel {
                                  : fmt::format("Step {}: no iterations, nothing touched.", r.step));
       return;
     }
-    const bool limit = r.status == StepStatus::iteration_limit && f.sim.a.params.solver.tolerance > 0;
+    const bool limit = r.status == StepStatus::iteration_limit && f.sim.a.made_with.solver.tolerance > 0;
     const std::string how = r.status == StepStatus::non_finite ? "left the numbers"
                             : limit ? fmt::format("stopped at the limit of {}", r.iterations)
                             : r.status == StepStatus::converged
@@ -94,7 +94,7 @@ class ConvergencePanel final : public GuiPanel {
     ImGui::PushStyleColor(ImGuiCol_Text, im_color(warn ? f.theme().color(1) : f.theme().text));
     label(how);
     ImGui::PopStyleColor();
-    tooltip(limit ? "The step ended before its tolerance: more iterations, another solver, or a larger "
+    tooltip(limit ? "The step ended before it was settled: more iterations, another solver, or a larger "
                     "tolerance"
                   : "Every body moved by less than the tolerance in the last iteration");
     const std::string residual = ", residual " + format_value(r.residual, 2);

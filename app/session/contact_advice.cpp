@@ -169,15 +169,25 @@ double needed_iterations(const Params& params, const StepReport& report) {
   return static_cast<double>(n) + std::log(params.solver.tolerance / last) / rate;
 }
 
+// What a step that ended at the limit was short of. A small residual alone is not all that it has to reach.
+std::string unsettled(const Params& params, const StepReport& report) {
+  const double tolerance = params.solver.tolerance;
+  if (report.residual < tolerance)
+    return fmt::format("within the tolerance of {}, but ended before that was confirmed", number(tolerance));
+  // Rounded up: what is not below the tolerance does not read so.
+  return fmt::format("residual {}, which is not below the tolerance of {}",
+                     number(rounded_up(report.residual)), number(tolerance));
+}
+
 std::optional<Advice> iteration_limit(const Model& model, const Params& params, const StepReport& report) {
   // Tolerance 0 asks for all iterations.
   if (report.status != StepStatus::iteration_limit || params.solver.tolerance == 0) return std::nullopt;
   const SolverParams& solver = params.solver;
   const double needed = std::max(2.0 * solver.iterations, 1.25 * needed_iterations(params, report));
-  Advice advice{AdviceKind::iteration_limit,
-                fmt::format("{} iterations were not enough: residual {:.2g}, tolerance {:.2g}",
-                            report.iterations, report.residual, solver.tolerance),
-                "", "solver.iterations", ""};
+  Advice advice{
+      AdviceKind::iteration_limit,
+      fmt::format("{} iterations were not enough: {}", report.iterations, unsettled(params, report)), "",
+      "solver.iterations", ""};
   const bool slow = solver.method == SolverMethod::sissm && needed > kManySissmIterations;
   const bool stiff = solver.method == SolverMethod::descent && needed > kManyIterations;
   if (slow) {

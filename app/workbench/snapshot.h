@@ -39,6 +39,7 @@ struct RunView {
   State state;
   StepReport report;  // of the step that led here, with what was observed
   Params params;      // of the next step
+  Params made_with;   // of the step that led here
   double kappa = 0;   // resolved; J
   std::vector<std::pair<std::string, std::string>>
       changed;  // keys that differ from the scene, with their value

@@ -226,6 +226,7 @@ RunView Workbench::view(const Run& run) const {
   v.state = run.state();
   v.report = run.report();
   v.params = run.params();
+  v.made_with = *run.timeline()[run.cursor()].params;
   v.kappa = run.kappa();
   v.changed = differences(scene_->params, run.params());
   v.history = reports_of(run.timeline());

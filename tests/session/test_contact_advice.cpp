@@ -245,6 +245,38 @@ TEST_CASE("iteration limit: more iterations or a faster method end it") {
   CHECK_FALSE(asked.warned(AdviceKind::iteration_limit));
 }
 
+TEST_CASE("a warning does not contradict its numbers") {
+  const Run run("two_boxes");
+  Params params = run.session.params();
+  StepReport report = run.session.report();
+  report.status = StepStatus::iteration_limit;
+  report.iterations = 20;
+  const auto what = [&](double residual, double tolerance) {
+    report.residual = residual;
+    params.solver.tolerance = tolerance;
+    const auto advice = contact_advice(run.session.model(), params, run.session.state(), report);
+    const Advice* found = find(advice, AdviceKind::iteration_limit);
+    REQUIRE(found);
+    return found->what;
+  };
+  // The last number of the text is the tolerance, the one before it the residual, if it is told.
+  CHECK(what(7.4e-10, 1e-9) ==
+        "20 iterations were not enough: within the tolerance of 1e-09, but ended before that was confirmed");
+  CHECK(what(9.99e-7, 1e-6) ==
+        "20 iterations were not enough: within the tolerance of 1e-06, but ended before that was confirmed");
+  for (const double tolerance : {1e-9, 1.04e-6, 3e-4}) {
+    for (const double above : {1.0, 1.000001, 1.004, 1.04, 7.0, 1e6}) {
+      const std::string text = what(above * tolerance, tolerance);
+      CAPTURE(text);
+      const std::string words = ", which is not below the tolerance of ";
+      const auto at = text.find(words);
+      REQUIRE(at != text.npos);
+      const auto residual = text.rfind(' ', at) + 1;
+      CHECK(std::stod(text.substr(residual, at - residual)) >= std::stod(text.substr(at + words.size())));
+    }
+  }
+}
+
 TEST_CASE("no onset with descent: 0.2 is suggested and the contacts come to rest") {
   Run run("stack", {"contact.onset=0", "solver.method=descent"});
   run.steps(4 * kSecond);
