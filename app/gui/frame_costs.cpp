@@ -13,13 +13,12 @@ namespace pabd {
 namespace {
 
 constexpr double kNew = 0.1;
-constexpr double kCounted = 0.5;  // s that steps are counted over
 
-void smooth(double& mean, double value) { mean += (mean == 0 ? 1 : kNew) * (value - mean); }
+void smooth(double& mean, double value, bool first) { mean += (first ? 1 : kNew) * (value - mean); }
 
 }  // namespace
 
-void FrameCosts::begin(const Snapshot& sim) {
+void FrameCosts::begin() {
   const bool first = begun_ == Clock::time_point{};
   done(other);
   const double seconds = first ? 0 : std::chrono::duration<double>(last_ - begun_).count();
@@ -28,19 +27,11 @@ void FrameCosts::begin(const Snapshot& sim) {
     now_ = {};
     return;
   }
-  for (std::size_t i = 0; i < kParts; ++i) smooth(ms_[i], now_[i]);
+  // All alike, so that the parts add up to the frame.
+  const bool second = frame_ == 0;
+  for (std::size_t i = 0; i < kParts; ++i) smooth(ms_[i], now_[i], second);
   now_ = {};
-  smooth(frame_, seconds);
-  since_ += seconds;
-  const std::int64_t step = sim.a.state.step;
-  if (!sim.playing || step_ < 0 || step < step_) {
-    step_ = step;
-    since_ = steps_ = 0;
-  } else if (since_ > kCounted) {
-    steps_ = static_cast<double>(step - step_) / since_;
-    step_ = step;
-    since_ = 0;
-  }
+  smooth(frame_, seconds, second);
 }
 
 void FrameCosts::done(Part part) {
@@ -71,8 +62,10 @@ void draw_costs(GuiFrame& f, const Rect& view) {
   row("show and wait", f.costs.ms(FrameCosts::other), "ms");
   heading(f, "Simulation");
   const PhaseTimes& t = f.sim.a.report.times;
-  row("steps", f.costs.steps_a_second(), "1/s", f.sim.playing);
-  row("times real time", f.sim.real_time_factor, "×", f.sim.playing);
+  // One measurement in two units: the two always agree.
+  const bool known = f.sim.playing && f.sim.real_time_factor > 0;
+  row("steps", f.sim.real_time_factor / f.sim.a.params.h, "1/s", known);
+  row("times real time", f.sim.real_time_factor, "×", known);
   row("collision", t.collision, "ms");
   row("solver", t.solve, "ms");
   ImGui::End();

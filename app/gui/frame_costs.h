@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "app/gui/gui_layout.h"
-#include "app/workbench/snapshot.h"
 
 namespace pabd {
 
@@ -17,21 +16,17 @@ class FrameCosts {
   enum Part : std::uint8_t { interface, picture, compose, other, kParts };  // other: showing it, waiting
 
   // Before anything of a frame.
-  void begin(const Snapshot& sim);
+  void begin();
   // What was done since the last call belongs to `part`.
   void done(Part part);
 
   double ms(Part part) const { return ms_[part]; }
   double frames_a_second() const { return frame_ > 0 ? 1 / frame_ : 0; }
-  double steps_a_second() const { return steps_; }
 
  private:
   using Clock = std::chrono::steady_clock;
   std::array<double, kParts> ms_{}, now_{};
   double frame_ = 0;  // s
-  double steps_ = 0;
-  std::int64_t step_ = -1;
-  double since_ = 0;  // s that the steps were counted over
   Clock::time_point begun_{}, last_{};
 };
 

@@ -16,7 +16,40 @@ bool same_camera(const Camera& a, const Camera& b) {
   return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov == b.fov;
 }
 
+// The moment of one, what a person sets of the other.
+RunView mixed(const RunView& moment, const RunView& latest) {
+  RunView out = moment;
+  out.params = latest.params;
+  out.kappa = latest.kappa;
+  out.changed = latest.changed;
+  return out;
+}
+
 }  // namespace
+
+LivePicture::Drawn LivePicture::moment(const Snapshot& sim) {
+  return {sim.scene_serial, sim.a.model.get(), sim.a.state.step,
+          sim.a.state.time, sim.a.cursor,      sim.b ? sim.b->state.step : -1};
+}
+
+bool LivePicture::has_turn(double now) const {
+  return last_ms_ < kLeisure || 1000 * (now - drawn_) >= last_ms_ / kShare;
+}
+
+std::shared_ptr<const Snapshot> LivePicture::choose(std::shared_ptr<const Snapshot> latest, double now) {
+  const bool waits = chosen_ && latest->playing && !has_turn(now) &&
+                     latest->scene_serial == chosen_->scene_serial && latest->a.model == chosen_->a.model &&
+                     latest->b.has_value() == chosen_->b.has_value();
+  if (waits) {
+    auto out = std::make_shared<Snapshot>(*latest);
+    out->a = mixed(chosen_->a, latest->a);
+    if (latest->b) out->b = mixed(*chosen_->b, *latest->b);
+    out->distances = chosen_->distances;
+    return out;
+  }
+  chosen_ = std::move(latest);
+  return chosen_;
+}
 
 LivePicture::Plan LivePicture::plan(const Snapshot& sim, const UiState& ui, double now) {
   const Camera camera = rounded(ui.camera);
@@ -24,9 +57,16 @@ LivePicture::Plan LivePicture::plan(const Snapshot& sim, const UiState& ui, doub
   const bool moving = sim.playing || !same_camera(camera, camera_);
   camera_ = camera;
   if (moving) moved_ = now;
-  if (now - moved_ > kRest) return {};
-  const bool turn = !moving || last_ms_ < kLeisure || 1000 * (now - drawn_) >= last_ms_ / kShare;
-  if (turn) drawn_ = now;
+  const bool owed = moment(sim) != shown_;
+  if (now - moved_ > kRest) {
+    shown_ = moment(sim);
+    return {};
+  }
+  const bool turn = !moving || owed || has_turn(now);
+  if (turn) {
+    drawn_ = now;
+    shown_ = moment(sim);
+  }
   return {turn, RenderQuality::live(), std::max(kSmallest, scale_.scale())};
 }
 

@@ -306,8 +306,9 @@ struct Viewer::Impl {
 
   void draw(double seconds) {
     ImGui::SetCurrentContext(imgui);
-    const auto last = std::exchange(sim, runner.latest());
-    costs.begin(*sim);
+    const auto latest = runner.latest();
+    const auto last = std::exchange(sim, options.steady ? latest : live.choose(latest, seconds_now()));
+    costs.begin();
     layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
     follow_scene(*last);
     list_scenes();

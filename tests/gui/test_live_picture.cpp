@@ -45,3 +45,39 @@ TEST_CASE("at rest the picture is as good as it can be, in motion plain and seld
     if (plan.draw) live.took(plan, 5);
   }
 }
+
+TEST_CASE("the picture is never older than what is shown beside it") {
+  struct Speed {
+    double picture, frame;  // s
+  };
+  for (const Speed& speed : {Speed{0.1, 0.01}, Speed{0.04, 0.016}, Speed{0.005, 0.016}, Speed{0.4, 0.03}}) {
+    CAPTURE(speed.picture, speed.frame);
+    LivePicture live;
+    UiState ui;
+    std::int64_t drawn = -1;
+    int pictures = 0, frames = 0;
+    double now = 10;
+    for (std::int64_t step = 0; now < 16; ++step, ++frames) {
+      auto sim = std::make_shared<Snapshot>();
+      sim->a.state.step = sim->a.report.step = step;
+      sim->a.params.contact.N = static_cast<int>(step % 7) + 1;
+      sim->playing = now < 15;
+      ui.camera.eye.x() = now > 12 && now < 15.5 ? static_cast<float>(now) : 1.0f;  // moves
+      const auto shown = live.choose(sim, now);
+      const auto plan = live.plan(*shown, ui, now);
+      now += speed.frame;
+      if (plan.draw) {
+        drawn = shown->a.state.step;
+        live.took(plan, 1000 * speed.picture);
+        now += speed.picture;
+        ++pictures;
+      }
+      CHECK(drawn == shown->a.report.step);
+      CHECK(shown->a.params.contact.N == sim->a.params.contact.N);  // what a person sets is there at once
+      CHECK(shown->playing == sim->playing);
+    }
+    CHECK(drawn > 0);
+    const bool slow = speed.picture > 0.012;
+    CHECK((slow ? pictures < frames : pictures == frames));
+  }
+}
