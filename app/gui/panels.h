@@ -37,7 +37,8 @@ class TimelineBar {
   void draw(GuiFrame& frame);
 
  private:
-  double wanted_ = -1;  // time that a drag asked for and that has not come yet; s
+  double wanted_ = -1;  // time that a drag asked for; s
+  float offset_ = 0;    // from the mouse to the playhead that it holds; pixels
 };
 
 // Over the picture: what the simulation has to say, until it is read; `seconds` since the last frame.

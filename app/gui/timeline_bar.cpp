@@ -10,6 +10,7 @@
 namespace pabd {
 namespace {
 
+constexpr double kGrip = 6;  // pixels beside the playhead where it can be taken hold of
 constexpr double kSpeeds[] = {0.01, 0.1, 0.25, 0.5, 1, 2, 0};
 
 std::string speed_text(double factor) {
@@ -124,10 +125,15 @@ void TimelineBar::draw(GuiFrame& f) {
   double end = std::max(history.back().time, now);
   if (f.sim.a.left && !f.sim.a.left->empty()) end = std::max(end, f.sim.a.left->back().time);
   const double start = history.front().time;
-  const Track track{at, {at.x + size.x, at.y + size.y}, start, std::max(end, start + 1e-3)};
+  // The bar goes on beyond both ends of time, so that the playhead can be taken hold of there as well.
+  const float room = f.px(kGrip);
+  const Track track{{at.x + room, at.y},
+                    {at.x + std::max(size.x - room, room + 1), at.y + size.y},
+                    start,
+                    std::max(end, start + 1e-3)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(track.lo, track.hi, ImGui::GetColorU32(ImGuiCol_FrameBg), f.px(4));
-  list.AddRectFilled(track.lo, {track.x(history.back().time), track.hi.y},
+  list.AddRectFilled(at, {at.x + size.x, track.hi.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), f.px(4));
+  list.AddRectFilled(at, {track.x(history.back().time) + room, track.hi.y},
                      ImGui::GetColorU32(ImGuiCol_FrameBgHovered), f.px(4));
   draw_marks(f, track, history, list);
   if (f.sim.a.parting) {
@@ -140,7 +146,14 @@ void TimelineBar::draw(GuiFrame& f) {
   list.AddRectFilled({x - f.px(1.5), track.lo.y - f.px(2)}, {x + f.px(1.5), track.hi.y + f.px(2)},
                      ImGui::GetColorU32(ImGuiCol_SliderGrabActive), f.px(1.5));
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
-    const double t = track.time(ImGui::GetMousePos().x);
+    const float mouse = ImGui::GetMousePos().x;
+    if (ImGui::IsItemActivated()) {
+      // Taken hold of, the playhead stays where it is until the mouse moves.
+      const bool held = std::abs(mouse - x) <= room;
+      offset_ = held ? x - mouse : 0;
+      wanted_ = held ? track.time(x) : -1;
+    }
+    const double t = track.time(mouse + (ImGui::IsItemActive() ? offset_ : 0));
     if (ImGui::IsItemActive() && t != wanted_) {
       f.out.send(Command(command::Seek{t}));
       wanted_ = t;
