@@ -4,44 +4,60 @@
 // everything:
 //
 //   d = gap + n·(p_b − p_a)                    signed distance S(17), at the normal points               m
-//   u = (1 − n nᵀ)(s_b − s_a) + stretch        tangential stretch, at the surface points                 m
+//   u = slip + stretch                         tangential stretch, at the surface points                 m
 //   E = Ψ(d) + D(‖u‖)                                                                                    J
 //   D' = min(k_t ‖u‖, limit)                   stick, then slide                                         N
 //
 //   symbol      variable      meaning                                                             unit
 //   n           n             contact normal, from a to b                                         –
-//   s_a, s_b    r_a, r_b      surface points: the same two material points; they coincide at      m
-//                             the start of the step
 //   p_a, p_b    normal_a, _b  normal points: the surface points of flat bodies; for round ones    m
 //                             the centre or axis point under the surface, one radius inside
+//   r_a, r_b    radius_a, _b  radii of round bodies, 0 of flat ones                               m
+//   θ_a, θ_b    –             rotation vectors of the step, R = exp(θ) R_0, of any length          rad
+//   slip        –             way of the surface points past each other in the step, along the    m
+//                             plane: Δ = (1 − n nᵀ)(p_b − p_a) since the start, and for round
+//                             bodies Δ + n × (r_b θ_b + r_a θ_a), as their surfaces pass by
 //   d̂, κ, N, ε  barrier       see potential/barrier.h
 //   k_t         k_t           tangential stiffness, Ψ'' at the onset                              N/m
 //   μ f_n       limit         largest friction force, from the last iterate                       N
 //
 // The plane of a flat owner turns with it, that of a round one does not: turning a ball moves neither its
 // surface nor its tangent planes (Deviation D9; with the surface point a ball could lower its energy by
-// spinning). A force acts on a and b along one line, so linear and angular momentum are kept. (The
-// supplement's point y_i is the foot of y_b on the plane.) Deviation D4: Coulomb sliding as well as sticking.
-// Deviation D6: `stretch` is carried from step to step, so that a body at rest on a slope does not creep.
+// spinning). Nor does its slip follow a material point, which turns away from the plane: that would be r sin
+// θ, and a ball that rolls farther than its radius in a step would be held back. θ = θ* + log(R R*ᵀ), with
+// the turn θ* of free flight, which may be several times π. A plane that turns with a sees b turn by θ_b −
+// θ_a, from half way through the step: to second order what it sees on average. A force acts on a and b along
+// one line, so linear and angular momentum are kept. (The supplement's point y_i is the foot of y_b on the
+// plane.) Deviation D4: Coulomb sliding as well as sticking. Deviation D6: `stretch` is carried from step to
+// step, so that a body at rest on a slope does not creep.
 //
 // Up to four points of one pair of bodies form a patch and are evaluated side by side.
 #pragma once
 
 #include "sim/body/state.h"
 #include "sim/math/lanes.h"
+#include "sim/math/so3.h"
 #include "sim/potential/power_sum.h"
 
 namespace pabd {
 
+// What the slip of a round body is measured from.
+struct Rolling {
+  Mat3 star_a, star_b;  // predicted rotations R*
+  double radius_a, radius_b;
+};
+
 struct ContactPatch {
   Index a, b;
   int count;      // points in use, 1 … kLanes; the others are far away and feel nothing
-  bool turns;     // a is flat: its plane turns with it. Else n and stretch are in the world frame
+  bool turns;     // a is flat: its plane turns with it. Else n, stretch and rolled are in the world frame
   bool separate;  // a or b is round: normal points and surface points differ
+  const Rolling* rolling;         // of a separate patch
   std::uint32_t feature[kLanes];  // see FrictionAnchor
   Vec3x n, stretch;               // frame of a, or world
-  Vec3x r_a, normal_a;            // frame of a
-  Vec3x r_b, normal_b;            // frame of b
+  Vec3x rolled;                   // part of the slip that the step starts with; separate patches
+  Vec3x normal_a;                 // frame of a
+  Vec3x normal_b;                 // frame of b
   Lanes gap;                      // d where the normal points coincide
   Lanes mu;           // coefficient of this step: dynamic if the contact slid at the end of the last one
   Lanes limit;        // friction bound μ f_n of this iteration
@@ -71,23 +87,29 @@ struct ContactForce {
   Lanes alpha_n;  // weight along the normal: tangent split; N/m
 };
 
+// r_b δ_b + r_a δ_a, δ = log(R R*ᵀ); beside a plane that turns, r_b (δ_b − δ_a).
+inline Vec3 turn_since_prediction(const ContactPatch& p, const Pose& a, const Pose& b) {
+  const Rolling& r = *p.rolling;
+  const Vec3 turn_a = turn_between(r.star_a, a.R), turn_b = turn_between(r.star_b, b.R);
+  return r.radius_b * turn_b + (p.turns ? -r.radius_b : r.radius_a) * turn_a;
+}
+
 // Always inlined: sixteen vector registers' worth of results would go through memory otherwise, and loads
 // that follow such stores wait for them (measured: 40 % of a step).
 [[gnu::always_inline]] inline ContactState contact_state(const ContactPatch& p, const Pose& a,
                                                          const Pose& b) {
   ContactState s;
-  const Vec3x between = spread(b.c - a.c);
   s.n = p.turns ? rotate(a.R, p.n) : p.n;
-  s.y = between + rotate(b.R, p.r_b);
-  const Vec3x slip = s.y - rotate(a.R, p.r_a);
-  const Lanes along = dot(s.n, slip);
-  s.u = slip - along * s.n + (p.turns ? rotate(a.R, p.stretch) : p.stretch);
+  s.normal_y = spread(b.c - a.c) + rotate(b.R, p.normal_b);
+  const Vec3x offset = s.normal_y - rotate(a.R, p.normal_a);
+  const Lanes along = dot(s.n, offset);
+  const Vec3x before = p.separate ? p.stretch + p.rolled : p.stretch;
+  s.d = p.gap + along;
+  s.u = offset - along * s.n + (p.turns ? rotate(a.R, before) : before);
+  s.y = s.normal_y;
   if (p.separate) {
-    s.normal_y = between + rotate(b.R, p.normal_b);
-    s.d = p.gap + dot(s.n, s.normal_y - rotate(a.R, p.normal_a));
-  } else {
-    s.normal_y = s.y;
-    s.d = p.gap + along;
+    s.u = s.u + cross(s.n, spread(turn_since_prediction(p, a, b)));
+    s.y = s.y - lanes(p.rolling->radius_b) * s.n;
   }
   return s;
 }

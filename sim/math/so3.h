@@ -39,6 +39,16 @@ inline Vec3 log_so3(const Mat3& R) {
   return (2.0 * std::atan2(sine, q.w()) / sine) * q.vec();
 }
 
+// log(to fromᵀ). Rotations below 0.2 rad need no arc tangent: the series in t² = tan²(angle/2) is good to
+// 1e-13 there.
+inline Vec3 turn_between(const Mat3& from, const Mat3& to) {
+  const Vec3 v = from.col(0).cross(to.col(0)) + from.col(1).cross(to.col(1)) + from.col(2).cross(to.col(2));
+  const double w = 1 + from.cwiseProduct(to).sum();
+  const double t2 = v.squaredNorm() / (w * w);
+  if (!(t2 < 0.01)) return log_so3(to * from.transpose());
+  return (2 / w) * (1 - t2 * (1.0 / 3 - t2 * (1.0 / 5 - t2 * (1.0 / 7 - t2 * (1.0 / 9 - t2 / 11))))) * v;
+}
+
 // The rotation by 2 atan(‖w‖/2) about w: agrees with exp([w]) to third order and needs no sine. Every w has
 // one.
 inline Mat3 cayley(const Vec3& w) {

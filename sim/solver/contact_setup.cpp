@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <tuple>
 
+#include "sim/math/so3.h"
 #include "sim/solver/friction.h"
 
 namespace pabd {
 namespace {
 
-// Distance a body's surface may travel in the step.
-double travel(const State& state, const StepWorkspace::Impl& w, double h, Index i) {
-  const double turn = h * w.omega[i].norm();
-  return (w.star[i].c - state.c[i]).norm() + (turn > 0 ? turn * w.radius[i] : 0.0);
+// Distance a body's surface may travel in the step. A ball that spins stays where it is, and so does a
+// capsule that spins about its axis.
+double travel(const Shape& shape, const State& state, const StepWorkspace::Impl& w, Index i) {
+  double turn = w.turn[i].norm() * w.radius[i];
+  if (std::holds_alternative<Sphere>(shape)) turn = 0;
+  if (const auto* capsule = std::get_if<Capsule>(&shape))
+    turn = w.turn[i].cross(state.R[i].col(1)).norm() * 0.5 * capsule->length;
+  return (w.star[i].c - state.c[i]).norm() + turn;
 }
 
 // Poses and reach for detection. A body that flies farther than half its own thickness could come out on the
@@ -25,7 +30,7 @@ void place_for_detection(const Model& model, const Params& params, const State& 
   w.R_detect = state.R;
   for (Index i = 0; i < model.size(); ++i) {
     if (model.fixed[i]) continue;
-    const double way = travel(state, w, params.h, i);
+    const double way = travel(model.shape[i], state, w, i);
     w.reach[i] += way;
     if (way > 0.5 * inner_radius(model.shape[i]) || params.contact.barrier == BarrierKind::log) continue;
     w.c_detect[i] = w.star[i].c;
@@ -56,7 +61,7 @@ ContactPatch empty_patch(const Model& model, Index a, Index b) {
   const Vec3x zero = spread(Vec3::Zero());
   const bool flat_a = roundness(model.shape[a]) == 0;
   const bool flat = flat_a && roundness(model.shape[b]) == 0;
-  return {a,    b,    0,    flat_a,      !flat,    {},       zero,     zero,    zero,
+  return {a,    b,    0,    flat_a,      !flat,    nullptr,  {},       zero,    zero,
           zero, zero, zero, lanes(1e30), lanes(0), lanes(0), lanes(0), lanes(1)};
 }
 
@@ -64,10 +69,6 @@ ContactPatch empty_patch(const Model& model, Index a, Index b) {
 void add_point(const Model& model, const ContactPoint& p, const State& start, const StepWorkspace::Impl& w,
                ContactPatch& patch) {
   const int k = patch.count++;
-  const auto seen_from_a =
-      [&](const Vec3& r_b) -> Vec3 {  // where a sees a point of b at the start of the step
-    return start.R[p.a].transpose() * (start.c[p.b] + start.R[p.b] * r_b - start.c[p.a]);
-  };
   const auto in_a = [&](const Vec3& y) -> Vec3 {
     return w.R_detect[p.a].transpose() * (y - w.c_detect[p.a]);
   };
@@ -76,19 +77,40 @@ void add_point(const Model& model, const ContactPoint& p, const State& start, co
   };
   const double radius_a = roundness(model.shape[p.a]), radius_b = roundness(model.shape[p.b]);
   const Vec3 n = patch.turns ? Vec3(w.R_detect[p.a].transpose() * p.n) : p.n;
-  const Vec3 r_b = in_b(p.y_b), normal_b = in_b(p.y_b + radius_b * p.n);
+  const Vec3 normal_b = in_b(p.y_b + radius_b * p.n);
+  // From the centre of a to the normal point of b at the start of the step.
+  const Vec3 at_start = start.c[p.b] + start.R[p.b] * normal_b - start.c[p.a];
   patch.feature[k] = owned_feature(p.a, p.b, p.feature);
   set_lane(patch.n, k, n);
-  set_lane(patch.r_a, k, seen_from_a(r_b));
-  set_lane(patch.r_b, k, r_b);
   set_lane(patch.normal_b, k, normal_b);
   if (patch.turns) {
-    const Vec3 normal_a = seen_from_a(normal_b);
+    const Vec3 normal_a = start.R[p.a].transpose() * at_start;
+    const Mat3 half_way = exp_so3(0.5 * w.turn[p.a]) * start.R[p.a];
+    const Vec3 turn = half_way.transpose() * (w.turn[p.b] - w.turn[p.a]);
     set_lane(patch.normal_a, k, normal_a);
+    set_lane(patch.rolled, k, radius_b * n.cross(turn));
     patch.gap[k] = n.dot(normal_a - in_a(p.y_a)) - radius_b;
   } else {
-    set_lane(patch.normal_a, k, in_a(p.y_a - radius_a * p.n));
+    const Vec3 normal_a = in_a(p.y_a - radius_a * p.n);
+    const Vec3 moved = at_start - start.R[p.a] * normal_a;
+    const Vec3 turn = radius_b * w.turn[p.b] + radius_a * w.turn[p.a];
+    set_lane(patch.normal_a, k, normal_a);
+    set_lane(patch.rolled, k, n.cross(turn) - (moved - n * n.dot(moved)));
     patch.gap[k] = -radius_a - radius_b;
+  }
+}
+
+// What the slip of the separate patches is measured from.
+void set_rolling(const Model& model, StepWorkspace::Impl& w) {
+  w.rolling.clear();
+  for (const ContactPatch& p : w.patches) {
+    if (!p.separate) continue;
+    w.rolling.push_back(
+        {w.star[p.a].R, w.star[p.b].R, roundness(model.shape[p.a]), roundness(model.shape[p.b])});
+  }
+  const Rolling* next = w.rolling.data();
+  for (ContactPatch& p : w.patches) {
+    if (p.separate) p.rolling = next++;
   }
 }
 
@@ -103,6 +125,7 @@ void make_patches(const Model& model, const State& start, StepWorkspace::Impl& w
     if (!fits) w.patches.push_back(empty_patch(model, p.a, p.b));
     add_point(model, p, start, w, w.patches.back());
   }
+  set_rolling(model, w);
 }
 
 }  // namespace

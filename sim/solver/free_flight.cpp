@@ -10,21 +10,47 @@ namespace {
 
 bool is_isotropic(const Mat3& J) { return J == Mat3(J(0, 0) * Mat3::Identity()); }
 
+// The axis of the body frame about which J is the same all round, −1 if there is none.
+int axis_of_symmetry(const Mat3& J) {
+  const double same = 1e-12 * J.trace();
+  if (std::abs(J(0, 1)) + std::abs(J(0, 2)) + std::abs(J(1, 2)) > same) return -1;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    if (std::abs(J(i, i) - J(j, j)) <= same) return k;
+  }
+  return -1;
+}
+
+// The symmetric top in closed form: it turns about L at ‖L‖/I_t while it turns about its own axis at
+// (1 − I_a/I_t) of its spin s there; I_a, I_t moments along and across the axis.
+Vec3 top_flight(const Vec3& moments, int axis, double h, Mat3& R, Vec3& omega) {
+  const double I_a = moments[axis], I_t = moments[(axis + 1) % 3];
+  const double s = omega.dot(R.col(axis)), own = s * (1 - I_a / I_t);
+  const Vec3 about_L = omega - own * R.col(axis);  // L/I_t
+  const Vec3 half_way = exp_so3(0.5 * h * about_L) * R.col(axis);
+  R = reorthonormalized(exp_so3(h * about_L) * R * exp_so3(h * own * Vec3::Unit(axis)));
+  omega = about_L + own * R.col(axis);
+  return h * (about_L + own * half_way);
+}
+
 }  // namespace
 
-void free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega) {
+Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega) {
   v += h * gravity;
   pose.c += h * v;
   Mat3& R = pose.R;
-  if (omega.isZero(0)) return;
+  if (omega.isZero(0)) return Vec3::Zero();
   if (is_isotropic(J)) {  // ω is constant
     R = reorthonormalized(exp_so3(h * omega) * R);
-    return;
+    return h * omega;
   }
   const Mat3 I = inertia_tensor(J);
+  const int axis = axis_of_symmetry(J);
+  if (axis >= 0 && h * omega.norm() > 1) return top_flight(I.diagonal(), axis, h, R, omega);
   const Mat3 inverse = I.inverse();
   const Vec3 L = R * (I * (R.transpose() * omega));
-  // ω_m = R_m I⁻¹ R_mᵀ L at the midpoint R_m = exp(h ω_m / 2) R: a contraction for h ω < 1.
+  // ω_m = R_m I⁻¹ R_mᵀ L at the midpoint R_m = exp(h ω_m / 2) R: a contraction for h ω < 1, and what rolls
+  // faster is a top.
   Vec3 midpoint = omega;
   for (int i = 0; i < 8; ++i) {
     const Mat3 R_m = exp_so3(0.5 * h * midpoint) * R;
@@ -35,6 +61,7 @@ void free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3&
   }
   R = reorthonormalized(exp_so3(h * midpoint) * R);
   omega = R * (inverse * (R.transpose() * L));
+  return h * midpoint;
 }
 
 }  // namespace pabd

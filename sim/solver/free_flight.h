@@ -8,10 +8,11 @@
 namespace pabd {
 
 // v ← v + h a_ext and c* = c + h v for one body; ω and R* by an implicit midpoint rule on SO(3) that keeps
-// the angular momentum L = R I Rᵀ ω to rounding.
+// the angular momentum L = R I Rᵀ ω to rounding; in closed form for a symmetric top that turns by over 1 rad.
 //   J        second moment, body frame; kg m²
 //   pose     in: start of the step, out: Q*
 //   v, omega in: start of the step, out: end of free flight
-void free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega);
+// Returns the mean angular velocity times h, which may be several turns: R* = exp(it) R.
+Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega);
 
 }  // namespace pabd

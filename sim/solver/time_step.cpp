@@ -40,12 +40,14 @@ void predict(const Model& model, const Params& params, const State& state, int t
              StepWorkspace::Impl& w) {
   w.star.resize(state.c.size());
   w.radius.resize(state.c.size());
+  w.turn.assign(state.c.size(), Vec3::Zero());
   w.v = state.v;
   w.omega = state.omega;
   w.collision.team.for_each(threads, model.shape.size(), kBlock, [&](std::size_t i) {
     w.star[i] = {state.c[i], state.R[i]};
     w.radius[i] = bounding_radius(model.shape[i]);
-    if (!model.fixed[i]) free_flight(model.J[i], params.gravity, params.h, w.star[i], w.v[i], w.omega[i]);
+    if (model.fixed[i]) return;
+    w.turn[i] = free_flight(model.J[i], params.gravity, params.h, w.star[i], w.v[i], w.omega[i]);
   });
 }
 

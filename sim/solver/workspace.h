@@ -63,6 +63,7 @@ struct StepWorkspace::Impl {
   // Predicted poses Q* and current iterate, one entry a body, and the identity for the world.
   std::vector<Pose> star, pose;
   std::vector<Vec3> v, omega;  // velocities of free flight
+  std::vector<Vec3> turn;      // rotation vectors of free flight, of any length
 
   // Contacts of the step.
   CollisionWorkspace collision;
@@ -71,6 +72,7 @@ struct StepWorkspace::Impl {
   std::vector<double> reach;
   std::vector<ContactPoint> points;
   std::vector<ContactPatch> patches;
+  std::vector<Rolling> rolling;  // of the separate ones
   ContactLaw law;
 
   // Which patches end at which body: ends[first_end[i]] … ends[first_end[i + 1] − 1].
