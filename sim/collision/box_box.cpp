@@ -5,12 +5,13 @@
 //   face    the incident face clipped against the reference face (box_box_face); preferred to the rest, and
 //   the lower
 //           body's face to the other's, unless clearly worse (see `preference`)
-//   edge    the nearest points of the two edges
-//   corner  apart, and nearer to each other than the face contacts say: the corner of one box nearest to the
-//   other box
+//   edge    the nearest points of the two edges; along edges that run side by side, at both ends
+//   (side_by_side) corner  apart, and nearer to each other than the face contacts say: the corner of one box
+//   nearest to the other box, or the edges through it where they run side by side
 //
 //   C = R_aᵀ R_b, t = R_aᵀ (c_b − c_a), all in the frame of a;   h, g  half edges of a and b (m)
 #include "sim/collision/box_box_face.h"
+#include "sim/collision/side_by_side.h"
 
 namespace pabd::narrow {
 namespace {
@@ -42,37 +43,67 @@ struct Best {
   int i = -1, j = -1;  // face: axis i; edge: axis i of a, axis j of b
 };
 
-// Nearest points of the two edges, in the frame of a. False when they lie beyond the ends of an edge.
-bool add_edge_contact(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, const Best& best,
-                      double reach, Contacts& out) {
-  const Vec3 &h = a.shape.half, &g = b.shape.half;
-  const int i = best.i, j = best.j;
-  const Vec3 t(r.t[0], r.t[1], r.t[2]), u = Vec3::Unit(i), v(r.C[0][j], r.C[1][j], r.C[2][j]);
-  Vec3 n = u.cross(v);
-  const double sine2 = n.squaredNorm();
-  n *= sign_of(n.dot(t)) / std::sqrt(sine2);
+// Edge along axis i of a and edge along axis j of b that n, from a to b, looks at; in the frame of a.
+struct EdgePair {
+  EdgeLine on_a, on_b;
+  std::uint32_t name;
+};
 
-  Vec3 p = Vec3::Zero(), q = t;  // middles of the two edges
+EdgePair edges_towards(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, int i, int j,
+                       const Vec3& n) {
+  const Vec3 &h = a.shape.half, &g = b.shape.half;
+  const auto axis_of_b = [&](int k) { return Vec3(r.C[0][k], r.C[1][k], r.C[2][k]); };
+  EdgePair out{{Vec3::Zero(), Vec3::Unit(i), h[i]}, {Vec3(r.t[0], r.t[1], r.t[2]), axis_of_b(j), g[j]}, 0};
   std::uint32_t id_a = static_cast<std::uint32_t>(4 * i), id_b = static_cast<std::uint32_t>(4 * j);
   for (std::uint32_t bit = 1, k = 1; k <= 2; ++k, bit <<= 1) {
     const int ka = (i + static_cast<int>(k)) % 3, kb = (j + static_cast<int>(k)) % 3;
-    const Vec3 w(r.C[0][kb], r.C[1][kb], r.C[2][kb]);
+    const Vec3 w = axis_of_b(kb);
     const double sign_a = sign_of(n[ka]), sign_b = -sign_of(n.dot(w));
-    p[ka] = sign_a * h[ka];
-    q += sign_b * g[kb] * w;
+    out.on_a.middle[ka] = sign_a * h[ka];
+    out.on_b.middle += sign_b * g[kb] * w;
+    out.on_a.into[k - 1] = -sign_a * Vec3::Unit(ka);
+    out.on_b.into[k - 1] = -sign_b * w;
     if (sign_a < 0) id_a |= bit;
     if (sign_b < 0) id_b |= bit;
   }
-  const Vec3 w = q - p;
+  out.name = kEdgeFeature | id_a << 4 | id_b;
+  return out;
+}
+
+// Contacts along two edges that run side by side no farther apart than `nearest`. False when there are none.
+bool add_side_contacts(const Placed<Box>& a, const Placed<Box>& b, const EdgePair& pair, double nearest,
+                       double reach, Contacts& out) {
+  SidePlace place[3];
+  const double smallest = std::min(a.shape.half.minCoeff(), b.shape.half.minCoeff());
+  const int count = side_by_side(pair.on_a, pair.on_b, 0.5 * preference(nearest, smallest), 0, place);
+  double lowest = kNone;
+  for (int k = 0; k < count; ++k) lowest = std::min(lowest, place[k].distance);
+  if (!(lowest <= nearest + preference(nearest, smallest))) return false;
+  for (int k = 0; k < count; ++k) {
+    const SidePlace& p = place[k];
+    if (p.distance < reach)
+      add_contact(out, a.number, b.number, a.c + a.R * p.y, a.R * p.n, p.distance, pair.name | p.where << 8);
+  }
+  return true;
+}
+
+// Nearest points of the two edges, in the frame of a. False when they lie beyond the ends of an edge.
+bool add_edge_contact(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, const Best& best,
+                      double reach, Contacts& out) {
+  const int i = best.i, j = best.j;
+  const Vec3 t(r.t[0], r.t[1], r.t[2]);
+  Vec3 n = Vec3::Unit(i).cross(Vec3(r.C[0][j], r.C[1][j], r.C[2][j]));
+  const double sine2 = n.squaredNorm();
+  n *= sign_of(n.dot(t)) / std::sqrt(sine2);
+  const EdgePair pair = edges_towards(a, b, r, i, j, n);
+  const Vec3 &p = pair.on_a.middle, &q = pair.on_b.middle, &v = pair.on_b.direction, w = q - p;
   const double uv = r.C[i][j], uw = w[i], vw = v.dot(w);
   const double on_a = (uw - uv * vw) / sine2, on_b = (uv * uw - vw) / sine2;
   constexpr double kEnd = 1 + 1e-9;
-  if (std::abs(on_a) > h[i] * kEnd || std::abs(on_b) > g[j] * kEnd) return false;
+  if (std::abs(on_a) > pair.on_a.half * kEnd || std::abs(on_b) > pair.on_b.half * kEnd) return false;
   const double d = w.dot(n);
-  if (d < reach) {
-    add_contact(out, a.number, b.number, a.c + a.R * (q + on_b * v), a.R * n, d,
-                kEdgeFeature | id_a << 4 | id_b);
-  }
+  if (d > 0 && add_side_contacts(a, b, pair, d, reach, out)) return true;
+  if (d < reach) add_contact(out, a.number, b.number, a.c + a.R * (q + on_b * v), a.R * n, d, pair.name);
   return true;
 }
 
@@ -98,8 +129,10 @@ NearestCorner nearest_corner(const Placed<Box>& box, const Placed<Box>& other) {
 }
 
 // The boxes are apart. Where neither a face nor an edge pair separates best, the nearest points are a corner
-// of one and its foot on the other.
-void add_corner_contact(const Placed<Box>& a, const Placed<Box>& b, double limit, Contacts& out) {
+// of one and its foot on the other: one contact, or those along the edges through it that run side by side,
+// which say all there is to say and replace what faces said from `start` on.
+void add_corner_contact(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, double limit,
+                        double reach, std::size_t start, Contacts& out) {
   const NearestCorner on_b = nearest_corner(a, b), on_a = nearest_corner(b, a);
   const bool corner_of_b = on_b.distance2 <= on_a.distance2;
   const NearestCorner& c = corner_of_b ? on_b : on_a;
@@ -107,6 +140,17 @@ void add_corner_contact(const Placed<Box>& a, const Placed<Box>& b, double limit
   if (!(d < limit) || !(d > 1e-12 * std::min(a.shape.half.minCoeff(), b.shape.half.minCoeff()))) return;
   const Placed<Box>&owner = corner_of_b ? a : b, &other = corner_of_b ? b : a;
   const Vec3 n = owner.R * ((c.corner - c.foot) / d);
+  const Vec3 from_a = a.R.transpose() * (corner_of_b ? n : Vec3(-n));
+  const std::size_t faces = out.size();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (1 - r.C[i][j] * r.C[i][j] > kAlongSine * kAlongSine) continue;
+      if (!add_side_contacts(a, b, edges_towards(a, b, r, i, j, from_a), d, reach, out)) continue;
+      out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
+                out.begin() + static_cast<std::ptrdiff_t>(faces));
+      return;
+    }
+  }
   add_contact(out, owner.number, other.number, owner.c + owner.R * c.corner, n, d,
               kCornerFeature | (corner_of_b ? 8u : 0u) | c.number);
 }
@@ -176,11 +220,12 @@ void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts&
     return from_b ? add_face_contacts(seen_from_b(a, b, r), face_b.i, reach, out)
                   : add_face_contacts(seen_from_a(a, b, r), face_a.i, reach, out);
   };
+  const std::size_t start = out.size();
   const double d = add_face(b_owns);
   if (d <= face + preference(face, smallest)) return;
   // The deepest or nearest part is not over that face.
   if (face > 0) {
-    add_corner_contact(a, b, std::min(d, reach), out);
+    add_corner_contact(a, b, r, std::min(d, reach), reach, start, out);
   } else if (!(have_edge && add_edge_contact(a, b, r, edge, reach, out)) && d == kNone) {
     add_face(!b_owns);
   }

@@ -5,20 +5,21 @@
 //   face    the segment lies over a face (or so nearly that the face is as good as any other normal): the
 //   part over
 //           the face, two contacts
-//   apart   the segment is outside: its nearest point to the box, one contact (two along an edge)
-//   edge    the segment pierces the box and the shortest way out is across an edge
+//   apart   the segment is outside: its nearest point to the box, one contact (more along an edge:
+//   side_by_side) edge    the segment pierces the box and the shortest way out is across an edge
 //
 //   h   half edges of the box                               m
 //   s   separation of the segment from the box along an axis, negative inside    m
 #include <limits>
 
 #include "sim/collision/narrow_phase.h"
+#include "sim/collision/side_by_side.h"
 
 namespace pabd::narrow {
 namespace {
 
-// Feature: 0, 1 for the lower and upper end of the capsule over a face or along an edge, shifted by the face
-// or edge.
+// Feature: 0, 1 for the lower and upper end of the capsule over a face or along an edge, 2 between, shifted
+// by the face or edge.
 constexpr std::uint32_t kFaceBase = 16, kEdgeLineBase = 64, kNearestBase = 128, kPierceBase = 256;
 
 struct Segment {
@@ -141,34 +142,42 @@ double add_face(const Query& q, int axis, double sign, bool pierces) {
   return lowest;
 }
 
+// Where the segment, `gap` away at its nearest, runs side by side with an edge. False where it does not.
+bool add_along_edge(const Query& q, const Vec3& gap) {
+  const Vec3& h = q.box.shape.half;
+  const double radius = q.capsule.shape.radius;
+  int axis = 0;
+  q.u.cwiseAbs().maxCoeff(&axis);
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  if (gap[j] == 0 || gap[k] == 0) return false;
+  EdgeLine edge{Vec3::Zero(), Vec3::Unit(axis), h[axis]};
+  for (const int m : {j, k}) {
+    edge.middle[m] = sign_of(gap[m]) * h[m];
+    edge.into[m == j ? 0 : 1] = -sign_of(gap[m]) * Vec3::Unit(m);
+  }
+  const EdgeLine segment{q.segment.at(0.5), q.u, 0.5 * q.capsule.shape.length};
+  SidePlace place[3];
+  const double slack = 0.5 * preference(gap.norm() - radius, h.minCoeff());
+  const int count = side_by_side(edge, segment, slack, 0, place);
+  const std::uint32_t feature = kEdgeLineBase + 4 * edge_number(axis, gap);
+  for (int n = 0; n < count; ++n) {
+    const SidePlace& p = place[n];
+    const double d = distance_to_capsule(p, segment, radius);
+    constexpr std::uint32_t kFeature[] = {2, 0, 1};
+    q.add(p.y - (p.distance - d) * p.n, p.n, d, feature + kFeature[p.where]);
+  }
+  return count > 0;
+}
+
 // Segment outside the box, nearest at t.
 void add_nearest(const Query& q, double t) {
   const Vec3& h = q.box.shape.half;
   const double radius = q.capsule.shape.radius;
-  const auto gap_at = [&](double place) {
-    const Vec3 x = q.segment.at(place);
-    return Vec3(x - x.cwiseMax(-h).cwiseMin(h));
-  };
-  for (int k = 0; k < 3; ++k) {  // along an edge: both ends, on the side of the cylinder
-    double low, high;
-    if (std::abs(q.u[k]) > 1 - 5e-5 && clip(q.segment, h, k, true, low, high) && high > low) {
-      const std::uint32_t feature = kEdgeLineBase + 2 * edge_number(k, q.segment.at(t));
-      for (const bool upper : {false, true}) {
-        const double place = upper ? high : low;
-        const Vec3 gap = gap_at(place), across = gap - gap.dot(q.u) * q.u;
-        const double distance = across.norm();
-        if (!(distance > 0)) continue;
-        const Vec3 n = across / distance;
-        q.add(q.segment.at(place) - radius * n, n, distance - radius, feature + upper);
-      }
-      return;
-    }
-  }
-  const Vec3 gap = gap_at(t);
+  const Vec3 x = q.segment.at(t), gap = x - x.cwiseMax(-h).cwiseMin(h);
   const double distance = gap.norm();
-  if (!(distance > 0)) return;
+  if (!(distance > 0) || add_along_edge(q, gap)) return;
   const Vec3 n = gap / distance;
-  q.add(q.segment.at(t) - radius * n, n, distance - radius, kNearestBase + (t <= 0 ? 0u : t >= 1 ? 1u : 2u));
+  q.add(x - radius * n, n, distance - radius, kNearestBase + (t <= 0 ? 0u : t >= 1 ? 1u : 2u));
 }
 
 struct EdgeAxis {

@@ -1,17 +1,37 @@
-// Capsule against capsule: the nearest points of the two axes, or, where the axes are parallel, the two ends
-// of the stretch over which they run side by side.
+// Capsule against capsule: the nearest points of the two axes; where these run side by side, both ends of the
+// stretch that they share, and between them only where that is nearer.
 //
 //   u, v     axes of a and b                                         unit
 //   s, t     places on the axes, |s| ≤ half_a, |t| ≤ half_b           m
 //   w        c_a − c_b;  the squared distance is ‖w + s u − t v‖²      m
 #include "sim/collision/narrow_phase.h"
+#include "sim/collision/side_by_side.h"
 
 namespace pabd::narrow {
 namespace {
 
-constexpr double kParallelSine = 0.01;  // below this angle two contacts, above it one
+constexpr double kParallelSine = 0.01;  // below this angle the ends say it all
 
 enum Feature : std::uint32_t { kLowEnd = 0, kHighEnd = 1, kCrossing = 2 };
+
+// Both ends of the common stretch. Returns the smaller d, in reach or not; kNone where there is no stretch.
+double add_ends(const Placed<Capsule>& a, const Placed<Capsule>& b, double reach, Contacts& out) {
+  const double r_a = a.shape.radius, r_b = b.shape.radius;
+  const EdgeLine on_a{a.c, a.R.col(1), 0.5 * a.shape.length}, on_b{b.c, b.R.col(1), 0.5 * b.shape.length};
+  SidePlace place[3];
+  const int count = side_by_side(on_a, on_b, kNone, 1e-3 * std::min(on_a.half, on_b.half), place);
+  double lowest = kNone;
+  for (int k = 0; k < count; ++k) {
+    const SidePlace& p = place[k];
+    const double d = distance_to_capsule(p, on_b, r_b) - r_a;
+    lowest = std::min(lowest, d);
+    const Vec3 y_a = p.y - (p.distance - r_a) * p.n;
+    if (d < reach)
+      add_contact(out, a.number, b.number, y_a + d * p.n, p.n, d,
+                  p.where == SidePlace::low ? kLowEnd : kHighEnd);
+  }
+  return lowest;
+}
 
 }  // namespace
 
@@ -23,28 +43,18 @@ void capsule_capsule(const Placed<Capsule>& a, const Placed<Capsule>& b, double 
   const double sine2 = across.squaredNorm();
   const bool parallel = sine2 < kParallelSine * kParallelSine;
 
+  const double by_ends = add_ends(a, b, reach, out);
+  if (parallel && by_ends < kNone) return;
   const auto nearest_on_b = [&](double s) { return std::clamp(uv * s + vw, -half_b, half_b); };
-  const auto add = [&](double s, double t, std::uint32_t feature) {
-    Vec3 fallback = parallel ? any_normal(u) : Vec3(across / std::sqrt(sine2));
-    if (fallback.dot(w) > 0) fallback = -fallback;
-    add_round_contact(out, a.number, b.number, a.c + s * u, a.shape.radius, b.c + t * v, b.shape.radius,
-                      fallback, reach, feature);
-  };
-
-  if (parallel) {
-    const double end_0 = -uv * half_b - uw, end_1 = uv * half_b - uw;  // ends of b, as places on a
-    const double low = std::max(-half_a, std::min(end_0, end_1));
-    const double high = std::min(half_a, std::max(end_0, end_1));
-    if (high - low > 1e-3 * std::min(half_a, half_b)) {
-      add(low, nearest_on_b(low), kLowEnd);
-      add(high, nearest_on_b(high), kHighEnd);
-      return;
-    }
-  }
   double s = sine2 > 1e-16 ? std::clamp((uv * vw - uw) / sine2, -half_a, half_a) : 0.0;
   const double t = nearest_on_b(s);
   s = std::clamp(uv * t - uw, -half_a, half_a);
-  add(s, t, kCrossing);
+  const double d = (w + s * u - t * v).norm() - a.shape.radius - b.shape.radius;
+  if (!(d < by_ends - 1e-9 * (a.shape.radius + b.shape.radius))) return;
+  Vec3 fallback = parallel ? any_normal(u) : Vec3(across / std::sqrt(sine2));
+  if (fallback.dot(w) > 0) fallback = -fallback;
+  add_round_contact(out, a.number, b.number, a.c + s * u, a.shape.radius, b.c + t * v, b.shape.radius,
+                    fallback, reach, kCrossing);
 }
 
 }  // namespace pabd::narrow

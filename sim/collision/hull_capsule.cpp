@@ -1,20 +1,20 @@
 // Capsule against hull, in the frame of the hull, which owns the normal. As box_capsule: the axis of the
 // capsule, the segment x(t) = p + t e, t ∈ [0, 1], meets the hull
 //   over a face    two contacts (or nearly so: a face is preferred)
-//   apart          at its nearest point, one contact, two along an edge
+//   apart          at its nearest point, one contact, more along an edge (side_by_side)
 //   through it     and the shortest way out is across an edge
 //
 //   u   direction of the segment                                                unit
 //   s   separation of the segment from the hull along a direction, negative inside    m
 #include "sim/collision/hull_view.h"
 #include "sim/collision/narrow_phase.h"
+#include "sim/collision/side_by_side.h"
 
 namespace pabd::narrow {
 namespace {
 
 // Bases of the features; faces and edges are numbered from them.
-constexpr std::uint32_t kFace = 0, kEdgeLine = 2048, kNearest = 4096, kPierced = 8192;
-constexpr double kParallel = 1 - 5e-5;  // cosine from which a segment runs along an edge
+constexpr std::uint32_t kFace = 0, kNearest = 4096, kPierced = 8192, kEdgeLine = 16384;
 
 struct Query {
   const Placed<Hull>& hull;
@@ -131,32 +131,30 @@ Nearest nearest_to(const Query& q) {
   return best;
 }
 
-// Where the segment runs along the edge: contacts at both ends of the common part.
-bool add_edge_line(const Query& q, int number) {
+// Where the segment runs side by side with the edge. False where it does not.
+bool add_along_edge(const Query& q, int number, double distance) {
   const HullEdge& edge = q.view.edges[static_cast<std::size_t>(number)];
-  const Vec3 &a = q.from(edge), g = q.to(edge) - a;
-  const double length = g.norm();
-  const Vec3 along = g / length;
-  if (!(std::abs(along.dot(q.u)) > kParallel)) return false;
-  double low = 0, high = 1;
-  if (!cut(along, along.dot(a) + length, q.p, q.e, low, high) ||
-      !cut(-along, -along.dot(a), q.p, q.e, low, high) || !(high > low)) {
-    return false;
+  const Vec3 &a = q.from(edge), &b = q.to(edge);
+  const double length = (b - a).norm();
+  const Vec3 u = (b - a) / length;
+  const Vec3 &A = q.view.faces[edge.left].normal, &B = q.view.faces[edge.right].normal;
+  const EdgeLine line{0.5 * (a + b), u, 0.5 * length, {A.cross(u), u.cross(B)}};
+  const EdgeLine segment{q.at(0.5), q.u, 0.5 * q.capsule.shape.length};
+  SidePlace place[3];
+  const double slack = 0.5 * preference(distance - q.radius, q.view.inner_radius);
+  const int count = side_by_side(line, segment, slack, 0, place);
+  for (int k = 0; k < count; ++k) {
+    const SidePlace& p = place[k];
+    const double d = distance_to_capsule(p, segment, q.radius);
+    constexpr std::uint32_t kFeature[] = {2, 0, 1};
+    q.add(p.y - (p.distance - d) * p.n, p.n, d,
+          kEdgeLine + 4 * static_cast<std::uint32_t>(number) + kFeature[p.where]);
   }
-  for (const bool upper : {false, true}) {
-    const Vec3 x = q.at(upper ? high : low);
-    const Vec3 gap = x - a - along.dot(x - a) * along, across = gap - gap.dot(q.u) * q.u;
-    const double distance = across.norm();
-    if (!(distance > 0)) continue;
-    const Vec3 n = across / distance;
-    q.add(x - q.radius * n, n, distance - q.radius,
-          kEdgeLine + 2 * static_cast<std::uint32_t>(number) + (upper ? 1u : 0u));
-  }
-  return true;
+  return count > 0;
 }
 
 void add_nearest(const Query& q, const Nearest& nearest) {
-  if (nearest.edge >= 0 && add_edge_line(q, nearest.edge)) return;
+  if (nearest.edge >= 0 && add_along_edge(q, nearest.edge, nearest.distance)) return;
   const Vec3 n = (q.at(nearest.t) - nearest.foot) / nearest.distance;
   const std::uint32_t end = nearest.t <= 0 ? 0u : nearest.t >= 1 ? 1u : 2u;
   q.add(q.at(nearest.t) - q.radius * n, n, nearest.distance - q.radius, kNearest + end);

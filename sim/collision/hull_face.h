@@ -7,7 +7,15 @@
 namespace pabd::narrow {
 
 // Kinds of features of two hulls, in the bits above the place.
-enum class HullFeature : std::uint32_t { incident_corner, reference_corner, crossing, edge_pair, corner };
+enum class HullFeature : std::uint32_t {
+  incident_corner,
+  reference_corner,
+  crossing,
+  edge_pair,
+  corner,
+  low_end,  // of a pair of edges that run side by side
+  high_end
+};
 
 inline std::uint32_t hull_feature(HullFeature kind, std::size_t face, std::size_t place) {
   return static_cast<std::uint32_t>(kind) << 28 | static_cast<std::uint32_t>(face & 255) << 20 |

@@ -9,6 +9,7 @@
 //   all in the frame of a;   e, g  edges of a and b     m
 //   A, B normals of the faces beside e; C, D opposite normals of the faces beside g     unit
 #include "sim/collision/hull_face.h"
+#include "sim/collision/side_by_side.h"
 
 namespace pabd::narrow {
 namespace {
@@ -86,6 +87,38 @@ BestEdge best_edge(const HullView& a, const HullView& b, double above, double re
   return best;
 }
 
+EdgeLine edge_line(const HullView& hull, const HullEdge& edge) {
+  const Vec3 &from = hull.vertices[edge.from], &to = hull.vertices[edge.to];
+  const double length = (to - from).norm();
+  const Vec3 u = (to - from) / length;
+  const Vec3 &A = hull.faces[edge.left].normal, &B = hull.faces[edge.right].normal;
+  return {0.5 * (from + to), u, 0.5 * length, {A.cross(u), u.cross(B)}};
+}
+
+std::uint32_t edge_name(std::size_t e, std::size_t g, unsigned where) {
+  constexpr HullFeature kKind[] = {HullFeature::edge_pair, HullFeature::low_end, HullFeature::high_end};
+  return hull_feature(kKind[where], 0, e << 10 | g);
+}
+
+// Contacts along two edges that run side by side no farther apart than `nearest`. False when there are none.
+bool add_side_contacts(const Meeting& m, std::size_t e, std::size_t g, double nearest) {
+  SidePlace place[3];
+  const double smallest = std::min(m.a.view.inner_radius, m.b.view.inner_radius);
+  const int count =
+      side_by_side(edge_line(m.a.view, m.a.view.edges[e]), edge_line(m.b_in_a, m.b_in_a.edges[g]),
+                   0.5 * preference(nearest, smallest), 0, place);
+  double lowest = kNone;
+  for (int k = 0; k < count; ++k) lowest = std::min(lowest, place[k].distance);
+  if (!(lowest <= nearest + preference(nearest, smallest))) return false;
+  for (int k = 0; k < count; ++k) {
+    const SidePlace& p = place[k];
+    if (p.distance < m.reach)
+      add_contact(m.out, m.a.number, m.b.number, m.a.c + m.a.R * p.y, m.a.R * p.n, p.distance,
+                  edge_name(e, g, p.where));
+  }
+  return true;
+}
+
 // Nearest points of the two edges. False when they lie beyond the ends of an edge.
 bool add_edge_contact(const Meeting& m, const BestEdge& best) {
   const HullEdge& edge_a = m.a.view.edges[static_cast<std::size_t>(best.e)];
@@ -98,10 +131,11 @@ bool add_edge_contact(const Meeting& m, const BestEdge& best) {
   constexpr double kEnd = 1e-9;
   if (!(on_a >= -kEnd && on_a <= 1 + kEnd && on_b >= -kEnd && on_b <= 1 + kEnd)) return false;
   const double d = w.dot(best.n);
+  const auto e = static_cast<std::size_t>(best.e), g = static_cast<std::size_t>(best.g);
+  if (d > 0 && add_side_contacts(m, e, g, d)) return true;
   if (d < m.reach) {
     add_contact(m.out, m.a.number, m.b.number, m.a.c + m.a.R * (q + on_b * v), m.a.R * best.n, d,
-                hull_feature(HullFeature::edge_pair, 0,
-                             static_cast<std::size_t>(best.e) << 10 | static_cast<std::size_t>(best.g)));
+                edge_name(e, g, SidePlace::nearest));
   }
   return true;
 }
@@ -124,15 +158,40 @@ NearestCorner nearest_corner(const HullView& hull, const HullView& other, double
   return best;
 }
 
+// Along an edge through that corner which runs side by side with an edge of the other hull.
+bool add_side_contacts_at(const Meeting& m, bool corner_of_b, std::size_t corner, double nearest) {
+  for (std::size_t e = 0; e < m.a.view.edges.size(); ++e) {
+    const HullEdge& edge_a = m.a.view.edges[e];
+    if (!corner_of_b && edge_a.from != corner && edge_a.to != corner) continue;
+    const Vec3 u = m.a.view.vertices[edge_a.to] - m.a.view.vertices[edge_a.from];
+    for (std::size_t g = 0; g < m.b_in_a.edges.size(); ++g) {
+      const HullEdge& edge_b = m.b_in_a.edges[g];
+      if (corner_of_b && edge_b.from != corner && edge_b.to != corner) continue;
+      const Vec3 v = m.b_in_a.vertices[edge_b.to] - m.b_in_a.vertices[edge_b.from];
+      const double uv = u.dot(v), uu_vv = u.squaredNorm() * v.squaredNorm();
+      if (uv * uv < (1 - kAlongSine * kAlongSine) * uu_vv) continue;
+      if (add_side_contacts(m, e, g, nearest)) return true;
+    }
+  }
+  return false;
+}
+
 // The hulls are apart, and neither a face nor an edge pair separates best: the nearest points are a corner of
-// one and its foot on the other.
-void add_corner_contact(const Meeting& m, double limit) {
+// one and its foot on the other. As in box_box, edges that run side by side replace what faces said from
+// `start` on.
+void add_corner_contact(const Meeting& m, double limit, std::size_t start) {
   const NearestCorner on_b = nearest_corner(m.a.view, m.b_in_a, limit);
   const NearestCorner on_a = nearest_corner(m.b_in_a, m.a.view, std::min(limit, on_b.distance));
   const bool corner_of_b = on_b.distance <= on_a.distance;
   const NearestCorner& c = corner_of_b ? on_b : on_a;
   const double smallest = std::min(m.a.view.inner_radius, m.b_in_a.inner_radius);
   if (!(c.distance < limit) || !(c.distance > 1e-12 * smallest)) return;
+  const std::size_t faces = m.out.size();
+  if (add_side_contacts_at(m, corner_of_b, c.number, c.distance)) {
+    m.out.erase(m.out.begin() + static_cast<std::ptrdiff_t>(start),
+                m.out.begin() + static_cast<std::ptrdiff_t>(faces));
+    return;
+  }
   const Side &owner = corner_of_b ? m.a : m.b, &other = corner_of_b ? m.b : m.a;
   add_contact(m.out, owner.number, other.number, m.a.c + m.a.R * c.corner,
               m.a.R * ((c.corner - c.foot) / c.distance), c.distance,
@@ -165,11 +224,12 @@ void meet(const Side& a, const Side& b, double reach, Contacts& out) {
   if (!(edge.separation < reach)) return;
   const bool have_edge = edge.g >= 0;
   if (have_edge && edge.separation > face + preference(face, smallest) && add_edge_contact(m, edge)) return;
+  const std::size_t start = out.size();
   const double d = add_face(m, b_owns, b_owns ? face_b.face : face_a.face);
   if (d <= face + preference(face, smallest)) return;
   // The deepest or nearest part is not over that face.
   if (face > 0) {
-    add_corner_contact(m, std::min(d, reach));
+    add_corner_contact(m, std::min(d, reach), start);
   } else if (!(have_edge && add_edge_contact(m, edge)) && d == kNone) {
     add_face(m, !b_owns, b_owns ? face_a.face : face_b.face);
   }
