@@ -128,33 +128,6 @@ NearestCorner nearest_corner(const Placed<Box>& box, const Placed<Box>& other) {
   return best;
 }
 
-// The boxes are apart. Where neither a face nor an edge pair separates best, the nearest points are a corner
-// of one and its foot on the other: one contact, or those along the edges through it that run side by side,
-// which say all there is to say and replace what faces said from `start` on.
-void add_corner_contact(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, double limit,
-                        double reach, std::size_t start, Contacts& out) {
-  const NearestCorner on_b = nearest_corner(a, b), on_a = nearest_corner(b, a);
-  const bool corner_of_b = on_b.distance2 <= on_a.distance2;
-  const NearestCorner& c = corner_of_b ? on_b : on_a;
-  const double d = std::sqrt(c.distance2);
-  if (!(d < limit) || !(d > 1e-12 * std::min(a.shape.half.minCoeff(), b.shape.half.minCoeff()))) return;
-  const Placed<Box>&owner = corner_of_b ? a : b, &other = corner_of_b ? b : a;
-  const Vec3 n = owner.R * ((c.corner - c.foot) / d);
-  const Vec3 from_a = a.R.transpose() * (corner_of_b ? n : Vec3(-n));
-  const std::size_t faces = out.size();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (1 - r.C[i][j] * r.C[i][j] > kAlongSine * kAlongSine) continue;
-      if (!add_side_contacts(a, b, edges_towards(a, b, r, i, j, from_a), d, reach, out)) continue;
-      out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
-                out.begin() + static_cast<std::ptrdiff_t>(faces));
-      return;
-    }
-  }
-  add_contact(out, owner.number, other.number, owner.c + owner.R * c.corner, n, d,
-              kCornerFeature | (corner_of_b ? 8u : 0u) | c.number);
-}
-
 FaceQuery seen_from_a(const Placed<Box>& a, const Placed<Box>& b, const Relative& r) {
   FaceQuery q{a, b, {}, {}, 0};
   for (int i = 0; i < 3; ++i) {
@@ -171,6 +144,62 @@ FaceQuery seen_from_b(const Placed<Box>& a, const Placed<Box>& b, const Relative
     for (int j = 0; j < 3; ++j) q.C[i][j] = r.C[j][i];
   }
   return q;
+}
+
+// Contacts of the face that separates best, of a or of b.
+double add_face(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, bool of_b, const Best& face,
+                double reach, Contacts& out) {
+  return add_face_contacts(of_b ? seen_from_b(a, b, r) : seen_from_a(a, b, r), face.i, reach, out);
+}
+
+// Along edges through the nearest points that run side by side; n from a to b, in the frame of a.
+bool add_parallel_edges(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, const Vec3& n,
+                        double d, double reach, Contacts& out) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (1 - r.C[i][j] * r.C[i][j] > kAlongSine * kAlongSine) continue;
+      if (add_side_contacts(a, b, edges_towards(a, b, r, i, j, n), d, reach, out)) return true;
+    }
+  }
+  return false;
+}
+
+// What the chosen face says of two boxes that are apart: its smallest d and where its contacts start.
+struct ChosenFace {
+  bool of_b;
+  double d;
+  std::size_t start;
+};
+
+// The boxes are apart, and neither the chosen face nor an edge pair says how far: the nearest points are a
+// corner of one and its foot on the other. If that is on the other box's face, `rival` with what separates,
+// it is a face contact after all; if edges run side by side there, contacts along them. Either says all there
+// is to say and replaces what the chosen face said.
+void add_apart(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, const ChosenFace& chosen,
+               const Best& rival, double reach, Contacts& out) {
+  const NearestCorner on_b = nearest_corner(a, b), on_a = nearest_corner(b, a);
+  const bool corner_of_b = on_b.distance2 <= on_a.distance2;
+  const NearestCorner& c = corner_of_b ? on_b : on_a;
+  const double d = std::sqrt(c.distance2);
+  const double smallest = std::min(a.shape.half.minCoeff(), b.shape.half.minCoeff());
+  if (!(d < std::min(chosen.d, reach)) || !(d > 1e-12 * smallest)) return;
+  const Placed<Box>&owner = corner_of_b ? a : b, &other = corner_of_b ? b : a;
+  const Vec3 n = owner.R * ((c.corner - c.foot) / d);
+  const std::size_t faces = out.size();
+  const double bound = rival.separation + preference(rival.separation, smallest);
+  bool told = false;
+  if (corner_of_b == chosen.of_b && d <= bound) {
+    told = add_face(a, b, r, !chosen.of_b, rival, reach, out) <= bound;
+    if (!told) out.resize(faces);
+  }
+  const Vec3 from_a = a.R.transpose() * (corner_of_b ? n : Vec3(-n));
+  if (told || add_parallel_edges(a, b, r, from_a, d, reach, out)) {
+    out.erase(out.begin() + static_cast<std::ptrdiff_t>(chosen.start),
+              out.begin() + static_cast<std::ptrdiff_t>(faces));
+  } else {
+    add_contact(out, owner.number, other.number, owner.c + owner.R * c.corner, n, d,
+                kCornerFeature | (corner_of_b ? 8u : 0u) | c.number);
+  }
 }
 
 }  // namespace
@@ -216,18 +245,15 @@ void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts&
       add_edge_contact(a, b, r, edge, reach, out)) {
     return;
   }
-  const auto add_face = [&](bool from_b) {
-    return from_b ? add_face_contacts(seen_from_b(a, b, r), face_b.i, reach, out)
-                  : add_face_contacts(seen_from_a(a, b, r), face_a.i, reach, out);
-  };
   const std::size_t start = out.size();
-  const double d = add_face(b_owns);
+  const double d = add_face(a, b, r, b_owns, b_owns ? face_b : face_a, reach, out);
   if (d <= face + preference(face, smallest)) return;
   // The deepest or nearest part is not over that face.
+  const Best& rival = b_owns ? face_a : face_b;
   if (face > 0) {
-    add_corner_contact(a, b, r, std::min(d, reach), reach, start, out);
+    add_apart(a, b, r, {b_owns, d, start}, rival, reach, out);
   } else if (!(have_edge && add_edge_contact(a, b, r, edge, reach, out)) && d == kNone) {
-    add_face(!b_owns);
+    add_face(a, b, r, !b_owns, rival, reach, out);
   }
 }
 

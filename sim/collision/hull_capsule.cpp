@@ -102,7 +102,6 @@ double add_face(const Query& q, int number, bool through) {
 struct Nearest {
   double distance = kNone, t = 0;
   Vec3 foot = Vec3::Zero();
-  int edge = -1;  // that the foot lies on
 };
 
 // Nearest points of the segment and an edge, both of some length.
@@ -116,7 +115,7 @@ void try_edge(const Query& q, int number, Nearest& best) {
   t = std::clamp((s * eg - ew) / ee, 0.0, 1.0);
   const Vec3 foot = a + s * g;
   const double distance = (q.at(t) - foot).norm();
-  if (distance < best.distance) best = {distance, t, foot, number};
+  if (distance < best.distance) best = {distance, t, foot};
 }
 
 // The segment is outside.
@@ -126,7 +125,7 @@ Nearest nearest_to(const Query& q) {
   for (const double t : {0.0, 1.0}) {
     Vec3 foot = q.at(t);
     const double distance = nearest_point(q.view, q.at(t), best.distance, foot);
-    if (distance < best.distance) best = {distance, t, foot, -1};
+    if (distance < best.distance) best = {distance, t, foot};
   }
   return best;
 }
@@ -153,8 +152,21 @@ bool add_along_edge(const Query& q, int number, double distance) {
   return count > 0;
 }
 
+// The nearest point may be a corner, and the edge to follow any that meets there.
+bool add_along_edges(const Query& q, const Nearest& nearest) {
+  const double same = 1e-9 * q.view.inner_radius;
+  for (std::size_t k = 0; k < q.view.edges.size(); ++k) {
+    const Vec3 &a = q.from(q.view.edges[k]), g = q.to(q.view.edges[k]) - a;
+    if (!runs_along(g.normalized(), q.u)) continue;
+    const double s = std::clamp(g.dot(nearest.foot - a) / g.squaredNorm(), 0.0, 1.0);
+    if ((a + s * g - nearest.foot).norm() > same) continue;
+    if (add_along_edge(q, static_cast<int>(k), nearest.distance)) return true;
+  }
+  return false;
+}
+
 void add_nearest(const Query& q, const Nearest& nearest) {
-  if (nearest.edge >= 0 && add_along_edge(q, nearest.edge, nearest.distance)) return;
+  if (add_along_edges(q, nearest)) return;
   const Vec3 n = (q.at(nearest.t) - nearest.foot) / nearest.distance;
   const std::uint32_t end = nearest.t <= 0 ? 0u : nearest.t >= 1 ? 1u : 2u;
   q.add(q.at(nearest.t) - q.radius * n, n, nearest.distance - q.radius, kNearest + end);

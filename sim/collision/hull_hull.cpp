@@ -176,34 +176,54 @@ bool add_side_contacts_at(const Meeting& m, bool corner_of_b, std::size_t corner
   return false;
 }
 
-// The hulls are apart, and neither a face nor an edge pair separates best: the nearest points are a corner of
-// one and its foot on the other. As in box_box, edges that run side by side replace what faces said from
-// `start` on.
-void add_corner_contact(const Meeting& m, double limit, std::size_t start) {
-  const NearestCorner on_b = nearest_corner(m.a.view, m.b_in_a, limit);
-  const NearestCorner on_a = nearest_corner(m.b_in_a, m.a.view, std::min(limit, on_b.distance));
-  const bool corner_of_b = on_b.distance <= on_a.distance;
-  const NearestCorner& c = corner_of_b ? on_b : on_a;
-  const double smallest = std::min(m.a.view.inner_radius, m.b_in_a.inner_radius);
-  if (!(c.distance < limit) || !(c.distance > 1e-12 * smallest)) return;
-  const std::size_t faces = m.out.size();
-  if (add_side_contacts_at(m, corner_of_b, c.number, c.distance)) {
-    m.out.erase(m.out.begin() + static_cast<std::ptrdiff_t>(start),
-                m.out.begin() + static_cast<std::ptrdiff_t>(faces));
-    return;
-  }
-  const Side &owner = corner_of_b ? m.a : m.b, &other = corner_of_b ? m.b : m.a;
-  add_contact(m.out, owner.number, other.number, m.a.c + m.a.R * c.corner,
-              m.a.R * ((c.corner - c.foot) / c.distance), c.distance,
-              hull_feature(HullFeature::corner, 0, (corner_of_b ? 1024u : 0u) | c.number));
-}
-
 double add_face(const Meeting& m, bool b_owns, int face) {
   if (!b_owns) {
     return add_hull_face({m.a.view, m.b_in_a, m.a.c, m.a.R, m.a.number, m.b.number}, face, m.reach, m.out);
   }
   const MovedHull a_in_b(m.a.view, m.C.transpose(), -(m.C.transpose() * m.t));
   return add_hull_face({m.b.view, a_in_b.view, m.b.c, m.b.R, m.b.number, m.a.number}, face, m.reach, m.out);
+}
+
+struct NearestPoints {
+  NearestCorner at;
+  bool corner_of_b;
+};
+
+NearestPoints nearest_points(const Meeting& m, double limit) {
+  const NearestCorner on_b = nearest_corner(m.a.view, m.b_in_a, limit);
+  const NearestCorner on_a = nearest_corner(m.b_in_a, m.a.view, std::min(limit, on_b.distance));
+  const bool corner_of_b = on_b.distance <= on_a.distance;
+  return {corner_of_b ? on_b : on_a, corner_of_b};
+}
+
+void add_corner_contact(const Meeting& m, const NearestPoints& c) {
+  const Side &owner = c.corner_of_b ? m.a : m.b, &other = c.corner_of_b ? m.b : m.a;
+  add_contact(m.out, owner.number, other.number, m.a.c + m.a.R * c.at.corner,
+              m.a.R * ((c.at.corner - c.at.foot) / c.at.distance), c.at.distance,
+              hull_feature(HullFeature::corner, 0, (c.corner_of_b ? 1024u : 0u) | c.at.number));
+}
+
+// The hulls are apart, nearer than `limit`, and neither the chosen face nor an edge pair says how far: the
+// nearest points are a corner of one and its foot on the other. If that is on the other hull's face, `rival`
+// with what separates, it is a face contact after all; if edges run side by side there, contacts along them.
+// Either says all there is to say and replaces what the chosen face said from `start` on.
+void add_apart(const Meeting& m, double limit, bool b_owns, const BestFace& rival, std::size_t start) {
+  const NearestPoints c = nearest_points(m, limit);
+  const double smallest = std::min(m.a.view.inner_radius, m.b_in_a.inner_radius);
+  if (!(c.at.distance < limit) || !(c.at.distance > 1e-12 * smallest)) return;
+  const std::size_t faces = m.out.size();
+  const double bound = rival.separation + preference(rival.separation, smallest);
+  bool told = false;
+  if (c.corner_of_b == b_owns && c.at.distance <= bound) {
+    told = add_face(m, !b_owns, rival.face) <= bound;
+    if (!told) m.out.resize(faces);
+  }
+  if (told || add_side_contacts_at(m, c.corner_of_b, c.at.number, c.at.distance)) {
+    m.out.erase(m.out.begin() + static_cast<std::ptrdiff_t>(start),
+                m.out.begin() + static_cast<std::ptrdiff_t>(faces));
+  } else {
+    add_corner_contact(m, c);
+  }
 }
 
 void meet(const Side& a, const Side& b, double reach, Contacts& out) {
@@ -229,7 +249,7 @@ void meet(const Side& a, const Side& b, double reach, Contacts& out) {
   if (d <= face + preference(face, smallest)) return;
   // The deepest or nearest part is not over that face.
   if (face > 0) {
-    add_corner_contact(m, std::min(d, reach), start);
+    add_apart(m, std::min(d, reach), b_owns, b_owns ? face_a : face_b, start);
   } else if (!(have_edge && add_edge_contact(m, edge)) && d == kNone) {
     add_face(m, !b_owns, b_owns ? face_a.face : face_b.face);
   }
