@@ -94,56 +94,92 @@ double surface_distance(const Shape& shape, const Vec3& c, const Mat3& R, const 
   return std::hypot(p.x(), p.z()) - capsule.radius;
 }
 
+namespace {
+
+// The shape is the convex hull of these points, swollen by a radius.
+struct Core {
+  std::vector<Vec3> points;
+  double radius = 0;
+};
+
+Core core(const Shape& shape, const Vec3& c, const Mat3& R) {
+  Core out;
+  const auto add = [&](const Vec3& x) { out.points.push_back(c + R * x); };
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    for (int k = 0; k < 8; ++k)
+      add(box->half.cwiseProduct(Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1)));
+  } else if (const auto* hull = std::get_if<Hull>(&shape)) {
+    for (const Vec3& v : hull->data->vertices) add(v);
+  } else if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    add(Vec3::Zero());
+    out.radius = sphere->radius;
+  } else {
+    const auto& capsule = std::get<Capsule>(shape);
+    for (const double y : {-0.5, 0.5}) add(Vec3(0, y * capsule.length, 0));
+    out.radius = capsule.radius;
+  }
+  return out;
+}
+
+// Every line between two of the points: the edges are among them.
+std::vector<Vec3> chords(const std::vector<Vec3>& points) {
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) out.push_back(points[i] - points[j]);
+  return out;
+}
+
+// The largest gap seen along the directions asked for, either way round.
+struct BestGap {
+  const std::vector<Vec3>&a, &b;
+  double value = -1e300;
+
+  void look_along(const Vec3& direction) {
+    const double length = direction.norm();
+    if (!(length > 1e-12)) return;
+    double a_lo = 1e300, a_hi = -1e300, b_lo = 1e300, b_hi = -1e300;
+    for (const Vec3& x : a) {
+      const double s = direction.dot(x);
+      a_lo = std::min(a_lo, s);
+      a_hi = std::max(a_hi, s);
+    }
+    for (const Vec3& x : b) {
+      const double s = direction.dot(x);
+      b_lo = std::min(b_lo, s);
+      b_hi = std::max(b_hi, s);
+    }
+    value = std::max(value, std::max(b_lo - a_hi, a_lo - b_hi) / length);
+  }
+};
+
+// Directions from the points of one body straight to the lines of the other.
+void look_from_points_to_lines(const std::vector<Vec3>& points, const std::vector<Vec3>& ends,
+                               BestGap& best) {
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec3 line = (ends[i] - ends[j]).normalized();
+      for (const Vec3& x : points) best.look_along((x - ends[j]) - line.dot(x - ends[j]) * line);
+    }
+}
+
+}  // namespace
+
 double signed_distance(const Setup& setup, Index a, Index b) {
   const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-  const auto gap = [&](const Vec3& n) {
-    return -support(setup.model.shape[j], setup.c[j], setup.R[j], -n) -
-           support(setup.model.shape[i], setup.c[i], setup.R[i], n);
-  };
-  constexpr int kDirections = 3000, kStarts = 8;
-  static const std::vector<Vec3> directions = [] {  // a golden spiral over the unit sphere
-    std::vector<Vec3> list;
-    for (int k = 0; k < kDirections; ++k) {
-      const double y = 1 - (2 * k + 1.0) / kDirections, angle = k * kPi * (3 - std::sqrt(5.0));
-      const double r = std::sqrt(1 - y * y);
-      list.emplace_back(r * std::cos(angle), y, r * std::sin(angle));
-    }
-    return list;
-  }();
-  std::vector<std::pair<double, int>> ranked;
-  for (int k = 0; k < kDirections; ++k) ranked.emplace_back(-gap(directions[static_cast<std::size_t>(k)]), k);
-  std::sort(ranked.begin(), ranked.end());
-
-  Random random(99);
-  double best = -1e300;
-  std::vector<Vec3> starts;
-  for (const auto& [value, k] : ranked) {
-    const Vec3& n = directions[static_cast<std::size_t>(k)];
-    const bool near_another =
-        std::any_of(starts.begin(), starts.end(), [&](const Vec3& other) { return other.dot(n) > 0.99; });
-    if (near_another) continue;
-    starts.push_back(n);
-    if (static_cast<int>(starts.size()) == kStarts) break;
-  }
-  for (Vec3 n : starts) {
-    double value = gap(n), radius = 0.05;
-    int failures = 0;
-    while (radius > 1e-6) {
-      const Vec3 trial = (n + radius * random.direction()).normalized();
-      const double v = gap(trial);
-      if (v > value) {
-        value = v;
-        n = trial;
-        radius *= 1.3;
-        failures = 0;
-      } else if (++failures == 60) {
-        radius *= 0.6;
-        failures = 0;
-      }
-    }
-    best = std::max(best, value);
-  }
-  return best;
+  const Core core_a = core(setup.model.shape[i], setup.c[i], setup.R[i]);
+  const Core core_b = core(setup.model.shape[j], setup.c[j], setup.R[j]);
+  const auto lines_a = chords(core_a.points), lines_b = chords(core_b.points);
+  BestGap best{core_a.points, core_b.points};
+  for (const Vec3& x : core_a.points)  // apart: point and point
+    for (const Vec3& y : core_b.points) best.look_along(y - x);
+  look_from_points_to_lines(core_a.points, core_b.points, best);  // point and edge
+  look_from_points_to_lines(core_b.points, core_a.points, best);
+  for (const auto* lines : {&lines_a, &lines_b})  // a face
+    for (std::size_t k = 0; k < lines->size(); ++k)
+      for (std::size_t m = 0; m < k; ++m) best.look_along((*lines)[k].cross((*lines)[m]));
+  for (const Vec3& u : lines_a)  // two edges
+    for (const Vec3& v : lines_b) best.look_along(u.cross(v));
+  return best.value - core_a.radius - core_b.radius;
 }
 
 }  // namespace reference

@@ -44,8 +44,8 @@ double support(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& n);
 double surface_distance(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& x);
 
 // Signed distance of two convex bodies, max over unit n of (min over b of n·x − max over a of n·x): their gap
-// when they are apart, minus the shortest way out when they overlap. By sampling directions and climbing from
-// the best; good to about 1e-6 of their size.
+// when they are apart, minus the shortest way out when they overlap. The best n joins two features, corners,
+// edges or faces, and all such directions are tried: exact to rounding.
 double signed_distance(const Setup& setup, Index a, Index b);
 
 }  // namespace reference

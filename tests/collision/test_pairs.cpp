@@ -1,7 +1,7 @@
 // Every pair of solid shapes in random poses: the contact points against a brute-force signed distance.
 //
 // Tolerances. Faces are preferred to edges within 0.02 |s| + 1e-3 · smallest half edge (`preference`), so a
-// gap may be understated or a depth overstated by that much; the brute force itself is good to 1e-5 here.
+// gap may be understated or a depth overstated by that much; the brute force itself is exact.
 // Points lie on surfaces and along normals to 1e-12.
 #include <catch2/catch.hpp>
 #include <set>
@@ -46,7 +46,7 @@ double smallest_half(const Shape& shape) {
 // Tolerance of the signed distance s for this pair.
 double tolerance(const PairCase& pair, double s) {
   const double half = std::min(smallest_half(pair.a), smallest_half(pair.b));
-  return 1e-5 + (half < 1e300 ? 0.021 * std::abs(s) + 1e-3 * half : 0);
+  return 1e-9 + (half < 1e300 ? 0.021 * std::abs(s) + 1e-3 * half : 0);
 }
 
 // A random pose of both, near each other.
@@ -98,7 +98,7 @@ TEST_CASE(
         const auto contacts = setup.contacts();
         INFO("trial " << trial << ", signed distance " << s << ", contacts " << contacts.size());
         check_points(setup, contacts, s > -0.15);
-        if (s > reach + 1e-5) {
+        if (s > reach + 1e-9) {
           REQUIRE(contacts.empty());
           continue;
         }
