@@ -78,6 +78,7 @@ struct ContactState {
   Vec3x n;         // normals; world
   Vec3x u;         // tangential stretch; world
   Lanes d;
+  double short_a = 0, short_b = 0;  // by how much the lever of friction ends above y along n, see Roll; m
 };
 
 // The contacts as quadratic models at the current poses. Zero for d ≥ d̂.
@@ -87,11 +88,31 @@ struct ContactForce {
   Lanes alpha_n;  // weight along the normal: tangent split; N/m
 };
 
-// r_b δ_b + r_a δ_a, δ = log(R R*ᵀ); beside a plane that turns, r_b (δ_b − δ_a).
-inline Vec3 turn_since_prediction(const ContactPatch& p, const Pose& a, const Pose& b) {
+// How far a turn δ = log(R R*ᵀ) rolls the surface, in units of the radius: δ itself up to 1 rad, then less
+// and less, nothing more from 2 rad on. A body's inertia resists a turn in one step by sin ‖δ‖ at most;
+// friction that went on with ‖δ‖ would drive a ball that is hit hard to ‖δ‖ = π, where no spin is left.
+struct Roll {
+  Vec3 turn;     // rad
+  double slope;  // d‖turn‖/d‖δ‖
+};
+inline Roll roll_since_prediction(const Mat3& star, const Mat3& R) {
+  const Vec3 turn = turn_between(star, R);
+  const double angle2 = turn.squaredNorm();
+  if (angle2 <= 1) return {turn, 1};
+  const double angle = std::sqrt(angle2), past = angle < 2 ? angle - 1 : 1, past2 = past * past;
+  const double rolled = 1 + past * (1 - past2 * (2.0 / 3 - past2 / 5));
+  return {(rolled / angle) * turn, (1 - past2) * (1 - past2)};
+}
+
+// Adds what round bodies have rolled since the prediction.
+inline void add_roll(const ContactPatch& p, const Pose& a, const Pose& b, ContactState& s) {
   const Rolling& r = *p.rolling;
-  const Vec3 turn_a = turn_between(r.star_a, a.R), turn_b = turn_between(r.star_b, b.R);
-  return r.radius_b * turn_b + (p.turns ? -r.radius_b : r.radius_a) * turn_a;
+  const Roll on_a = roll_since_prediction(r.star_a, a.R), on_b = roll_since_prediction(r.star_b, b.R);
+  const double radius_a = p.turns ? -r.radius_b : r.radius_a;
+  s.u = s.u + cross(s.n, spread(r.radius_b * on_b.turn + radius_a * on_a.turn));
+  s.y = s.y - lanes(r.radius_b) * s.n;
+  s.short_a = -radius_a * (1 - on_a.slope);
+  s.short_b = r.radius_b * (1 - on_b.slope);
 }
 
 // Always inlined: sixteen vector registers' worth of results would go through memory otherwise, and loads
@@ -107,10 +128,7 @@ inline Vec3 turn_since_prediction(const ContactPatch& p, const Pose& a, const Po
   s.d = p.gap + along;
   s.u = offset - along * s.n + (p.turns ? rotate(a.R, before) : before);
   s.y = s.normal_y;
-  if (p.separate) {
-    s.u = s.u + cross(s.n, spread(turn_since_prediction(p, a, b)));
-    s.y = s.y - lanes(p.rolling->radius_b) * s.n;
-  }
+  if (p.separate) add_roll(p, a, b, s);
   return s;
 }
 
@@ -121,11 +139,11 @@ struct ContactLevers {
 
 // Of body a. The plane of a flat owner is pushed where b's point is; a round one at its own normal point.
 inline ContactLevers levers_on_a(const ContactPatch& p, const ContactState& s, const Pose& a) {
-  return {p.turns ? s.normal_y : rotate(a.R, p.normal_a), s.y};
+  return {p.turns ? s.normal_y : rotate(a.R, p.normal_a), s.y + lanes(s.short_a) * s.n};
 }
 inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pose& b) {
   const Vec3x back = spread(a.c - b.c);
-  return {s.normal_y + back, s.y + back};
+  return {s.normal_y + back, s.y + lanes(s.short_b) * s.n + back};
 }
 
 // Ψ, Ψ' and the tangent split's weight for a patch.
