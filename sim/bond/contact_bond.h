@@ -63,6 +63,7 @@ struct ContactPatch {
   Lanes limit;        // friction bound μ f_n of this iteration
   Lanes last_change;  // of `limit`
   Lanes gain;         // share of the next change: halved each time that `limit` swings back
+  bool felt = false;  // it pushed or held in some iterate of this step
 };
 
 // What all contacts of a step share.

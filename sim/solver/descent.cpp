@@ -6,8 +6,9 @@
 //   quiet    a body that moved by less than the mean of all bodies when it was last relaxed, as did its
 //            neighbours, waits until the others are no worse. Before a solve may call itself converged, one
 //            sweep relaxes every body. With `tolerance` 0 no body waits.
-//   small    a step that shortens from sweep to sweep and is short against d̂ is taken without asking for the
-//            energy: there the model is good enough for E to fall.
+//   small    a step that shortens from sweep to sweep, is short against d̂ and is not stretched is taken
+//   without
+//            asking for the energy: there the model is good enough for E to fall.
 //   stretch  a body that keeps moving the same way goes farther, up to half as far again (over-relaxation):
 //   the
 //            load of a stack travels faster.
@@ -104,7 +105,8 @@ void relax_body(const SolveContext& s, Index i, const DescentSweep& sweep) {
   step.dc *= stretched;
   step.dw *= stretched;
   Pose trial = moved_by(w.pose[i], step);
-  if (step.definite && w.moved[i] < last && is_small(w.law.barrier, w.moved[i]) && w.joints_of(i).empty()) {
+  if (step.definite && stretched == 1 && w.moved[i] < last && is_small(w.law.barrier, w.moved[i]) &&
+      w.joints_of(i).empty()) {
     w.pose[i] = trial;
     return;
   }

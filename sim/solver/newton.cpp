@@ -107,7 +107,7 @@ Mat6 shifted(const Vec3& back, const Mat6& H) {
 
 // E, its gradient and the matrix at the current iterate.
 double assemble(const SolveContext& s, bool geometric, NewtonSystem& system) {
-  const StepWorkspace::Impl& w = s.w;
+  StepWorkspace::Impl& w = s.w;
   system.matrix.set_zero();
   double energy = 0;
   for (std::size_t p = 0; p < w.newton.size(); ++p)
@@ -118,12 +118,13 @@ double assemble(const SolveContext& s, bool geometric, NewtonSystem& system) {
     energy += bond.energy;
     add_bond(bond, pull, p, q, system);
   });
-  for (const ContactPatch& patch : w.patches) {
+  for (ContactPatch& patch : w.patches) {
     const Index p = system.row[patch.a], q = system.row[patch.b];
     if (p < 0 && q < 0) continue;
     const LinearPatch linear = linearize(w.law, patch, w.pose[patch.a], w.pose[patch.b]);
     energy += linear.energy;
     if (!linear.active) continue;
+    patch.felt = true;
     if (p >= 0) {
       system.matrix.diagonal(p).add(linear.H);
       system.g[p] += linear.g_a;

@@ -113,6 +113,7 @@ TangentModel tangent_model(const SolveContext& s, Index i, const Inertia& in, bo
         end.is_a ? contact_state(patch, pose, other) : contact_state(patch, other, pose);
     const ContactForce force = normal_force(w.law.barrier, state.d);
     if (move_limits && end.owner) move_limit(patch, force);
+    if (sum(force.alpha_n) + sum(patch.limit) > 0) patch.felt = true;
     const ContactLevers levers = end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, other, pose);
     add_patch(w.law, patch, state, force, levers, end.is_a ? -1 : 1, c);
   }

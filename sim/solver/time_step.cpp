@@ -19,6 +19,7 @@
 #include "sim/solver/islands.h"
 #include "sim/solver/joint_reports.h"
 #include "sim/solver/joint_set.h"
+#include "sim/solver/momentum.h"
 #include "sim/solver/newton.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_summary.h"
@@ -51,10 +52,13 @@ void predict(const Model& model, const Params& params, const State& state, int t
   });
 }
 
-// 4. v ← v + (c − c*)/h. The spin gets the angular impulse that the minimiser of E implies, −axial(R* J
-// Rᵀ)/h, which is I log(R R*ᵀ)/h to first order and exactly the contacts' r × f h (Deviation D8).
-void update_velocities(const Model& model, const Params& params, StepWorkspace::Impl& w) {
+// 4. Momentum is kept by what nothing outside holds; v ← v + (c − c*)/h. The spin gets the angular impulse
+// that the minimiser of E implies, −axial(R* J Rᵀ)/h, which is I log(R R*ᵀ)/h to first order and exactly the
+// contacts' r × f h (Deviation D8).
+void update_velocities(const Model& model, const Params& params, const State& start, StepWorkspace::Impl& w) {
+  balance_poses(model, start, params.h, w);
   for (const Index i : w.solved) {
+    if (w.pose[i].c == w.star[i].c && w.pose[i].R == w.star[i].R) continue;  // flew freely
     w.pose[i].R = reorthonormalized(w.pose[i].R);
     w.v[i] += (w.pose[i].c - w.star[i].c) / params.h;
     const Mat3 I = inertia_tensor(model.J[i]);
@@ -62,6 +66,7 @@ void update_velocities(const Model& model, const Params& params, StepWorkspace::
                       axial(w.star[i].R * model.J[i] * w.pose[i].R.transpose()) / params.h;
     w.omega[i] = w.pose[i].R * I.llt().solve(w.pose[i].R.transpose() * spin);
   }
+  balance_velocities(model, w);
 }
 
 // Of the bodies at `pose`, and their velocities.
@@ -103,6 +108,10 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
   w.moved.assign(w.v.size(), 0.0);
   w.rests.assign(w.v.size(), 0);
   w.projected.assign(w.v.size(), 0.0);
+  // Jacobi's threads share patches, and do not mark them.
+  const bool marks =
+      report.method != SolverMethod::sissm && s.params.solver.projection != Projection::weighted;
+  for (ContactPatch& patch : w.patches) patch.felt = !marks;
   const bool swept = sweeps_limits(s, report.method);  // friction bounds
   bool every_body = true;
   if (report.method == SolverMethod::sissm) w.A.resize(w.v.size());
@@ -199,8 +208,8 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   const Stopwatch solving;
   const bool feasible = !is_infeasible(w);
   if (feasible) solve({model, params, options.threads, report.time, w}, options, report);  // 3. minimise E
+  update_velocities(model, params, state, w);                                              // 4. velocities
   update_friction_limits(options.threads, LimitsOf::all, w);
-  update_velocities(model, params, w);  // 4. velocities
   report.times.solve = solving.ms();
 
   if (!feasible || report.status == StepStatus::non_finite || !all_finite(w.pose, w))

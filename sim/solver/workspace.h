@@ -59,6 +59,25 @@ struct IslandChoice {
 
 struct NewtonSystem;
 
+// Bodies that felt each other in a step and that nothing outside held (momentum.h).
+struct FreeGroup {
+  Index count = 0;
+  double mass = 0;
+  Vec3 origin = Vec3::Zero();               // of moments; world, m
+  Vec3 P = Vec3::Zero(), L = Vec3::Zero();  // what its momentum should be
+  Vec3 missing_P, missing_L;                // of that
+  Vec3 centre;                              // of mass, from the origin; m
+  Mat3 I;                                   // about it; kg m²
+  Vec3 v, omega;                            // rigid motion that is missing
+  Mat3 turn;                                // its rotation in a step
+};
+struct FreeGroups {
+  std::vector<Index> parent, number;
+  std::vector<std::uint8_t> held;
+  std::vector<FreeGroup> group;
+  std::vector<std::pair<Index, Index>> bodies;  // and their groups
+};
+
 struct StepWorkspace::Impl {
   // Predicted poses Q* and current iterate, one entry a body, and the identity for the world.
   std::vector<Pose> star, pose;
@@ -109,6 +128,8 @@ struct StepWorkspace::Impl {
   std::vector<LastStep> last_step;
   std::vector<std::uint8_t> rests;  // per body: left alone in the last sweep of descent
   std::vector<double> projected;    // per body: ‖A − R‖
+
+  FreeGroups groups;
 
   Impl();
   ~Impl();

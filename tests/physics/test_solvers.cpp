@@ -77,7 +77,8 @@ TEST_CASE("E never rises within a descent solve") {
     int falls = 0;
     testing::run(world, 200, {true, false, 1}, [&](const StepReport& r) {
       for (std::size_t k = 1; k < r.records.size(); ++k) {
-        CHECK(r.records[k].energy <= r.records[k - 1].energy * (1 + 1e-12));
+        // Rounding of places: m (1e-16 m)²/h² of each body that flies.
+        CHECK(r.records[k].energy <= r.records[k - 1].energy * (1 + 1e-12) + 1e-25);
         if (r.records[k].energy < r.records[k - 1].energy) ++falls;
       }
     });
