@@ -1,16 +1,50 @@
+// The stiffness "auto" of contacts.
+#include <algorithm>
+#include <limits>
+
 #include "sim/solver/time_step.h"
 
 namespace pabd {
+namespace {
+
+constexpr double kShare = 0.1;           // of d̂ by which the load closes a contact
+constexpr double kContacts = 4;          // that share the load: a box on a face
+constexpr double kImpacts = 10;          // times the heaviest weight, for what falls
+constexpr double kHighest = 100;         // heaviest weights on top of each other
+constexpr double kRoundingStep = 1e-12;  // of a place some 10 km from the origin; m
+
+struct Masses {
+  double total = 0, heaviest = 0, lightest = std::numeric_limits<double>::infinity();
+};
+
+Masses masses_of(const Model& model) {
+  Masses out;
+  for (std::size_t i = 0; i < model.mass.size(); ++i) {
+    if (model.fixed[i]) continue;
+    out.total += model.mass[i];
+    out.heaviest = std::max(out.heaviest, model.mass[i]);
+    out.lightest = std::min(out.lightest, model.mass[i]);
+  }
+  return out;
+}
+
+}  // namespace
 
 double resolve_kappa(const Model& model, const Params& params) {
   if (params.contact.kappa) return *params.contact.kappa;
-  const double mass = heaviest_mass(model);
+  const Masses m = masses_of(model);
+  if (m.heaviest == 0) return 1.0;
   const double g = params.gravity.norm() > 0 ? params.gravity.norm() : 9.81;
-  // 4 contacts carry 10 m g at d = 0.9 d̂:  4 κ |B'(0.9 d̂)| = 10 m g, with B' taken at κ = 1.
-  const Barrier unit{params.contact.barrier, params.contact.N, params.contact.d_hat, 1.0,
-                     params.contact.onset};
-  const double slope = -evaluate(unit, 0.9 * params.contact.d_hat).first;
-  return mass > 0 ? 10 * mass * g / (4 * slope) : 1.0;
+  const double d_hat = params.contact.d_hat;
+  const Barrier unit{params.contact.barrier, params.contact.N, d_hat, 1.0, params.contact.onset};
+  const BarrierValue at_load = evaluate(unit, (1 - kShare) * d_hat);
+  // kContacts contacts carry a mass M at d = (1 − kShare) d̂:  kContacts κ |B'| = M g.
+  const double per_mass = g / (kContacts * -at_load.first);
+  const double impacts = kImpacts * m.heaviest * per_mass;
+  const double load = std::min(m.total, kHighest * m.heaviest) * per_mass;
+  // What rounding of a far place adds to a force stays below the lightest weight.
+  const double rounding = m.lightest * g / (at_load.second * kRoundingStep);
+  return std::max(impacts, std::min(load, rounding));
 }
 
 }  // namespace pabd

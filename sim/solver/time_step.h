@@ -53,8 +53,11 @@ class StepWorkspace {
 void step(const Model& model, const Params& params, const StepOptions& options, State& state,
           StepWorkspace& workspace, StepReport& report);
 
-// κ of the contacts in J: the given one, or for "auto" the κ at which ten times the weight of the heaviest
-// movable body rests on four contacts at d = 0.9 d̂ (with 9.81 m/s² where gravity is zero).
+// κ of the contacts in J: the given one, or for "auto" the κ at which all that can press on a body rests on
+// four contacts at d = 0.9 d̂: the weight of all movable bodies, at most that of a hundred of the heaviest and
+// at least that of ten (with 9.81 m/s² where gravity is zero). Not so stiff that the rounding of a place 10
+// km from the origin outweighs the lightest body, unless ten of the heaviest ask for it. Linear in the number
+// of bodies.
 double resolve_kappa(const Model& model, const Params& params);
 
 }  // namespace pabd

@@ -72,3 +72,26 @@ TEST_CASE("κ auto: ten times the heaviest weight rests on four contacts at 0.9 
     CHECK(resolve_kappa(world.model, world.params) == 3.5);
   }
 }
+
+TEST_CASE("κ auto carries all bodies, but no more than a hundred of the heaviest") {
+  const auto carried = [](testing::World& world) {  // by four contacts at 0.9 d̂, in kg
+    const ContactParams& c = world.params.contact;
+    const Barrier barrier{c.barrier, c.N, c.d_hat, resolve_kappa(world.model, world.params), c.onset};
+    return -4 * evaluate(barrier, 0.9 * c.d_hat).first / world.params.gravity.norm();
+  };
+  testing::World world;
+  world.add_ground();
+  for (int k = 0; k < 60; ++k) world.add_cube(0.3, k % 2 == 0 ? 2 : 40, {0, 0.4 * k, 0});
+  CHECK(carried(world) == Approx(30 * 42).epsilon(1e-12));
+  for (int k = 0; k < 300; ++k) world.add_cube(0.3, 40, {2, 0.4 * k, 0});
+  CHECK(carried(world) == Approx(100 * 40).epsilon(1e-12));
+  world.add_cube(3, 5000, {1e5, 2, 0});  // as stiff as this one by itself needs
+  CHECK(carried(world) == Approx(10 * 5000).epsilon(1e-12));
+  // Dust: the load of many would be too stiff for it, that of a heavy one is not.
+  testing::World dusty;
+  dusty.add_ground();
+  for (int k = 0; k < 80; ++k) dusty.add_cube(1, 1e6, {0, 1.1 * k, 0});
+  dusty.add_cube(0.01, 1e-4, {5, 1, 0});
+  CHECK(carried(dusty) < 40 * 1e6);
+  CHECK(carried(dusty) >= Approx(10 * 1e6));
+}
