@@ -214,11 +214,10 @@ TEST_CASE("the window, its videos and render show the same step of B, whatever t
   struct Case {
     const char *a, *b, *fps, *view;
   };
-  constexpr int kSteps = 14;
+  constexpr int kSteps = 10;
   const Case cases[] = {{"0.016666666666666666", "0.01", "60", "ghost"},
                         {"0.016666666666666666", "0.004166666666666667", "60", "side"},
-                        {"0.01", "0.016666666666666666", "100", "side"},
-                        {"0.004", "0.009", "250", "ghost"}};
+                        {"0.01", "0.016666666666666666", "100", "side"}};
   const std::string size = R"("width":160,"height":90)";
   const std::string camera = R"("eye":[3,2,4],"target":[0,0.5,0],"fov":40)";
   for (const Case& c : cases) {
@@ -236,9 +235,8 @@ TEST_CASE("the window, its videos and render show the same step of B, whatever t
     std::string script = R"([{"do":"compare","values":["contact.kappa=20","time_step=)" + std::string(c.b) +
                          R"("]},{"do":"compare_view","how":")" + c.view + R"("},{"do":"look",)" + camera +
                          "}";
-    for (int i = 1; i <= kSteps; ++i) script += go("live", 1, i);
-    for (int i = kSteps - 3; i > 0; i -= 3) script += go("back", -3, i);
-    for (int i = 5; i <= kSteps; i += 3) script += go("again", 3, i);
+    script +=
+        go("live", 2, 2) + go("live", 5, 7) + go("live", 3, kSteps) + go("back", -7, 3) + go("again", 5, 8);
     const std::string record = R"(,{"do":"record",)" + size + R"(,"fps":)" + c.fps;
     script += record + R"(,"path":")" + (folder / "v{frame:02}.png") + R"("})";
     script += record + R"(,"overlay":"params,series,difference","path":")" + (folder / "o{frame:02}.png") +
