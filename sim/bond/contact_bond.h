@@ -41,9 +41,25 @@
 
 namespace pabd {
 
-// What the slip of a round body is measured from.
+// How far a turn δ = log(R R*ᵀ) rolls the surface, in units of the radius: δ itself up to 1 rad, then less
+// and less, nothing more from 2 rad on. A body's inertia resists a turn in one step by sin ‖δ‖ at most;
+// friction that went on with ‖δ‖ would drive a ball that is hit hard to ‖δ‖ = π, where no spin is left.
+struct Roll {
+  Vec3 turn = Vec3::Zero();  // rad
+  double slope = 1;          // d‖turn‖/d‖δ‖
+};
+inline Roll roll_since_prediction(const Mat3& star, const Mat3& R) {
+  const Vec3 turn = turn_between(star, R);
+  const double angle2 = turn.squaredNorm();
+  if (angle2 <= 1) return {turn, 1};
+  const double angle = std::sqrt(angle2), past = angle < 2 ? angle - 1 : 1, past2 = past * past;
+  const double rolled = 1 + past * (1 - past2 * (2.0 / 3 - past2 / 5));
+  return {(rolled / angle) * turn, (1 - past2) * (1 - past2)};
+}
+
+// What a separate patch needs to know of its bodies beside their poses.
 struct Rolling {
-  Mat3 star_a, star_b;  // predicted rotations R*
+  const Roll *a, *b;  // at the current iterate
   double radius_a, radius_b;
 };
 
@@ -89,33 +105,6 @@ struct ContactForce {
   Lanes alpha_n;  // weight along the normal: tangent split; N/m
 };
 
-// How far a turn δ = log(R R*ᵀ) rolls the surface, in units of the radius: δ itself up to 1 rad, then less
-// and less, nothing more from 2 rad on. A body's inertia resists a turn in one step by sin ‖δ‖ at most;
-// friction that went on with ‖δ‖ would drive a ball that is hit hard to ‖δ‖ = π, where no spin is left.
-struct Roll {
-  Vec3 turn;     // rad
-  double slope;  // d‖turn‖/d‖δ‖
-};
-inline Roll roll_since_prediction(const Mat3& star, const Mat3& R) {
-  const Vec3 turn = turn_between(star, R);
-  const double angle2 = turn.squaredNorm();
-  if (angle2 <= 1) return {turn, 1};
-  const double angle = std::sqrt(angle2), past = angle < 2 ? angle - 1 : 1, past2 = past * past;
-  const double rolled = 1 + past * (1 - past2 * (2.0 / 3 - past2 / 5));
-  return {(rolled / angle) * turn, (1 - past2) * (1 - past2)};
-}
-
-// Adds what round bodies have rolled since the prediction.
-inline void add_roll(const ContactPatch& p, const Pose& a, const Pose& b, ContactState& s) {
-  const Rolling& r = *p.rolling;
-  const Roll on_a = roll_since_prediction(r.star_a, a.R), on_b = roll_since_prediction(r.star_b, b.R);
-  const double radius_a = p.turns ? -r.radius_b : r.radius_a;
-  s.u = s.u + cross(s.n, spread(r.radius_b * on_b.turn + radius_a * on_a.turn));
-  s.y = s.y - lanes(r.radius_b) * s.n;
-  s.short_a = -radius_a * (1 - on_a.slope);
-  s.short_b = r.radius_b * (1 - on_b.slope);
-}
-
 // Always inlined: sixteen vector registers' worth of results would go through memory otherwise, and loads
 // that follow such stores wait for them (measured: 40 % of a step).
 [[gnu::always_inline]] inline ContactState contact_state(const ContactPatch& p, const Pose& a,
@@ -129,7 +118,14 @@ inline void add_roll(const ContactPatch& p, const Pose& a, const Pose& b, Contac
   s.d = p.gap + along;
   s.u = offset - along * s.n + (p.turns ? rotate(a.R, before) : before);
   s.y = s.normal_y;
-  if (p.separate) add_roll(p, a, b, s);
+  if (p.separate) {
+    const Rolling& r = *p.rolling;
+    const double radius_a = p.turns ? -r.radius_b : r.radius_a;
+    s.u = s.u + cross(s.n, spread(r.radius_b * r.b->turn + radius_a * r.a->turn));
+    s.y = s.y - lanes(r.radius_b) * s.n;
+    s.short_a = -radius_a * (1 - r.a->slope);
+    s.short_b = r.radius_b * (1 - r.b->slope);
+  }
   return s;
 }
 

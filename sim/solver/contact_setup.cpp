@@ -103,10 +103,13 @@ void add_point(const Model& model, const ContactPoint& p, const State& start, co
 // What the slip of the separate patches is measured from.
 void set_rolling(const Model& model, StepWorkspace::Impl& w) {
   w.rolling.clear();
+  w.roll.assign(w.star.size(), {});
+  w.rolls.assign(w.star.size(), 0);
   for (const ContactPatch& p : w.patches) {
     if (!p.separate) continue;
+    w.rolls[p.a] = w.rolls[p.b] = 1;
     w.rolling.push_back(
-        {w.star[p.a].R, w.star[p.b].R, roundness(model.shape[p.a]), roundness(model.shape[p.b])});
+        {&w.roll[p.a], &w.roll[p.b], roundness(model.shape[p.a]), roundness(model.shape[p.b])});
   }
   const Rolling* next = w.rolling.data();
   for (ContactPatch& p : w.patches) {
@@ -147,7 +150,10 @@ void initial_guess(const Model& model, const Params& params, const State& state,
   w.pose = w.star;
   w.pose.push_back({Vec3::Zero(), Mat3::Identity()});
   if (params.contact.barrier == BarrierKind::log) {
-    for (const Index i : w.solved) w.pose[i] = {state.c[i], state.R[i]};
+    for (const Index i : w.solved) {
+      w.pose[i] = {state.c[i], state.R[i]};
+      w.set_roll(i, state.R[i]);
+    }
     return;
   }
   const Vec3 fall = params.h * params.h * params.gravity;

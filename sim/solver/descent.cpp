@@ -108,11 +108,13 @@ void relax_body(const SolveContext& s, Index i, const DescentSweep& sweep) {
   if (step.definite && stretched == 1 && w.moved[i] < last && is_small(w.law.barrier, w.moved[i]) &&
       w.joints_of(i).empty()) {
     w.pose[i] = trial;
+    w.set_roll(i, trial.R);
     return;
   }
   constexpr int kHalvings = 8;
   constexpr double kRounding = 1e-12;  // forces times rounded positions
   for (int attempt = 0; attempt < kHalvings; ++attempt) {
+    w.set_roll(i, trial.R);
     if (local_energy(s, i, in, trial) <= step.energy * (1 + kRounding)) {
       w.pose[i] = trial;
       return;
@@ -122,6 +124,7 @@ void relax_body(const SolveContext& s, Index i, const DescentSweep& sweep) {
     step.dw *= shorter;
     trial = moved_by(w.pose[i], step);
   }
+  w.set_roll(i, w.pose[i].R);
 }
 
 bool is_quiet(const SolveContext& s, Index i, double bound) {

@@ -125,11 +125,13 @@ void balance_poses(const Model& model, const State& start, double h, StepWorkspa
     Pose& pose = w.pose[i];
     if (group.count == 1) {
       pose = w.star[i];
+      w.set_roll(i, pose.R);
       continue;
     }
     const Vec3 centre = group.origin + group.centre;
     pose.c = centre + h * group.v + group.turn * (pose.c - centre);
     pose.R = group.turn * pose.R;
+    w.set_roll(i, pose.R);
   }
 }
 

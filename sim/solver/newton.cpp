@@ -184,6 +184,7 @@ void move(const SolveContext& s, const NewtonSystem& system, double t) {
     Pose& pose = s.w.pose[s.w.newton[p]];
     pose.c += t * system.step[p].head<3>();
     pose.R = cayley(t * system.step[p].tail<3>()) * pose.R;
+    s.w.set_roll(s.w.newton[p], pose.R);
   }
 }
 
@@ -195,11 +196,17 @@ void keep_best(const SolveContext& s, double energy, NewtonSystem& system) {
 }
 
 void restore_best(const SolveContext& s, const NewtonSystem& system) {
-  for (std::size_t p = 0; p < system.best.size(); ++p) s.w.pose[s.w.newton[p]] = system.best[p];
+  for (std::size_t p = 0; p < system.best.size(); ++p) {
+    s.w.pose[s.w.newton[p]] = system.best[p];
+    s.w.set_roll(s.w.newton[p], system.best[p].R);
+  }
 }
 
 void swap_with_best(const SolveContext& s, NewtonSystem& system) {
-  for (std::size_t p = 0; p < system.best.size(); ++p) std::swap(s.w.pose[s.w.newton[p]], system.best[p]);
+  for (std::size_t p = 0; p < system.best.size(); ++p) {
+    std::swap(s.w.pose[s.w.newton[p]], system.best[p]);
+    s.w.set_roll(s.w.newton[p], s.w.pose[s.w.newton[p]].R);
+  }
 }
 
 // The forces at the iterate itself would be off by stiffness times the curvature of the way there.

@@ -70,6 +70,7 @@ void sissm_iteration(const SolveContext& s, double* before) {
     for (const ContactPatch& patch : w.patches) *before = smaller(*before, affine_distance(w, patch));
   }
   w.pose.swap(w.next);
+  for (const Index i : w.colored) w.set_roll(i, w.pose[i].R);
 }
 
 }  // namespace pabd

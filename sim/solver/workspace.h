@@ -91,7 +91,9 @@ struct StepWorkspace::Impl {
   std::vector<double> reach;
   std::vector<ContactPoint> points;
   std::vector<ContactPatch> patches;
-  std::vector<Rolling> rolling;  // of the separate ones
+  std::vector<Rolling> rolling;     // of the separate ones
+  std::vector<Roll> roll;           // per body, at its pose; kept for those that have such a patch
+  std::vector<std::uint8_t> rolls;  // per body: has it one?
   ContactLaw law;
 
   // Which patches end at which body: ends[first_end[i]] … ends[first_end[i + 1] − 1].
@@ -133,6 +135,11 @@ struct StepWorkspace::Impl {
 
   Impl();
   ~Impl();
+
+  // To be called when w.pose[i].R has changed, or is about to be tried.
+  void set_roll(Index i, const Mat3& R) {
+    if (rolls[i]) roll[i] = roll_since_prediction(star[i].R, R);
+  }
 
   // Index of a body's pose; the world has the last one.
   std::size_t slot(Index body) const { return body < 0 ? pose.size() - 1 : static_cast<std::size_t>(body); }
