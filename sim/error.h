@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/base/utf8.h"
+
 namespace pabd {
 
 enum class ExitCode : int {
@@ -18,10 +20,11 @@ enum class ExitCode : int {
   images_differ = 7,
 };
 
-// what(): one line with the place (file, JSON pointer or line), what was expected, and the remedy.
+// what(): one line with the place (file, JSON pointer or line), what was expected, and the remedy. Text of
+// inputs in it is escaped here, for every message alike: wherever it is shown, it does nothing but be read.
 class Error : public std::runtime_error {
  public:
-  Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  Error(ExitCode code, const std::string& message) : std::runtime_error(one_line(message)), code_(code) {}
   ExitCode code() const { return code_; }
 
  private:

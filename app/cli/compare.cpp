@@ -39,7 +39,11 @@ CompareTier choose_tier(const std::string& wanted, const std::string& a, const s
 }
 
 int compare(const CompareOptions& options) {
-  if (!options.diff.empty()) check_overwrite("--diff", options.diff, options.force);
+  InputFiles inputs;
+  inputs.add(options.actual);
+  inputs.add(options.expected);
+  if (!options.diff.empty())
+    check_overwrite("--diff " + options.diff, options.diff, {options.force, &inputs});
   const Image actual = read_png(options.actual);
   const Image expected = read_png(options.expected);
   const CompareTier tier =

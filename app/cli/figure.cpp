@@ -28,7 +28,10 @@ struct FigureOptions {
 };
 
 // Figures 6 and 7 are about the same scene.
-Session two_boxes(const FigureOptions& options) { return open_session("two_boxes", options.common); }
+Session two_boxes(const FigureOptions& options) {
+  InputFiles inputs;  // shipped with the program, and no output
+  return open_session("two_boxes", options.common, "", inputs);
+}
 
 Drawing draw(const FigureOptions& options) {
   switch (options.number) {

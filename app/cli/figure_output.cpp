@@ -59,7 +59,8 @@ void add_figure_output_options(CLI::App& command, FigureOutputOptions& options) 
 void check_figure_output(const FigureOutputOptions& options) {
   format_of(options);
   if (!options.size.empty()) parse_size(options.size);
-  if (options.output.path != "-") check_overwrite("-o", options.output.path, options.output.force);
+  const std::string& path = options.output.path;
+  if (path != "-") check_overwrite("-o " + path, path, {options.output.force, &options.inputs});
 }
 
 Drawing drawing_of(const Figure& figure) {
@@ -86,7 +87,7 @@ void write_drawing(const Drawing& drawing, const FigureOutputOptions& options) {
                 fmt::format("-o {}: this figure is a drawing without data; name a .png or .svg",
                             options.output.path));
   }
-  TextOutput output("-o", options.output.path, options.output.force);
+  TextOutput output("-o", options.output.path, options.output.force, options.inputs);
   output.write(format == Format::svg ? picture_to_svg(drawing.picture, size.width, size.height)
                                      : drawing.csv());
   output.finish();

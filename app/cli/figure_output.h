@@ -7,6 +7,7 @@
 #include "app/cli/common.h"
 #include "app/plots/figure.h"
 #include "render/output/png.h"
+#include "sim/base/output_path.h"
 
 namespace pabd::cli {
 
@@ -15,11 +16,12 @@ struct FigureOutputOptions {
   std::string format;  // "svg" or "csv", for standard output; empty: csv there, and from the name elsewhere
   std::string size;    // "1600x700"; empty: what suits the figure
   std::string backend = "auto";
+  InputFiles inputs;  // that are never overwritten
 };
 void add_figure_output_options(CLI::App& command, FigureOutputOptions& options);
 
-// Throws Error(bad_input) for a name with another ending than .png, .svg, .csv, or a file that exists without
-// --force: before the work.
+// Throws Error(bad_input) for a name with another ending than .png, .svg, .csv, a file that exists without
+// --force, or one that is read: before the work.
 void check_figure_output(const FigureOutputOptions& options);
 
 // What is to be written, in every form it can have.

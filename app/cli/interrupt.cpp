@@ -4,38 +4,82 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
+
+#include "sim/base/leftovers.h"
 
 namespace pabd::cli {
 namespace {
 
-// A handler has no argument to pass state through: this is the one place of the program with file-level
-// state.
-std::atomic<int> received{0};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+constexpr std::int64_t kSameRequest = 1'000'000'000;  // ns
 
-// Unfinished output lies under temporary names only, so that leaving at once truncates nothing.
-extern "C" void on_signal(int signal) {
-  int none = 0;
-  if (!received.compare_exchange_strong(none, signal)) ::_exit(128 + signal);
+// A handler has no argument to pass state through: beside the table of leftovers this is the one place of the
+// program with file-level state.
+std::atomic<bool> waited_for{false};  // a guard lives
+std::atomic<int> received{0};
+std::atomic<std::int64_t> received_at{0};  // ns
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
+              "a signal handler may only touch lock-free atomics");
+
+std::int64_t now() {
+  timespec time = {};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+extern "C" void on_request(int signal) {
+  const int kept = errno;
+  if (waited_for) {
+    int none = 0;
+    const std::int64_t time = now();
+    if (received.compare_exchange_strong(none, signal)) {
+      received_at = time;
+      errno = kept;
+      return;
+    }
+    if (time - received_at < kSameRequest) {
+      errno = kept;
+      return;
+    }
+  }
+  remove_leftovers();
+  ::_exit(128 + signal);
+}
+
+// A crash, or Ctrl-\: the default follows, with its core dump.
+extern "C" void on_crash(int signal) {
+  remove_leftovers();
+  ::raise(signal);
+}
+
+void handle(int signal, void (*handler)(int), int flags) {
+  struct sigaction before = {};
+  // Somebody else's handler (a sanitizer's) and a wish to be left alone are respected.
+  if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) return;
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
-InterruptGuard::InterruptGuard() {
-  received = 0;
-  struct sigaction action = {};
-  action.sa_handler = on_signal;
-  action.sa_flags = SA_RESTART;
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+void install_signal_handlers() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, on_request, SA_RESTART);
+  for (const int signal : {SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
+    handle(signal, on_crash, static_cast<int>(SA_RESETHAND));
 }
 
-InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+InterruptGuard::InterruptGuard() {
+  received = 0;
+  waited_for = true;
 }
+
+InterruptGuard::~InterruptGuard() { waited_for = false; }
 
 bool InterruptGuard::requested() const { return received != 0; }
 

@@ -1,14 +1,8 @@
 // Asking the machine.
 #include "app/cli/machine.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -16,10 +10,13 @@
 #include <thread>
 
 #include "render/gl/renderer.h"
+#include "sim/base/child_process.h"
 #include "sim/error.h"
 
 namespace pabd::cli {
 namespace {
+
+constexpr double kPatience = 10;  // seconds for another program to tell about itself
 
 // The value of "key : value" in a file of /proc; empty when absent.
 std::string proc_value(const char* file, std::string_view key) {
@@ -33,43 +30,13 @@ std::string proc_value(const char* file, std::string_view key) {
   return "";
 }
 
-std::string read_all(int fd) {
-  std::string text;
-  std::array<char, 4096> buffer;
-  while (true) {
-    const ssize_t got = ::read(fd, buffer.data(), buffer.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(got));
-  }
-}
-
 }  // namespace
 
 std::string capture(const std::vector<std::string>& arguments) {
-  int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) return "";
-  std::vector<char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  argv.push_back(nullptr);
-
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t child = -1;
-  const int failure = ::posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  ::close(ends[1]);
   std::string text;
-  if (failure == 0) text = read_all(ends[0]);
-  ::close(ends[0]);
-  if (failure != 0) return "";
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? text : "";
+  const ChildOutcome outcome = run_child(
+      arguments, kPatience, [&](std::string_view line) { text += std::string(line) + "\n"; }, kPatience);
+  return outcome.status == 0 ? text : "";
 }
 
 GlFacts find_gl() {

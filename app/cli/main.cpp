@@ -1,31 +1,19 @@
 // The program: which subcommands there are, and what becomes of what they throw.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
-#include <new>
 #include <string>
 
 #include "app/cli/common.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/report_error.h"
 #include "app/cli/streams.h"
-#include "sim/error.h"
 #include "sim/scene/text.h"
 
 namespace pabd::cli {
 namespace {
-
-std::string one_line(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
-  }
-  return text;
-}
-
-int report_error(ExitCode code, const std::string& message) {
-  write_stderr("pabd: error: " + one_line(message) + "\n");
-  return static_cast<int>(code);
-}
 
 // The subcommand the user was in, as typed: "pabd plot barrier".
 std::string command_path(const CLI::App& app) {
@@ -84,7 +72,8 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = *innermost(app);
   std::string message = unknown_word(command);
   if (message.empty()) {
-    message = one_line(error.what());
+    message = error.what();  // of several lines
+    std::replace(message.begin(), message.end(), '\n', ' ');
     const std::vector<std::string> choices = subcommands(command);
     for (std::size_t i = 0; error.get_name() == "RequiredError" && i < choices.size(); ++i)
       message += (i == 0 ? ": " : i + 1 < choices.size() ? ", " : " or ") + choices[i];
@@ -103,7 +92,7 @@ int run_program(int argc, char** argv) {
       "  pabd run pyramid --time 10 --trace steps.csv\n"
       "  pabd plot barrier -o barrier.svg --N 1,2,3,8\n"
       "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder,\n"
-      "            7 images differ or an expectation failed, 130/143 interrupted.\n");
+      "            7 images differ or an expectation failed, 129/130/143 interrupted.\n");
 
   Action action;
   add_render_command(app, action);
@@ -137,20 +126,13 @@ int run_program(int argc, char** argv) {
 }  // namespace pabd::cli
 
 int main(int argc, char** argv) {
-  using pabd::ExitCode;
-  using pabd::cli::report_error;
   // A reader that went away shows up as a failed write, which is reported like every other.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // the same for a file that may not grow (ulimit -f)
+  pabd::cli::install_signal_handlers();
   try {
     return pabd::cli::run_program(argc, argv);
-  } catch (const pabd::Error& error) {
-    return report_error(error.code(), error.what());
-  } catch (const std::bad_alloc&) {
-    return report_error(ExitCode::defect, "out of memory; try a smaller scene, frame or run");
-  } catch (const std::exception& error) {
-    return report_error(ExitCode::defect,
-                        std::string("a defect in the program: ") + error.what() +
-                            "; please report this line, the command line, the scene file and 'pabd doctor'");
+  } catch (...) {
+    return pabd::cli::report_error(std::current_exception());
   }
 }

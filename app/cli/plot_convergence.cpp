@@ -35,7 +35,9 @@ int plot_convergence(const PlotConvergenceOptions& options) {
   for (const std::string& word : options.methods) methods.push_back(parse_method(word));
   check_figure_output(options.output);
 
-  Session session = open_session(options.scene, options.common, options.from);
+  FigureOutputOptions output = options.output;
+  Session session = open_session(options.scene, options.common, options.from, output.inputs);
+  check_figure_output(output);
   if (methods.empty()) {
     methods = {SolverMethod::sissm, SolverMethod::descent};
     if (!session.model().joints.empty()) methods.push_back(SolverMethod::newton);
@@ -48,7 +50,7 @@ int plot_convergence(const PlotConvergenceOptions& options) {
       run_methods(session.model(), session.params(), session.state(), methods, options.iterations, threads);
   const Minimiser minimiser =
       find_minimiser(session.model(), session.params(), session.state(), 20000, threads);
-  write_drawing(drawing_of(convergence_figure(runs, minimiser)), options.output);
+  write_drawing(drawing_of(convergence_figure(runs, minimiser)), output);
   return 0;
 }
 

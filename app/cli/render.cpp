@@ -17,6 +17,7 @@
 #include "app/frames/frame_text.h"
 #include "app/frames/render_pipeline.h"
 #include "render/output/frame_sink.h"
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
 
@@ -25,6 +26,7 @@ namespace {
 
 constexpr double kDefaultTime = 5;
 constexpr int kMostFrames = 10'000'000;
+constexpr std::size_t kMostPatchBytes = std::size_t{1} << 20;
 
 struct RenderOptions {
   CommonOptions common;
@@ -39,6 +41,7 @@ struct RenderOptions {
   std::string backend = "auto";
   std::string from;
   std::string timings;
+  double encoder_timeout = SinkOptions{}.encoder_timeout;
   std::string ab;
   std::string ab_view = "side";
   bool resume = false;
@@ -95,8 +98,10 @@ void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const 
 
 // B: the same scene and start with other parameters.
 Session open_patched(const RenderOptions& options, const Session& a) {
-  const Params params = patched(a.params(), read_file(options.ab), options.ab);
-  Session b = open_session(options.scene, options.common, options.from);
+  const std::string patch = read_file(options.ab, kMostPatchBytes, "a JSON merge patch");
+  const Params params = patched(a.params(), patch, options.ab);
+  Session b(a.shared_scene(), options.common.thread_count());
+  b.set_state(a.state());
   b.set_params(params);
   return b;
 }
@@ -112,6 +117,7 @@ std::string timings_json(const RenderResult& result) {
 
 int render(const RenderOptions& options) {
   check_range("--fps", options.fps, 0.01, 1000, "1/s");
+  check_range("--encoder-timeout", options.encoder_timeout, 0.1, 1e6, "s");
   const FrameSize size = parse_size(options.size);
   const CameraOption camera = parse_camera(options.camera);
   const OverlayChoice overlay = parse_overlay(options.overlay);
@@ -122,7 +128,10 @@ int render(const RenderOptions& options) {
   FrameRange range{0, frame_count(options), options.fps};
   if (is_still(out)) range.first = range.count - 1;
 
-  Session session = open_session(options.scene, options.common, options.from);
+  InputFiles inputs;
+  Session session = open_session(options.scene, options.common, options.from, inputs);
+  inputs.add(options.ab);
+  if (!camera.keys.empty()) inputs.add(options.camera);
   std::optional<Session> b;
   if (!options.ab.empty()) b.emplace(open_patched(options, session));
   Session* const other = b ? &*b : nullptr;
@@ -133,7 +142,7 @@ int render(const RenderOptions& options) {
   }
 
   std::optional<TextOutput> timings;
-  if (!options.timings.empty()) timings.emplace("--timings", options.timings, options.output.force);
+  if (!options.timings.empty()) timings.emplace("--timings", options.timings, options.output.force, inputs);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
   AbPainter painter(*context, session, other, ab_view, size.width, size.height, overlay, camera);
@@ -149,8 +158,10 @@ int render(const RenderOptions& options) {
 
   SinkOptions sink_setup =
       sink_options(session, common, range, size.width, size.height, options.resume ? range.first : 0);
+  sink_setup.inputs = inputs;
   // What follows the last whole frame is drawn again.
   sink_setup.force = options.output.force || options.resume;
+  sink_setup.encoder_timeout = options.encoder_timeout;
   AsyncSink sink(make_sink(out, sink_setup));
 
   const InterruptGuard interrupt;
@@ -228,6 +239,10 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_option("--from", options->from, "start at a state file of this scene")
       ->type_name("STATE.json");
   command->add_flag("--resume", options->resume, "go on with a sequence of frames that was cut short");
+  command
+      ->add_option("--encoder-timeout", options->encoder_timeout,
+                   "how long ffmpeg may make no progress before it is ended, with exit code 6 (default 60)")
+      ->type_name("S");
   command->add_option("--timings", options->timings, "write how long each stage worked")->type_name("JSON");
   add_scene_options(*command, options->common);
   command->callback([options, &action] { action = [options] { return render(*options); }; });

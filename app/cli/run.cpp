@@ -37,9 +37,9 @@ struct RunOptions {
 // The files a run can write; each appears when it is whole.
 class RunOutputs {
  public:
-  explicit RunOutputs(const RunOptions& options) {
+  RunOutputs(const RunOptions& options, const InputFiles& inputs) {
     const auto open = [&](const char* option, const std::string& path, std::optional<TextOutput>& output) {
-      if (!path.empty()) output.emplace(option, path, options.force);
+      if (!path.empty()) output.emplace(option, path, options.force, inputs);
     };
     open("--trace", options.trace, trace_);
     open("--iterations", options.iterations, iterations_);
@@ -100,7 +100,7 @@ struct Extremes {
   std::int64_t unsolved = 0;                             // steps that ended at the iteration limit
 
   void add(const StepReport& report) {
-    if (report.status == StepStatus::non_finite) return;
+    if (report.status == StepStatus::non_finite) return;  // it ended nowhere
     gap = std::min(gap, report.min_gap);
     joint_error = std::max(joint_error, report.max_joint_error);
     if (report.status == StepStatus::iteration_limit) ++unsolved;
@@ -122,10 +122,12 @@ std::string summary(const Session& session, std::int64_t steps, double seconds, 
 
 int run(const RunOptions& options) {
   check_options(options);
-  Session session = open_session(options.scene, options.common, options.from);
+  InputFiles inputs;
+  Session session = open_session(options.scene, options.common, options.from, inputs);
+  session.keep_history(false);
   const std::int64_t steps =
       options.steps.value_or(steps_until(options.time.value_or(5.0), session.params().h));
-  RunOutputs outputs(options);
+  RunOutputs outputs(options, inputs);
   session.record_iterations(!options.iterations.empty());
   session.report_joints(!options.joints.empty());
 
@@ -146,7 +148,7 @@ int run(const RunOptions& options) {
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   outputs.finish(session);
-  if (!options.common.quiet) write_stderr(summary(session, done, seconds, worst));
+  if (!options.common.quiet) write_stderr(summary(session, done - (diverged ? 1 : 0), seconds, worst));
   if (diverged) throw diverged_error(options.scene, session);
   return interrupt.exit_code();
 }

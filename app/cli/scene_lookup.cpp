@@ -43,7 +43,8 @@ fs::path find_scene(const std::string& name) {
   if (fs::is_directory(name, ignored)) {
     throw Error(ExitCode::bad_input, fmt::format("{}: is a directory; name a scene file in it", name));
   }
-  if (fs::exists(name, ignored)) return name;
+  // A link that leads nowhere is there, too: reading it tells why.
+  if (fs::exists(fs::symlink_status(name, ignored))) return name;
   if (name.find('/') == std::string::npos && !name.empty()) {
     for (const fs::path& folder : scene_folders()) {
       for (const std::string& file : {name, name + ".json"}) {

@@ -30,7 +30,7 @@ struct Row {
 
 int scenes(const ScenesOptions& options) {
   if (!options.scene.empty()) {
-    write_stdout(read_file(find_scene(options.scene)));
+    write_stdout(read_scene_text(find_scene(options.scene)));
     return 0;
   }
   std::vector<Row> rows;

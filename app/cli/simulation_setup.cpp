@@ -4,14 +4,20 @@
 #include <fmt/format.h>
 
 #include "app/cli/scene_lookup.h"
-#include "app/cli/streams.h"
+#include "sim/base/input_file.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::cli {
 
-Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from) {
+Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from,
+                     InputFiles& inputs) {
   Session session(load_scene(find_scene(scene), common.sets), common.thread_count());
-  if (!from.empty()) session.set_state(state_from_json(session.model(), read_file(from), from));
+  for (const auto& file : session.scene().files) inputs.add(file);
+  if (!from.empty()) {
+    inputs.add(from);
+    const std::string text = read_file(from, most_state_bytes(session.model()), "a state of this scene");
+    session.set_state(state_from_json(session.model(), text, from));
+  }
   return session;
 }
 

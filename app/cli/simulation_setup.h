@@ -5,13 +5,15 @@
 
 #include "app/cli/common.h"
 #include "app/session/session.h"
+#include "sim/base/output_path.h"
 #include "sim/error.h"
 
 namespace pabd::cli {
 
 // Loads `scene` (file or shipped name) with the overrides of --set; `from`, if not empty, is a state file to
-// start at.
-Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from = "");
+// start at. What is read is added to `inputs`.
+Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from,
+                     InputFiles& inputs);
 
 // The error of a run whose last step left the numbers.
 Error diverged_error(const std::string& scene, const Session& session);

@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "render/output/atomic_file.h"
+#include "sim/base/atomic_file.h"
+#include "sim/base/output_path.h"
 
 namespace pabd::cli {
 
@@ -14,18 +15,17 @@ namespace pabd::cli {
 void write_stdout(std::string_view text);
 // Failures are ignored: there is nowhere left to report them.
 void write_stderr(std::string_view text);
+// A line with text that may come from an input.
+void write_note(std::string_view text);
 bool stderr_is_terminal();
 bool stdout_is_terminal();
-
-// The whole file. Throws Error(file).
-std::string read_file(const std::filesystem::path& path);
 
 // A text output named by the user: a file that appears when it is whole, or "-" for standard output.
 class TextOutput {
  public:
-  // `option` names it in messages. Throws Error(bad_input) if the file exists and not `force`, Error(file) if
-  // it cannot be made: before the work that it is to record.
-  TextOutput(std::string option, const std::string& path, bool force);
+  // `option` names it in messages. Throws Error(bad_input) if the file exists and not `force`, or is one of
+  // `inputs`, Error(file) if it cannot be made: before the work that it is to record.
+  TextOutput(const std::string& option, const std::string& path, bool force, const InputFiles& inputs = {});
 
   void write(std::string_view text);  // throws Error(file)
   void finish();                      // publishes; throws Error(file)
@@ -33,8 +33,5 @@ class TextOutput {
  private:
   std::unique_ptr<AtomicFile> file_;  // null: standard output
 };
-
-// Throws Error(bad_input) if `path` exists and not `force`.
-void check_overwrite(const std::string& option, const std::filesystem::path& path, bool force);
 
 }  // namespace pabd::cli

@@ -12,12 +12,14 @@
 #include "app/gui/settings.h"
 #include "app/gui/viewer.h"
 #include "render/context/window.h"
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 
 namespace pabd::cli {
 namespace {
 
 constexpr int kBytesPerMegabyte = 1'000'000;
+constexpr std::size_t kMostScriptBytes = std::size_t{16} << 20;
 constexpr const char* kSize = "1280x720";
 constexpr double kIdle = 0.1;  // seconds that a window at rest waits for an event
 
@@ -49,15 +51,26 @@ std::unique_ptr<Runner> start_runner(const ViewOptions& options) {
       std::make_unique<Workbench>(bench, command::Load{options.scene, options.common.sets, false}));
 }
 
+std::string read_script(const ViewOptions& options) {
+  return read_file(options.script, kMostScriptBytes, "a list of actions");
+}
+
+InputFiles inputs_of(const ViewOptions& options) {
+  InputFiles inputs;
+  inputs.add(options.script);
+  inputs.add(options.scene);
+  return inputs;
+}
+
 int view_headless(const ViewOptions& options, const FrameSize& size) {
-  const Script script(read_file(options.script), options.script);
+  const Script script(read_script(options), options.script);
   const auto runner = start_runner(options);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
   Viewer viewer(*context, *runner, viewer_options(options, 1));
-  script.run(viewer, *runner, {options.out, options.force, size.width, size.height, {}, {}});
-  if (!options.common.quiet)
-    write_stderr(fmt::format("{}: {} actions done\n", options.script, script.size()));
+  script.run(viewer, *runner,
+             {options.out, options.force, size.width, size.height, {}, {}, inputs_of(options)});
+  if (!options.common.quiet) write_note(fmt::format("{}: {} actions done", options.script, script.size()));
   return 0;
 }
 
@@ -79,13 +92,13 @@ void keep_settings(const ViewOptions& options, const UiState& ui, int width, int
   try {
     write_settings(*path, {ui, width, height});
   } catch (const Error& error) {
-    if (!options.common.quiet) write_stderr(std::string("pabd: note: ") + error.what() + "\n");
+    if (!options.common.quiet) write_note(std::string("pabd: note: ") + error.what());
   }
 }
 
 int view_window(const ViewOptions& options, FrameSize size) {
   std::unique_ptr<Script> script;
-  if (!options.script.empty()) script = std::make_unique<Script>(read_file(options.script), options.script);
+  if (!options.script.empty()) script = std::make_unique<Script>(read_script(options), options.script);
   const auto runner = start_runner(options);
   const Settings kept = kept_settings(options, *runner);
   if (options.size.empty() && kept.width > 0 && kept.height > 0) size = {kept.width, kept.height};
@@ -126,7 +139,8 @@ int view_window(const ViewOptions& options, FrameSize size) {
   const auto leaving = [&] { return interrupt.requested() || window->display_lost() || viewer.ui().quit; };
 
   if (script) {
-    ScriptOptions script_options{options.out, options.force, size.width, size.height, {}, present};
+    ScriptOptions script_options{options.out, options.force, size.width,        size.height,
+                                 {},          present,       inputs_of(options)};
     script_options.before_frame = [&] {
       take_events(0);
       if (interrupt.requested() || window->display_lost()) throw LeftScript();

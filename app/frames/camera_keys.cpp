@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 #include "sim/scene/document.h"
 
@@ -18,6 +19,7 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr double kSameTime = 1e-6;  // s
 constexpr double kLargest = 1e6;    // of every number
 constexpr std::size_t kMostKeys = 10000;
+constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
 [[noreturn]] void refuse(const std::string& source, const std::string& place, const std::string& expected) {
   throw Error(ExitCode::bad_input, fmt::format("{}: {}: expected {}", source, place, expected));
@@ -69,6 +71,10 @@ std::string camera_keys_json(const CameraKeys& keys) {
     out += (i > 0 ? ",\n    " : "\n    ") + json.dump();
   }
   return out + "\n  ]\n}\n";
+}
+
+CameraKeys read_camera_keys(const std::string& path) {
+  return parse_camera_keys(read_file(path, kMostBytes, "a file of camera keys"), path);
 }
 
 CameraKeys parse_camera_keys(const std::string& text, const std::string& source) {

@@ -23,6 +23,8 @@ struct CameraKeys {
 std::string camera_keys_json(const CameraKeys& keys);
 // Throws Error(bad_input) with `source` and the place.
 CameraKeys parse_camera_keys(const std::string& json, const std::string& source);
+// The same from a file. Throws Error(file) if it cannot be read.
+CameraKeys read_camera_keys(const std::string& path);
 
 // Puts a key in its place; one of the same time (to a microsecond) is replaced.
 void add_camera_key(std::vector<CameraKey>& keys, const CameraKey& key);

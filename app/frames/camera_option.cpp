@@ -5,8 +5,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -31,13 +29,6 @@ float parse_number(const std::string& text, std::string_view word) {
     fail(text, fmt::format("'{}' is not a number up to 1e6", word));
   }
   return value;
-}
-
-std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw Error(ExitCode::file, path + ": cannot be read; expected a file of camera keys");
-  return text;
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -87,7 +78,7 @@ CameraOption parse_camera(const std::string& text) {
     return {View::orbit, parse_number(text, std::string_view(text).substr(6)), {}, {}, {}, {}, {}};
   }
   if (text.ends_with(".json")) {
-    option.keys = parse_camera_keys(read_text(text), text).keys;
+    option.keys = read_camera_keys(text).keys;
     return option;
   }
 

@@ -1,11 +1,12 @@
 // Small pictures of scenes, and a folder of them.
 #include "app/frames/thumbnail.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "render/output/png.h"
 #include "render/visual/build_visual.h"
 #include "render/visual/srgb.h"
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -30,9 +32,9 @@ PngText text_of(const std::string& scene_hash) {
 // The size in a PNG's header, before anything is unpacked.
 bool has_size(const fs::path& path, unsigned width, unsigned height) {
   std::array<unsigned char, 24> head{};
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size())))
-    return false;
+  std::string problem;
+  const Descriptor file = open_input(path, problem);
+  if (!problem.empty() || ::read(file.get(), head.data(), head.size()) != ssize_t{head.size()}) return false;
   const auto number = [&](std::size_t at) {
     return (unsigned{head[at]} << 24) | (unsigned{head[at + 1]} << 16) | (unsigned{head[at + 2]} << 8) |
            unsigned{head[at + 3]};

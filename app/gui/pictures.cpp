@@ -3,9 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "app/frames/frame_text.h"
+#include "sim/base/output_path.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -50,9 +49,7 @@ std::string overlay_words(const UiState& ui) {
 
 void check_writable(const std::string& path, bool force) {
   if (path.empty()) throw Error(ExitCode::bad_input, "a file needs a name");
-  std::error_code ignored;
-  if (!force && std::filesystem::exists(path, ignored))
-    throw Error(ExitCode::bad_input, path + ": exists already; replace it, or choose another name");
+  check_overwrite(path, path, {force, nullptr, "replace it"});
 }
 
 void save_window(const std::string& path, const Snapshot& sim, const UiState& ui, Renderer& renderer) {

@@ -195,9 +195,7 @@ class Player {
   void frame(const ActionJson& a, const std::string& what) {
     settle();
     const std::filesystem::path path = options_.folder / text(a, "path", what);
-    std::error_code ignored;
-    if (!options_.force && std::filesystem::exists(path, ignored))
-      refuse(what, path.string() + " exists already; use --force to replace it");
+    check_overwrite(what + ": " + path.string(), path, {options_.force, &options_.inputs});
     Image image;
     viewer_.renderer().queue_read();
     viewer_.renderer().fetch(image);

@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "app/gui/viewer.h"
+#include "sim/base/output_path.h"
 
 namespace pabd {
 
@@ -36,6 +37,7 @@ struct ScriptOptions {
   int width = 1280, height = 720;
   // For a window: called before and after every frame, to take events and to show it. May be empty.
   std::function<void()> before_frame, after_frame;
+  InputFiles inputs;  // that no frame replaces
 };
 
 class Script {

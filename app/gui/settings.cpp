@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/gui/view_actions.h"
-#include "render/output/atomic_file.h"
+#include "sim/base/atomic_file.h"
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -131,11 +131,7 @@ Settings parse_settings(const std::string& text, const std::string& source) {
 Settings read_settings(const fs::path& path) {
   std::error_code failure;
   if (!fs::exists(path, failure)) return {};
-  if (fs::file_size(path, failure) > kMostBytes || failure)
-    refuse(path.string(), "the file", "less than 100 kB of JSON");
-  std::ifstream file(path, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw Error(ExitCode::file, path.string() + ": cannot be read; the settings were not used");
+  const std::string text = read_file(path, kMostBytes, "the settings of the window; they were not used");
   return parse_settings(text, path.string());
 }
 

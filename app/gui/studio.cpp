@@ -5,7 +5,7 @@
 #include <imgui.h>
 
 #include "app/frames/camera_keys.h"
-#include "render/output/atomic_file.h"
+#include "sim/base/atomic_file.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -27,7 +27,7 @@ struct Keys {
     return "saved " + c.path;
   }
   std::string load(const command::LoadCamera& c) const {
-    CameraKeys keys = parse_camera_keys(read_scene_text(c.path), c.path);
+    CameraKeys keys = read_camera_keys(c.path);
     ui.camera_keys = std::move(keys.keys);
     const bool same = keys.scene.empty() || keys.scene == sim.scene->name;
     return fmt::format("{}: {} camera keys{}", c.path, ui.camera_keys.size(),

@@ -7,6 +7,19 @@
 
 namespace pabd {
 
+inline constexpr std::string_view kRecordMagic = "pabd-rec";
+inline constexpr std::uint32_t kRecordVersion = 1;
+inline constexpr std::size_t kRecordHeadBytes = 8 + 4 + 8, kRecordChecksumBytes = 16;
+
+enum RecordFlag : std::uint8_t {
+  kRecordStart = 1,
+  kRecordEdit = 2,
+  kRecordPulls = 4,
+  kRecordState = 8,
+  kRecordHash = 16,
+  kRecordAllFlags = 31
+};
+
 void write_state(const State& state, ByteWriter& out);
 // Throws Error(bad_input) when it is no state of so many bodies.
 State read_state(ByteReader& in, Index bodies);

@@ -1,12 +1,18 @@
-// See recording.h.
+// See recording.h: reading.
 #include "app/session/recording.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <map>
+#include <cerrno>
+#include <cstring>
+#include <utility>
 
 #include "app/session/record_parts.h"
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 #include "sim/scene/hash.h"
 #include "sim/scene/text.h"
@@ -16,47 +22,49 @@
 namespace pabd {
 namespace {
 
-constexpr std::string_view kMagic = "pabd-rec";
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeadBytes = 8 + 4 + 8, kChecksumBytes = 16;
-constexpr std::size_t kKeyDistance = 32;  // steps between two states that are written
 constexpr std::size_t kLeastMoment = 100, kLeastText = 4, kPullBytes = 4 + 7 * 8;  // bytes at least
 
-enum Flag : std::uint8_t { kStart = 1, kEdit = 2, kPulls = 4, kState = 8, kHash = 16, kAllFlags = 31 };
-
-std::string checksum(std::string_view bytes) {
-  Hash64 hash;
-  hash.add_text(bytes);
-  return hash.hex();
-}
-
-// Numbers what is shared, in the order of first use.
-template <class T>
-class Table {
+class TextSource : public ByteSource {
  public:
-  std::uint32_t number_of(const std::shared_ptr<const T>& item) {
-    const auto [at, fresh] = numbers_.try_emplace(item.get(), static_cast<std::uint32_t>(items_.size()));
-    if (fresh) items_.push_back(item);
-    return at->second;
+  explicit TextSource(std::string_view bytes) : bytes_(bytes) {}
+  std::uint64_t size() const override { return bytes_.size(); }
+  void read(std::uint64_t at, char* to, std::size_t n) const override {
+    std::memcpy(to, bytes_.data() + at, n);
   }
-  const std::vector<std::shared_ptr<const T>>& items() const { return items_; }
 
  private:
-  std::map<const T*, std::uint32_t> numbers_;
-  std::vector<std::shared_ptr<const T>> items_;
+  std::string_view bytes_;
 };
 
-void write_moment(const Moment& m, bool with_state, std::uint32_t params, std::uint32_t pulls,
-                  ByteWriter& out) {
-  const std::string hash = m.state ? state_hash(*m.state) : m.hash;
-  out.u8(static_cast<std::uint8_t>((m.start ? kStart : 0) | (m.edit ? kEdit : 0) | (m.pulls ? kPulls : 0) |
-                                   (with_state ? kState : 0) | (hash.empty() ? 0 : kHash)));
-  out.u32(params);
-  if (m.pulls) out.u32(pulls);
-  write_report(m.report, out);
-  out.raw(hash);
-  if (with_state) write_state(*m.state, out);
-}
+class FileSource : public ByteSource {
+ public:
+  explicit FileSource(const std::string& path) : path_(path), file_(require_input(path, "a recording")) {
+    struct stat info;
+    if (::fstat(file_.get(), &info) != 0) fail(system_reason(errno));
+    if (!S_ISREG(info.st_mode)) fail("it is a pipe, and a recording is read twice; save it to a file");
+    size_ = static_cast<std::uint64_t>(info.st_size);
+  }
+  std::uint64_t size() const override { return size_; }
+  void read(std::uint64_t at, char* to, std::size_t n) const override {
+    while (n > 0) {
+      const ssize_t got = ::pread(file_.get(), to, n, static_cast<off_t>(at));
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) fail(got < 0 ? system_reason(errno) : "it was cut off while it was read");
+      at += static_cast<std::uint64_t>(got);
+      to += got;
+      n -= static_cast<std::size_t>(got);
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const {
+    throw Error(ExitCode::file, path_ + ": cannot be read: " + why);
+  }
+
+  std::string path_;
+  Descriptor file_;
+  std::uint64_t size_ = 0;
+};
 
 // The models that edits lead to, one after the other.
 class ModelChain {
@@ -94,9 +102,8 @@ class ModelChain {
 
 class Decoder {
  public:
-  Decoder(std::string_view payload, const std::string& source, const std::shared_ptr<const Scene>& scene,
-          std::size_t memory)
-      : in_(payload, source), scene_(scene), models_(scene), timeline_(memory) {}
+  Decoder(ByteReader payload, const std::shared_ptr<const Scene>& scene, std::size_t memory)
+      : in_(std::move(payload)), scene_(scene), models_(scene), timeline_(memory) {}
 
   Timeline decode() {
     check_scene();
@@ -172,23 +179,23 @@ class Decoder {
 
   void read_moment() {
     const std::uint8_t flags = in_.u8();
-    in_.require(flags <= kAllFlags, "a moment is of an unknown kind");
+    in_.require(flags <= kRecordAllFlags, "a moment is of an unknown kind");
     Moment m;
-    m.start = (flags & kStart) != 0;
+    m.start = (flags & kRecordStart) != 0;
     m.params = at(params_);
-    if (flags & kPulls) m.pulls = at(pulls_);
+    if (flags & kRecordPulls) m.pulls = at(pulls_);
     m.report = read_report(in_);
-    if (flags & kHash) m.hash = std::string(in_.raw(kChecksumBytes));
-    const bool first = timeline_.empty(), edited = (flags & kEdit) != 0;
+    if (flags & kRecordHash) m.hash = std::string(in_.raw(kRecordChecksumBytes));
+    const bool first = timeline_.empty(), edited = (flags & kRecordEdit) != 0;
     in_.require(!edited || m.start, "an edit is no start");
-    in_.require(!(first || m.start) || (flags & kState), "a start has no state");
+    in_.require(!(first || m.start) || (flags & kRecordState), "a start has no state");
     if (edited) {
       in_.require(next_edit_ < edits_.size(), "an edit is missing");
       m.edit = edits_[next_edit_++];
     }
     const ModelEdit edit = edited ? edit_from_json(m.edit->text, "recording") : ModelEdit{};
     // The edit of a first moment led to it from what is forgotten.
-    if (flags & kState)
+    if (flags & kRecordState)
       m.state = std::make_shared<const State>(
           read_state(in_, edited ? models_.size_after(edit) : models_.model()->size()));
     if (edited) models_.carry_out(edit, m.state.get());
@@ -221,88 +228,55 @@ class Decoder {
   std::size_t next_edit_ = 0;
 };
 
-}  // namespace
-
-std::string encode_recording(const Run& run) {
-  const Timeline& timeline = run.timeline();
-  Table<Params> params;
-  Table<std::vector<Pull>> pulls;
-  std::size_t edits = timeline.forgotten_edits().size();
-  ByteWriter moments;
-  std::size_t written = 0;  // the last moment with its state
-  for (std::size_t i = 0; i < timeline.size(); ++i) {
-    const Moment& m = timeline[i];
-    const bool needed = i == 0 || m.start || i + 1 == timeline.size();
-    const bool with_state = m.state && (needed || i - written >= kKeyDistance);
-    if (with_state) written = i;
-    if (m.edit) ++edits;
-    write_moment(m, with_state, params.number_of(m.params), m.pulls ? pulls.number_of(m.pulls) : 0, moments);
+// Bytes [0, end) and their checksum behind.
+bool checksum_fits(const ByteSource& in, std::uint64_t end) {
+  TextHash64 hash(end);
+  std::string part;
+  for (std::uint64_t at = 0; at < end; at += part.size()) {
+    part.resize(static_cast<std::size_t>(std::min<std::uint64_t>(kStreamPart, end - at)));
+    in.read(at, part.data(), part.size());
+    hash.add(part);
   }
-
-  ByteWriter out;
-  out.text(run.scene().hash);
-  out.text(run.scene().name);
-  out.u32(run.scene().model.shape.size());
-  out.u64(timeline.forgotten());
-  out.u32(params.items().size());
-  for (const auto& p : params.items()) out.text(params_json(*p));
-  out.u32(edits);
-  out.u32(timeline.forgotten_edits().size());
-  for (const auto& e : timeline.forgotten_edits()) {
-    out.text(e.made->text);
-    if (e.state) write_state(*e.state, out);
-  }
-  for (std::size_t i = 0; i < timeline.size(); ++i)
-    if (timeline[i].edit) out.text(timeline[i].edit->text);
-  out.u32(pulls.items().size());
-  for (const auto& list : pulls.items()) {
-    out.u32(list->size());
-    for (const Pull& pull : *list) {
-      out.u32(static_cast<std::uint32_t>(pull.body));
-      out.matrix(pull.r);
-      out.matrix(pull.target);
-      out.number(pull.kappa);
-    }
-  }
-  out.u32(timeline.size());
-  out.raw(moments.take());
-  const std::string payload = out.take();
-
-  ByteWriter file;
-  file.raw(kMagic);
-  file.u32(kVersion);
-  file.u64(payload.size());
-  file.raw(payload);
-  std::string bytes = file.take();
-  bytes += checksum(bytes);
-  return bytes;
+  part.resize(kRecordChecksumBytes);
+  in.read(end, part.data(), part.size());
+  return part == hash.finished().hex();
 }
+
+Timeline decode(const ByteSource& bytes, const std::string& source, const std::shared_ptr<const Scene>& scene,
+                std::size_t memory) {
+  ByteReader head(bytes, 0, bytes.size(), source);
+  if (bytes.size() < kRecordHeadBytes || head.raw(kRecordMagic.size()) != kRecordMagic)
+    head.fail("no recording of this program; save one with 'save recording'");
+  const std::uint32_t version = head.u32();
+  if (version != kRecordVersion) {
+    head.fail(
+        fmt::format("a recording of version {}, this program reads version {}; use the program that made it",
+                    version, kRecordVersion));
+  }
+  const std::uint64_t size = head.u64();
+  const std::uint64_t least = kRecordHeadBytes + kRecordChecksumBytes;
+  head.require(bytes.size() >= least && size == bytes.size() - least, "it is cut off, or too long");
+  const std::uint64_t end = kRecordHeadBytes + size;
+  head.require(checksum_fits(bytes, end), "its checksum is another one");
+  try {
+    return Decoder(ByteReader(bytes, kRecordHeadBytes, end, source), scene, memory).decode();
+  } catch (const Error& error) {  // of parameters and edits in it
+    const std::string what = error.what();
+    if (error.code() != ExitCode::bad_input || what.starts_with(one_line(source))) throw;
+    head.fail("damaged recording: " + what);
+  }
+}
+
+}  // namespace
 
 Timeline decode_recording(const std::string& bytes, const std::string& source,
                           const std::shared_ptr<const Scene>& scene, std::size_t memory) {
-  ByteReader in(bytes, source);
-  if (bytes.size() < kHeadBytes || in.raw(kMagic.size()) != kMagic)
-    in.fail("no recording of this program; save one with 'save recording'");
-  const std::uint32_t version = in.u32();
-  if (version != kVersion) {
-    in.fail(
-        fmt::format("a recording of version {}, this program reads version {}; use the program that made it",
-                    version, kVersion));
-  }
-  const std::uint64_t size = in.u64();
-  const std::size_t least = kHeadBytes + kChecksumBytes;
-  in.require(bytes.size() >= least && size == bytes.size() - least, "it is cut off, or too long");
-  const std::string_view all(bytes);
-  in.require(
-      all.substr(bytes.size() - kChecksumBytes) == checksum(all.substr(0, bytes.size() - kChecksumBytes)),
-      "its checksum is another one");
-  try {
-    return Decoder(all.substr(kHeadBytes, static_cast<std::size_t>(size)), source, scene, memory).decode();
-  } catch (const Error& error) {  // of parameters and edits in it
-    const std::string what = error.what();
-    if (what.starts_with(source)) throw;
-    in.fail("damaged recording: " + what);
-  }
+  return decode(TextSource(bytes), source, scene, memory);
+}
+
+Timeline read_recording(const std::string& path, const std::shared_ptr<const Scene>& scene,
+                        std::size_t memory) {
+  return decode(FileSource(path), path, scene, memory);
 }
 
 std::optional<std::int64_t> first_difference(const Timeline& recorded, int threads) {

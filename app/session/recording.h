@@ -10,15 +10,19 @@
 // Integers and numbers are little endian, texts have their length (u32) before them.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/session/run.h"
 
 namespace pabd {
 
-// The whole timeline of a run; what a branch left is not part of it.
+// The whole timeline of a run; what a branch left is not part of it. `out` gets the bytes in parts: a
+// recording may be larger than the memory.
+void write_recording(const Run& run, const std::function<void(std::string_view)>& out);
 std::string encode_recording(const Run& run);
 
 // The timeline of a recording of this scene, with `memory` bytes for states. Throws Error(bad_input) in one
@@ -26,6 +30,10 @@ std::string encode_recording(const Run& run);
 // damaged, or says what no run can.
 Timeline decode_recording(const std::string& bytes, const std::string& source,
                           const std::shared_ptr<const Scene>& scene, std::size_t memory);
+
+// The same from a file, of which a part at a time is held. Throws Error(file) when it cannot be read.
+Timeline read_recording(const std::string& path, const std::shared_ptr<const Scene>& scene,
+                        std::size_t memory);
 
 // The first of the last steps whose state comes out otherwise than recorded; none when all agree. Another
 // build or machine may round differently.

@@ -25,7 +25,11 @@ double Session::kappa() const { return resolve_kappa(*model_, params_); }
 
 const StepReport& Session::step() {
   pabd::step(*model_, params_, options_, state_, workspace_, report_);
-  history_.add(report_);
+  if (report_.status == StepStatus::non_finite) {
+    describe_failure();
+  } else if (keep_history_) {
+    history_.add(report_);
+  }
   return report_;
 }
 
@@ -64,6 +68,14 @@ void Session::edit(const ModelEdit& edit) {
   model_ = std::move(model);
   options_.pulls.clear();  // their numbers may have moved
   describe_start();
+}
+
+// A step that failed ends in no state: what a state has is not known of it, and not zero.
+void Session::describe_failure() {
+  for (double* x : {&report_.kinetic, &report_.potential, &report_.elastic, &report_.max_penetration,
+                    &report_.min_gap, &report_.max_joint_error})
+    *x = std::numeric_limits<double>::quiet_NaN();
+  if (report_.iterations == 0) report_.residual = std::numeric_limits<double>::quiet_NaN();
 }
 
 // What is known before the first step: energies, but no contacts.

@@ -22,6 +22,7 @@ class Session {
   explicit Session(std::shared_ptr<const Scene> scene, int threads = 1);
 
   const Scene& scene() const { return *scene_; }
+  const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
   const Model& model() const { return *model_; }
   const std::shared_ptr<const Model>& shared_model() const { return model_; }
   const Params& params() const { return params_; }
@@ -35,11 +36,14 @@ class Session {
   void report_contacts(bool on) { options_.report_contacts = on; }
   void report_bodies(bool on) { options_.report_bodies = on; }
   void report_joints(bool on) { options_.report_joints = on; }
+  // Whether later steps enter the history. A run that nobody plots needs none.
+  void keep_history(bool on) { keep_history_ = on; }
 
   // Hands on bodies in later steps, until they are set anew. Precondition: as for step().
   void set_pulls(std::vector<Pull> pulls) { options_.pulls = std::move(pulls); }
 
-  // One time step. A step that left the numbers says so in its report and leaves the state as it was.
+  // One time step. A step that left the numbers says so in its report, which knows nothing else of
+  // where it ends (NaN), and leaves the state as it was.
   const StepReport& step();
 
   // Back to the scene's initial state and parameters; the history is forgotten.
@@ -61,6 +65,7 @@ class Session {
 
  private:
   void describe_start();
+  void describe_failure();
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Model> model_;  // the scene's own until it is edited
@@ -70,6 +75,7 @@ class Session {
   StepWorkspace workspace_;
   StepReport report_;
   History history_;
+  bool keep_history_ = true;
 };
 
 }  // namespace pabd

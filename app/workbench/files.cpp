@@ -5,7 +5,8 @@
 
 #include "app/session/recording.h"
 #include "app/workbench/workbench.h"
-#include "render/output/atomic_file.h"
+#include "sim/base/atomic_file.h"
+#include "sim/base/output_path.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_scene.h"
@@ -13,12 +14,13 @@
 namespace pabd {
 namespace {
 
-void write_text(const std::string& path, const std::string& text, bool force) {
+void check_writable(const std::string& path, bool force) {
   if (path.empty()) throw Error(ExitCode::bad_input, "a file needs a name");
-  std::error_code ignored;
-  if (!force && std::filesystem::exists(path, ignored)) {
-    throw Error(ExitCode::bad_input, path + ": exists already; replace it, or choose another name");
-  }
+  check_overwrite(path, path, {force, nullptr, "replace it"});
+}
+
+void write_text(const std::string& path, const std::string& text, bool force) {
+  check_writable(path, force);
   AtomicFile file(path);
   file.write(text);
   file.commit();
@@ -109,7 +111,10 @@ void Workbench::carry_out(const command::ApplyPatch& c) {
 }
 
 void Workbench::carry_out(const command::SaveRecording& c) {
-  write_text(c.path, encode_recording(*a_), c.force);
+  check_writable(c.path, c.force);
+  AtomicFile file(c.path);
+  write_recording(*a_, [&](std::string_view part) { file.write(part); });
+  file.commit();
   saved_ = tuning();
   saved_edits_ = a_->edits();
   tell(Severity::note, fmt::format("saved {}: {} moments", c.path, a_->timeline().size()));
@@ -119,7 +124,7 @@ void Workbench::carry_out(const command::SaveRecording& c) {
 void Workbench::carry_out(const command::LoadRecording& c) {
   if (unsaved() && !c.force)
     throw Error(ExitCode::bad_input, "what was changed is not saved; save it, or load all the same");
-  Timeline past = decode_recording(read_scene_text(c.path), c.path, scene_, options_.memory);
+  Timeline past = read_recording(c.path, scene_, options_.memory);
   const auto differs = first_difference(past, options_.threads);
   Run run(scene_, options_.threads, std::move(past));
   run.observe(observe_.iterations, observe_.contacts, observe_.bodies);

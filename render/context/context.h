@@ -30,8 +30,14 @@ struct ContextAttempt {
 
 // Tries EGL device list (hardware first), EGL surfaceless, OSMesa in this order (or only the named ones) for
 // GL 3.3 core or better. The context is current on return. Fills `attempts`. Throws Error(no_gl) with every
-// attempt and the package or container flag that helps.
+// attempt and the variable, package or container flag that helps. The candidates are tried in a child process
+// first, so that a driver that crashes is one that does not work; once a process for each backend.
 std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts);
+
+// What helps when variables of the environment choose a driver that cannot do what is needed: "… try 'unset
+// GALLIUM_DRIVER'". Empty when none of them is set.
+std::string steering_remedy();
+std::string driver_remedy();  // the same, or else "try another --backend"
 
 // Every candidate that works on this machine, for tests and diagnosis; none: an empty list. None is current.
 std::vector<std::unique_ptr<GlContext>> create_every_headless_context(Backend backend,

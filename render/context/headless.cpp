@@ -1,10 +1,14 @@
 // The one place that knows every headless candidate and their order.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstdlib>
 #include <mutex>
 
 #include "render/context/candidate.h"
+#include "render/context/probe.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -13,18 +17,38 @@ namespace {
 constexpr unsigned kGlMajorVersion = 0x821B;
 constexpr unsigned kGlMinorVersion = 0x821C;
 
+std::vector<ContextFamily> families(Backend backend) {
+  std::vector<ContextFamily> list;
+  if (backend != Backend::osmesa) list.push_back({"EGL", add_egl_candidates});
+  if (backend != Backend::egl) list.push_back({"OSMesa library", add_osmesa_candidates});
+  return list;
+}
+
 std::vector<ContextCandidate> candidates(Backend backend) {
   fix_vector_width();
   std::vector<ContextCandidate> list;
-  if (backend != Backend::osmesa) add_egl_candidates(list);
-  if (backend != Backend::egl) add_osmesa_candidates(list);
+  for (const ContextFamily& family : families(backend)) family.add(list);
   return list;
+}
+
+// True once a context of `backend` was made in this process: its driver is loaded and has read its
+// environment, and needs no proof again.
+std::atomic<bool>& is_proven(Backend backend) {
+  static std::array<std::atomic<bool>, 3> proven{};
+  return proven[static_cast<std::size_t>(backend)];
+}
+
+bool crashed(const ContextFamily& family, const std::vector<ContextAttempt>& attempts) {
+  return std::any_of(attempts.begin(), attempts.end(),
+                     [&](const ContextAttempt& attempt) { return attempt.name == family.name; });
 }
 
 std::string explain(const std::vector<ContextAttempt>& attempts) {
   std::string text = fmt::format("no OpenGL {}.{} core context could be made:", kGlMajor, kGlMinor);
   for (const ContextAttempt& attempt : attempts)
     text += fmt::format(" {}: {};", attempt.name, attempt.failure);
+  const std::string steered = steering_remedy();
+  if (!steered.empty()) text += " " + steered + "; if that does not help,";
   text +=
       " install a software renderer with 'apt-get install libegl1 libgl1-mesa-dri libosmesa6', or start the "
       "container "
@@ -37,6 +61,37 @@ std::string explain(const std::vector<ContextAttempt>& attempts) {
 void fix_vector_width() {
   static std::once_flag once;
   std::call_once(once, [] { ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0); });
+}
+
+std::string steering_remedy() {
+  static constexpr const char* steering[] = {"GALLIUM_DRIVER",
+                                             "MESA_LOADER_DRIVER_OVERRIDE",
+                                             "MESA_GL_VERSION_OVERRIDE",
+                                             "MESA_GLSL_VERSION_OVERRIDE",
+                                             "MESA_EXTENSION_OVERRIDE",
+                                             "LIBGL_DRIVERS_PATH",
+                                             "LIBGL_ALWAYS_SOFTWARE",
+                                             "GALLIUM_OVERRIDE_CPU_CAPS",
+                                             "EGL_PLATFORM",
+                                             "__EGL_VENDOR_LIBRARY_FILENAMES",
+                                             "__EGL_VENDOR_LIBRARY_DIRS",
+                                             "__GLX_VENDOR_LIBRARY_NAME",
+                                             "LD_LIBRARY_PATH",
+                                             "LD_PRELOAD"};
+  std::string names, values;
+  for (const char* name : steering) {
+    const char* value = std::getenv(name);
+    if (value == nullptr || *value == '\0') continue;
+    names += names.empty() ? name : std::string(" ") + name;
+    values += fmt::format("{}{}={}", values.empty() ? "" : " ", name, value);
+  }
+  if (names.empty()) return {};
+  return fmt::format("the environment chooses another driver ({}): try 'unset {}'", values, names);
+}
+
+std::string driver_remedy() {
+  const std::string steered = steering_remedy();
+  return steered.empty() ? "try another --backend" : steered;
 }
 
 std::string check_gl_version(GlContext& context) {
@@ -52,11 +107,23 @@ std::string check_gl_version(GlContext& context) {
 
 std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts) {
   attempts.clear();
-  for (const ContextCandidate& candidate : candidates(backend)) {
-    std::string failure;
-    auto context = candidate.create(failure);
-    attempts.push_back({candidate.name, failure});
-    if (context) return context;
+  if (!is_proven(backend)) attempts = probe_contexts(families(backend));
+  const bool probed = !attempts.empty();
+  const bool hopeless = probed && !attempts.back().failure.empty();
+  for (const ContextFamily& family : families(backend)) {
+    if (hopeless || crashed(family, attempts)) continue;
+    std::vector<ContextCandidate> list;
+    family.add(list);
+    for (const ContextCandidate& candidate : list) {
+      if (probed && candidate.name != attempts.back().name) continue;
+      if (!probed) attempts.push_back({candidate.name, ""});
+      auto context = candidate.create(attempts.back().failure);
+      if (context) {
+        attempts.back().failure.clear();
+        is_proven(backend) = true;
+        return context;
+      }
+    }
   }
   throw Error(ExitCode::no_gl, explain(attempts));
 }

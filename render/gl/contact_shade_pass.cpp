@@ -79,7 +79,7 @@ ContactShadePass::ContactShadePass(const GlFunctions& gl)
     if (i == 0) gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
       throw Error(ExitCode::no_gl,
-                  gl.string(GL_RENDERER) + " refuses a one-channel framebuffer; try another --backend");
+                  gl.string(GL_RENDERER) + " refuses a one-channel framebuffer; " + driver_remedy());
     }
   }
 }

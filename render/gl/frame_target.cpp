@@ -59,16 +59,14 @@ void FrameTarget::allocate() {
         fmt::format("frame size {}x{}: expected at least 1x1; give --size WIDTHxHEIGHT", width_, height_));
   }
   const GLint limit = std::min(gl_.integer(GL_MAX_RENDERBUFFER_SIZE), gl_.integer(GL_MAX_TEXTURE_SIZE));
-  const auto refuse = [&](const std::string& reason) {
-    throw Error(
-        ExitCode::no_gl,
-        fmt::format("{} cannot draw frames of {}x{} pixels with {} sample{}: {}; choose a "
-                    "smaller --size",
-                    gl_.string(GL_RENDERER), width_, height_, samples_, samples_ == 1 ? "" : "s", reason));
+  const auto refuse = [&](const std::string& reason, const std::string& remedy = "choose a smaller --size") {
+    throw Error(ExitCode::no_gl, fmt::format("{} cannot draw frames of {}x{} pixels with {} sample{}: {}; {}",
+                                             gl_.string(GL_RENDERER), width_, height_, samples_,
+                                             samples_ == 1 ? "" : "s", reason, remedy));
   };
   if (width_ > limit || height_ > limit) refuse(fmt::format("the largest side is {}", limit));
   const GLint most = std::min(gl_.integer(GL_MAX_SAMPLES), gl_.integer(GL_MAX_COLOR_TEXTURE_SAMPLES));
-  if (most < samples_) refuse(fmt::format("it offers {}", most));
+  if (most < samples_) refuse(fmt::format("it offers {}", most), driver_remedy());
 
   // The old storage goes first, so that both never exist together.
   light_.reset();
@@ -169,7 +167,7 @@ bool FrameTarget::fetch(Image& out) {
   if (pixels == nullptr) {
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl_.check("reading the frame back");
-    throw Error(ExitCode::no_gl, "the driver does not hand out the frame; try another --backend");
+    throw Error(ExitCode::no_gl, "the driver does not hand out the frame; " + driver_remedy());
   }
   out.resize(slot.width, slot.height);
   const auto width = static_cast<std::size_t>(slot.width);

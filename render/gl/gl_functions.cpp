@@ -6,11 +6,12 @@
 namespace pabd {
 
 GlFunctions::GlFunctions(GlContext& context) {
-#define PABD_LOAD(entry, type)                                                                      \
-  entry = reinterpret_cast<PFNGL##type##PROC>(context.proc_address("gl" #entry));                   \
-  if (entry == nullptr) {                                                                           \
-    throw Error(ExitCode::no_gl, context.name() + ": the driver lacks gl" #entry                    \
-                                                  " of OpenGL 3.3; update Mesa or the GPU driver"); \
+#define PABD_LOAD(entry, type)                                                                \
+  entry = reinterpret_cast<PFNGL##type##PROC>(context.proc_address("gl" #entry));             \
+  if (entry == nullptr) {                                                                     \
+    throw Error(ExitCode::no_gl,                                                              \
+                context.name() + ": the driver lacks gl" #entry +                             \
+                    " of OpenGL 3.3; update Mesa or the GPU driver, or: " + driver_remedy()); \
   }
   PABD_GL_FUNCTIONS(PABD_LOAD)
 #undef PABD_LOAD
@@ -34,7 +35,7 @@ void GlFunctions::check(const char* doing) const {
   }
   throw Error(ExitCode::no_gl, std::string(doing) + " failed with " + gl_error_name(error) + " (" +
                                    string(GL_RENDERER) + ", " + string(GL_VERSION) +
-                                   "); try a smaller --size or another --backend");
+                                   "); try a smaller --size, or: " + driver_remedy());
 }
 
 const char* gl_error_name(GLenum error) {

@@ -17,7 +17,7 @@ constexpr const char* kHeader =
     "#endif\n";
 
 // The driver's words on one line.
-std::string one_line(std::string log) {
+std::string joined(std::string log) {
   for (char& c : log) {
     if (c == '\n' || c == '\r' || c == '\0') c = ' ';
   }
@@ -39,7 +39,7 @@ GLuint compile(const GlFunctions& gl, const char* name, GLenum stage,
   gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
   gl.DeleteShader(shader);
   throw Error(ExitCode::no_gl, std::string("shader '") + name + "' was refused by " + gl.string(GL_RENDERER) +
-                                   ": " + one_line(log) + "; try another --backend");
+                                   ": " + joined(log) + "; " + driver_remedy());
 }
 
 }  // namespace
@@ -68,8 +68,7 @@ GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_l
     gl.GetProgramInfoLog(id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
     gl.DeleteProgram(id_);
     throw Error(ExitCode::no_gl, std::string("shader '") + name + "' does not link on " +
-                                     gl.string(GL_RENDERER) + ": " + one_line(log) +
-                                     "; try another --backend");
+                                     gl.string(GL_RENDERER) + ": " + joined(log) + "; " + driver_remedy());
   }
   const GLuint block = gl.GetUniformBlockIndex(id_, "Frame");
   if (block != GL_INVALID_INDEX) gl.UniformBlockBinding(id_, block, kFrameBinding);

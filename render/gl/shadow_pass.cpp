@@ -35,7 +35,7 @@ ShadowPass::ShadowPass(const GlFunctions& gl)
   gl.ReadBuffer(GL_NONE);
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw Error(ExitCode::no_gl,
-                gl.string(GL_RENDERER) + " refuses a depth-only framebuffer; try another --backend");
+                gl.string(GL_RENDERER) + " refuses a depth-only framebuffer; " + driver_remedy());
   }
 }
 

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "render/output/atomic_file.h"
 #include "render/output/png.h"
+#include "sim/base/atomic_file.h"
 #include "sim/error.h"
 
 namespace pabd {

@@ -1,52 +1,55 @@
 // The ffmpeg program, fed through a pipe.
 #pragma once
 
-#include <sys/types.h>
-
+#include <atomic>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "render/output/descriptor.h"
+#include "sim/base/child_process.h"
 
 namespace pabd {
 
-// Runs in its own process group, so that Ctrl-C in a terminal reaches this program only and it can end the
-// video.
+struct EncoderSetup {
+  std::string name;                    // of the output, for messages
+  std::filesystem::path file;          // that ffmpeg writes
+  double patience = 60;                // seconds without any progress before it is ended
+  std::vector<std::string> arguments;  // of ffmpeg; make it read pipe:0 and report "-progress pipe:1"
+};
+
+// ffmpeg makes progress when it takes bytes, reports frames, or changes the file. It is only waited for in
+// write() and finish(): how long the frames take to make does not count.
 class EncoderProcess {
  public:
-  // Starts "ffmpeg" from PATH with these arguments (no shell), which make it read pipe:0 and report
-  // "-progress pipe:1". `name` is the output, for messages. Throws Error(encoder) if it cannot be started.
-  EncoderProcess(std::string name, const std::vector<std::string>& arguments);
-  ~EncoderProcess();  // kills it when still running
+  // Starts "ffmpeg" from PATH (no shell). Throws Error(encoder) if it cannot be started.
+  explicit EncoderProcess(EncoderSetup setup);
+  ~EncoderProcess();  // ends it when still running
   EncoderProcess(const EncoderProcess&) = delete;
   EncoderProcess& operator=(const EncoderProcess&) = delete;
 
-  // Throws Error(encoder) quoting ffmpeg's own last words when it ended early.
+  // Throws Error(encoder) quoting ffmpeg's own last words when it ended early or stands still.
   void write(const void* data, std::size_t size);
 
   // Ends its input and waits for it. Returns the number of frames it says it encoded.
-  // Throws Error(encoder) if it did not end with status 0.
+  // Throws Error(encoder) if it did not end with status 0, stands still, or complained: ffmpeg ends with 0
+  // even when the disk was full.
   long finish();
 
  private:
+  class Patience;
   void listen();
-  void take_progress(const char* text, std::size_t size);
-  void take_messages(const char* text, std::size_t size);
-  bool wait_until_ended(bool forever);
+  void end_and_hear();
   [[noreturn]] void fail(const std::string& what);
+  [[noreturn]] void give_up();
 
-  std::string name_;
-  pid_t pid_ = -1;
-  int status_ = 0;
-  bool status_known_ = false;
-  Descriptor input_, progress_, messages_;
+  EncoderSetup setup_;
+  ChildProcess child_;
+  Descriptor over_read_, over_write_;  // a pipe: a byte in it tells the listener that ffmpeg has ended
   std::thread listener_;
-  // Written by the listener; read after it was joined.
-  std::string progress_line_;
-  std::string tail_;  // the last 4 KiB of ffmpeg's stderr
-  long frames_ = 0;
+  std::atomic<long> frames_{0};
+  Tail tail_;  // of ffmpeg's standard error; written by the listener, read after it was joined
 };
 
 // The first line of "ffmpeg -version"; empty when there is no ffmpeg in PATH.

@@ -2,7 +2,6 @@
 #include "render/output/frame_sink.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -31,14 +30,6 @@ void check_options(const std::string& out, const SinkOptions& options) {
   if (options.first_frame > 0 && !is_frame_template(out)) {
     refuse(fmt::format("{}: only numbered PNG files can be resumed; use a name like frames/{{frame:04}}.png",
                        out));
-  }
-}
-
-void check_absent(const fs::path& path) {
-  struct stat info;
-  // A device or pipe is not overwritten but written to.
-  if (::stat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode)) {
-    refuse(fmt::format("{}: exists already; choose another name, or replace it with --force", path.string()));
   }
 }
 
@@ -87,14 +78,14 @@ std::unique_ptr<FrameSink> make_sink(const std::string& out, const SinkOptions& 
       check_sequence(out, options);
       return make_png_sequence_sink(out, options);
     }
-    if (!options.force) check_absent(path);
+    check_overwrite(out, path, {options.force, &options.inputs});
     return make_last_png_sink(out, options);
   }
   if (is_frame_template(out)) {
     refuse(fmt::format("{}: numbered frames are PNG files; end the name with .png", out));
   }
   if (extension == ".mp4" || extension == ".webm" || extension == ".gif") {
-    if (!options.force) check_absent(path);
+    check_overwrite(out, path, {options.force, &options.inputs});
     return make_video_sink(out, options);
   }
   refuse(fmt::format(

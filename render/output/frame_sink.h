@@ -9,6 +9,7 @@
 
 #include "render/output/image.h"
 #include "render/output/png.h"
+#include "sim/base/output_path.h"
 
 namespace pabd {
 
@@ -28,6 +29,8 @@ struct SinkOptions {
   double fps = 60;                             // frames a second of a video, 0.01 to 1000
   int first_frame = 0;                         // number of the first frame written (for --resume)
   bool force = false;                          // overwrite what exists
+  InputFiles inputs;                           // that are never overwritten
+  double encoder_timeout = 60;                 // seconds that ffmpeg may make no progress
   std::function<PngText(int frame)> png_text;  // may be empty
 };
 

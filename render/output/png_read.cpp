@@ -10,9 +10,8 @@
 #include <memory>
 #include <vector>
 
-#include "render/output/descriptor.h"
 #include "render/output/png.h"
-#include "render/output/utf8.h"
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -21,6 +20,7 @@ namespace {
 
 constexpr png_uint_32 most_chunks = 1000;
 constexpr png_alloc_size_t largest_chunk = 8 << 20;
+constexpr png_byte not_needed[] = "tEXt\0zTXt\0iTXt\0sPLT";
 // Deflate cannot make anything smaller than this times.
 constexpr double best_compression = 1032;
 
@@ -55,8 +55,11 @@ void on_warning(png_structp png, png_const_charp message) {
 // A PNG file open for reading, closed and freed at the end of the scope.
 class Reader {
  public:
-  explicit Reader(const fs::path& path) : path_(path), file_(std::fopen(path.c_str(), "rbe")) {
+  explicit Reader(const fs::path& path) : path_(path) {
+    Descriptor file = require_input(path, "a PNG file");
+    file_.reset(::fdopen(file.get(), "rb"));
     if (!file_) fail_file(errno);
+    file.release();
     decoder_.file = file_.get();
     unsigned char signature[8];
     const std::size_t got = std::fread(signature, 1, sizeof signature, file_.get());
@@ -67,13 +70,12 @@ class Reader {
     }
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder_, on_error, on_warning);
     if (png_) info_ = png_create_info_struct(png_);
-    if (png_ && info_) end_ = png_create_info_struct(png_);
-    if (!end_) {
+    if (!info_) {
       png_destroy_read_struct(&png_, &info_, nullptr);
       throw Error(ExitCode::file, fmt::format("{}: out of memory while opening", path.string()));
     }
   }
-  ~Reader() { png_destroy_read_struct(&png_, &info_, &end_); }
+  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
@@ -84,6 +86,8 @@ class Reader {
     png_set_user_limits(png_, png_largest_side, png_largest_side);
     png_set_chunk_cache_max(png_, most_chunks);
     png_set_chunk_malloc_max(png_, largest_chunk);
+    // Text is no part of the picture, and may be packed a thousandfold.
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, not_needed, 4);
     png_read_info(png_, info_);
     return true;
   }
@@ -115,32 +119,6 @@ class Reader {
     return true;
   }
 
-  bool skip_pixels() {
-    if (setjmp(png_jmpbuf(png_))) return false;
-    // Text may follow the picture, so its rows are unpacked and dropped: libpng skips no picture that it
-    // never began.
-    const int passes = png_set_interlace_handling(png_);
-    png_read_update_info(png_, info_);
-    for (int row = 0; row < passes * height(); ++row) png_read_row(png_, nullptr, nullptr);
-    png_read_end(png_, end_);
-    return true;
-  }
-
-  void add_texts(PngText& texts) {
-    for (png_infop info : {info_, end_}) {
-      png_textp list = nullptr;
-      const int count = png_get_text(png_, info, &list, nullptr);
-      for (int i = 0; i < count; ++i) {
-        const png_text& item = list[i];
-        const bool international = item.compression >= PNG_ITXT_COMPRESSION_NONE;
-        const std::string value(item.text ? item.text : "",
-                                international ? item.itxt_length : item.text_length);
-        if (international && !is_utf8_text(value)) continue;
-        texts.emplace(utf8_from_latin1(item.key), international ? value : utf8_from_latin1(value));
-      }
-    }
-  }
-
   [[noreturn]] void fail() const {
     if (decoder_.reason != 0) fail_file(decoder_.reason);
     throw Error(ExitCode::bad_input,
@@ -158,7 +136,6 @@ class Reader {
   Decoder decoder_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  png_infop end_ = nullptr;
 };
 
 }  // namespace
@@ -177,14 +154,6 @@ Image read_png(const fs::path& path) {
   image.resize(reader.width(), reader.height());
   if (!reader.read_pixels(image.rgb.data())) reader.fail();
   return image;
-}
-
-PngText read_png_text(const fs::path& path) {
-  Reader reader(path);
-  if (!reader.read_header() || !reader.skip_pixels()) reader.fail();
-  PngText texts;
-  reader.add_texts(texts);
-  return texts;
 }
 
 }  // namespace pabd

@@ -1,8 +1,8 @@
 // Frames as PNG files: a numbered file each, or one file with the last frame.
 #include <fmt/format.h>
 
-#include "render/output/atomic_file.h"
 #include "render/output/sinks.h"
+#include "sim/base/atomic_file.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -22,7 +22,9 @@ class PngSequenceSink : public FrameSink {
 
   void write(const Image& frame) override {
     check_frame_size(frame, options_);
-    write_png(frame_path(template_, next_), frame, text_of(options_, next_));
+    const std::filesystem::path path = frame_path(template_, next_);
+    check_overwrite(path.string(), path, {true, &options_.inputs});
+    write_png(path, frame, text_of(options_, next_));
     ++next_;
   }
 

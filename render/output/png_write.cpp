@@ -12,9 +12,9 @@
 #include <span>
 #include <string_view>
 
-#include "render/output/atomic_file.h"
 #include "render/output/png.h"
-#include "render/output/utf8.h"
+#include "sim/base/atomic_file.h"
+#include "sim/base/utf8.h"
 #include "sim/error.h"
 
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cerrno>
 
-#include "render/output/descriptor.h"
 #include "render/output/sinks.h"
+#include "sim/base/descriptor.h"
 #include "sim/error.h"
 
 namespace pabd {

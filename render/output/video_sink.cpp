@@ -1,16 +1,18 @@
 // Frames as a video: mp4 (H.264), webm (VP9) or gif, encoded by the ffmpeg program.
 //
 // The same frames give the same bytes on every machine with the same ffmpeg: no dates, no program names, a
-// fixed number of threads. The file gets its name only when ffmpeg ended well and encoded every frame.
+// fixed number of threads. The file gets its name only when ffmpeg ended well without a complaint, and every
+// frame can be read back from it.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
 #include <optional>
 
-#include "render/output/atomic_file.h"
 #include "render/output/encoder_process.h"
 #include "render/output/sinks.h"
+#include "render/output/video_check.h"
+#include "sim/base/atomic_file.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -99,7 +101,7 @@ class VideoSink : public FrameSink {
     append(list, {"-threads", "4", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
     // "file:" so that a name with a colon is not taken for an address.
     append(list, {"-y", "file:" + file_->temporary().string()});
-    encoder_.emplace(path_, list);
+    encoder_.emplace(EncoderSetup{path_, file_->temporary(), options_.encoder_timeout, std::move(list)});
   }
 
   void write(const Image& frame) override {
@@ -130,6 +132,8 @@ class VideoSink : public FrameSink {
     if (!unknown && bytes == 0 && std::filesystem::is_regular_file(file_->temporary(), unknown)) {
       throw Error(ExitCode::encoder, fmt::format("{}: ffmpeg ended well but wrote nothing", path_));
     }
+    if (std::filesystem::is_regular_file(file_->temporary(), unknown))
+      check_video(path_, file_->temporary(), {width_, height_, sent_}, options_.encoder_timeout);
     file_->commit();
   }
 

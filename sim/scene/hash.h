@@ -18,20 +18,7 @@ class Hash64 {
     state_ ^= state_ >> 32;
   }
   void add_number(double x) { add_word(std::bit_cast<std::uint64_t>(x)); }  // bit by bit: -0 differs from 0
-  void add_text(std::string_view text) {  // its length first: "ab","c" ≠ "a","bc"
-    add_word(text.size());
-    std::uint64_t word = 0;
-    int used = 0;
-    for (const unsigned char byte : text) {
-      word |= static_cast<std::uint64_t>(byte) << (8 * used);
-      if (++used == 8) {
-        add_word(word);
-        word = 0;
-        used = 0;
-      }
-    }
-    if (used > 0) add_word(word);
-  }
+  void add_text(std::string_view text);  // its length first: "ab","c" ≠ "a","bc"
 
   // 16 lower-case hex digits.
   std::string hex() const {
@@ -47,5 +34,41 @@ class Hash64 {
  private:
   std::uint64_t state_ = 0xcbf29ce484222325ull;
 };
+
+// The hash of one text of known length that comes in parts: as add_text() of all of it.
+class TextHash64 {
+ public:
+  explicit TextHash64(std::uint64_t length) { hash_.add_word(length); }
+  void add(std::string_view part) {
+    for (const unsigned char byte : part) {
+      word_ |= static_cast<std::uint64_t>(byte) << (8 * used_);
+      if (++used_ < 8) continue;
+      hash_.add_word(word_);
+      word_ = 0;
+      used_ = 0;
+    }
+  }
+  // Of everything that was added.
+  Hash64 finished() const {
+    Hash64 hash = hash_;
+    if (used_ > 0) hash.add_word(word_);
+    return hash;
+  }
+
+ private:
+  friend class Hash64;
+  explicit TextHash64(const Hash64& begun) : hash_(begun) {}
+
+  Hash64 hash_;
+  std::uint64_t word_ = 0;
+  int used_ = 0;
+};
+
+inline void Hash64::add_text(std::string_view text) {
+  add_word(text.size());
+  TextHash64 parts(*this);
+  parts.add(text);
+  *this = parts.finished();
+}
 
 }  // namespace pabd

@@ -1,13 +1,10 @@
 // Scene file → Scene, in the order: document, overrides, parameters, bodies, generators, joints. See scene.h.
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
-
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 #include "sim/scene/builder.h"
+#include "sim/scene/document.h"
 #include "sim/scene/generators.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/overrides.h"
@@ -86,29 +83,24 @@ std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
 }  // namespace
 
 std::string read_scene_text(const std::filesystem::path& file) {
-  const std::size_t limit = DocumentLimits{}.bytes;
-  const auto refuse = [&file](int error) {
-    throw Error(ExitCode::file, fmt::format("{}: cannot be read: {}; expected a scene file", file.string(),
-                                            std::strerror(error)));
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"), &std::fclose);
-  if (!in) refuse(errno);
-  std::string text;
-  char buffer[1 << 16];
-  while (text.size() <= limit) {  // one byte too many is enough to refuse it
-    errno = 0;
-    const std::size_t n = std::fread(buffer, 1, sizeof buffer, in.get());
-    text.append(buffer, n);
-    if (n < sizeof buffer) {
-      if (std::ferror(in.get()) != 0) refuse(errno);
+  std::string text, problem;
+  switch (read_file(file, DocumentLimits{}.bytes, text, problem)) {
+    case ReadOutcome::done:
       break;
-    }
+    case ReadOutcome::unreadable:
+      throw Error(ExitCode::file,
+                  fmt::format("{}: cannot be read: {}; expected a scene file", file.string(), problem));
+    case ReadOutcome::too_long:
+      throw Error(ExitCode::bad_input,
+                  fmt::format("{}: {}; expected a smaller file, use \"generate\"", file.string(), problem));
   }
   return text;
 }
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return parse_scene(read_scene_text(file), file.string(), file.parent_path(), overrides);
+  Scene scene = parse_scene(read_scene_text(file), file.string(), file.parent_path(), overrides);
+  scene.files.push_back(file);
+  return scene;
 }
 
 Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path& folder,
@@ -140,6 +132,7 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
   if (builder.model.size() == 0) in.fail("the scene has no bodies; expected \"bodies\" or \"generate\"");
   read_friction_anchors(in, builder);
   scene.camera = read_camera(in);
+  scene.files = meshes.files();
 
   if (scene.name.empty()) scene.name = std::filesystem::path(source).stem().string();
   scene.model = std::move(builder.model);

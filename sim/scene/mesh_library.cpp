@@ -3,11 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
-
+#include "sim/base/input_file.h"
 #include "sim/body/convex_hull.h"
 #include "sim/error.h"
 #include "sim/scene/builder.h"
@@ -21,23 +17,18 @@ namespace {
 [[noreturn]] void refuse(const std::string& message) { throw Error(ExitCode::bad_input, message); }
 
 std::string read_bytes(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) refuse("the file does not exist; expected a mesh beside the scene");
-  if (!std::filesystem::is_regular_file(status)) refuse("not a regular file; expected a mesh");
-  const auto too_long = [] {
-    refuse(fmt::format("longer than {} bytes; expected a smaller file, simplify the mesh", kMostMeshBytes));
-  };
-  if (const auto size = std::filesystem::file_size(file, error); !error && size > kMostMeshBytes) too_long();
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(file.c_str(), "rb"), &std::fclose);
-  if (!in) refuse(fmt::format("cannot be read: {}; expected a mesh", std::strerror(errno)));
-  std::string bytes;
-  char buffer[1 << 16];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, in.get())) {
-    bytes.append(buffer, n);
-    if (bytes.size() > kMostMeshBytes) too_long();
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown) && !unknown)
+    refuse("the file does not exist; expected a mesh beside the scene");
+  std::string bytes, problem;
+  switch (read_file(file, kMostMeshBytes, bytes, problem)) {
+    case ReadOutcome::unreadable:
+      refuse("cannot be read: " + problem + "; expected a mesh");
+    case ReadOutcome::too_long:
+      refuse(problem + "; expected a smaller file, simplify the mesh");
+    case ReadOutcome::done:
+      break;
   }
-  if (std::ferror(in.get()) != 0) refuse("cannot be read to its end; expected a mesh");
   if (bytes.empty()) refuse("the file is empty; expected a mesh");
   return bytes;
 }
@@ -98,6 +89,12 @@ const MeshLibrary::Entry& MeshLibrary::load(const std::string& file, double scal
     refuse(fmt::format("{}: {}", printable(file), error.what()));
   }
   return place->second;
+}
+
+std::vector<std::filesystem::path> MeshLibrary::files() const {
+  std::vector<std::filesystem::path> list;
+  for (const auto& [key, entry] : entries_) list.push_back(folder_ / key.first);
+  return list;
 }
 
 const Compound& MeshLibrary::load_parts(const std::vector<std::string>& files, double scale) {

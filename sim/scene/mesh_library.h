@@ -28,6 +28,8 @@ class MeshLibrary {
   // The hulls of several files as one body. The same files and scale give the same data again.
   const Compound& load_parts(const std::vector<std::string>& files, double scale);
 
+  std::vector<std::filesystem::path> files() const;  // that were read
+
  private:
   std::filesystem::path folder_;
   std::map<std::pair<std::string, double>, Entry> entries_;

@@ -24,8 +24,9 @@ struct Scene {
   Params params;
   Model model;
   State initial;
-  BondLaw joint_law;                 // of joints that say nothing of their own, κ resolved
-  std::optional<CameraDesc> camera;  // absent: the viewer frames the scene
+  BondLaw joint_law;                         // of joints that say nothing of their own, κ resolved
+  std::optional<CameraDesc> camera;          // absent: the viewer frames the scene
+  std::vector<std::filesystem::path> files;  // that it was read from: itself, if it came from one, and meshes
   std::string hash;  // 16 hex digits over the resolved scene (after --set), platform independent
 };
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/base/utf8.h"
+
 namespace pabd {
 
 namespace {
@@ -34,20 +36,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string printable(std::string_view text) {
   constexpr std::size_t kLongest = 60;
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool inside_character = (byte & 0xC0) == 0x80;  // UTF-8 continuation: never cut before it
-    if (out.size() >= kLongest && !inside_character) return out + "...";
-    if (byte == '\n') {
-      out += "\\n";
-    } else if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\x{:02x}", byte);
-    } else {
-      out += text[i];
-    }
+  const bool longer = text.size() > kLongest;
+  if (longer) {
+    std::size_t end = kLongest;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80 && end < kLongest + 3)
+      ++end;  // never inside a character
+    text = text.substr(0, end);
   }
-  return out;
+  return one_line(text) + (longer ? "..." : "");
 }
 
 std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", printable(text)); }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <limits>
+#include <string>
 
 #include "sim/trace/trace.h"
 
@@ -30,11 +32,16 @@ void write_steps_header(std::ostream& out) {
          "residual,step_ms\n";
 }
 
+// A step that failed ends in no state: what a state has is not known of it, and not zero.
 void write_steps_row(std::ostream& out, const StepReport& r) {
+  const bool failed = r.status == StepStatus::non_finite;
+  const auto known = [failed](double x) { return failed ? std::numeric_limits<double>::quiet_NaN() : x; };
   fmt::memory_buffer line;
   fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step, r.time,
-                 to_string(r.method), to_string(r.status), r.iterations, r.kinetic, r.potential, r.elastic,
-                 r.contacts, r.max_penetration, r.min_gap, r.max_joint_error, r.residual, r.times.total);
+                 to_string(r.method), to_string(r.status), r.iterations, known(r.kinetic), known(r.potential),
+                 known(r.elastic), failed ? "nan" : std::to_string(r.contacts), known(r.max_penetration),
+                 known(r.min_gap), known(r.max_joint_error),
+                 r.iterations == 0 ? known(r.residual) : r.residual, r.times.total);
   put(out, line);
 }
 

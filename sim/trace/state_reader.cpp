@@ -21,7 +21,6 @@ constexpr std::array kStateKeys{Key("format"), Key("version"), Key("time"),   Ke
 constexpr std::array kBodyKeys{Key("name"),     Key("position"),         Key("orientation"), Key("rotation"),
                                Key("velocity"), Key("angular_velocity"), Key("omega")};
 
-constexpr DocumentLimits kLimits{std::size_t{4} << 30, std::size_t{1} << 28, 32};
 constexpr double kTolerance = 1e-6;  // of a rotation's entries, and between the two ways to write one
 constexpr Range kAny{};
 
@@ -72,8 +71,16 @@ void read_body(const Node& node, const Model& model, std::size_t i, State& state
 
 }  // namespace
 
+// Generous: a body takes about 700 bytes and 35 values, a contact 130 and 10.
+std::size_t most_state_bytes(const Model& model) {
+  return DocumentLimits{}.bytes + (std::size_t{16} << 10) * static_cast<std::size_t>(model.size());
+}
+
 State state_from_json(const Model& model, const std::string& text, const std::string& source) {
-  const Json document = parse_document(text, source, kLimits);
+  const DocumentLimits usual;
+  const Json document = parse_document(
+      text, source,
+      {most_state_bytes(model), usual.values + 1024 * static_cast<std::size_t>(model.size()), usual.depth});
   ReadContext context{source, {}, {}};
   const ObjectReader in(Node(document, context), kStateKeys);
   const Node format = in.require("format", "\"pabd-state\"");

@@ -25,6 +25,8 @@ void write_joints_rows(std::ostream& out, const Model& model, const StepReport& 
 
 // State JSON. Numbers are printed so that reading them gives the same bits.
 std::string state_to_json(const Model& model, const State& state);
+// A file that is longer holds no state of this model.
+std::size_t most_state_bytes(const Model& model);
 // Throws Error(bad_input) when the text is malformed or does not fit the model (names, count, finite, unit
 // rotations).
 State state_from_json(const Model& model, const std::string& text, const std::string& source);

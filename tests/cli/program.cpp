@@ -40,6 +40,14 @@ struct Child {
     const rlimit limit{static_cast<rlim_t>(setting.largest_file), static_cast<rlim_t>(setting.largest_file)};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }
+  if (setting.most_memory >= 0) {
+    const rlimit limit{static_cast<rlim_t>(setting.most_memory), static_cast<rlim_t>(setting.most_memory)};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  const rlimit no_core{0, 0};  // a crash that is wanted leaves no dump
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  // As a person starts it, however the tests were started.
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) ::signal(number, SIG_DFL);
   std::vector<char*> argv;
   for (const std::string& argument : command) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -85,24 +93,57 @@ Outcome run_shell(const std::string& line, const Setting& setting) {
   return wait_for(start(folder, {"/bin/sh", "-c", line}, setting), setting);
 }
 
-Outcome run_pabd_interrupted(const std::vector<std::string>& arguments, int signal,
-                             const std::function<bool(const std::string& err)>& ready, int times) {
+Outcome run_command(const std::vector<std::string>& command, const Setting& setting) {
   const TempFolder folder;
-  const Child child = start(folder, with_program(arguments), {});
+  return wait_for(start(folder, command, setting), setting);
+}
+
+struct RunningPabd::Impl {
+  TempFolder folder;
+  Setting setting;
+  Child child;
+};
+
+RunningPabd::RunningPabd(const std::vector<std::string>& arguments, const Setting& setting)
+    : impl_(new Impl) {
+  impl_->setting = setting;
+  impl_->child = start(impl_->folder, with_program(arguments), setting);
+}
+
+RunningPabd::~RunningPabd() {
+  if (impl_->child.pid < 0) return;
+  ::kill(impl_->child.pid, SIGKILL);
+  ::waitpid(impl_->child.pid, nullptr, 0);
+}
+
+void RunningPabd::wait_until(const std::function<bool(const std::string& err)>& ready) {
   bool is_ready = false;
   for (int i = 0; i < 12000 && !is_ready; ++i) {
-    is_ready = fs::exists(child.err_file) && ready(read_text(child.err_file));
+    is_ready = fs::exists(impl_->child.err_file) && ready(read_text(impl_->child.err_file));
     if (!is_ready) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
+  INFO(read_text(impl_->child.err_file));
+  REQUIRE(is_ready);
+}
+
+void RunningPabd::signal(int number) { ::kill(impl_->child.pid, number); }
+
+Outcome RunningPabd::wait() {
+  const Outcome outcome = wait_for(impl_->child, impl_->setting);
+  impl_->child.pid = -1;
+  return outcome;
+}
+
+Outcome run_pabd_interrupted(const std::vector<std::string>& arguments, int signal,
+                             const std::function<bool(const std::string& err)>& ready, int times) {
+  RunningPabd program(arguments);
+  program.wait_until(ready);
   for (int i = 0; i < times; ++i) {
-    ::kill(child.pid, is_ready ? signal : SIGKILL);
+    program.signal(signal);
     // Two signals that wait at the same time count as one.
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  Outcome outcome = wait_for(child, {});
-  INFO(outcome.err);
-  REQUIRE(is_ready);
-  return outcome;
+  return program.wait();
 }
 
 TempFolder::TempFolder() {

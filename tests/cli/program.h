@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Setting {
   std::filesystem::path folder;                    // working directory; empty: the test's
   std::string out_to;                              // standard output goes there; empty: captured
   long long largest_file = -1;                     // ulimit -f in bytes; -1: none
+  long long most_memory = -1;                      // ulimit -v in bytes; -1: none
 };
 
 // Runs pabd to its end.
@@ -29,6 +31,24 @@ Outcome run_pabd(const std::vector<std::string>& arguments, const Setting& setti
 
 // Runs a line of a shell to its end.
 Outcome run_shell(const std::string& line, const Setting& setting = {});
+// The same for any program in PATH.
+Outcome run_command(const std::vector<std::string>& command, const Setting& setting = {});
+
+// pabd while it runs.
+class RunningPabd {
+ public:
+  explicit RunningPabd(const std::vector<std::string>& arguments, const Setting& setting = {});
+  ~RunningPabd();  // kills it if nobody waited for it
+
+  // Fails the test if `ready` (given what it wrote to standard error so far) does not hold within a minute.
+  void wait_until(const std::function<bool(const std::string& err)>& ready);
+  void signal(int number);
+  Outcome wait();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 // Runs pabd, sends `signal` (`times` in a row) as soon as `ready` (given what it wrote to standard error so
 // far) holds, and waits. Fails the test if `ready` does not hold within a minute.

@@ -223,7 +223,8 @@ TEST_CASE(
   CHECK(is_error_line(outcome.err, {"step 1", "diverged"}));
   const auto rows = lines_of(read_text(folder / "t.csv"));
   REQUIRE(rows.size() == 2);
-  CHECK(rows[1].find("non_finite") != std::string::npos);
+  // Where it failed is known, and nothing of where it ended: not that it was perfect.
+  CHECK(rows[1].find(",non_finite,0,nan,nan,nan,nan,nan,nan,nan,nan,") != std::string::npos);
 
   const Outcome render = run_pabd({"render", "two_boxes", "--set", "contact.barrier=log", "--quiet", "--size",
                                    "160x90", "--frames", "5", "-o", folder / "f{frame}.png"});

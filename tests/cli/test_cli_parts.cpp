@@ -1,6 +1,7 @@
 // Parts of the command line that can be tested without running it: schedule, camera, queue, progress; and the
 // session.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <thread>
 
 #include "app/cli/common.h"
@@ -130,6 +131,29 @@ TEST_CASE("the history is bounded and light") {
   CHECK(history.reports().back().records.empty());
   CHECK(history.reports().back().contact_reports.empty());
   CHECK(history.reports().front().step == 1001 - static_cast<std::int64_t>(history.reports().size()));
+}
+
+TEST_CASE("a session that nobody plots keeps no reports") {
+  Session session(load_scene(PABD_SCENES "/two_boxes.json"));
+  session.keep_history(false);
+  for (int i = 0; i < 50; ++i) session.step();
+  CHECK(session.history().reports().empty());
+  session.keep_history(true);
+  session.step();
+  CHECK(session.history().reports().size() == 1);
+}
+
+TEST_CASE("a step that failed reports nothing of where it ended, and enters no history") {
+  // The log barrier has no force for boxes that start inside each other.
+  Session session(load_scene(PABD_SCENES "/two_boxes.json", {"contact.barrier=log"}));
+  const double kinetic = session.report().kinetic;
+  CHECK(kinetic == 0);
+  REQUIRE(session.step().status == StepStatus::non_finite);
+  const StepReport& r = session.report();
+  for (const double x :
+       {r.kinetic, r.potential, r.elastic, r.max_penetration, r.min_gap, r.max_joint_error, r.residual})
+    CHECK(std::isnan(x));
+  CHECK(session.history().reports().empty());
 }
 
 TEST_CASE("a session steps, is reset, tuned and set to a state") {

@@ -129,7 +129,7 @@ TEST_CASE("--set changes the scene, --set to what it is does not") {
 }
 
 TEST_CASE("an interrupted run publishes the rows it has") {
-  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+  for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
     const TempFolder folder;
     const auto has_rows = [&](const std::string&) {
       for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {

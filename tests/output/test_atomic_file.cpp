@@ -11,8 +11,8 @@
 
 #include "errors.h"
 #include "file_size_limit.h"
-#include "render/output/atomic_file.h"
-#include "render/output/descriptor.h"
+#include "sim/base/atomic_file.h"
+#include "sim/base/descriptor.h"
 #include "temp_folder.h"
 
 using namespace pabd;

@@ -1,6 +1,8 @@
 // PNG files: what goes in comes out, and hostile files are refused.
 #include <catch2/catch.hpp>
 
+#include <zlib.h>
+
 #include <cstdint>
 #include <random>
 
@@ -49,6 +51,16 @@ std::string zlib_stored(const std::string& data) {
     text += static_cast<char>(value >> 8);
   }
   return text + data + big_endian(b << 16 | a);
+}
+
+// Deflate as small as it gets.
+std::string packed(const std::string& data) {
+  uLongf size = ::compressBound(data.size());
+  std::string out(size, '\0');
+  REQUIRE(::compress2(reinterpret_cast<Bytef*>(out.data()), &size,
+                      reinterpret_cast<const Bytef*>(data.data()), data.size(), 9) == Z_OK);
+  out.resize(size);
+  return out;
 }
 
 const std::string signature = "\x89PNG\r\n\x1a\n";
@@ -233,6 +245,46 @@ TEST_CASE("damaged files are refused or read, and never crash") {
     attempt(bytes);
   }
   CHECK(refused > 300);  // a bit in a text chunk does no harm to the picture; one elsewhere is seen
+}
+
+TEST_CASE("packed text of others is read") {
+  const TempFolder folder;
+  const std::string row(3, '\x40');
+  const auto file = [&](const std::string& chunks) {
+    return signature + header(1, 1, 8, 2) + chunks + chunk("IDAT", zlib_stored(std::string(1, '\0') + row)) +
+           chunk("IEND", "");
+  };
+  const std::string long_text(300000, 'k');
+  write_bytes(
+      folder / "a.png",
+      file(chunk("zTXt", std::string("a\0\0", 3) + packed(long_text)) +
+           chunk("iTXt", std::string("b\0\1\0de\0be\0", 10) + packed("κ = 50")) +
+           chunk("iTXt", std::string("c\0\0\0\0\0", 6) + "plain") +
+           chunk("zTXt", std::string("d\0\0", 3) + packed(long_text).substr(0, 50)) +  // cut off: none
+           chunk("tEXt", "no end of the key") + chunk("iTXt", std::string("e\0\1", 3))));
+  CHECK(read_png_text(folder / "a.png") == PngText{{"a", long_text}, {"b", "κ = 50"}, {"c", "plain"}});
+  CHECK(read_png(folder / "a.png").rgb == std::vector<std::uint8_t>(3, 0x40));
+}
+
+TEST_CASE("text that was packed a thousandfold is not unpacked beyond a limit") {
+  const TempFolder folder;
+  const std::string row(3, '\x40');
+  const std::string bomb = packed(std::string(std::size_t{7} << 20, 'k'));  // 7 kB
+  std::string chunks;
+  for (int i = 0; i < 700; ++i)
+    chunks += i % 2 == 0 ? chunk("zTXt", "a" + std::to_string(i) + std::string("\0\0", 2) + bomb)
+                         : chunk("iTXt", "b" + std::to_string(i) + std::string("\0\1\0\0\0", 5) + bomb);
+  write_bytes(folder / "a.png", signature + header(1, 1, 8, 2) + chunks +
+                                    chunk("IDAT", zlib_stored(std::string(1, '\0') + row)) +
+                                    chunk("IEND", ""));
+  const Caught error = caught([&] { static_cast<void>(read_png_text(folder / "a.png")); });
+  CHECK(error.code == bad_input);
+  CHECK(error.says("bytes of text"));
+  // The picture is there all the same, and its text is not looked at.
+  CHECK(read_png(folder / "a.png").rgb == std::vector<std::uint8_t>(3, 0x40));
+  // So is text that says it is long.
+  write_bytes(folder / "b.png", signature + header(1, 1, 8, 2) + big_endian(0x7ffffff0u) + "tEXt" + "a");
+  CHECK(caught([&] { static_cast<void>(read_png_text(folder / "b.png")); }).says("bytes of text"));
 }
 
 TEST_CASE("a full disk leaves no picture behind") {

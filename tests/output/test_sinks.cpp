@@ -16,8 +16,8 @@
 #include "file_size_limit.h"
 #include "picture.h"
 #include "render/output/async_sink.h"
-#include "render/output/descriptor.h"
 #include "render/output/sinks.h"
+#include "sim/base/descriptor.h"
 #include "temp_folder.h"
 
 using namespace pabd;

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "errors.h"
+#include "fake_ffmpeg.h"
 #include "file_size_limit.h"
 #include "picture.h"
 #include "render/output/async_sink.h"
@@ -71,34 +72,6 @@ std::string probe(const fs::path& path) {
 std::string first_frame(const fs::path& path) {
   return output_of("ffmpeg -v error -i " + path.string() + " -frames:v 1 -f rawvideo -pix_fmt rgb24 -");
 }
-
-// PATH for the life of this.
-class Path {
- public:
-  explicit Path(const std::string& value) : before_(std::getenv("PATH")) {
-    ::setenv("PATH", value.c_str(), 1);
-  }
-  ~Path() { ::setenv("PATH", before_.c_str(), 1); }
-  const std::string& before() const { return before_; }
-
- private:
-  std::string before_;
-};
-
-// A shell script that is called ffmpeg and found first.
-class FakeFfmpeg {
- public:
-  explicit FakeFfmpeg(const std::string& script)
-      : path_(folder_.path().string() + ":" + std::getenv("PATH")) {
-    write_bytes(folder_ / "ffmpeg", "#!/bin/sh\n" + script);
-    ::chmod((folder_ / "ffmpeg").c_str(), 0755);
-  }
-  fs::path operator/(const std::string& name) const { return folder_ / name; }
-
- private:
-  TempFolder folder_;
-  Path path_;
-};
 
 }  // namespace
 
@@ -201,7 +174,7 @@ TEST_CASE("a video that is not finished leaves nothing, and soon") {
 
 TEST_CASE("without ffmpeg the error says what to install, before the first frame") {
   const TempFolder folder;
-  const Path nothing((folder / "empty").string());
+  const Environment nothing("PATH", (folder / "empty").string());
   const Caught error = caught([&] { make_sink(folder / "a.mp4", sized(64, 48)); });
   CHECK(error.code == encoder_error);
   CHECK(error.says("ffmpeg was not found in PATH"));

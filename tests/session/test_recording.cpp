@@ -1,10 +1,14 @@
 // A recording is the run again, bit by bit, and nothing that is wrong with the file gets past the reader.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
 
 #include "app/session/recording.h"
 #include "sim/error.h"
 #include "sim/scene/hash.h"
 #include "sim/scene/tuning.h"
+#include "tests/output/temp_folder.h"
 
 using namespace pabd;
 
@@ -185,4 +189,46 @@ TEST_CASE("states that come out otherwise are found") {
   CHECK_FALSE(first_difference(recorded, 1));
   REQUIRE(first_difference(other, 1));
   CHECK(*first_difference(other, 1) == 45);
+}
+
+TEST_CASE("a recording of any length is written and read in parts") {
+  // Every edit keeps a state; enough of them for a file that no text of a scene may be as long as.
+  const auto scene = std::make_shared<const Scene>(parse_scene(
+      R"({ "format": "pabd-scene", "version": 1, "name": "cloud", "gravity": [0, 0, 0],
+           "generate": [ { "type": "pile", "count": 20000, "shape": "sphere", "size": [0.2, 0.2, 0.2],
+                           "position": [0, 0, 0] } ] })",
+      "cloud", "."));
+  constexpr std::size_t budget = std::size_t{400} << 20;
+  Run run(scene, 2, budget);
+  for (int i = 0; i < 25; ++i) {
+    AddBody ball;
+    ball.shape = Sphere{0.1};
+    ball.position = {1000.0 + i, 0, 0};
+    run.edit(ball);
+  }
+  REQUIRE(run.advance());
+  const TempFolder folder;
+  const std::string path = folder / "long.rec";
+  std::ofstream file(path, std::ios::binary);
+  std::size_t largest = 0;
+  write_recording(run, [&](std::string_view part) {
+    largest = std::max(largest, part.size());
+    file.write(part.data(), static_cast<std::streamsize>(part.size()));
+  });
+  file.close();
+  CHECK(std::filesystem::file_size(path) > std::size_t{68} << 20);
+  CHECK(largest < std::size_t{1} << 20);
+  const Timeline again = read_recording(path, scene, budget);
+  REQUIRE(again.size() == run.timeline().size());
+  CHECK(same_bits(*again.back().state, run.state()));
+  CHECK(again.back().model->size() == 20025);
+
+  // Damage at its far end is seen, and that it is cut off.
+  std::fstream damaged(path, std::ios::binary | std::ios::in | std::ios::out);
+  damaged.seekp(-1000, std::ios::end);
+  damaged.put('\x55').put('\x2a');
+  damaged.close();
+  CHECK_THROWS_WITH(read_recording(path, scene, budget), Catch::Contains("checksum"));
+  std::filesystem::resize_file(path, std::size_t{67} << 20);
+  CHECK_THROWS_WITH(read_recording(path, scene, budget), Catch::Contains("cut off"));
 }

@@ -68,3 +68,14 @@ TEST_CASE("iterations CSV", "[trace]") {
   write_iterations_rows(nothing, StepReport{});
   CHECK(nothing.str().empty());
 }
+
+TEST_CASE("a step that failed has no numbers of where it ended, and no zeros", "[trace]") {
+  StepReport r = example();
+  r.status = StepStatus::non_finite;
+  r.kinetic = r.potential = r.elastic = r.max_penetration = r.min_gap = r.max_joint_error = 0;
+  r.contacts = 0;
+  std::ostringstream out;
+  write_steps_row(out, r);
+  // The residual is that of the last iteration, which there was.
+  CHECK(out.str() == "7,0.11666666666666667,sissm,non_finite,12,nan,nan,nan,nan,nan,nan,nan,1e-07,2.5\n");
+}

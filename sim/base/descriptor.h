@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace pabd {
 
@@ -17,6 +18,7 @@ class Descriptor {
   Descriptor(Descriptor&& other) noexcept : fd_(other.fd_) { other.fd_ = -1; }
   Descriptor& operator=(Descriptor&& other) noexcept;
   int get() const { return fd_; }
+  int release() { return std::exchange(fd_, -1); }  // it is another's now
   void close();
 
  private:

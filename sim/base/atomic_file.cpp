@@ -1,5 +1,5 @@
 // A file that appears under its name only when it is whole.
-#include "render/output/atomic_file.h"
+#include "sim/base/atomic_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <ctime>
 #include <utility>
 
-#include "render/output/descriptor.h"
+#include "sim/base/descriptor.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -141,6 +141,8 @@ void AtomicFile::open_temporary() {
   name.resize(std::min(name.size(), longest_name - 12));
   for (int attempt = 0; attempt < 100; ++attempt) {
     temporary_ = target_.parent_path() / fmt::format(".{}.{}.tmp", name, random_letters());
+    // Before the file is there: a signal may come at any time.
+    leftover_ = Leftover(temporary_);
     // mkstemp would give 0600; 0666 leaves the choice to the user's umask, as for any other file.
     fd_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd_ >= 0) return;
@@ -151,7 +153,7 @@ void AtomicFile::open_temporary() {
 
 AtomicFile::~AtomicFile() {
   if (fd_ >= 0) ::close(fd_);
-  if (!committed_ && !direct_) ::unlink(temporary_.c_str());
+  if (!committed_ && !direct_ && !temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
 void AtomicFile::fail(const std::string& what, int reason) const { fail_for(path_, what, reason); }
@@ -185,6 +187,7 @@ void AtomicFile::commit() {
   if (!direct_ && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail("could not get its name", errno);
   committed_ = true;
   folders_.keep();
+  leftover_.release();
   if (direct_) return;
 
   // The name itself lives in the folder: without this it can be lost in a power cut.

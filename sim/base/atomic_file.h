@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/leftovers.h"
+
 namespace pabd {
 
 // Folders that are made for a file, and go again with the object unless it is kept or they are in use.
@@ -53,6 +55,7 @@ class AtomicFile {
   std::filesystem::path target_;  // links followed
   std::filesystem::path temporary_;
   std::string buffer_;
+  Leftover leftover_;
   int fd_ = -1;
   bool direct_ = false;  // a device or a pipe
   bool committed_ = false;

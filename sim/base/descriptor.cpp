@@ -1,5 +1,5 @@
 // Checked reading and writing of POSIX descriptors.
-#include "render/output/descriptor.h"
+#include "sim/base/descriptor.h"
 
 #include <poll.h>
 #include <pthread.h>

@@ -1,0 +1,34 @@
+// May a file be written? Nothing that exists is replaced unasked, and nothing that is read ever.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pabd {
+
+// The files that a command reads, told apart by what they are and not by their names: links and other ways to
+// write a path lead to the same file.
+class InputFiles {
+ public:
+  void add(const std::filesystem::path& path);  // one that does not exist is none
+  bool contains(const std::filesystem::path& path) const;
+
+ private:
+  std::vector<std::pair<dev_t, ino_t>> files_;
+};
+
+struct OverwriteRule {
+  bool force = false;                          // may replace what exists
+  const InputFiles* inputs = nullptr;          // that are never replaced
+  const char* remedy = "--force replaces it";  // when something exists and not `force`
+};
+
+// Throws Error(bad_input) if `path` may not be written. A device or a pipe is not replaced but written to.
+// `name` is how messages call it: the path, perhaps with its option before.
+void check_overwrite(const std::string& name, const std::filesystem::path& path, const OverwriteRule& rule);
+
+}  // namespace pabd
