@@ -98,12 +98,15 @@ struct Extremes {
   double gap = std::numeric_limits<double>::infinity();  // m
   double joint_error = 0;                                // m
   std::int64_t unsolved = 0;                             // steps that ended at the iteration limit
+  Index left_pairs = 0, too_dense = 0;                   // most of a step
 
   void add(const StepReport& report) {
     if (report.status == StepStatus::non_finite) return;  // it ended nowhere
     gap = std::min(gap, report.min_gap);
     joint_error = std::max(joint_error, report.max_joint_error);
     if (report.status == StepStatus::iteration_limit) ++unsolved;
+    left_pairs = std::max(left_pairs, report.left_pairs);
+    too_dense = std::max(too_dense, report.too_dense);
   }
 };
 
@@ -113,11 +116,15 @@ std::string summary(const Session& session, std::int64_t steps, double seconds, 
       session.model().joints.empty() ? "" : fmt::format(" · largest joint error {:.2g} m", worst.joint_error);
   const std::string unsolved =
       worst.unsolved > 0 ? fmt::format(", {} at the iteration limit", worst.unsolved) : "";
+  std::string left;
+  if (worst.left_pairs > 0)
+    left += fmt::format(" · {} pairs of bodies deep in each other left out", worst.left_pairs);
+  if (worst.too_dense > 0) left += fmt::format(" · {} bodies too dense for newton", worst.too_dense);
   return fmt::format(
-      "{} steps to t = {:.6g} s{}, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J · state "
+      "{} steps to t = {:.6g} s{}, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J{} · state "
       "{}\n",
       steps, session.state().time, unsolved, steps > 0 ? 1e3 * seconds / static_cast<double>(steps) : 0.0,
-      gap, joints, kinetic_energy(session.model(), session.state()), state_hash(session.state()));
+      gap, joints, kinetic_energy(session.model(), session.state()), left, state_hash(session.state()));
 }
 
 int run(const RunOptions& options) {
@@ -132,6 +139,7 @@ int run(const RunOptions& options) {
   session.report_joints(!options.joints.empty());
 
   const InterruptGuard interrupt;
+  session.stop_when([&] { return interrupt.requested(); });
   std::int64_t done = 0;
   bool diverged = false;
   Extremes worst;
@@ -140,6 +148,7 @@ int run(const RunOptions& options) {
     Progress progress("step", steps, !options.common.quiet);
     while (done < steps && !diverged && !interrupt.requested()) {
       const StepReport& report = session.step();
+      if (report.status == StepStatus::interrupted) break;
       outputs.add(session.model(), report);
       diverged = report.status == StepStatus::non_finite;
       worst.add(report);

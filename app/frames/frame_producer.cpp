@@ -38,7 +38,9 @@ void FrameProducer::recycle(FramePacket packet) { spent_.push(std::move(packet))
 // False when the run ends here.
 bool FrameProducer::make_step(Session& session, std::vector<StepReport>& since) {
   if (stopped_ || stop_requested_()) return false;
+  session.stop_when([this] { return stopped_ || stop_requested_(); });
   const StepReport& report = session.step();
+  if (report.status == StepStatus::interrupted) return false;
   if (report.status == StepStatus::non_finite) {
     diverged_ = &session;
     return false;

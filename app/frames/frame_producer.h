@@ -37,9 +37,9 @@ class FrameProducer {
   using StopRequested = std::function<bool()>;
   using Skipped = std::function<void(int frame, const StepReport& report)>;
 
-  // Starts. `stop` is asked before every step, `skipped` is told of frames before `range.first`; both are
-  // called in the producer's thread. `session` must outlive this and is not to be touched meanwhile, `b` too:
-  // a second run in step with the first one (step_at_time.h); may be null.
+  // Starts. `stop` is asked before and in every step, from any thread, `skipped` is told of frames before
+  // `range.first`, in the producer's thread. `session` must outlive this and is not to be touched meanwhile,
+  // `b` too: a second run in step with the first one (step_at_time.h); may be null.
   FrameProducer(Session& session, FrameRange range, StopRequested stop, Skipped skipped,
                 Session* b = nullptr);
   ~FrameProducer();  // stops and joins
@@ -52,7 +52,7 @@ class FrameProducer {
   // Gives a packet's memory back.
   void recycle(FramePacket packet);
 
-  // Ends the thread after the step it is in.
+  // Ends the thread, in the middle of a step if need be.
   void stop();
   // These are valid after stop(), or after next() was empty.
   const Session* diverged() const { return diverged_; }  // the run that left the numbers; null: none

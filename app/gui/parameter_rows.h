@@ -35,13 +35,16 @@ inline constexpr std::array kContactRows{
     ParameterRow{"contact.d_hat", "thickness d̂", "Distance at which contacts begin to push",
                  ParameterKind::log, 1e-5, 1, "m"},
     ParameterRow{"contact.kappa", "stiffness κ",
-                 "Height of the barrier. \"auto\": ten times the heaviest movable body rests on four "
-                 "contacts at d = 0.9 d̂",
+                 "Height of the barrier. \"auto\": all movable bodies, at least ten and at most a hundred of "
+                 "the heaviest, rest on four contacts at d = 0.9 d̂",
                  ParameterKind::log, 1e-3, 1e9, "J"},
     ParameterRow{
         "contact.onset", "onset ε",
         "Part of d̂ over which the force rises from zero. 0 is the printed formula, whose force jumps",
         ParameterKind::real, 0, 0.9},
+    ParameterRow{"contact.recovery_speed", "recovery",
+                 "Largest speed at which bodies that overlap by more than 2 d̂ come apart. 0: no limit",
+                 ParameterKind::real, 0, 20, "m/s"},
     ParameterRow{"contact.friction.static", "friction μ",
                  "Largest friction force over normal force while bodies stick", ParameterKind::real, 0, 1.5},
     ParameterRow{"contact.friction.dynamic", "  sliding",

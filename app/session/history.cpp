@@ -19,6 +19,8 @@ StepReport light_copy(const StepReport& report) {
   copy.min_gap = report.min_gap;
   copy.max_joint_error = report.max_joint_error;
   copy.residual = report.residual;
+  copy.left_pairs = report.left_pairs;
+  copy.too_dense = report.too_dense;
   copy.times = report.times;
   return copy;
 }

@@ -69,6 +69,7 @@ Run::Run(std::shared_ptr<const Scene> scene, int threads, Timeline past)
 Run Run::fork() const {
   Run out(scene_, threads_, timeline_.budget());
   out.observe(iterations_, contacts_, bodies_);
+  out.stop_when(stop_);
   out.timeline_ = timeline_;
   out.cursor_ = cursor_;
   out.seek(cursor_);
@@ -87,6 +88,11 @@ void Run::observe(bool iterations, bool contacts, bool bodies) {
   session_.report_bodies(bodies);
 }
 
+void Run::stop_when(const std::function<bool()>& stop) {
+  stop_ = stop;
+  session_.stop_when(stop);
+}
+
 bool Run::advance() {
   if (!at_end()) {
     seek(cursor_ + 1);
@@ -94,7 +100,8 @@ bool Run::advance() {
   }
   session_.set_params(next_);
   session_.set_pulls(listed(pulls_));
-  if (session_.step().status == StepStatus::non_finite) return false;
+  const StepStatus status = session_.step().status;
+  if (status == StepStatus::non_finite || status == StepStatus::interrupted) return false;
   add_moment();
   compare();
   return true;

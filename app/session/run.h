@@ -48,8 +48,11 @@ class Run {
   // What reports carry from the next step or seek on.
   void observe(bool iterations, bool contacts, bool bodies = false);
 
+  // A step that is under way ends when it says true, as do the steps of forks (StepOptions::stop).
+  void stop_when(const std::function<bool()>& stop);
+
   // One step on: in the past the one that was made, at the end a new one. False, with the state as it was,
-  // when the new one left the numbers; report() tells of it.
+  // when the new one left the numbers or was stopped; report() tells of it.
   bool advance();
   // To moment i of the timeline. Precondition: it exists.
   void seek(std::size_t i);
@@ -92,6 +95,7 @@ class Run {
   Params newest_;  // the same at the end of the timeline, while the cursor is elsewhere
   std::shared_ptr<const Params> shared_;  // the last ones that a step was made with
   Pulls pulls_;                           // of the next step
+  std::function<bool()> stop_;
   std::optional<Timeline> left_;
   std::optional<Parting> parting_;
 };

@@ -27,7 +27,7 @@ const StepReport& Session::step() {
   pabd::step(*model_, params_, options_, state_, workspace_, report_);
   if (report_.status == StepStatus::non_finite) {
     describe_failure();
-  } else if (keep_history_) {
+  } else if (keep_history_ && report_.status != StepStatus::interrupted) {
     history_.add(report_);
   }
   return report_;

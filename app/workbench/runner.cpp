@@ -17,6 +17,7 @@ constexpr Seconds kIdle{0.5};
 }  // namespace
 
 Runner::Runner(std::unique_ptr<Workbench> workbench) : workbench_(std::move(workbench)) {
+  workbench_->stop_when([this] { return stop_.load(); });
   publish();
   thread_ = std::thread([this] {
     try {

@@ -5,6 +5,7 @@
 //   latest()      ←── snapshot ←─┘  a new one after every change that somebody will look at
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -28,7 +29,7 @@ struct RunCopies {
 class Runner {
  public:
   explicit Runner(std::unique_ptr<Workbench> workbench);
-  ~Runner();  // ends the thread after the step it is in
+  ~Runner();  // ends the thread, in the middle of a step if need be
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
@@ -63,7 +64,8 @@ class Runner {
   std::deque<Job> queue_;
   std::shared_ptr<const Snapshot> latest_;
   bool taken_ = true;  // somebody has the latest snapshot and will want another
-  bool busy_ = false, stop_ = false;
+  bool busy_ = false;
+  std::atomic<bool> stop_ = false;
   std::exception_ptr failure_;
 
   // Pace: the thread's own.

@@ -47,10 +47,13 @@ void Workbench::tell(Severity severity, const std::string& text) {
 }
 
 bool Workbench::advance() {
+  for (auto* run : {&a_, &b_})
+    if (*run) (*run)->stop_when(options_.stop);
   diverged_ = !a_->advance() || !follow();
   measure_distance();
   if (!diverged_) return true;
   playing_ = false;
+  if (options_.stop && options_.stop()) return diverged_ = false;
   const bool first = a_->report().status == StepStatus::non_finite;
   const Run& run = first ? *a_ : *b_;
   tell(Severity::error,

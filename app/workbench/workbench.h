@@ -16,6 +16,7 @@ struct WorkbenchOptions {
   std::size_t memory = std::size_t{512} << 20;  // bytes for states of the past
   // File of a scene that a person names. Throws Error(file) when there is none.
   std::function<std::string(const std::string& name)> find_scene;
+  std::function<bool()> stop = {};  // see stop_when
 };
 
 class Workbench {
@@ -26,8 +27,12 @@ class Workbench {
   // Throws Error when it cannot be carried out: then nothing has changed.
   void apply(const Command& command);
 
-  // One step of everything that runs. False when that was not possible: the simulation diverged.
+  // One step of everything that runs. False when that was not possible: the simulation diverged, or was
+  // stopped.
   bool advance();
+
+  // Steps that are under way end when it says true; whoever asked is not going to look at the result.
+  void stop_when(std::function<bool()> stop) { options_.stop = std::move(stop); }
 
   bool playing() const { return playing_; }
   double speed() const { return speed_; }

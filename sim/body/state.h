@@ -20,7 +20,8 @@ struct FrictionAnchor {
       feature;   // which contact of the pair; top bit: the body with the higher number owns the normal
   Vec3 stretch;  // tangential, in the frame of the normal (its owner's, or the world's if that is round);
                  // metres
-  bool sliding = false;  // it slid at the end of the step: dynamic friction until it sticks again
+  bool recovers = false;  // its pair comes apart after a deep overlap (solver/recovery.h)
+  bool sliding = false;   // it slid at the end of the step: dynamic friction until it sticks again
 };
 
 struct State {

@@ -79,7 +79,9 @@ struct ContactPatch {
   Lanes limit;        // friction bound μ f_n of this iteration
   Lanes last_change;  // of `limit`
   Lanes gain;         // share of the next change: halved each time that `limit` swings back
-  bool felt = false;  // it pushed or held in some iterate of this step
+  Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
+  bool recovers = false;                     // solver/recovery.h
+  bool felt = false;                         // it pushed or held in some iterate of this step
 };
 
 // What all contacts of a step share.
@@ -168,6 +170,15 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   return f;
 }
 
+// The same of a patch, whose barrier may be another one while overlap recovers.
+[[gnu::always_inline]] inline ContactForce normal_force(const Barrier& b, const ContactPatch& p, Lanes d) {
+  ContactForce f = normal_force(b, d + p.shift);
+  f.value *= p.scale;
+  f.first *= p.scale;
+  f.alpha_n *= p.scale;
+  return f;
+}
+
 // D(u) for a given bound: ½ k_t u² while it sticks, then linear.
 inline Lanes friction_energy(const ContactLaw& law, Lanes limit, Lanes u) {
   return select(law.k_t * u <= limit, 0.5 * law.k_t * u * u, limit * (u - limit * (0.5 / law.k_t)));
@@ -184,7 +195,7 @@ inline Lanes length(const Vec3x& v) { return sqrt(dot(v, v)); }
 
 // E of the patch, every point by itself.
 inline Lanes contact_energy(const ContactLaw& law, const ContactPatch& p, const ContactState& s) {
-  return normal_force(law.barrier, s.d).value + friction_energy(law, p.limit, length(s.u));
+  return normal_force(law.barrier, p, s.d).value + friction_energy(law, p.limit, length(s.u));
 }
 
 // Moves the bounds to μ f_n of the current iterate; by less and less where one swings to and fro.
@@ -196,7 +207,7 @@ inline void move_limit(ContactPatch& p, const ContactForce& f) {
   p.last_change = change;
 }
 inline void update_limit(const ContactLaw& law, ContactPatch& p, const ContactState& s) {
-  move_limit(p, normal_force(law.barrier, s.d));
+  move_limit(p, normal_force(law.barrier, p, s.d));
 }
 
 }  // namespace pabd

@@ -116,12 +116,43 @@ void add_plane_pairs(const Model& model, const std::vector<Aabb>& boxes, const s
   }
 }
 
+// Any number of bodies may be put at one place, and all would meet all. Lists of more than kMostDeep bodies
+// that lie deep in the first are cut there; bodies that lie side by side never are.
+Index leave_out_deep_pairs(const Poses& poses, std::vector<IndexPair>& pairs) {
+  constexpr std::size_t kMostDeep = 16;
+  const auto core = [&](Index i) {
+    const Shape& shape = poses.model.shape[static_cast<std::size_t>(i)];
+    return shape.index() == kCompound || is_plane(shape) ? 0.0 : inner_radius(shape);
+  };
+  std::size_t kept = 0;
+  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
+    const Index i = pairs[begin].first;
+    while (end < pairs.size() && pairs[end].first == i) ++end;
+    const bool many = end - begin > kMostDeep;
+    const double core_i = many ? core(i) : 0;
+    std::size_t deep = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Index j = pairs[k].second;
+      if (many && core_i > 0) {
+        const double way = 0.5 * (core_i + core(j));
+        const Vec3 between = poses.c[static_cast<std::size_t>(j)] - poses.c[static_cast<std::size_t>(i)];
+        if (core(j) > 0 && between.squaredNorm() < way * way && ++deep > kMostDeep) continue;
+      }
+      pairs[kept++] = pairs[k];
+    }
+  }
+  const auto left = static_cast<Index>(pairs.size() - kept);
+  pairs.resize(kept);
+  return left;
+}
+
 // Contacts of a range of pairs.
 void collide_range(const Poses& poses, const std::vector<double>& reach, const std::vector<IndexPair>& skip,
-                   const IndexPair* begin, const IndexPair* end, Contacts& out) {
+                   const IndexPair* begin, const IndexPair* end, const Stop& stop, Contacts& out) {
   if (begin == end) return;
   auto skipped = std::lower_bound(skip.begin(), skip.end(), *begin);
   for (const IndexPair* pair = begin; pair != end; ++pair) {
+    if ((pair - begin) % 256 == 255 && stop.requested()) return;
     while (skipped != skip.end() && *skipped < *pair) ++skipped;
     if (skipped != skip.end() && *skipped == *pair) continue;
     const auto [i, j] = *pair;
@@ -148,6 +179,8 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   });
   auto& pairs = workspace.pairs;
   workspace.broad_phase.find(boxes, model.fixed, threads, workspace.team, pairs);
+  const Poses poses{model, c, R};
+  workspace.left_pairs = leave_out_deep_pairs(poses, pairs);
   const auto without_planes = static_cast<std::ptrdiff_t>(pairs.size());
   add_plane_pairs(model, boxes, reach, pairs);
   if (without_planes < static_cast<std::ptrdiff_t>(pairs.size())) {
@@ -160,12 +193,11 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   }
 
   out.clear();
-  const Poses poses{model, c, R};
   const IndexPair* first = pairs.data();
   constexpr std::size_t kPairs = 32;  // some ten microseconds
   const std::size_t chunks = workspace.team.ranges(threads, pairs.size(), kPairs);
   if (chunks == 1) {
-    collide_range(poses, reach, skip, first, first + pairs.size(), out);
+    collide_range(poses, reach, skip, first, first + pairs.size(), workspace.stop, out);
     return;
   }
   auto& partial = workspace.partial;
@@ -173,7 +205,7 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   workspace.team.for_each(threads, chunks, 1, [&](std::size_t k) {
     partial[k].clear();
     collide_range(poses, reach, skip, first + pairs.size() * k / chunks,
-                  first + pairs.size() * (k + 1) / chunks, partial[k]);
+                  first + pairs.size() * (k + 1) / chunks, workspace.stop, partial[k]);
   });
   for (std::size_t k = 0; k < chunks; ++k) out.insert(out.end(), partial[k].begin(), partial[k].end());
 }

@@ -6,6 +6,7 @@
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/collision/broad_phase.h"
+#include "sim/math/stop.h"
 #include "sim/math/team.h"
 
 namespace pabd {
@@ -26,14 +27,18 @@ struct CollisionWorkspace {
   BroadPhase broad_phase;
   std::vector<std::pair<Index, Index>> pairs, merged;
   std::vector<std::vector<ContactPoint>> partial;  // a bucket a chunk of pairs, joined in order
+  Stop stop;                                       // detection ends early, with what it has
+  Index left_pairs = 0;                            // of the last call: left out
 };
 
 // Fills `out` with every contact point whose d is below `reach`[a] + `reach`[b].
 //   c, R     poses, one entry a body (m; rotation matrices)
 //   reach    how far beyond its surface a body looks for contacts, ≥ 0, one entry a body; m
 //   skip     sorted list of pairs (a < b) that never collide, for jointed bodies
-// Two fixed bodies never meet. The result is sorted by (min(a,b), max(a,b), feature) and does not depend on
-// `threads`.
+// Two fixed bodies never meet. Of bodies deep in each other, their centres closer than half the sum of their
+// inner radii, each meets the first 16 that follow it and no more: the others are counted in
+// workspace.left_pairs. Compounds and planes always meet. The result is sorted by (min(a,b), max(a,b),
+// feature) and does not depend on `threads`.
 void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
             const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip, int threads,
             CollisionWorkspace& workspace, std::vector<ContactPoint>& out);

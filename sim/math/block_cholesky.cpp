@@ -70,12 +70,13 @@ void subtract_transposed_times(const Block6& B, const Column& x, Column& y) {
 
 }  // namespace
 
-void BlockCholesky::analyze(Index n, const Elimination::Pairs& pairs) {
-  graph_.analyze(n, pairs);
+bool BlockCholesky::analyze(Index n, const Elimination::Pairs& pairs, double most_products) {
+  if (!graph_.analyze(n, pairs, most_products)) return false;
   diagonal_.resize(static_cast<std::size_t>(n));
   below_.resize(graph_.blocks());
   inverse_.resize(static_cast<std::size_t>(n));
   x_.resize(static_cast<std::size_t>(n));
+  return true;
 }
 
 void BlockCholesky::set_zero() {
@@ -107,8 +108,9 @@ void BlockCholesky::subtract_outer(Index k) {
   }
 }
 
-bool BlockCholesky::factorize() {
+bool BlockCholesky::factorize(const Stop& stop) {
   for (Index k = 0; k < rows(); ++k) {
+    if (k % 64 == 0 && stop.requested()) return false;
     inverse_[k] = Column{};
     if (!factorize_block(diagonal_[k], inverse_[k])) return false;
     const std::size_t begin = graph_.first(k), count = graph_.first(k + 1) - begin;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/math/elimination.h"
+#include "sim/math/stop.h"
 
 namespace pabd {
 
@@ -30,8 +31,9 @@ struct Block6 {
 
 class BlockCholesky {
  public:
-  // As Elimination::analyze.
-  void analyze(Index n, const Elimination::Pairs& pairs);
+  // As Elimination::analyze: false, and not to be used, where it would cost more.
+  bool analyze(Index n, const Elimination::Pairs& pairs,
+               double most_products = std::numeric_limits<double>::infinity());
 
   Index rows() const { return graph_.rows(); }
   const Elimination& graph() const { return graph_; }
@@ -41,8 +43,8 @@ class BlockCholesky {
   // Adds `block` (rows q, columns p) and its transpose; p ≠ q, coupled.
   void add_off_diagonal(Index q, Index p, const Mat6& block);
 
-  // False where A is not positive definite; it is destroyed either way.
-  bool factorize();
+  // False where A is not positive definite, or when stopped; it is destroyed either way.
+  bool factorize(const Stop& stop = {});
   void solve(std::vector<Vec6>& x) const;  // x: block rows in the caller's order
 
  private:

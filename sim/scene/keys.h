@@ -20,8 +20,8 @@ inline constexpr std::array scene{
     Key("bodies"),  Key("joints"),    Key("generate"), Key("camera"),  Key("friction_anchors")};
 inline constexpr std::array solver{Key("method"), Key("iterations"), Key("tolerance"), Key("relaxation"),
                                    Key("projection")};
-inline constexpr std::array contact{Key("barrier"), Key("N"),     Key("d_hat"),
-                                    Key("kappa"),   Key("onset"), Key("friction")};
+inline constexpr std::array contact{Key("barrier"), Key("N"),        Key("d_hat"),         Key("kappa"),
+                                    Key("onset"),   Key("friction"), Key("recovery_speed")};
 inline constexpr std::array friction{Key("static"), Key("dynamic")};
 inline constexpr std::array joints_default{Key("potential"), Key("kappa"), Key("N"), Key("d_hat")};
 inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
@@ -79,7 +79,8 @@ inline constexpr std::array drive{Key("value"), Key("keys")};
 inline constexpr std::array twist{Key("limits")};
 
 // Of state files as well.
-inline constexpr std::array friction_anchor{Key("bodies"), Key("feature"), Key("stretch"), Key("sliding")};
+inline constexpr std::array friction_anchor{Key("bodies"), Key("feature"), Key("stretch"), Key("sliding"),
+                                            Key("recovers")};
 
 }  // namespace keys
 

@@ -18,6 +18,7 @@ FrictionAnchor read_anchor(const Node& node, Index count) {
   anchor.feature = static_cast<std::uint32_t>(in.integer("feature", 0, 0xffffffff));
   anchor.stretch = in.vec3("stretch", Range{});
   anchor.sliding = in.boolean("sliding", false);
+  anchor.recovers = in.boolean("recovers", false);
   return anchor;
 }
 

@@ -63,6 +63,7 @@ void read_contact(const ObjectReader& in, ContactParams& out) {
   out.d_hat = in.number("d_hat", kAny, out.d_hat);
   out.kappa = read_kappa(in);
   out.onset = in.number("onset", kAny, out.onset);
+  out.recovery_speed = in.number("recovery_speed", kAny, out.recovery_speed);
   if (const auto friction = in.find("friction")) read_friction(*friction, out);
   in.record("static", out.mu_static);
   in.record("dynamic", out.mu_dynamic);

@@ -36,6 +36,7 @@ AnyJson to_json(const Params& params) {
         {"d_hat", contact.d_hat},
         {"kappa", kappa},
         {"onset", contact.onset},
+        {"recovery_speed", contact.recovery_speed},
         {"friction", {{"static", contact.mu_static}, {"dynamic", contact.mu_dynamic}}}}},
   };
 }
@@ -96,6 +97,7 @@ const std::vector<std::string>& tunable_keys() {
                                                 "contact.d_hat",
                                                 "contact.kappa",
                                                 "contact.onset",
+                                                "contact.recovery_speed",
                                                 "contact.friction.static",
                                                 "contact.friction.dynamic"};
   return keys;

@@ -153,7 +153,7 @@ void descent_sweep(const SolveContext& s, const DescentSweep& sweep) {
   const auto colors = static_cast<Index>(w.first_of_color.size()) - 1;
   w.last_step.resize(w.moved.size());
   const double bound = sweep.every_body ? 0 : quiet_bound(s);
-  for (Index k = 0; k < colors; ++k) {
+  for (Index k = 0; k < colors && !w.stop.requested(); ++k) {
     const Index first = w.first_of_color[k];
     const auto count = static_cast<std::size_t>(w.first_of_color[k + 1] - first);
     w.collision.team.for_each(s.threads, count, kBlock, [&](std::size_t j) {

@@ -34,7 +34,7 @@ void start_friction(int threads, StepWorkspace::Impl& w) {
   w.collision.team.for_each(threads, w.patches.size(), kBlock, [&](std::size_t j) {
     ContactPatch& patch = w.patches[j];
     const ContactState s = state_of(w, patch);
-    const Lanes bound = -w.law.mu_static * normal_force(w.law.barrier, s.d).first;
+    const Lanes bound = -w.law.mu_static * normal_force(w.law.barrier, patch, s.d).first;
     const Lanes chosen =
         select(w.law.k_t * length(s.u) <= bound, lanes(w.law.mu_static), lanes(w.law.mu_dynamic));
     patch.mu = select(patch.mu == kUnknown, chosen, patch.mu);
@@ -60,11 +60,11 @@ void store_friction(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& a
     const Lanes u = length(s.u);
     const Lanes kept = friction_weight(w.law, patch.limit, u) / w.law.k_t;  // 1 while it sticks
     for (int k = 0; k < patch.count; ++k) {
-      if (!(patch.limit[k] > 0)) continue;
+      if (!(patch.limit[k] > 0) && !patch.recovers) continue;
       anchors.push_back(
           {pair_key(patch.a, patch.b), patch.feature[k],
            kept[k] * (patch.turns ? Vec3(w.pose[patch.a].R.transpose() * lane(s.u, k)) : lane(s.u, k)),
-           w.law.k_t * u[k] > patch.limit[k]});
+           patch.recovers, w.law.k_t * u[k] > patch.limit[k]});
     }
   }
 }

@@ -12,6 +12,7 @@ namespace {
 constexpr double kProductsInMotion = 3, kProductsAtRest = 25;
 constexpr double kAtRest = 0.2;          // longest way of a body in a step, in d̂
 constexpr double kLargeMassRatio = 100;  // in an island: `descent` would need many iterations
+constexpr double kMostProducts = 1e5;    // whatever it is worth: some milliseconds
 // Above this size it is not even looked at.
 constexpr Index kMostRows = 5000;
 
@@ -74,7 +75,8 @@ void choose_piles(const Model& model, double h, const State& state, StepWorkspac
     const IslandChoice::Cost& cost = choice.cost[i];
     const bool at_rest = cost.way <= kAtRest * w.law.barrier.d_hat;
     const bool worth_more = at_rest || cost.heaviest > kLargeMassRatio * cost.lightest;
-    if (cost.products <= (worth_more ? kProductsAtRest : kProductsInMotion) * choice.patches[i])
+    if (cost.products <= kMostProducts &&
+        cost.products <= (worth_more ? kProductsAtRest : kProductsInMotion) * choice.patches[i])
       w.solver_of[i] = IslandSolver::newton;
   }
 }

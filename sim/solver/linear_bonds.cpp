@@ -14,7 +14,7 @@ Vec6 wrench(const Vec3& force, const Vec3& torque) {
 LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b) {
   LinearPatch out;
   const ContactState state = contact_state(patch, a, b);
-  const ContactForce f = normal_force(law.barrier, state.d);
+  const ContactForce f = normal_force(law.barrier, patch, state.d);
   const Lanes u = length(state.u);
   const Lanes alpha_t = friction_weight(law, patch.limit, u);
   out.energy = sum(f.value + friction_energy(law, patch.limit, u));

@@ -17,6 +17,7 @@
 #include <limits>
 
 #include "sim/math/extremes.h"
+#include "sim/solver/islands.h"
 #include "sim/solver/linear_bonds.h"
 
 namespace pabd {
@@ -25,6 +26,7 @@ namespace {
 constexpr int kPatience = 4;         // iterations in which E may stay above its lowest value
 constexpr double kRounding = 1e-12;  // of E
 constexpr int kHalvings = 30;
+constexpr double kMostProducts = 1e8;  // of 6×6 blocks in a factorisation: some seconds
 
 double with_rounding(double energy) { return energy + kRounding * std::abs(energy); }
 
@@ -35,21 +37,21 @@ Mat3 geometric_stiffness(const Vec3& r, const Vec3& g) {
   return 0.5 * (rg + rg.transpose()) - g.dot(r) * Mat3::Identity();
 }
 
-void find_structure(const SolveContext& s, NewtonSystem& system) {
-  const StepWorkspace::Impl& w = s.w;
-  system.row.assign(w.pose.size(), -1);
+// False where its factorisation would cost too much.
+bool find_structure(const Model& model, const StepWorkspace::Impl& w, NewtonSystem& system) {
+  system.row.assign(w.star.size() + 1, -1);
   for (std::size_t k = 0; k < w.newton.size(); ++k) system.row[w.newton[k]] = static_cast<Index>(k);
   system.pairs.clear();
   const auto couple = [&](Index a, Index b) {
-    const Index p = system.row[a], q = system.row[b];
+    const Index p = a == kWorld ? -1 : system.row[a], q = b == kWorld ? -1 : system.row[b];
     if (p >= 0 && q >= 0 && p != q) system.pairs.emplace_back(std::min(p, q), std::max(p, q));
   };
-  for (const Joint& joint : s.model.joints) couple(w.slot(joint.i), w.slot(joint.j));
+  for (const Joint& joint : model.joints) couple(joint.i, joint.j);
   for (const ContactPatch& patch : w.patches) couple(patch.a, patch.b);
   if (!std::is_sorted(system.pairs.begin(), system.pairs.end()))
     std::sort(system.pairs.begin(), system.pairs.end());
   system.pairs.erase(std::unique(system.pairs.begin(), system.pairs.end()), system.pairs.end());
-  system.matrix.analyze(static_cast<Index>(w.newton.size()), system.pairs);
+  return system.matrix.analyze(static_cast<Index>(w.newton.size()), system.pairs, kMostProducts);
 }
 
 // Inertia of body i: its diagonal block, gradient and energy.
@@ -162,12 +164,13 @@ void raise_diagonal(double share, NewtonSystem& system) {
 // Newton direction from the assembled matrix. Pushed bonds may have made it indefinite: then without their
 // geometric stiffness, and where rounding or a large turn left that indefinite too, with a raised diagonal.
 bool find_direction(const SolveContext& s, bool geometric, NewtonSystem& system) {
-  bool solvable = system.matrix.factorize();
+  bool solvable = system.matrix.factorize(s.w.stop);
   for (double raise = 0; !solvable && raise < 1e4; raise = raise == 0 ? 1e-12 : raise * 1e3) {
+    if (s.w.stop.requested()) break;
     if (raise == 0 && !geometric) continue;
     assemble(s, false, system);
     raise_diagonal(raise, system);
-    solvable = system.matrix.factorize();
+    solvable = system.matrix.factorize(s.w.stop);
   }
   if (!solvable) {
     std::fill(system.step.begin(), system.step.end(),
@@ -268,9 +271,26 @@ void step_from_here(const SolveContext& s, bool geometric, bool last, NewtonSyst
 
 }  // namespace
 
+Index prepare_newton(const Model& model, StepWorkspace::Impl& w) {
+  NewtonSystem& system = *w.system;
+  Index given_up = 0;
+  while (!w.newton.empty() && !find_structure(model, w, system)) {
+    // The island with most couplings goes to `descent`.
+    w.cursor.assign(model.shape.size(), 0);
+    for (const auto& [p, q] : system.pairs) ++w.cursor[root(w.parent, w.newton[p])];
+    const auto densest =
+        static_cast<Index>(std::max_element(w.cursor.begin(), w.cursor.end()) - w.cursor.begin());
+    given_up += static_cast<Index>(std::erase_if(w.newton, [&](Index i) {
+      if (root(w.parent, i) != densest) return false;
+      w.is_newton[i] = 0;
+      return true;
+    }));
+  }
+  return given_up;
+}
+
 void start_newton(const SolveContext& s, NewtonSystem& system) {
   if (s.w.newton.empty()) return;
-  find_structure(s, system);
   system.g.resize(s.w.newton.size());
   system.step.resize(s.w.newton.size());
   system.force.clear();

@@ -24,6 +24,10 @@ struct NewtonSystem {
   int rises;  // iterations since
 };
 
+// Finds the structure of the matrix of w.newton. Islands whose factorisation would cost too much are given to
+// `descent`; returns their number of bodies. After find_islands, before color_bodies.
+Index prepare_newton(const Model& model, StepWorkspace::Impl& w);
+
 // Before the first iteration of a step.
 void start_newton(const SolveContext& s, NewtonSystem& system);
 

@@ -45,6 +45,9 @@ std::optional<ParamError> check_contact(const ContactParams& c) {
   if (auto e = expect(inside(c.onset, 0, 1) && c.onset < 1, "/contact/onset", c.onset,
                       "a width from 0 to below 1"))
     return e;
+  if (auto e = expect(inside(c.recovery_speed, 0, 1e6), "/contact/recovery_speed", c.recovery_speed,
+                      "a speed from 0 (no limit) to 1e6 (m/s)"))
+    return e;
   if (auto e = expect(inside(c.mu_static, 0, 100), "/contact/friction/static", c.mu_static,
                       "a coefficient from 0 to 100"))
     return e;

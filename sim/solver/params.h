@@ -33,6 +33,7 @@ struct ContactParams {
   double d_hat = 0.01;          // contact thickness d̂; m, > 0
   std::optional<double> kappa;  // stiffness κ; J, > 0. Empty: "auto", see resolve_kappa
   double onset = 0.2;           // onset width ε, [0, 1)
+  double recovery_speed = 3;    // at which overlap deeper than 2 d̂ comes apart; m/s, 0 … 1e6. 0: no limit
   double mu_static = 0.5;       // friction, ≥ 0
   double mu_dynamic = 0.5;      // friction, ≥ 0, not above mu_static
 };

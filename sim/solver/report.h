@@ -8,8 +8,8 @@
 
 namespace pabd {
 
-enum class StepStatus : std::uint8_t { converged, iteration_limit, non_finite };
-const char* to_string(StepStatus status);  // "converged", "iteration_limit", "non_finite"
+enum class StepStatus : std::uint8_t { converged, iteration_limit, non_finite, interrupted };
+const char* to_string(StepStatus status);  // "converged", "iteration_limit", "non_finite", "interrupted"
 
 // State after one iteration of the solver.
 struct IterationRecord {
@@ -76,6 +76,10 @@ struct StepReport {
   double min_gap = 0;          // m; +inf without contacts
   double max_joint_error = 0;  // m
   double residual = 0;         // of the last iteration
+  // What was left out because it would cost too much: pairs of bodies deep in each other whose first body has
+  // many such (collision/detect.h), and bodies that `descent` solved in place of `newton` (islands.h).
+  Index left_pairs = 0;
+  Index too_dense = 0;
   PhaseTimes times;
   std::vector<IterationRecord> records;  // one an iteration; empty unless StepOptions::record_iterations
   std::vector<ContactReport>

@@ -48,7 +48,7 @@ void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepRep
   report.contact_reports.clear();
   for (const ContactPatch& patch : w.patches) {
     const ContactState s = state_of(w, patch);
-    const ContactForce f = normal_force(w.law.barrier, s.d);
+    const ContactForce f = normal_force(w.law.barrier, patch, s.d);
     const Lanes energy = f.value + friction_energy(w.law, patch.limit, length(s.u));
     const Lanes alpha_t = friction_weight(w.law, patch.limit, length(s.u));
     for (int k = 0; k < patch.count; ++k) {

@@ -111,7 +111,7 @@ TangentModel tangent_model(const SolveContext& s, Index i, const Inertia& in, bo
     const Pose& other = w.pose[end.other];
     const ContactState state =
         end.is_a ? contact_state(patch, pose, other) : contact_state(patch, other, pose);
-    const ContactForce force = normal_force(w.law.barrier, state.d);
+    const ContactForce force = normal_force(w.law.barrier, patch, state.d);
     if (move_limits && end.owner) move_limit(patch, force);
     if (sum(force.alpha_n) + sum(patch.limit) > 0) patch.felt = true;
     const ContactLevers levers = end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, other, pose);

@@ -21,6 +21,7 @@
 #include "sim/solver/joint_set.h"
 #include "sim/solver/momentum.h"
 #include "sim/solver/newton.h"
+#include "sim/solver/recovery.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_summary.h"
 
@@ -129,6 +130,10 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
     report.residual = 0;
     for (const Index i : w.solved) report.residual = larger(report.residual, w.moved[i]);
     if (options.record_iterations) record(s, report.residual, gap_before, report);
+    if (s.w.stop.requested()) {
+      report.status = StepStatus::interrupted;
+      return;
+    }
     if (!std::isfinite(report.residual)) {
       report.status = StepStatus::non_finite;
       return;
@@ -177,6 +182,11 @@ void clear(StepReport& report) {
   report.joint_reports = std::move(joints);
 }
 
+void interrupt(const Stopwatch& total, StepReport& report) {
+  report.status = StepStatus::interrupted;
+  report.times.total = total.ms();
+}
+
 }  // namespace
 
 void step(const Model& model, const Params& params, const StepOptions& options, State& state,
@@ -189,12 +199,17 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   report.method =
       params.solver.method == SolverMethod::automatic ? SolverMethod::descent : params.solver.method;
 
+  w.stop = w.collision.stop = {&options.stop};
   predict(model, params, state, options.threads, w);  // 1. free flight: Q*
   if (!all_finite(w.star, w)) return fail(total, report);
   find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
+  if (w.stop.requested()) return interrupt(total, report);
+  start_recovery(params, state, w);
   list_ends(model, w);
   take_pulls(model, options.pulls, w);
   find_islands(model, params, state, w);
+  report.left_pairs = w.collision.left_pairs;
+  report.too_dense = prepare_newton(model, w);
   color_bodies(model, w);
   list_solved(w);
   report.method = params.solver.method;
@@ -208,12 +223,14 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   const Stopwatch solving;
   const bool feasible = !is_infeasible(w);
   if (feasible) solve({model, params, options.threads, report.time, w}, options, report);  // 3. minimise E
-  update_velocities(model, params, state, w);                                              // 4. velocities
+  if (report.status == StepStatus::interrupted) return interrupt(total, report);
+  update_velocities(model, params, state, w);  // 4. velocities
   update_friction_limits(options.threads, LimitsOf::all, w);
   report.times.solve = solving.ms();
 
   if (!feasible || report.status == StepStatus::non_finite || !all_finite(w.pose, w))
     return fail(total, report);
+  finish_recovery(params, state, w);
   for (std::size_t i = 0; i < w.v.size(); ++i) {
     state.c[i] = w.pose[i].c;
     state.R[i] = w.pose[i].R;
@@ -243,6 +260,8 @@ const char* to_string(StepStatus status) {
       return "iteration_limit";
     case StepStatus::non_finite:
       return "non_finite";
+    case StepStatus::interrupted:
+      return "interrupted";
   }
   return "?";
 }

@@ -1,6 +1,7 @@
 // One time step: the only thing that moves bodies.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct StepOptions {
   std::vector<Pull> pulls = {};    // finite
   bool report_bodies = false;      // fill StepReport::body_reports (one pass over bodies and contacts)
   bool report_joints = false;      // fill StepReport::joint_reports (one pass over the joints)
+  // Asked between pieces of work, in a slow step many times and from any thread: true ends the step at once,
+  // as StepStatus::interrupted.
+  std::function<bool()> stop = {};
 };
 
 // Scratch memory that survives from step to step so that a step does not allocate once it is warm. Holds
@@ -48,8 +52,9 @@ class StepWorkspace {
 
 // Advances `state` by params.h. Precondition: check_params(params) is empty, state.size() == model.size(),
 // options.pulls are of bodies of the model.
-// Never throws for physics: a step that leaves the numbers reports StepStatus::non_finite and keeps the state
-// of its start. `report` is overwritten; its vectors are reused.
+// Never throws for physics: a step that leaves the numbers reports StepStatus::non_finite, one that was
+// stopped StepStatus::interrupted, and both keep the state of their start. `report` is overwritten; its
+// vectors are reused.
 void step(const Model& model, const Params& params, const StepOptions& options, State& state,
           StepWorkspace& workspace, StepReport& report);
 

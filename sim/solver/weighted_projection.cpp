@@ -55,10 +55,12 @@ AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, Weig
   for (const BondEnd& end : s.w.ends_of(i)) {
     const ContactPatch& patch = s.w.patches[end.patch];
     const ContactState state = state_of(s.w, patch);
-    const ContactForce f = normal_force(s.w.law.barrier, state.d);
+    const ContactForce f = normal_force(s.w.law.barrier, patch, state.d);
     const Lanes alpha_t = friction_weight(s.w.law, patch.limit, length(state.u));
     const Lanes alpha_n =
-        weights == WeightKind::binomial ? binomial_weights(s.w.law.barrier, state.d, f.alpha_n) : f.alpha_n;
+        weights == WeightKind::binomial
+            ? patch.scale * binomial_weights(s.w.law.barrier, state.d + patch.shift, f.alpha_n)
+            : f.alpha_n;
     const ContactLevers levers =
         end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, s.w.pose[patch.a], pose);
     const Lanes side = lanes(end.is_a ? 1 : -1);

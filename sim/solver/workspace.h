@@ -10,6 +10,7 @@
 #include "sim/bond/contact_bond.h"
 #include "sim/collision/detect.h"
 #include "sim/math/elimination.h"
+#include "sim/math/stop.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd {
@@ -83,6 +84,8 @@ struct StepWorkspace::Impl {
   std::vector<Pose> star, pose;
   std::vector<Vec3> v, omega;  // velocities of free flight
   std::vector<Vec3> turn;      // rotation vectors of free flight, of any length
+
+  Stop stop;  // of the step
 
   // Contacts of the step.
   CollisionWorkspace collision;

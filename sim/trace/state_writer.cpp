@@ -31,7 +31,8 @@ class StateWriter {
                      "{}    {{ \"bodies\": [{}, {}], \"feature\": {}, \"stretch\": ", first ? "\n" : ",\n",
                      anchor.pair >> 32, anchor.pair & 0xffffffffu, anchor.feature);
       numbers(anchor.stretch);
-      text(anchor.sliding ? ", \"sliding\": true }" : " }");
+      if (anchor.sliding) text(", \"sliding\": true");
+      text(anchor.recovers ? ", \"recovers\": true }" : " }");
       first = false;
     }
     text(first ? "]\n}\n" : "\n  ]\n}\n");

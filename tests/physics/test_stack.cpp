@@ -84,3 +84,22 @@ TEST_CASE(
     for (Index i = 1; i <= 10; ++i) CHECK((world.state.c[i] - start.c[i]).norm() < 10 * d);
   }
 }
+
+TEST_CASE("high stacks settle by less than a tenth of d̂ a level") {
+  const auto [levels, edge, light, heavy] = GENERATE(table<int, double, double, double>(
+      {{30, 1, 1000, 1000}, {100, 1, 1000, 1000}, {60, 0.2, 4, 4}, {30, 1, 1, 100}, {40, 0.5, 900, 9}}));
+  testing::World world;
+  world.add_ground();
+  const double d_hat = world.params.contact.d_hat, pitch = edge + d_hat;
+  for (int k = 0; k < levels; ++k)
+    world.add_cube(edge, k % 2 == 0 ? light : heavy, {0, k * pitch + 0.5 * edge + d_hat, 0});
+  double smallest = d_hat;
+  testing::run(world, 180, {}, [&](const StepReport& r) { smallest = std::min(smallest, r.min_gap); });
+  CAPTURE(levels, edge, light, heavy);
+  CHECK(smallest > 0.5 * d_hat);
+  for (int k = 1; k < world.model.size(); ++k) {
+    const double support = k == 1 ? 0 : world.state.c[k - 1].y() + 0.5 * edge;
+    const double gap = world.state.c[k].y() - 0.5 * edge - support;
+    CHECK(gap > 0.89 * d_hat);
+  }
+}
