@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 
+#include "sim/math/so3.h"
+
 #include "tests/physics/scenario.h"
 
 using namespace pabd;
