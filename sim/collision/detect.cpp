@@ -116,10 +116,13 @@ void add_plane_pairs(const Model& model, const std::vector<Aabb>& boxes, const s
   }
 }
 
-// Any number of bodies may be put at one place, and all would meet all. Lists of more than kMostDeep bodies
-// that lie deep in the first are cut there; bodies that lie side by side never are.
+// Any number of bodies may be put at one place, and all would meet all. A body meets at most so many that lie
+// deep in it, and so many of its size that lie close: more than have room side by side (no more than 18 equal
+// balls come closer than 1.4 diameters).
 Index leave_out_deep_pairs(const Poses& poses, std::vector<IndexPair>& pairs) {
-  constexpr std::size_t kMostDeep = 16;
+  constexpr std::size_t kMostDeep = 16, kMostClose = 32;
+  constexpr double kDeep = 0.5, kClose = 1.4;  // of the sum of the inner radii
+  constexpr double kSameSize = 0.8;
   const auto core = [&](Index i) {
     const Shape& shape = poses.model.shape[static_cast<std::size_t>(i)];
     return shape.index() == kCompound || is_plane(shape) ? 0.0 : inner_radius(shape);
@@ -130,13 +133,18 @@ Index leave_out_deep_pairs(const Poses& poses, std::vector<IndexPair>& pairs) {
     while (end < pairs.size() && pairs[end].first == i) ++end;
     const bool many = end - begin > kMostDeep;
     const double core_i = many ? core(i) : 0;
-    std::size_t deep = 0;
+    std::size_t deep = 0, close = 0;
     for (std::size_t k = begin; k < end; ++k) {
       const Index j = pairs[k].second;
-      if (many && core_i > 0) {
-        const double way = 0.5 * (core_i + core(j));
+      const double core_j = many && core_i > 0 ? core(j) : 0;
+      if (core_j > 0) {
         const Vec3 between = poses.c[static_cast<std::size_t>(j)] - poses.c[static_cast<std::size_t>(i)];
-        if (core(j) > 0 && between.squaredNorm() < way * way && ++deep > kMostDeep) continue;
+        const double way = between.norm() / (core_i + core_j);
+        const bool same_size = core_j >= kSameSize * core_i && core_i >= kSameSize * core_j;
+        if (way < kDeep && deep >= kMostDeep) continue;
+        if (way < kClose && same_size && close >= kMostClose) continue;
+        deep += way < kDeep;
+        close += way < kClose && same_size;
       }
       pairs[kept++] = pairs[k];
     }
