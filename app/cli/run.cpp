@@ -99,6 +99,8 @@ struct Extremes {
   double joint_error = 0;                                // m
   std::int64_t unsolved = 0;                             // steps that ended at the iteration limit
   Index left_pairs = 0, too_dense = 0;                   // most of a step
+  int capped = 0;                                        // bonds, in one step
+  std::int64_t held = 0;                                 // steps that were shortened
 
   void add(const StepReport& report) {
     if (report.status == StepStatus::non_finite) return;  // it ended nowhere
@@ -107,6 +109,8 @@ struct Extremes {
     if (report.status == StepStatus::iteration_limit) ++unsolved;
     left_pairs = std::max(left_pairs, report.left_pairs);
     too_dense = std::max(too_dense, report.too_dense);
+    capped = std::max(capped, report.capped_bonds);
+    if (report.held_bodies > 0) ++held;
   }
 };
 
@@ -120,6 +124,8 @@ std::string summary(const Session& session, std::int64_t steps, double seconds, 
   if (worst.left_pairs > 0)
     left += fmt::format(" · {} pairs of bodies deep in each other left out", worst.left_pairs);
   if (worst.too_dense > 0) left += fmt::format(" · {} bodies too dense for newton", worst.too_dense);
+  if (worst.capped > 0) left += fmt::format(" · up to {} bonds softened for sissm", worst.capped);
+  if (worst.held > 0) left += fmt::format(" · {} steps shortened, they would have made energy", worst.held);
   return fmt::format(
       "{} steps to t = {:.6g} s{}, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J{} · state "
       "{}\n",

@@ -24,10 +24,9 @@ Session open_session(const std::string& scene, const CommonOptions& common, cons
 Error diverged_error(const std::string& scene, const Session& session) {
   return Error(
       ExitCode::diverged,
-      fmt::format(
-          "{}: the simulation diverged at step {} (t = {:.6g} s): the state was no longer finite; try a "
-          "smaller time_step, a smaller contact.kappa, or solver.method=descent",
-          scene, session.report().step, session.report().time));
+      fmt::format("{}: the simulation diverged at step {} (t = {:.6g} s): the state left all bounds; try a "
+                  "smaller time_step, a smaller contact.kappa, or solver.method=descent",
+                  scene, session.report().step, session.report().time));
 }
 
 }  // namespace pabd::cli

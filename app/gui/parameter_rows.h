@@ -62,7 +62,7 @@ inline constexpr std::array kSolverRows{
                  {"auto", "sissm", "descent", "newton"}},
     ParameterRow{"solver.projection",
                  "projection",
-                 "How the affine matrix becomes a rotation. auto: polar for sissm, tangent for descent",
+                 "How the affine matrix becomes a rotation. auto: weighted for sissm, tangent for descent",
                  ParameterKind::choice,
                  0,
                  0,

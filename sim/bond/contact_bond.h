@@ -82,6 +82,7 @@ struct ContactPatch {
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
   bool felt = false;                         // it pushed or held in some iterate of this step
+  double share = 1;                          // of the law's stiffness, see stiffness_cap.h
 };
 
 // What all contacts of a step share.
@@ -90,6 +91,13 @@ struct ContactLaw {
   double k_t;
   double mu_static, mu_dynamic;
 };
+
+// The law of a patch that has `share` of the stiffness.
+inline ContactLaw scaled(ContactLaw law, double share) {
+  law.barrier.kappa *= share;
+  law.k_t *= share;
+  return law;
+}
 
 struct ContactState {
   Vec3x y;         // surface points of b; world, from c_a

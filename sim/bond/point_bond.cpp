@@ -31,12 +31,13 @@ PointBondForce evaluate(const BondLaw& law, const PointBond& bond) {
   if (bond.length == 0) {
     // Ψ'/r is finite at r = 0: the mean slope over [0, r] is at most Ψ''.
     const double ratio = distance > 0 ? psi.first / distance : psi.second;
-    return {psi.value, ratio * e, psi.second * P, distance};
+    return {psi.value, ratio * e, psi.second * P, psi.second, distance};
   }
   const Vec3 n = distance > 0 ? Vec3(e / distance) : Vec3::UnitY();
   const double across = distance > 0 ? std::max(0.0, psi.first / distance) : 0.0;
   const Mat3 nn = n * n.transpose();
-  return {psi.value, psi.first * n, psi.second * nn + across * (P - nn), std::abs(distance - bond.length)};
+  return {psi.value, psi.first * n, psi.second * nn + across * (P - nn), std::max(psi.second, across),
+          std::abs(distance - bond.length)};
 }
 
 }  // namespace pabd

@@ -27,6 +27,7 @@ struct PointBondForce {
   double energy;   // J
   Vec3 gradient;   // of the energy with respect to y_b; N
   Mat3 weight;     // K, positive semidefinite; N/m
+  double largest;  // eigenvalue of K: its spectral norm; N/m
   double stretch;  // |s|; m
 };
 

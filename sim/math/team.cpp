@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/math/flush_denormals.h"
+
 namespace pabd {
 namespace {
 
@@ -60,6 +62,7 @@ struct Team::Shared {
   }
 
   void serve(int number) {
+    const FlushDenormals flush;
     unsigned seen = 0;
     for (;;) {
       for (int k = 0; k < kSpins && round.load() == seen; ++k) pause();

@@ -2,6 +2,8 @@
 // nor on which thread does what: every item writes only its own entries, and sums are made afterwards in
 // order.
 //
+// Members work with denormals flushed (flush_denormals.h); the caller keeps its own setting.
+//
 // The caller works too and waits for no one who has not begun: on a machine with other work a loop takes no
 // longer than alone. Idle members spin for some microseconds, then sleep. (OpenMP's wait for the slowest
 // thread, spinning: measured 3 to 9 times slower with two threads than with one on a busy machine.)

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include "sim/solver/islands.h"
+#include "sim/solver/solve.h"
 
 namespace pabd {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 void share_contacts(const StepWorkspace::Impl& w, std::vector<BodyReport>& out) {
   for (const ContactPatch& patch : w.patches) {
     const ContactState s = contact_state(patch, w.pose[patch.a], w.pose[patch.b]);
-    const Lanes energy = contact_energy(w.law, patch, s);
+    const Lanes energy = contact_energy(law_of(w, patch), patch, s);
     for (int k = 0; k < patch.count; ++k) {
       if (s.d[k] >= w.law.barrier.d_hat) continue;
       for (const Index i : {patch.a, patch.b}) {

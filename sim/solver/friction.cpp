@@ -34,11 +34,11 @@ void start_friction(int threads, StepWorkspace::Impl& w) {
   w.collision.team.for_each(threads, w.patches.size(), kBlock, [&](std::size_t j) {
     ContactPatch& patch = w.patches[j];
     const ContactState s = state_of(w, patch);
-    const Lanes bound = -w.law.mu_static * normal_force(w.law.barrier, patch, s.d).first;
-    const Lanes chosen =
-        select(w.law.k_t * length(s.u) <= bound, lanes(w.law.mu_static), lanes(w.law.mu_dynamic));
+    const ContactLaw law = law_of(w, patch);
+    const Lanes bound = -law.mu_static * normal_force(law.barrier, patch, s.d).first;
+    const Lanes chosen = select(law.k_t * length(s.u) <= bound, lanes(law.mu_static), lanes(law.mu_dynamic));
     patch.mu = select(patch.mu == kUnknown, chosen, patch.mu);
-    update_limit(w.law, patch, s);
+    update_limit(law, patch, s);
     patch.last_change = lanes(0);
     patch.gain = lanes(1);
   });
@@ -49,7 +49,7 @@ void update_friction_limits(int threads, LimitsOf which, StepWorkspace::Impl& w)
   w.collision.team.for_each(threads, w.patches.size(), kBlock, [&](std::size_t j) {
     ContactPatch& patch = w.patches[j];
     if (which == LimitsOf::newton && !w.is_newton[patch.a] && !w.is_newton[patch.b]) return;
-    update_limit(w.law, patch, state_of(w, patch));
+    update_limit(law_of(w, patch), patch, state_of(w, patch));
   });
 }
 
@@ -57,14 +57,15 @@ void store_friction(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& a
   anchors.clear();
   for (const ContactPatch& patch : w.patches) {
     const ContactState s = state_of(w, patch);
+    const ContactLaw law = law_of(w, patch);
     const Lanes u = length(s.u);
-    const Lanes kept = friction_weight(w.law, patch.limit, u) / w.law.k_t;  // 1 while it sticks
+    const Lanes kept = friction_weight(law, patch.limit, u) / law.k_t;  // 1 while it sticks
     for (int k = 0; k < patch.count; ++k) {
       if (!(patch.limit[k] > 0) && !patch.recovers) continue;
       anchors.push_back(
           {pair_key(patch.a, patch.b), patch.feature[k],
            kept[k] * (patch.turns ? Vec3(w.pose[patch.a].R.transpose() * lane(s.u, k)) : lane(s.u, k)),
-           patch.recovers, w.law.k_t * u[k] > patch.limit[k]});
+           patch.recovers, law.k_t * u[k] > patch.limit[k]});
     }
   }
 }

@@ -16,7 +16,7 @@ void report_joints(const SolveContext& s, std::vector<JointReport>& out) {
     report.axis = frame.F.col(0);
     for (int b = 0; b < list.count; ++b) {
       const PointBond& bond = list.bond[b];
-      const Vec3 force = -evaluate(joint.law, bond).gradient;
+      const Vec3 force = -evaluate(law_of(s.w, static_cast<Index>(k)), bond).gradient;
       report.force += force;
       report.moment += (bond.y_b - frame.y).cross(force);
     }

@@ -43,13 +43,13 @@ double joint_energy(const SolveContext& s, Index i, const Pose& trial) {
   BondList list;
   for (const Index k : s.w.joints_of(i)) {
     expand_at(s, k, i, trial, list);
-    energy += energy_of(s.w.all_joints[static_cast<std::size_t>(k)].law, list);
+    energy += energy_of(law_of(s.w, k), list);
   }
   return energy;
 }
 
 void add_joints(const SolveContext& s, Index i, JointSums& sums) {
-  each_bond_of(s, i, [&](const PointBondForce& f, const Vec3& r) {
+  each_bond_of(s, i, [&](const PointBondForce& f, const Vec3& r, Index) {
     const Mat3 rK = skew(r) * f.weight;
     sums.energy += f.energy;
     sums.g_c += f.gradient;
@@ -63,7 +63,7 @@ void add_joints(const SolveContext& s, Index i, JointSums& sums) {
 double energy_of_joint(const SolveContext& s, Index k) {
   BondList list;
   expand_at(s, k, kWorld, {}, list);
-  return energy_of(s.w.all_joints[static_cast<std::size_t>(k)].law, list);
+  return energy_of(law_of(s.w, k), list);
 }
 
 double largest_joint_error(const SolveContext& s) {

@@ -20,19 +20,21 @@ void take_pulls(const Model& model, const std::vector<Pull>& pulls, StepWorkspac
 // Bonds of joint k with body `moved` at `trial` (kWorld: all where they are).
 void expand_at(const SolveContext& s, Index k, Index moved, const Pose& trial, BondList& out);
 
-// Calls visit(f, y) for every bond of the joints of body i at the current iterate: energy and weight of the
-// bond, and the gradient on i's point; that point, seen from the centre of i, world.
+// Calls visit(f, y, other) for every bond of the joints of body i at the current iterate: energy and weight
+// of the bond, and the gradient on i's point; that point, seen from the centre of i, world; the body at the
+// other end.
 template <class Visit>
 void each_bond_of(const SolveContext& s, Index i, const Visit& visit) {
   BondList list;
   for (const Index k : s.w.joints_of(i)) {
     const Joint& joint = s.w.all_joints[static_cast<std::size_t>(k)];
     expand_at(s, k, kWorld, {}, list);
+    const BondLaw law = law_of(s.w, k);
     const bool is_a = joint.i == i;
     for (int b = 0; b < list.count; ++b) {
-      PointBondForce f = evaluate(joint.law, list.bond[b]);
+      PointBondForce f = evaluate(law, list.bond[b]);
       if (is_a) f.gradient = -f.gradient;
-      visit(f, Vec3((is_a ? list.bond[b].y_a : list.bond[b].y_b) - s.w.pose[i].c));
+      visit(f, Vec3((is_a ? list.bond[b].y_a : list.bond[b].y_b) - s.w.pose[i].c), is_a ? joint.j : joint.i);
     }
   }
 }

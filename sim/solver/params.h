@@ -12,11 +12,12 @@ namespace pabd {
 
 enum class SolverMethod : std::uint8_t { sissm, descent, newton, automatic };
 
-// How a body's affine model becomes a rigid pose. automatic: polar for sissm, tangent for descent.
-//   polar     nearest rotation to the affine matrix, the supplement's; sissm only (descent reads it as
-//   automatic) weighted  exact minimiser of the body's isotropic quadratic model over SE(3) (Deviation D1)
+// How a body's affine model becomes a rigid pose. automatic: weighted for sissm, tangent for descent.
+//   polar     nearest rotation to the affine matrix, as the supplement prints it; sissm only (descent reads
+//             it as automatic). Nothing bounds it: it runs away where bonds are stiff
+//   weighted  exact minimiser of the body's isotropic quadratic model over SE(3) (Deviation D1)
 //   tangent   Newton step in the tangent space with separate normal and tangential weights (Deviation D5);
-//   descent only
+//             descent only
 enum class Projection : std::uint8_t { automatic, polar, weighted, tangent };
 
 struct SolverParams {
@@ -44,6 +45,11 @@ struct Params {
   SolverParams solver;
   ContactParams contact;
 };
+
+// Does `sissm` cap stiffness and bound energy (Deviations D15, D16)?
+inline bool bounds_energy(const SolverParams& solver) {
+  return solver.method == SolverMethod::sissm && solver.projection != Projection::polar;
+}
 
 // Empty when every parameter is in range; otherwise one line: scene key, value, what was expected. The key is
 // the scene file's JSON pointer ("/contact/d_hat") so that callers can name the place.

@@ -8,6 +8,7 @@
 
 namespace pabd {
 
+// non_finite: the step left the numbers, or threw a body out of all bounds (runaway.h).
 enum class StepStatus : std::uint8_t { converged, iteration_limit, non_finite, interrupted };
 const char* to_string(StepStatus status);  // "converged", "iteration_limit", "non_finite", "interrupted"
 
@@ -80,8 +81,12 @@ struct StepReport {
   // many such (collision/detect.h), and bodies that `descent` solved in place of `newton` (islands.h).
   Index left_pairs = 0;
   Index too_dense = 0;
+  double drive_work = 0;       // work of driven joints in this step; J
+  int capped_bonds = 0;  // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)
+  int held_bodies = 0;   // whose step `sissm` shortened so that no energy is made (energy_bound.h)
   PhaseTimes times;
   std::vector<IterationRecord> records;  // one an iteration; empty unless StepOptions::record_iterations
+  IterationRecord first_iterate{};       // before the first iteration, filled together with `records`
   std::vector<ContactReport>
       contact_reports;  // contacts with d < d̂; empty unless StepOptions::report_contacts
   // One a body, in order of number; empty unless StepOptions::report_bodies, or when the step failed.

@@ -25,6 +25,17 @@ inline Inertia inertia_of(const SolveContext& s, Index i) {
   return contact_state(patch, w.pose[patch.a], w.pose[patch.b]);
 }
 
+// Laws of a contact patch and of a joint in this step: `sissm` caps their stiffness.
+inline ContactLaw law_of(const StepWorkspace::Impl& w, const ContactPatch& patch) {
+  return scaled(w.law, patch.share);
+}
+inline BondLaw law_of(const StepWorkspace::Impl& w, Index joint) {
+  const auto k = static_cast<std::size_t>(joint);
+  BondLaw law = w.all_joints[k].law;
+  law.kappa *= w.joint_share[k];
+  return law;
+}
+
 struct DescentSweep {
   bool first;        // of the solve
   bool move_limits;  // move the friction bounds to the current iterate on the way

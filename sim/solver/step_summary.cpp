@@ -11,17 +11,21 @@ namespace pabd {
 double incremental_potential(const SolveContext& s) {
   double energy = 0;
   for (const Index i : s.w.solved) energy += inertia_energy(inertia_of(s, i), s.w.pose[i]);
-  for (const ContactPatch& p : s.w.patches) energy += sum(contact_energy(s.w.law, p, state_of(s.w, p)));
+  for (const ContactPatch& p : s.w.patches)
+    energy += sum(contact_energy(law_of(s.w, p), p, state_of(s.w, p)));
   for (std::size_t k = 0; k < s.w.all_joints.size(); ++k) energy += energy_of_joint(s, static_cast<Index>(k));
   return energy;
+}
+
+double kinetic_energy(const Model& model, Index i, const Mat3& R, const Vec3& v, const Vec3& omega) {
+  const Vec3 w = R.transpose() * omega;
+  return 0.5 * (model.mass[i] * v.squaredNorm() + w.dot(inertia_tensor(model.J[i]) * w));
 }
 
 double kinetic_energy(const Model& model, const State& state) {
   double energy = 0;
   for (Index i = 0; i < model.size(); ++i) {
-    if (model.fixed[i]) continue;
-    const Vec3 w = state.R[i].transpose() * state.omega[i];
-    energy += 0.5 * (model.mass[i] * state.v[i].squaredNorm() + w.dot(inertia_tensor(model.J[i]) * w));
+    if (!model.fixed[i]) energy += kinetic_energy(model, i, state.R[i], state.v[i], state.omega[i]);
   }
   return energy;
 }
@@ -48,9 +52,10 @@ void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepRep
   report.contact_reports.clear();
   for (const ContactPatch& patch : w.patches) {
     const ContactState s = state_of(w, patch);
-    const ContactForce f = normal_force(w.law.barrier, patch, s.d);
-    const Lanes energy = f.value + friction_energy(w.law, patch.limit, length(s.u));
-    const Lanes alpha_t = friction_weight(w.law, patch.limit, length(s.u));
+    const ContactLaw law = law_of(w, patch);
+    const ContactForce f = normal_force(law.barrier, patch, s.d);
+    const Lanes energy = f.value + friction_energy(law, patch.limit, length(s.u));
+    const Lanes alpha_t = friction_weight(law, patch.limit, length(s.u));
     for (int k = 0; k < patch.count; ++k) {
       report.min_gap = smaller(report.min_gap, s.d[k]);
       if (s.d[k] >= w.law.barrier.d_hat) continue;
@@ -58,7 +63,7 @@ void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepRep
       ++report.contacts;
       if (!with_reports) continue;
       const Vec3 n = lane(s.n, k), u = lane(s.u, k), y_b = w.pose[patch.a].c + lane(s.y, k);
-      const bool sticking = patch.limit[k] > 0 && w.law.k_t * u.norm() <= patch.limit[k];
+      const bool sticking = patch.limit[k] > 0 && law.k_t * u.norm() <= patch.limit[k];
       report.contact_reports.push_back(
           {patch.a, patch.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k], -alpha_t[k] * u, sticking});
     }

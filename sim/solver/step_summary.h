@@ -6,6 +6,9 @@
 
 namespace pabd {
 
+// Of body i with rotation R; J.
+double kinetic_energy(const Model& model, Index i, const Mat3& R, const Vec3& v, const Vec3& omega);
+
 // Kinetic and potential energy of all movable bodies; J. E_kin = ½ m v² + ½ ωᵀ R I Rᵀ ω, E_pot = −m g·c.
 double kinetic_energy(const Model& model, const State& state);
 double potential_energy(const Model& model, const Params& params, const State& state);

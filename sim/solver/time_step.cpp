@@ -10,10 +10,12 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/math/extremes.h"
+#include "sim/math/flush_denormals.h"
 #include "sim/math/so3.h"
 #include "sim/solver/body_reports.h"
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
+#include "sim/solver/energy_bound.h"
 #include "sim/solver/free_flight.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/islands.h"
@@ -22,8 +24,10 @@
 #include "sim/solver/momentum.h"
 #include "sim/solver/newton.h"
 #include "sim/solver/recovery.h"
+#include "sim/solver/runaway.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_summary.h"
+#include "sim/solver/stiffness_cap.h"
 
 namespace pabd {
 namespace {
@@ -78,7 +82,7 @@ bool all_finite(const std::vector<Pose>& pose, const StepWorkspace::Impl& w) {
   return sum == 0;  // 0 · x is NaN for an infinite or undefined x
 }
 
-void record(const SolveContext& s, double residual, double gap_before, StepReport& report) {
+IterationRecord record(const SolveContext& s, double residual, double gap_before, const StepReport& report) {
   IterationRecord r;
   r.energy = incremental_potential(s);
   r.residual = residual;
@@ -91,7 +95,7 @@ void record(const SolveContext& s, double residual, double gap_before, StepRepor
   if (report.method == SolverMethod::sissm) {
     for (const Index i : s.w.solved) r.projection_change = larger(r.projection_change, s.w.projected[i]);
   }
-  report.records.push_back(r);
+  return r;
 }
 
 // Every body with bonds, in order of number.
@@ -116,6 +120,7 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
   const bool swept = sweeps_limits(s, report.method);  // friction bounds
   bool every_body = true;
   if (report.method == SolverMethod::sissm) w.A.resize(w.v.size());
+  if (options.record_iterations) report.first_iterate = record(s, 0, smallest_gap(w), report);
   start_newton(s, *w.system);
   for (int k = 0; k < s.params.solver.iterations; ++k) {
     if (k > 0) update_friction_limits(s.threads, swept ? LimitsOf::newton : LimitsOf::all, w);
@@ -129,7 +134,7 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
     ++report.iterations;
     report.residual = 0;
     for (const Index i : w.solved) report.residual = larger(report.residual, w.moved[i]);
-    if (options.record_iterations) record(s, report.residual, gap_before, report);
+    if (options.record_iterations) report.records.push_back(record(s, report.residual, gap_before, report));
     if (s.w.stop.requested()) {
       report.status = StepStatus::interrupted;
       return;
@@ -191,6 +196,7 @@ void interrupt(const Stopwatch& total, StepReport& report) {
 
 void step(const Model& model, const Params& params, const StepOptions& options, State& state,
           StepWorkspace& workspace, StepReport& report) {
+  const FlushDenormals flush;
   StepWorkspace::Impl& w = workspace.impl();
   const Stopwatch total;
   clear(report);
@@ -216,20 +222,26 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   if (report.method == SolverMethod::automatic)
     report.method = w.newton.size() > w.colored.size() ? SolverMethod::newton : SolverMethod::descent;
   initial_guess(model, params, state, w);
+  const SolveContext context{model, params, options.threads, report.time, w};
+  report.capped_bonds = cap_stiffness(context);
   start_friction(options.threads, w);
   report.times.collision = total.ms();
   report.kappa = w.law.barrier.kappa;
 
   const Stopwatch solving;
   const bool feasible = !is_infeasible(w);
-  if (feasible) solve({model, params, options.threads, report.time, w}, options, report);  // 3. minimise E
+  if (feasible) solve(context, options, report);  // 3. minimise E
   if (report.status == StepStatus::interrupted) return interrupt(total, report);
+  note_free_flight(context);
   update_velocities(model, params, state, w);  // 4. velocities
   update_friction_limits(options.threads, LimitsOf::all, w);
   report.times.solve = solving.ms();
 
-  if (!feasible || report.status == StepStatus::non_finite || !all_finite(w.pose, w))
+  if (!feasible || report.status == StepStatus::non_finite || !all_finite(w.pose, w) ||
+      ran_away(context, state))
     return fail(total, report);
+  if (bounds_energy(params.solver)) report.held_bodies = bound_energy(context, state);
+  if (report.held_bodies > 0) report.status = StepStatus::iteration_limit;
   finish_recovery(params, state, w);
   for (std::size_t i = 0; i < w.v.size(); ++i) {
     state.c[i] = w.pose[i].c;
@@ -241,11 +253,11 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   state.step = report.step;
   state.time = report.time;
   summarize_contacts(w, options.report_contacts, report);
-  const SolveContext end{model, params, options.threads, report.time, w};
   for (std::size_t k = 0; k < w.all_joints.size(); ++k)
-    report.elastic += energy_of_joint(end, static_cast<Index>(k));
-  report.max_joint_error = largest_joint_error(end);
-  if (options.report_joints) report_joints(end, report.joint_reports);
+    report.elastic += energy_of_joint(context, static_cast<Index>(k));
+  report.drive_work = drive_work(context);
+  report.max_joint_error = largest_joint_error(context);
+  if (options.report_joints) report_joints(context, report.joint_reports);
   if (options.report_bodies) report_bodies(model, params.solver.method, w, report.body_reports);
   report.kinetic = kinetic_energy(model, state);
   report.potential = potential_energy(model, params, state);

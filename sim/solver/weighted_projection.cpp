@@ -27,11 +27,12 @@ void add_points(const Mat3& R, int count, const Vec3x& y, Lanes alpha, const Vec
   }
 }
 
-// Points of joints, with their largest weight in every direction.
-void add_joint_points(const SolveContext& s, Index i, AffineModel& q) {
+// Points of joints, with their largest weight in every direction: for bonds of length 0 the κ of S(2).
+void add_joint_points(const SolveContext& s, Index i, double coupled, AffineModel& q) {
   const Mat3& R = s.w.pose[i].R;
-  each_bond_of(s, i, [&](const PointBondForce& f, const Vec3& y) {
-    const double alpha = f.weight.norm();
+  each_bond_of(s, i, [&](const PointBondForce& f, const Vec3& y, Index other) {
+    const bool moves = other != kWorld && !s.model.fixed[other];
+    const double alpha = (moves ? coupled : 1.0) * f.largest;
     const Vec3 r = R.transpose() * y;
     const Vec3 target = alpha * y - f.gradient;
     q.h_c += alpha;
@@ -44,7 +45,8 @@ void add_joint_points(const SolveContext& s, Index i, AffineModel& q) {
 
 }  // namespace
 
-AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, WeightKind weights) {
+AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, WeightKind weights,
+                         double coupled) {
   const Pose& pose = s.w.pose[i];
   AffineModel q;
   q.h_c = in.m * in.inv_h2;
@@ -55,25 +57,27 @@ AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, Weig
   for (const BondEnd& end : s.w.ends_of(i)) {
     const ContactPatch& patch = s.w.patches[end.patch];
     const ContactState state = state_of(s.w, patch);
-    const ContactForce f = normal_force(s.w.law.barrier, patch, state.d);
-    const Lanes alpha_t = friction_weight(s.w.law, patch.limit, length(state.u));
-    const Lanes alpha_n =
-        weights == WeightKind::binomial
-            ? patch.scale * binomial_weights(s.w.law.barrier, state.d + patch.shift, f.alpha_n)
-            : f.alpha_n;
+    const ContactLaw law = law_of(s.w, patch);
+    const double factor = s.model.fixed[end.other] ? 1.0 : coupled;
+    const ContactForce f = normal_force(law.barrier, patch, state.d);
+    const Lanes alpha_t = friction_weight(law, patch.limit, length(state.u));
+    Lanes alpha_n = f.alpha_n;
+    if (weights != WeightKind::tangent)
+      alpha_n = patch.scale * binomial_weights(law.barrier, state.d + patch.shift, f.alpha_n);
+    if (weights == WeightKind::majorising) alpha_n = larger(alpha_n, f.alpha_n);
     const ContactLevers levers =
         end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, s.w.pose[patch.a], pose);
     const Lanes side = lanes(end.is_a ? 1 : -1);
     const Vec3x push = (side * f.first) * state.n;
     const Vec3x friction = (side * alpha_t) * state.u;
     if (patch.separate) {
-      add_points(pose.R, patch.count, levers.normal, alpha_n, push, q);
-      add_points(pose.R, patch.count, levers.surface, alpha_t, friction, q);
+      add_points(pose.R, patch.count, levers.normal, factor * alpha_n, push, q);
+      add_points(pose.R, patch.count, levers.surface, factor * alpha_t, friction, q);
     } else {
-      add_points(pose.R, patch.count, levers.surface, larger(alpha_n, alpha_t), push + friction, q);
+      add_points(pose.R, patch.count, levers.surface, factor * larger(alpha_n, alpha_t), push + friction, q);
     }
   }
-  add_joint_points(s, i, q);
+  add_joint_points(s, i, coupled, q);
   return q;
 }
 

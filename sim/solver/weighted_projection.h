@@ -22,11 +22,14 @@ struct AffineModel {
 };
 
 enum class WeightKind {
-  binomial,  // φ⁺/d of S(6), as printed
-  tangent,   // max(Newton, secant to d̂)
+  binomial,    // φ⁺/d of S(6), as printed
+  tangent,     // max(Newton, secant to d̂)
+  majorising,  // the larger of the two: below d = 0 the binomial weight is less than Ψ'' and overshoots
 };
 
-AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, WeightKind weights);
+// `coupled`: factor on the weight of bonds whose other end moves as well.
+AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, WeightKind weights,
+                         double coupled = 1);
 
 // R near `guess`.
 Mat3 weighted_rotation(const AffineModel& model, const Mat3& guess);

@@ -58,6 +58,14 @@ struct IslandChoice {
   Elimination graph;
 };
 
+// Of each island, at its root in `parent`; see energy_bound.h.
+struct EnergyBound {
+  std::vector<double> budget, energy;   // J
+  std::vector<double> part, low, high;  // of the way
+  std::vector<Index> held;
+  std::vector<Pose> end;  // of the solve, one a body
+};
+
 struct NewtonSystem;
 
 // Bodies that felt each other in a step and that nothing outside held (momentum.h).
@@ -106,6 +114,8 @@ struct StepWorkspace::Impl {
   std::vector<Joint> pulls;  // of this step, from the world to a movable body
   StepJoints all_joints;
 
+  std::vector<double> joint_share;  // of the stiffness of each joint of the step, see stiffness_cap.h
+
   // Joints of each body: joints[first_joint[i]] … joints[first_joint[i + 1] − 1].
   std::vector<Index> first_joint, joints;
   std::vector<Index> cursor, parent;  // scratch
@@ -127,12 +137,16 @@ struct StepWorkspace::Impl {
 
   // sissm: affine iterate before the projection.
   std::vector<Mat3> A;
+  std::vector<Vec3> affine_c;
   std::vector<Pose> next;
   std::vector<double> radius;  // bounding radius; m
   std::vector<double> moved;   // per body: displacement in this iteration over d̂
   std::vector<LastStep> last_step;
   std::vector<std::uint8_t> rests;  // per body: left alone in the last sweep of descent
   std::vector<double> projected;    // per body: ‖A − R‖
+  EnergyBound energy_bound;
+  std::vector<double> flight;  // per body: kinetic energy after free flight; J
+  std::vector<Pose> start;     // where the step starts, for runaway.cpp
 
   FreeGroups groups;
 

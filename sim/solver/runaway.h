@@ -1,0 +1,24 @@
+// States beyond any sense, which are no result of a step, finite or not.
+//
+//   L     width of the scene: the box around the bodies that have bonds, and the widest opening of a bond,
+//         at the start of the step                                                                         m
+//   K_i   kinetic energy of a body; K_i* after free flight                                                 J
+//
+// A bond asks a body to go as far as it is open, so no step sends a body faster than L/h unless it was so
+// fast before: a bullet. A solve has run away when the bodies have more kinetic energy than free flight left
+// them, and one of them gained some and has more than ½ m (2L/h)²: twice that speed, as a light body has that
+// is hit by a heavy one. So has one that leaves a body where a double no longer resolves d̂.
+#pragma once
+
+#include "sim/body/state.h"
+#include "sim/solver/solve.h"
+
+namespace pabd {
+
+// Remembers K_i*, before the velocities take the solve in.
+void note_free_flight(const SolveContext& s);
+
+// Did the solve run away? After the velocities took it in.
+bool ran_away(const SolveContext& s, const State& start);
+
+}  // namespace pabd

@@ -1,0 +1,63 @@
+#include "sim/solver/stiffness_cap.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "sim/body/mass_properties.h"
+#include "sim/bond/point_bond.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kJoints = 0.1, kContacts = 0.5;
+
+// 1/m + ½ tr([r]ᵀ I⁻¹ [r]): what a force at r moves r by, as the mean over the directions across r. 1/kg.
+double compliance(const Model& model, Index body, const Vec3& r) {
+  if (body == kWorld || model.fixed[body]) return 0;
+  const Mat3 inverse = inertia_tensor(model.J[body]).inverse();
+  return 1 / model.mass[body] + 0.5 * (r.squaredNorm() * inverse.trace() - r.dot(inverse * r));
+}
+
+// The largest over the points that the joint may hold. It does not depend on the poses, so a bond has the
+// same stiffness in every step.
+double joint_compliance(const Model& model, const Joint& joint) {
+  const auto at = [&](const Vec3& arm) {
+    return compliance(model, joint.i, joint.on_i.r + joint.on_i.F * arm) +
+           compliance(model, joint.j, joint.on_j.r + joint.on_j.F * arm);
+  };
+  double most = at(Vec3::Zero());
+  if (joint.type == JointType::distance || (joint.type == JointType::spherical && !joint.turn)) return most;
+  for (int k = 0; k < 3; ++k) {
+    for (const double side : {1.0, -1.0}) most = std::max(most, at(side * joint.arm * Vec3::Unit(k)));
+  }
+  return most;
+}
+
+double share(double stiffness, double cap) { return stiffness > cap ? cap / stiffness : 1; }
+
+}  // namespace
+
+int cap_stiffness(const SolveContext& s) {
+  StepWorkspace::Impl& w = s.w;
+  w.joint_share.assign(w.all_joints.size(), 1);
+  if (!bounds_energy(s.params.solver)) return 0;
+  const double followed = s.params.solver.iterations / (s.params.h * s.params.h);
+  int capped = 0;
+  for (std::size_t k = 0; k < w.all_joints.size(); ++k) {
+    const Joint& joint = w.all_joints[k];
+    const double c = joint_compliance(s.model, joint);
+    if (c > 0) w.joint_share[k] = share(evaluate(joint.law, 0.0).second, kJoints * followed / c);
+    if (w.joint_share[k] < 1) ++capped;
+  }
+  const Barrier& barrier = w.law.barrier;
+  const double unit = barrier.kind == BarrierKind::log ? 1.0 : barrier.d_hat * barrier.d_hat;
+  const auto inverse_mass = [&](Index i) { return s.model.fixed[i] ? 0.0 : 1 / s.model.mass[i]; };
+  for (ContactPatch& patch : w.patches) {
+    const double c = inverse_mass(patch.a) + inverse_mass(patch.b);
+    patch.share = share(barrier.kappa / unit, kContacts * followed / c);
+    if (patch.share < 1) capped += patch.count;
+  }
+  return capped;
+}
+
+}  // namespace pabd
