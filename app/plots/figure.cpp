@@ -123,7 +123,10 @@ std::string figure_to_csv(const Figure& figure) {
     for (std::size_t s = 0; s < plot.series.size(); ++s) {
       const Series& series = plot.series[s];
       const std::string& label = series.right_axis ? plot.y_right.label : plot.y.label;
-      const std::string name = csv_field(plain_text(series.name.empty() ? label : series.name));
+      std::string text = series.name.empty() ? label : series.name;
+      if (!series.quantity.empty())
+        text = series.name.empty() ? series.quantity : text + ", " + series.quantity;
+      const std::string name = csv_field(plain_text(text));
       const auto row = [&](const std::string& x, const std::string& y) {
         out += plot_name + ',' + name + ',' + x + ',' + y + '\n';
       };

@@ -40,6 +40,7 @@ struct Series {
   double weight = 1;                 // multiplies the width of the line, the size of the markers
   bool crowd = false;                // markers: one rim around all, for many that overlap
   double bar_width = 0;              // in units of x
+  std::string quantity;              // in CSV after the name, where it is not that of the axis: "B/d̂² [1]"
   std::string tag;                   // written beside a level, a level_x or the last marker
 };
 

@@ -63,6 +63,7 @@ TEST_CASE("a sphere rests on a plane at the gap where −Ψ'(d) = m g, to 1e-6")
 TEST_CASE("sissm with the supplement's projection rests deeper, by the squeeze that is projected away") {
   World world;
   world.params.solver.method = SolverMethod::sissm;
+  world.params.solver.projection = Projection::polar;
   world.params.solver.iterations = 200;
   world.params.solver.tolerance = 1e-12;
   world.params.contact.kappa = 5.0;

@@ -104,6 +104,7 @@ TEST_CASE("both projections of descent and weighted sissm end at the same minimu
 TEST_CASE("the projection curves of sissm become flat within 100 iterations, and A is no rotation there") {
   World world = corner_contact();
   world.params.solver.method = SolverMethod::sissm;
+  world.params.solver.projection = Projection::polar;
   world.params.solver.iterations = 100;
   const StepReport report = one_step(world);
   REQUIRE(report.records.size() == 100);
@@ -119,6 +120,7 @@ TEST_CASE("the projection curves of sissm become flat within 100 iterations, and
 TEST_CASE("sissm's unweighted fixed point is not the minimum of E; descent's is") {
   World paper = corner_contact(), ours = corner_contact();
   paper.params.solver.method = SolverMethod::sissm;
+  paper.params.solver.projection = Projection::polar;
   ours.params.solver.method = SolverMethod::descent;
   paper.params.solver.iterations = ours.params.solver.iterations = 2000;
   const double e_paper = one_step(paper).records.back().energy;

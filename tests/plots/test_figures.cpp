@@ -71,6 +71,9 @@ TEST_CASE("barrier figure: a curve for every combination, scaled by kappa") {
   for (std::size_t k = 0; k < first.x.size(); k += 53) {
     CHECK(first.y[k] == Approx(50 * printed_sum(2, first.x[k] / 0.01)).epsilon(kRelative).margin(1e-12));
   }
+  const std::string csv = figure_to_csv(figure);
+  CHECK(csv.find("κ B/d̂² [J]\"") != std::string::npos);
+  CHECK(csv.find("κ B′/d̂² [N]\"") != std::string::npos);
   // Log barrier over d̂², S(4).
   const Series& log = figure.plots[0].series[4];
   int compared = 0;

@@ -151,6 +151,10 @@ Figure barrier_figure(const BarrierCurves& in) {
     Series v, s;
     v.name = s.name = curve.name;
     v.style = s.style = curve.style;
+    if (curve.barrier.kind == BarrierKind::log) {
+      v.quantity = energy ? "κ B/d̂² [J]" : "B/d̂² [1]";
+      s.quantity = energy ? "κ B′/d̂² [N]" : "B′/d̂² [1/m]";
+    }
     add_curve(curve, lo, hi, in.samples, &v, &s);
     value.series.push_back(std::move(v));
     slope.series.push_back(std::move(s));
@@ -200,6 +204,7 @@ Figure figure1() {
   left.series.push_back(std::move(limit));
   Series log;
   log.name = "log barrier B/d̂²";
+  log.quantity = "[1]";
   log.style = SeriesStyle::dashed;
   log.color = 4;
   add_curve({{BarrierKind::log, 1, d_hat, 1, 0}, {}, {}, 1 / (d_hat * d_hat)}, 0, hi, samples, &log, nullptr);

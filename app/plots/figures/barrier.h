@@ -5,7 +5,8 @@
 //   B_N'   its derivative                           1/m
 //   Ψ, Ψ'  κ B_N, κ B_N' when κ is given            J, N
 //
-// The log barrier S(4) carries the factor (d − d̂)² in m²; it is drawn as B/d̂², which is a number as B_N is.
+// The log barrier S(4) carries the factor (d − d̂)² in m²; it is drawn as B/d̂², which is a number as B_N is,
+// and κ B/d̂² in J; CSV says so beside its name.
 #pragma once
 
 #include <functional>

@@ -25,13 +25,13 @@ Plot iteration_plot(std::string title, std::string label, bool log) {
 
 template <class Value>
 Series iteration_series(std::string name, const std::vector<IterationRecord>& records, const Value& value,
-                        int color, SeriesStyle style = SeriesStyle::line) {
+                        int color, SeriesStyle style = SeriesStyle::line, int first = 1) {
   Series series;
   series.name = std::move(name);
   series.style = style;
   series.color = color;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    series.x.push_back(static_cast<double>(i + 1));
+    series.x.push_back(static_cast<double>(i) + first);
     series.y.push_back(value(records[i]));
   }
   return series;
@@ -177,22 +177,45 @@ Minimiser find_minimiser(const Model& model, const Params& params, const State& 
   return out;
 }
 
+namespace {
+
+// The iterates of one step by `sissm` with a projection, the first one included.
+std::vector<IterationRecord> sissm_iterates(const Model& model, Params params, const State& state,
+                                            Projection projection, int iterations, int threads) {
+  params.solver.method = SolverMethod::sissm;
+  params.solver.projection = projection;
+  params.solver.iterations = iterations;
+  params.solver.tolerance = 0;
+  State copy = state;
+  StepWorkspace workspace;
+  StepReport report;
+  step(model, params, {true, false, threads}, copy, workspace, report);
+  report.records.insert(report.records.begin(), report.first_iterate);
+  return std::move(report.records);
+}
+
+}  // namespace
+
 Figure figure7(const Model& model, const Params& params, const State& state, int iterations, int threads) {
-  const std::vector<MethodRun> runs =
-      run_methods(model, params, state, {SolverMethod::sissm, SolverMethod::descent}, iterations, threads);
   const Minimiser minimiser = find_minimiser(model, params, state, 20000, threads);
   Plot plot = iteration_plot("", "penetration −d [m]", false);
-  const auto before = [](const IterationRecord& r) { return -r.min_gap_before; };
-  const auto after = [](const IterationRecord& r) { return -r.min_gap_after; };
-  plot.series.push_back(
-      iteration_series("sissm, before projection", runs[0].records, before, 1, SeriesStyle::dashed));
-  plot.series.push_back(iteration_series("sissm, after projection", runs[0].records, after, 1));
-  plot.series.push_back(iteration_series("descent", runs[1].records, after, 0));
+  for (const auto& [projection, color] :
+       {std::pair{Projection::polar, 1}, std::pair{Projection::weighted, 0}}) {
+    const auto records = sissm_iterates(model, params, state, projection, iterations, threads);
+    const std::string name = to_string(projection);
+    plot.series.push_back(iteration_series(
+        name + ", before projection", records, [](const IterationRecord& r) { return -r.min_gap_before; },
+        color, SeriesStyle::dashed, 0));
+    plot.series.push_back(iteration_series(
+        name + ", after projection", records, [](const IterationRecord& r) { return -r.min_gap_after; },
+        color, SeriesStyle::line, 0));
+  }
   if (std::isfinite(minimiser.min_gap)) plot.series.push_back(level(-minimiser.min_gap, "true minimiser"));
   Figure figure;
   figure.title = "Penetration before and after the projection onto SO(3)";
   figure.caption = fmt::format(
-      "Deepest contact of two boxes within one step: N = {}, d̂ = {} m, κ = {} J, h = {} s, relaxation {}.",
+      "Deepest contact of two boxes within one step of sissm, by projection: N = {}, d̂ = {} m, κ = {} J, "
+      "h = {} s, relaxation {}.",
       params.contact.N, format_value(params.contact.d_hat), format_value(resolve_kappa(model, params)),
       format_value(params.h), format_value(params.solver.relaxation));
   figure.plots = {std::move(plot)};
