@@ -46,7 +46,7 @@ struct Params {
   ContactParams contact;
 };
 
-// Does `sissm` cap stiffness and bound energy (Deviations D15, D16)?
+// Does `sissm` cap stiffness and bound energy (Deviations D17, D18)?
 inline bool bounds_energy(const SolverParams& solver) {
   return solver.method == SolverMethod::sissm && solver.projection != Projection::polar;
 }

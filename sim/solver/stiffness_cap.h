@@ -1,4 +1,4 @@
-// How stiff a bond may be for `sissm` (Deviation D15).
+// How stiff a bond may be for `sissm` (Deviation D17).
 //
 //   k        stiffness of the bond: Ψ'' at rest for joints, κ/d̂² for contacts (κ for the log barrier)     N/m
 //   c_a, c_b compliance of its two ends for motion: 1/m + ½ tr([r]ᵀ I⁻¹ [r]), 0 for what is fixed 1/kg n

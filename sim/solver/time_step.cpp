@@ -241,7 +241,10 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
       ran_away(context, state))
     return fail(total, report);
   if (bounds_energy(params.solver)) report.held_bodies = bound_energy(context, state);
-  if (report.held_bodies > 0) report.status = StepStatus::iteration_limit;
+  if (report.held_bodies > 0) {
+    report.status = StepStatus::iteration_limit;
+    balance_velocities(model, w);
+  }
   finish_recovery(params, state, w);
   for (std::size_t i = 0; i < w.v.size(); ++i) {
     state.c[i] = w.pose[i].c;

@@ -35,7 +35,7 @@ World chain(double k, double ratio) {
   world.params.solver.method = SolverMethod::sissm;
   Index last = kWorld;
   for (int link = 0; link < 6; ++link) {
-    const Index i = world.add(Box{{0.25, 0.05, 0.08}}, link % 2 ? ratio : 1, {0.5 * link + 0.25, 0, 0});
+    const Index i = world.add(Box{{0.2, 0.05, 0.08}}, link % 2 ? ratio : 1, {0.5 * link + 0.25, 0, 0});
     Joint joint = make_joint(world, JointType::spherical, last, i, {0.5 * link, 0, 0});
     joint.law.kappa = k / (world.params.h * world.params.h);
     world.model.joints.push_back(joint);
@@ -106,7 +106,8 @@ TEST_CASE("sissm makes no energy, whatever the stiffness of joints and the ratio
       double kinetic = 0;
       int capped = 0;
       check_bounded(world, 120, &kinetic, &capped);
-      CHECK((capped > 0) == (k > 2));
+      if (k >= 30) CHECK(capped == 6);
+      if (k < 1) CHECK(capped == 0);
       // It swings: a tenth at least of what 1 m of fall gives to the heavy links.
       CHECK(kinetic > 0.1 * 3 * ratio * 9.81);
     }
@@ -161,37 +162,40 @@ TEST_CASE("the work of a drive is the kinetic energy that it gives, to first ord
   CHECK(work == Approx(kinetic).epsilon(0.01));
 }
 
-TEST_CASE("sissm ends at newton's minimum of E for soft and stiff contacts") {
-  for (const double k : {1e-3, 0.1, 10.0, 300.0}) {
-    World world = impact(k, 2);
+TEST_CASE("sissm ends at newton's minimum of E for soft and stiff contacts: two boxes inside each other") {
+  for (const double k : {1e-3, 0.1, 1.0, 10.0}) {
+    World world;
     world.params.contact.mu_static = world.params.contact.mu_dynamic = 0;
-    world.state.c[2].y() = 0.75;  // inside each other
-    world.state.v[2].setZero();
+    world.params.contact.d_hat = 0.05;
+    world.params.contact.kappa = k * 1000 * 0.05 * 0.05 / (world.params.h * world.params.h);
+    world.add_ground();
+    world.add_cube(1, 1000, {0, 0.5475, 0});
+    world.add_cube(1, 1000, {0.15, 1.4475, 0.08});
     CAPTURE(k);
-    CHECK(solved_energy(world, SolverMethod::sissm, 4000) ==
-          Approx(solved_energy(world, SolverMethod::newton, 100)).epsilon(1e-6));
+    CHECK(solved_energy(world, SolverMethod::sissm, 5000) ==
+          Approx(solved_energy(world, SolverMethod::newton, 100)).epsilon(1e-8));
   }
 }
 
-TEST_CASE("E never rises within a solve of sissm") {
-  for (const double k : {1.0, 8.0}) {
-    World world = impact(k, 1);
-    world.params.contact.mu_static = world.params.contact.mu_dynamic = 0;
+TEST_CASE("E never rises within a solve of sissm: its models lie above E for bonds of length 0") {
+  for (const double k : {0.1, 1e5}) {
+    World world = chain(k, 3);
+    world.state.omega[2] = {3, 1, -2};
     int falls = 0;
     testing::run(world, 60, {true, false, 1}, [&](const StepReport& r) {
       double last = r.first_iterate.energy;
       for (const IterationRecord& record : r.records) {
-        CHECK(record.energy <= last * (1 + 1e-9) + 1e-12);
+        REQUIRE(record.energy <= last * (1 + 1e-9) + 1e-12);
         if (record.energy < last) ++falls;
         last = record.energy;
       }
     });
-    CHECK(falls > 50);
+    CHECK(falls > 300);
   }
 }
 
 TEST_CASE("a ball bond of stiffness κ weighs κ in the affine model") {
-  World world = chain(5, 1);
+  World world = chain(0.1, 1);
   world.model.joints.resize(1);
   StepWorkspace workspace;
   StepReport report;
@@ -205,16 +209,24 @@ TEST_CASE("a ball bond of stiffness κ weighs κ in the affine model") {
 }
 
 TEST_CASE("a state that leaves all bounds is non_finite, and nothing insane is reported before") {
-  for (const double k : {1e4, 1e9}) {
-    World world = chain(k, 1);
-    world.params.solver.projection = Projection::polar;  // as printed: not for stiff joints
+  for (const double k : {1.0, 30.0, 1e6}) {
+    World world;  // a tower, by the iteration as printed and undamped: not for this
+    world.params.solver.method = SolverMethod::sissm;
+    world.params.solver.projection = Projection::polar;
     world.params.solver.relaxation = 1;
+    world.params.contact.d_hat = 0.02;
+    world.params.contact.kappa = k * 30 * 4e-4 / (world.params.h * world.params.h);
+    world.add_ground();
+    for (int n = 0; n < 8; ++n) {
+      world.add_cube(0.5, 30, {0.07 * (n % 3), 0.3 + 0.56 * n, 0.05 * (n % 2)},
+                     exp_so3({0.02 * n, 0.03, 0.01 * n}));
+    }
+    CAPTURE(k);
     bool diverged = false;
-    for (int n = 0; n < 2000 && !diverged; ++n) {
+    for (int n = 0; n < 400 && !diverged; ++n) {
       const State before = world.state;
       testing::run(world, 1, {}, [&](const StepReport& r) { diverged = r.status == StepStatus::non_finite; });
-      for (const Vec3& c : world.state.c) REQUIRE(c.norm() < 1e6);
-      for (const Vec3& v : world.state.v) REQUIRE(v.norm() < 1e6);
+      for (const Vec3& v : world.state.v) REQUIRE(v.norm() < 2 * 8 / world.params.h);
       if (diverged) CHECK(world.state.c == before.c);
     }
     CHECK(diverged);
