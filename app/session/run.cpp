@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "sim/error.h"
-#include "sim/scene/tuning.h"
 
 namespace pabd {
 namespace {
@@ -76,6 +75,8 @@ Run Run::fork() const {
   out.next_ = next_;
   out.newest_ = at_end() ? next_ : newest_;
   out.pulls_ = pulls_;
+  out.left_ = left_;
+  out.parting_ = parting_;
   return out;
 }
 
@@ -145,7 +146,7 @@ void Run::set_params(const Params& params) {
   if (const auto error = check_params(params)) {
     throw Error(ExitCode::bad_input, error->pointer + ": " + error->message);
   }
-  if (differences(next_, params).empty()) return;
+  if (next_ == params) return;
   if (!at_end()) branch();
   next_ = params;
   shared_.reset();
@@ -181,9 +182,7 @@ bool Run::undo_edit(const MadeEdit& edit) {
 
 std::string Run::edits() const {
   std::string out;
-  for (const auto& edit : timeline_.forgotten_edits()) out += edit.made->text + "\n";
-  for (std::size_t i = 0; i < timeline_.size(); ++i)
-    if (timeline_[i].edit) out += timeline_[i].edit->text + "\n";
+  for (const auto& edit : timeline_.edits()) out += edit->text + "\n";
   return out;
 }
 

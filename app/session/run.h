@@ -42,7 +42,7 @@ class Run {
   const Timeline* left() const { return left_ ? &*left_ : nullptr; }
   const std::optional<Parting>& parting() const { return parting_; }
 
-  // A run of its own at the same place of the same past. States are shared.
+  // A run of its own at the same place of the same past, with what the last branch left. States are shared.
   Run fork() const;
 
   // What reports carry from the next step or seek on.
@@ -74,6 +74,7 @@ class Run {
   // Back to the moment before an edit, from where everything goes on anew. False, and nothing happens, when
   // the timeline does not hold it (any more).
   bool undo_edit(const MadeEdit& edit);
+
   // All edits of the timeline, as JSON, one a line.
   std::string edits() const;
 

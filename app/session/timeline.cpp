@@ -30,6 +30,9 @@ double largest_distance(const State& a, const State& b) {
 
 void Timeline::add(Moment moment) {
   if (moment.state) bytes_ += state_bytes(*moment.state);
+  reports_.push_back(moment.report);
+  if (moment.edit) edits_.push_back(moment.edit);
+  if (moment.pulls) ++pulled_;
   moments_.push_back(std::move(moment));
   if (bytes_ > budget_) shrink();
 }
@@ -52,11 +55,18 @@ std::shared_ptr<const State> Timeline::state(std::size_t i, int threads) const {
 
 Timeline Timeline::branch(std::size_t i) {
   Timeline rest(budget_);
+  rest.reports_ = reports_;
+  rest.reports_.drop_front(i + 1);
+  reports_.truncate(i + 1);
   for (std::size_t k = i + 1; k < moments_.size(); ++k) {
     if (moments_[k].state) rest.bytes_ += state_bytes(*moments_[k].state);
+    if (moments_[k].edit) rest.edits_.push_back(moments_[k].edit);
+    if (moments_[k].pulls) ++rest.pulled_;
     rest.moments_.push_back(std::move(moments_[k]));
   }
   moments_.resize(i + 1);
+  edits_.resize(edits_.size() - rest.edits_.size());
+  pulled_ -= rest.pulled_;
   bytes_ -= rest.bytes_;
   return rest;
 }
@@ -66,6 +76,18 @@ std::size_t Timeline::at_time(double time) const {
     return !is_reached(m.report.time, t, m.params->h);
   });
   return after == moments_.begin() ? 0 : static_cast<std::size_t>(after - moments_.begin()) - 1;
+}
+
+std::vector<std::shared_ptr<const MadeEdit>> Timeline::edits() const {
+  std::vector<std::shared_ptr<const MadeEdit>> out;
+  for (const ForgottenEdit& edit : forgotten_edits_) out.push_back(edit.made);
+  out.insert(out.end(), edits_.begin(), edits_.end());
+  return out;
+}
+
+bool Timeline::touched_after(std::size_t i) const {
+  const auto touched = [](const Moment& m) { return m.edit || m.pulls; };
+  return std::any_of(moments_.begin() + static_cast<std::ptrdiff_t>(i) + 1, moments_.end(), touched);
 }
 
 void Timeline::set_forgotten(std::size_t moments, std::vector<ForgottenEdit> edits) {
@@ -98,8 +120,12 @@ bool Timeline::forget_oldest() {
   do {
     const Moment& m = moments_.front();
     if (m.state) bytes_ -= state_bytes(*m.state);
-    if (m.edit) forgotten_edits_.push_back({m.edit, m.edit->adds_joint ? m.state : nullptr});
+    if (m.edit) {
+      forgotten_edits_.push_back({m.edit, m.edit->adds_joint ? m.state : nullptr});
+      edits_.erase(edits_.begin());
+    }
     moments_.pop_front();
+    reports_.drop_front(1);
     ++forgotten_;
   } while (!moments_.front().state);
   return true;

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/shared_list.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/solver/params.h"
@@ -39,6 +40,9 @@ struct Moment {
   std::string hash = {};                 // state_hash, where it came from a recording; else empty
 };
 
+// Light reports of moments, oldest first, to be looked at from any thread.
+using Reports = SharedList<StepReport>::View;
+
 class Timeline {
  public:
   explicit Timeline(std::size_t budget_bytes) : budget_(budget_bytes) {}
@@ -51,6 +55,15 @@ class Timeline {
   std::size_t size() const { return moments_.size(); }
   const Moment& operator[](std::size_t i) const { return moments_[i]; }
   const Moment& back() const { return moments_.back(); }
+
+  // Of all moments; costs the same however many there are.
+  Reports reports() const { return reports_.view(); }
+  // Edits that led to the present model, in order, also those of moments that are forgotten.
+  std::vector<std::shared_ptr<const MadeEdit>> edits() const;
+  // Moments that came about with a hand on a body, also those that are forgotten.
+  std::size_t pulled() const { return pulled_; }
+  // Whether an edit or a hand comes after moment i.
+  bool touched_after(std::size_t i) const;
 
   // The state of moment i, computed again if it was dropped. `threads` as for a step. Precondition: the first
   // moment has its state, which is so unless this was cut off another timeline.
@@ -83,6 +96,9 @@ class Timeline {
   std::size_t budget_;
   std::size_t bytes_ = 0, forgotten_ = 0;
   std::deque<Moment> moments_;
+  SharedList<StepReport> reports_;                      // those of the moments
+  std::vector<std::shared_ptr<const MadeEdit>> edits_;  // of the moments that are there
+  std::size_t pulled_ = 0;
   std::vector<ForgottenEdit> forgotten_edits_;
 };
 

@@ -26,6 +26,7 @@ struct SolverParams {
   double tolerance = 1e-6;  // relative step at which the solve stops early; 0: never
   double relaxation = 0.5;  // of the Jacobi step of sissm, (0, 1]
   Projection projection = Projection::automatic;
+  bool operator==(const SolverParams&) const = default;
 };
 
 struct ContactParams {
@@ -37,6 +38,7 @@ struct ContactParams {
   double recovery_speed = 3;    // at which overlap deeper than 2 d̂ comes apart; m/s, 0 … 1e6. 0: no limit
   double mu_static = 0.5;       // friction, ≥ 0
   double mu_dynamic = 0.5;      // friction, ≥ 0, not above mu_static
+  bool operator==(const ContactParams&) const = default;
 };
 
 struct Params {
@@ -44,6 +46,7 @@ struct Params {
   double h = 1.0 / 60;        // time step; s, 1e-6 … 1
   SolverParams solver;
   ContactParams contact;
+  bool operator==(const Params&) const = default;
 };
 
 // Does `sissm` cap stiffness and bound energy (Deviations D17, D18)?
