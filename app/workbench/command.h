@@ -2,8 +2,8 @@
 // same way. In a script a command is an object whose "do" is its name: {"do": "set", "key": "contact.kappa",
 // "value": 50}.
 //
-// Each struct lists its name and its fields once; reading and writing JSON follow from that
-// (command_json.h).
+// Each struct lists its name and its fields once, each with its meaning, unit and an example; reading,
+// writing and explaining their JSON follow from that (command_json.h).
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "sim/error.h"
+
 namespace pabd {
 
 // Which of two simulations side by side: "a", or "b" while there is one.
@@ -19,27 +21,57 @@ enum class Side : std::uint8_t { a, b };
 
 namespace command {
 
+// A field as it is written in a script. Its type is that of the member.
+struct Field {
+  const char* name;
+  const char* help;     // what it means, with its unit
+  const char* example;  // as JSON
+  bool required = true;
+};
+constexpr Field need(const char* name, const char* help, const char* example) {
+  return {name, help, example};
+}
+constexpr Field may(const char* name, const char* help, const char* example) {
+  return {name, help, example, false};
+}
+// Fields that many commands have.
+inline constexpr Field kSide = may("side", "which simulation", R"("b")");
+inline constexpr Field kForce = may("force", "replace a file that exists", "true");
+inline constexpr Field kGiveUp = may("force", "although something that was made here would be gone", "true");
+inline constexpr Field kOn = may("on", "or off", "false");
+
 // ---- parameters (keys and values as for --set) ----
 struct Set {
   static constexpr const char* name = "set";
   std::string key, value;
   Side side = Side::a;
   bool more = false;  // goes on with the last change of that key, as a slider does: one step of undo
-  void fields(auto&& f) { f("key", key), f("value", value), f("side", side, false), f("more", more, false); }
+  void fields(auto&& f) {
+    f(need("key", "parameter, as for --set", R"("contact.kappa")"), key);
+    f(need("value", "number, list or word, in the unit of the parameter", "50"), value);
+    f(kSide, side);
+    f(may("more", "goes on with the last change of that key: one step of undo", "true"), more);
+  }
 };
 // Several at once; one step of undo.
 struct SetAll {
   static constexpr const char* name = "set_all";
   std::vector<std::string> values;  // "key=value"
   Side side = Side::a;
-  void fields(auto&& f) { f("values", values), f("side", side, false); }
+  void fields(auto&& f) {
+    f(need("values", "KEY=VALUE, as for --set", R"(["contact.kappa=50", "contact.N=4"])"), values);
+    f(kSide, side);
+  }
 };
 // Back to what the scene file says; an empty key means all.
 struct ResetParams {
   static constexpr const char* name = "reset_params";
   std::string key;
   Side side = Side::a;
-  void fields(auto&& f) { f("key", key, false), f("side", side, false); }
+  void fields(auto&& f) {
+    f(may("key", "parameter; without: all of them", R"("contact.kappa")"), key);
+    f(kSide, side);
+  }
 };
 struct Undo {
   static constexpr const char* name = "undo";
@@ -63,18 +95,20 @@ struct Pause {
 struct Step {
   static constexpr const char* name = "step";
   int steps = 1;
-  void fields(auto&& f) { f("steps", steps, false); }
+  void fields(auto&& f) { f(may("steps", "time steps; negative: back", "60"), steps); }
 };
 struct Seek {
   static constexpr const char* name = "seek";
   double time = 0;  // s
-  void fields(auto&& f) { f("time", time); }
+  void fields(auto&& f) { f(need("time", "simulated time, s", "0.5"), time); }
 };
 // Simulated seconds a second; 0: as fast as it goes.
 struct Speed {
   static constexpr const char* name = "speed";
   double factor = 1;
-  void fields(auto&& f) { f("factor", factor); }
+  void fields(auto&& f) {
+    f(need("factor", "simulated seconds a second, 0 to 1000; 0: as fast as it goes", "0.25"), factor);
+  }
 };
 // From the beginning, with the present parameters.
 struct Restart {
@@ -88,7 +122,11 @@ struct Restart {
 struct Edit {
   static constexpr const char* name = "edit";
   std::string edit;
-  void fields(auto&& f) { f("edit", edit); }
+  void fields(auto&& f) {
+    f(need("edit", "what is added or removed, with keys and units of a scene file",
+           R"({"do": "remove_body", "body": 1})"),
+      edit);
+  }
 };
 // A hand on a body, until it lets go: a soft spring from `target` to `point` of the body.
 struct Pull {
@@ -96,7 +134,12 @@ struct Pull {
   int body = 0;
   std::vector<double> point, target;  // three numbers each: body frame, world; m
   double kappa = 0;                   // N/m; 0: as swings the body alone at 2 Hz
-  void fields(auto&& f) { f("body", body), f("point", point), f("target", target), f("kappa", kappa, false); }
+  void fields(auto&& f) {
+    f(need("body", "its number", "1"), body);
+    f(need("point", "where it is held: body frame, m", "[0, 0.5, 0]"), point);
+    f(need("target", "where the hand is: world, m", "[1, 2, 0]"), target);
+    f(may("kappa", "stiffness, N/m; 0: as swings the body alone at 2 Hz", "500"), kappa);
+  }
 };
 struct Release {
   static constexpr const char* name = "release";
@@ -110,8 +153,11 @@ struct Shoot {
   double radius = 0.2;                  // m
   double density = 1000;                // kg/m³
   void fields(auto&& f) {
-    f("from", from), f("direction", direction), f("speed", speed, false), f("radius", radius, false);
-    f("density", density, false);
+    f(need("from", "where its centre starts: world, m", "[0, 2, 8]"), from);
+    f(need("direction", "of any length but 0", "[0, 0, -1]"), direction);
+    f(may("speed", "m/s", "10"), speed);
+    f(may("radius", "m", "0.2"), radius);
+    f(may("density", "kg/m³", "1000"), density);
   }
 };
 
@@ -120,7 +166,9 @@ struct Shoot {
 struct Compare {
   static constexpr const char* name = "compare";
   std::vector<std::string> values;
-  void fields(auto&& f) { f("values", values, false); }
+  void fields(auto&& f) {
+    f(may("values", "how its parameters differ: KEY=VALUE, as for --set", R"(["contact.N=6"])"), values);
+  }
 };
 struct EndCompare {
   static constexpr const char* name = "end_compare";
@@ -130,7 +178,9 @@ struct EndCompare {
 struct Hold {
   static constexpr const char* name = "hold";
   std::string method;
-  void fields(auto&& f) { f("method", method, false); }
+  void fields(auto&& f) {
+    f(may("method", "as for solver.method, of the same step; without: as it was made", R"("sissm")"), method);
+  }
 };
 struct DropHeld {
   static constexpr const char* name = "drop_held";
@@ -141,13 +191,22 @@ struct Tell {
   static constexpr const char* name = "tell";
   std::string text;
   bool error = false;
-  void fields(auto&& f) { f("text", text), f("error", error, false); }
+  std::string about = {};               // not in scripts: what it answers
+  ExitCode code = ExitCode::bad_input;  // not in scripts: of an error
+  void fields(auto&& f) {
+    f(need("text", "what is said", R"("half way")"), text);
+    f(may("error", "as something that went wrong", "false"), error);
+  }
 };
 // What is recorded of later steps: only what somebody looks at.
 struct Observe {
   static constexpr const char* name = "observe";
   bool iterations = true, contacts = true, bodies = false;
-  void fields(auto&& f) { f("iterations", iterations), f("contacts", contacts), f("bodies", bodies, false); }
+  void fields(auto&& f) {
+    f(need("iterations", "every iteration of a step", "true"), iterations);
+    f(need("contacts", "every contact", "true"), contacts);
+    f(may("bodies", "every body", "true"), bodies);
+  }
 };
 
 // ---- files ----
@@ -156,11 +215,21 @@ struct Load {
   std::string scene;              // file, or name of a shipped scene
   std::vector<std::string> sets;  // "key=value"
   bool force = false;             // although something is not saved
-  void fields(auto&& f) { f("scene", scene), f("sets", sets, false), f("force", force, false); }
+  void fields(auto&& f) {
+    f(need("scene", "file, or name of a shipped scene", R"("two_boxes")"), scene);
+    f(may("sets", "KEY=VALUE, as for --set", R"(["contact.N=4"])"), sets);
+    f(kGiveUp, force);
+  }
 };
-// The scene's file again, with the parameters that were changed here.
+// The scene's file again, with the parameters that were changed here, B and the held curves.
 struct Reload {
   static constexpr const char* name = "reload";
+  bool force = false;  // although the timeline and what was done to bodies and joints is gone then
+  void fields(auto&& f) { f(kGiveUp, force); }
+};
+// The scene stays as it is although its file changed; asked again when that changes again.
+struct IgnoreFile {
+  static constexpr const char* name = "ignore_file";
   void fields(auto&&) {}
 };
 // The scene's file with the present parameters; with `state` the bodies as they are now.
@@ -170,7 +239,10 @@ struct SaveScene {
   bool state = false, force = false;
   Side side = Side::a;
   void fields(auto&& f) {
-    f("path", path), f("state", state, false), f("force", force, false), f("side", side, false);
+    f(need("path", "file", R"("tuned.json")"), path);
+    f(may("state", "with the bodies and joints as they are now", "true"), state);
+    f(kForce, force);
+    f(kSide, side);
   }
 };
 // Only what differs from the scene, as a JSON merge patch.
@@ -179,13 +251,20 @@ struct SavePatch {
   std::string path;
   bool force = false;
   Side side = Side::a;
-  void fields(auto&& f) { f("path", path), f("force", force, false), f("side", side, false); }
+  void fields(auto&& f) {
+    f(need("path", "file", R"("patch.json")"), path);
+    f(kForce, force);
+    f(kSide, side);
+  }
 };
 struct ApplyPatch {
   static constexpr const char* name = "apply_patch";
   std::string path;
   Side side = Side::a;
-  void fields(auto&& f) { f("path", path), f("side", side, false); }
+  void fields(auto&& f) {
+    f(need("path", "file", R"("patch.json")"), path);
+    f(kSide, side);
+  }
 };
 
 // The timeline of A as a file, and back: only for the same scene.
@@ -193,13 +272,19 @@ struct SaveRecording {
   static constexpr const char* name = "save_recording";
   std::string path;
   bool force = false;
-  void fields(auto&& f) { f("path", path), f("force", force, false); }
+  void fields(auto&& f) {
+    f(need("path", "file", R"("run.pabdrec")"), path);
+    f(kForce, force);
+  }
 };
 struct LoadRecording {
   static constexpr const char* name = "load_recording";
   std::string path;
   bool force = false;  // although something is not saved
-  void fields(auto&& f) { f("path", path), f("force", force, false); }
+  void fields(auto&& f) {
+    f(need("path", "file", R"("run.pabdrec")"), path);
+    f(kGiveUp, force);
+  }
 };
 
 }  // namespace command
@@ -210,7 +295,7 @@ using Command =
                  command::Play, command::Pause, command::Step, command::Seek, command::Speed,
                  command::Restart, command::Edit, command::Pull, command::Release, command::Shoot,
                  command::Compare, command::EndCompare, command::Hold, command::DropHeld, command::Observe,
-                 command::Tell, command::Load, command::Reload, command::SaveScene, command::SavePatch,
-                 command::ApplyPatch, command::SaveRecording, command::LoadRecording>;
+                 command::Tell, command::Load, command::Reload, command::IgnoreFile, command::SaveScene,
+                 command::SavePatch, command::ApplyPatch, command::SaveRecording, command::LoadRecording>;
 
 }  // namespace pabd

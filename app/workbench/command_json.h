@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -31,14 +33,14 @@ class Reader {
   Reader(const CommandJson& json, std::string what) : json_(json), what_(std::move(what)) {}
 
   template <class T>
-  void operator()(const char* field, T& out, bool required = true) {
-    known_.emplace_back(field);
-    const auto it = json_.find(field);
+  void operator()(const command::Field& field, T& out) {
+    known_.emplace_back(field.name);
+    const auto it = json_.find(field.name);
     if (it == json_.end()) {
-      if (required) refuse(what_, field, "a value; it is missing");
+      if (field.required) refuse(what_, field.name, "a value; it is missing");
       return;
     }
-    read(*it, field, out);
+    read(*it, field.name, out);
   }
 
   void check_unknown() const {
@@ -80,6 +82,11 @@ class Reader {
     if (j != "a" && j != "b") refuse(what_, field, "\"a\" or \"b\"");
     out = j == "a" ? Side::a : Side::b;
   }
+  void read(const CommandJson& j, const char*, CommandJson& out) const { out = j; }
+  template <class T>
+  void read(const CommandJson& j, const char* field, std::optional<T>& out) const {
+    read(j, field, out.emplace());
+  }
   template <class T>
   void read(const CommandJson& j, const char* field, std::vector<T>& out) const {
     if (!j.is_array()) refuse(what_, field, "a list");
@@ -96,11 +103,11 @@ class Writer {
  public:
   explicit Writer(CommandJson& json) : json_(json) {}
   template <class T>
-  void operator()(const char* field, const T& value, bool = true) {
+  void operator()(const command::Field& field, const T& value) {
     if constexpr (std::is_same_v<T, Side>) {
-      json_[field] = value == Side::a ? "a" : "b";
+      json_[field.name] = value == Side::a ? "a" : "b";
     } else {
-      json_[field] = value;
+      json_[field.name] = value;
     }
   }
 
@@ -147,21 +154,83 @@ CommandJson command_to_json(const Variant& command) {
       command);
 }
 
-// "set  key, value [, side] [, more]": every command of a variant with its fields, those with a default in
-// brackets; one a line.
+namespace command_json {
+
+// What a field takes, in words.
+template <class T>
+struct TypeName;
+template <>
+struct TypeName<std::string> {
+  static std::string text() { return "text"; }
+};
+template <>
+struct TypeName<double> {
+  static std::string text() { return "number"; }
+};
+template <>
+struct TypeName<int> {
+  static std::string text() { return "whole number"; }
+};
+template <>
+struct TypeName<bool> {
+  static std::string text() { return "true or false"; }
+};
+template <>
+struct TypeName<Side> {
+  static std::string text() { return R"("a" or "b")"; }
+};
+template <>
+struct TypeName<CommandJson> {
+  static std::string text() { return "any value"; }
+};
+template <class T>
+struct TypeName<std::optional<T>> : TypeName<T> {};
+template <class T>
+struct TypeName<std::vector<T>> {
+  static std::string text() { return "list of " + TypeName<T>::text() + "s"; }
+};
+
+}  // namespace command_json
+
+// Every command of a variant: a line with its fields, those with a default in brackets; then a line for each
+// of them with its type, its meaning and unit, and an example.
+//   set               key, value [, side] [, more]
+//       key     text    parameter, as for --set    "contact.kappa"
 template <class Variant>
 std::string command_list() {
   return []<std::size_t... i>(std::index_sequence<i...>) {
     std::string out;
-    const auto line = [&out](auto c) {
-      std::string fields;
-      c.fields([&](const char* field, const auto&, bool required = true) {
-        const std::string separator = fields.empty() ? "" : ", ";
-        fields += required ? separator + field : (fields.empty() ? "[" : " [, ") + std::string(field) + "]";
+    const auto list = [&out](auto c) {
+      std::string fields, lines;
+      c.fields([&]<class T>(const command::Field& field, const T&) {
+        const std::string name = field.name;
+        fields += field.required ? (fields.empty() ? "" : ", ") + name
+                                 : (fields.empty() ? "[" : " [, ") + name + "]";
+        lines += fmt::format("      {:<13} {:<16} {}; e.g. {}\n", name, command_json::TypeName<T>::text(),
+                             field.help, field.example);
       });
       out += fields.empty() ? fmt::format("  {}\n", c.name) : fmt::format("  {:<18}{}\n", c.name, fields);
+      out += lines;
     };
-    (line(std::variant_alternative_t<i, Variant>{}), ...);
+    (list(std::variant_alternative_t<i, Variant>{}), ...);
+    return out;
+  }
+  (std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+// An object with the example of every field, or of the required ones only, for each command.
+template <class Variant>
+std::vector<CommandJson> command_examples(bool all) {
+  return [all]<std::size_t... i>(std::index_sequence<i...>) {
+    std::vector<CommandJson> out;
+    const auto add = [&](auto c) {
+      CommandJson json = {{"do", c.name}};
+      c.fields([&](const command::Field& field, const auto&) {
+        if (all || field.required) json[field.name] = CommandJson::parse(field.example);
+      });
+      out.push_back(std::move(json));
+    };
+    (add(std::variant_alternative_t<i, Variant>{}), ...);
     return out;
   }
   (std::make_index_sequence<std::variant_size_v<Variant>>());

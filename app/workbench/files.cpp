@@ -1,4 +1,4 @@
-// Scenes and patches on disk: see workbench.h.
+// Scenes, patches and recordings on disk, and what is not on disk yet: see workbench.h.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -14,85 +14,226 @@
 namespace pabd {
 namespace {
 
-void check_writable(const std::string& path, bool force) {
-  if (path.empty()) throw Error(ExitCode::bad_input, "a file needs a name");
-  check_overwrite(path, path, {force, nullptr, "replace it"});
+namespace fs = std::filesystem;
+
+bool same_edits(const std::vector<std::shared_ptr<const MadeEdit>>& a,
+                const std::vector<std::shared_ptr<const MadeEdit>>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x == y || x->text == y->text; });
 }
 
-void write_text(const std::string& path, const std::string& text, bool force) {
-  check_writable(path, force);
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return count == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", count, many);
+}
+
+// What differs between `from` and `p`, put on `to`.
+Params rebased(const Params& p, const Params& from, const Params& to) {
+  std::vector<std::string> values;
+  for (const auto& [key, value] : differences(from, p)) values.push_back(key + "=" + value);
+  return tuned(to, values);
 }
 
 }  // namespace
 
-void Workbench::carry_out(const command::Load& c) {
-  if (a_ && unsaved() && !c.force) {
-    throw Error(ExitCode::bad_input, "what was changed is not saved; save it, or load all the same");
+std::string listed(const std::vector<std::string>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  return out;
+}
+
+// ---- what a person made ----
+
+bool Workbench::edits_saved() const { return same_edits(a_->timeline().edits(), saved_.edits); }
+bool Workbench::hands_saved() const { return a_->timeline().pulled() == 0 || hands_ == saved_.hands; }
+
+void Workbench::params_are_saved(Side side) {
+  if (side == Side::a) {
+    saved_.a = a_->params();
+  } else {
+    saved_.b = b_->params();
   }
+}
+
+std::vector<std::string> Workbench::made_since_saved() const {
+  std::vector<std::string> out;
+  if (a_->params() != saved_.a) out.emplace_back(b_ ? "parameters of A" : "parameters");
+  if (b_ && b_->params() != saved_params(Side::b)) out.emplace_back("parameters of B");
+  if (!edits_saved()) out.emplace_back("bodies and joints that were added or removed");
+  if (!hands_saved()) out.emplace_back("what was pulled by hand");
+  return out;
+}
+
+// A timeline that nobody laid hands on is not: it can be computed again.
+std::vector<std::string> Workbench::at_stake() const {
+  std::vector<std::string> out = made_since_saved();
+  if (!held_.empty()) out.push_back(counted(held_.size(), "held curve", "held curves"));
+  return out;
+}
+
+// Parameters of A and B, how they were changed, and held curves stay.
+std::vector<std::string> Workbench::reload_loses() const {
+  std::vector<std::string> out;
+  const Timeline& past = a_->timeline();
+  if (past.size() > 1) out.push_back(fmt::format("the timeline ({} moments)", past.size()));
+  if (!past.edits().empty()) out.emplace_back("bodies and joints that were added or removed");
+  std::size_t steps = 0;
+  for (const auto* changes : {&undo_, &redo_})
+    for (const Change& c : *changes) steps += c.kind != Change::Kind::parameters || c.given_up ? 1 : 0;
+  if (steps > 0) out.push_back(counted(steps, "step of undo", "steps of undo"));
+  return out;
+}
+
+void Workbench::check_stake(bool force) const {
+  if (force || at_stake().empty()) return;
+  throw Error(ExitCode::bad_input,
+              fmt::format("not saved: {}; save what is needed, or load all the same", listed(at_stake())));
+}
+
+// ---- the scene's file ----
+
+void Workbench::carry_out(const command::Load& c) {
+  if (a_) check_stake(c.force);
   Source source;
   source.path = options_.find_scene ? options_.find_scene(c.scene) : c.scene;
   source.sets = c.sets;
-  open(std::move(source));
+  open(read(std::move(source)));
 }
 
-void Workbench::carry_out(const command::Reload&) {
+void Workbench::carry_out(const command::Reload& c) {
   if (source_.path.empty()) throw Error(ExitCode::bad_input, "this scene has no file to load again");
-  const auto changes = differences(scene_->params, a_->params());
-  open(source_);
-  std::vector<std::string> values;
-  for (const auto& [key, value] : changes) values.push_back(key + "=" + value);
-  a_->set_params(tuned(a_->params(), values));
+  if (const auto loses = reload_loses(); !c.force && !loses.empty()) {
+    throw Error(ExitCode::bad_input, fmt::format("{}: loading it again gives up {}; save what is needed, or "
+                                                 "load it all the same",
+                                                 source_.path, listed(loses)));
+  }
+  // Everything is made before anything is given up.
+  Opened opened = read(source_);
+  const auto onto = [&](const Params& p) { return rebased(p, scene_->params, opened.scene->params); };
+  const Params a = onto(a_->params());
+  std::optional<Params> b;
+  if (b_) b = onto(b_->params());
+  Saved saved{onto(saved_.a), {}, {}, 0};
+  if (saved_.b) saved.b = onto(*saved_.b);
+  const auto kept = [&](const std::vector<Change>& changes) {
+    std::vector<Change> out;
+    for (const Change& c : changes) {
+      if (c.kind != Change::Kind::parameters || c.given_up) continue;
+      try {
+        out.push_back({c.kind, c.side, c.what, onto(c.before), onto(c.after)});
+      } catch (const Error&) {  // one that the scene as it is now does not allow
+      }
+    }
+    return out;
+  };
+  std::vector<Change> undo = kept(undo_), redo = kept(redo_);
+  std::vector<HeldCurve> held = std::move(held_);
+
+  open(std::move(opened));
+  a_->set_params(a);
+  if (b) b_.emplace(a_->fork());
+  if (b) b_->set_params(*b);
+  saved_ = std::move(saved);
+  undo_ = std::move(undo);
+  redo_ = std::move(redo);
+  held_ = std::move(held);
+  measure_distance();
   tell(Severity::note, source_.path + ": loaded again");
 }
 
-bool Workbench::file_changed() {
-  std::error_code error;
-  const auto written = std::filesystem::last_write_time(source_.path, error);
-  if (error || written == source_.written) return false;  // a file that is gone may come back
-  source_.written = written;                              // asked once, also when it turns out to be broken
-  return true;
+void Workbench::carry_out(const command::IgnoreFile&) {
+  file_changed_ = false;
+  try {
+    source_.ignored = read_scene_text(source_.path);
+  } catch (const Error&) {  // gone or unreadable: there is nothing to load
+  }
 }
 
-// Everything is made before anything is given up.
-void Workbench::open(Source source) {
+bool Workbench::look_at_file() {
+  std::error_code error;
+  const auto written = fs::last_write_time(source_.path, error);
+  if (error || written == source_.written) return false;  // a file that is gone may come back
+  std::string text;
+  try {
+    text = read_scene_text(source_.path);
+  } catch (const Error&) {
+    return false;  // looked at again
+  }
+  source_.written = written;
+  const bool changed = text != source_.text && text != source_.ignored;
+  return std::exchange(file_changed_, changed) != changed;
+}
+
+Workbench::Opened Workbench::read(Source source) const {
   std::error_code ignored;
-  source.written = std::filesystem::last_write_time(source.path, ignored);
+  source.written = fs::last_write_time(source.path, ignored);
   source.text = read_scene_text(source.path);
-  const std::filesystem::path path(source.path);
-  auto scene =
-      std::make_shared<const Scene>(parse_scene(source.text, source.path, path.parent_path(), source.sets));
+  source.ignored.clear();
+  auto scene = std::make_shared<const Scene>(
+      parse_scene(source.text, source.path, fs::path(source.path).parent_path(), source.sets));
   Run run(scene, options_.threads, options_.memory);
-  run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
-  source_ = std::move(source);
-  scene_ = std::move(scene);
-  a_.emplace(std::move(run));
+  return {std::move(source), std::move(scene), std::move(run)};
+}
+
+void Workbench::open(Opened opened) {
+  opened.run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
+  source_ = std::move(opened.source);
+  scene_ = std::move(opened.scene);
+  a_.emplace(std::move(opened.run));
   b_.reset();
+  distances_ = {};
   undo_.clear();
   redo_.clear();
   held_.clear();
-  diverged_ = false;
-  saved_ = tuning();
-  saved_edits_.clear();
+  diverged_ = file_changed_ = false;
+  saved_ = {a_->params(), {}, {}, 0};
   ++scene_serial_;
+}
+
+// ---- saving ----
+
+bool Workbench::is_own_scene(const std::string& path) const {
+  std::error_code ignored;
+  return fs::equivalent(path, source_.path, ignored);
+}
+
+// Only a scene may take the place of the scene's own file.
+void Workbench::check_place(const std::string& path, bool force, bool scene) const {
+  if (path.empty()) throw Error(ExitCode::bad_input, "a file needs a name");
+  check_overwrite(path, path, {force, nullptr, "replace it"});
+  if (!scene && is_own_scene(path))
+    throw Error(ExitCode::bad_input, path + ": that is the scene which is open; choose another name");
+}
+
+// A scene in the place of the scene's own file is no change of it.
+void Workbench::save(const std::string& path, const std::string& text, bool force, bool scene) {
+  check_place(path, force, scene);
+  const bool own = is_own_scene(path);
+  AtomicFile file(path);
+  file.write(text);
+  file.commit();
+  if (!own) return;
+  std::error_code ignored;
+  source_.text = text;
+  source_.sets.clear();  // the file has them
+  source_.written = fs::last_write_time(source_.path, ignored);
+  file_changed_ = false;
 }
 
 void Workbench::carry_out(const command::SaveScene& c) {
   const Run& run = run_of(c.side);
   if (c.state) {
-    std::string name = std::filesystem::path(c.path).stem().string();
+    std::string name = fs::path(c.path).stem().string();
     if (name.empty()) name = scene_->name;
-    write_text(c.path,
-               scene_to_json(run.model(), run.state(), run.params(), scene_->joint_law, name, scene_->camera),
-               c.force);
+    save(c.path,
+         scene_to_json(run.model(), run.state(), run.params(), scene_->joint_law, name, scene_->camera),
+         c.force, true);
+    saved_.edits = a_->timeline().edits();
   } else {
-    write_text(c.path, tuned_scene_text(source_.text, source_.path, source_.sets, run.params()), c.force);
+    save(c.path, tuned_scene_text(source_.text, source_.path, source_.sets, run.params()), c.force, true);
   }
-  saved_ = tuning();
-  if (c.state) saved_edits_ = a_->edits();
-  const bool partly = !c.state && a_->edits() != saved_edits_;
+  params_are_saved(c.side);
+  const bool partly = !c.state && !edits_saved();
   tell(partly ? Severity::warning : Severity::note,
        "saved " + c.path +
            (partly ? ", without the bodies and joints that were added or removed here; save the "
@@ -101,41 +242,42 @@ void Workbench::carry_out(const command::SaveScene& c) {
 }
 
 void Workbench::carry_out(const command::SavePatch& c) {
-  write_text(c.path, patch_json(scene_->params, run_of(c.side).params()), c.force);
-  saved_ = tuning();
+  save(c.path, patch_json(scene_->params, run_of(c.side).params()), c.force);
+  params_are_saved(c.side);
   tell(Severity::note, "saved " + c.path);
 }
 
 void Workbench::carry_out(const command::ApplyPatch& c) {
   change(c.side, "patch", patched(run_of(c.side).params(), read_scene_text(c.path), c.path));
+  tell(Severity::note, "applied " + c.path);
 }
 
 void Workbench::carry_out(const command::SaveRecording& c) {
-  check_writable(c.path, c.force);
+  check_place(c.path, c.force, false);
   AtomicFile file(c.path);
   write_recording(*a_, [&](std::string_view part) { file.write(part); });
   file.commit();
-  saved_ = tuning();
-  saved_edits_ = a_->edits();
+  params_are_saved(Side::a);
+  saved_.edits = a_->timeline().edits();
+  saved_.hands = hands_;
   tell(Severity::note, fmt::format("saved {}: {} moments", c.path, a_->timeline().size()));
 }
 
 // Everything is made before anything is given up.
 void Workbench::carry_out(const command::LoadRecording& c) {
-  if (unsaved() && !c.force)
-    throw Error(ExitCode::bad_input, "what was changed is not saved; save it, or load all the same");
+  check_stake(c.force);
   Timeline past = read_recording(c.path, scene_, options_.memory);
   const auto differs = first_difference(past, options_.threads);
   Run run(scene_, options_.threads, std::move(past));
   run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
   a_.emplace(std::move(run));
   b_.reset();
+  distances_ = {};
   undo_.clear();
   redo_.clear();
   held_.clear();
   playing_ = diverged_ = false;
-  saved_ = tuning();
-  saved_edits_ = a_->edits();
+  saved_ = {a_->params(), {}, a_->timeline().edits(), hands_};
   const std::string what = fmt::format("{}: {} moments", c.path, a_->timeline().size());
   if (!differs) return tell(Severity::note, what);
   tell(Severity::warning,

@@ -45,15 +45,22 @@ void Workbench::carry_out(const command::Edit& c) {
 
 // In both or in none.
 Workbench::Change Workbench::make_edit(const ModelEdit& edit, const std::string& what) {
-  Change change{Side::a, what, a_->params(), a_->params(), a_->edit(edit), nullptr, edit};
+  std::shared_ptr<GivenUp> given_up;
+  if (!a_->at_end() || (b_ && !b_->at_end())) given_up = copy_runs(true, b_.has_value());
+  Change change{Change::Kind::edit, Side::a, what, a_->params(), a_->params(), a_->edit(edit), nullptr, edit};
   if (b_) {
     try {
       change.edit_b = b_->edit(edit);
     } catch (const Error&) {
-      a_->undo_edit(*change.edit_a);
+      if (given_up) {
+        exchange(*given_up);
+      } else {
+        a_->undo_edit(*change.edit_a);
+      }
       throw;
     }
   }
+  change.given_up = std::move(given_up);
   diverged_ = false;
   return change;
 }
@@ -63,26 +70,20 @@ void Workbench::edit_here(const ModelEdit& edit, const std::string& what) {
   redo_.clear();
 }
 
-// Back to before it; what happened since is left, as by a change in the past.
-void Workbench::undo_edit(const Change& change) {
+// Back to before it. False when the timeline does not hold it any more.
+bool Workbench::undo_edit(const Change& change) {
   const bool played = a_->timeline().back().edit != change.edit_a;
   if (!a_->undo_edit(*change.edit_a)) {
     tell(Severity::warning,
          change.what + ": cannot be undone, the moment of it is no longer in the timeline");
-    return;
+    return false;
   }
   if (b_ && change.edit_b) b_->undo_edit(*change.edit_b);
   diverged_ = false;
   tell(Severity::note, played ? fmt::format("undone: {}; back at t = {:.4g} s, where it was made",
                                             change.what, a_->state().time)
                               : "undone: " + change.what);
-}
-
-// And back again: what is undone is kept in place of what comes back.
-void Workbench::undo_restart(Change& change) {
-  std::swap(*a_, *change.run_a);
-  if (b_ && change.run_b) std::swap(*b_, *change.run_b);
-  diverged_ = false;
+  return true;
 }
 
 void Workbench::carry_out(const command::Pull& c) {
@@ -92,13 +93,21 @@ void Workbench::carry_out(const command::Pull& c) {
     // A fixed body has no mass; set_pulls says so.
     pull.kappa = std::max(model.mass[static_cast<std::size_t>(c.body)], 1e-9) * kSwing * kSwing;
   }
-  a_->set_pulls({pull});
-  if (b_ && c.body < b_->model().size()) b_->set_pulls({pull});
+  this->pull({pull});
+  ++hands_;
 }
 
 void Workbench::carry_out(const command::Release&) {
-  a_->set_pulls({});
-  if (b_) b_->set_pulls({});
+  if (a_->pulls() || (b_ && b_->pulls())) pull({});
+}
+
+// In the past a hand starts a branch, which can be undone.
+void Workbench::pull(const std::vector<pabd::Pull>& pulls) {
+  std::shared_ptr<GivenUp> given_up;
+  if (!a_->at_end()) given_up = copy_runs(true, b_.has_value());
+  a_->set_pulls(pulls);
+  if (b_ && (pulls.empty() || pulls[0].body < b_->model().size())) b_->set_pulls(pulls);
+  if (given_up && a_->at_end()) keep_exchange("hand in the past", std::move(given_up));
 }
 
 void Workbench::carry_out(const command::Shoot& c) {

@@ -92,7 +92,8 @@ void Runner::work() {
         std::get<std::promise<RunCopies>>(job).set_value(copies());
       }
     }
-    bool changed = !jobs.empty();
+    const bool asked = !jobs.empty();
+    bool changed = asked;
     jobs.clear();
     if (keep_pace(Clock::now())) {
       workbench_->advance();
@@ -105,8 +106,8 @@ void Runner::work() {
       const std::scoped_lock lock(mutex_);
       wanted = taken_;
     }
-    // At rest every change is shown; in motion only what somebody will see.
-    if (stale_ && (wanted || !workbench_->playing())) publish();
+    // At rest, and after commands, every change is shown; in motion only what somebody will see.
+    if (stale_ && (wanted || asked || !workbench_->playing())) publish();
   }
 }
 
@@ -161,17 +162,16 @@ void Runner::carry_out(const Command& command) {
   try {
     workbench_->apply(command);
   } catch (const Error& error) {
-    workbench_->tell(Severity::error, error.what());
+    workbench_->tell(Severity::error, error.what(),
+                     std::visit([](const auto& c) { return std::string(c.name); }, command), error.code());
   }
 }
 
-// A scene that changed on disk is loaded again; what was tuned stays.
+// Whether a scene changed on disk is told, not acted on.
 bool Runner::look_at_file(Clock::time_point now) {
   if (now < next_look_) return false;
   next_look_ = now + std::chrono::duration_cast<Clock::duration>(kIdle);
-  if (!workbench_->file_changed()) return false;
-  carry_out(command::Reload{});
-  return true;
+  return workbench_->look_at_file();
 }
 
 void Runner::publish() {

@@ -42,7 +42,8 @@ class Runner {
   // Copies of the runs, after everything sent so far; the future is broken when the thread ends before.
   std::future<RunCopies> copy_runs();
 
-  // Waits until everything sent so far is carried out; `latest` shows it then. Not while playing.
+  // Waits until everything sent so far is carried out; the result shows it. While playing that takes the rest
+  // of a step, and the simulation is ahead of it.
   std::shared_ptr<const Snapshot> settle();
 
  private:

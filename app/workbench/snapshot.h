@@ -9,6 +9,7 @@
 
 #include "app/session/run.h"
 #include "app/workbench/command.h"
+#include "sim/error.h"
 #include "sim/scene/scene.h"
 
 namespace pabd {
@@ -20,12 +21,14 @@ struct Message {
   std::uint64_t number = 0;  // rises
   Severity severity = Severity::note;
   std::string text;
+  std::string about = {};               // name of the command that it answers; empty: of none
+  ExitCode code = ExitCode::bad_input;  // of an error
 };
 
 struct HeldCurve {
   std::string name;  // method and step
   std::int64_t step = 0;
-  std::vector<IterationRecord> records;
+  std::shared_ptr<const std::vector<IterationRecord>> records;  // never null
 };
 
 // How far two runs are apart: largest distance between the places of a body.
@@ -44,11 +47,11 @@ struct RunView {
   std::vector<std::pair<std::string, std::string>>
       changed;  // keys that differ from the scene, with their value
   // Light reports of all moments of the timeline, and where in it this one is.
-  std::shared_ptr<const std::vector<StepReport>> history;
+  Reports history;
   std::size_t cursor = 0;
   std::vector<Pull> pulls;  // hands on bodies in the next step
-  // Of the run that the last branch left; null without one.
-  std::shared_ptr<const std::vector<StepReport>> left;
+  // Of the run that the last branch left, if there is one.
+  std::optional<Reports> left;
   std::optional<Parting> parting;
 };
 
@@ -59,17 +62,24 @@ struct Snapshot {
   std::string scene_path;  // file; empty when it came from elsewhere
   RunView a;
   std::optional<RunView> b;
-  std::shared_ptr<const std::vector<RunDistance>> distances;  // of A and B at common times; never null
+  SharedList<RunDistance>::View distances;  // of A and B at common times
   bool playing = false;
   double speed = 1;             // asked for
   double real_time_factor = 0;  // simulated seconds a second of late; 0 when not playing
   bool diverged = false;        // the step after this state left the numbers
-  bool unsaved = false;         // parameters were changed since they were loaded or saved
+  bool unsaved = false;         // something was made since the scene was loaded or saved
+  // In words, what a person made that would be gone with another scene, or with the scene's file loaded
+  // again.
+  std::vector<std::string> at_stake, reload_loses;
+  bool file_changed = false;  // the scene's file is another one than when it was loaded
   bool can_undo = false, can_redo = false;
   std::string undo_text, redo_text;  // "contact.kappa"
   std::vector<HeldCurve> held;
   std::vector<Message> messages;  // the latest few, oldest first
   std::size_t timeline_bytes = 0, timeline_budget = 0, forgotten = 0;
 };
+
+// "a, b and c".
+std::string listed(const std::vector<std::string>& words);
 
 }  // namespace pabd

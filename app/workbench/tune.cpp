@@ -5,11 +5,6 @@
 #include "sim/scene/tuning.h"
 
 namespace pabd {
-namespace {
-
-constexpr std::size_t kMostChanges = 1000;
-
-}  // namespace
 
 void Workbench::carry_out(const command::Set& c) {
   change(c.side, c.key, tuned(run_of(c.side).params(), {c.key + "=" + c.value}), c.more);
@@ -34,44 +29,23 @@ void Workbench::carry_out(const command::ResetParams& c) {
 void Workbench::change(Side side, const std::string& what, const Params& after, bool more) {
   Run& run = run_of(side);
   const Params before = run.params();
-  if (differences(before, after).empty()) return;
+  if (before == after) return;
+  Change made{Change::Kind::parameters, side, what, before, after};
+  if (!run.at_end()) {
+    made.given_up = copy_runs(side == Side::a, side == Side::b);
+    made.at = run.cursor();
+  }
   run.set_params(after);
   measure_distance();
   diverged_ = false;
   redo_.clear();
-  if (more && !undo_.empty() && undo_.back().what == what && undo_.back().side == side) {
+  const bool goes_on = more && !made.given_up && !undo_.empty() && undo_.back().what == what &&
+                       undo_.back().side == side && undo_.back().kind == Change::Kind::parameters;
+  if (goes_on) {
     undo_.back().after = after;
-    return;
-  }
-  keep({side, what, before, after});
-}
-
-void Workbench::keep(Change change) {
-  undo_.push_back(std::move(change));
-  if (undo_.size() > kMostChanges) undo_.erase(undo_.begin());
-}
-
-void Workbench::carry_out(const command::Undo&) { restore(undo_, redo_, true); }
-void Workbench::carry_out(const command::Redo&) { restore(redo_, undo_, false); }
-
-void Workbench::restore(std::vector<Change>& from, std::vector<Change>& to, bool before) {
-  if (from.empty()) return;
-  Change change = from.back();
-  if (change.run_a) {
-    undo_restart(change);
-  } else if (!change.edit) {
-    run_of(change.side).set_params(before ? change.before : change.after);
-  } else if (before) {
-    undo_edit(change);
   } else {
-    change = make_edit(*change.edit, change.what);
+    keep(std::move(made));
   }
-  from.pop_back();
-  to.push_back(std::move(change));
-}
-
-std::string Workbench::tuning() const {
-  return params_json(a_->params()) + (b_ ? params_json(b_->params()) : "");
 }
 
 }  // namespace pabd

@@ -1,4 +1,4 @@
-// Time and comparison: see workbench.h. Parameters and files are in files of their own.
+// Time and comparison: see workbench.h. Parameters, undo and files are in files of their own.
 #include "app/workbench/workbench.h"
 
 #include <fmt/format.h>
@@ -16,11 +16,12 @@ namespace {
 constexpr std::size_t kMostMessages = 20, kMostHeld = 6;
 constexpr int kMostSteps = 1'000'000;  // of one command
 
-std::shared_ptr<const std::vector<StepReport>> reports_of(const Timeline& timeline) {
-  auto out = std::make_shared<std::vector<StepReport>>();
-  out->reserve(timeline.size());
-  for (std::size_t i = 0; i < timeline.size(); ++i) out->push_back(timeline[i].report);
-  return out;
+// `value` at place i, in place of `replaced` elements.
+void put(SharedList<RunDistance>& list, std::size_t i, std::size_t replaced, const RunDistance& value) {
+  const std::vector<RunDistance> rest(list.begin() + i + replaced, list.end());
+  list.truncate(i);
+  list.push_back(value);
+  for (const RunDistance& d : rest) list.push_back(d);
 }
 
 }  // namespace
@@ -30,7 +31,16 @@ Workbench::Workbench(const WorkbenchOptions& options, const command::Load& scene
 }
 
 void Workbench::apply(const Command& command) {
-  std::visit([this](const auto& c) { carry_out(c); }, command);
+  struct Forget {
+    std::string& text;
+    ~Forget() { text.clear(); }
+  } const forget{about_};
+  std::visit(
+      [this](const auto& c) {
+        about_ = c.name;
+        carry_out(c);
+      },
+      command);
 }
 
 const Run& Workbench::run(Side side) const { return side == Side::b && b_ ? *b_ : *a_; }
@@ -41,8 +51,8 @@ Run& Workbench::run_of(Side side) {
   return *b_;
 }
 
-void Workbench::tell(Severity severity, const std::string& text) {
-  messages_.push_back({++message_number_, severity, text});
+void Workbench::tell(Severity severity, const std::string& text, const std::string& about, ExitCode code) {
+  messages_.push_back({++message_number_, severity, text, about.empty() ? about_ : about, code});
   if (messages_.size() > kMostMessages) messages_.erase(messages_.begin());
 }
 
@@ -60,7 +70,8 @@ bool Workbench::advance() {
        fmt::format(
            "{}diverged at step {} (t = {:.4g} s): the state was no longer finite. Go back, and try a smaller "
            "time_step, a smaller contact.kappa, or solver.method descent",
-           b_ ? (first ? "A: " : "B: ") : "", run.state().step + 1, run.state().time + run.params().h));
+           b_ ? (first ? "A: " : "B: ") : "", run.state().step + 1, run.state().time + run.params().h),
+       {}, ExitCode::diverged);
   return false;
 }
 
@@ -119,13 +130,10 @@ void Workbench::carry_out(const command::Speed& c) {
 }
 
 void Workbench::carry_out(const command::Restart&) {
-  if (!a_->edits().empty()) {
-    Change change{Side::a, "restart", a_->params(), a_->params()};
-    change.run_a = std::make_shared<Run>(a_->fork());
-    if (b_) change.run_b = std::make_shared<Run>(b_->fork());
-    keep(std::move(change));
-    redo_.clear();
-    tell(Severity::note, "bodies and joints are those of the scene again; undo brings back what was made");
+  const Timeline& past = a_->timeline();
+  if (!past.edits().empty() || past.pulled() > 0) {
+    keep_exchange("restart", copy_runs(true, b_.has_value()));
+    tell(Severity::note, "everything is as in the scene again; undo brings back what was done to the bodies");
   }
   a_->restart();
   if (b_) b_->restart();
@@ -134,19 +142,22 @@ void Workbench::carry_out(const command::Restart&) {
 
 void Workbench::carry_out(const command::Compare& c) {
   const Params params = tuned(b_ ? b_->params() : a_->params(), c.values);
-  if (!b_) {
-    b_.emplace(a_->fork());
-    distances_.clear();
-  }
+  if (b_) return change(Side::b, "parameters of B", params);
+  b_.emplace(a_->fork());
+  distances_ = {};
   b_->set_params(params);
   measure_distance();
 }
 
 void Workbench::carry_out(const command::EndCompare&) {
+  if (!b_) return;
+  auto given_up = std::make_shared<GivenUp>();
+  given_up->with_b = true;
+  given_up->b.emplace(std::move(*b_));
+  given_up->distances = std::move(distances_);
   b_.reset();
-  const auto of_b = [](const Change& change) { return change.side == Side::b; };
-  std::erase_if(undo_, of_b);
-  std::erase_if(redo_, of_b);
+  distances_ = {};
+  keep_exchange("end of the comparison", std::move(given_up));
 }
 
 void Workbench::carry_out(const command::Hold& c) {
@@ -159,12 +170,26 @@ void Workbench::carry_out(const command::Hold& c) {
   if (records.empty()) records = a_->records_with(method);
   if (records.empty())
     throw Error(ExitCode::bad_input, "no step with contacts or joints led here: there is nothing to hold");
-  if (held_.size() >= kMostHeld) held_.erase(held_.begin());
+  if (held_.size() >= kMostHeld) {
+    keep_held("oldest held curve");
+    held_.erase(held_.begin());
+  }
   const std::int64_t step = a_->state().step;
-  held_.push_back({fmt::format("{}, step {}", to_string(method), step), step, std::move(records)});
+  held_.push_back({fmt::format("{}, step {}", to_string(method), step), step,
+                   std::make_shared<const std::vector<IterationRecord>>(std::move(records))});
 }
 
-void Workbench::carry_out(const command::DropHeld&) { held_.clear(); }
+void Workbench::carry_out(const command::DropHeld&) {
+  if (held_.empty()) return;
+  keep_held("held curves");
+  held_.clear();
+}
+
+void Workbench::keep_held(const std::string& what) {
+  auto given_up = std::make_shared<GivenUp>();
+  given_up->held = held_;
+  keep_exchange(what, std::move(given_up));
+}
 
 void Workbench::carry_out(const command::Observe& c) {
   const bool more = (c.iterations && !observe_.iterations) || (c.contacts && !observe_.contacts) ||
@@ -178,7 +203,7 @@ void Workbench::carry_out(const command::Observe& c) {
 }
 
 void Workbench::carry_out(const command::Tell& c) {
-  tell(c.error ? Severity::error : Severity::note, c.text);
+  tell(c.error ? Severity::error : Severity::note, c.text, c.about, c.code);
 }
 
 // At times that both have a state of. What lies behind the present when a run takes another course is gone.
@@ -187,15 +212,14 @@ void Workbench::measure_distance() {
   const double time = a_->state().time;
   if (!is_common_time(time, b_->state().time, b_->timeline()[b_->cursor()].params->h)) return;
   const double end = std::min(a_->timeline().back().report.time, b_->timeline().back().report.time);
-  while (!distances_.empty() && distances_.back().time > std::max(time, end)) distances_.pop_back();
+  while (!distances_.empty() && distances_.back().time > std::max(time, end))
+    distances_.truncate(distances_.size() - 1);
   const auto at = std::lower_bound(distances_.begin(), distances_.end(), time - 1e-12,
                                    [](const RunDistance& d, double t) { return d.time < t; });
   const RunDistance here{time, largest_distance(a_->state(), b_->state())};
-  if (at != distances_.end() && at->time <= time + 1e-12) {
-    *at = here;
-  } else {
-    distances_.insert(at, here);
-  }
+  const auto i = static_cast<std::size_t>(at - distances_.begin());
+  const bool known = at != distances_.end() && at->time <= time + 1e-12;
+  if (!known || at->position != here.position) put(distances_, i, known ? 1 : 0, here);
 }
 
 Snapshot Workbench::snapshot() {
@@ -204,13 +228,18 @@ Snapshot Workbench::snapshot() {
   s.scene_serial = scene_serial_;
   s.scene = scene_;
   s.scene_path = source_.path;
-  s.a = view(*a_);
-  if (b_) s.b = view(*b_);
-  s.distances = std::make_shared<std::vector<RunDistance>>(b_ ? distances_ : std::vector<RunDistance>{});
+  s.a = view(*a_, changed_a_);
+  if (b_) {
+    s.b = view(*b_, changed_b_);
+    s.distances = distances_.view();
+  }
   s.playing = playing_;
   s.speed = speed_;
   s.diverged = diverged_;
-  s.unsaved = unsaved();
+  s.unsaved = !made_since_saved().empty();
+  s.at_stake = at_stake();
+  s.reload_loses = reload_loses();
+  s.file_changed = file_changed_;
   s.can_undo = !undo_.empty();
   s.can_redo = !redo_.empty();
   if (s.can_undo) s.undo_text = undo_.back().what;
@@ -223,7 +252,9 @@ Snapshot Workbench::snapshot() {
   return s;
 }
 
-RunView Workbench::view(const Run& run) const {
+RunView Workbench::view(const Run& run, ChangedKeys& changed) const {
+  if (changed.scene != scene_serial_ || changed.params != run.params())
+    changed = {scene_serial_, run.params(), differences(scene_->params, run.params())};
   RunView v;
   v.model = run.shared_model();
   v.state = run.state();
@@ -231,11 +262,11 @@ RunView Workbench::view(const Run& run) const {
   v.params = run.params();
   v.made_with = *run.timeline()[run.cursor()].params;
   v.kappa = run.kappa();
-  v.changed = differences(scene_->params, run.params());
-  v.history = reports_of(run.timeline());
+  v.changed = changed.keys;
+  v.history = run.timeline().reports();
   v.cursor = run.cursor();
   if (run.pulls()) v.pulls = *run.pulls();
-  if (run.left()) v.left = reports_of(*run.left());
+  if (run.left()) v.left = run.left()->reports();
   v.parting = run.parting();
   return v;
 }

@@ -39,10 +39,13 @@ class Workbench {
   const Run& run(Side side = Side::a) const;
   bool comparing() const { return b_.has_value(); }
 
-  // Whether the scene's file is another one than when it was loaded or last asked.
-  bool file_changed();
+  // Looks whether the scene's file is another one than what is open; what this program saved there is not.
+  // True when the answer is another one than the last time. Nothing is loaded.
+  bool look_at_file();
 
-  void tell(Severity severity, const std::string& text);
+  // `about`: the command that it answers.
+  void tell(Severity severity, const std::string& text, const std::string& about = {},
+            ExitCode code = ExitCode::bad_input);
 
   // All but real_time_factor.
   Snapshot snapshot();
@@ -51,18 +54,47 @@ class Workbench {
   struct Source {
     std::string path;
     std::vector<std::string> sets;
-    std::string text;  // of the file
+    std::string text;     // of the file
+    std::string ignored;  // what the file may say as well without being asked about
     std::filesystem::file_time_type written{};
   };
+  // What a change takes away: exchanged with what is there instead when it is undone, and when it is redone.
+  struct GivenUp {
+    bool with_a = false, with_b = false;
+    std::optional<Run> a, b;  // as they were; none: there was none
+    SharedList<RunDistance> distances;
+    std::optional<std::vector<HeldCurve>> held;
+    bool touched = false;  // edits or hands come after the present of the runs
+  };
   struct Change {
+    enum class Kind : std::uint8_t { parameters, edit, exchange };
+    Kind kind;
     Side side;
     std::string what;
     Params before, after;
     // Of an edit: what was done, in A and in B (null: there was none), and how to do it again.
     std::shared_ptr<const MadeEdit> edit_a = nullptr, edit_b = nullptr;
     std::optional<ModelEdit> edit = {};
-    // Of a restart that gave up edits: what was before it.
-    std::shared_ptr<Run> run_a = nullptr, run_b = nullptr;
+    std::shared_ptr<GivenUp> given_up = nullptr;
+    std::size_t at = 0;      // of parameters that gave something up: moment of the run
+    bool exchanged = false;  // it is given_up that holds what the change led to
+  };
+  // What was last saved or loaded.
+  struct Saved {
+    Params a;
+    std::optional<Params> b;  // else as a
+    std::vector<std::shared_ptr<const MadeEdit>> edits;
+    std::uint64_t hands = 0;
+  };
+  struct Opened {
+    Source source;
+    std::shared_ptr<const Scene> scene;
+    Run run;
+  };
+  struct ChangedKeys {  // of those parameters in that scene
+    std::uint64_t scene = 0;
+    Params params;
+    std::vector<std::pair<std::string, std::string>> keys;
   };
 
   void carry_out(const command::Set& c);
@@ -88,6 +120,7 @@ class Workbench {
   void carry_out(const command::Tell& c);
   void carry_out(const command::Load& c);
   void carry_out(const command::Reload& c);
+  void carry_out(const command::IgnoreFile& c);
   void carry_out(const command::SaveScene& c);
   void carry_out(const command::SavePatch& c);
   void carry_out(const command::ApplyPatch& c);
@@ -98,16 +131,36 @@ class Workbench {
   void change(Side side, const std::string& what, const Params& after, bool more = false);
   Change make_edit(const ModelEdit& edit, const std::string& what);
   void edit_here(const ModelEdit& edit, const std::string& what);
-  void undo_edit(const Change& change);
-  void undo_restart(Change& change);
+  bool undo_edit(const Change& change);
+  void pull(const std::vector<Pull>& pulls);
+
   void keep(Change change);
+  void keep_exchange(const std::string& what, std::shared_ptr<GivenUp> given_up);
+  void keep_held(const std::string& what);
   void restore(std::vector<Change>& from, std::vector<Change>& to, bool before);
-  std::string tuning() const;
+  bool restore_run(Change& change, bool before);
+  std::shared_ptr<GivenUp> restore_params(Change& change, bool before);
+  std::shared_ptr<GivenUp> copy_runs(bool with_a, bool with_b) const;
+  void exchange(GivenUp& other);
+  void thin(std::vector<Change>& changes) const;
+
+  bool edits_saved() const;
+  bool hands_saved() const;
+  const Params& saved_params(Side side) const { return side == Side::b && saved_.b ? *saved_.b : saved_.a; }
+  void params_are_saved(Side side);
+  std::vector<std::string> made_since_saved() const;
+  std::vector<std::string> at_stake() const;
+  std::vector<std::string> reload_loses() const;
+  void check_stake(bool force) const;
+  bool is_own_scene(const std::string& path) const;
+  void check_place(const std::string& path, bool force, bool scene) const;  // throws Error
+  void save(const std::string& path, const std::string& text, bool force, bool scene = false);
+
+  Opened read(Source source) const;
+  void open(Opened opened);
   bool follow();
-  bool unsaved() const { return tuning() != saved_ || a_->edits() != saved_edits_; }
-  void open(Source source);
   void seek_to(std::size_t moment);
-  RunView view(const Run& run) const;
+  RunView view(const Run& run, ChangedKeys& changed) const;
   void measure_distance();
 
   WorkbenchOptions options_;
@@ -116,14 +169,17 @@ class Workbench {
   std::uint64_t scene_serial_ = 0, serial_ = 0, message_number_ = 0;
   std::optional<Run> a_, b_;
   bool playing_ = false, diverged_ = false;
-  std::string saved_;        // parameters as they were last saved or loaded, both sides
-  std::string saved_edits_;  // the same of bodies and joints
+  bool file_changed_ = false;
+  Saved saved_;
+  std::uint64_t hands_ = 0;  // rises with every pull
+  ChangedKeys changed_a_, changed_b_;
   double speed_ = 1;
   command::Observe observe_;
   std::vector<Change> undo_, redo_;
   std::vector<HeldCurve> held_;
-  std::vector<RunDistance> distances_;  // ascending in time
+  SharedList<RunDistance> distances_;  // ascending in time
   std::vector<Message> messages_;
+  std::string about_;  // the command that is carried out
 };
 
 }  // namespace pabd

@@ -1,6 +1,4 @@
 // The simulation's thread: scenes that change on disk, and copies of its runs.
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
@@ -8,6 +6,7 @@
 #include <thread>
 
 #include "app/workbench/runner.h"
+#include "tests/output/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;
@@ -16,10 +15,10 @@ namespace {
 
 const std::string kScene = PABD_SCENES "/two_boxes.json";
 
-// The first snapshot for which it holds, within ten seconds.
+// The first snapshot for which it holds; gives up after five minutes.
 template <class Holds>
 std::shared_ptr<const Snapshot> wait_for(Runner& runner, Holds holds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
   auto snapshot = runner.latest();
   while (!holds(*snapshot) && std::chrono::steady_clock::now() < end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -28,12 +27,19 @@ std::shared_ptr<const Snapshot> wait_for(Runner& runner, Holds holds) {
   return snapshot;
 }
 
-void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::trunc) << text; }
+// At a time of its own, however coarse the clock of the file system is.
+void write(const fs::path& path, const std::string& text) {
+  static int times = 0;
+  std::ofstream(path, std::ios::trunc) << text;
+  fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::seconds(10 * ++times));
+}
 
 }  // namespace
 
-TEST_CASE("a scene that changes on disk is loaded again; a broken one leaves the session as it is") {
-  const fs::path path = fs::temp_directory_path() / ("pabd_reload_" + std::to_string(::getpid()) + ".json");
+TEST_CASE(
+    "a scene that changes on disk is told of, and loaded when somebody says so; nothing is lost before") {
+  const TempFolder folder;
+  const fs::path path = folder / "scene.json";
   const std::string good = read_scene_text(kScene);
   write(path, good);
   Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{path.string(), {}, false}));
@@ -42,11 +48,17 @@ TEST_CASE("a scene that changes on disk is loaded again; a broken one leaves the
   const std::uint64_t first = runner.settle()->scene_serial;
 
   write(path, "{ \"format\": \"pabd-scene\", ");
-  auto s = wait_for(runner, [](const Snapshot& x) { return !x.messages.empty(); });
+  auto s = wait_for(runner, [](const Snapshot& x) { return x.file_changed; });
+  REQUIRE(s->file_changed);
+  CHECK(s->scene_serial == first);
+  CHECK(s->a.state.step == 5);
+  CHECK(s->messages.empty());
+  runner.send(command::Reload{true});
+  s = runner.settle();
   REQUIRE_FALSE(s->messages.empty());
   CHECK(s->messages.back().severity == Severity::error);
+  CHECK(s->messages.back().about == "reload");
   CHECK_THAT(s->messages.back().text, Catch::Contains(path.string()));
-  CHECK(s->scene_serial == first);
   CHECK(s->a.state.step == 5);
 
   std::string renamed = good;
@@ -54,11 +66,23 @@ TEST_CASE("a scene that changes on disk is loaded again; a broken one leaves the
   REQUIRE(at != std::string::npos);
   renamed.replace(at, 9, "new boxes");
   write(path, renamed);
-  s = wait_for(runner, [&](const Snapshot& x) { return x.scene_serial > first; });
+  runner.send(command::Reload{true});
+  s = runner.settle();
+  CHECK(s->scene_serial > first);
   CHECK(s->scene->name == "new boxes");
   CHECK(s->a.params.contact.N == 7);  // what was tuned stays
   CHECK(s->messages.back().severity == Severity::note);
-  fs::remove(path);
+  CHECK_FALSE(s->file_changed);
+}
+
+TEST_CASE("commands are carried out, and shown, while it plays") {
+  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kScene, {}, false}));
+  runner.send(command::Play{});
+  CHECK(runner.settle()->playing);
+  runner.send(command::Set{"contact.N", "6"});
+  CHECK(runner.settle()->a.params.contact.N == 6);
+  runner.send(command::Pause{});
+  CHECK_FALSE(runner.settle()->playing);
 }
 
 TEST_CASE("copies of the runs are where the runs were, and go on by themselves") {

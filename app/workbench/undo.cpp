@@ -1,0 +1,138 @@
+// Undo and redo: see workbench.h.
+//
+// A change at the end of the timeline is undone in place. One that gives something up (a change in the past
+// its future, the end of a comparison B) keeps that, and changes places with it. When the run has gone on
+// since a parameter was changed in the past, the parameter is undone in place all the same, and what the
+// change gave up stays a step of its own if somebody laid hands on it; else it can be computed again.
+#include <fmt/format.h>
+
+#include "app/workbench/workbench.h"
+
+namespace pabd {
+namespace {
+
+constexpr std::size_t kMostChanges = 1000;
+
+}  // namespace
+
+void Workbench::keep(Change change) {
+  undo_.push_back(std::move(change));
+  if (undo_.size() > kMostChanges) undo_.erase(undo_.begin());
+  thin(undo_);
+}
+
+void Workbench::keep_exchange(const std::string& what, std::shared_ptr<GivenUp> given_up) {
+  Change change{Change::Kind::exchange, Side::a, what, {}, {}};
+  change.given_up = std::move(given_up);
+  keep(std::move(change));
+  redo_.clear();
+}
+
+// Runs that were given up may take as much memory as the timeline; the newest of them always stays.
+void Workbench::thin(std::vector<Change>& changes) const {
+  const auto bytes = [](const std::optional<Run>& run) { return run ? run->timeline().bytes() : 0; };
+  std::size_t used = 0;
+  for (std::size_t i = changes.size(); i-- > 0;) {
+    const auto& given_up = changes[i].given_up;
+    if (!given_up || !(given_up->a || given_up->b)) continue;
+    const bool first = used == 0;
+    used += bytes(given_up->a) + bytes(given_up->b);
+    if (first || used <= options_.memory) continue;
+    changes[i].given_up.reset();
+    if (changes[i].kind == Change::Kind::exchange)
+      changes.erase(changes.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+std::shared_ptr<Workbench::GivenUp> Workbench::copy_runs(bool with_a, bool with_b) const {
+  auto out = std::make_shared<GivenUp>();
+  out->with_a = with_a;
+  out->with_b = with_b;
+  if (with_a) out->a.emplace(a_->fork());
+  if (with_b && b_) out->b.emplace(b_->fork());
+  const auto touched = [](const Run& run) { return run.timeline().touched_after(run.cursor()); };
+  out->touched = (out->a && touched(*out->a)) || (out->b && touched(*out->b));
+  out->distances = distances_;
+  return out;
+}
+
+void Workbench::exchange(GivenUp& other) {
+  if (other.held) std::swap(held_, *other.held);
+  if (!other.with_a && !other.with_b) return;
+  std::swap(distances_, other.distances);
+  if (other.with_a) std::swap(a_, other.a);
+  if (other.with_b) std::swap(b_, other.b);
+  for (auto* run : {other.with_a ? &a_ : nullptr, other.with_b ? &b_ : nullptr}) {
+    if (!run || !*run) continue;
+    (*run)->observe(observe_.iterations, observe_.contacts, observe_.bodies);
+    (*run)->seek((*run)->cursor());
+  }
+  // The other one comes along to that time.
+  if (b_ && other.with_a != other.with_b)
+    seek_to(other.with_a ? a_->cursor() : a_->timeline().at_time(b_->state().time));
+  diverged_ = false;
+}
+
+void Workbench::carry_out(const command::Undo&) { restore(undo_, redo_, true); }
+void Workbench::carry_out(const command::Redo&) { restore(redo_, undo_, false); }
+
+void Workbench::restore(std::vector<Change>& from, std::vector<Change>& to, bool before) {
+  using Kind = Change::Kind;
+  // Of a comparison that is gone for good.
+  while (!from.empty() && from.back().kind == Kind::parameters && from.back().side == Side::b && !b_)
+    from.pop_back();
+  if (from.empty()) return;
+  Change change = from.back();
+  std::shared_ptr<GivenUp> left;
+  bool done = true;
+  if (change.given_up && restore_run(change, before)) {
+  } else if (change.kind == Kind::parameters) {
+    left = restore_params(change, before);
+  } else if (before) {
+    auto now = copy_runs(true, b_.has_value());
+    done = undo_edit(change);
+    change.given_up = std::move(now);
+    change.exchanged = true;
+  } else {
+    change = make_edit(*change.edit, change.what);
+  }
+  from.pop_back();
+  if (left && left->touched) {
+    Change own{Kind::exchange, Side::a, "the run before " + change.what, {}, {}};
+    own.given_up = std::move(left);
+    from.push_back(std::move(own));
+  }
+  if (!done) return;
+  to.push_back(std::move(change));
+  thin(to);
+}
+
+// Changes places with what the change gave up. False when that is not the way to undo it.
+bool Workbench::restore_run(Change& change, bool before) {
+  const Run& run = run_of(change.side);
+  const bool stayed = run.at_end() && run.cursor() == change.at;
+  if (change.kind == Change::Kind::parameters && !change.exchanged && !stayed) return false;
+  exchange(*change.given_up);
+  change.exchanged = !change.exchanged;
+  change.at = run_of(change.side).cursor();
+  const bool runs = change.given_up->with_a || change.given_up->with_b;
+  tell(Severity::note, fmt::format("{}: {}{}", before ? "undone" : "done again", change.what,
+                                   runs ? fmt::format("; back at t = {:.4g} s", a_->state().time) : ""));
+  return true;
+}
+
+// In place; the result is what the change had given up, which is no part of it any more.
+std::shared_ptr<Workbench::GivenUp> Workbench::restore_params(Change& change, bool before) {
+  Run& run = run_of(change.side);
+  const Params& wanted = before ? change.before : change.after;
+  std::shared_ptr<GivenUp> now;
+  const bool leaves = !run.at_end() && run.params() != wanted;
+  if (leaves) now = copy_runs(change.side == Side::a, change.side == Side::b);
+  run.set_params(wanted);
+  measure_distance();
+  change.at = run.cursor();
+  change.exchanged = leaves;
+  return std::exchange(change.given_up, std::move(now));
+}
+
+}  // namespace pabd
