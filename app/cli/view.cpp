@@ -61,6 +61,7 @@ InputFiles inputs_of(const ViewOptions& options) {
   inputs.add(options.scene);
   return inputs;
 }
+void print(const std::string& line) { write_stdout(line); }
 
 int view_headless(const ViewOptions& options, const FrameSize& size) {
   const Script script(read_script(options), options.script);
@@ -69,7 +70,7 @@ int view_headless(const ViewOptions& options, const FrameSize& size) {
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
   Viewer viewer(*context, *runner, viewer_options(options, 1));
   script.run(viewer, *runner,
-             {options.out, options.force, size.width, size.height, {}, {}, inputs_of(options)});
+             {options.out, options.force, size.width, size.height, {}, {}, print, inputs_of(options)});
   if (!options.common.quiet) write_note(fmt::format("{}: {} actions done", options.script, script.size()));
   return 0;
 }
@@ -99,6 +100,7 @@ void keep_settings(const ViewOptions& options, const UiState& ui, int width, int
 int view_window(const ViewOptions& options, FrameSize size) {
   std::unique_ptr<Script> script;
   if (!options.script.empty()) script = std::make_unique<Script>(read_script(options), options.script);
+  const InterruptGuard interrupt;  // before the window can be seen
   const auto runner = start_runner(options);
   const Settings kept = kept_settings(options, *runner);
   if (options.size.empty() && kept.width > 0 && kept.height > 0) size = {kept.width, kept.height};
@@ -113,7 +115,6 @@ int view_window(const ViewOptions& options, FrameSize size) {
   Viewer viewer(window->context(), *runner, setup);
   if (options.play) runner->send(command::Play{});
 
-  const InterruptGuard interrupt;
   std::string title;
   int width = 0, height = 0;
   const auto take_events = [&](double wait) {
@@ -139,8 +140,8 @@ int view_window(const ViewOptions& options, FrameSize size) {
   const auto leaving = [&] { return interrupt.requested() || window->display_lost() || viewer.ui().quit; };
 
   if (script) {
-    ScriptOptions script_options{options.out, options.force, size.width,        size.height,
-                                 {},          present,       inputs_of(options)};
+    ScriptOptions script_options{options.out, options.force, size.width, size.height,
+                                 {},          present,       print,      inputs_of(options)};
     script_options.before_frame = [&] {
       take_events(0);
       if (interrupt.requested() || window->display_lost()) throw LeftScript();

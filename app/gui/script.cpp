@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <thread>
 
+#include "app/gui/script_actions.h"
 #include "app/gui/script_reader.h"
-#include "app/gui/view_actions.h"
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
 #include "sim/error.h"
@@ -18,30 +20,9 @@ namespace {
 using ActionJson = nlohmann::ordered_json;
 
 constexpr double kFrameSeconds = 1.0 / 60;
-constexpr int kMostFrames = 10000;
-constexpr auto kMostWait = std::chrono::seconds(60);
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
   throw Error(ExitCode::bad_input, what + ": " + why);
-}
-
-// Fields of the script's own actions; absent: no value.
-std::string text(const ActionJson& a, const char* field, const std::string& what,
-                 const std::string& fallback = "") {
-  if (!a.contains(field)) return fallback;
-  if (!a[field].is_string()) refuse(what, fmt::format("\"{}\": expected a text", field));
-  return a[field].get<std::string>();
-}
-double number(const ActionJson& a, const char* field, const std::string& what, double fallback) {
-  if (!a.contains(field)) return fallback;
-  if (!a[field].is_number()) refuse(what, fmt::format("\"{}\": expected a number", field));
-  return a[field].get<double>();
-}
-Point point(const ActionJson& a, const char* field, const std::string& what) {
-  const bool fits = a.contains(field) && a[field].is_array() && a[field].size() == 2 &&
-                    a[field][0].is_number() && a[field][1].is_number();
-  if (!fits) refuse(what, fmt::format("\"{}\": expected [x, y] in pixels", field));
-  return {a[field][0].get<double>(), a[field][1].get<double>()};
 }
 
 // "{out}" → folder, in every text of an action.
@@ -61,47 +42,68 @@ class Player {
   Player(Viewer& viewer, Runner& runner, const ScriptOptions& options)
       : viewer_(viewer), runner_(runner), options_(options), width_(options.width), height_(options.height) {
     settle();
+    seen_ = newest();
   }
 
-  void play(const ActionJson& a, const std::string& what) {
-    const std::string name = a["do"];
-    Command command;
-    ViewCommand view;
-    if (command_from_json(name, a, what, command)) {
-      viewer_.send(command);
-    } else if (command_from_json(name, a, what, view)) {
-      try {
-        viewer_.send(view);
-      } catch (const Error& error) {  // to be seen in place, as what commands of the simulation answer
-        viewer_.send(Command(command::Tell{error.what(), true}));
-      }
-    } else if (name == "key") {
-      key(a, what);
-    } else if (name == "mouse") {
-      mouse(a, what);
-    } else if (name == "type") {
-      for (const char32_t c : decode_text(text(a, "text", what))) viewer_.handle(TextTyped{utf8(c)});
-    } else if (name == "window") {
-      window(a, what);
-    } else if (name == "frame") {
-      frame(a, what);
-      return;
-    } else if (name == "wait") {
-      const int frames = static_cast<int>(std::min<double>(number(a, "frames", what, 1), kMostFrames));
-      for (int i = 0; i < frames; ++i) draw();
-      return;
-    } else if (name == "expect") {
-      settle();
-      expect(a, what);
-      return;
-    } else if (name == "until") {
-      until(a, what);
-      return;
+  // Throws Error when it is refused or fails, also when something else went wrong meanwhile.
+  void play(AnyAction a, const std::string& what, bool may_fail) {
+    what_ = &what;
+    may_fail_ = may_fail;
+    try {
+      std::visit([this](auto& x) { take(x); }, a);
+      fail_on_error();
+    } catch (const Error& error) {
+      if (!may_fail || error.code() == ExitCode::images_differ) throw;
     }
-    settle();
+    seen_ = newest();
   }
 
  private:
+  void take(Command& c) {
+    std::visit(
+        [this](auto& x) {
+          if constexpr (requires { x.path; }) x.path = in_folder(x.path);
+        },
+        c);
+    // A scene may also be one that is shipped, or any that the command line takes.
+    if (auto* load = std::get_if<command::Load>(&c)) {
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(in_folder(load->scene), ignored))
+        load->scene = in_folder(load->scene);
+    }
+    viewer_.send(c);
+    settle();
+  }
+  void take(ViewCommand& c) {
+    std::visit(
+        [this](auto& x) {
+          if constexpr (requires { x.path; }) x.path = in_folder(x.path);
+        },
+        c);
+    viewer_.send(c);
+    settle();
+  }
+  void take(const ScriptAction& a) {
+    std::visit([this](const auto& x) { act(x); }, a);
+  }
+
+  // Names of files are relative to the script's folder.
+  std::string in_folder(const std::string& path) const {
+    return path.empty() || path == "-" ? path : (options_.folder / path).string();
+  }
+
+  std::uint64_t newest() const {
+    const auto& messages = viewer_.snapshot().messages;
+    return messages.empty() ? 0 : messages.back().number;
+  }
+
+  void fail_on_error() const {
+    if (may_fail_) return;
+    for (const Message& m : viewer_.snapshot().messages) {
+      if (m.number > seen_ && m.severity == Severity::error) throw Error(m.code, *what_ + ": " + m.text);
+    }
+  }
+
   static std::string utf8(char32_t c) {
     std::string out;
     if (c < 0x80) {
@@ -127,17 +129,22 @@ class Player {
       draw();
     } while (viewer_.has_input());
     draw();  // what the last event started
-    if (!viewer_.snapshot().playing) runner_.settle();
+    runner_.settle();
     draw();
-    if (!viewer_.snapshot().playing) runner_.settle();
+    runner_.settle();
     draw();
   }
 
-  void key(const ActionJson& a, const std::string& what) {
-    const KeyChord chord = parse_key_chord(text(a, "key", what));
-    const std::string how = text(a, "how", what, "press");
-    if (how != "release") viewer_.handle(KeyChanged{chord.key, chord.modifiers, true, false});
-    if (how != "hold") viewer_.handle(KeyChanged{chord.key, {}, false, false});  // ctrl is let go too
+  void act(const action::Key& a) {
+    const KeyChord chord = parse_key_chord(a.key);
+    if (a.how != "release") viewer_.handle(KeyChanged{chord.key, chord.modifiers, true, false});
+    if (a.how != "hold") viewer_.handle(KeyChanged{chord.key, {}, false, false});  // ctrl is let go too
+    settle();
+  }
+
+  void act(const action::Type& a) {
+    for (const char32_t c : decode_text(a.text)) viewer_.handle(TextTyped{utf8(c)});
+    settle();
   }
 
   void click(MouseButton button, bool pressed, const Modifiers& m) {
@@ -145,12 +152,11 @@ class Player {
     draw();
   }
 
-  void mouse(const ActionJson& a, const std::string& what) {
-    const Point at = point(a, "at", what);
-    const MouseButton button = parse_mouse_button(text(a, "button", what, "left"));
-    const std::string how = text(a, "how", what, a.contains("to") ? "drag" : "move");
-    const Modifiers m =
-        a.contains("with") ? parse_key_chord(text(a, "with", what) + "+a").modifiers : Modifiers{};
+  void act(const action::Mouse& a) {
+    const Point at = Point{a.at[0], a.at[1]};
+    const MouseButton button = parse_mouse_button(a.button);
+    const std::string how = !a.how.empty() ? a.how : a.to.empty() ? "move" : "drag";
+    const Modifiers m = a.with.empty() ? Modifiers{} : parse_key_chord(a.with + "+a").modifiers;
     viewer_.handle(MouseMoved{at.x, at.y});
     draw();
     draw();  // widgets learn of the pointer one frame before a press
@@ -162,56 +168,80 @@ class Player {
         click(button, false, m);
       }
     }
-    if (how == "drag") {
-      constexpr int kPieces = 8;
-      const Point to = point(a, "to", what);
-      click(button, true, m);
-      for (int i = 1; i <= kPieces; ++i) {
-        const double s = static_cast<double>(i) / kPieces;
-        viewer_.handle(MouseMoved{at.x + s * (to.x - at.x), at.y + s * (to.y - at.y)});
-        draw();
-      }
-      if (text(a, "end", what, "release") == "release") click(button, false, m);
-    }
+    if (how == "drag") drag(a, at, button, m);
     if (m != Modifiers{}) viewer_.handle(KeyChanged{Key::ctrl, {}, false, false});  // let go of
-    if (a.contains("wheel")) viewer_.handle(MouseScrolled{0, number(a, "wheel", what, 0)});
-  }
-
-  void window(const ActionJson& a, const std::string& what) {
-    if (a.contains("size")) {
-      const Point size = point(a, "size", what);
-      if (!(size.x >= 64 && size.x <= 8192 && size.y >= 64 && size.y <= 8192))
-        refuse(what, "\"size\": expected 64 to 8192 pixels");
-      width_ = static_cast<int>(size.x);
-      height_ = static_cast<int>(size.y);
-    }
-    const double scale = number(a, "scale", what, 0);
-    if (scale != 0) {
-      if (!(scale >= 0.5 && scale <= 4)) refuse(what, "\"scale\": expected 0.5 to 4");
-      viewer_.set_screen_scale(scale);
-    }
-  }
-
-  void frame(const ActionJson& a, const std::string& what) {
+    if (a.wheel != 0) viewer_.handle(MouseScrolled{0, a.wheel});
     settle();
-    const std::filesystem::path path = options_.folder / text(a, "path", what);
-    check_overwrite(what + ": " + path.string(), path, {options_.force, &options_.inputs});
+  }
+
+  void drag(const action::Mouse& a, Point at, MouseButton button, const Modifiers& m) {
+    constexpr int kPieces = 8;
+    const Point to = Point{a.to[0], a.to[1]};
+    click(button, true, m);
+    for (int i = 1; i <= kPieces; ++i) {
+      const double s = static_cast<double>(i) / kPieces;
+      viewer_.handle(MouseMoved{at.x + s * (to.x - at.x), at.y + s * (to.y - at.y)});
+      draw();
+    }
+    if (a.end == "release") click(button, false, m);
+  }
+
+  void act(const action::Window& a) {
+    if (!a.size.empty()) {
+      width_ = static_cast<int>(a.size[0]);
+      height_ = static_cast<int>(a.size[1]);
+    }
+    if (a.scale != 0) viewer_.set_screen_scale(a.scale);
+    settle();
+  }
+
+  void act(const action::Frame& a) {
+    settle();
+    const std::filesystem::path path = in_folder(a.path);
+    check_overwrite(*what_ + ": " + path.string(), path, {options_.force, &options_.inputs});
     Image image;
     viewer_.renderer().queue_read();
     viewer_.renderer().fetch(image);
-    write_png(path, part_of(image, text(a, "of", what, "window"), what), {{"Software", "pabd"}});
+    write_png(path, part_of(image, a.of), {{"Software", "pabd"}});
   }
 
-  Image part_of(const Image& image, const std::string& part, const std::string& what) const {
+  void act(const action::Wait& a) {
+    for (int i = 0; i < a.frames; ++i) draw();
+  }
+
+  void act(const action::Print& a) {
+    settle();
+    if (options_.print) options_.print(a.at + " " + shown(value_at(a.at)) + "\n");
+  }
+
+  void act(const action::Expect& a) {
+    settle();
+    expect(a);
+  }
+
+  // Draws until it holds.
+  void act(const action::Until& a) {
+    const auto end =
+        std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                               std::chrono::duration<double>(a.seconds));
+    do {
+      draw();
+      fail_on_error();
+      if (holds(a)) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    } while (std::chrono::steady_clock::now() < end);
+    expect(a);
+  }
+
+  Image part_of(const Image& image, const std::string& part) const {
     const GuiLayout& layout = viewer_.layout();
-    if (part == "window") return image;
     if (part == "left") return cut(image, layout.slots[0]);
     if (part == "right_top") return cut(image, layout.slots[1]);
     if (part == "right_bottom") return cut(image, layout.slots[2]);
     if (part == "picture") return cut(image, layout.view);
     if (part == "toolbar") return cut(image, layout.toolbar);
     if (part == "timeline") return cut(image, layout.timeline);
-    refuse(what, "\"of\": expected window, left, right_top, right_bottom, picture, toolbar or timeline");
+    return image;
   }
 
   static Image cut(const Image& image, const Rect& rect) {
@@ -233,59 +263,59 @@ class Player {
     return out;
   }
 
-  // Empty when it holds, else what is there instead.
-  std::string failure(const ActionJson& a, const std::string& what) {
+  ActionJson value_at(const std::string& at) const {
     const ActionJson document = state_document(viewer_.snapshot(), viewer_.ui());
-    const std::string at = text(a, "at", what);
-    const ActionJson* value = nullptr;
     try {
-      value = &document.at(ActionJson::json_pointer(at));
+      return document.at(ActionJson::json_pointer(at));
     } catch (const ActionJson::exception&) {
-      refuse(what, fmt::format("there is no {}", at));
-    }
-    const bool numeric = value->is_number();
-    const double x = numeric ? value->get<double>() : 0;
-    bool holds = true;
-    if (a.contains("is"))
-      holds = holds && (numeric && a["is"].is_number() ? x == a["is"].get<double>() : *value == a["is"]);
-    if (a.contains("is_not")) holds = holds && !(*value == a["is_not"]);
-    if (a.contains("near"))
-      holds = holds && numeric && std::abs(x - number(a, "near", what, 0)) <= number(a, "within", what, 1e-9);
-    if (a.contains("above")) holds = holds && numeric && x > number(a, "above", what, 0);
-    if (a.contains("below")) holds = holds && numeric && x < number(a, "below", what, 0);
-    if (a.contains("contains")) {
-      const std::string all = value->is_string() ? value->get<std::string>() : value->dump();
-      holds = holds && all.find(text(a, "contains", what)) != std::string::npos;
-    }
-    return holds ? ""
-                 : fmt::format("{} is {}", at,
-                               value->dump(-1, ' ', false, ActionJson::error_handler_t::replace));
-  }
-
-  void expect(const ActionJson& a, const std::string& what) {
-    if (const std::string wrong = failure(a, what); !wrong.empty()) {
-      ActionJson wanted = a;
-      wanted.erase("do");
-      throw Error(ExitCode::images_differ,
-                  fmt::format("{}: expected {}, but {}", what, wanted.dump(), wrong));
+      refuse(*what_, fmt::format("there is no {}", at));
     }
   }
 
-  // For a simulation that plays: draws until it holds.
-  void until(const ActionJson& a, const std::string& what) {
-    const auto end = std::chrono::steady_clock::now() + kMostWait;
-    do {
-      draw();
-      if (failure(a, what).empty()) return;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    } while (std::chrono::steady_clock::now() < end);
-    expect(a, what);
+  static std::string shown(const ActionJson& value) {
+    return value.dump(-1, ' ', false, ActionJson::error_handler_t::replace);
+  }
+
+  bool holds(const action::Condition& a) const {
+    const ActionJson value = value_at(a.at);
+    const bool numeric = value.is_number();
+    const double x = numeric ? value.get<double>() : 0;
+    const auto equals = [&](const ActionJson& other) {
+      return numeric && other.is_number() ? x == other.get<double>() : value == other;
+    };
+    if (a.is && !equals(*a.is)) return false;
+    if (a.is_not && equals(*a.is_not)) return false;
+    if (a.near && !(numeric && std::abs(x - *a.near) <= a.within.value_or(1e-9))) return false;
+    if (a.above && !(numeric && x > *a.above)) return false;
+    if (a.below && !(numeric && x < *a.below)) return false;
+    if (!a.contains) return true;
+    const std::string all = value.is_string() ? value.get<std::string>() : value.dump();
+    return all.find(*a.contains) != std::string::npos;
+  }
+
+  void expect(const action::Condition& a) const {
+    if (holds(a)) return;
+    ActionJson wanted;
+    action::Condition copy = a;
+    copy.condition_fields([&](const command::Field& field, const auto& value) {
+      if constexpr (requires { value.has_value(); }) {
+        if (value) wanted[field.name] = *value;
+      } else {
+        wanted[field.name] = value;
+      }
+    });
+    throw Error(ExitCode::images_differ, fmt::format("{}: expected {}, but {} is {}", *what_, wanted.dump(),
+                                                     a.at, shown(value_at(a.at))));
   }
 
   Viewer& viewer_;
   Runner& runner_;
   const ScriptOptions& options_;
   int width_, height_;
+  std::uint64_t seen_ = 0;  // newest message before the action
+  // Of the action that is carried out:
+  const std::string* what_ = nullptr;  // file and number, for messages
+  bool may_fail_ = false;
 };
 
 }  // namespace
@@ -293,28 +323,14 @@ class Player {
 Script::Script(const std::string& json, const std::string& source)
     : actions_(read_script(json, source)), source_(source) {}
 
-std::string action_list() {
-  return "Of the simulation:\n" + command_list<Command>() + "Of the view:\n" + command_list<ViewCommand>() +
-         "As a person does it:\n"
-         "  key               key [, how: press, hold, release]\n"
-         "  mouse             at [, how: move, press, release, click, double_click] [, to] [, end: release, "
-         "hold]\n"
-         "                    [, button] [, with: ctrl, shift] [, wheel]\n"
-         "  type              text\n"
-         "  window            [size] [, scale]\n"
-         "Of the script:\n"
-         "  frame             path [, of: window, left, right_top, right_bottom, picture, toolbar, "
-         "timeline]\n"
-         "  expect, until     at, and any of: is, is_not, near [, within], above, below, contains\n"
-         "  wait              [frames]\n";
-}
-
 void Script::run(Viewer& viewer, Runner& runner, const ScriptOptions& options) const {
   Player player(viewer, runner, options);
+  const std::string folder = std::filesystem::absolute(options.folder).string();
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     ActionJson action = actions_[i];
-    fill_in(action, options.folder.string());
-    player.play(action, fmt::format("{}: action {}", source_, i));
+    fill_in(action, folder);
+    const std::string what = fmt::format("{}: action {}", source_, i);
+    player.play(parse_action(action, what), what, action.value(kMayFail, false));
     if (viewer.ui().quit) return;
   }
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "app/gui/script.h"
+#include "app/gui/script_actions.h"
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
 #include "sim/error.h"
@@ -28,7 +29,7 @@ std::string shipped_scene(const std::string& name) {
 
 // A tool of its own for every script.
 void carry_out(const Script& script, const TempFolder& folder, std::string& renderer,
-               std::string* copied = nullptr) {
+               std::string* copied = nullptr, std::string* printed = nullptr) {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(Backend::automatic, attempts);
   WorkbenchOptions bench;
@@ -45,7 +46,12 @@ void carry_out(const Script& script, const TempFolder& folder, std::string& rend
   if (copied) options.set_clipboard = [copied](const std::string& text) { *copied = text; };
   Viewer viewer(*context, runner, options);
   renderer = viewer.renderer().gl_renderer();
-  script.run(viewer, runner, {folder.path(), false, 1280, 720, {}, {}});
+  ScriptOptions script_options;
+  script_options.folder = folder.path();
+  script_options.print = [printed](const std::string& line) {
+    if (printed) *printed += line;
+  };
+  script.run(viewer, runner, script_options);
 }
 
 std::vector<fs::path> sorted(const fs::path& folder, const char* extension) {
@@ -106,12 +112,158 @@ TEST_CASE("a script that is wrong is refused with its place before anything is d
   CHECK_THAT(refusal(R"([{"do":"stepp"}])"), Catch::Contains("action 0") && Catch::Contains("\"step\"?"));
   CHECK_THAT(refusal(R"([{"do":"step"},{"do":"seek"}])"),
              Catch::Contains("action 1") && Catch::Contains("time"));
-  CHECK_THAT(refusal(R"([{"do":"mouse"}])"), Catch::Contains("[x, y]"));
+  CHECK_THAT(refusal(R"([{"do":"mouse"}])"), Catch::Contains("\"at\"") && Catch::Contains("missing"));
+  CHECK_THAT(refusal(R"([{"do":"mouse","at":[1]}])"), Catch::Contains("[x, y]"));
+  CHECK_THAT(refusal(R"([{"do":"expect","at":"/a/step","abve":3}])"), Catch::Contains("\"above\"?"));
+  CHECK_THAT(refusal(R"([{"do":"expect","at":"/a/step"}])"), Catch::Contains("is_not"));
+  CHECK_THAT(refusal(R"([{"do":"frame","path":"a.png","of":"midle"}])"), Catch::Contains("\"midle\""));
+  CHECK_THAT(refusal(R"([{"do":"step","may_fail":"yes"}])"), Catch::Contains("true or false"));
   CHECK_THAT(refusal(R"([{"do":"key","key":"ctrl+banana"}])"), Catch::Contains("banana"));
   CHECK_THAT(refusal(R"([{"do":"expect","at":"/a/stepp","is":1}])"), Catch::Contains("/a/stepp"));
   CHECK_THAT(refusal(R"([{"do":"step","steps":3},{"do":"expect","at":"/a/step","is":4}])"),
              Catch::Contains("/a/step is 3"));
   CHECK(refusal(R"([{"do":"step","steps":3},{"do":"expect","at":"/a/step","is":3}])").empty());
+}
+
+namespace {
+
+struct Ending {
+  ExitCode code = ExitCode::done;
+  std::string text;
+};
+
+// With a scene in a folder of its own: how the script ends.
+Ending ending(const std::string& json, const TempFolder& folder) {
+  try {
+    std::string renderer;
+    carry_out(Script(json, "try.json"), folder, renderer);
+  } catch (const Error& error) {
+    return {error.code(), error.what()};
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("an action that is refused ends the script, with file, number and why") {
+  const TempFolder folder;
+  const std::pair<const char*, const char*> refused[] = {
+      {R"({"do":"set","key":"contact.kapa","value":5})", "contact.kappa"},
+      {R"({"do":"set","key":"contact.N","value":33})", "1 to 32"},
+      {R"({"do":"set_all","values":["time_step=2"]})", "time_step"},
+      {R"({"do":"reset_params","key":"solver.methd"})", "solver.method"},
+      {R"({"do":"set","key":"contact.N","value":4,"side":"b"})", "no second simulation"},
+      {R"({"do":"panel","panel":"serie"})", "\"series\""},
+      {R"({"do":"series_view","quantity":"gaps"})", "\"gap\""},
+      {R"({"do":"convergence_view","quantity":"energy gap"})", "\"energy_gap\""},
+      {R"({"do":"color_by","quantity":"weight"})", "\"speed\""},
+      {R"({"do":"select","kind":"body","item":"nobody"})", "nobody"},
+      {R"({"do":"seek","time":1e999})", ""},
+      {R"({"do":"edit","edit":{"do":"remove_body","body":12}})", "12"},
+      {R"({"do":"hold"})", "nothing to hold"},
+      {R"({"do":"key","key":"h"})", "nothing to hold"},
+      {R"({"do":"look_from","view":"below"})", "\"bottom\""}};
+  for (const auto& [action, why] : refused) {
+    INFO(action);
+    const std::string before = R"([{"do":"wait"},)", after = R"(,{"do":"frame","path":"reached.png"}])";
+    const Ending end = ending(before + action + after, folder);
+    CHECK(end.code == ExitCode::bad_input);
+    if (*why != 0) CHECK_THAT(end.text, Catch::StartsWith("try.json: action 1") && Catch::Contains(why));
+    CHECK_FALSE(fs::exists(folder / "reached.png"));
+  }
+  CHECK(ending(R"([{"do":"load","scene":"no_such"}])", folder).code == ExitCode::file);
+  CHECK(ending(R"([{"do":"save_patch","path":"none/x.json"}])", folder).code == ExitCode::file);
+  CHECK(ending(R"([{"do":"expect","at":"/a/stp","is":1}])", folder).code == ExitCode::bad_input);
+  CHECK(ending(R"([{"do":"expect","at":"/a/step","is":1}])", folder).code == ExitCode::images_differ);
+  CHECK(ending(R"([{"do":"expect","at":"/a/step","is":1,"may_fail":true}])", folder).code ==
+        ExitCode::images_differ);
+  CHECK(ending(R"([{"do":"hold","may_fail":true},{"do":"step","steps":3},{"do":"hold"}])", folder).code ==
+        ExitCode::done);
+}
+
+TEST_CASE("every name of a file is relative to the folder of the script") {
+  const TempFolder folder;
+  const fs::path here = fs::current_path();
+  const Ending end = ending(R"([
+    {"do":"set","key":"contact.N","value":5},{"do":"step","steps":3},
+    {"do":"save_scene","path":"s.json"},{"do":"save_patch","path":"p.json"},
+    {"do":"save_recording","path":"r.pabdrec"},{"do":"load_recording","path":"r.pabdrec"},
+    {"do":"apply_patch","path":"p.json"},{"do":"add_camera_key"},{"do":"save_camera","path":"c.json"},
+    {"do":"load_camera","path":"{out}/c.json"},{"do":"screenshot","path":"w.png"},
+    {"do":"record","path":"v{frame:02}.png","width":64,"height":36,"to":0.02},
+    {"do":"load","scene":"s.json"},{"do":"expect","at":"/a/params/contact/N","is":5}])",
+                            folder);
+  CHECK(end.text.empty());
+  for (const char* name : {"s.json", "p.json", "r.pabdrec", "c.json", "w.png", "v00.png"}) {
+    INFO(name);
+    CHECK(fs::exists(folder / name));
+    CHECK_FALSE(fs::exists(here / name));
+  }
+}
+
+TEST_CASE("a script prints values of the state") {
+  const TempFolder folder;
+  std::string renderer, printed;
+  carry_out(Script(R"([{"do":"step","steps":3},{"do":"print","at":"/a/step"},
+                       {"do":"print","at":"/scene/name"},{"do":"print","at":"/a/changed"}])",
+                   "s"),
+            folder, renderer, nullptr, &printed);
+  CHECK(printed == "/a/step 3\n/scene/name \"two boxes\"\n/a/changed {}\n");
+}
+
+TEST_CASE("the examples of the list of actions are actions") {
+  const auto check = [](const std::vector<CommandJson>& examples) {
+    for (const CommandJson& example : examples) {
+      INFO(example.dump());
+      CHECK_NOTHROW(parse_action(example, "x"));
+    }
+  };
+  for (const bool all : {false, true}) {
+    check(command_examples<Command>(all));
+    check(command_examples<ViewCommand>(all));
+  }
+  check(command_examples<ScriptAction>(true));
+  const std::string list = action_list();
+  CHECK_THAT(list, Catch::Contains("      time          number           simulated time, s; e.g. 0.5\n"));
+  CHECK_THAT(list, Catch::Contains("may_fail"));
+}
+
+TEST_CASE("the file of a scene that changes while the window is open is offered, and loaded with a click") {
+  const TempFolder folder;
+  const std::string path = (folder / "mine.json").string();
+  const std::string text = read_bytes(shipped_scene("two_boxes"));
+  write_bytes(path, text);
+  std::vector<ContextAttempt> attempts;
+  const auto context = create_headless_context(Backend::automatic, attempts);
+  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{path, {}, false}));
+  ViewerOptions options;
+  options.steady = true;
+  Viewer viewer(*context, runner, options);
+  ScriptOptions script_options;
+  script_options.folder = folder.path();
+  script_options.after_frame = [&, changed = false]() mutable {
+    if (changed || viewer.snapshot().a.state.step < 20) return;
+    changed = true;
+    std::string other = text;
+    other.replace(other.find("two boxes"), 9, "new boxes");
+    write_bytes(path, other);
+  };
+  const Script script(R"([{"do":"set","key":"contact.N","value":5},{"do":"step","steps":20},
+    {"do":"until","at":"/file_changed","is":true,"seconds":300},
+    {"do":"expect","at":"/a/step","is":20},{"do":"expect","at":"/scene/name","is":"two boxes"},
+    {"do":"mouse","at":[700,714]},{"do":"frame","path":"file_offer.png","of":"picture"},
+    {"do":"window","size":[640,400]},{"do":"frame","path":"small.png"},
+    {"do":"window","size":[1280,720],"scale":2},{"do":"frame","path":"large.png"},
+    {"do":"window","size":[1280,720],"scale":1},
+    {"do":"mouse","at":[458,123],"how":"click"},
+    {"do":"expect","at":"/scene/name","is":"new boxes"},{"do":"expect","at":"/a/params/contact/N","is":5},
+    {"do":"expect","at":"/file_changed","is":false}])",
+                      "s");
+  script.run(viewer, runner, script_options);
+  const CompareResult result =
+      check_golden(read_png(folder / "file_offer.png"), "gui_file_offer", viewer.renderer().gl_renderer());
+  INFO(result.reason);
+  CHECK(result.equal);
 }
 
 TEST_CASE("the list of actions has every command once, with its fields") {
