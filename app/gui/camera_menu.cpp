@@ -48,7 +48,9 @@ void draw_keys(GuiFrame& f) {
   if (ImGui::Button("Save…")) f.out.send(ViewCommand(command::Ask{"save_camera", ""}));
   tooltip("As a file that 'pabd render --camera' takes");
   ImGui::SameLine();
-  if (ImGui::Button("Remove all")) f.out.send(ViewCommand(command::ClearCameraKeys{}));
+  if (ImGui::Button("Remove all"))
+    f.out.send(f.ui.keys_unsaved ? ViewCommand(command::Ask{"clear_camera"})
+                                 : ViewCommand(command::ClearCameraKeys{}));
 }
 
 }  // namespace

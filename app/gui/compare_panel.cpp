@@ -169,8 +169,8 @@ class ComparePanel final : public GuiPanel {
       distance_ = state_distance(a.state, b.state);
     }
     std::vector<DistancePoint> distances;
-    for (const RunDistance& d : *f.sim.distances) distances.push_back({d.time, d.position, 0});
-    plot_ = difference_series_plot(*a.history, *b.history, static_cast<DifferenceQuantity>(what), distances);
+    for (const RunDistance& d : f.sim.distances) distances.push_back({d.time, d.position, 0});
+    plot_ = difference_series_plot(a.history, b.history, static_cast<DifferenceQuantity>(what), distances);
     plot_.y.label = what == 0 ? "largest distance [m]" : plot_.y.label;
     plot_.title.clear();
     if (what == 0) {

@@ -124,7 +124,7 @@ class ConvergencePanel final : public GuiPanel {
         } else {
           runs.push_back(
               {held.step == r.step ? "held: " + held.name.substr(0, held.name.find(',')) : held.name,
-               held.records});
+               *held.records});
         }
       }
       plot_ = convergence_panel(runs, quantity);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
@@ -18,6 +19,7 @@ struct Question {
   const char* help;
   const char* button;
   bool writes;
+  bool named = true;  // asks for the name of a file
 };
 constexpr Question kQuestions[] = {
     {"open", "Open a scene", "A scene file, or the name of a shipped scene", "Open", false},
@@ -36,7 +38,9 @@ constexpr Question kQuestions[] = {
      false},
     {"save_camera", "Save camera keys", "A file that 'pabd render --camera' takes", "Save", true},
     {"load_camera", "Load camera keys", "A file of camera keys", "Load", false},
-    {"quit", "Leave?", "What was changed is not saved.", "Leave without saving", false},
+    {"reload", "Load the file again?", "Parameters that were changed here stay.", "Load again", false, false},
+    {"clear_camera", "Remove all camera keys?", "", "Remove all", false, false},
+    {"quit", "Leave?", "", "Leave without saving", false, false},
 };
 
 const Question* question(const std::string& what) {
@@ -57,12 +61,42 @@ std::string first_text(const std::string& what, const GuiFrame& f) {
   return "";
 }
 
+// What would be gone; empty: nothing.
+std::string warning(const std::string& what, const GuiFrame& f) {
+  std::vector<std::string> gone;
+  if (what == "open" || what == "load_recording" || what == "quit") gone = f.sim.at_stake;
+  if (what == "reload") gone = f.sim.reload_loses;
+  const bool keys = what == "quit" || what == "load_camera" || what == "clear_camera";
+  if (keys && f.ui.keys_unsaved)
+    gone.push_back(f.ui.camera_keys.size() == 1 ? "1 camera key"
+                                                : std::to_string(f.ui.camera_keys.size()) + " camera keys");
+  if (gone.empty()) return "";
+  return (what == "reload" ? "This gives up " : "Not saved: ") + listed(gone) + ".";
+}
+
+void wrapped(const std::string& text) {
+  ImGui::PushTextWrapPos(0);
+  label(text);
+  ImGui::PopTextWrapPos();
+}
+
 }  // namespace
+
+void open_scene(const Snapshot& sim, const std::string& path, Outbox& out) {
+  if (sim.at_stake.empty()) {
+    out.send(Command(command::Load{path, {}, false}));
+  } else {
+    out.send(ViewCommand(command::Ask{"open", path}));
+  }
+}
 
 void Dialogs::start(const GuiFrame& f) {
   open_ = f.ui.dialog;
   text_ = f.ui.dialog_text.empty() ? first_text(open_, f) : f.ui.dialog_text;
-  waiting_ = false;
+  awaited_.clear();
+  refusal_.clear();
+  done_ = false;
+  focus_ = true;
   record_.from = record_.to = -1;
   along_keys_ = f.ui.fly && !f.ui.camera_keys.empty();
   ImGui::OpenPopup("##dialog");
@@ -70,25 +104,62 @@ void Dialogs::start(const GuiFrame& f) {
 
 void Dialogs::confirm(GuiFrame& f, bool force) {
   asked_ = f.sim.messages.empty() ? 0 : f.sim.messages.back().number;
-  waiting_ = true;
-  if (open_ == "open") f.out.send(Command(command::Load{text_, {}, force}));
-  if (open_ == "save_scene") f.out.send(Command(command::SaveScene{text_, false, force}));
-  if (open_ == "save_state") f.out.send(Command(command::SaveScene{text_, true, force}));
-  if (open_ == "save_recording") f.out.send(Command(command::SaveRecording{text_, force}));
-  if (open_ == "load_recording") f.out.send(Command(command::LoadRecording{text_, force}));
-  if (open_ == "save_patch") f.out.send(Command(command::SavePatch{text_, force}));
-  if (open_ == "apply_patch") f.out.send(Command(command::ApplyPatch{text_}));
-  if (open_ == "screenshot") f.out.send(ViewCommand(command::Screenshot{text_, with_ui_, force}));
-  if (open_ == "save_camera") f.out.send(ViewCommand(command::SaveCamera{text_, force}));
-  if (open_ == "load_camera") f.out.send(ViewCommand(command::LoadCamera{text_}));
+  scene_ = f.sim.scene_serial;
+  refusal_.clear();
+  const auto send = [&](const auto& command) {
+    awaited_ = command.name;
+    f.out.send(command);
+  };
+  if (open_ == "open") send(command::Load{text_, {}, force});
+  if (open_ == "save_scene") send(command::SaveScene{text_, false, force});
+  if (open_ == "save_state") send(command::SaveScene{text_, true, force});
+  if (open_ == "save_recording") send(command::SaveRecording{text_, force});
+  if (open_ == "load_recording") send(command::LoadRecording{text_, force});
+  if (open_ == "save_patch") send(command::SavePatch{text_, force});
+  if (open_ == "apply_patch") send(command::ApplyPatch{text_});
+  if (open_ == "screenshot") send(command::Screenshot{text_, with_ui_, force});
+  if (open_ == "save_camera") send(command::SaveCamera{text_, force});
+  if (open_ == "load_camera") send(command::LoadCamera{text_});
+  if (open_ == "reload") send(command::Reload{true});
   if (open_ == "record") {
     record_.path = text_;
     record_.force = force;
-    f.out.send(ViewCommand(command::Fly{along_keys_}));
-    f.out.send(ViewCommand(record_));
+    send(command::Fly{along_keys_});
+    send(record_);
   }
-  if (open_ == "quit") f.out.send(ViewCommand(command::Quit{true}));
-  if (open_ == "quit") f.out.send(ViewCommand(command::Ask{}));
+  if (open_ == "clear_camera") send(command::ClearCameraKeys{});
+  if (open_ == "quit") send(command::Quit{true});
+  if (open_ == "clear_camera" || open_ == "quit") done_ = true;
+}
+
+void Dialogs::look(const Snapshot& sim, const UiState& ui) {
+  if (awaited_.empty() || ui.dialog.empty()) return;
+  for (const Message& m : sim.messages) {
+    if (m.number <= asked_ || m.about != awaited_) continue;
+    awaited_.clear();
+    if (m.severity != Severity::error) {
+      done_ = true;
+      return;
+    }
+    refusal_ = m.text;
+    answered_ = m.number;
+    focus_ = true;
+    return;
+  }
+  // What loads a scene says nothing when it went well.
+  if (sim.scene_serial > scene_ && awaited_ == command::Load::name) done_ = true;
+}
+
+// The name of the file, and what else there is to choose.
+void Dialogs::fields(GuiFrame& f, bool& go) {
+  if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  go = ImGui::InputText("##name", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (open_ == "screenshot") {
+    ImGui::Checkbox("with panels", &with_ui_);
+    tooltip("Without: the scene alone, as 'pabd render' draws it");
+  }
+  if (open_ == "record") draw_record_fields(f, record_, along_keys_);
 }
 
 void Dialogs::draw(GuiFrame& f, int width, int height) {
@@ -98,14 +169,7 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
   }
   const Question* q = question(f.ui.dialog);
   if (!q) return;
-  const bool fresh = open_ != f.ui.dialog;
-  if (fresh) start(f);
-  // The answer: a new message that is an error stays here, anything else is success.
-  const Message* answer = !f.sim.messages.empty() && f.sim.messages.back().number > asked_ && waiting_
-                              ? &f.sim.messages.back()
-                              : nullptr;
-  const bool refused = answer && answer->severity == Severity::error;
-
+  if (open_ != f.ui.dialog) start(f);
   ImGui::SetNextWindowPos({0.5f * static_cast<float>(width), 0.4f * static_cast<float>(height)},
                           ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(f.px(520), static_cast<float>(width) - f.px(24)), 0});
@@ -114,49 +178,38 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
   heading(f, q->title);
-  muted_label(f, q->help);
-  bool go = false, force = open_ == "quit";
-  if (open_ != "quit") {
-    if (fresh) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1);
-    go = ImGui::InputText("##name", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
-  }
-  if (open_ == "screenshot") {
-    ImGui::Checkbox("with panels", &with_ui_);
-    tooltip("Without: the scene alone, as 'pabd render' draws it");
-  }
-  if (open_ == "record") draw_record_fields(f, record_, along_keys_);
-  // Known before it is tried.
-  const bool unsaved = (open_ == "open" || open_ == "load_recording") && f.sim.unsaved;
-  if (unsaved && !refused) {
-    ImGui::PushTextWrapPos(0);
-    label("What was changed in " + f.sim.scene->name + " is not saved.");
-    ImGui::PopTextWrapPos();
-  }
-  if (refused) {
+  if (*q->help) muted_label(f, q->help);
+  bool go = false;
+  if (q->named) fields(f, go);
+  const std::string gone = warning(open_, f);
+  if (!gone.empty()) wrapped(gone);
+  if (!refusal_.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, im_color(f.theme().color(1)));
-    ImGui::PushTextWrapPos(0);
-    label(answer->text);
-    ImGui::PopTextWrapPos();
+    wrapped(refusal_);
     ImGui::PopStyleColor();
   }
   ImGui::Dummy({0, f.px(2)});
-  if (!unsaved) go = ImGui::Button(q->button) || go;
-  if (unsaved || (refused && q->writes && answer->text.find("exists already") != std::string::npos)) {
-    if (!unsaved) ImGui::SameLine();
-    if (ImGui::Button(q->writes ? "Replace" : "Load all the same")) go = force = true;
+  // Enter does not give up anything: that takes its own button.
+  const bool exists = q->writes && refusal_.find("exists already") != std::string::npos;
+  const bool asks = q->named && !gone.empty();
+  bool force = false;
+  if (!asks) go = ImGui::Button(q->button) || go;
+  if (asks || exists) {
+    if (asks && std::exchange(go, false)) focus_ = true;
+    if (!asks) ImGui::SameLine();
+    if (ImGui::Button(exists ? "Replace" : "Load all the same")) go = force = true;
   }
-  if (open_ == "quit") {
+  if (open_ == "quit" && f.sim.unsaved) {
     ImGui::SameLine();
     if (ImGui::Button("Save first…")) f.out.send(ViewCommand(command::Ask{"save_scene"}));
   }
   ImGui::SameLine();
   const bool cancel = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (go) confirm(f, force);
-  const bool done = waiting_ && answer && !refused;
-  if (cancel || done) {
+  if (cancel || done_) {
     f.out.send(ViewCommand(command::Ask{}));
     ImGui::CloseCurrentPopup();
+    awaited_.clear();
   }
   ImGui::EndPopup();
 }

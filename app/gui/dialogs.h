@@ -1,5 +1,5 @@
-// The dialogs that ask for a file name, or whether to leave. What is typed is only sent when it is confirmed;
-// an error stays in the dialog.
+// The dialogs that ask for a file name, or before something is gone. What is typed is only sent when it is
+// confirmed; an error stays in the dialog.
 #pragma once
 
 #include <string>
@@ -10,17 +10,28 @@ namespace pabd {
 
 class Dialogs {
  public:
+  // Whether what was confirmed has been answered; before messages are drawn.
+  void look(const Snapshot& sim, const UiState& ui);
   void draw(GuiFrame& frame, int width, int height);
+
+  // The newest message that is, or was, shown in a dialog.
+  std::uint64_t answered() const { return answered_; }
 
  private:
   void start(const GuiFrame& frame);
+  void fields(GuiFrame& frame, bool& go);
   void confirm(GuiFrame& frame, bool force);
 
-  std::string open_;         // which one is shown
-  std::string text_;         // what is typed
-  std::uint64_t asked_ = 0;  // newest message when it was confirmed
-  bool waiting_ = false;     // for the answer to what was confirmed
-  bool with_ui_ = true;      // screenshot
+  std::string open_;            // which one is shown
+  std::string text_;            // what is typed
+  std::string awaited_;         // name of the command that was confirmed; empty: nothing was
+  std::uint64_t asked_ = 0;     // newest message then
+  std::uint64_t scene_ = 0;     // serial of the scene then
+  std::uint64_t answered_ = 0;  // message
+  std::string refusal_;         // why it was refused; empty: it was not
+  bool done_ = false;           // it was carried out
+  bool focus_ = false;          // the text gets the keyboard in the next frame
+  bool with_ui_ = true;         // screenshot
   command::Record record_;
   bool along_keys_ = false;
 };

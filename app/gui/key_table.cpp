@@ -61,6 +61,13 @@ const std::vector<KeyBinding>& key_table() {
       if (ui.selection.kind == Selection::Kind::body) edit(RemoveBody{ui.selection.index});
       if (ui.selection.kind == Selection::Kind::joint) edit(RemoveJoint{ui.selection.index});
     };
+    const auto reload = [](const Snapshot& sim, const UiState&, Outbox& out) {
+      if (sim.reload_loses.empty()) {
+        out.send(Command(command::Reload{}));
+      } else {
+        out.send(ViewCommand(command::Ask{"reload"}));
+      }
+    };
     const auto theme = [](const Snapshot&, const UiState& ui, Outbox& out) {
       out.send(ViewCommand(command::Theme{!ui.dark}));
     };
@@ -103,7 +110,7 @@ const std::vector<KeyBinding>& key_table() {
     add("Files", "ctrl+shift+s", "save the state as a scene", asks("save_state"));
     add("Files", "ctrl+shift+e", "save the timeline as a recording", asks("save_recording"));
     add("Files", "ctrl+l", "load a recording", asks("load_recording"));
-    add("Files", "ctrl+r", "load the scene's file again", sends(Command(command::Reload{})));
+    add("Files", "ctrl+r", "load the scene's file again", reload);
     add("View", "k", "a camera key here and now", sends(ViewCommand(command::AddCameraKey{})));
     add("Window", "p", "what a frame costs", toggle_costs);
     add("Files", "ctrl+e", "video of the past", asks("record"));

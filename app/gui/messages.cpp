@@ -12,7 +12,7 @@ constexpr double kNoteSeconds = 4;
 
 }  // namespace
 
-void MessageList::draw(GuiFrame& f, const Rect& view, double seconds) {
+void MessageList::draw(GuiFrame& f, const Rect& view, double seconds, std::uint64_t read) {
   if (f.sim.messages.empty()) return;
   const Message& m = f.sim.messages.back();
   if (m.number != newest_) {
@@ -20,6 +20,7 @@ void MessageList::draw(GuiFrame& f, const Rect& view, double seconds) {
     age_ = 0;
   }
   age_ += seconds;
+  dismissed_ = std::max(dismissed_, read);
   if (m.number <= dismissed_ || (m.severity == Severity::note && age_ > kNoteSeconds)) return;
   const float width = std::min(f.px(560), static_cast<float>(view.w) - f.px(24));
   if (width < f.px(80)) return;

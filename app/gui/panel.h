@@ -24,6 +24,9 @@ struct Outbox {
   void send(ViewCommand command) { view.push_back(std::move(command)); }
 };
 
+// Another scene; asks first when something that was made here would be gone.
+void open_scene(const Snapshot& sim, const std::string& path, Outbox& out);
+
 class FrameCosts;
 class Recorder;
 class SceneList;

@@ -44,13 +44,17 @@ class TimelineBar {
 // Over the picture: what the simulation has to say, until it is read; `seconds` since the last frame.
 class MessageList {
  public:
-  void draw(GuiFrame& frame, const Rect& view, double seconds);
+  // Messages up to `read` were read elsewhere.
+  void draw(GuiFrame& frame, const Rect& view, double seconds, std::uint64_t read);
 
  private:
   std::uint64_t dismissed_ = 0;
   std::uint64_t newest_ = 0;
   double age_ = 0;
 };
+
+// Offers to load a scene's file again when it changed on disk, and says what would be gone then.
+void draw_file_offer(GuiFrame& frame, const Rect& view);
 
 // How far a video is, while one is made.
 void draw_recording(GuiFrame& frame, const Rect& view);

@@ -23,7 +23,7 @@ std::shared_ptr<FramePacket> packet_of(const RunView& run) {
   packet->frame = static_cast<int>(run.state.step);
   packet->state = run.state;
   packet->report = run.report;
-  packet->since = *run.history;
+  packet->since.assign(run.history.begin(), run.history.end());
   return packet;
 }
 

@@ -40,7 +40,7 @@ void draw_recording(GuiFrame& f, const Rect& view) {
 }
 
 void draw_record_fields(const GuiFrame& f, command::Record& r, bool& along_keys) {
-  const auto& history = *f.sim.a.history;
+  const auto& history = f.sim.a.history;
   const double first = history.front().time, last = history.back().time;
   const float field = f.px(84);
   const auto number = [&](const char* id, double& value, const char* format, const char* help) {

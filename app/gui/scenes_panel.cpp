@@ -104,11 +104,7 @@ class ScenesPanel : public GuiPanel {
     const ImVec2 size = {ImGui::GetContentRegionAvail().x, picture.y + 2 * pad};
     ImGui::PushID(card.path.c_str());
     if (ImGui::InvisibleButton("##card", size)) {
-      if (f.sim.unsaved) {
-        f.out.send(ViewCommand(command::Ask{"open", card.path}));
-      } else {
-        f.out.send(Command(command::Load{card.path, {}, false}));
-      }
+      open_scene(f.sim, card.path, f.out);
     }
     const bool hovered = ImGui::IsItemHovered();
     tooltip(card.path + (card.error.empty() ? (card.description.empty() ? "" : "\n" + card.description)

@@ -28,7 +28,7 @@ std::size_t shown(const UiState& ui) {
 }
 
 // Where κ changed, as the reports have it.
-std::vector<TimeMark> kappa_marks(const std::vector<StepReport>& history) {
+std::vector<TimeMark> kappa_marks(const Reports& history) {
   struct Change {
     double time, from, to;
   };
@@ -78,7 +78,7 @@ class SeriesPanel final : public GuiPanel {
 
  private:
   static void hint(const GuiFrame& f) {
-    const std::vector<StepReport>& history = *f.sim.a.history;
+    const Reports& history = f.sim.a.history;
     if (history.size() < 2) {
       muted_label(f, "No step yet: press play (space).");
     } else if (f.sim.b) {
@@ -102,7 +102,7 @@ class SeriesPanel final : public GuiPanel {
     options.d_hat = d_hat;
     options.marks = marks(f.sim);
     if (f.sim.b) {
-      options.other = *f.sim.b->history;
+      options.other = f.sim.b->history;
       options.name = std::string("A");
       options.other_name = std::string("B");
     } else if (a.left) {
@@ -112,8 +112,8 @@ class SeriesPanel final : public GuiPanel {
     }
     if (what == 0) {
       std::vector<HistoryPoint> points;
-      points.reserve(a.history->size());
-      for (const StepReport& r : *a.history) points.push_back(history_point(r));
+      points.reserve(a.history.size());
+      for (const StepReport& r : a.history) points.push_back(history_point(r));
       plot_ = time_series_plot(points, d_hat, !a.model->joints.empty());
       // Cursor and marks as the other plots have them.
       options.other = {};
@@ -122,7 +122,7 @@ class SeriesPanel final : public GuiPanel {
         if (s.style == SeriesStyle::level_x) plot_.series.push_back(std::move(s));
       }
     } else {
-      plot_ = time_panel(*a.history, static_cast<TimeQuantity>(what - 1), options);
+      plot_ = time_panel(a.history, static_cast<TimeQuantity>(what - 1), options);
     }
     plot_.title.clear();  // the list says it
     shorten_legend();
@@ -141,7 +141,7 @@ class SeriesPanel final : public GuiPanel {
   }
 
   static std::vector<TimeMark> marks(const Snapshot& sim) {
-    std::vector<TimeMark> out = kappa_marks(*sim.a.history);
+    std::vector<TimeMark> out = kappa_marks(sim.a.history);
     if (const auto& parting = sim.a.parting) {
       out.push_back({parting->time, "branch", MarkKind::branch});
       if (parting->parted) out.push_back({*parting->parted, "parts by d̂", MarkKind::divergence});

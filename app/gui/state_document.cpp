@@ -4,8 +4,8 @@
 //   /a/step, /a/time, /a/hash, /a/cursor, /a/moments, /a/params/contact/kappa, /a/kappa, /a/changed,
 //   /a/report/…, /a/bodies (of at most 100: name, position, velocity); /b the same, null without a second
 //   /distance (of A and B now, m), /distances (moments at which it is known)
-//   /playing, /speed, /diverged, /unsaved, /can_undo, /can_redo, /held, /message, /messages
-//   /ui/…
+//   /playing, /speed, /diverged, /unsaved, /at_stake, /reload_loses, /file_changed, /can_undo, /can_redo,
+//   /held, /message, /messages /ui/…
 #include "app/gui/script.h"
 #include "app/gui/view_actions.h"
 #include "app/plots/figures/difference.h"
@@ -42,7 +42,7 @@ Json run_json(const RunView& run) {
           {"time", run.state.time},
           {"hash", state_hash(run.state)},
           {"cursor", run.cursor},
-          {"moments", run.history->size()},
+          {"moments", run.history.size()},
           {"left", run.left ? run.left->size() : 0},
           {"parting", parting},
           {"params", std::move(params)},
@@ -79,12 +79,15 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
   return {{"scene", {{"name", sim.scene->name}, {"hash", sim.scene->hash}}},
           {"a", run_json(sim.a)},
           {"b", sim.b ? run_json(*sim.b) : Json()},
-          {"distances", sim.distances->size()},
+          {"distances", sim.distances.size()},
           {"distance", sim.b ? state_distance(sim.a.state, sim.b->state).position : 0},
           {"playing", sim.playing},
           {"speed", sim.speed},
           {"diverged", sim.diverged},
           {"unsaved", sim.unsaved},
+          {"at_stake", sim.at_stake},
+          {"reload_loses", sim.reload_loses},
+          {"file_changed", sim.file_changed},
           {"can_undo", sim.can_undo},
           {"undo_text", sim.undo_text},
           {"can_redo", sim.can_redo},
@@ -102,6 +105,7 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
             {"target", vec(ui.camera.target)},
             {"fov", ui.camera.fov},
             {"camera_keys", std::move(camera_keys)},
+            {"keys_unsaved", ui.keys_unsaved},
             {"fly", ui.fly},
             {"costs", ui.costs},
             {"contacts", ui.contacts},

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <filesystem>
+
 #include "app/frames/camera_keys.h"
 #include "sim/base/atomic_file.h"
 #include "sim/error.h"
@@ -13,6 +15,14 @@ namespace {
 
 constexpr std::chrono::milliseconds kShare{20};  // of a frame, for a video
 
+// The scene that is open is no place for pictures and camera keys.
+void check_output(const std::string& path, bool force, const Snapshot& sim) {
+  check_writable(path, force);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(path, sim.scene_path, ignored))
+    throw Error(ExitCode::bad_input, path + ": that is the scene which is open; choose another name");
+}
+
 struct Keys {
   const Snapshot& sim;
   UiState& ui;
@@ -20,15 +30,17 @@ struct Keys {
   std::string save(const command::SaveCamera& c) const {
     if (ui.camera_keys.empty())
       throw Error(ExitCode::bad_input, "save_camera: there are no camera keys; add one first");
-    check_writable(c.path, c.force);
+    check_output(c.path, c.force, sim);
     AtomicFile file(c.path);
     file.write(camera_keys_json({sim.scene->name, ui.camera_keys}));
     file.commit();
+    ui.keys_unsaved = false;
     return "saved " + c.path;
   }
   std::string load(const command::LoadCamera& c) const {
     CameraKeys keys = read_camera_keys(c.path);
     ui.camera_keys = std::move(keys.keys);
+    ui.keys_unsaved = false;
     const bool same = keys.scene.empty() || keys.scene == sim.scene->name;
     return fmt::format("{}: {} camera keys{}", c.path, ui.camera_keys.size(),
                        same ? "" : ", made for the scene " + keys.scene);
@@ -40,18 +52,22 @@ struct Keys {
 void Studio::act(const ViewCommand& command, const Snapshot& sim, UiState& ui) {
   const Keys keys{sim, ui};
   if (const auto* shot = std::get_if<command::Screenshot>(&command)) {
-    check_writable(shot->path, shot->force);
+    check_output(shot->path, shot->force, sim);
     waiting_.push_back(*shot);
     ui.dialog.clear();  // the picture is of what is behind it
   } else if (const auto* record = std::get_if<command::Record>(&command)) {
+    check_output(record->path, record->force, sim);
     recorder_.start(*record, ui);
+    ui.dialog.clear();
   } else if (const auto* stop = std::get_if<command::StopRecord>(&command)) {
     recorder_.stop(stop->keep);
     if (!recorder_.busy()) tell_(Severity::note, "the recording was ended; no file was made");
   } else if (const auto* save = std::get_if<command::SaveCamera>(&command)) {
     tell_(Severity::note, keys.save(*save));
+    ui.dialog.clear();
   } else if (const auto* load = std::get_if<command::LoadCamera>(&command)) {
     tell_(Severity::note, keys.load(*load));
+    ui.dialog.clear();
   }
 }
 

@@ -29,8 +29,7 @@ struct Track {
 };
 
 // Penetrations and iteration limits as ticks, one a pixel column at most.
-void draw_marks(const GuiFrame& f, const Track& track, const std::vector<StepReport>& history,
-                ImDrawList& list) {
+void draw_marks(const GuiFrame& f, const Track& track, const Reports& history, ImDrawList& list) {
   float last = -1;
   for (const StepReport& r : history) {
     if (r.max_penetration <= 0) continue;
@@ -52,7 +51,7 @@ void draw_flag(const GuiFrame& f, const Track& track, double time, Color color, 
 }  // namespace
 
 void TimelineBar::draw(GuiFrame& f) {
-  const std::vector<StepReport>& history = *f.sim.a.history;
+  const Reports& history = f.sim.a.history;
   const double now = f.sim.a.state.time;
   if (icon_button(f, "restart", "From the beginning, with the present parameters (r)"))
     f.out.send(Command(command::Restart{}));

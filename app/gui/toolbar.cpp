@@ -54,7 +54,7 @@ void draw_toolbar(GuiFrame& f) {
   tooltip("Another scene (ctrl+o)");
   ImGui::SameLine();
   label(f.sim.scene->name + (f.sim.unsaved ? " •" : ""));
-  tooltip(f.sim.scene_path + (f.sim.unsaved ? "\n• parameters were changed and not saved" : ""));
+  tooltip(f.sim.scene_path + (f.sim.unsaved ? "\n• something was changed and is not saved" : ""));
 
   ImGui::SameLine(0, f.px(22));
   const auto show = [&](const char* text, const char* what, bool on, const char* help) {

@@ -53,6 +53,7 @@ struct UiState {
 
   CameraPose camera;
   std::vector<CameraKey> camera_keys;  // in order of time
+  bool keys_unsaved = false;           // they were set or removed since they were saved or loaded
   bool fly = false;
   bool contacts = true, bonds = true;
   ColorQuantity color = ColorQuantity::body;

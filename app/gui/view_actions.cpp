@@ -159,23 +159,40 @@ struct Actor {
     ui.difference = c.quantity;
   }
   void operator()(const command::Ask& c) const {
-    static constexpr std::string_view kWhat[] = {
-        "",     "open",   "save_scene",  "save_state",  "save_patch",     "apply_patch",   "screenshot",
-        "quit", "record", "save_camera", "load_camera", "save_recording", "load_recording"};
+    static constexpr std::string_view kWhat[] = {"",
+                                                 "open",
+                                                 "save_scene",
+                                                 "save_state",
+                                                 "save_patch",
+                                                 "apply_patch",
+                                                 "screenshot",
+                                                 "quit",
+                                                 "record",
+                                                 "save_camera",
+                                                 "load_camera",
+                                                 "save_recording",
+                                                 "load_recording",
+                                                 "reload",
+                                                 "clear_camera"};
     one(c.what, kWhat, "ask");
     ui.dialog = c.what;
     ui.dialog_text = c.text;
   }
   void operator()(const command::AddCameraKey&) const {
     add_camera_key(ui.camera_keys, {sim.a.state.time, ui.camera});
+    ui.keys_unsaved = true;
   }
   void operator()(const command::DropCameraKey& c) const {
     const auto count = std::ssize(ui.camera_keys);
     if (c.index < 0 || c.index >= count)
       throw Error(ExitCode::bad_input, fmt::format("drop_camera_key: expected a number below {}", count));
     ui.camera_keys.erase(ui.camera_keys.begin() + c.index);
+    ui.keys_unsaved = !ui.camera_keys.empty();
   }
-  void operator()(const command::ClearCameraKeys&) const { ui.camera_keys.clear(); }
+  void operator()(const command::ClearCameraKeys&) const {
+    ui.camera_keys.clear();
+    ui.keys_unsaved = false;
+  }
   void operator()(const command::Fly& c) const { ui.fly = c.on; }
   void operator()(const command::Costs& c) const { ui.costs = c.on; }
   void operator()(const command::Record&) const {}

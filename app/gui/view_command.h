@@ -17,41 +17,51 @@ struct Panel {
   static constexpr const char* name = "panel";
   std::string panel;
   bool on = true;
-  void fields(auto&& f) { f("panel", panel), f("on", on, false); }
+  void fields(auto&& f) {
+    f(need("panel", "parameters, inspector, scenes, barrier, convergence, series or compare", R"("series")"),
+      panel);
+    f(kOn, on);
+  }
 };
 struct Theme {
   static constexpr const char* name = "theme";
   bool dark = true;
-  void fields(auto&& f) { f("dark", dark); }
+  void fields(auto&& f) { f(need("dark", "else light", "false"), dark); }
 };
 // Size of texts and everything else, times what the screen asks for; 0.5 … 4.
 struct Scale {
   static constexpr const char* name = "scale";
   double factor = 1;
-  void fields(auto&& f) { f("factor", factor); }
+  void fields(auto&& f) { f(need("factor", "0.5 to 4, times what the screen asks for", "1.5"), factor); }
 };
 struct Help {
   static constexpr const char* name = "help";
   bool on = true;
-  void fields(auto&& f) { f("on", on, false); }
+  void fields(auto&& f) { f(kOn, on); }
 };
 // Only the picture.
 struct HideUi {
   static constexpr const char* name = "hide_ui";
   bool on = true;
-  void fields(auto&& f) { f("on", on, false); }
+  void fields(auto&& f) { f(kOn, on); }
 };
 struct Look {
   static constexpr const char* name = "look";
   std::vector<double> eye, target;  // three numbers each, m
   double fov = 0;                   // degrees; 0: as it is
-  void fields(auto&& f) { f("eye", eye), f("target", target), f("fov", fov, false); }
+  void fields(auto&& f) {
+    f(need("eye", "m", "[4, 3, 6]"), eye);
+    f(need("target", "what is looked at, m", "[0, 1, 0]"), target);
+    f(may("fov", "vertical angle of view, 1 to 170 degrees", "40"), fov);
+  }
 };
 // "scene", "iso", "front", "back", "left", "right", "top", "bottom".
 struct LookFrom {
   static constexpr const char* name = "look_from";
   std::string view;
-  void fields(auto&& f) { f("view", view); }
+  void fields(auto&& f) {
+    f(need("view", "scene, iso, front, back, left, right, top or bottom", R"("front")"), view);
+  }
 };
 // What is selected fills the view; without a selection everything.
 struct FrameSelection {
@@ -65,7 +75,10 @@ struct Select {
   std::string kind = "body", item;
   std::vector<double> at = {}, normal = {};
   void fields(auto&& f) {
-    f("kind", kind), f("item", item, false), f("at", at, false), f("normal", normal, false);
+    f(need("kind", "none, body, joint or contact", R"("body")"), kind);
+    f(may("item", "number, or the name of a body or joint", R"("1")"), item);
+    f(may("at", "of a body: where; body frame, m", "[0, 0.5, 0]"), at);
+    f(may("normal", "of a body: the normal there; body frame", "[0, 1, 0]"), normal);
   }
 };
 // A joint from where the selected body was picked to the body that is double-clicked next, at the place of
@@ -73,26 +86,33 @@ struct Select {
 struct Join {
   static constexpr const char* name = "join";
   std::string type;
-  void fields(auto&& f) { f("type", type); }
+  void fields(auto&& f) {
+    f(need("type", "spherical, hinge, slider, fixed or distance; empty: none after all", R"("hinge")"), type);
+  }
 };
 // "body", "projection" (‖A − R‖), "speed", "energy", "component".
 struct ColorBy {
   static constexpr const char* name = "color_by";
   std::string quantity;
-  void fields(auto&& f) { f("quantity", quantity); }
+  void fields(auto&& f) {
+    f(need("quantity", "body, projection, speed, energy or component", R"("speed")"), quantity);
+  }
 };
 // What is drawn into the picture: "contacts", "bonds".
 struct Show {
   static constexpr const char* name = "show";
   std::string what;
   bool on = true;
-  void fields(auto&& f) { f("what", what), f("on", on, false); }
+  void fields(auto&& f) {
+    f(need("what", "contacts or bonds", R"("bonds")"), what);
+    f(kOn, on);
+  }
 };
 // How a second simulation is shown: "ghost" or "side".
 struct CompareView {
   static constexpr const char* name = "compare_view";
   std::string how;
-  void fields(auto&& f) { f("how", how); }
+  void fields(auto&& f) { f(need("how", "ghost or side", R"("side")"), how); }
 };
 // `quantity`: "value", "slope", "curvature".
 struct BarrierView {
@@ -101,9 +121,14 @@ struct BarrierView {
   bool log = false, energy = true, printed = true, onset = false, even = false, log_barrier = false;
   bool histogram = true;
   void fields(auto&& f) {
-    f("quantity", quantity, false), f("log", log, false), f("energy", energy, false);
-    f("printed", printed, false), f("onset", onset, false), f("even", even, false);
-    f("log_barrier", log_barrier, false), f("histogram", histogram, false);
+    f(may("quantity", "value, slope or curvature", R"("slope")"), quantity);
+    f(may("log", "logarithmic axis", "true"), log);
+    f(may("energy", "with κ: the energy, in J; else its shape", "false"), energy);
+    f(may("printed", "the printed formula, ε = 0", "false"), printed);
+    f(may("onset", "with onset ε", "true"), onset);
+    f(may("even", "the even barrier", "true"), even);
+    f(may("log_barrier", "the logarithmic barrier", "true"), log_barrier);
+    f(may("histogram", "contacts over d/d̂", "false"), histogram);
   }
   bool operator==(const BarrierView&) const = default;
 };
@@ -111,20 +136,32 @@ struct BarrierView {
 struct ConvergenceView {
   static constexpr const char* name = "convergence_view";
   std::string quantity;
-  void fields(auto&& f) { f("quantity", quantity); }
+  void fields(auto&& f) {
+    f(need("quantity", "all, energy_gap, energy, residual, penetration, joint_error or projection_change",
+           R"("residual")"),
+      quantity);
+  }
 };
 // `quantity`: "overview", "gap", "penetration", "energies", "joint_error", "contacts", "iterations",
 // "milliseconds".
 struct SeriesView {
   static constexpr const char* name = "series_view";
   std::string quantity;
-  void fields(auto&& f) { f("quantity", quantity); }
+  void fields(auto&& f) {
+    f(need("quantity",
+           "overview, gap, penetration, energies, joint_error, contacts, iterations or milliseconds",
+           R"("gap")"),
+      quantity);
+  }
 };
 // What of B − A is plotted: "distance", "gap", "penetration", "energies", "joint_error", "contacts".
 struct DifferenceView {
   static constexpr const char* name = "difference_view";
   std::string quantity;
-  void fields(auto&& f) { f("quantity", quantity); }
+  void fields(auto&& f) {
+    f(need("quantity", "distance, gap, penetration, energies, joint_error or contacts", R"("energies")"),
+      quantity);
+  }
 };
 // A PNG of the window, or without `ui` of the scene alone, as `pabd render` would draw it. Size 0: that of
 // the window.
@@ -134,8 +171,11 @@ struct Screenshot {
   bool ui = true, force = false;
   int width = 0, height = 0;
   void fields(auto&& f) {
-    f("path", path), f("ui", ui, false), f("force", force, false);
-    f("width", width, false), f("height", height, false);
+    f(need("path", ".png file", R"("window.png")"), path);
+    f(may("ui", "with the panels; else the scene alone, as 'pabd render' draws it", "false"), ui);
+    f(kForce, force);
+    f(may("width", "pixels, 16 to 16384, without panels only; 0: as the window", "640"), width);
+    f(may("height", "pixels, 16 to 16384, without panels only; 0: as the window", "360"), height);
   }
 };
 // A video of the past as `pabd render` makes it, with the view's camera, or along the camera keys while
@@ -149,16 +189,21 @@ struct Record {
   std::string overlay;
   bool force = false;
   void fields(auto&& f) {
-    f("path", path), f("from", from, false), f("to", to, false), f("fps", fps, false);
-    f("width", width, false), f("height", height, false), f("overlay", overlay, false);
-    f("force", force, false);
+    f(need("path", ".mp4, .webm, .gif, or numbered .png files", R"("frames/{frame:04}.png")"), path);
+    f(may("from", "simulated time, s; negative: the first moment", "0"), from);
+    f(may("to", "simulated time, s; negative: the last moment", "0.5"), to);
+    f(may("fps", "frames a second of simulated time", "30"), fps);
+    f(may("width", "pixels, 16 to 16384", "640"), width);
+    f(may("height", "pixels, 16 to 16384", "360"), height);
+    f(may("overlay", "as for 'pabd render'; without: what the view shows", R"("contacts,series")"), overlay);
+    f(kForce, force);
   }
 };
 // Ends it: with the frames that are there, or without a file.
 struct StopRecord {
   static constexpr const char* name = "stop_record";
   bool keep = true;
-  void fields(auto&& f) { f("keep", keep, false); }
+  void fields(auto&& f) { f(may("keep", "the frames that are there; else no file", "false"), keep); }
 };
 // The camera as it is becomes a key frame at the present time of the simulation.
 struct AddCameraKey {
@@ -168,7 +213,7 @@ struct AddCameraKey {
 struct DropCameraKey {
   static constexpr const char* name = "drop_camera_key";
   int index = 0;  // in order of time
-  void fields(auto&& f) { f("index", index); }
+  void fields(auto&& f) { f(need("index", "number from 0, in order of time", "0"), index); }
 };
 struct ClearCameraKeys {
   static constexpr const char* name = "clear_camera_keys";
@@ -178,33 +223,39 @@ struct ClearCameraKeys {
 struct Fly {
   static constexpr const char* name = "fly";
   bool on = true;
-  void fields(auto&& f) { f("on", on, false); }
+  void fields(auto&& f) { f(kOn, on); }
 };
 // Camera keys as a file, which `pabd render --camera` takes.
 struct SaveCamera {
   static constexpr const char* name = "save_camera";
   std::string path;
   bool force = false;
-  void fields(auto&& f) { f("path", path), f("force", force, false); }
+  void fields(auto&& f) {
+    f(need("path", "file", R"("camera.json")"), path);
+    f(kForce, force);
+  }
 };
 struct LoadCamera {
   static constexpr const char* name = "load_camera";
   std::string path;
-  void fields(auto&& f) { f("path", path); }
+  void fields(auto&& f) { f(need("path", "file", R"("camera.json")"), path); }
 };
 // What a frame costs, part by part.
 struct Costs {
   static constexpr const char* name = "costs";
   bool on = true;
-  void fields(auto&& f) { f("on", on, false); }
+  void fields(auto&& f) { f(kOn, on); }
 };
-// A dialog that asks for a file name: "open", "save_scene", "save_state", "save_patch", "apply_patch",
-// "save_recording", "load_recording", "screenshot", "record", "save_camera", "load_camera"; "" closes it.
-// `text`: what it starts with.
+// A dialog: for a file name "open", "save_scene", "save_state", "save_patch", "apply_patch",
+// "save_recording", "load_recording", "screenshot", "record", "save_camera", "load_camera"; before something
+// is gone "reload", "clear_camera", "quit"; "" closes it. `text`: what it starts with.
 struct Ask {
   static constexpr const char* name = "ask";
   std::string what, text = {};
-  void fields(auto&& f) { f("what", what), f("text", text, false); }
+  void fields(auto&& f) {
+    f(need("what", "open, save_scene, …: see scripts.md; empty: closes it", R"("open")"), what);
+    f(may("text", "what it starts with", R"("stack")"), text);
+  }
 };
 struct CopyCommand {
   static constexpr const char* name = "copy_command";
@@ -213,7 +264,7 @@ struct CopyCommand {
 struct Quit {
   static constexpr const char* name = "quit";
   bool force = false;  // although something is not saved
-  void fields(auto&& f) { f("force", force, false); }
+  void fields(auto&& f) { f(kGiveUp, force); }
 };
 
 }  // namespace command

@@ -2,6 +2,7 @@
 #include "app/gui/viewer.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -135,7 +136,8 @@ struct Viewer::Impl {
     try {
       act(c);
     } catch (const Error& error) {
-      tell(Severity::error, error.what());
+      const std::string name = std::visit([](const auto& x) { return std::string(x.name); }, c);
+      runner.send(command::Tell{error.what(), true, name, error.code()});
     }
   }
 
@@ -148,7 +150,7 @@ struct Viewer::Impl {
     } else if (const auto* quit = std::get_if<command::Quit>(&c)) {
       if (studio.recorder().busy() && !quit->force) {
         tell(Severity::error, "a video is being made: stop or cancel it first");
-      } else if (sim->unsaved && !quit->force) {
+      } else if ((!sim->at_stake.empty() || ui.keys_unsaved) && !quit->force) {
         ui.dialog = "quit";
       } else {
         ui.quit = true;
@@ -175,6 +177,7 @@ struct Viewer::Impl {
     const auto* key = std::get_if<KeyChanged>(&event);
     if (!key || ImGui::GetIO().WantTextInput) return;
     if (!ui.dialog.empty()) return;
+    if (key->key == Key::escape && key->pressed && close_popup()) return;
     if (key->key == Key::space ? !hands.plays(*key) : !key->pressed) return;
     if (hands.pulling() && key->key == Key::escape) return;  // ends the pull only
     Modifiers modifiers = key->modifiers;
@@ -182,6 +185,13 @@ struct Viewer::Impl {
     for (const KeyBinding& binding : key_table()) {
       if (binding.chord.key == key->key && binding.chord.modifiers == modifiers) binding.act(*sim, ui, out);
     }
+  }
+
+  // The list or menu that is open, if there is one.
+  static bool close_popup() {
+    const int open = ImGui::GetCurrentContext()->OpenPopupStack.Size;
+    if (open > 0) ImGui::ClosePopupToLevel(open - 1, true);
+    return open > 0;
   }
 
   void take_events(GuiFrame& frame) {
@@ -194,7 +204,7 @@ struct Viewer::Impl {
       hands.handle(event, in_picture, layout, frame, ui.camera);
       if (std::holds_alternative<CloseRequested>(event)) frame.out.send(ViewCommand(command::Quit{}));
       if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
-        if (!dropped->paths.empty()) frame.out.send(Command(command::Load{dropped->paths.back(), {}, false}));
+        if (!dropped->paths.empty()) open_scene(*sim, dropped->paths.back(), frame.out);
       }
     }
   }
@@ -248,8 +258,10 @@ struct Viewer::Impl {
       ImGui::End();
     }
     draw_compare_labels(frame, layout);
-    messages.draw(frame, layout.view, seconds);
+    dialogs.look(*sim, ui);
+    messages.draw(frame, layout.view, seconds, dialogs.answered());
     draw_recording(frame, layout.view);
+    draw_file_offer(frame, layout.view);
     draw_costs(frame, layout.view);
     if (ui.help) draw_help(frame, width, height);
     dialogs.draw(frame, width, height);
