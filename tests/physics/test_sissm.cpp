@@ -106,8 +106,8 @@ TEST_CASE("sissm makes no energy, whatever the stiffness of joints and the ratio
       double kinetic = 0;
       int capped = 0;
       check_bounded(world, 120, &kinetic, &capped);
-      if (k >= 30) CHECK(capped == 6);
-      if (k < 1) CHECK(capped == 0);
+      if (k >= 30) CHECK(capped >= 6);
+      if (k < 1 && ratio == 1) CHECK(capped == 0);  // contacts of a light and a heavy link are capped, too
       // It swings: a tenth at least of what 1 m of fall gives to the heavy links.
       CHECK(kinetic > 0.1 * 3 * ratio * 9.81);
     }
