@@ -93,6 +93,8 @@ void check_options(const RunOptions& options) {
   }
 }
 
+constexpr double kFrictionSaid = 0.01;  // of μ f_n; what is below is no news
+
 // The worst of a run.
 struct Extremes {
   double gap = std::numeric_limits<double>::infinity();  // m
@@ -101,16 +103,20 @@ struct Extremes {
   Index left_pairs = 0, too_dense = 0;                   // most of a step
   int capped = 0;                                        // bonds, in one step
   std::int64_t held = 0;                                 // steps that were shortened
+  double friction = 0;                                   // largest excess above μ f_n, as a part of it
+  std::int64_t lawless = 0;                              // steps in which it was above kFrictionSaid
 
   void add(const StepReport& report) {
     if (report.status == StepStatus::non_finite) return;  // it ended nowhere
     gap = std::min(gap, report.min_gap);
     joint_error = std::max(joint_error, report.max_joint_error);
+    friction = std::max(friction, report.friction_excess);
     if (report.status == StepStatus::iteration_limit) ++unsolved;
     left_pairs = std::max(left_pairs, report.left_pairs);
     too_dense = std::max(too_dense, report.too_dense);
     capped = std::max(capped, report.capped_bonds);
     if (report.held_bodies > 0) ++held;
+    if (report.friction_excess > kFrictionSaid) ++lawless;
   }
 };
 
@@ -121,6 +127,9 @@ std::string summary(const Session& session, std::int64_t steps, double seconds, 
   const std::string unsolved =
       worst.unsolved > 0 ? fmt::format(", {} at the iteration limit", worst.unsolved) : "";
   std::string left;
+  if (worst.lawless > 0)
+    left += fmt::format(" · friction up to {:.2g} % above μ f_n in {} step{}", 100 * worst.friction,
+                        worst.lawless, worst.lawless == 1 ? "" : "s");
   if (worst.left_pairs > 0)
     left += fmt::format(" · {} pairs of bodies deep in each other left out", worst.left_pairs);
   if (worst.too_dense > 0) left += fmt::format(" · {} bodies too dense for newton", worst.too_dense);

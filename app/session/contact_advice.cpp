@@ -179,15 +179,12 @@ std::string unsettled(const Params& params, const StepReport& report) {
                      number(rounded_up(report.residual)), number(tolerance));
 }
 
-std::optional<Advice> iteration_limit(const Model& model, const Params& params, const StepReport& report) {
-  // Tolerance 0 asks for all iterations.
-  if (report.status != StepStatus::iteration_limit || params.solver.tolerance == 0) return std::nullopt;
+// What brings a solve to its end: more iterations, or another method.
+Advice longer_solve(const Model& model, const Params& params, const StepReport& report, AdviceKind kind,
+                    std::string what) {
   const SolverParams& solver = params.solver;
   const double needed = std::max(2.0 * solver.iterations, 1.25 * needed_iterations(params, report));
-  Advice advice{
-      AdviceKind::iteration_limit,
-      fmt::format("{} iterations were not enough: {}", report.iterations, unsettled(params, report)), "",
-      "solver.iterations", ""};
+  Advice advice{kind, std::move(what), "", "solver.iterations", ""};
   const bool slow = solver.method == SolverMethod::sissm && needed > kManySissmIterations;
   const bool stiff = solver.method == SolverMethod::descent && needed > kManyIterations;
   if (slow) {
@@ -208,6 +205,23 @@ std::optional<Advice> iteration_limit(const Model& model, const Params& params, 
     advice.value = number(std::min<double>(std::ceil(rounded_up(most)), kMostIterations));
   }
   return advice;
+}
+
+std::optional<Advice> iteration_limit(const Model& model, const Params& params, const StepReport& report) {
+  // Tolerance 0 asks for all iterations.
+  if (report.status != StepStatus::iteration_limit || params.solver.tolerance == 0) return std::nullopt;
+  return longer_solve(
+      model, params, report, AdviceKind::iteration_limit,
+      fmt::format("{} iterations were not enough: {}", report.iterations, unsettled(params, report)));
+}
+
+std::optional<Advice> friction_excess(const Model& model, const Params& params, const StepReport& report) {
+  constexpr double kSaid = 0.01;
+  if (!(report.friction_excess > kSaid)) return std::nullopt;
+  return longer_solve(
+      model, params, report, AdviceKind::friction_excess,
+      fmt::format("friction is up to {:.2g} % above μ f_n: Coulomb's law does not hold in this step",
+                  100 * report.friction_excess));
 }
 
 }  // namespace
@@ -285,6 +299,7 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
   };
   add(overlap(model, params, state, report));
   add(iteration_limit(model, params, report));
+  add(friction_excess(model, params, report));
   add(past_onset(params, report));
   const bool by_body = report.method == SolverMethod::descent;
   if (by_body && contact.barrier == BarrierKind::polynomial && contact.onset == 0 && report.contacts > 0) {

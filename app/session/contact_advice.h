@@ -57,6 +57,7 @@ enum class AdviceKind : std::uint8_t {
   log_overlap,         // log barrier, bodies overlap
   overlap,             // d < 0
   iteration_limit,     // the solve ended before its tolerance
+  friction_excess,     // friction above μ f_n by more than 1 %: the solve ended before its bounds were right
   pressed_past_onset,  // more than half of the contacts have u > ε
   no_onset,            // ε = 0 where contacts are solved body by body
 };

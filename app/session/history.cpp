@@ -21,6 +21,7 @@ StepReport light_copy(const StepReport& report) {
   copy.residual = report.residual;
   copy.left_pairs = report.left_pairs;
   copy.too_dense = report.too_dense;
+  copy.friction_excess = report.friction_excess;
   copy.times = report.times;
   return copy;
 }

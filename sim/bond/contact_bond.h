@@ -19,7 +19,8 @@
 //                             bodies Δ + n × (r_b θ_b + r_a θ_a), as their surfaces pass by
 //   d̂, κ, N, ε  barrier       see potential/barrier.h
 //   k_t         k_t           tangential stiffness, Ψ'' at the onset                              N/m
-//   μ f_n       limit         largest friction force, from the last iterate                       N
+//   μ f_n       limit         largest friction force: a number while E is minimised, moved         N
+//                             between iterations (solver/friction.h)
 //
 // The plane of a flat owner turns with it, that of a round one does not: turning a ball moves neither its
 // surface nor its tangent planes (Deviation D9; with the surface point a ball could lower its energy by
@@ -75,10 +76,15 @@ struct ContactPatch {
   Vec3x normal_a;                 // frame of a
   Vec3x normal_b;                 // frame of b
   Lanes gap;                      // d where the normal points coincide
-  Lanes mu;           // coefficient of this step: dynamic if the contact slid at the end of the last one
-  Lanes limit;        // friction bound μ f_n of this iteration
-  Lanes last_change;  // of `limit`
-  Lanes gain;         // share of the next change: halved each time that `limit` swings back
+  bool slides;                    // the pair of bodies has let go: dynamic friction
+  double mu;                      // coefficient of this step
+  Lanes limit;                    // friction bound of this iteration
+  Lanes last_change;              // that μ f_n asked for
+  Lanes gain;  // share of the next change: less where the bound swings, more where it does not
+  // For `newton`, see ease_slip.
+  Vec3x last_u;                              // stretch of the last iterate
+  Lanes along;                               // share of the weight α_t that acts along the slip
+  Lanes least_along;                         // least share: grows each time that the slip turns back
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
   bool felt = false;                         // it pushed or held in some iterate of this step
@@ -206,16 +212,39 @@ inline Lanes contact_energy(const ContactLaw& law, const ContactPatch& p, const 
   return normal_force(law.barrier, p, s.d).value + friction_energy(law, p.limit, length(s.u));
 }
 
-// Moves the bounds to μ f_n of the current iterate; by less and less where one swings to and fro.
+// Moves the bounds towards μ f_n of the current iterate. Each goes its own share of the way: half of the last
+// share where it swings back, half as much again where it goes on. (Forces answer to bounds; a whole way each
+// time may swing for ever.)
 inline void move_limit(ContactPatch& p, const ContactForce& f) {
-  Lanes change = -p.mu * f.first - p.limit;
-  p.gain = select(change * p.last_change < 0, 0.5 * p.gain, p.gain);
-  change *= p.gain;
-  p.limit += change;
+  const Lanes change = -p.mu * f.first - p.limit;
+  p.gain = select(change * p.last_change < 0, 0.5 * p.gain, smaller(lanes(1), 1.5 * p.gain));
+  p.limit += p.gain * change;
   p.last_change = change;
 }
-inline void update_limit(const ContactLaw& law, ContactPatch& p, const ContactState& s) {
-  move_limit(p, normal_force(law.barrier, p, s.d));
+
+// D'' of a contact that slides is 0 along u, α_t across it; α_t all round is a majoriser of D. Newton's step
+// with the majoriser converges slowly where the slip is short, without it the slip turns back and forth at
+// the threshold of sticking. So the share of α_t along u falls while the slip keeps its direction, and less
+// so each time that it has turned back.
+inline void ease_slip(const ContactLaw& law, ContactPatch& p, const Vec3x& u) {
+  const Lanes along = dot(u, p.last_u), straight = 0.9 * length(u) * length(p.last_u);
+  const LaneMask steady = (along > straight) & (law.k_t * length(u) > p.limit);
+  p.least_along = select(along < 0, smaller(lanes(1), 4 * p.least_along), p.least_along);
+  p.along = select(steady, larger(p.least_along, 0.125 * p.along), lanes(1));
+  p.last_u = u;
+}
+
+// Is a slip still held back by the majoriser, so that small moves do not mean the end?
+inline bool is_held_back(const ContactLaw& law, const ContactPatch& p, const Vec3x& u) {
+  const LaneMask slides = (law.k_t * length(u) > p.limit) & (p.limit > 0);
+  return sum(select(slides & (p.along > p.least_along), lanes(1), lanes(0))) > 0;
+}
+
+// Coulomb's law: how far the friction force min(k_t ‖u‖, limit) is from min(k_t ‖u‖, μ f_n); N.
+inline Lanes friction_error(const ContactLaw& law, const ContactPatch& p, const ContactForce& f, Lanes u) {
+  const Lanes pull = law.k_t * u;
+  const Lanes error = smaller(pull, p.limit) - smaller(pull, -p.mu * f.first);
+  return larger(error, -error);
 }
 
 }  // namespace pabd

@@ -30,6 +30,10 @@ template <class T>
 T larger(T a, T b) {
   return select(a > b, a, b);
 }
+template <class T>
+T smaller(T a, T b) {
+  return select(a < b, a, b);
+}
 
 // A vector of R³ in every lane.
 struct Vec3x {

@@ -1,11 +1,29 @@
-// Friction from step to step and from iterate to iterate: coefficients, bounds, anchors (Deviation D6).
+// Friction from step to step and from iterate to iterate: anchors (Deviation D6), bounds and who slides
+// (Deviation D12).
+//
+//   start of a step    bounds are μ f_n where the step starts: they lag by a step
+//   each iteration     bounds go towards μ f_n of the iterate; where `newton` takes full steps only between
+//                      calm bodies
+//   before `converged` every friction force is that of the law to within kFrictionTolerance; and a pair of
+//                      bodies that static friction can no longer hold lets go, with all of its contacts
 #pragma once
 
 #include <algorithm>
 
-#include "sim/solver/workspace.h"
+#include "sim/solver/solve.h"
 
 namespace pabd {
+
+// Largest error of a friction force in a step that may be called converged, as a part of μ f_n. Contacts that
+// carry less than kLeastLoad of the weight of their lighter movable body count as if they carried that.
+inline constexpr double kFrictionTolerance = 0.005;
+inline constexpr double kLeastLoad = 1e-3;
+
+// Weight of a kilogram: ‖g‖, that of the earth where there is none; m/s².
+inline double weight_per_mass(const Params& params) {
+  const double g = params.gravity.norm();
+  return g > 0 ? g : 9.81;
+}
 
 // Names of contacts that last from step to step.
 inline std::uint64_t pair_key(Index a, Index b) {
@@ -18,18 +36,29 @@ inline std::uint32_t owned_feature(Index a, Index b, std::uint32_t feature) {
   return (feature & 0x7fffffffu) | (a > b ? 0x80000000u : 0u);
 }
 
-// Gives the contacts of w.patches the stretch and coefficient that the last step left. Both lists are sorted.
+// Gives the contacts of w.patches the stretch that the last step left, and all contacts of a pair of bodies
+// dynamic friction if the pair slid. Both lists are sorted.
 void recall_friction(const std::vector<FrictionAnchor>& anchors, StepWorkspace::Impl& w);
 
-// Static or dynamic friction for contacts without a past: a new one slides if at the first iterate its
-// tangential force is beyond the static bound. Then the first bounds.
-void start_friction(int threads, StepWorkspace::Impl& w);
+// First bounds: μ f_n at the poses of `start`, 0 where the first iterate no longer presses.
+void start_friction(const SolveContext& s, const State& start);
 
-// μ f_n of every contact from the current iterate.
-enum class LimitsOf { all, newton };  // descent's sweeps move those of their bodies themselves
-void update_friction_limits(int threads, LimitsOf which, StepWorkspace::Impl& w);
+// Moves the bounds of all patches, or of those of `newton`: descent's sweeps move the others themselves. True
+// if a friction force of `newton` was off beyond the tolerance: the E that is minimised changes.
+enum class LimitsOf { all, newton };
+bool move_friction_limits(const SolveContext& s, LimitsOf which);
 
-// Remembers the stretch of every loaded contact, and whether it slid, for the next step.
-void store_friction(const StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors);
+// Largest error of a friction force at the current iterate, as a part of μ f_n.
+double largest_friction_error(const SolveContext& s);
+
+// Does `newton` still hold a sliding contact back (see ease_slip)?
+bool holds_back(const StepWorkspace::Impl& w);
+
+// Lets every pair of bodies slide whose static friction is used up to the last contact. True if one did that
+// had held till now.
+bool let_go(StepWorkspace::Impl& w);
+
+// Remembers the stretch of every loaded contact, and whether its pair of bodies slides, for the next step.
+void store_friction(StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors);
 
 }  // namespace pabd

@@ -45,6 +45,15 @@ LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Po
     const Lanes normal = f.alpha_n * row[c], tangent = alpha_t * slip[c];
     for (int k = c; k < 6; ++k) H(k, c) += sum(normal * row[k] - tangent * slip[k]);
   }
+  // Sliding contacts: less along the slip.
+  const Lanes less = select(law.k_t * u > patch.limit, (1 - patch.along) * alpha_t, lanes(0));
+  if (sum(less) > 0) {
+    const Vec3x t = (1 / select(u > 0, u, lanes(1))) * state.u, t_arm = cross(r, t);
+    const Lanes along[6] = {t.x, t.y, t.z, t_arm.x, t_arm.y, t_arm.z};
+    for (int c = 0; c < 6; ++c) {
+      for (int k = c; k < 6; ++k) H(k, c) -= sum(less * along[c] * along[k]);
+    }
+  }
   H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
   return out;
 }

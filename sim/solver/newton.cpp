@@ -294,6 +294,7 @@ void start_newton(const SolveContext& s, NewtonSystem& system) {
   system.g.resize(s.w.newton.size());
   system.step.resize(s.w.newton.size());
   system.force.clear();
+  system.searches = false;
   keep_best(s, std::numeric_limits<double>::infinity(), system);
 }
 
@@ -308,7 +309,8 @@ void newton_iteration(const SolveContext& s, bool last, NewtonSystem& system) {
   } else {
     ++system.rises;
   }
-  if (system.rises <= kPatience) {
+  if (system.rises > kPatience) system.searches = true;
+  if (system.rises <= (system.searches ? 0 : kPatience)) {
     step_from_here(s, geometric, last, system);
   } else {
     search_from_best(s, system);
@@ -319,6 +321,8 @@ void newton_iteration(const SolveContext& s, bool last, NewtonSystem& system) {
     w.moved[i] = (step.head<3>().norm() + w.radius[i] * step.tail<3>().norm()) / w.law.barrier.d_hat;
   }
 }
+
+void forget_best(NewtonSystem& system) { system.lowest = std::numeric_limits<double>::infinity(); }
 
 void finish_newton(const SolveContext& s, NewtonSystem& system) {
   if (s.w.newton.empty() || s.params.solver.iterations == 1) return;

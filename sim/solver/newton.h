@@ -21,7 +21,8 @@ struct NewtonSystem {
   // The best iterate so far.
   double lowest;  // E; J
   std::vector<Pose> best;
-  int rises;  // iterations since
+  int rises;      // iterations since
+  bool searches;  // full steps went in circles: from then on each rise of E is answered by a line search
 };
 
 // Finds the structure of the matrix of w.newton. Islands whose factorisation would cost too much are given to
@@ -33,6 +34,9 @@ void start_newton(const SolveContext& s, NewtonSystem& system);
 
 // One iteration for the bodies in w.newton; fills w.moved for them. `last`: no other will follow.
 void newton_iteration(const SolveContext& s, bool last, NewtonSystem& system);
+
+// E has changed: friction bounds moved. What was best under the old ones is no measure.
+void forget_best(NewtonSystem& system);
 
 // Goes back to the best iterate where the last one is worse.
 void finish_newton(const SolveContext& s, NewtonSystem& system);

@@ -33,6 +33,7 @@ struct ContactReport {
   double normal_force;  // f_n = −Ψ'(d) ≥ 0; N
   Vec3 friction;        // friction force on b; N
   bool sticking;
+  double mu;  // coefficient of the step: static, or dynamic where the pair of bodies slides
 };
 
 // One body at the end of a step.
@@ -81,9 +82,12 @@ struct StepReport {
   // many such (collision/detect.h), and bodies that `descent` solved in place of `newton` (islands.h).
   Index left_pairs = 0;
   Index too_dense = 0;
-  double drive_work = 0;       // work of driven joints in this step; J
-  int capped_bonds = 0;  // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)
-  int held_bodies = 0;   // whose step `sissm` shortened so that no energy is made (energy_bound.h)
+  double drive_work = 0;  // work of driven joints in this step; J
+  int capped_bonds = 0;   // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)
+  int held_bodies = 0;    // whose step `sissm` shortened so that no energy is made (energy_bound.h)
+  // Coulomb's law: largest ‖friction‖/(μ f_n) − 1 of the contacts that carry more than 1e-3 of the heaviest
+  // weight (of less loaded ones: with that load), 0 where all obey. At most 0.01 in a step that converged.
+  double friction_excess = 0;
   PhaseTimes times;
   std::vector<IterationRecord> records;  // one an iteration; empty unless StepOptions::record_iterations
   IterationRecord first_iterate{};       // before the first iteration, filled together with `records`

@@ -4,6 +4,7 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/math/extremes.h"
+#include "sim/solver/friction.h"
 #include "sim/solver/joint_set.h"
 
 namespace pabd {
@@ -45,8 +46,22 @@ double smallest_gap(const StepWorkspace::Impl& w) {
   return gap;
 }
 
-void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepReport& report) {
+namespace {
+
+// How far friction is above μ f_n, as a part of it. Contacts that carry less than `least` count as if they
+// carried that; N.
+Lanes friction_excess(const ContactPatch& patch, Lanes friction, const ContactForce& f, double least) {
+  if (patch.mu == 0) return lanes(0);
+  return friction / (patch.mu * larger(-f.first, lanes(least))) - 1;
+}
+
+}  // namespace
+
+void summarize_contacts(const SolveContext& context, bool with_reports, StepReport& report) {
+  const StepWorkspace::Impl& w = context.w;
+  const double least = kLeastLoad * heaviest_mass(context.model) * weight_per_mass(context.params);
   report.elastic = 0;
+  report.friction_excess = 0;
   report.contacts = 0;
   report.min_gap = std::numeric_limits<double>::infinity();
   report.contact_reports.clear();
@@ -56,16 +71,18 @@ void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepRep
     const ContactForce f = normal_force(law.barrier, patch, s.d);
     const Lanes energy = f.value + friction_energy(law, patch.limit, length(s.u));
     const Lanes alpha_t = friction_weight(law, patch.limit, length(s.u));
+    const Lanes excess = friction_excess(patch, alpha_t * length(s.u), f, least);
     for (int k = 0; k < patch.count; ++k) {
       report.min_gap = smaller(report.min_gap, s.d[k]);
+      report.friction_excess = larger(report.friction_excess, excess[k]);
       if (s.d[k] >= w.law.barrier.d_hat) continue;
       report.elastic += energy[k];
       ++report.contacts;
       if (!with_reports) continue;
       const Vec3 n = lane(s.n, k), u = lane(s.u, k), y_b = w.pose[patch.a].c + lane(s.y, k);
       const bool sticking = patch.limit[k] > 0 && law.k_t * u.norm() <= patch.limit[k];
-      report.contact_reports.push_back(
-          {patch.a, patch.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k], -alpha_t[k] * u, sticking});
+      report.contact_reports.push_back({patch.a, patch.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k],
+                                        -alpha_t[k] * u, sticking, patch.mu});
     }
   }
   report.max_penetration = larger(0, -report.min_gap);

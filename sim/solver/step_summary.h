@@ -16,7 +16,8 @@ double potential_energy(const Model& model, const Params& params, const State& s
 // Smallest d over all contact bonds at the current iterate; +inf without any.
 double smallest_gap(const StepWorkspace::Impl& w);
 
-// elastic, contacts, max_penetration, min_gap and, if asked, contact_reports at the current iterate.
-void summarize_contacts(const StepWorkspace::Impl& w, bool with_reports, StepReport& report);
+// elastic, contacts, max_penetration, min_gap, friction_excess and, if asked, contact_reports at the current
+// iterate.
+void summarize_contacts(const SolveContext& s, bool with_reports, StepReport& report);
 
 }  // namespace pabd

@@ -105,7 +105,17 @@ void list_solved(StepWorkspace::Impl& w) {
   std::sort(w.solved.begin(), w.solved.end());
 }
 
-// 3. Iterates until the bodies move by less than `tolerance` · d̂, or the cap.
+// Does friction obey its law at an iterate that no longer moves? Before it may, bodies that can no longer
+// hold let go.
+bool friction_settled(const SolveContext& s) {
+  if (largest_friction_error(s) > kFrictionTolerance || holds_back(s.w)) return false;
+  if (!let_go(s.w)) return true;
+  forget_best(*s.w.system);
+  return false;
+}
+
+// 3. Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the
+// cap.
 void solve(const SolveContext& s, const StepOptions& options, StepReport& report) {
   StepWorkspace::Impl& w = s.w;
   report.status = w.solved.empty() ? StepStatus::converged : StepStatus::iteration_limit;
@@ -122,8 +132,9 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
   if (report.method == SolverMethod::sissm) w.A.resize(w.v.size());
   if (options.record_iterations) report.first_iterate = record(s, 0, smallest_gap(w), report);
   start_newton(s, *w.system);
+  const LimitsOf moved_here = swept ? LimitsOf::newton : LimitsOf::all;
   for (int k = 0; k < s.params.solver.iterations; ++k) {
-    if (k > 0) update_friction_limits(s.threads, swept ? LimitsOf::newton : LimitsOf::all, w);
+    if (k > 0 && move_friction_limits(s, moved_here)) forget_best(*w.system);
     double gap_before = 0;
     if (report.method == SolverMethod::sissm) {
       sissm_iteration(s, options.record_iterations ? &gap_before : nullptr);
@@ -145,7 +156,7 @@ void solve(const SolveContext& s, const StepOptions& options, StepReport& report
     }
     if (!(report.residual < s.params.solver.tolerance)) {
       every_body = false;
-    } else if (!every_body && any_rests(w)) {
+    } else if ((!every_body && any_rests(w)) || !friction_settled(s)) {
       every_body = true;  // once more, to be sure
     } else {
       report.status = StepStatus::converged;
@@ -224,7 +235,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   initial_guess(model, params, state, w);
   const SolveContext context{model, params, options.threads, report.time, w};
   report.capped_bonds = cap_stiffness(context);
-  start_friction(options.threads, w);
+  start_friction(context, state);
   report.times.collision = total.ms();
   report.kappa = w.law.barrier.kappa;
 
@@ -234,7 +245,6 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   if (report.status == StepStatus::interrupted) return interrupt(total, report);
   note_free_flight(context);
   update_velocities(model, params, state, w);  // 4. velocities
-  update_friction_limits(options.threads, LimitsOf::all, w);
   report.times.solve = solving.ms();
 
   if (!feasible || report.status == StepStatus::non_finite || !all_finite(w.pose, w) ||
@@ -255,7 +265,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   store_friction(w, state.anchors);
   state.step = report.step;
   state.time = report.time;
-  summarize_contacts(w, options.report_contacts, report);
+  summarize_contacts(context, options.report_contacts, report);
   for (std::size_t k = 0; k < w.all_joints.size(); ++k)
     report.elastic += energy_of_joint(context, static_cast<Index>(k));
   report.drive_work = drive_work(context);

@@ -105,6 +105,7 @@ struct StepWorkspace::Impl {
   std::vector<Rolling> rolling;     // of the separate ones
   std::vector<Roll> roll;           // per body, at its pose; kept for those that have such a patch
   std::vector<std::uint8_t> rolls;  // per body: has it one?
+  std::vector<std::uint8_t> off;    // per patch: did its friction break the law in the last iterate?
   ContactLaw law;
 
   // Which patches end at which body: ends[first_end[i]] … ends[first_end[i + 1] − 1].

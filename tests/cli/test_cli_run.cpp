@@ -34,7 +34,7 @@ TEST_CASE("the CSV files have the documented columns, a row a step and a row an 
   CHECK(steps[0] ==
         "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,max_"
         "joint_error,"
-        "residual,step_ms");
+        "residual,step_ms,friction_excess");
   CHECK(steps[1].starts_with("1,"));
   CHECK(steps[7].starts_with("7,"));
   const auto iterations = lines_of(read_text(folder / "i.csv"));

@@ -1,0 +1,65 @@
+// Coulomb's law ‖f_t‖ ≤ μ f_n in every step that says it converged: all shipped scenes, every solver.
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
+
+#include "sim/body/mass_properties.h"
+#include "sim/scene/scene.h"
+#include "sim/solver/time_step.h"
+
+using namespace pabd;
+
+namespace {
+
+struct Seen {
+  long contacts = 0;  // loaded, in converged steps
+  double excess = 0;  // the largest
+};
+
+void watch(const Scene& scene, const StepReport& report, Seen& seen) {
+  if (report.status != StepStatus::converged) return;
+  const double least = 1e-3 * heaviest_mass(scene.model) * scene.params.gravity.norm();
+  for (const ContactReport& c : report.contact_reports) {
+    if (c.normal_force < least || c.mu == 0) continue;
+    ++seen.contacts;
+    seen.excess = std::max(seen.excess, c.friction.norm() / (c.mu * c.normal_force) - 1);
+  }
+}
+
+// The end of the first second and a half is where things have met; a step of many bodies is dear.
+int steps_for(const Scene& scene) { return scene.model.size() > 60 ? 12 : 90; }
+
+}  // namespace
+
+TEST_CASE("no converged step of a shipped scene breaks Coulomb's law by over 1 %, with any solver") {
+  std::map<SolverMethod, Seen> all;
+  for (const auto& entry : std::filesystem::directory_iterator(PABD_ASSETS "/scenes")) {
+    if (entry.path().extension() != ".json") continue;
+    Scene scene = load_scene(entry.path());
+    for (const SolverMethod method :
+         {SolverMethod::automatic, SolverMethod::newton, SolverMethod::descent, SolverMethod::sissm}) {
+      INFO(entry.path().stem() << " with " << to_string(method));
+      scene.params.solver.method = method;
+      if (method == SolverMethod::sissm) scene.params.solver.projection = Projection::weighted;
+      State state = scene.initial;
+      StepWorkspace workspace;
+      StepReport report;
+      StepOptions options;
+      options.report_contacts = true;
+      Seen seen;
+      for (int k = 0; k < steps_for(scene); ++k) {
+        step(scene.model, scene.params, options, state, workspace, report);
+        if (report.status == StepStatus::non_finite) break;
+        watch(scene, report, seen);
+        if (report.status == StepStatus::converged) CHECK(report.friction_excess <= 0.01);
+      }
+      CHECK(seen.excess <= 0.01);
+      all[method].contacts += seen.contacts;
+    }
+  }
+  for (const auto& [method, seen] : all) {
+    INFO(to_string(method));
+    CHECK(seen.contacts > 5000);
+  }
+}
