@@ -61,8 +61,8 @@ ContactPatch empty_patch(const Model& model, Index a, Index b) {
   const Vec3x zero = spread(Vec3::Zero());
   const bool flat_a = roundness(model.shape[a]) == 0;
   const bool flat = flat_a && roundness(model.shape[b]) == 0;
-  return {a,    b,    0,           flat_a, !flat, nullptr,  {},       zero,     zero, zero,     zero,
-          zero, zero, lanes(1e30), false,  0,     lanes(0), lanes(0), lanes(1), zero, lanes(1), lanes(0.02)};
+  return {a,    b,           0,     flat_a, !flat,    nullptr,  {},       zero, zero,     zero,       zero,
+          zero, lanes(1e30), false, 0,      lanes(0), lanes(0), lanes(1), zero, lanes(1), lanes(0.02)};
 }
 
 // Puts the point into the next lane, in the frames of the bodies.
