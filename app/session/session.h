@@ -45,8 +45,8 @@ class Session {
   // Hands on bodies in later steps, until they are set anew. Precondition: as for step().
   void set_pulls(std::vector<Pull> pulls) { options_.pulls = std::move(pulls); }
 
-  // One time step. A step that left the numbers says so in its report, which knows nothing else of where it ends
-  // (NaN); that one and a step that was stopped leave the state as it was.
+  // One time step. A step that left the numbers says so in its report, which knows nothing else of where it
+  // ends (NaN); that one and a step that was stopped leave the state as it was.
   const StepReport& step();
 
   // Back to the scene's initial state and parameters; the history is forgotten.

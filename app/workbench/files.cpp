@@ -117,10 +117,10 @@ void Workbench::carry_out(const command::Reload& c) {
   if (saved_.b) saved.b = onto(*saved_.b);
   const auto kept = [&](const std::vector<Change>& changes) {
     std::vector<Change> out;
-    for (const Change& c : changes) {
-      if (c.kind != Change::Kind::parameters || c.given_up) continue;
+    for (const Change& one : changes) {
+      if (one.kind != Change::Kind::parameters || one.given_up) continue;
       try {
-        out.push_back({c.kind, c.side, c.what, onto(c.before), onto(c.after)});
+        out.push_back({one.kind, one.side, one.what, onto(one.before), onto(one.after)});
       } catch (const Error&) {  // one that the scene as it is now does not allow
       }
     }

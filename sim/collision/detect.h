@@ -37,8 +37,8 @@ struct CollisionWorkspace {
 //   skip     sorted list of pairs (a < b) that never collide, for jointed bodies
 // Two fixed bodies never meet. Of bodies deep in each other, their centres closer than half the sum of their
 // inner radii, each meets the first 16 that follow it and no more; of those of its size that are
-// closer than 1.4 times that sum, the first 32. The others are counted in workspace.left_pairs. Compounds and planes always meet. The result is sorted by (min(a,b), max(a,b),
-// feature) and does not depend on `threads`.
+// closer than 1.4 times that sum, the first 32. The others are counted in workspace.left_pairs. Compounds and
+// planes always meet. The result is sorted by (min(a,b), max(a,b), feature) and does not depend on `threads`.
 void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
             const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip, int threads,
             CollisionWorkspace& workspace, std::vector<ContactPoint>& out);

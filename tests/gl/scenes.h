@@ -38,8 +38,8 @@ struct BrickPyramid {
         const Vec3 y_b = c + Vec3(sx * half.x(), -half.y(), sz * half.z());
         // Spread over the colour map: from pressed to barely touching.
         const double d = d_hat * (0.05 + 0.9 * ((load * 7 + corner * 3 + static_cast<int>(b)) % 10) / 10.0);
-        report.contact_reports.push_back(
-            {a, b, y_b - Vec3(0, gap, 0), y_b, Vec3(0, 1, 0), d, 600.0 * (1 + corner), Vec3::Zero(), true});
+        report.contact_reports.push_back({a, b, y_b - Vec3(0, gap, 0), y_b, Vec3(0, 1, 0), d,
+                                          600.0 * (1 + corner), Vec3::Zero(), true, 0});
         ++corner;
       }
     }

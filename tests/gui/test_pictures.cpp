@@ -49,7 +49,7 @@ void play(const std::string& actions, const fs::path& folder) {
   ViewerOptions options;
   options.steady = true;
   Viewer viewer(*context, runner, options);
-  Script(actions, "s").run(viewer, runner, {folder, false, 640, 360, {}, {}, {}});
+  Script(actions, "s").run(viewer, runner, {folder, false, 640, 360, {}, {}, {}, {}});
 }
 
 void check_same(const fs::path& folder, const char* a, const char* b, int count) {

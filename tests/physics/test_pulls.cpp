@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 
 #include "sim/math/so3.h"
 #include "tests/physics/scenario.h"
@@ -29,17 +28,6 @@ World world_of(SolverMethod method, const Vec3& gravity, int iterations = 80) {
   world.params.solver.tolerance = 0;
   world.params.gravity = gravity;
   return world;
-}
-
-bool same_bits(const State& a, const State& b) {
-  for (std::size_t i = 0; i < a.c.size(); ++i) {
-    if (std::memcmp(a.c[i].data(), b.c[i].data(), sizeof(Vec3)) != 0 ||
-        std::memcmp(a.R[i].data(), b.R[i].data(), sizeof(Mat3)) != 0 ||
-        std::memcmp(a.v[i].data(), b.v[i].data(), sizeof(Vec3)) != 0 ||
-        std::memcmp(a.omega[i].data(), b.omega[i].data(), sizeof(Vec3)) != 0)
-      return false;
-  }
-  return a.c.size() == b.c.size();
 }
 
 }  // namespace

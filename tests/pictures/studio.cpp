@@ -17,7 +17,8 @@ std::vector<ContactReport> contacts_of(const Scene& scene, const Barrier& barrie
   std::vector<ContactReport> reports;
   for (const ContactPoint& p : points) {
     if (p.d >= barrier.d_hat) continue;
-    reports.push_back({p.a, p.b, p.y_a, p.y_b, p.n, p.d, -evaluate(barrier, p.d).first, Vec3::Zero(), true});
+    reports.push_back(
+        {p.a, p.b, p.y_a, p.y_b, p.n, p.d, -evaluate(barrier, p.d).first, Vec3::Zero(), true, 0});
   }
   return reports;
 }

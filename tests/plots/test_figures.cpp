@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/plots/figure.h"
 #include "app/plots/figures/barrier.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"

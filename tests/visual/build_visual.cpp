@@ -74,9 +74,9 @@ TEST_CASE("contacts become disc, shaft and head along the normal; longer for lar
   tiny.add(Box{{0.5, 0.5, 0.5}}, {0, 1.51, 0});
   StepReport report;
   const Vec3 n(0, 1, 0);
-  report.contact_reports.push_back({0, 1, {0, 1, 0}, {0, 1.01, 0}, n, 0.01, 0.0, Vec3::Zero(), true});
+  report.contact_reports.push_back({0, 1, {0, 1, 0}, {0, 1.01, 0}, n, 0.01, 0.0, Vec3::Zero(), true, 0});
   report.contact_reports.push_back(
-      {0, 1, {0.4, 1, 0}, {0.4, 1.005, 0}, n, 0.005, 9810.0, Vec3::Zero(), true});
+      {0, 1, {0.4, 1, 0}, {0.4, 1.005, 0}, n, 0.005, 9810.0, Vec3::Zero(), true, 0});
   VisualOptions options;
   options.contacts = true;
   options.d_hat = 0.01;
@@ -109,7 +109,8 @@ TEST_CASE("bonds become two points in two colours and a line; nothing is added w
   TinyModel tiny;
   tiny.add(Box{{0.5, 0.5, 0.5}}, {0, 0.5, 0});
   StepReport report;
-  report.contact_reports.push_back({0, 0, {0, 1, 0}, {0, 1.2, 0}, {0, 1, 0}, 0.2, 1.0, Vec3::Zero(), true});
+  report.contact_reports.push_back(
+      {0, 0, {0, 1, 0}, {0, 1.2, 0}, {0, 1, 0}, 0.2, 1.0, Vec3::Zero(), true, 0});
   VisualOptions options;
   VisualScene scene;
   build_visual(tiny.model, tiny.state, report, options, scene);

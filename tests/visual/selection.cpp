@@ -181,7 +181,8 @@ TEST_CASE("boxes and hulls: the edges between what is seen and what is not") {
 TEST_CASE("what is selected is outlined, what is not there is not") {
   const TinyModel tiny = two_balls_on_a_floor();
   StepReport report;
-  report.contact_reports.push_back({0, 1, {0, 0, 0}, {0, 0.01, 0}, {0, 1, 0}, 0.01, 5, Vec3::Zero(), true});
+  report.contact_reports.push_back(
+      {0, 1, {0, 0, 0}, {0, 0.01, 0}, {0, 1, 0}, 0.01, 5, Vec3::Zero(), true, 0});
   VisualOptions options;
   VisualScene scene;
   build_visual(tiny.model, tiny.state, report, options, scene);

@@ -174,7 +174,8 @@ TEST_CASE("another scene or recording says what would be gone, until it is saved
   const TempFolder folder;
   const std::string stack = PABD_SCENES "/stack.json";
   const auto stakes = [&](Workbench& bench, const char* word) {
-    CHECK_THAT(refusal(bench, command::Load{stack}), Catch::Contains("not saved") && Catch::Contains(word));
+    CHECK_THAT(refusal(bench, command::Load{stack, {}, false}),
+               Catch::Contains("not saved") && Catch::Contains(word));
     CHECK(bench.snapshot().scene->name == "two boxes");
   };
   Workbench bench = open();
@@ -199,7 +200,7 @@ TEST_CASE("another scene or recording says what would be gone, until it is saved
   CHECK_THAT(refusal(bench, command::LoadRecording{(folder / "run.pabdrec").string()}),
              Catch::Contains("parameters of B"));
   bench.apply(command::SavePatch{(folder / "b.json").string(), false, Side::b});
-  bench.apply(command::Load{stack});
+  bench.apply(command::Load{stack, {}, false});
   CHECK(bench.snapshot().scene->name == "stack");
 }
 
