@@ -57,8 +57,11 @@ extern "C" void on_crash(int signal) {
 
 void handle(int signal, void (*handler)(int), int flags) {
   struct sigaction before = {};
-  // Somebody else's handler (a sanitizer's) and a wish to be left alone are respected.
-  if (sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) return;
+  if (sigaction(signal, nullptr, &before) != 0) return;
+  // Somebody else's handler (a sanitizer's) is respected, and nohup. What a script starts in the background
+  // ignores SIGINT without anybody's wish.
+  const bool unasked = before.sa_handler == SIG_IGN && signal != SIGHUP;
+  if (before.sa_handler != SIG_DFL && !unasked) return;
   struct sigaction action = {};
   action.sa_handler = handler;
   action.sa_flags = flags;

@@ -101,4 +101,19 @@ std::vector<WindowEvent> ImGuiInput::feed(ImGuiIO& io) {
   return taken;
 }
 
+MouseCursor imgui_cursor() {
+  switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput:
+      return MouseCursor::text;
+    case ImGuiMouseCursor_ResizeEW:
+      return MouseCursor::resize_horizontal;
+    case ImGuiMouseCursor_ResizeNS:
+      return MouseCursor::resize_vertical;
+    case ImGuiMouseCursor_Hand:
+      return MouseCursor::hand;
+    default:
+      return MouseCursor::arrow;
+  }
+}
+
 }  // namespace pabd

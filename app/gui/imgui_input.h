@@ -26,4 +26,7 @@ class ImGuiInput {
   std::deque<WindowEvent> waiting_;
 };
 
+// The pointer that Dear ImGui asks for.
+MouseCursor imgui_cursor();
+
 }  // namespace pabd

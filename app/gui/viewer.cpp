@@ -385,20 +385,7 @@ const UiState& Viewer::ui() const { return impl_->ui; }
 const Snapshot& Viewer::snapshot() const { return *impl_->sim; }
 void Viewer::set_screen_scale(double scale) { impl_->options.screen_scale = scale; }
 const GuiLayout& Viewer::layout() const { return impl_->layout; }
-MouseCursor Viewer::cursor() const {
-  switch (ImGui::GetMouseCursor()) {
-    case ImGuiMouseCursor_TextInput:
-      return MouseCursor::text;
-    case ImGuiMouseCursor_ResizeEW:
-      return MouseCursor::resize_horizontal;
-    case ImGuiMouseCursor_ResizeNS:
-      return MouseCursor::resize_vertical;
-    case ImGuiMouseCursor_Hand:
-      return MouseCursor::hand;
-    default:
-      return MouseCursor::arrow;
-  }
-}
+MouseCursor Viewer::cursor() const { return imgui_cursor(); }
 bool Viewer::has_input() const {
   return !impl_->input.empty() || impl_->studio.busy() || (impl_->scenes_shown && impl_->scenes.busy());
 }

@@ -106,6 +106,7 @@ std::string check_gl_version(GlContext& context) {
 }
 
 std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts) {
+  fix_vector_width();
   attempts.clear();
   if (!is_proven(backend)) attempts = probe_contexts(families(backend));
   const bool probed = !attempts.empty();

@@ -1,4 +1,5 @@
-// The same pixels from every processor: software GL is made to believe in others.
+// The same pixels from every processor: software GL is made to believe in others. Without fused multiply-add
+// (before AVX2) a few pixels may be off by a level, as within a class of renderers.
 #include <catch2/catch.hpp>
 
 #include "render/output/compare.h"
@@ -51,10 +52,11 @@ TEST_CASE("vector widths and instruction sets of software GL draw the same pixel
       if (*instructions) environment["GALLIUM_OVERRIDE_CPU_CAPS"] = instructions;
       const Drawn other = draw(folder, environment);
       CHECK(other.text.at("GL_RENDERER").find(width) != std::string::npos);
-      const bool same = other.image.rgb == usual.image.rgb;
-      report += name_of(environment) + (same ? ": the same pixels\n" : ": DIFFERENT pixels\n");
-      CAPTURE(report);
-      CHECK(same);
+      const CompareResult result = compare_images(other.image, usual.image, CompareTier::same_class);
+      report += name_of(environment) +
+                (other.image.rgb == usual.image.rgb ? ": the same pixels\n" : ": within a level\n");
+      INFO(report << result.reason);
+      CHECK(result.equal);
     }
   }
   WARN(report);

@@ -93,7 +93,7 @@ TEST_CASE("all figures of the supplement are drawn") {
     CHECK(run_pabd({"figure", number, "-o", (folder / "figure") + number + ".svg"}).exit_code == 0);
     CHECK(lines_of(run_pabd({"figure", number, "-o", "-"}).out).at(0) == "point,x,y");
   }
-  CHECK(run_pabd({"figure", "7", "-o", "-"}).out.find("sissm") != std::string::npos);
+  CHECK(run_pabd({"figure", "7", "-o", "-"}).out.find("polar") != std::string::npos);
 }
 
 TEST_CASE("compare tells equal from different by its exit code") {

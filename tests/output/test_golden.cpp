@@ -12,7 +12,7 @@ using namespace pabd;
 
 namespace {
 
-const std::string mesa = "llvmpipe (LLVM 15.0.6, 256 bits)";
+const std::string mesa = "llvmpipe (LLVM 15.0.6, 128 bits)";
 const std::string other = "llvmpipe (LLVM 15.0.6, 512 bits)";
 
 // The environment variable as this test needs it, and as it was afterwards.

@@ -123,10 +123,10 @@ TEST_CASE("a free chain that turns keeps its angular momentum") {
 
 TEST_CASE("what a ball does not touch does not feel it") {
   testing::World world = block_hit_by_a_ball(2, {-0.85, 0, 0}, {3, 0, 0});
-  // Beside the block, within reach of detection, and never touched.
+  // Beside the block, within reach of detection, and never touched: it leaves faster than the block breaks.
   const Index alone = world.add_cube(0.5, 60, {0, 0.505 + 0.014 + 0.25, 0});
-  world.state.v[alone] = {0.1, 0.3, 0.2};
+  world.state.v[alone] = {0.1, 2, 0.2};
   testing::run(world, 30);
-  CHECK(world.state.v[alone] == Vec3(0.1, 0.3, 0.2));
+  CHECK(world.state.v[alone] == Vec3(0.1, 2, 0.2));
   CHECK(world.state.omega[alone] == Vec3::Zero());
 }

@@ -39,7 +39,7 @@ Example example() {
   }
   e.state.v[1] = Vec3(-0.0, 1e-310, 1e300);
   e.state.anchors.push_back({(std::uint64_t{0} << 32) | 3, 7, Vec3(1e-9, -0.0, 2.0 / 3)});
-  e.state.anchors.push_back({(std::uint64_t{2} << 32) | 5, 0xffffffffu, Vec3(0, 0.1, 0), true});
+  e.state.anchors.push_back({(std::uint64_t{2} << 32) | 5, 0xffffffffu, Vec3(0, 0.1, 0), true, true});
   return e;
 }
 
@@ -69,6 +69,8 @@ TEST_CASE("a state file gives the same bits back", "[trace]") {
   CHECK(back.anchors[1].feature == 0xffffffffu);
   CHECK_FALSE(back.anchors[0].sliding);
   CHECK(back.anchors[1].sliding);
+  CHECK_FALSE(back.anchors[0].recovers);
+  CHECK(back.anchors[1].recovers);
   CHECK(back.anchors[1].pair == e.state.anchors[1].pair);
   CHECK(state_to_json(e.model, back) == text);
 }
