@@ -11,12 +11,13 @@ using namespace pabd;
 namespace {
 
 std::string sealed(std::string_view payload) {
-  ByteWriter file;
+  std::string bytes;
+  ByteWriter file([&](std::string_view part) { bytes += part; });
   file.raw("pabd-rec");
   file.u32(1);
   file.u64(payload.size());
   file.raw(payload);
-  std::string bytes = file.take();
+  file.flush();
   Hash64 hash;
   hash.add_text(bytes);
   return bytes + hash.hex();
