@@ -61,7 +61,7 @@ bool ran_away(const SolveContext& s, const State& start) {
   if (!(gained > 0)) return false;
   w.start.resize(w.v.size());
   for (const Index i : w.solved) w.start[i] = {start.c[i], start.R[i]};
-  const double speed = 2 * width(s, start) / s.params.h;
+  const double speed = 100 * width(s, start) / s.params.h;
   return std::any_of(w.solved.begin(), w.solved.end(), [&](Index i) {
     const double K = kinetic_energy_of(s, i, w.pose[i].R);
     return K > w.flight[i] && K > 0.5 * s.model.mass[i] * speed * speed;
