@@ -6,9 +6,9 @@
 //
 // A bond asks a body to go as far as it is open, so no step sends a body faster than L/h unless it was so
 // fast before: a bullet. A solve has run away when the bodies have more kinetic energy than free flight left
-// them, and one of them gained some and has more than ½ m (100 L/h)²: an unsolved step of deep overlap throws light
-// bodies off heavy ones at tens of L/h, and they come to rest. So has one that leaves a body where a double no
-// longer resolves d̂.
+// them, and one of them gained some and has more than ½ m (100 L/h)²: an unsolved step of deep overlap throws
+// light bodies off heavy ones at tens of L/h, and they come to rest. So has one that leaves a body where a
+// double no longer resolves d̂.
 #pragma once
 
 #include "sim/body/state.h"
