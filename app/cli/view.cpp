@@ -130,6 +130,7 @@ int view_window(const ViewOptions& options, FrameSize size) {
     window->size(width, height);
   };
   const auto present = [&] {
+    if (!window->answers()) return;
     viewer.renderer().blit_to_window(width, height);
     window->context().present();
     window->set_cursor(viewer.cursor());

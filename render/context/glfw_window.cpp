@@ -79,6 +79,7 @@ class GlfwContext final : public GlContext {
   void framebuffer_size(int& width, int& height) const override {
     width = height = 0;
     if (!glfw_.lost()) glfwGetFramebufferSize(window_, &width, &height);
+    if (glfw_.lost()) width = height = 0;  // lost while it was asked
   }
   void present() override {
     if (!glfw_.lost()) glfwSwapBuffers(window_);
@@ -117,6 +118,11 @@ class GlfwWindow final : public Window {
     if (!glfw_.lost()) glfwSetWindowShouldClose(window_, GLFW_FALSE);
   }
   bool display_lost() const override { return glfw_.lost(); }
+  bool answers() const override {
+    int width = 0, height = 0;
+    context_->framebuffer_size(width, height);  // asks the X server
+    return !glfw_.lost();
+  }
 
   double content_scale() const override {
     float x = 1, y = 1;

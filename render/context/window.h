@@ -79,6 +79,9 @@ class Window {
   virtual void keep_open() = 0;
   // The connection to the display broke. Nothing can be shown any more; every call does nothing.
   virtual bool display_lost() const = 0;
+  // Asks the window system whether it is still there. To be asked before each use of the window's own
+  // framebuffer: Mesa takes the size of a window that is gone from memory that nobody set, and draws there.
+  virtual bool answers() const = 0;
 
   virtual double content_scale() const = 0;
   // Of the framebuffer; 0×0 while the window is minimised or its display lost.
