@@ -116,42 +116,33 @@ void add_plane_pairs(const Model& model, const std::vector<Aabb>& boxes, const s
   }
 }
 
-// Any number of bodies may be put at one place, and all would meet all. A body meets at most so many that lie
-// deep in it, and so many of its size that lie close: more than have room side by side (no more than 18 equal
-// balls come closer than 1.4 diameters).
-Index leave_out_deep_pairs(const Poses& poses, std::vector<IndexPair>& pairs) {
-  constexpr std::size_t kMostDeep = 16, kMostClose = 32;
-  constexpr double kDeep = 0.5, kClose = 1.4;  // of the sum of the inner radii
-  constexpr double kSameSize = 0.8;
-  const auto core = [&](Index i) {
-    const Shape& shape = poses.model.shape[static_cast<std::size_t>(i)];
+// Any number of bodies may be put at one place, and all would meet all. A body is crowded when the balls
+// inscribed in more than a few others reach into its own. Crowded bodies meet only a few of each other.
+Index thin_out_crowds(const Poses& poses, std::vector<IndexPair>& pairs, std::vector<int>& overlaps) {
+  constexpr int kCrowded = 8, kMet = 8;
+  const auto core = [&](std::size_t i) {
+    const Shape& shape = poses.model.shape[i];
     return shape.index() == kCompound || is_plane(shape) ? 0.0 : inner_radius(shape);
   };
-  std::size_t kept = 0;
-  for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
-    const Index i = pairs[begin].first;
-    while (end < pairs.size() && pairs[end].first == i) ++end;
-    const bool many = end - begin > kMostDeep;
-    const double core_i = many ? core(i) : 0;
-    std::size_t deep = 0, close = 0;
-    for (std::size_t k = begin; k < end; ++k) {
-      const Index j = pairs[k].second;
-      const double core_j = many && core_i > 0 ? core(j) : 0;
-      if (core_j > 0) {
-        const Vec3 between = poses.c[static_cast<std::size_t>(j)] - poses.c[static_cast<std::size_t>(i)];
-        const double way = between.norm() / (core_i + core_j);
-        const bool same_size = core_j >= kSameSize * core_i && core_i >= kSameSize * core_j;
-        if (way < kDeep && deep >= kMostDeep) continue;
-        if (way < kClose && same_size && close >= kMostClose) continue;
-        deep += way < kDeep;
-        close += way < kClose && same_size;
-      }
-      pairs[kept++] = pairs[k];
-    }
+  overlaps.assign(poses.c.size(), 0);
+  for (const auto& [first, second] : pairs) {
+    const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+    const double apart = core(i) + core(j);
+    if (!((poses.c[j] - poses.c[i]).squaredNorm() < apart * apart)) continue;
+    ++overlaps[i];
+    ++overlaps[j];
   }
-  const auto left = static_cast<Index>(pairs.size() - kept);
-  pairs.resize(kept);
-  return left;
+  Index met_by = -1;
+  int met = 0;
+  const auto goes = [&](const IndexPair& pair) {
+    if (overlaps[static_cast<std::size_t>(pair.first)] <= kCrowded ||
+        overlaps[static_cast<std::size_t>(pair.second)] <= kCrowded)
+      return false;
+    if (met_by != pair.first) met = 0;
+    met_by = pair.first;
+    return ++met > kMet;
+  };
+  return static_cast<Index>(std::erase_if(pairs, goes));
 }
 
 // Contacts of a range of pairs.
@@ -188,7 +179,7 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   auto& pairs = workspace.pairs;
   workspace.broad_phase.find(boxes, model.fixed, threads, workspace.team, pairs);
   const Poses poses{model, c, R};
-  workspace.left_pairs = leave_out_deep_pairs(poses, pairs);
+  workspace.left_pairs = thin_out_crowds(poses, pairs, workspace.overlaps);
   const auto without_planes = static_cast<std::ptrdiff_t>(pairs.size());
   add_plane_pairs(model, boxes, reach, pairs);
   if (without_planes < static_cast<std::ptrdiff_t>(pairs.size())) {

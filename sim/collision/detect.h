@@ -26,6 +26,7 @@ struct CollisionWorkspace {
   std::vector<Aabb> boxes;
   BroadPhase broad_phase;
   std::vector<std::pair<Index, Index>> pairs, merged;
+  std::vector<int> overlaps;                       // one a body, of inscribed balls
   std::vector<std::vector<ContactPoint>> partial;  // a bucket a chunk of pairs, joined in order
   Stop stop;                                       // detection ends early, with what it has
   Index left_pairs = 0;                            // of the last call: left out
@@ -35,10 +36,10 @@ struct CollisionWorkspace {
 //   c, R     poses, one entry a body (m; rotation matrices)
 //   reach    how far beyond its surface a body looks for contacts, ≥ 0, one entry a body; m
 //   skip     sorted list of pairs (a < b) that never collide, for jointed bodies
-// Two fixed bodies never meet. Of bodies deep in each other, their centres closer than half the sum of their
-// inner radii, each meets the first 16 that follow it and no more; of those of its size that are
-// closer than 1.4 times that sum, the first 32. The others are counted in workspace.left_pairs. Compounds and
-// planes always meet. The result is sorted by (min(a,b), max(a,b), feature) and does not depend on `threads`.
+// Two fixed bodies never meet. A body is crowded when the inscribed balls of more than 8 others overlap its
+// own; of two crowded bodies each meets the first 8 that follow it, and the others are counted in
+// workspace.left_pairs. Compounds and planes always meet. The result is sorted by (min(a,b), max(a,b),
+// feature) and does not depend on `threads`.
 void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
             const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip, int threads,
             CollisionWorkspace& workspace, std::vector<ContactPoint>& out);
