@@ -1,16 +1,14 @@
 // The gradient behind everything: one triangle at the far plane.
 #include "render/gl/background_pass.h"
 
+#include "render/gl/corner_triangle.h"
 #include "render/gl/frame_uniforms.h"
 
 namespace pabd {
 namespace {
 
 constexpr const char* kVertex = R"(
-void main() {
-  vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
-  gl_Position = vec4(corner, 1.0, 1.0);
-}
+void main() { gl_Position = vec4(corner(), 1.0, 1.0); }
 )";
 
 constexpr const char* kFragment = R"(
@@ -21,7 +19,9 @@ void main() { fragment = vec4(background(gl_FragCoord.y), 1.0); }
 }  // namespace
 
 BackgroundPass::BackgroundPass(const GlFunctions& gl)
-    : gl_(gl), program_(gl, "background", {kVertex}, {kFrameGlsl, kLightingGlsl, kFragment}), array_(gl) {}
+    : gl_(gl),
+      program_(gl, "background", {kCornerGlsl, kVertex}, {kFrameGlsl, kLightingGlsl, kFragment}),
+      array_(gl) {}
 
 void BackgroundPass::draw() const {
   gl_.Disable(GL_BLEND);

@@ -5,6 +5,7 @@
 //   D        exp(−h/λ), blurred with σ = 0.25 × the mean radius       0 … 1, part of the sky that is hidden
 #include "render/gl/contact_shade_pass.h"
 
+#include "render/gl/corner_triangle.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -26,9 +27,8 @@ void main() { fragment = vec4(exp(-max(height, 0.0))); }
 constexpr const char* kBlurVertex = R"(
 out vec2 uv;
 void main() {
-  vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
-  uv = 0.5 * corner + 0.5;
-  gl_Position = vec4(corner, 0.0, 1.0);
+  uv = 0.5 * corner() + 0.5;
+  gl_Position = vec4(corner(), 0.0, 1.0);
 }
 )";
 // Fifteen taps over ±3 σ.
@@ -54,7 +54,7 @@ void main() {
 ContactShadePass::ContactShadePass(const GlFunctions& gl)
     : gl_(gl),
       clearance_(gl, "clearance", {kFrameGlsl, kInstanceGlsl, kClearanceVertex}, {kClearanceFragment}),
-      blur_(gl, "blur", {kBlurVertex}, {kBlurFragment}),
+      blur_(gl, "blur", {kCornerGlsl, kBlurVertex}, {kBlurFragment}),
       step_(blur_.uniform("step_size")),
       array_(gl),
       maps_{GlTexture(gl), GlTexture(gl)},

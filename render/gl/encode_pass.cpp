@@ -3,6 +3,7 @@
 // root for it: the same frame is off by one level in half of its pixels between makers of processors then.
 #include "render/gl/encode_pass.h"
 
+#include "render/gl/corner_triangle.h"
 #include "render/gl/frame_target.h"
 
 namespace pabd {
@@ -11,10 +12,7 @@ namespace {
 constexpr int kUnit = 2;  // the shadow and the floor map keep theirs
 
 constexpr const char* kVertex = R"(
-void main() {
-  vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1);
-  gl_Position = vec4(corner, 0.0, 1.0);
-}
+void main() { gl_Position = vec4(corner(), 0.0, 1.0); }
 )";
 
 constexpr const char* kSeveral = R"(
@@ -44,8 +42,8 @@ void main() {
 
 EncodePass::EncodePass(const GlFunctions& gl)
     : gl_(gl),
-      several_(gl, "encoding", {kVertex}, {kSeveral, kFragment}),
-      one_(gl, "encoding of one sample", {kVertex}, {kOne, kFragment}),
+      several_(gl, "encoding", {kCornerGlsl, kVertex}, {kSeveral, kFragment}),
+      one_(gl, "encoding of one sample", {kCornerGlsl, kVertex}, {kOne, kFragment}),
       array_(gl) {
   for (const GlProgram* program : {&several_, &one_}) {
     program->use();
