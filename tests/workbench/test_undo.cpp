@@ -4,28 +4,16 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/workbench/workbench.h"
-#include "sim/error.h"
 #include "sim/scene/tuning.h"
 #include "tests/output/temp_folder.h"
+#include "tests/workbench/helpers.h"
 
 using namespace pabd;
+using test::open;
+using test::refusal;
 namespace fs = std::filesystem;
 
 namespace {
-
-Workbench open(const std::string& scene = PABD_SCENES "/two_boxes.json") {
-  return Workbench({}, command::Load{scene, {}, false});
-}
-
-std::string refusal(Workbench& bench, const Command& command) {
-  try {
-    bench.apply(command);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 constexpr const char* kBall =
     R"({"do": "add_body", "shape": {"type": "sphere", "radius": 0.2}, "position": [3, 1, 0]})";

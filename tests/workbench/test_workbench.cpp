@@ -6,35 +6,14 @@
 
 #include "app/workbench/command_json.h"
 #include "app/workbench/runner.h"
-#include "sim/error.h"
 #include "sim/scene/tuning.h"
+#include "tests/output/temp_folder.h"
+#include "tests/workbench/helpers.h"
 
 using namespace pabd;
+using test::open;
+using test::refusal;
 namespace fs = std::filesystem;
-
-namespace {
-
-struct TempFolder {
-  fs::path path = fs::temp_directory_path() / ("pabd_workbench_" + std::to_string(::getpid()));
-  TempFolder() { fs::create_directories(path); }
-  ~TempFolder() { fs::remove_all(path); }
-  std::string file(const std::string& name) const { return (path / name).string(); }
-};
-
-Workbench open(const std::string& scene = PABD_SCENES "/two_boxes.json") {
-  return Workbench({}, command::Load{scene, {}, false});
-}
-
-std::string refusal(Workbench& bench, const Command& command) {
-  try {
-    bench.apply(command);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-}  // namespace
 
 TEST_CASE("parameters: set, undo, redo, reset, and what changed") {
   Workbench bench = open();
@@ -151,36 +130,34 @@ TEST_CASE("a simulation that diverges is told of and leaves the last good state"
 
 TEST_CASE("files: save, refuse to replace, reload, keep what is not saved") {
   const TempFolder folder;
-  fs::copy_file(PABD_SCENES "/two_boxes.json", folder.file("scene.json"));
-  Workbench bench = open(folder.file("scene.json"));
+  fs::copy_file(PABD_SCENES "/two_boxes.json", folder / "scene.json");
+  Workbench bench = open(folder / "scene.json");
   bench.apply(command::Set{"contact.kappa", "42"});
-  CHECK_THAT(refusal(bench, command::Load{folder.file("scene.json"), {}, false}),
-             Catch::Contains("not saved"));
-  bench.apply(command::SavePatch{folder.file("patch.json")});
+  CHECK_THAT(refusal(bench, command::Load{folder / "scene.json", {}, false}), Catch::Contains("not saved"));
+  bench.apply(command::SavePatch{folder / "patch.json"});
   CHECK_FALSE(bench.snapshot().unsaved);
-  CHECK_THAT(refusal(bench, command::SavePatch{folder.file("patch.json")}),
-             Catch::Contains("exists already"));
+  CHECK_THAT(refusal(bench, command::SavePatch{folder / "patch.json"}), Catch::Contains("exists already"));
   CHECK_THAT(refusal(bench, command::SaveScene{"/dev/null/scene.json"}),
              Catch::Contains("/dev/null is a file"));
-  bench.apply(command::SaveScene{folder.file("tuned.json")});
-  CHECK(load_scene(folder.file("tuned.json")).params.contact.kappa == 42.0);
+  bench.apply(command::SaveScene{folder / "tuned.json"});
+  CHECK(load_scene(folder / "tuned.json").params.contact.kappa == 42.0);
   bench.apply(command::ResetParams{});
-  bench.apply(command::ApplyPatch{folder.file("patch.json"), Side::a});
+  bench.apply(command::ApplyPatch{folder / "patch.json", Side::a});
   CHECK(bench.run().params().contact.kappa == 42.0);
 
   // The file changes on disk: what was tuned stays.
   CHECK_FALSE(bench.look_at_file());
   const std::string newer =
-      tuned_scene_text(read_scene_text(folder.file("scene.json")), "scene", {},
+      tuned_scene_text(read_scene_text(folder / "scene.json"), "scene", {},
                        tuned(bench.run().params(), {"contact.N=7", "contact.kappa=auto"}));
-  std::ofstream(folder.file("scene.json")) << newer;
-  fs::last_write_time(folder.file("scene.json"), fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  std::ofstream(folder / "scene.json") << newer;
+  fs::last_write_time(folder / "scene.json", fs::file_time_type::clock::now() + std::chrono::seconds(5));
   CHECK(bench.look_at_file());
   bench.apply(command::Reload{});
   CHECK(bench.run().params().contact.N == 7);
   CHECK(bench.run().params().contact.kappa == 42.0);
   // Broken: the scene that is open stays.
-  std::ofstream(folder.file("scene.json")) << "{ broken";
+  std::ofstream(folder / "scene.json") << "{ broken";
   CHECK_THAT(refusal(bench, command::Reload{}), Catch::Contains("line 1"));
   bench.apply(command::Step{1});
   CHECK(bench.run().state().step == 1);
