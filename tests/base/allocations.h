@@ -1,0 +1,17 @@
+// How much memory a thread has taken, for programs that allocations.cpp is part of.
+#pragma once
+
+#include <cstddef>
+
+namespace pabd::test {
+
+struct Allocations {
+  std::size_t count, bytes;
+};
+
+// Of this thread since it began. Not under a sanitizer, which brings its own operator new.
+#ifndef __SANITIZE_ADDRESS__
+Allocations allocations();
+#endif
+
+}  // namespace pabd::test
