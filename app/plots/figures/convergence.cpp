@@ -67,6 +67,14 @@ Series level(double y, std::string name) {
   return series;
 }
 
+// One step from `state`, with a record of every iteration.
+StepReport recorded_step(const Model& model, const Params& params, State state, int threads) {
+  StepWorkspace workspace;
+  StepReport report;
+  step(model, params, {true, false, threads}, state, workspace, report);
+  return report;
+}
+
 }  // namespace
 
 double ending_energy(const std::vector<IterationRecord>& records) {
@@ -149,11 +157,7 @@ std::vector<MethodRun> run_methods(const Model& model, const Params& params, con
     p.solver.method = method;
     p.solver.iterations = iterations;
     p.solver.tolerance = 0;
-    State copy = state;
-    StepWorkspace workspace;
-    StepReport report;
-    step(model, p, {true, false, threads}, copy, workspace, report);
-    runs.push_back({to_string(method), std::move(report.records)});
+    runs.push_back({to_string(method), recorded_step(model, p, state, threads).records});
   }
   return runs;
 }
@@ -164,10 +168,7 @@ Minimiser find_minimiser(const Model& model, const Params& params, const State& 
   p.solver.method = model.joints.empty() ? SolverMethod::descent : SolverMethod::newton;
   p.solver.iterations = model.joints.empty() ? iterations : std::max(1, iterations / 100);
   p.solver.tolerance = 1e-14;
-  State copy = state;
-  StepWorkspace workspace;
-  StepReport report;
-  step(model, p, {true, false, threads}, copy, workspace, report);
+  const StepReport report = recorded_step(model, p, state, threads);
   Minimiser out;
   out.method = p.solver.method;
   if (!report.records.empty()) {
@@ -186,10 +187,7 @@ std::vector<IterationRecord> sissm_iterates(const Model& model, Params params, c
   params.solver.projection = projection;
   params.solver.iterations = iterations;
   params.solver.tolerance = 0;
-  State copy = state;
-  StepWorkspace workspace;
-  StepReport report;
-  step(model, params, {true, false, threads}, copy, workspace, report);
+  StepReport report = recorded_step(model, params, state, threads);
   report.records.insert(report.records.begin(), report.first_iterate);
   return std::move(report.records);
 }
