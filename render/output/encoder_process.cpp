@@ -102,7 +102,6 @@ void EncoderProcess::listen() {
   LineSplitter progress([this](std::string_view line) {
     if (line.starts_with("frame=")) frames_ = std::strtol(std::string(line.substr(6)).c_str(), nullptr, 10);
   });
-  std::array<char, 4096> text;
   std::array<pollfd, 3> sources = {
       {{child_.output.get(), POLLIN, 0}, {child_.errors.get(), POLLIN, 0}, {over_read_.get(), POLLIN, 0}}};
   bool over = false;
@@ -112,20 +111,7 @@ void EncoderProcess::listen() {
       if (errno == EINTR) continue;
       break;
     }
-    bool heard = false;
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (sources[i].fd < 0 || sources[i].revents == 0) continue;
-      const ssize_t n = ::read(sources[i].fd, text.data(), text.size());
-      if (n < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-      heard = true;
-      if (n <= 0) {
-        sources[i].fd = -1;
-      } else if (i == 0) {
-        progress.append(text.data(), static_cast<std::size_t>(n));
-      } else {
-        tail_.append(text.data(), static_cast<std::size_t>(n));
-      }
-    }
+    const bool heard = read_pipes(sources, progress, tail_);
     if (over && (!heard || ++heard_after > kLastReads)) break;
     over = sources[2].revents != 0;
   }

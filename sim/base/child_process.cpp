@@ -144,6 +144,25 @@ void LineSplitter::finish() {
   begun_.clear();
 }
 
+bool read_pipes(std::span<pollfd> sources, LineSplitter& lines, Tail& tail) {
+  std::array<char, 4096> text;
+  bool heard = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (sources[i].fd < 0 || sources[i].revents == 0) continue;
+    const ssize_t n = ::read(sources[i].fd, text.data(), text.size());
+    if (n < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    heard = true;
+    if (n <= 0) {
+      sources[i].fd = -1;
+    } else if (i == 0) {
+      lines.append(text.data(), static_cast<std::size_t>(n));
+    } else {
+      tail.append(text.data(), static_cast<std::size_t>(n));
+    }
+  }
+  return heard;
+}
+
 ChildOutcome run_child(const std::vector<std::string>& arguments, double patience,
                        const std::function<void(std::string_view)>& line, double longest) {
   using Clock = std::chrono::steady_clock;
@@ -154,7 +173,6 @@ ChildOutcome run_child(const std::vector<std::string>& arguments, double patienc
   child.input.close();
   LineSplitter lines(line);
   Tail tail;
-  std::array<char, 4096> text;
   std::array<pollfd, 2> sources = {{{child.output.get(), POLLIN, 0}, {child.errors.get(), POLLIN, 0}}};
   const auto start = Clock::now();
   for (auto heard = start; sources[0].fd >= 0 || sources[1].fd >= 0;) {
@@ -163,19 +181,7 @@ ChildOutcome run_child(const std::vector<std::string>& arguments, double patienc
     const int ready = ::poll(sources.data(), sources.size(), over ? 0 : kPollMs);
     if (ready < 0 && errno != EINTR) break;
     if (ready <= 0 && over) break;
-    if (ready > 0) heard = Clock::now();
-    for (std::size_t i = 0; ready > 0 && i < sources.size(); ++i) {
-      if (sources[i].fd < 0 || sources[i].revents == 0) continue;
-      const ssize_t n = ::read(sources[i].fd, text.data(), text.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) {
-        sources[i].fd = -1;
-      } else if (i == 0) {
-        lines.append(text.data(), static_cast<std::size_t>(n));
-      } else {
-        tail.append(text.data(), static_cast<std::size_t>(n));
-      }
-    }
+    if (ready > 0 && read_pipes(sources, lines, tail)) heard = Clock::now();
     const auto seconds_since = [](Clock::time_point t) {
       return std::chrono::duration<double>(Clock::now() - t).count();
     };

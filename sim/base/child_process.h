@@ -1,9 +1,11 @@
 // Another program, started without a shell, in a process group of its own.
 #pragma once
 
+#include <poll.h>
 #include <sys/types.h>
 
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,5 +77,10 @@ class LineSplitter {
   std::function<void(std::string_view)> line_;
   std::string begun_;
 };
+
+// Reads once from each of the two pipes that poll() found ready: `sources` begins with the standard output,
+// whose text goes to `lines`, and the standard error, whose text goes to `tail`; fd −1 in it once an output
+// has ended. False when neither said anything or ended.
+bool read_pipes(std::span<pollfd> sources, LineSplitter& lines, Tail& tail);
 
 }  // namespace pabd
