@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
+#include <sstream>
 
 #include "golden.h"
 #include "picture.h"
@@ -39,7 +40,8 @@ class UpdateWish {
 
 TEST_CASE("golden pictures") {
   const TempFolder folder;
-  const GoldenFolders folders = {folder / "golden", folder / "failures"};
+  std::ostringstream notes;
+  const GoldenFolders folders = {folder / "golden", folder / "failures", &notes};
   const Image picture = draw_picture();
   const Image shifted = moved(picture, 1, 0);
 
@@ -64,10 +66,14 @@ TEST_CASE("golden pictures") {
   CHECK(failed.reason.find("failures/boxes.") != std::string::npos);
   CHECK(std::filesystem::exists(folder / "failures/boxes.diff.png"));
   CHECK(std::filesystem::exists(folder / "failures/boxes.json"));
+  CHECK(notes.str().empty());
   CHECK(check_golden(shifted, "boxes", other, folders).equal);
   PictureOptions empty;
   empty.small_box = false;
   CHECK_FALSE(check_golden(draw_picture(empty), "boxes", other, folders).equal);
+  // said, but once
+  CHECK(notes.str() ==
+        "no approved pictures of class llvmpipe-512: compared leniently with class llvmpipe-128\n");
   // a class with its own baseline is held to it
   {
     const UpdateWish yes("1");
@@ -75,4 +81,13 @@ TEST_CASE("golden pictures") {
   }
   CHECK(check_golden(shifted, "boxes", other, folders).equal);
   CHECK_FALSE(check_golden(picture, "boxes", other, folders).equal);
+  // where it has some, a picture that is missing is named
+  {
+    const UpdateWish yes("1");
+    CHECK(check_golden(picture, "bricks", mesa, folders).equal);
+  }
+  notes.str("");
+  CHECK(check_golden(picture, "bricks", other, folders).equal);
+  CHECK(notes.str() ==
+        "no approved picture bricks of class llvmpipe-512: compared leniently with class llvmpipe-128\n");
 }
