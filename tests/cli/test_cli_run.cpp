@@ -82,6 +82,37 @@ TEST_CASE("with joints the summary names their largest error of the run, which i
   CHECK(std::stod(outcome.err.substr(at + words.size())) == Approx(largest).epsilon(0.05));  // two digits
 }
 
+TEST_CASE("the summary tells of friction above its bound as the CSV does, and only then") {
+  const std::vector<std::string> hurried = {"run", "incline", "--set", "solver.iterations=2", "--trace", "-"};
+  for (const char* steps : {"1", "60"}) {
+    std::vector<std::string> command = hurried;
+    command.insert(command.end(), {"--steps", steps});
+    const Outcome outcome = run_pabd(command);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    double largest = 0;
+    int above = 0;
+    for (const std::string& row : lines_of(outcome.out)) {
+      if (row.starts_with("step,")) continue;
+      const double excess = std::stod(row.substr(row.rfind(',') + 1));
+      largest = std::max(largest, excess);
+      if (excess > 0.01) ++above;
+    }
+    REQUIRE(above > 0);
+    const std::string words = " · friction up to ";
+    const auto at = outcome.err.find(words);
+    REQUIRE(at != std::string::npos);
+    CHECK(std::stod(outcome.err.substr(at + words.size())) ==
+          Approx(100 * largest).epsilon(0.05));  // two digits
+    CHECK(outcome.err.find(" % above μ f_n in " + std::to_string(above) +
+                           (above == 1 ? " step ·" : " steps ·")) != std::string::npos);
+  }
+  const Outcome clean = run_pabd({"run", "incline", "--steps", "60"});
+  CHECK(clean.exit_code == 0);
+  CHECK(clean.err.find("kinetic energy") != std::string::npos);
+  CHECK(clean.err.find("friction") == std::string::npos);
+}
+
 TEST_CASE("- is standard output, for one of the files") {
   const Outcome trace = run_pabd({"run", "two_boxes", "--steps", "2", "--quiet", "--trace", "-"});
   CHECK(trace.exit_code == 0);

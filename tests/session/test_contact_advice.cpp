@@ -245,6 +245,30 @@ TEST_CASE("iteration limit: more iterations or a faster method end it") {
   CHECK_FALSE(asked.warned(AdviceKind::iteration_limit));
 }
 
+TEST_CASE("friction above its bound: it is said by how much, and more iterations end it") {
+  Run run("incline", {"solver.iterations=1"});
+  for (int k = 0; k < kSecond && run.session.report().friction_excess <= 0.1; ++k) run.steps(1);
+  REQUIRE(run.warned(AdviceKind::friction_excess));
+  CHECK(clicks_until_gone(run, AdviceKind::friction_excess, 5, kSecond / 2) <= 5);
+  for (int k = 0; k < 10; ++k) {  // in every step: one iteration is too few in every second
+    run.steps(1);
+    CHECK_FALSE(run.warned(AdviceKind::friction_excess));
+  }
+
+  const Run calm("incline");
+  StepReport report = calm.session.report();
+  const auto advice = [&](double excess) {
+    report.friction_excess = excess;
+    return contact_advice(calm.session.model(), calm.session.params(), calm.session.state(), report);
+  };
+  const auto said = advice(0.25);
+  const Advice* found = find(said, AdviceKind::friction_excess);
+  REQUIRE(found);
+  CHECK(found->what == "friction is up to 25 % above μ f_n: Coulomb's law does not hold in this step");
+  CHECK(find(advice(0.0101), AdviceKind::friction_excess));
+  CHECK_FALSE(find(advice(0.01), AdviceKind::friction_excess));
+}
+
 TEST_CASE("a warning does not contradict its numbers") {
   const Run run("two_boxes");
   Params params = run.session.params();
