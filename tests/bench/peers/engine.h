@@ -27,6 +27,7 @@ class Engine {
 };
 
 std::string engine_name();  // with its version
+int engine_threads();       // the most that it can use
 bool engine_takes(SceneFor scene);
 // Throws Error(bad_input) for a shape or joint that the engine's adapter does not know.
 std::unique_ptr<Engine> make_engine(const Scene& scene, const EngineOptions& options);

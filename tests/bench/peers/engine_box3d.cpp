@@ -234,6 +234,8 @@ std::string engine_name() {
          std::to_string(version.revision) + PABD_BOX3D_REVISION;
 }
 
+int engine_threads() { return B3_MAX_WORKERS; }
+
 bool engine_takes(SceneFor scene) { return scene != SceneFor::us_alone; }
 
 std::unique_ptr<Engine> make_engine(const Scene& scene, const EngineOptions& options) {

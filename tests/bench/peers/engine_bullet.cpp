@@ -129,6 +129,8 @@ std::string engine_name() {
   return "Bullet " + std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100);
 }
 
+int engine_threads() { return 1; }
+
 bool engine_takes(SceneFor scene) { return scene != SceneFor::us_alone; }
 
 std::unique_ptr<Engine> make_engine(const Scene& scene, const EngineOptions&) {

@@ -172,6 +172,8 @@ class OdeEngine : public Engine {
 
 std::string engine_name() { return std::string("ODE ") + PABD_ODE_VERSION + (kDense ? " dWorldStep" : ""); }
 
+int engine_threads() { return 1; }
+
 bool engine_takes(SceneFor scene) { return kDense ? scene == SceneFor::dense : scene != SceneFor::us_alone; }
 
 std::unique_ptr<Engine> make_engine(const Scene& scene, const EngineOptions& options) {

@@ -38,6 +38,8 @@ class PabdEngine : public Engine {
 
 std::string engine_name() { return "pabd"; }
 
+int engine_threads() { return 1024; }
+
 bool engine_takes(SceneFor) { return true; }
 
 std::unique_ptr<Engine> make_engine(const Scene& scene, const EngineOptions& options) {

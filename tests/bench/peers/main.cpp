@@ -1,8 +1,9 @@
 // bench_peers_ENGINE SCENE [THREADS]: one row of a table, in Markdown, on stdout. --list names the scenes
-// that this engine takes, --kind SCENE tells whether it shows contacts or joints, --head KIND prints a
-// table's head.
+// that this engine takes, --threads the most threads that it can use, --kind SCENE whether it shows contacts
+// or joints, --head KIND prints a table's head.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -52,12 +53,24 @@ std::string row(const std::string& name, const PeerScene& peer, int threads) {
                      m.peak_mib);
 }
 
+// 0 for what is not a number.
+int number(const std::string& text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && rest == end ? value : 0;
+}
+
 int run(int count, char** arguments) {
   const std::string first = count > 1 ? arguments[1] : "", second = count > 2 ? arguments[2] : "";
   if (first == "--list" && count == 2) {
     for (const std::string& name : scene_names()) {
       if (engine_takes(scene_engines(name))) fmt::print("{}\n", name);
     }
+    return 0;
+  }
+  if (first == "--threads" && count == 2) {
+    fmt::print("{}\n", engine_threads());
     return 0;
   }
   if (first == "--kind" && count == 3) {
@@ -68,16 +81,17 @@ int run(int count, char** arguments) {
     fmt::print("{}", second == kKinds[0] ? kContactHead : kJointHead);
     return 0;
   }
-  const std::string threads = count > 2 ? second : "1";
-  if (first.empty() || count > 3 || threads.size() != 1 || threads[0] < '1' || threads[0] > '9') {
-    throw Error(
-        ExitCode::bad_input,
-        "expected: SCENE [THREADS from 1 to 9], --list, --kind SCENE, --head contacts or --head joints");
+  const int threads = count > 2 ? number(second) : 1;
+  if (first.empty() || count > 3 || threads < 1 || threads > engine_threads()) {
+    throw Error(ExitCode::bad_input,
+                fmt::format("expected: SCENE [THREADS from 1 to {}], --list, --threads, --kind SCENE, "
+                            "--head contacts or --head joints",
+                            engine_threads()));
   }
   if (!engine_takes(scene_engines(first))) {
     throw Error(ExitCode::bad_input, "scene '" + first + "': expected one of those that --list prints");
   }
-  fmt::print("{}", row(first, peer_scene(first), threads[0] - '0'));
+  fmt::print("{}", row(first, peer_scene(first), threads));
   return std::fflush(stdout) == 0 ? 0 : static_cast<int>(ExitCode::file);
 }
 
