@@ -10,12 +10,13 @@ enum class Stage { ground, air, bridge };  // with the ground; without; with pla
 
 struct Entry {
   const char* name;
-  const char* generate;  // entries of the scene file's "generate"
+  const char* generate = "";  // entries of the scene file's "generate"
   Stage stage = Stage::ground;
   bool has_top = false;
   SceneFor engines = SceneFor::all;
   const char* more = "";  // other members of the scene file
   int steps = kSteps;
+  std::string (*members)() = nullptr;  // in place of `generate` and what belongs to the stage
 };
 
 // A new scene is one line here; bodies that the generators do not make can be written out in the same way.
@@ -31,6 +32,9 @@ constexpr Entry kEntries[] = {
      Stage::ground, true},
     {"pile_1000", R"({"type": "pile", "count": 1000, "size": [0.6, 0.5, 0.5], "vary": 0.15, "seed": 7})"},
     {"pile_8000", R"({"type": "pile", "count": 8000, "size": [0.6, 0.5, 0.5], "vary": 0.15, "seed": 7})"},
+    {.name = "pile_1000_walls", .members = [] { return walled_pile_members(10); }},
+    {.name = "pile_8000_walls", .members = [] { return walled_pile_members(20); }},
+    {.name = "pile_64000_walls", .members = [] { return walled_pile_members(40); }},
     {"chain_100", R"({"type": "chain", "links": 100})", Stage::air, false, SceneFor::dense},
     {"chain_100_heavy", R"({"type": "chain", "links": 100, "end_mass": 1000})", Stage::air, false,
      SceneFor::dense},
@@ -38,7 +42,7 @@ constexpr Entry kEntries[] = {
     {"chain_1000_heavy", R"({"type": "chain", "links": 1000, "end_mass": 1000})", Stage::air},
     {"chain_10000", R"({"type": "chain", "links": 10000})", Stage::air},
     {"chain_10000_heavy", R"({"type": "chain", "links": 10000, "end_mass": 1000})", Stage::air},
-    {"bridge_50", "", Stage::bridge, false, SceneFor::dense},
+    {.name = "bridge_50", .stage = Stage::bridge, .engines = SceneFor::dense, .members = bridge_members},
     // Their middle is at the origin, since no scene reaches beyond 1000 km.
     {"chain_1076748", R"({"type": "chain", "links": 1076748, "position": [-538374, 0, 0]})", Stage::air,
      false, SceneFor::us_alone, R"("time_step": 0.01, "solver": {"method": "newton", "iterations": 1}, )",
@@ -62,7 +66,7 @@ SceneKind kind(const Entry& entry) {
 }
 
 std::string members(const Entry& entry) {
-  if (entry.stage == Stage::bridge) return bridge_members();
+  if (entry.members) return entry.members();
   const std::string generate = R"("generate": [)" + std::string(entry.generate) + "]";
   return entry.stage == Stage::ground ? kGround + (", " + generate) : generate;
 }

@@ -39,7 +39,10 @@ PeerScene peer_scene(const std::string& name);
 SceneKind scene_kind(const std::string& name);
 SceneFor scene_engines(const std::string& name);
 
-// Members "bodies" and "joints" of a scene file: planks between two points of the world, a few boxes on them.
+// Members of a scene file: planks between two points of the world, a few boxes on them.
 std::string bridge_members();
+
+// Members of a scene file: columns³ boxes above the ground between four walls.
+std::string walled_pile_members(int columns);
 
 }  // namespace pabd::peers
