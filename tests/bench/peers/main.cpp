@@ -39,7 +39,7 @@ std::string contact_columns(const PeerScene& peer, const Measurement& m) {
 }
 
 std::string joint_columns(const PeerScene& peer, const Measurement& m) {
-  const std::string energy = peer.is_chain ? fmt::format("{:+.2f}", 100 * m.energy_change) : "–";
+  const std::string energy = peer.is_hung ? fmt::format("{:+.2f}", 100 * m.energy_change) : "–";
   return fmt::format("{} | {} | {} | {:.4g} | {}", m.steps, mm(m.drift), mm(m.ruler_last.max),
                      m.kinetic / 1000, energy);
 }

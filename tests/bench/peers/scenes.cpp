@@ -43,6 +43,15 @@ constexpr Entry kEntries[] = {
     {"chain_10000", R"({"type": "chain", "links": 10000})", Stage::air},
     {"chain_10000_heavy", R"({"type": "chain", "links": 10000, "end_mass": 1000})", Stage::air},
     {.name = "bridge_50", .stage = Stage::bridge, .engines = SceneFor::dense, .members = bridge_members},
+    // 123 × 123 plates of 0.8 m, a joint in the middle of each gap between two: 30,012 joints.
+    {.name = "net_30012",
+     .generate = R"({"type": "net", "rows": 123, "columns": 123, "size": [0.8, 0.1, 0.8], "gap": 0.2})",
+     .stage = Stage::air,
+     .steps = 60},
+    {.name = "net_100_hubs",
+     .stage = Stage::air,
+     .steps = 60,
+     .members = [] { return hub_net_members(100); }},
     // Their middle is at the origin, since no scene reaches beyond 1000 km.
     {"chain_1076748", R"({"type": "chain", "links": 1076748, "position": [-538374, 0, 0]})", Stage::air,
      false, SceneFor::us_alone, R"("time_step": 0.01, "solver": {"method": "newton", "iterations": 1}, )",

@@ -26,8 +26,8 @@ struct PeerScene {
   SceneKind kind = SceneKind::contacts;
   SceneFor engines = SceneFor::all;
   int steps = kSteps;
-  bool has_top = false;   // the highest body is meant to stay where it is: its shift is reported
-  bool is_chain = false;  // nothing but gravity does work: the change of energy is reported
+  bool has_top = false;  // the highest body is meant to stay where it is: its shift is reported
+  bool is_hung = false;  // nothing but gravity does work: the change of energy is reported
 };
 
 std::vector<std::string> scene_names();
@@ -41,6 +41,9 @@ SceneFor scene_engines(const std::string& name);
 
 // Members of a scene file: planks between two points of the world, a few boxes on them.
 std::string bridge_members();
+
+// Members of a scene file: side × side hubs with rods between neighbours, the four corners fixed.
+std::string hub_net_members(int side);
 
 // Members of a scene file: columns³ boxes above the ground between four walls.
 std::string walled_pile_members(int columns);
