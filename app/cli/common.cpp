@@ -5,16 +5,15 @@
 
 #include <algorithm>
 #include <charconv>
-#include <thread>
 
+#include "sim/base/available_cpus.h"
 #include "sim/error.h"
 
 namespace pabd::cli {
 
-int CommonOptions::thread_count() const {
-  if (threads > 0) return threads;
-  return static_cast<int>(std::clamp(std::thread::hardware_concurrency() / 2, 1u, 64u));
-}
+int default_threads(const CpuLimits& limits) { return std::min(usable_cpus(limits), 64); }
+
+int CommonOptions::thread_count() const { return threads > 0 ? threads : default_threads(cpu_limits()); }
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
                       const std::vector<std::string>& examples, CommonOptions& common) {
@@ -33,7 +32,9 @@ void add_scene_options(CLI::App& command, CommonOptions& common) {
       ->allow_extra_args(false);
   command
       .add_option("--threads", common.threads,
-                  "threads of the solver, 1 … 1024; results do not depend on it (default: half the cores)")
+                  "threads of the solver, 1 … 1024; results do not depend on it. Default: the CPUs that this "
+                  "process may use, at most 64; 'pabd doctor' tells how many. Software GL and video encoders "
+                  "have threads of their own beside them")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
 }

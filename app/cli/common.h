@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/available_cpus.h"
+
 namespace pabd::cli {
 
 // The work of the command that was chosen, set while the command line is parsed and run afterwards, so that a
@@ -16,11 +18,15 @@ using Action = std::function<int()>;
 
 struct CommonOptions {
   std::vector<std::string> sets;  // "key.path=value" for the scene reader
-  int threads = 0;                // 0: half the cores; drawing and encoding want some too
+  int threads = 0;                // 0: default_threads
   bool quiet = false;
 
   int thread_count() const;
 };
+
+// What --threads is unless given: every CPU that may be used. Whoever draws or encodes beside has threads of
+// his own: nothing waits for a thread that has not begun (sim/math/team.h), so that too many cost little.
+int default_threads(const CpuLimits& limits);
 
 // A subcommand with --quiet, --version and the examples in its help; `examples` are whole command lines.
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,

@@ -7,7 +7,6 @@
 #include <memory>
 #include <sstream>
 #include <string_view>
-#include <thread>
 
 #include "render/gl/renderer.h"
 #include "sim/base/child_process.h"
@@ -73,7 +72,7 @@ FfmpegFacts find_ffmpeg() {
 CpuFacts find_cpu() {
   CpuFacts facts;
   facts.model = proc_value("/proc/cpuinfo", "model name");
-  facts.cores = std::thread::hardware_concurrency();
+  facts.limits = cpu_limits();
   const std::string flags = fmt::format(" {} ", proc_value("/proc/cpuinfo", "flags"));
   facts.simd = "baseline";
   for (const auto& [flag, name] :

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/context/context.h"
+#include "sim/base/available_cpus.h"
 
 namespace pabd::cli {
 
@@ -24,7 +25,7 @@ struct FfmpegFacts {
 
 struct CpuFacts {
   std::string model;
-  unsigned cores = 0;
+  CpuLimits limits;
   std::string simd;  // the widest of the machine
   double memory_gib = 0;
 };

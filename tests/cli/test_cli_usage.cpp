@@ -1,4 +1,6 @@
 // How the program is asked: help, version, wrong command lines.
+#include <sched.h>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -205,6 +207,24 @@ TEST_CASE("the doctor reports, whatever is missing") {
   CHECK(here["ffmpeg"]["libx264"].get<bool>());
   CHECK(here["cpu"]["cores"].get<int>() >= 1);
   CHECK(here["font_bytes"].get<int>() > 100000);
+}
+
+TEST_CASE("the doctor tells how many threads a command takes, and the help where the number comes from") {
+  const auto free = nlohmann::json::parse(run_pabd({"doctor", "--json"}).out)["cpu"];
+  CHECK(free["threads"].get<int>() >= 1);
+  CHECK(free["threads"].get<int>() <= free["allowed"].get<int>());
+  CHECK(free["allowed"].get<int>() <= free["cores"].get<int>());
+  CHECK((free["quota"].is_null() || free["quota"].get<double>() > 0));
+  cpu_set_t all;
+  REQUIRE(sched_getaffinity(0, sizeof all, &all) == 0);
+  int first = 0;
+  while (!CPU_ISSET(first, &all)) ++first;
+  const std::vector<std::string> kept = {"taskset", "-c", std::to_string(first), PABD_PROGRAM, "doctor"};
+  const Outcome text = run_command(kept);
+  CAPTURE(text.err);
+  CHECK(text.out.find("\nthreads  1 by default: ") != std::string::npos);
+  if (free["cores"] > 1) CHECK(text.out.find("may run on 1 of ") != std::string::npos);
+  CHECK(run_pabd({"run", "--help"}).out.find("the CPUs that this process may use") != std::string::npos);
 }
 
 TEST_CASE("the scene in the README runs") {
