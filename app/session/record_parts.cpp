@@ -29,14 +29,16 @@ void write_state(const State& s, ByteWriter& out) {
   }
 }
 
+// Of the times what plots show: a report that is read has detect and set_up as one.
 void write_report(const StepReport& r, ByteWriter& out) {
   out.u64(static_cast<std::uint64_t>(r.step));
   out.u8(static_cast<std::uint8_t>(r.method));
   out.u8(static_cast<std::uint8_t>(r.status));
   out.u32(static_cast<std::uint32_t>(r.iterations));
   out.u32(static_cast<std::uint32_t>(r.contacts));
-  for (const double x : {r.time, r.kinetic, r.potential, r.elastic, r.kappa, r.max_penetration, r.min_gap,
-                         r.max_joint_error, r.residual, r.times.collision, r.times.solve, r.times.total})
+  for (const double x :
+       {r.time, r.kinetic, r.potential, r.elastic, r.kappa, r.max_penetration, r.min_gap, r.max_joint_error,
+        r.residual, r.times.detect + r.times.set_up, r.times.solve, r.times.total})
     out.number(x);
 }
 
@@ -90,7 +92,7 @@ StepReport read_report(ByteReader& in) {
   r.contacts = static_cast<int>(contacts);
   r.time = in.finite();
   for (double* x : {&r.kinetic, &r.potential, &r.elastic, &r.kappa, &r.max_penetration, &r.min_gap,
-                    &r.max_joint_error, &r.residual, &r.times.collision, &r.times.solve, &r.times.total})
+                    &r.max_joint_error, &r.residual, &r.times.detect, &r.times.solve, &r.times.total})
     *x = in.number();
   return r;
 }

@@ -219,7 +219,9 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   w.stop = w.collision.stop = {&options.stop};
   predict(model, params, state, options.threads, w);  // 1. free flight: Q*
   if (!all_finite(w.star, w)) return fail(total, report);
+  const Stopwatch detecting;
   find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
+  report.times.detect = detecting.ms();
   if (w.stop.requested()) return interrupt(total, report);
   start_recovery(params, state, w);
   list_ends(model, w);
@@ -236,16 +238,17 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   const SolveContext context{model, params, options.threads, report.time, w};
   report.capped_bonds = cap_stiffness(context);
   start_friction(context, state);
-  report.times.collision = total.ms();
+  report.times.set_up = total.ms() - report.times.detect;
   report.kappa = w.law.barrier.kappa;
 
   const Stopwatch solving;
   const bool feasible = !is_infeasible(w);
   if (feasible) solve(context, options, report);  // 3. minimise E
   if (report.status == StepStatus::interrupted) return interrupt(total, report);
+  report.times.solve = solving.ms();
+  const Stopwatch finishing;
   note_free_flight(context);
   update_velocities(model, params, state, w);  // 4. velocities
-  report.times.solve = solving.ms();
 
   if (!feasible || report.status == StepStatus::non_finite || !all_finite(w.pose, w) ||
       ran_away(context, state))
@@ -274,6 +277,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   if (options.report_bodies) report_bodies(model, params.solver.method, w, report.body_reports);
   report.kinetic = kinetic_energy(model, state);
   report.potential = potential_energy(model, params, state);
+  report.times.velocities = finishing.ms();
   report.times.total = total.ms();
 }
 

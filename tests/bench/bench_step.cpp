@@ -29,16 +29,20 @@ void run_scene(benchmark::State& bench, const char* name) {
       bench.ResumeTiming();
     }
     step(scene.model, scene.params, options, state, workspace, report);
-    sum.collision += report.times.collision;
+    sum.detect += report.times.detect;
+    sum.set_up += report.times.set_up;
     sum.solve += report.times.solve;
+    sum.velocities += report.times.velocities;
     iterations += report.iterations;
     contacts += report.contacts;
   }
   const auto mean = [](double total) {
     return benchmark::Counter(total, benchmark::Counter::kAvgIterations);
   };
-  bench.counters["collision_ms"] = mean(sum.collision);
+  bench.counters["detect_ms"] = mean(sum.detect);
+  bench.counters["set_up_ms"] = mean(sum.set_up);
   bench.counters["solve_ms"] = mean(sum.solve);
+  bench.counters["velocities_ms"] = mean(sum.velocities);
   bench.counters["iterations"] = mean(iterations);
   bench.counters["contacts"] = mean(contacts);
 }

@@ -121,7 +121,7 @@ TEST_CASE("time panel: each quantity is the report's number at its time") {
   run[1].max_joint_error = 1e-7;
   run[1].contacts = 12;
   run[1].iterations = 7;
-  run[1].times = {0.5, 1.5, 2.5};
+  run[1].times = {0.25, 0.5, 1.5, 0.125, 2.5};
   const auto last = [&](TimeQuantity quantity, std::size_t series = 0) {
     const Plot plot = time_panel(run, quantity);
     CHECK(plot.series.at(series).x == std::vector<double>{0.1, 0.2});
@@ -138,6 +138,7 @@ TEST_CASE("time panel: each quantity is the report's number at its time") {
   CHECK(last(TimeQuantity::iterations) == 7);
   CHECK(last(TimeQuantity::milliseconds, 0) == 2.5);
   CHECK(last(TimeQuantity::milliseconds, 1) == 1.5);
+  CHECK(last(TimeQuantity::milliseconds, 2) == 0.75);
   CHECK(time_panel(run, TimeQuantity::joint_error).y.log);
   for (int q = 0; q < kTimeQuantities; ++q) CHECK(says_nothing(time_panel({}, static_cast<TimeQuantity>(q))));
 }

@@ -66,7 +66,7 @@ std::vector<Curve> curves_of(TimeQuantity quantity) {
   }
   return {{"total", 0, [](R r, double) { return r.times.total; }},
           {"solve", 1, [](R r, double) { return r.times.solve; }},
-          {"collision", 2, [](R r, double) { return r.times.collision; }}};
+          {"collision", 2, [](R r, double) { return r.times.detect + r.times.set_up; }}};
 }
 
 Series curve(std::span<const StepReport> reports, const Curve& what) {
