@@ -1,7 +1,6 @@
 // pabd doctor: what this machine offers, and what helps where something is missing.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -22,21 +21,6 @@ struct DoctorOptions {
 const char* const kGlRemedy = "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6";
 const char* const kFfmpegRemedy = "apt-get install ffmpeg (videos only; PNG frames and raw RGB need none)";
 
-// CPUs; null without one.
-nlohmann::ordered_json quota_json(const CpuLimits& limits) {
-  return std::isfinite(limits.quota) ? nlohmann::ordered_json(limits.quota) : nlohmann::ordered_json();
-}
-
-// Which of the limits decides.
-std::string reason(const CpuLimits& limits) {
-  if (default_threads(limits) < usable_cpus(limits)) return "the most that is taken unasked";
-  if (std::ceil(limits.quota) < limits.allowed)
-    return fmt::format("control groups give this process the time of {:.4g} CPUs", limits.quota);
-  if (limits.allowed < limits.cores)
-    return fmt::format("this process may run on {} of {} cores", limits.allowed, limits.cores);
-  return "one a core";
-}
-
 nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts& cpu) {
   auto attempts = nlohmann::ordered_json::array();
   for (const ContextAttempt& attempt : gl.attempts) {
@@ -55,14 +39,8 @@ nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, con
         {"version", ffmpeg.version},
         {"libx264", ffmpeg.h264},
         {"libvpx-vp9", ffmpeg.vp9}}},
-      {"cpu",
-       {{"model", cpu.model},
-        {"cores", cpu.limits.cores},
-        {"allowed", cpu.limits.allowed},
-        {"quota", quota_json(cpu.limits)},
-        {"threads", default_threads(cpu.limits)},
-        {"simd", cpu.simd},
-        {"memory_gib", cpu.memory_gib}}},
+      {"cpu", to_json(cpu)},
+      {"build", build_text()},
       {"font_bytes", font_bytes().size()},
       {"shipped_scenes", shipped_scenes().size()},
   };
@@ -83,7 +61,8 @@ std::string to_text(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts
                        : fmt::format("ffmpeg   none; {}\n", kFfmpegRemedy);
   text += fmt::format("CPU      {} · {} cores · {} · {:.1f} GiB\n", cpu.model.empty() ? "unknown" : cpu.model,
                       cpu.limits.cores, cpu.simd, cpu.memory_gib);
-  text += fmt::format("threads  {} by default: {}\n", default_threads(cpu.limits), reason(cpu.limits));
+  text += fmt::format("threads  {} by default: {}\n", default_threads(cpu.limits), thread_reason(cpu.limits));
+  text += fmt::format("build    {}\n", build_text());
   text += fmt::format("font     DejaVu Sans, embedded ({} kB)\n", font_bytes().size() / 1000);
   text += fmt::format("scenes   {} shipped\n", shipped_scenes().size());
   return text;

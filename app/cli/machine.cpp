@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 
+#include "app/cli/common.h"
 #include "render/gl/renderer.h"
 #include "sim/base/child_process.h"
 #include "sim/error.h"
@@ -88,5 +91,40 @@ CpuFacts find_cpu() {
   facts.memory_gib = kib / (1024 * 1024);
   return facts;
 }
+
+std::string limit_text(const CpuLimits& limits) {
+  if (std::ceil(limits.quota) < limits.allowed)
+    return fmt::format("control groups give this process the time of {:.4g} CPUs", limits.quota);
+  if (limits.allowed < limits.cores)
+    return fmt::format("this process may run on {} of {} cores", limits.allowed, limits.cores);
+  return "one a core";
+}
+
+std::string thread_reason(const CpuLimits& limits) {
+  return default_threads(limits) < usable_cpus(limits) ? "the most that is taken unasked"
+                                                       : limit_text(limits);
+}
+
+std::string describe(const CpuFacts& cpu) {
+  const int usable = usable_cpus(cpu.limits);
+  return fmt::format(
+      "{}, {} cores, {}, {:.1f} GiB{}", cpu.model.empty() ? "unknown CPU" : cpu.model, cpu.limits.cores,
+      cpu.simd, cpu.memory_gib,
+      usable < cpu.limits.cores ? fmt::format(", {} usable: {}", usable, limit_text(cpu.limits)) : "");
+}
+
+nlohmann::ordered_json to_json(const CpuFacts& cpu) {
+  const auto quota = std::isfinite(cpu.limits.quota) ? nlohmann::ordered_json(cpu.limits.quota)
+                                                     : nlohmann::ordered_json();  // null: none
+  return {{"model", cpu.model},
+          {"cores", cpu.limits.cores},
+          {"allowed", cpu.limits.allowed},
+          {"quota", quota},
+          {"threads", default_threads(cpu.limits)},
+          {"simd", cpu.simd},
+          {"memory_gib", cpu.memory_gib}};
+}
+
+std::string build_text() { return PABD_BUILD; }
 
 }  // namespace pabd::cli

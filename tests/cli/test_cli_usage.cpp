@@ -206,6 +206,7 @@ TEST_CASE("the doctor reports, whatever is missing") {
   CHECK_FALSE(here["gl"]["renderer"].get<std::string>().empty());
   CHECK(here["ffmpeg"]["libx264"].get<bool>());
   CHECK(here["cpu"]["cores"].get<int>() >= 1);
+  CHECK_FALSE(here["build"].get<std::string>().empty());
   CHECK(here["font_bytes"].get<int>() > 100000);
 }
 
