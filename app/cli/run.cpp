@@ -12,6 +12,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/simulation_setup.h"
+#include "app/cli/step_statistics.h"
 #include "app/cli/streams.h"
 #include "app/frames/frame_schedule.h"
 #include "sim/error.h"
@@ -31,6 +32,7 @@ struct RunOptions {
   std::string iterations;
   std::string joints;
   std::string state;
+  bool profile = false;
   bool force = false;
 };
 
@@ -81,6 +83,10 @@ void check_options(const RunOptions& options) {
   if (options.steps) check_range("--steps", static_cast<double>(*options.steps), 0, 1e9);
   const std::string* paths[] = {&options.trace, &options.iterations, &options.joints, &options.state};
   for (int i = 0; i < 4; ++i) {
+    if (options.profile && *paths[i] == "-") {
+      throw Error(ExitCode::bad_input,
+                  "--profile: its table goes to standard output; name a file in place of -");
+    }
     for (int j = 0; j < i; ++j) {
       if (!paths[i]->empty() && *paths[i] == *paths[j]) {
         throw Error(
@@ -158,6 +164,7 @@ int run(const RunOptions& options) {
   std::int64_t done = 0;
   bool diverged = false;
   Extremes worst;
+  StepStatistics statistics;
   const auto start = std::chrono::steady_clock::now();
   {
     Progress progress("step", steps, !options.common.quiet);
@@ -167,12 +174,16 @@ int run(const RunOptions& options) {
       outputs.add(session.model(), report);
       diverged = report.status == StepStatus::non_finite;
       worst.add(report);
+      statistics.add(report);
       progress.update(++done, report);
     }
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   outputs.finish(session);
   if (!options.common.quiet) write_stderr(summary(session, done - (diverged ? 1 : 0), seconds, worst));
+  if (options.profile) {
+    write_stdout(profile_text(statistics, {seconds, session.model().size(), options.common.thread_count()}));
+  }
   if (diverged) throw diverged_error(options.scene, session);
   return interrupt.exit_code();
 }
@@ -186,7 +197,7 @@ void add_run_command(CLI::App& app, Action& action) {
                   {"pabd run pyramid --time 5 --trace steps.csv --state end.json",
                    "pabd run pyramid --from end.json --steps 60 --trace -",
                    "pabd run two_boxes --steps 1 --iterations iterations.csv --set solver.method=sissm",
-                   "pabd run bridge --time 10 --joints joints.csv"},
+                   "pabd run bridge --time 10 --joints joints.csv", "pabd run pile --steps 300 --profile"},
                   options->common);
   command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
   auto* time = command->add_option("--time", options->time, "simulated time (default 5 s)")->type_name("S");
@@ -199,6 +210,8 @@ void add_run_command(CLI::App& app, Action& action) {
   command->add_option("--joints", options->joints, "a row a joint and step: its reaction, N and N m")
       ->type_name("CSV");
   command->add_option("--state", options->state, "the state at the end")->type_name("JSON");
+  command->add_flag("--profile", options->profile,
+                    "print where the time of the steps went, ms a step and %; rest: outputs, progress");
   command->add_flag("--force", options->force, "overwrite what exists");
   add_scene_options(*command, options->common);
   command->callback([options, &action] { action = [options] { return run(*options); }; });
