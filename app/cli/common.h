@@ -59,6 +59,7 @@ void add_plot_command(CLI::App& app, Action& action);
 void add_figure_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
 void add_scenes_command(CLI::App& app, Action& action);
+void add_bench_command(CLI::App& app, Action& action);
 void add_doctor_command(CLI::App& app, Action& action);
 void add_view_command(CLI::App& app, Action& action);
 

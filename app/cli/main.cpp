@@ -90,6 +90,7 @@ int run_program(int argc, char** argv) {
       "  pabd render pyramid -o pyramid.mp4 --time 5\n"
       "  pabd view two_boxes\n"
       "  pabd run pyramid --time 10 --trace steps.csv\n"
+      "  pabd bench pyramid bridge --steps 100\n"
       "  pabd plot barrier -o barrier.svg --N 1,2,3,8\n"
       "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder,\n"
       "            7 images differ or an expectation failed, 129/130/143 interrupted.\n");
@@ -101,6 +102,7 @@ int run_program(int argc, char** argv) {
   add_figure_command(app, action);
   add_compare_command(app, action);
   add_scenes_command(app, action);
+  add_bench_command(app, action);
   add_doctor_command(app, action);
   add_view_command(app, action);
 

@@ -79,7 +79,7 @@ TEST_CASE("every line of the README runs as it stands, one after the other, in a
     const Outcome outcome = run_shell(command, setting);
     CAPTURE(outcome.err);
     CHECK(outcome.exit_code == 0);
-    const std::regex output(R"( (-o|--out|--trace|--state|--iterations|--diff) '?([^ ']+))");
+    const std::regex output(R"( (-o|--out|--trace|--state|--iterations|--diff|--json) '?([^ ']+))");
     for (std::sregex_iterator at(line.begin(), line.end(), output), end; at != end; ++at) {
       const std::string name = replaced((*at)[2], R"(\{frame:04\})", "0001");
       CAPTURE(name);

@@ -12,7 +12,8 @@ namespace {
 
 const std::vector<std::vector<std::string>> kCommands = {
     {"run"},    {"render"},  {"plot"},   {"plot", "barrier"}, {"plot", "convergence"},
-    {"figure"}, {"compare"}, {"scenes"}, {"doctor"},          {"view"}};
+    {"figure"}, {"compare"}, {"scenes"}, {"doctor"},          {"view"},
+    {"bench"}};
 
 }  // namespace
 

@@ -1,0 +1,208 @@
+// pabd bench: the shipped scenes, or others, one after the other, as a table to paste into a report.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <stdlib.h>
+
+#include <chrono>
+#include <ctime>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "app/cli/bench_table.h"
+#include "app/cli/common.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/cli/scene_lookup.h"
+#include "app/cli/simulation_setup.h"
+#include "app/cli/streams.h"
+#include "app/session/step_at_time.h"
+#include "sim/error.h"
+#include "sim/scene/text.h"
+#include "sim/solver/step_summary.h"
+#include "sim/trace/trace.h"
+
+namespace pabd::cli {
+namespace {
+
+constexpr std::int64_t kDefaultSteps = 300;
+constexpr std::int64_t kMostSteps = 1'000'000;
+
+struct BenchOptions {
+  CommonOptions common;
+  std::vector<std::string> scenes;
+  std::optional<double> time;
+  std::optional<std::int64_t> steps;
+  std::int64_t repeat = 1;
+  std::string json;
+  bool force = false;
+};
+
+struct BenchScene {
+  std::string name;
+  std::shared_ptr<const Scene> scene;
+  std::int64_t steps;
+};
+
+void check_options(const BenchOptions& options) {
+  if (options.time) check_range("--time", *options.time, 0, 1e6, "s");
+  if (options.steps)
+    check_range("--steps", static_cast<double>(*options.steps), 1, static_cast<double>(kMostSteps));
+  check_range("--repeat", static_cast<double>(options.repeat), 1, 1000);
+}
+
+std::int64_t step_count(const BenchOptions& options, const std::string& name, const Scene& scene) {
+  if (!options.time) return options.steps.value_or(kDefaultSteps);
+  const std::int64_t steps = steps_until(*options.time, scene.params.h);
+  if (steps >= 1 && steps <= kMostSteps) return steps;
+  throw Error(
+      ExitCode::bad_input,
+      fmt::format("--time {}: {} steps of {}; expected 1 … {}, which is {:.4g} … {:.4g} s", *options.time,
+                  steps, name, kMostSteps, scene.params.h, static_cast<double>(kMostSteps) * scene.params.h));
+}
+
+// All of them before the first step: what is wrong with the last is said at once.
+std::vector<BenchScene> open_scenes(const BenchOptions& options, InputFiles& inputs) {
+  std::vector<std::pair<std::string, std::filesystem::path>> named;
+  for (const std::string& name : options.scenes) named.emplace_back(name, find_scene(name));
+  if (options.scenes.empty()) {
+    for (const auto& file : shipped_scenes()) named.emplace_back(file.stem().string(), file);
+  }
+  if (named.empty()) {
+    throw Error(ExitCode::file,
+                "no folder with shipped scenes was found; run 'cmake --install' again, or name files");
+  }
+  std::vector<BenchScene> scenes;
+  for (const auto& [name, file] : named) {
+    auto scene = std::make_shared<const Scene>(load_scene(file, options.common.sets));
+    for (const auto& read : scene->files) inputs.add(read);
+    const std::int64_t steps = step_count(options, name, *scene);
+    scenes.push_back({name, std::move(scene), steps});
+  }
+  return scenes;
+}
+
+double process_cpu_ms() {
+  timespec t = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
+}
+
+BenchHead describe_here(const BenchOptions& options) {
+  BenchHead head;
+  head.date = fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
+  head.cpu = find_cpu();
+  if (getloadavg(&head.load, 1) != 1) head.load = -1;
+  head.threads = options.common.thread_count();
+  head.repeat = static_cast<int>(options.repeat);
+  return head;
+}
+
+// Measures scene after scene, until the end or until somebody asks for it.
+class Bench {
+ public:
+  Bench(const BenchOptions& options, int threads) : options_(options), threads_(threads) {}
+
+  void measure(const BenchScene& scene) {
+    BenchRow row;
+    row.scene = scene.name;
+    row.bodies = scene.scene->model.size();
+    row.joints = scene.scene->model.joints.size();
+    Progress progress(printable(scene.name) + ", step", scene.steps * options_.repeat,
+                      !options_.common.quiet);
+    for (std::int64_t k = 0; k < options_.repeat && !interrupt_.requested(); ++k)
+      run(scene, k, progress, row);
+    if (row.statistics.steps > 0) rows_.push_back(std::move(row));
+  }
+
+  const std::vector<BenchRow>& rows() const { return rows_; }
+  const std::optional<Error>& failure() const { return failure_; }
+  const InterruptGuard& interrupt() const { return interrupt_; }
+
+ private:
+  void run(const BenchScene& scene, std::int64_t repetition, Progress& progress, BenchRow& row) {
+    using Clock = std::chrono::steady_clock;
+    Session session(scene.scene, threads_);
+    session.keep_history(false);
+    session.stop_when([this] { return interrupt_.requested(); });
+    for (std::int64_t done = 0; done < scene.steps && !interrupt_.requested();) {
+      const double cpu = process_cpu_ms();
+      const auto start = Clock::now();
+      const StepReport& report = session.step();
+      const double ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+      if (report.status == StepStatus::interrupted) break;
+      row.wall_ms.push_back(ms);
+      row.cpu_ms.push_back(process_cpu_ms() - cpu);
+      if (repetition == 0) row.statistics.add(report);
+      progress.update(repetition * scene.steps + ++done, report);
+      if (report.status != StepStatus::non_finite) continue;
+      if (!failure_) failure_ = diverged_error(scene.name, session);
+      break;
+    }
+    if (interrupt_.requested() && repetition > 0) return;
+    const std::string hash = state_hash(session.state());
+    if (repetition > 0 && hash != row.hash)
+      throw std::logic_error(
+          fmt::format("{}: repetition {} ended in another state", scene.name, repetition + 1));
+    row.hash = hash;
+    row.kinetic = kinetic_energy(session.model(), session.state());
+  }
+
+  const BenchOptions& options_;
+  int threads_;
+  InterruptGuard interrupt_;
+  std::vector<BenchRow> rows_;
+  std::optional<Error> failure_;  // the first scene that diverged; the others go on
+};
+
+int bench(const BenchOptions& options) {
+  check_options(options);
+  InputFiles inputs;
+  const std::vector<BenchScene> scenes = open_scenes(options, inputs);
+  std::optional<TextOutput> json;
+  if (!options.json.empty()) json.emplace("--json", options.json, options.force, inputs);
+  const BenchHead head = describe_here(options);
+  Bench bench(options, head.threads);
+  for (const BenchScene& scene : scenes) {
+    if (bench.interrupt().requested()) break;
+    bench.measure(scene);
+  }
+  if (options.json != "-") write_stdout(bench_markdown(head, bench.rows()));
+  if (json) {
+    json->write(bench_json(head, bench.rows()).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
+                "\n");
+    json->finish();
+  }
+  if (bench.failure()) throw *bench.failure();
+  return bench.interrupt().exit_code();
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<BenchOptions>();
+  CLI::App* command = add_command(
+      app, "bench", "measure scenes: a Markdown table of times, solvers and errors, for a report",
+      {"pabd bench", "pabd bench pyramid bridge --steps 60 --json bench.json",
+       "pabd bench pile --time 5 --threads 1 --repeat 3", "pabd bench wall --set solver.method=newton"},
+      options->common);
+  command->add_option("SCENE", options->scenes,
+                      "scene files, or names of shipped scenes (default: all shipped ones)");
+  auto* time = command->add_option("--time", options->time, "simulated time of each scene")->type_name("S");
+  command->add_option("--steps", options->steps, "time steps of each scene (default 300)")
+      ->type_name("N")
+      ->excludes(time);
+  command
+      ->add_option("--repeat", options->repeat,
+                   "how often each scene is run; times are medians over the steps of all (default 1)")
+      ->type_name("N");
+  command
+      ->add_option("--json", options->json,
+                   "write the same as JSON, SI units and ms; -: to standard output in place of the table")
+      ->type_name("JSON");
+  command->add_flag("--force", options->force, "overwrite what exists");
+  add_scene_options(*command, options->common);
+  command->callback([options, &action] { action = [options] { return bench(*options); }; });
+}
+
+}  // namespace pabd::cli
