@@ -88,6 +88,7 @@ struct ContactPatch {
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
   bool felt = false;                         // it pushed or held in some iterate of this step
+  bool off = false;                          // its friction broke the law in the last iterate of `newton`
   double share = 1;                          // of the law's stiffness, see stiffness_cap.h
 };
 

@@ -1,14 +1,14 @@
 // What every body did in a step, for colours and inspectors.
 #pragma once
 
+#include "sim/solver/islands.h"
 #include "sim/solver/report.h"
-#include "sim/solver/workspace.h"
+#include "sim/solver/sissm.h"
 
 namespace pabd {
 
-// One report a body at the end of a finished step that was solved with `method`. Changes nothing but
-// w.parent.
-void report_bodies(const Model& model, SolverMethod method, StepWorkspace::Impl& w,
+// One report a body at the end of a finished step.
+void report_bodies(const Problem& p, const Islands& islands, const Iterate& it, const SissmMemory& sissm,
                    std::vector<BodyReport>& out);
 
 }  // namespace pabd

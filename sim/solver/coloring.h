@@ -1,16 +1,11 @@
-// Greedy colouring of the bodies by the contacts that join them.
+// Greedy colouring of the bodies of an island by the bonds that join them.
 #pragma once
 
-#include "sim/body/model.h"
-#include "sim/solver/workspace.h"
+#include "sim/solver/islands.h"
 
 namespace pabd {
 
-// Fills first_end/ends of `w` from w.patches.
-void list_ends(const Model& model, StepWorkspace::Impl& w);
-
-// Fills color/colored/first_of_color of `w` for the bodies with bonds that newton does not solve. Depends
-// only on the order of the bodies and bonds.
-void color_bodies(const Model& model, StepWorkspace::Impl& w);
+// Fills the colours of the islands that `descent` solves. They depend only on the order of bodies and bonds.
+void color_bodies(const Problem& p, Islands& islands);
 
 }  // namespace pabd

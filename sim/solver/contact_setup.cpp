@@ -5,36 +5,39 @@
 
 #include "sim/math/so3.h"
 #include "sim/solver/friction.h"
+#include "sim/solver/time_step.h"
 
 namespace pabd {
 namespace {
 
 // Distance a body's surface may travel in the step. A ball that spins stays where it is, and so does a
 // capsule that spins about its axis.
-double travel(const Shape& shape, const State& state, const StepWorkspace::Impl& w, Index i) {
-  double turn = w.turn[i].norm() * w.radius[i];
+double travel(const Problem& p, Index i) {
+  const Shape& shape = p.model->shape[i];
+  const Flight& flight = *p.flight;
+  double turn = flight.turn[i].norm() * flight.radius[i];
   if (std::holds_alternative<Sphere>(shape)) turn = 0;
   if (const auto* capsule = std::get_if<Capsule>(&shape))
-    turn = w.turn[i].cross(state.R[i].col(1)).norm() * 0.5 * capsule->length;
-  return (w.star[i].c - state.c[i]).norm() + turn;
+    turn = flight.turn[i].cross(p.start->R[i].col(1)).norm() * 0.5 * capsule->length;
+  return (flight.star[i].c - p.start->c[i]).norm() + turn;
 }
 
 // Poses and reach for detection. A body that flies farther than half its own thickness could come out on the
 // other side of what it meets: it is looked at where the step starts, with its whole way as reach (Deviation
 // D7). So is every body under the log barrier, which needs the contacts of a feasible pose.
-void place_for_detection(const Model& model, const Params& params, const State& state,
-                         StepWorkspace::Impl& w) {
-  const auto n = model.shape.size();
-  w.reach.assign(n, 0.5 * params.contact.d_hat);
-  w.c_detect = state.c;
-  w.R_detect = state.R;
+void place_for_detection(const Problem& p, Detection& out) {
+  const Model& model = *p.model;
+  const ContactParams& contact = p.params->contact;
+  out.reach.assign(model.shape.size(), 0.5 * contact.d_hat);
+  out.c = p.start->c;
+  out.R = p.start->R;
   for (Index i = 0; i < model.size(); ++i) {
     if (model.fixed[i]) continue;
-    const double way = travel(model.shape[i], state, w, i);
-    w.reach[i] += way;
-    if (way > 0.5 * inner_radius(model.shape[i]) || params.contact.barrier == BarrierKind::log) continue;
-    w.c_detect[i] = w.star[i].c;
-    w.R_detect[i] = w.star[i].R;
+    const double way = travel(p, i);
+    out.reach[i] += way;
+    if (way > 0.5 * inner_radius(model.shape[i]) || contact.barrier == BarrierKind::log) continue;
+    out.c[i] = p.flight->star[i].c;
+    out.R[i] = p.flight->star[i].R;
   }
 }
 
@@ -66,17 +69,15 @@ ContactPatch empty_patch(const Model& model, Index a, Index b) {
 }
 
 // Puts the point into the next lane, in the frames of the bodies.
-void add_point(const Model& model, const ContactPoint& p, const State& start, const StepWorkspace::Impl& w,
-               ContactPatch& patch) {
+void add_point(const Problem& problem, const ContactPoint& p, const Detection& from, ContactPatch& patch) {
+  const Model& model = *problem.model;
+  const State& start = *problem.start;
+  const std::vector<Vec3>& turns = problem.flight->turn;
   const int k = patch.count++;
-  const auto in_a = [&](const Vec3& y) -> Vec3 {
-    return w.R_detect[p.a].transpose() * (y - w.c_detect[p.a]);
-  };
-  const auto in_b = [&](const Vec3& y) -> Vec3 {
-    return w.R_detect[p.b].transpose() * (y - w.c_detect[p.b]);
-  };
+  const auto in_a = [&](const Vec3& y) -> Vec3 { return from.R[p.a].transpose() * (y - from.c[p.a]); };
+  const auto in_b = [&](const Vec3& y) -> Vec3 { return from.R[p.b].transpose() * (y - from.c[p.b]); };
   const double radius_a = roundness(model.shape[p.a]), radius_b = roundness(model.shape[p.b]);
-  const Vec3 n = patch.turns ? Vec3(w.R_detect[p.a].transpose() * p.n) : p.n;
+  const Vec3 n = patch.turns ? Vec3(from.R[p.a].transpose() * p.n) : p.n;
   const Vec3 normal_b = in_b(p.y_b + radius_b * p.n);
   // From the centre of a to the normal point of b at the start of the step.
   const Vec3 at_start = start.c[p.b] + start.R[p.b] * normal_b - start.c[p.a];
@@ -85,15 +86,15 @@ void add_point(const Model& model, const ContactPoint& p, const State& start, co
   set_lane(patch.normal_b, k, normal_b);
   if (patch.turns) {
     const Vec3 normal_a = start.R[p.a].transpose() * at_start;
-    const Mat3 half_way = exp_so3(0.5 * w.turn[p.a]) * start.R[p.a];
-    const Vec3 turn = half_way.transpose() * (w.turn[p.b] - w.turn[p.a]);
+    const Mat3 half_way = exp_so3(0.5 * turns[p.a]) * start.R[p.a];
+    const Vec3 turn = half_way.transpose() * (turns[p.b] - turns[p.a]);
     set_lane(patch.normal_a, k, normal_a);
     set_lane(patch.rolled, k, radius_b * n.cross(turn));
     patch.gap[k] = n.dot(normal_a - in_a(p.y_a)) - radius_b;
   } else {
     const Vec3 normal_a = in_a(p.y_a - radius_a * p.n);
     const Vec3 moved = at_start - start.R[p.a] * normal_a;
-    const Vec3 turn = radius_b * w.turn[p.b] + radius_a * w.turn[p.a];
+    const Vec3 turn = radius_b * turns[p.b] + radius_a * turns[p.a];
     set_lane(patch.normal_a, k, normal_a);
     set_lane(patch.rolled, k, n.cross(turn) - (moved - n * n.dot(moved)));
     patch.gap[k] = -radius_a - radius_b;
@@ -101,70 +102,77 @@ void add_point(const Model& model, const ContactPoint& p, const State& start, co
 }
 
 // What the slip of the separate patches is measured from.
-void set_rolling(const Model& model, StepWorkspace::Impl& w) {
-  w.rolling.clear();
-  w.roll.assign(w.star.size(), {});
-  w.rolls.assign(w.star.size(), 0);
-  for (const ContactPatch& p : w.patches) {
-    if (!p.separate) continue;
-    w.rolls[p.a] = w.rolls[p.b] = 1;
-    w.rolling.push_back(
-        {&w.roll[p.a], &w.roll[p.b], roundness(model.shape[p.a]), roundness(model.shape[p.b])});
+void set_rolling(Problem& p, Iterate& it) {
+  const Model& model = *p.model;
+  it.rolling.clear();
+  it.roll.assign(model.shape.size(), {});
+  p.rolls.assign(model.shape.size(), 0);
+  for (const ContactPatch& patch : it.patch) {
+    if (!patch.separate) continue;
+    p.rolls[patch.a] = p.rolls[patch.b] = 1;
+    it.rolling.push_back({&it.roll[patch.a], &it.roll[patch.b], roundness(model.shape[patch.a]),
+                          roundness(model.shape[patch.b])});
   }
-  const Rolling* next = w.rolling.data();
-  for (ContactPatch& p : w.patches) {
-    if (p.separate) p.rolling = next++;
+  const Rolling* next = it.rolling.data();
+  for (ContactPatch& patch : it.patch) {
+    if (patch.separate) patch.rolling = next++;
   }
 }
 
-void make_patches(const Model& model, const State& start, StepWorkspace::Impl& w) {
+void make_patches(const Problem& p, Detection& from, std::vector<ContactPatch>& out) {
   const auto before = [](const ContactPoint& x, const ContactPoint& y) { return sort_key(x) < sort_key(y); };
-  if (!std::is_sorted(w.points.begin(), w.points.end(), before))
-    std::sort(w.points.begin(), w.points.end(), before);
-  w.patches.clear();
-  for (const ContactPoint& p : w.points) {
-    const bool fits = !w.patches.empty() && w.patches.back().a == p.a && w.patches.back().b == p.b &&
-                      w.patches.back().count < kLanes;
-    if (!fits) w.patches.push_back(empty_patch(model, p.a, p.b));
-    add_point(model, p, start, w, w.patches.back());
+  if (!std::is_sorted(from.points.begin(), from.points.end(), before))
+    std::sort(from.points.begin(), from.points.end(), before);
+  out.clear();
+  for (const ContactPoint& point : from.points) {
+    const bool fits =
+        !out.empty() && out.back().a == point.a && out.back().b == point.b && out.back().count < kLanes;
+    if (!fits) out.push_back(empty_patch(*p.model, point.a, point.b));
+    add_point(p, point, from, out.back());
   }
-  set_rolling(model, w);
 }
 
 }  // namespace
 
-void find_contacts(const Model& model, const Params& params, const State& state, int threads,
-                   StepWorkspace::Impl& w) {
+ContactLaw contact_law(const Model& model, const Params& params) {
   const ContactParams& contact = params.contact;
-  w.law.barrier = {contact.barrier, contact.N, contact.d_hat, resolve_kappa(model, params), contact.onset};
-  w.law.k_t = tangential_stiffness(w.law.barrier);
-  w.law.mu_static = contact.mu_static;
-  w.law.mu_dynamic = contact.mu_dynamic;
-  place_for_detection(model, params, state, w);
-  detect(model, w.c_detect, w.R_detect, w.reach, model.no_collide, threads, w.collision, w.points);
-  make_patches(model, state, w);
-  recall_friction(state.anchors, w);
+  ContactLaw law;
+  law.barrier = {contact.barrier, contact.N, contact.d_hat, resolve_kappa(model, params), contact.onset};
+  law.k_t = tangential_stiffness(law.barrier);
+  law.mu_static = contact.mu_static;
+  law.mu_dynamic = contact.mu_dynamic;
+  return law;
 }
 
-void initial_guess(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w) {
-  w.pose = w.star;
-  w.pose.push_back({Vec3::Zero(), Mat3::Identity()});
-  if (params.contact.barrier == BarrierKind::log) {
-    for (const Index i : w.solved) {
-      w.pose[i] = {state.c[i], state.R[i]};
-      w.set_roll(i, state.R[i]);
+void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterate& it) {
+  place_for_detection(p, memory);
+  memory.collision.stop = workers.stop;
+  detect(*p.model, memory.c, memory.R, memory.reach, p.model->no_collide, workers.threads, memory.collision,
+         memory.points);
+  make_patches(p, memory, it.patch);
+  set_rolling(p, it);
+  recall_friction(p.start->anchors, p.law, it.patch);
+}
+
+void first_iterate(const Problem& p, Iterate& it) {
+  it.pose = p.flight->star;
+  it.pose.push_back({Vec3::Zero(), Mat3::Identity()});
+  if (p.params->contact.barrier == BarrierKind::log) {
+    for (Index i = 0; i < p.model->size(); ++i) {
+      if (!p.movable(i) || (p.ends[i].empty() && p.joints_at[i].empty())) continue;
+      it.pose[i] = p.start_pose(i);
+      set_roll(p, i, it.pose[i].R, it);
     }
     return;
   }
-  const Vec3 fall = params.h * params.h * params.gravity;
-  for (const ContactPatch& patch : w.patches) {
-    const ContactState start =
-        contact_state(patch, {state.c[patch.a], state.R[patch.a]}, {state.c[patch.b], state.R[patch.b]});
+  const Vec3 fall = p.params->h * p.params->h * p.params->gravity;
+  for (const ContactPatch& patch : it.patch) {
+    const ContactState start = contact_state(patch, p.start_pose(patch.a), p.start_pose(patch.b));
     double gap = start.d[0];
     for (int k = 1; k < patch.count; ++k) gap = std::min(gap, start.d[k]);
-    if (gap >= w.law.barrier.d_hat) continue;
+    if (gap >= p.law.barrier.d_hat) continue;
     for (const Index i : {patch.a, patch.b}) {
-      if (!model.fixed[i]) w.pose[i].c = w.star[i].c - fall;
+      if (p.movable(i)) it.pose[i].c = p.flight->star[i].c - fall;
     }
   }
 }

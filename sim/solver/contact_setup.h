@@ -1,19 +1,30 @@
 // From predicted poses to contact patches: detection, and where the iteration starts.
 #pragma once
 
-#include "sim/body/model.h"
-#include "sim/solver/params.h"
-#include "sim/solver/workspace.h"
+#include "sim/collision/detect.h"
+#include "sim/solver/problem.h"
 
 namespace pabd {
 
-// Fills w.law and w.patches. Precondition: w.star holds Q*; `state` is the start of the step.
-void find_contacts(const Model& model, const Params& params, const State& state, int threads,
-                   StepWorkspace::Impl& w);
+// Memory of the detection of a step.
+struct Detection {
+  CollisionWorkspace collision;
+  std::vector<Vec3> c;  // where bodies are looked at
+  std::vector<Mat3> R;
+  std::vector<double> reach;  // m
+  std::vector<ContactPoint> points;
+};
 
-// Fills w.pose with the first iterate: Q* for a free body; for one that is touched the pose without this
+// The law of all contacts of a step.
+ContactLaw contact_law(const Model& model, const Params& params);
+
+// Fills the patches of the iterate, sorted by pair and feature, with what friction remembers, and
+// Problem::rolls. Precondition: p.model, params, start, flight and law are set.
+void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterate& it);
+
+// Fills the poses with the first iterate: Q* for a free body; for one that is touched the pose without this
 // step's gravity, so that a resting body starts at its equilibrium. Log barrier: the start of the step, which
 // is feasible.
-void initial_guess(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w);
+void first_iterate(const Problem& p, Iterate& it);
 
 }  // namespace pabd

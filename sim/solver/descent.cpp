@@ -13,11 +13,12 @@
 //   the
 //            load of a stack travels faster.
 
+#include "sim/solver/descent.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "sim/solver/joint_set.h"
-#include "sim/solver/solve.h"
 #include "sim/solver/tangent_model.h"
 #include "sim/solver/weighted_projection.h"
 
@@ -25,16 +26,16 @@ namespace pabd {
 namespace {
 
 // Energy of body i and its bonds at a trial pose.
-double local_energy(const SolveContext& s, Index i, const Inertia& in, const Pose& trial) {
+double local_energy(const Problem& p, const Iterate& it, Index i, const Inertia& in, const Pose& trial) {
   Lanes energy = lanes(0);
-  for (const BondEnd& end : s.w.ends_of(i)) {
-    const ContactPatch& patch = s.w.patches[end.patch];
-    const Pose& other = s.w.pose[end.other];
+  for (const PatchEnd& end : p.ends[i]) {
+    const ContactPatch& patch = it.patch[end.patch];
+    const Pose& other = it.pose[end.other];
     const ContactState state =
         end.is_a ? contact_state(patch, trial, other) : contact_state(patch, other, trial);
-    energy += contact_energy(s.w.law, patch, state);
+    energy += contact_energy(p.law, patch, state);
   }
-  return inertia_energy(in, trial) + sum(energy) + joint_energy(s, i, trial);
+  return inertia_energy(in, trial) + sum(energy) + joint_energy(p, it, i, trial);
 }
 
 struct LocalStep {
@@ -44,8 +45,8 @@ struct LocalStep {
   bool definite;  // the model has a minimum
 };
 
-LocalStep tangent_step(const SolveContext& s, Index i, const Inertia& in, bool move_limits) {
-  const TangentModel q = tangent_model(s, i, in, move_limits);
+LocalStep tangent_step(const Problem& p, Index i, const Inertia& in, bool move_limits, Iterate& it) {
+  const TangentModel q = tangent_model(p, i, in, move_limits, it);
   bool definite;
   const Vec6 step = -solve_ldlt(q.H, q.g, definite);
   LocalStep out{step.head<3>(), step.tail<3>(), q.energy, definite};
@@ -57,12 +58,12 @@ LocalStep tangent_step(const SolveContext& s, Index i, const Inertia& in, bool m
   return out;
 }
 
-LocalStep weighted_step(const SolveContext& s, Index i, const Inertia& in) {
-  const Pose& pose = s.w.pose[i];
-  const AffineModel model = affine_model(s, i, in, WeightKind::tangent);
+LocalStep weighted_step(const Problem& p, const Iterate& it, Index i, const Inertia& in) {
+  const Pose& pose = it.pose[i];
+  const AffineModel model = affine_model(p, it, i, in, WeightKind::tangent);
   const Mat3 R = weighted_rotation(model, pose.R);
   return {weighted_translation(model, R), cayley_inverse(R * pose.R.transpose()),
-          local_energy(s, i, in, pose), false};
+          local_energy(p, it, i, in, pose), false};
 }
 
 Pose moved_by(const Pose& pose, const LocalStep& step) {
@@ -76,10 +77,9 @@ bool is_small(const Barrier& barrier, double moved) {
 }
 
 // How much farther than its step the body should go.
-double stretch(const SolveContext& s, Index i, const LocalStep& step, bool first_sweep) {
+double stretch(const LocalStep& step, double radius, bool first_sweep, LastStep& last) {
   constexpr double kMore = 0.2, kMost = 1.5, kSameWay = 0.5;
-  LastStep& last = s.w.last_step[i];
-  const double r2 = s.w.radius[i] * s.w.radius[i];
+  const double r2 = radius * radius;
   const double squared = step.dc.squaredNorm() + r2 * step.dw.squaredNorm();
   if (first_sweep) {
     last.stretch = 1;
@@ -94,81 +94,76 @@ double stretch(const SolveContext& s, Index i, const LocalStep& step, bool first
   return last.stretch;
 }
 
-void relax_body(const SolveContext& s, Index i, const DescentSweep& sweep) {
-  StepWorkspace::Impl& w = s.w;
-  const Inertia in = inertia_of(s, i);
-  const bool weighted = s.params.solver.projection == Projection::weighted;
-  LocalStep step = weighted ? weighted_step(s, i, in) : tangent_step(s, i, in, sweep.move_limits);
-  const double last = w.moved[i];
-  w.moved[i] = (step.dc.norm() + w.radius[i] * step.dw.norm()) / w.law.barrier.d_hat;
-  const double stretched = stretch(s, i, step, sweep.first);
+void relax_body(const Problem& p, Index i, const DescentSweep& sweep, LastStep& remembered, Iterate& it) {
+  const Inertia in = p.inertia(i);
+  const Barrier& barrier = p.law.barrier;
+  const double radius = p.flight->radius[i];
+  const bool weighted = p.params->solver.projection == Projection::weighted;
+  LocalStep step = weighted ? weighted_step(p, it, i, in) : tangent_step(p, i, in, sweep.move_limits, it);
+  const double last = it.moved[i];
+  it.moved[i] = (step.dc.norm() + radius * step.dw.norm()) / barrier.d_hat;
+  const double stretched = stretch(step, radius, sweep.first, remembered);
   step.dc *= stretched;
   step.dw *= stretched;
-  Pose trial = moved_by(w.pose[i], step);
-  if (step.definite && stretched == 1 && w.moved[i] < last && is_small(w.law.barrier, w.moved[i]) &&
-      w.joints_of(i).empty()) {
-    w.pose[i] = trial;
-    w.set_roll(i, trial.R);
+  Pose trial = moved_by(it.pose[i], step);
+  if (step.definite && stretched == 1 && it.moved[i] < last && is_small(barrier, it.moved[i]) &&
+      p.joints_at[i].empty()) {
+    it.pose[i] = trial;
+    set_roll(p, i, trial.R, it);
     return;
   }
   constexpr int kHalvings = 8;
   constexpr double kRounding = 1e-12;  // forces times rounded positions
   for (int attempt = 0; attempt < kHalvings; ++attempt) {
-    w.set_roll(i, trial.R);
-    if (local_energy(s, i, in, trial) <= step.energy * (1 + kRounding)) {
-      w.pose[i] = trial;
+    set_roll(p, i, trial.R, it);
+    if (local_energy(p, it, i, in, trial) <= step.energy * (1 + kRounding)) {
+      it.pose[i] = trial;
       return;
     }
     const double shorter = attempt == 0 && stretched > 1 ? 1 / stretched : 0.5;
     step.dc *= shorter;
     step.dw *= shorter;
-    trial = moved_by(w.pose[i], step);
+    trial = moved_by(it.pose[i], step);
   }
-  w.set_roll(i, w.pose[i].R);
+  set_roll(p, i, it.pose[i].R, it);
 }
 
-bool is_quiet(const SolveContext& s, Index i, double bound) {
-  const StepWorkspace::Impl& w = s.w;
-  if (!(w.moved[i] < bound) || !w.joints_of(i).empty()) return false;
-  for (const BondEnd& end : w.ends_of(i)) {
-    if (!(w.moved[end.other] < bound)) return false;
-  }
-  return true;
+bool is_quiet(const Problem& p, const Iterate& it, Index i, double bound) {
+  if (!(it.moved[i] < bound) || !p.joints_at[i].empty()) return false;
+  const auto ends = p.ends[i];
+  return std::all_of(ends.begin(), ends.end(),
+                     [&](const PatchEnd& end) { return it.moved[end.other] < bound; });
 }
 
 // Moves below it are quiet. A body moves by at most d̂ here, so that one that flies about does not silence
 // all.
-double quiet_bound(const SolveContext& s) {
-  const double tolerance = s.params.solver.tolerance;
-  if (tolerance == 0 || s.w.colored.empty()) return 0;
+double quiet_bound(const Problem& p, const Island& island, const Iterate& it) {
+  const double tolerance = p.params->solver.tolerance;
+  if (tolerance == 0) return 0;
   double sum = 0;
-  for (const Index i : s.w.colored) sum += std::min(1.0, s.w.moved[i]);
-  return std::max(tolerance, sum / static_cast<double>(s.w.colored.size()));
+  for (const Index i : island.colored) sum += std::min(1.0, it.moved[i]);
+  return std::max(tolerance, sum / static_cast<double>(island.colored.size()));
 }
 
 }  // namespace
 
-void descent_sweep(const SolveContext& s, const DescentSweep& sweep) {
-  StepWorkspace::Impl& w = s.w;
-  const auto colors = static_cast<Index>(w.first_of_color.size()) - 1;
-  w.last_step.resize(w.moved.size());
-  const double bound = sweep.every_body ? 0 : quiet_bound(s);
-  for (Index k = 0; k < colors && !w.stop.requested(); ++k) {
-    const Index first = w.first_of_color[k];
-    const auto count = static_cast<std::size_t>(w.first_of_color[k + 1] - first);
-    w.collision.team.for_each(s.threads, count, kBlock, [&](std::size_t j) {
-      const Index i = w.colored[first + static_cast<Index>(j)];
-      w.rests[i] = is_quiet(s, i, bound);
-      if (!w.rests[i]) relax_body(s, i, sweep);
+void descent_sweep(const Problem& p, const Island& island, const DescentSweep& sweep, const Workers& workers,
+                   DescentMemory& memory, Iterate& it) {
+  const double bound = sweep.every_body ? 0 : quiet_bound(p, island, it);
+  for (std::size_t k = 0; k + 1 < island.first_of_color.size() && !workers.stop.requested(); ++k) {
+    const Index first = island.first_of_color[k];
+    const auto count = static_cast<std::size_t>(island.first_of_color[k + 1] - first);
+    workers.for_each(count, [&](std::size_t j) {
+      const Index i = island.colored[static_cast<std::size_t>(first) + j];
+      memory.rests[i] = is_quiet(p, it, i, bound);
+      if (!memory.rests[i]) relax_body(p, i, sweep, memory.last_step[i], it);
     });
   }
 }
 
-bool any_rests(const StepWorkspace::Impl& w) {
-  for (const Index i : w.colored) {
-    if (w.rests[i]) return true;
-  }
-  return false;
+bool any_rests(const Island& island, const DescentMemory& memory) {
+  return std::any_of(island.bodies.begin(), island.bodies.end(),
+                     [&](Index i) { return memory.rests[i] != 0; });
 }
 
 }  // namespace pabd

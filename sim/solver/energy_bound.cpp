@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/math/so3.h"
-#include "sim/solver/islands.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/step_summary.h"
 
@@ -13,117 +12,88 @@ namespace {
 constexpr int kBisections = 10;
 constexpr double kRounding = 1e-9;  // of H that is no gain
 
-bool moves(const Model& model, Index i) { return i != kWorld && !model.fixed[i]; }
-
-double drive_work_of(const SolveContext& s, Index k) {
-  const Joint& joint = s.w.all_joints[static_cast<std::size_t>(k)];
+// W of one joint; J.
+double drive_work_of(const Problem& p, const Iterate& it, Index k) {
+  const Joint& joint = p.joints[k];
   if (!joint.drive && !joint.turn) return 0;
-  SolveContext before = s;
-  before.time = s.time - s.params.h;
   BondList first, last;
-  expand_at(before, k, kWorld, {}, first);
-  expand_at(s, k, kWorld, {}, last);
+  expand_at_time(p, it, k, p.time - p.params->h, first);
+  expand_at(p, it, k, last);
   double work = 0;
   for (int b = 0; b < last.count; ++b) {
     const PointBond &from = first.bond[b], &to = last.bond[b];
-    work += evaluate(law_of(s.w, k), to).gradient.dot((to.y_b - to.y_a) - (from.y_b - from.y_a));
+    work += evaluate(p.law_of(k), to).gradient.dot((to.y_b - to.y_a) - (from.y_b - from.y_a));
   }
   return work;
 }
 
-// Calls add(body, energy) for every bond at the current iterate, `body` being one of its movable ends.
-template <class Add>
-void each_bond_energy(const SolveContext& s, const Add& add) {
-  for (const ContactPatch& patch : s.w.patches)
-    add(moves(s.model, patch.a) ? patch.a : patch.b,
-        sum(contact_energy(law_of(s.w, patch), patch, state_of(s.w, patch))));
-  for (std::size_t k = 0; k < s.w.all_joints.size(); ++k) {
-    const Joint& joint = s.w.all_joints[k];
-    if (!moves(s.model, joint.i) && !moves(s.model, joint.j)) continue;
-    add(moves(s.model, joint.i) ? joint.i : joint.j, energy_of_joint(s, static_cast<Index>(k)));
-  }
+double contact_energies(const Problem& p, const Island& island, const Iterate& it) {
+  double energy = 0;
+  for (const Index k : island.patches)
+    energy += sum(contact_energy(p.law_of(it.patch[k]), it.patch[k], state_of(it, it.patch[k])));
+  return energy;
 }
 
-// H at the start of the step, with its bonds; drives stand where they stood. Leaves the iterate at the start.
-void sum_start(const SolveContext& s, const State& start, EnergyBound& e) {
-  StepWorkspace::Impl& w = s.w;
-  for (const Index i : w.solved) {
-    w.pose[i] = {start.c[i], start.R[i]};
-    e.budget[root(w.parent, i)] += kinetic_energy(s.model, i, start.R[i], start.v[i], start.omega[i]);
+// H at the start of the step, with its bonds; drives stand where they stood. Leaves the island there.
+double energy_at_start(const Problem& p, const Island& island, Iterate& it) {
+  double energy = 0;
+  for (const Index i : island.bodies) {
+    it.pose[i] = p.start_pose(i);
+    energy += kinetic_energy(*p.model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
   }
-  SolveContext before = s;
-  before.time = s.time - s.params.h;
-  each_bond_energy(before, [&](Index i, double energy) { e.budget[root(w.parent, i)] += energy; });
+  energy += contact_energies(p, island, it);
+  for (const Index k : island.joints) energy += energy_of_joint(p, it, k, p.time - p.params->h);
+  return energy;
 }
 
-// Puts every island at its part of the way, and sums H − W there.
-void sum_at_part(const SolveContext& s, const State& start, EnergyBound& e) {
-  StepWorkspace::Impl& w = s.w;
-  e.energy.assign(e.budget.size(), 0);
-  for (const Index i : w.solved) {
-    const Index island = root(w.parent, i);
-    const double t = e.part[island];
-    const Pose& end = e.end[i];
-    w.pose[i] = end;
+// Puts the island at the part t of its way to `end`; returns H − W there.
+double energy_at_part(const Problem& p, const Island& island, double t, const std::vector<Pose>& end,
+                      const Velocities& velocities, Iterate& it) {
+  double energy = 0;
+  for (const Index i : island.bodies) {
+    const Pose start = p.start_pose(i);
+    Pose& pose = it.pose[i];
+    pose = end[i];
     if (t < 1) {
-      w.pose[i].c = start.c[i] + t * (end.c - start.c[i]);
-      w.pose[i].R = exp_so3(t * log_so3(end.R * start.R[i].transpose())) * start.R[i];
+      pose.c = start.c + t * (end[i].c - start.c);
+      pose.R = exp_so3(t * log_so3(end[i].R * start.R.transpose())) * start.R;
     }
-    e.energy[island] += t * t * kinetic_energy(s.model, i, end.R, w.v[i], w.omega[i]) -
-                        s.model.mass[i] * s.params.gravity.dot(w.pose[i].c - start.c[i]);
+    energy += t * t * kinetic_energy(*p.model, i, end[i].R, velocities.v[i], velocities.omega[i]) -
+              p.model->mass[i] * p.params->gravity.dot(pose.c - start.c);
   }
-  each_bond_energy(s, [&](Index i, double energy) { e.energy[root(w.parent, i)] += energy; });
-  for (std::size_t k = 0; k < w.all_joints.size(); ++k) {
-    const Joint& joint = w.all_joints[k];
-    const Index i = moves(s.model, joint.i) ? joint.i : joint.j;
-    if (moves(s.model, i)) e.energy[root(w.parent, i)] -= drive_work_of(s, static_cast<Index>(k));
-  }
-}
-
-bool gains(const EnergyBound& e, Index island) {
-  return !(e.energy[island] <= e.budget[island] * (1 + kRounding));
+  energy += contact_energies(p, island, it);
+  for (const Index k : island.joints) energy += energy_of_joint(p, it, k) - drive_work_of(p, it, k);
+  return energy;
 }
 
 }  // namespace
 
-double drive_work(const SolveContext& s) {
+double drive_work(const Problem& p, const Iterate& it) {
   double work = 0;
-  for (std::size_t k = 0; k < s.w.all_joints.size(); ++k) work += drive_work_of(s, static_cast<Index>(k));
+  for (std::size_t k = 0; k < p.joints.size(); ++k) work += drive_work_of(p, it, static_cast<Index>(k));
   return work;
 }
 
-int bound_energy(const SolveContext& s, const State& start) {
-  StepWorkspace::Impl& w = s.w;
-  EnergyBound& e = w.energy_bound;
-  join_islands(s.model, w);
-  e.end = w.pose;
-  e.budget.assign(w.v.size(), 0);
-  e.part.assign(w.v.size(), 1);
-  e.low.assign(w.v.size(), 0);
-  e.high.assign(w.v.size(), 1);
-  sum_start(s, start, e);
-  sum_at_part(s, start, e);
-  e.held.clear();
-  for (const Index i : w.solved) {
-    if (root(w.parent, i) == i && gains(e, i)) e.held.push_back(i);
-  }
-  if (e.held.empty()) return 0;
+int bound_energy(const Problem& p, const Island& island, std::vector<Pose>& end, Iterate& it,
+                 Velocities& velocities) {
+  end.resize(p.model->shape.size());
+  for (const Index i : island.bodies) end[i] = it.pose[i];
+  const double budget = energy_at_start(p, island, it);
+  const auto gains = [&](double t) {
+    return !(energy_at_part(p, island, t, end, velocities, it) <= budget * (1 + kRounding));
+  };
+  if (!gains(1)) return 0;
+  double low = 0, high = 1;
   for (int k = 0; k < kBisections; ++k) {
-    for (const Index island : e.held) e.part[island] = 0.5 * (e.low[island] + e.high[island]);
-    sum_at_part(s, start, e);
-    for (const Index island : e.held) (gains(e, island) ? e.high : e.low)[island] = e.part[island];
+    const double t = 0.5 * (low + high);
+    (gains(t) ? high : low) = t;
   }
-  for (const Index island : e.held) e.part[island] = e.low[island];
-  sum_at_part(s, start, e);
-  int held = 0;
-  for (const Index i : w.solved) {
-    const double t = e.part[root(w.parent, i)];
-    if (t == 1) continue;
-    ++held;
-    w.v[i] *= t;
-    w.omega[i] *= t;
+  energy_at_part(p, island, low, end, velocities, it);
+  for (const Index i : island.bodies) {
+    velocities.v[i] *= low;
+    velocities.omega[i] *= low;
   }
-  return held;
+  return static_cast<int>(island.bodies.size());
 }
 
 }  // namespace pabd

@@ -9,16 +9,17 @@
 // this holds. It holds for t = 0, Ψ being convex.
 #pragma once
 
-#include "sim/body/state.h"
-#include "sim/solver/solve.h"
+#include "sim/solver/islands.h"
+#include "sim/solver/velocities.h"
 
 namespace pabd {
 
-// W of all drives at the current iterate; J.
-double drive_work(const SolveContext& s);
+// W of all drives at the iterate; J.
+double drive_work(const Problem& p, const Iterate& it);
 
-// Shortens the step of the islands that would gain energy, after the velocities are known. Returns the number
-// of bodies that were held back.
-int bound_energy(const SolveContext& s, const State& start);
+// Shortens the step of an island that would gain energy, after the velocities are known. Returns the number
+// of bodies that were held back. `end`: scratch.
+int bound_energy(const Problem& p, const Island& island, std::vector<Pose>& end, Iterate& it,
+                 Velocities& velocities);
 
 }  // namespace pabd

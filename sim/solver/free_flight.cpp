@@ -64,4 +64,18 @@ Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3&
   return h * midpoint;
 }
 
+void fly(const Model& model, const Params& params, const State& state, const Workers& workers, Flight& out) {
+  out.star.resize(state.c.size());
+  out.radius.resize(state.c.size());
+  out.turn.assign(state.c.size(), Vec3::Zero());
+  out.v = state.v;
+  out.omega = state.omega;
+  workers.for_each(model.shape.size(), [&](std::size_t i) {
+    out.star[i] = {state.c[i], state.R[i]};
+    out.radius[i] = bounding_radius(model.shape[i]);
+    if (model.fixed[i]) return;
+    out.turn[i] = free_flight(model.J[i], params.gravity, params.h, out.star[i], out.v[i], out.omega[i]);
+  });
+}
+
 }  // namespace pabd

@@ -4,6 +4,7 @@
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/solver/params.h"
+#include "sim/solver/workers.h"
 
 namespace pabd {
 
@@ -14,5 +15,14 @@ namespace pabd {
 //   v, omega in: start of the step, out: end of free flight
 // Returns the mean angular velocity times h, which may be several turns: R* = exp(it) R.
 Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega);
+
+// Free flight of all bodies, one entry each; fixed ones stay.
+struct Flight {
+  std::vector<Pose> star;      // Q*
+  std::vector<Vec3> v, omega;  // at its end; m/s, rad/s
+  std::vector<Vec3> turn;      // rotation vectors, of any length; rad
+  std::vector<double> radius;  // bounding radii; m
+};
+void fly(const Model& model, const Params& params, const State& state, const Workers& workers, Flight& out);
 
 }  // namespace pabd

@@ -10,7 +10,8 @@
 
 #include <algorithm>
 
-#include "sim/solver/solve.h"
+#include "sim/solver/islands.h"
+#include "sim/solver/workers.h"
 
 namespace pabd {
 
@@ -36,29 +37,29 @@ inline std::uint32_t owned_feature(Index a, Index b, std::uint32_t feature) {
   return (feature & 0x7fffffffu) | (a > b ? 0x80000000u : 0u);
 }
 
-// Gives the contacts of w.patches the stretch that the last step left, and all contacts of a pair of bodies
-// dynamic friction if the pair slid. Both lists are sorted.
-void recall_friction(const std::vector<FrictionAnchor>& anchors, StepWorkspace::Impl& w);
+// Gives the patches the stretch that the last step left, and all contacts of a pair of bodies dynamic
+// friction if the pair slid. Both lists are sorted.
+void recall_friction(const std::vector<FrictionAnchor>& anchors, const ContactLaw& law,
+                     std::vector<ContactPatch>& patches);
 
-// First bounds: μ f_n at the poses of `start`, 0 where the first iterate no longer presses.
-void start_friction(const SolveContext& s, const State& start);
+// First bounds: μ f_n at the start of the step, 0 where the first iterate no longer presses.
+void start_friction(const Problem& p, const Workers& workers, Iterate& it);
 
-// Moves the bounds of all patches, or of those of `newton`: descent's sweeps move the others themselves. True
-// if a friction force of `newton` was off beyond the tolerance: the E that is minimised changes.
-enum class LimitsOf { all, newton };
-bool move_friction_limits(const SolveContext& s, LimitsOf which);
+// Moves the bounds of an island's patches. True if a friction force of `newton` was off beyond the tolerance:
+// the E that is minimised changes.
+bool move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it);
 
-// Largest error of a friction force at the current iterate, as a part of μ f_n.
-double largest_friction_error(const SolveContext& s);
+// Largest error of a friction force at the iterate, as a part of μ f_n.
+double largest_friction_error(const Problem& p, const Island& island, const Iterate& it);
 
 // Does `newton` still hold a sliding contact back (see ease_slip)?
-bool holds_back(const StepWorkspace::Impl& w);
+bool holds_back(const Problem& p, const Island& island, const Iterate& it);
 
 // Lets every pair of bodies slide whose static friction is used up to the last contact. True if one did that
 // had held till now.
-bool let_go(StepWorkspace::Impl& w);
+bool let_go(const Problem& p, const Island& island, Iterate& it);
 
 // Remembers the stretch of every loaded contact, and whether its pair of bodies slides, for the next step.
-void store_friction(StepWorkspace::Impl& w, std::vector<FrictionAnchor>& anchors);
+void store_friction(const Problem& p, Iterate& it, std::vector<FrictionAnchor>& anchors);
 
 }  // namespace pabd

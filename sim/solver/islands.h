@@ -1,21 +1,40 @@
-// Which bodies hang together through contacts and joints, and which solver each such island gets.
+// Which bodies hang together through contacts and joints.
 #pragma once
 
-#include "sim/body/model.h"
-#include "sim/solver/params.h"
-#include "sim/solver/workspace.h"
+#include "sim/solver/problem.h"
 
 namespace pabd {
 
-// Fills w.first_joint/joints, and w.newton with the bodies that `newton` solves, in order of number: with
-// method newton all bodies that have bonds, with auto those of islands in which a joint couples bodies, and
-// of piles that cost little to factorise.
-void find_islands(const Model& model, const Params& params, const State& state, StepWorkspace::Impl& w);
+// Movable bodies that hang together, with their bonds, by number and in order of number. A body without bonds
+// is in no island.
+struct Island {
+  std::span<const Index> bodies, patches, joints;
+  std::span<const Index> row;  // per slot of a pose: the body's place in `bodies`, −1 where nothing moves
+  bool jointed = false;        // by joints of the model; pulls alone do not count
+  SolverMethod solver = SolverMethod::descent;
 
-// Fills w.parent: root(w.parent, i) is the same for all bodies that hang together.
-void join_islands(const Model& model, StepWorkspace::Impl& w);
+  // For descent: no two bodies of one colour share a bond. Colour k is colored[first_of_color[k]] …
+  // colored[first_of_color[k + 1] − 1].
+  std::span<const Index> colored, first_of_color;
+};
 
-// The body that stands for i's island. Shortens the way to it.
+// All islands of a step, in order of their lowest bodies, and the arrays that they look into.
+struct Islands {
+  std::vector<Island> list;
+  std::vector<Index> solved;  // bodies of all islands, in order of number
+  std::vector<Index> of;      // per body: its island, −1 without
+  std::vector<Index> row;     // Island::row, the same for all
+  RowList<Index> bodies, patches, joints;
+
+  // Colours, see coloring.h.
+  std::vector<Index> color, colored, first_of_color;
+
+  std::vector<Index> parent;  // scratch
+};
+
+void split_into_islands(const Problem& problem, const Iterate& it, Islands& out);
+
+// The body that stands for i's set. Shortens the way to it.
 inline Index root(std::vector<Index>& parent, Index i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;

@@ -1,13 +1,13 @@
 // Reactions of the joints at the end of a step.
 #pragma once
 
+#include "sim/solver/problem.h"
 #include "sim/solver/report.h"
-#include "sim/solver/solve.h"
 
 namespace pabd {
 
-// One report a joint of the model, in order of number: the sums of the forces of its bonds at the current
-// iterate, which are those that the step was made with where it converged. Pulls are none of them.
-void report_joints(const SolveContext& s, std::vector<JointReport>& out);
+// One report a joint of the model, in order of number: the sums of the forces of its bonds at the iterate,
+// which are those that the step was made with where it converged. Pulls are none of them.
+void report_joints(const Problem& p, const Iterate& it, std::vector<JointReport>& out);
 
 }  // namespace pabd

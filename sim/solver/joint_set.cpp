@@ -4,31 +4,31 @@
 
 namespace pabd {
 
-void take_pulls(const Model& model, const std::vector<Pull>& pulls, StepWorkspace::Impl& w) {
-  w.pulls.resize(pulls.size());
+void pulls_as_joints(const Model& model, const std::vector<Pull>& pulls, std::vector<Joint>& out) {
+  out.resize(pulls.size());
   std::size_t count = 0;
   for (const Pull& pull : pulls) {
     if (model.fixed[static_cast<std::size_t>(pull.body)]) continue;
-    Joint& joint = w.pulls[count++];
+    Joint& joint = out[count++];
     joint.type = JointType::distance;
     joint.j = pull.body;
     joint.on_i = {pull.target, Mat3::Identity()};
     joint.on_j = {pull.r, Mat3::Identity()};
     joint.law.kappa = pull.kappa;
   }
-  w.pulls.resize(count);
-  w.all_joints = {model.joints, w.pulls};
-}
-
-void expand_at(const SolveContext& s, Index k, Index moved, const Pose& trial, BondList& out) {
-  const Joint& joint = s.w.all_joints[static_cast<std::size_t>(k)];
-  const auto pose = [&](Index body) -> const Pose& {
-    return body == moved && body != kWorld ? trial : s.w.pose[s.w.slot(body)];
-  };
-  expand(joint, pose(joint.i), pose(joint.j), s.time, out);
+  out.resize(count);
 }
 
 namespace {
+
+void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose& trial, double time,
+               BondList& out) {
+  const Joint& joint = p.joints[k];
+  const auto pose = [&](Index body) -> const Pose& {
+    return body == moved && body != kWorld ? trial : it.pose[it.slot(body)];
+  };
+  expand(joint, pose(joint.i), pose(joint.j), time, out);
+}
 
 double energy_of(const BondLaw& law, const BondList& list) {
   double energy = 0;
@@ -38,18 +38,28 @@ double energy_of(const BondLaw& law, const BondList& list) {
 
 }  // namespace
 
-double joint_energy(const SolveContext& s, Index i, const Pose& trial) {
+void expand_at(const Problem& p, const Iterate& it, Index k, BondList& out) {
+  expand_at(p, it, k, kWorld, {}, p.time, out);
+}
+void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose& trial, BondList& out) {
+  expand_at(p, it, k, moved, trial, p.time, out);
+}
+void expand_at_time(const Problem& p, const Iterate& it, Index k, double time, BondList& out) {
+  expand_at(p, it, k, kWorld, {}, time, out);
+}
+
+double joint_energy(const Problem& p, const Iterate& it, Index i, const Pose& trial) {
   double energy = 0;
   BondList list;
-  for (const Index k : s.w.joints_of(i)) {
-    expand_at(s, k, i, trial, list);
-    energy += energy_of(law_of(s.w, k), list);
+  for (const Index k : p.joints_at[i]) {
+    expand_at(p, it, k, i, trial, list);
+    energy += energy_of(p.law_of(k), list);
   }
   return energy;
 }
 
-void add_joints(const SolveContext& s, Index i, JointSums& sums) {
-  each_bond_of(s, i, [&](const PointBondForce& f, const Vec3& r, Index) {
+void add_joints(const Problem& p, const Iterate& it, Index i, JointSums& sums) {
+  each_bond_of(p, it, i, [&](const PointBondForce& f, const Vec3& r, Index) {
     const Mat3 rK = skew(r) * f.weight;
     sums.energy += f.energy;
     sums.g_c += f.gradient;
@@ -60,22 +70,29 @@ void add_joints(const SolveContext& s, Index i, JointSums& sums) {
   });
 }
 
-double energy_of_joint(const SolveContext& s, Index k) {
+double energy_of_joint(const Problem& p, const Iterate& it, Index k) {
+  return energy_of_joint(p, it, k, p.time);
+}
+double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time) {
   BondList list;
-  expand_at(s, k, kWorld, {}, list);
-  return energy_of(law_of(s.w, k), list);
+  expand_at_time(p, it, k, time, list);
+  return energy_of(p.law_of(k), list);
 }
 
-double largest_joint_error(const SolveContext& s) {
-  double largest = 0;
+double joint_error(const Problem& p, const Iterate& it, Index k) {
+  const Joint& joint = p.joints[k];
+  if (joint.type == JointType::distance && joint.law.potential == BondPotential::soft) return 0;  // a spring
   BondList list;
-  for (std::size_t k = 0; k < s.w.all_joints.size(); ++k) {
-    const Joint& joint = s.w.all_joints[k];
-    if (joint.type == JointType::distance && joint.law.potential == BondPotential::soft)
-      continue;  // a spring
-    expand_at(s, static_cast<Index>(k), kWorld, {}, list);
-    for (int b = 0; b < list.count; ++b) largest = larger(largest, evaluate(joint.law, list.bond[b]).stretch);
-  }
+  expand_at(p, it, k, list);
+  double largest = 0;
+  for (int b = 0; b < list.count; ++b) largest = larger(largest, evaluate(joint.law, list.bond[b]).stretch);
+  return largest;
+}
+
+double largest_joint_error(const Problem& p, const Iterate& it) {
+  double largest = 0;
+  for (std::size_t k = 0; k < p.joints.size(); ++k)
+    largest = larger(largest, joint_error(p, it, static_cast<Index>(k)));
   return largest;
 }
 

@@ -1,9 +1,9 @@
-// The joints of a step, those of the model and the pulls, on the arrays of the workspace: energies, and
-// derivatives for the solvers.
+// The joints of a step, those of the model and the pulls: energies, and derivatives for the solvers.
 #pragma once
 
 #include "sim/joint/expand.h"
-#include "sim/solver/solve.h"
+#include "sim/solver/problem.h"
+#include "sim/solver/time_step.h"
 
 namespace pabd {
 
@@ -14,39 +14,45 @@ struct JointSums {
   Mat3 H_cc = Mat3::Zero(), H_wc = Mat3::Zero(), H_ww = Mat3::Zero();
 };
 
-// Makes the pulls of a step joints of the workspace: soft distance joints of length 0 from the world.
-void take_pulls(const Model& model, const std::vector<Pull>& pulls, StepWorkspace::Impl& w);
+// The pulls of a step as joints: soft distance joints of length 0 from the world. Those of fixed bodies are
+// left out.
+void pulls_as_joints(const Model& model, const std::vector<Pull>& pulls, std::vector<Joint>& out);
 
-// Bonds of joint k with body `moved` at `trial` (kWorld: all where they are).
-void expand_at(const SolveContext& s, Index k, Index moved, const Pose& trial, BondList& out);
+// Bonds of joint k at the iterate; as its drive stood at another time; with body `moved` at `trial`.
+void expand_at(const Problem& p, const Iterate& it, Index k, BondList& out);
+void expand_at_time(const Problem& p, const Iterate& it, Index k, double time, BondList& out);
+void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose& trial, BondList& out);
 
-// Calls visit(f, y, other) for every bond of the joints of body i at the current iterate: energy and weight
-// of the bond, and the gradient on i's point; that point, seen from the centre of i, world; the body at the
-// other end.
+// Calls visit(f, y, other) for every bond of the joints of body i at the iterate: energy and weight of the
+// bond, and the gradient on i's point; that point, seen from the centre of i, world; the body at the other
+// end.
 template <class Visit>
-void each_bond_of(const SolveContext& s, Index i, const Visit& visit) {
+void each_bond_of(const Problem& p, const Iterate& it, Index i, const Visit& visit) {
   BondList list;
-  for (const Index k : s.w.joints_of(i)) {
-    const Joint& joint = s.w.all_joints[static_cast<std::size_t>(k)];
-    expand_at(s, k, kWorld, {}, list);
-    const BondLaw law = law_of(s.w, k);
+  for (const Index k : p.joints_at[i]) {
+    const Joint& joint = p.joints[k];
+    expand_at(p, it, k, list);
+    const BondLaw law = p.law_of(k);
     const bool is_a = joint.i == i;
     for (int b = 0; b < list.count; ++b) {
       PointBondForce f = evaluate(law, list.bond[b]);
       if (is_a) f.gradient = -f.gradient;
-      visit(f, Vec3((is_a ? list.bond[b].y_a : list.bond[b].y_b) - s.w.pose[i].c), is_a ? joint.j : joint.i);
+      visit(f, Vec3((is_a ? list.bond[b].y_a : list.bond[b].y_b) - it.pose[i].c), is_a ? joint.j : joint.i);
     }
   }
 }
 
-// Energy of the joints of body i at a trial pose, and their quadratic model at the current one.
-double joint_energy(const SolveContext& s, Index i, const Pose& trial);
-void add_joints(const SolveContext& s, Index i, JointSums& sums);
+// Energy of the joints of body i at a trial pose, and their quadratic model at the iterate.
+double joint_energy(const Problem& p, const Iterate& it, Index i, const Pose& trial);
+void add_joints(const Problem& p, const Iterate& it, Index i, JointSums& sums);
 
-// Energy of joint k at the current iterate; J.
-double energy_of_joint(const SolveContext& s, Index k);
+// Energy of joint k at the iterate, also as its drive stood at another time; J.
+double energy_of_joint(const Problem& p, const Iterate& it, Index k);
+double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time);
 
-// Largest distance between points that should coincide, over all joints; m.
-double largest_joint_error(const SolveContext& s);
+// Largest distance between points of joint k that should coincide; m. 0 for a spring.
+double joint_error(const Problem& p, const Iterate& it, Index k);
+// Over all joints; m.
+double largest_joint_error(const Problem& p, const Iterate& it);
 
 }  // namespace pabd

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sim/math/block_cholesky.h"
+#include "sim/solver/islands.h"
 #include "sim/solver/joint_set.h"
 
 namespace pabd {
@@ -16,21 +17,19 @@ struct LinearBond {
   double energy;      // J
 };
 
-// Calls visit(LinearBond) for the bonds of all joints that touch bodies of `newton`.
+// Calls visit(LinearBond) for the bonds of all joints of an island.
 template <class Visit>
-void each_joint_bond(const SolveContext& s, const Visit& visit) {
-  const StepWorkspace::Impl& w = s.w;
+void each_joint_bond(const Problem& p, const Island& island, const Iterate& it, const Visit& visit) {
   BondList list;
-  for (std::size_t k = 0; k < w.all_joints.size(); ++k) {
-    const Joint& joint = w.all_joints[k];
-    const Index a = w.slot(joint.i), b = w.slot(joint.j);
-    if (!w.is_newton[a] && !w.is_newton[b]) continue;
-    expand_at(s, static_cast<Index>(k), kWorld, {}, list);
-    for (int j = 0; j < list.count; ++j) {
-      const PointBond& bond = list.bond[j];
+  for (std::size_t j = 0; j < island.joints.size(); ++j) {
+    const Joint& joint = p.joints[island.joints[j]];
+    const auto a = static_cast<Index>(it.slot(joint.i)), b = static_cast<Index>(it.slot(joint.j));
+    expand_at(p, it, island.joints[j], list);
+    for (int k = 0; k < list.count; ++k) {
+      const PointBond& bond = list.bond[k];
       const PointBondForce f = evaluate(joint.law, bond);
-      visit(LinearBond{a, b, k * BondList::kMost + static_cast<std::size_t>(j), bond.y_a - w.pose[a].c,
-                       bond.y_b - w.pose[b].c, f.gradient, f.weight, f.energy});
+      visit(LinearBond{a, b, j * BondList::kMost + static_cast<std::size_t>(k), bond.y_a - it.pose[a].c,
+                       bond.y_b - it.pose[b].c, f.gradient, f.weight, f.energy});
     }
   }
 }

@@ -12,19 +12,43 @@
 // the smallest change of the velocities (in the norm of the kinetic energy) that restores the sums.
 #pragma once
 
-#include "sim/body/model.h"
-#include "sim/body/state.h"
-#include "sim/solver/workspace.h"
+#include "sim/solver/islands.h"
+#include "sim/solver/velocities.h"
 
 namespace pabd {
 
-// Finds the groups of bodies that felt each other in the solve and that nothing outside held: no fixed body,
-// no joint to the world, no pull. Then moves each as a whole by what its momentum misses, and a body that
-// felt nothing back to its free flight. `start`: where the step began. Not for the log barrier's poses, whose
-// gaps must stay open: there only velocities are balanced.
-void balance_poses(const Model& model, const State& start, double h, StepWorkspace::Impl& w);
+// Bodies that felt each other in a step and that nothing outside held.
+struct FreeGroup {
+  Index count = 0;
+  double mass = 0;
+  Vec3 origin = Vec3::Zero();               // of moments; world, m
+  Vec3 P = Vec3::Zero(), L = Vec3::Zero();  // what its momentum should be
+  Vec3 missing_P, missing_L;                // of that
+  Vec3 centre;                              // of mass, from the origin; m
+  Mat3 I;                                   // about it; kg m²
+  Vec3 v, omega;                            // rigid motion that is missing
+  Mat3 turn;                                // its rotation in a step
+  bool balanced = false;                    // its velocities are
+};
+struct FreeGroups {
+  std::vector<Index> parent, number;
+  std::vector<std::uint8_t> held;
+  std::vector<FreeGroup> group;
+  std::vector<std::pair<Index, Index>> bodies;  // and their groups
+};
 
-// The same for the velocities w.v, w.omega that follow from the poses; to rounding.
-void balance_velocities(const Model& model, StepWorkspace::Impl& w);
+// The groups of bodies that felt each other in the solve and that nothing outside held: no fixed body, no
+// joint to the world, no pull; and their momentum.
+void find_free_groups(const Problem& p, const Islands& islands, const Iterate& it, FreeGroups& out);
+
+// Moves each as a whole by what its momentum misses, and a body that felt nothing back to its free flight.
+// Not for the log barrier's poses, whose gaps must stay open: there only velocities are balanced.
+void balance_poses(const Problem& p, FreeGroups& groups, Iterate& it);
+
+// The bodies of an island have got other velocities since they were balanced.
+void unbalance(const Island& island, FreeGroups& groups);
+
+// The same for the velocities that follow from the poses, of all groups that are not balanced; to rounding.
+void balance_velocities(const Problem& p, const Iterate& it, FreeGroups& groups, Velocities& velocities);
 
 }  // namespace pabd

@@ -17,7 +17,6 @@
 #include <limits>
 
 #include "sim/math/extremes.h"
-#include "sim/solver/islands.h"
 #include "sim/solver/linear_bonds.h"
 
 namespace pabd {
@@ -26,7 +25,6 @@ namespace {
 constexpr int kPatience = 4;         // iterations in which E may stay above its lowest value
 constexpr double kRounding = 1e-12;  // of E
 constexpr int kHalvings = 30;
-constexpr double kMostProducts = 1e8;  // of 6×6 blocks in a factorisation: some seconds
 
 double with_rounding(double energy) { return energy + kRounding * std::abs(energy); }
 
@@ -37,27 +35,8 @@ Mat3 geometric_stiffness(const Vec3& r, const Vec3& g) {
   return 0.5 * (rg + rg.transpose()) - g.dot(r) * Mat3::Identity();
 }
 
-// False where its factorisation would cost too much.
-bool find_structure(const Model& model, const StepWorkspace::Impl& w, NewtonSystem& system) {
-  system.row.assign(w.star.size() + 1, -1);
-  for (std::size_t k = 0; k < w.newton.size(); ++k) system.row[w.newton[k]] = static_cast<Index>(k);
-  system.pairs.clear();
-  const auto couple = [&](Index a, Index b) {
-    const Index p = a == kWorld ? -1 : system.row[a], q = b == kWorld ? -1 : system.row[b];
-    if (p >= 0 && q >= 0 && p != q) system.pairs.emplace_back(std::min(p, q), std::max(p, q));
-  };
-  for (const Joint& joint : model.joints) couple(joint.i, joint.j);
-  for (const ContactPatch& patch : w.patches) couple(patch.a, patch.b);
-  if (!std::is_sorted(system.pairs.begin(), system.pairs.end()))
-    std::sort(system.pairs.begin(), system.pairs.end());
-  system.pairs.erase(std::unique(system.pairs.begin(), system.pairs.end()), system.pairs.end());
-  return system.matrix.analyze(static_cast<Index>(w.newton.size()), system.pairs, kMostProducts);
-}
-
 // Inertia of body i: its diagonal block, gradient and energy.
-double add_inertia(const SolveContext& s, Index i, Block6& block, Vec6& g) {
-  const Inertia in = inertia_of(s, i);
-  const Pose& pose = s.w.pose[i];
+double add_inertia(const Inertia& in, const Pose& pose, Block6& block, Vec6& g) {
   const Mat3 X = in.star.R * in.J * pose.R.transpose();
   const double mass = in.m * in.inv_h2;
   Mat6 M = Mat6::Zero();
@@ -107,47 +86,46 @@ Mat6 shifted(const Vec3& back, const Mat6& H) {
   return shifted_rows(back, shifted_rows(back, H).transpose());
 }
 
-// E, its gradient and the matrix at the current iterate.
-double assemble(const SolveContext& s, bool geometric, NewtonSystem& system) {
-  StepWorkspace::Impl& w = s.w;
+// E, its gradient and the matrix at the iterate.
+double assemble(const Problem& p, const Island& island, bool geometric, NewtonSystem& system, Iterate& it) {
   system.matrix.set_zero();
   double energy = 0;
-  for (std::size_t p = 0; p < w.newton.size(); ++p)
-    energy += add_inertia(s, w.newton[p], system.matrix.diagonal(static_cast<Index>(p)), system.g[p]);
-  each_joint_bond(s, [&](const LinearBond& bond) {
-    const Index p = system.row[bond.a], q = system.row[bond.b];
+  for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+    const Index i = island.bodies[k];
+    energy +=
+        add_inertia(p.inertia(i), it.pose[i], system.matrix.diagonal(static_cast<Index>(k)), system.g[k]);
+  }
+  each_joint_bond(p, island, it, [&](const LinearBond& bond) {
     const Vec3 pull = geometric ? system.force[bond.force] : Vec3(Vec3::Zero());
     energy += bond.energy;
-    add_bond(bond, pull, p, q, system);
+    add_bond(bond, pull, island.row[bond.a], island.row[bond.b], system);
   });
-  for (ContactPatch& patch : w.patches) {
-    const Index p = system.row[patch.a], q = system.row[patch.b];
-    if (p < 0 && q < 0) continue;
-    const LinearPatch linear = linearize(w.law, patch, w.pose[patch.a], w.pose[patch.b]);
+  for (const Index k : island.patches) {
+    ContactPatch& patch = it.patch[k];
+    const Index a = island.row[patch.a], b = island.row[patch.b];
+    const LinearPatch linear = linearize(p.law, patch, it.pose[patch.a], it.pose[patch.b]);
     energy += linear.energy;
     if (!linear.active) continue;
     patch.felt = true;
-    if (p >= 0) {
-      system.matrix.diagonal(p).add(linear.H);
-      system.g[p] += linear.g_a;
+    if (a >= 0) {
+      system.matrix.diagonal(a).add(linear.H);
+      system.g[a] += linear.g_a;
     }
-    if (q >= 0) {
-      system.matrix.diagonal(q).add(shifted(linear.back, linear.H));
-      system.g[q] += linear.g_b;
+    if (b >= 0) {
+      system.matrix.diagonal(b).add(shifted(linear.back, linear.H));
+      system.g[b] += linear.g_b;
     }
-    if (p >= 0 && q >= 0) system.matrix.add_off_diagonal(q, p, -shifted_rows(linear.back, linear.H));
+    if (a >= 0 && b >= 0) system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.back, linear.H));
   }
   return energy;
 }
 
-double energy_of(const SolveContext& s) {
+double energy_of(const Problem& p, const Island& island, const Iterate& it) {
   double energy = 0;
-  for (const Index i : s.w.newton) energy += inertia_energy(inertia_of(s, i), s.w.pose[i]);
-  each_joint_bond(s, [&](const LinearBond& bond) { energy += bond.energy; });
-  for (const ContactPatch& patch : s.w.patches) {
-    if (s.w.is_newton[patch.a] || s.w.is_newton[patch.b])
-      energy += sum(contact_energy(s.w.law, patch, state_of(s.w, patch)));
-  }
+  for (const Index i : island.bodies) energy += inertia_energy(p.inertia(i), it.pose[i]);
+  each_joint_bond(p, island, it, [&](const LinearBond& bond) { energy += bond.energy; });
+  for (const Index k : island.patches)
+    energy += sum(contact_energy(p.law, it.patch[k], state_of(it, it.patch[k])));
   return energy;
 }
 
@@ -163,65 +141,69 @@ void raise_diagonal(double share, NewtonSystem& system) {
 
 // Newton direction from the assembled matrix. Pushed bonds may have made it indefinite: then without their
 // geometric stiffness, and where rounding or a large turn left that indefinite too, with a raised diagonal.
-bool find_direction(const SolveContext& s, bool geometric, NewtonSystem& system) {
-  bool solvable = system.matrix.factorize(s.w.stop);
+bool find_direction(const Problem& p, const Island& island, bool geometric, const Stop& stop,
+                    NewtonSystem& system, Iterate& it) {
+  bool solvable = system.matrix.factorize(stop);
   for (double raise = 0; !solvable && raise < 1e4; raise = raise == 0 ? 1e-12 : raise * 1e3) {
-    if (s.w.stop.requested()) break;
+    if (stop.requested()) break;
     if (raise == 0 && !geometric) continue;
-    assemble(s, false, system);
+    assemble(p, island, false, system, it);
     raise_diagonal(raise, system);
-    solvable = system.matrix.factorize(s.w.stop);
+    solvable = system.matrix.factorize(stop);
   }
   if (!solvable) {
     std::fill(system.step.begin(), system.step.end(),
               Vec6::Constant(std::numeric_limits<double>::infinity()));
     return false;
   }
-  for (std::size_t p = 0; p < system.g.size(); ++p) system.step[p] = -system.g[p];
+  for (std::size_t k = 0; k < system.g.size(); ++k) system.step[k] = -system.g[k];
   system.matrix.solve(system.step);
   return true;
 }
 
-void move(const SolveContext& s, const NewtonSystem& system, double t) {
-  for (std::size_t p = 0; p < s.w.newton.size(); ++p) {
-    Pose& pose = s.w.pose[s.w.newton[p]];
-    pose.c += t * system.step[p].head<3>();
-    pose.R = cayley(t * system.step[p].tail<3>()) * pose.R;
-    s.w.set_roll(s.w.newton[p], pose.R);
+void move(const Problem& p, const Island& island, const NewtonSystem& system, double t, Iterate& it) {
+  for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+    const Index i = island.bodies[k];
+    Pose& pose = it.pose[i];
+    pose.c += t * system.step[k].head<3>();
+    pose.R = cayley(t * system.step[k].tail<3>()) * pose.R;
+    set_roll(p, i, pose.R, it);
   }
 }
 
-void keep_best(const SolveContext& s, double energy, NewtonSystem& system) {
+void keep_best(const Island& island, const Iterate& it, double energy, NewtonSystem& system) {
   system.lowest = energy;
   system.rises = 0;
-  system.best.resize(s.w.newton.size());
-  for (std::size_t p = 0; p < system.best.size(); ++p) system.best[p] = s.w.pose[s.w.newton[p]];
+  system.best.resize(island.bodies.size());
+  for (std::size_t k = 0; k < system.best.size(); ++k) system.best[k] = it.pose[island.bodies[k]];
 }
 
-void restore_best(const SolveContext& s, const NewtonSystem& system) {
-  for (std::size_t p = 0; p < system.best.size(); ++p) {
-    s.w.pose[s.w.newton[p]] = system.best[p];
-    s.w.set_roll(s.w.newton[p], system.best[p].R);
+void restore_best(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it) {
+  for (std::size_t k = 0; k < system.best.size(); ++k) {
+    it.pose[island.bodies[k]] = system.best[k];
+    set_roll(p, island.bodies[k], system.best[k].R, it);
   }
 }
 
-void swap_with_best(const SolveContext& s, NewtonSystem& system) {
-  for (std::size_t p = 0; p < system.best.size(); ++p) {
-    std::swap(s.w.pose[s.w.newton[p]], system.best[p]);
-    s.w.set_roll(s.w.newton[p], s.w.pose[s.w.newton[p]].R);
+void swap_with_best(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
+  for (std::size_t k = 0; k < system.best.size(); ++k) {
+    const Index i = island.bodies[k];
+    std::swap(it.pose[i], system.best[k]);
+    set_roll(p, i, it.pose[i].R, it);
   }
 }
 
 // The forces at the iterate itself would be off by stiffness times the curvature of the way there.
-void predict_forces(const SolveContext& s, NewtonSystem& system) {
-  const auto step_of = [&](Index p, const Vec3& r) -> Vec3 {
-    if (p < 0) return Vec3::Zero();
-    return system.step[p].head<3>() + system.step[p].tail<3>().cross(r);
+void predict_forces(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system) {
+  const auto step_of = [&](Index slot, const Vec3& r) -> Vec3 {
+    const Index row = island.row[slot];
+    if (row < 0) return Vec3::Zero();
+    return system.step[row].head<3>() + system.step[row].tail<3>().cross(r);
   };
-  system.force.assign(s.w.all_joints.size() * BondList::kMost, Vec3::Zero());
-  each_joint_bond(s, [&](const LinearBond& bond) {
-    system.force[bond.force] = bond.gradient + bond.K * (step_of(system.row[bond.b], bond.r_b) -
-                                                         step_of(system.row[bond.a], bond.r_a));
+  system.force.assign(island.joints.size() * BondList::kMost, Vec3::Zero());
+  each_joint_bond(p, island, it, [&](const LinearBond& bond) {
+    system.force[bond.force] =
+        bond.gradient + bond.K * (step_of(bond.b, bond.r_b) - step_of(bond.a, bond.r_a));
   });
 }
 
@@ -232,101 +214,98 @@ double longest_step(const NewtonSystem& system) {
   return turn > 1 ? 1 / turn : 1;
 }
 
-void search_from_best(const SolveContext& s, NewtonSystem& system) {
-  const double current = energy_of(s);
-  swap_with_best(s, system);
-  double energy = assemble(s, false, system);  // anew: friction bounds may have moved since
+void search_from_best(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
+                      Iterate& it) {
+  const double current = energy_of(p, island, it);
+  swap_with_best(p, island, system, it);
+  double energy = assemble(p, island, false, system, it);  // anew: friction bounds may have moved since
   if (energy > current) {
-    swap_with_best(s, system);
-    energy = assemble(s, false, system);
+    swap_with_best(p, island, system, it);
+    energy = assemble(p, island, false, system, it);
   }
-  keep_best(s, energy, system);
+  keep_best(island, it, energy, system);
   system.force.clear();
-  if (!find_direction(s, false, system)) return;
+  if (!find_direction(p, island, false, stop, system, it)) return;
   double slope = 0;
-  for (std::size_t p = 0; p < system.g.size(); ++p) slope += system.g[p].dot(system.step[p]);
+  for (std::size_t k = 0; k < system.g.size(); ++k) slope += system.g[k].dot(system.step[k]);
   double t = longest_step(system);
   for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
-    move(s, system, t);
-    if (energy_of(s) <= energy + 1e-4 * t * slope) return;
-    restore_best(s, system);
+    move(p, island, system, t, it);
+    if (energy_of(p, island, it) <= energy + 1e-4 * t * slope) return;
+    restore_best(p, island, system, it);
   }
 }
 
 // Contacts alone, and soft pulls: a line search on E pays. With joints: see above.
-void step_from_here(const SolveContext& s, bool geometric, bool last, NewtonSystem& system) {
-  if (!find_direction(s, geometric, system)) return;
+void step_from_here(const Problem& p, const Island& island, bool geometric, bool last, const Stop& stop,
+                    NewtonSystem& system, Iterate& it) {
+  if (!find_direction(p, island, geometric, stop, system, it)) return;
   double t = longest_step(system);
-  if (!s.model.joints.empty()) {
-    if (!last) predict_forces(s, system);
-    move(s, system, t);
+  if (island.jointed) {
+    if (!last) predict_forces(p, island, it, system);
+    move(p, island, system, t, it);
     return;
   }
   for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
-    move(s, system, t);
-    if (s.params.solver.iterations == 1 || energy_of(s) <= with_rounding(system.lowest)) return;
-    restore_best(s, system);
+    move(p, island, system, t, it);
+    if (p.params->solver.iterations == 1 || energy_of(p, island, it) <= with_rounding(system.lowest)) return;
+    restore_best(p, island, system, it);
   }
 }
 
 }  // namespace
 
-Index prepare_newton(const Model& model, StepWorkspace::Impl& w) {
-  NewtonSystem& system = *w.system;
-  Index given_up = 0;
-  while (!w.newton.empty() && !find_structure(model, w, system)) {
-    // The island with most couplings goes to `descent`.
-    w.cursor.assign(model.shape.size(), 0);
-    for (const auto& [p, q] : system.pairs) ++w.cursor[root(w.parent, w.newton[p])];
-    const auto densest =
-        static_cast<Index>(std::max_element(w.cursor.begin(), w.cursor.end()) - w.cursor.begin());
-    given_up += static_cast<Index>(std::erase_if(w.newton, [&](Index i) {
-      if (root(w.parent, i) != densest) return false;
-      w.is_newton[i] = 0;
-      return true;
-    }));
-  }
-  return given_up;
+bool find_structure(const Problem& p, const Island& island, const Iterate& it, double most_products,
+                    NewtonSystem& system) {
+  system.pairs.clear();
+  const auto couple = [&](std::size_t slot_a, std::size_t slot_b) {
+    const Index a = island.row[slot_a], b = island.row[slot_b];
+    if (a >= 0 && b >= 0 && a != b) system.pairs.emplace_back(std::min(a, b), std::max(a, b));
+  };
+  for (const Index k : island.joints) couple(it.slot(p.joints[k].i), it.slot(p.joints[k].j));
+  for (const Index k : island.patches) couple(it.slot(it.patch[k].a), it.slot(it.patch[k].b));
+  if (!std::is_sorted(system.pairs.begin(), system.pairs.end()))
+    std::sort(system.pairs.begin(), system.pairs.end());
+  system.pairs.erase(std::unique(system.pairs.begin(), system.pairs.end()), system.pairs.end());
+  return system.matrix.analyze(static_cast<Index>(island.bodies.size()), system.pairs, most_products);
 }
 
-void start_newton(const SolveContext& s, NewtonSystem& system) {
-  if (s.w.newton.empty()) return;
-  system.g.resize(s.w.newton.size());
-  system.step.resize(s.w.newton.size());
+void start_newton(const Island& island, const Iterate& it, NewtonSystem& system) {
+  system.g.resize(island.bodies.size());
+  system.step.resize(island.bodies.size());
   system.force.clear();
   system.searches = false;
-  keep_best(s, std::numeric_limits<double>::infinity(), system);
+  keep_best(island, it, std::numeric_limits<double>::infinity(), system);
 }
 
-void newton_iteration(const SolveContext& s, bool last, NewtonSystem& system) {
-  StepWorkspace::Impl& w = s.w;
-  if (w.newton.empty()) return;
-  const bool geometric = !system.force.empty() && !s.model.joints.empty();
-  const double energy = assemble(s, geometric, system);
-  const bool lower = s.model.joints.empty() || energy <= with_rounding(system.lowest);
+void newton_iteration(const Problem& p, const Island& island, bool last, const Workers& workers,
+                      NewtonSystem& system, Iterate& it) {
+  const bool geometric = !system.force.empty() && island.jointed;
+  const double energy = assemble(p, island, geometric, system, it);
+  const bool lower = !island.jointed || energy <= with_rounding(system.lowest);
   if (lower) {
-    if (s.params.solver.iterations > 1) keep_best(s, energy, system);
+    if (p.params->solver.iterations > 1) keep_best(island, it, energy, system);
   } else {
     ++system.rises;
   }
   if (system.rises > kPatience) system.searches = true;
   if (system.rises <= (system.searches ? 0 : kPatience)) {
-    step_from_here(s, geometric, last, system);
+    step_from_here(p, island, geometric, last, workers.stop, system, it);
   } else {
-    search_from_best(s, system);
+    search_from_best(p, island, workers.stop, system, it);
   }
-  for (std::size_t p = 0; p < w.newton.size(); ++p) {
-    const Vec6& step = system.step[p];
-    const Index i = w.newton[p];
-    w.moved[i] = (step.head<3>().norm() + w.radius[i] * step.tail<3>().norm()) / w.law.barrier.d_hat;
+  for (std::size_t k = 0; k < island.bodies.size(); ++k) {
+    const Vec6& step = system.step[k];
+    const Index i = island.bodies[k];
+    it.moved[i] = (step.head<3>().norm() + p.flight->radius[i] * step.tail<3>().norm()) / p.law.barrier.d_hat;
   }
 }
 
 void forget_best(NewtonSystem& system) { system.lowest = std::numeric_limits<double>::infinity(); }
 
-void finish_newton(const SolveContext& s, NewtonSystem& system) {
-  if (s.w.newton.empty() || s.params.solver.iterations == 1) return;
-  if (!(energy_of(s) <= with_rounding(system.lowest))) swap_with_best(s, system);
+void finish_newton(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
+  if (p.params->solver.iterations == 1) return;
+  if (!(energy_of(p, island, it) <= with_rounding(system.lowest))) swap_with_best(p, island, system, it);
 }
 
 }  // namespace pabd

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "sim/solver/friction.h"
-#include "sim/solver/solve.h"
 
 namespace pabd {
 namespace {
@@ -13,23 +12,23 @@ namespace {
 constexpr double kDeep = 2;      // d̂
 constexpr double kAtRest = 0.1;  // of V
 
-ContactState state_at(const State& start, const ContactPatch& p) {
-  return contact_state(p, {start.c[p.a], start.R[p.a]}, {start.c[p.b], start.R[p.b]});
+ContactState state_at_start(const Problem& p, const ContactPatch& patch) {
+  return contact_state(patch, p.start_pose(patch.a), p.start_pose(patch.b));
 }
 
-void mark_deep(const State& start, StepWorkspace::Impl& w) {
-  for (ContactPatch& patch : w.patches) {
-    const ContactState s = state_at(start, patch);
-    for (int k = 0; k < patch.count; ++k) patch.recovers |= s.d[k] < -kDeep * w.law.barrier.d_hat;
+void mark_deep(const Problem& p, std::vector<ContactPatch>& patches) {
+  for (ContactPatch& patch : patches) {
+    const ContactState s = state_at_start(p, patch);
+    for (int k = 0; k < patch.count; ++k) patch.recovers |= s.d[k] < -kDeep * p.law.barrier.d_hat;
   }
 }
 
-void mark_remembered(const std::vector<FrictionAnchor>& anchors, StepWorkspace::Impl& w) {
-  auto patch = w.patches.begin();
+void mark_remembered(const std::vector<FrictionAnchor>& anchors, std::vector<ContactPatch>& patches) {
+  auto patch = patches.begin();
   for (const FrictionAnchor& anchor : anchors) {
     if (!anchor.recovers) continue;
-    while (patch != w.patches.end() && pair_key(patch->a, patch->b) < anchor.pair) ++patch;
-    for (auto p = patch; p != w.patches.end() && pair_key(p->a, p->b) == anchor.pair; ++p) p->recovers = true;
+    while (patch != patches.end() && pair_key(patch->a, patch->b) < anchor.pair) ++patch;
+    for (auto p = patch; p != patches.end() && pair_key(p->a, p->b) == anchor.pair; ++p) p->recovers = true;
   }
 }
 
@@ -46,16 +45,17 @@ void spread_to_pairs(std::vector<ContactPatch>& patches) {
 
 }  // namespace
 
-void start_recovery(const Params& params, const State& start, StepWorkspace::Impl& w) {
-  const Barrier& barrier = w.law.barrier;
-  if (params.contact.recovery_speed == 0 || barrier.kind == BarrierKind::log) return;
-  mark_deep(start, w);
-  mark_remembered(start.anchors, w);
-  spread_to_pairs(w.patches);
-  const double end = barrier.d_hat - params.contact.recovery_speed * params.h;  // d₀ + s
-  for (ContactPatch& patch : w.patches) {
+void start_recovery(const Problem& p, Iterate& it) {
+  const Barrier& barrier = p.law.barrier;
+  const double speed = p.params->contact.recovery_speed;
+  if (speed == 0 || barrier.kind == BarrierKind::log) return;
+  mark_deep(p, it.patch);
+  mark_remembered(p.start->anchors, it.patch);
+  spread_to_pairs(it.patch);
+  const double end = barrier.d_hat - speed * p.params->h;  // d₀ + s
+  for (ContactPatch& patch : it.patch) {
     if (!patch.recovers) continue;
-    const ContactState s = state_at(start, patch);
+    const ContactState s = state_at_start(p, patch);
     for (int k = 0; k < patch.count; ++k) {
       if (!(s.d[k] < end)) continue;
       patch.shift[k] = end - s.d[k];
@@ -64,12 +64,12 @@ void start_recovery(const Params& params, const State& start, StepWorkspace::Imp
   }
 }
 
-void finish_recovery(const Params& params, const State& start, StepWorkspace::Impl& w) {
-  const double way = params.contact.recovery_speed * params.h;
-  const double d_hat = w.law.barrier.d_hat;
-  for (ContactPatch& patch : w.patches) {
+void finish_recovery(const Problem& p, Iterate& it) {
+  const double way = p.params->contact.recovery_speed * p.params->h;
+  const double d_hat = p.law.barrier.d_hat;
+  for (ContactPatch& patch : it.patch) {
     if (!patch.recovers) continue;
-    const Lanes before = state_at(start, patch).d, now = state_of(w, patch).d;
+    const Lanes before = state_at_start(p, patch).d, now = state_of(it, patch).d;
     bool goes_on = false;
     for (int k = 0; k < patch.count; ++k) {
       const bool rests = now[k] >= 0 && std::abs(now[k] - before[k]) <= kAtRest * way;

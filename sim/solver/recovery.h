@@ -11,15 +11,15 @@
 // barrier, which has no overlap.
 #pragma once
 
-#include "sim/solver/workspace.h"
+#include "sim/solver/problem.h"
 
 namespace pabd {
 
-// Finds the pairs that recover, by depth and by what the last step left in `start.anchors`, and sets their
-// contacts up. Precondition: the patches are those of the step, sorted by pair.
-void start_recovery(const Params& params, const State& start, StepWorkspace::Impl& w);
+// Finds the pairs that recover, by depth and by what the last step left in the start's anchors, and sets
+// their contacts up. Precondition: the patches are those of the step, sorted by pair.
+void start_recovery(const Problem& p, Iterate& it);
 
-// Keeps ContactPatch::recovers where the recovery goes on after the step that began at `start`.
-void finish_recovery(const Params& params, const State& start, StepWorkspace::Impl& w);
+// Keeps ContactPatch::recovers where the recovery goes on after the step.
+void finish_recovery(const Problem& p, Iterate& it);
 
 }  // namespace pabd

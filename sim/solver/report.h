@@ -57,6 +57,16 @@ struct JointReport {
   Vec3 axis = Vec3::UnitX();   // of the joint, with the first body; unit
 };
 
+// One island of bodies that hang together, as it was solved.
+struct IslandReport {
+  Index first_body;  // its lowest
+  Index bodies, patches, joints;
+  SolverMethod solver;  // sissm, descent or newton
+  StepStatus status;
+  int iterations;
+  double residual;  // of the last iteration
+};
+
 // Wall clock; ms. The first four add up to the total of a step that was made.
 struct PhaseTimes {
   double detect = 0;      // contact points: broad and narrow phase, patches
@@ -71,7 +81,7 @@ struct StepReport {
   double time = 0;        // at its end; s
   SolverMethod method = SolverMethod::descent;
   StepStatus status = StepStatus::iteration_limit;
-  int iterations = 0;
+  int iterations = 0;          // of the island that needed most
   double kinetic = 0;          // J
   double potential = 0;        // −Σ m g·c; J
   double elastic = 0;          // energy in contacts and bonds; J
@@ -80,9 +90,9 @@ struct StepReport {
   double max_penetration = 0;  // m
   double min_gap = 0;          // m; +inf without contacts
   double max_joint_error = 0;  // m
-  double residual = 0;         // of the last iteration
+  double residual = 0;         // of the last iteration, the largest of the islands
   // What was left out because it would cost too much: pairs of bodies deep in each other whose first body has
-  // many such (collision/detect.h), and bodies that `descent` solved in place of `newton` (islands.h).
+  // many such (collision/detect.h), and bodies that `descent` solved in place of `newton` (choice.h).
   Index left_pairs = 0;
   Index too_dense = 0;
   double drive_work = 0;  // work of driven joints in this step; J
@@ -92,6 +102,7 @@ struct StepReport {
   // weight (of less loaded ones: with that load), 0 where all obey. At most 0.01 in a step that converged.
   double friction_excess = 0;
   PhaseTimes times;
+  std::vector<IslandReport> islands;     // in order of their lowest bodies
   std::vector<IterationRecord> records;  // one an iteration; empty unless StepOptions::record_iterations
   IterationRecord first_iterate{};       // before the first iteration, filled together with `records`
   std::vector<ContactReport>

@@ -11,15 +11,13 @@
 // double no longer resolves d̂.
 #pragma once
 
-#include "sim/body/state.h"
-#include "sim/solver/solve.h"
+#include "sim/solver/islands.h"
+#include "sim/solver/velocities.h"
 
 namespace pabd {
 
-// Remembers K_i*, before the velocities take the solve in.
-void note_free_flight(const SolveContext& s);
-
-// Did the solve run away? After the velocities took it in.
-bool ran_away(const SolveContext& s, const State& start);
+// Did the solve run away? The iterate and the velocities are those of the end; it is left as it was.
+bool ran_away(const Problem& p, const Islands& islands, const Velocities& velocities,
+              std::vector<Pose>& scratch, Iterate& it);
 
 }  // namespace pabd

@@ -8,11 +8,12 @@
 //   polar     R = polar(Â), as printed. Damped as a whole: a pose goes the part `relaxation` of its way. Has
 //             another fixed point than the minimum of E, and runs away where bonds are stiff.
 
+#include "sim/solver/sissm.h"
+
 #include <Eigen/Dense>
 #include <limits>
 
 #include "sim/math/extremes.h"
-#include "sim/solver/solve.h"
 #include "sim/solver/weighted_projection.h"
 
 namespace pabd {
@@ -27,45 +28,46 @@ Mat34 affine_minimiser(const AffineModel& q) {
   return H.ldlt().solve(b.transpose()).transpose();
 }
 
-void global_and_local_step(const SolveContext& s, Index i) {
-  StepWorkspace::Impl& w = s.w;
-  const double relaxation = s.params.solver.relaxation;
-  const Pose& pose = w.pose[i];
+void global_and_local_step(const Problem& p, Index i, const Iterate& it, SissmMemory& m, double& moved) {
+  const double relaxation = p.params->solver.relaxation;
+  const Pose& pose = it.pose[i];
   Vec3 dc;
   Mat3 R;
-  if (bounds_energy(s.params.solver)) {
-    const AffineModel q = affine_model(s, i, inertia_of(s, i), WeightKind::majorising, 1 / relaxation);
+  if (bounds_energy(p.params->solver)) {
+    const AffineModel q = affine_model(p, it, i, p.inertia(i), WeightKind::majorising, 1 / relaxation);
     const Mat34 Q = affine_minimiser(q);
-    w.A[i] = Q.rightCols<3>();
-    w.affine_c[i] = pose.c + Q.col(0);
+    m.A[i] = Q.rightCols<3>();
+    m.c[i] = pose.c + Q.col(0);
     R = weighted_rotation(q, pose.R);
     dc = weighted_translation(q, R);
   } else {
-    const Mat34 Q = affine_minimiser(affine_model(s, i, inertia_of(s, i), WeightKind::binomial));
-    w.A[i] = (1 - relaxation) * pose.R + relaxation * Q.rightCols<3>();
-    R = project_to_so3(w.A[i], pose.R);
+    const Mat34 Q = affine_minimiser(affine_model(p, it, i, p.inertia(i), WeightKind::binomial));
+    m.A[i] = (1 - relaxation) * pose.R + relaxation * Q.rightCols<3>();
+    R = project_to_so3(m.A[i], pose.R);
     dc = relaxation * Q.col(0);
-    w.affine_c[i] = pose.c + dc;
+    m.c[i] = pose.c + dc;
   }
-  w.next[i] = {pose.c + dc, R};
-  w.projected[i] = (w.A[i] - R).norm();
-  w.moved[i] = (dc.norm() + w.radius[i] * (R - pose.R).norm()) / w.law.barrier.d_hat;
+  m.next[i] = {pose.c + dc, R};
+  m.projected[i] = (m.A[i] - R).norm();
+  moved = (dc.norm() + p.flight->radius[i] * (R - pose.R).norm()) / p.law.barrier.d_hat;
 }
 
 // Smallest d of a patch when the bodies are affine: distance of b's points to the deformed plane of a, whose
 // normal is A⁻ᵀ n.
-double affine_distance(const StepWorkspace::Impl& w, const ContactPatch& patch) {
-  const Mat3 cofactor = w.A[patch.a].inverse().transpose();
+double affine_distance(const Problem& p, const Iterate& it, const SissmMemory& m, const ContactPatch& patch) {
+  const auto A = [&](Index i) -> const Mat3& { return p.movable(i) ? m.A[i] : it.pose[i].R; };
+  const auto c = [&](Index i) -> const Vec3& { return p.movable(i) ? m.c[i] : it.pose[i].c; };
+  const Mat3 cofactor = A(patch.a).inverse().transpose();
   double smallest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < patch.count; ++k) {
     const Vec3 n = lane(patch.n, k);
     const Vec3 plane = lane(patch.normal_a, k);
-    const Vec3 y_b = w.affine_c[patch.b] + w.A[patch.b] * lane(patch.normal_b, k);
+    const Vec3 y_b = c(patch.b) + A(patch.b) * lane(patch.normal_b, k);
     if (patch.turns) {  // the gap is part of the deformed body
-      const Vec3 y_a = w.affine_c[patch.a] + w.A[patch.a] * (plane - patch.gap[k] * n);
+      const Vec3 y_a = c(patch.a) + A(patch.a) * (plane - patch.gap[k] * n);
       smallest = smaller(smallest, (cofactor * n).normalized().dot(y_b - y_a));
     } else {
-      smallest = smaller(smallest, patch.gap[k] + n.dot(y_b - w.affine_c[patch.a] - w.A[patch.a] * plane));
+      smallest = smaller(smallest, patch.gap[k] + n.dot(y_b - c(patch.a) - A(patch.a) * plane));
     }
   }
   return smallest;
@@ -73,22 +75,21 @@ double affine_distance(const StepWorkspace::Impl& w, const ContactPatch& patch) 
 
 }  // namespace
 
-void sissm_iteration(const SolveContext& s, double* before) {
-  StepWorkspace::Impl& w = s.w;
-  w.next = w.pose;
-  w.affine_c.resize(w.A.size());
-  for (std::size_t i = 0; i < w.A.size(); ++i) {
-    w.A[i] = w.pose[i].R;
-    w.affine_c[i] = w.pose[i].c;
-  }
-  w.collision.team.for_each(s.threads, w.colored.size(), kBlock,
-                            [&](std::size_t j) { global_and_local_step(s, w.colored[j]); });
+void sissm_iteration(const Problem& p, const Island& island, const Workers& workers, double* before,
+                     SissmMemory& memory, Iterate& it) {
+  workers.for_each(island.bodies.size(), [&](std::size_t j) {
+    const Index i = island.bodies[j];
+    global_and_local_step(p, i, it, memory, it.moved[i]);
+  });
   if (before) {
     *before = std::numeric_limits<double>::infinity();
-    for (const ContactPatch& patch : w.patches) *before = smaller(*before, affine_distance(w, patch));
+    for (const Index k : island.patches)
+      *before = smaller(*before, affine_distance(p, it, memory, it.patch[k]));
   }
-  w.pose.swap(w.next);
-  for (const Index i : w.colored) w.set_roll(i, w.pose[i].R);
+  for (const Index i : island.bodies) {
+    it.pose[i] = memory.next[i];
+    set_roll(p, i, it.pose[i].R, it);
+  }
 }
 
 }  // namespace pabd

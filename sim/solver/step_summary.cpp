@@ -5,18 +5,8 @@
 #include "sim/body/mass_properties.h"
 #include "sim/math/extremes.h"
 #include "sim/solver/friction.h"
-#include "sim/solver/joint_set.h"
 
 namespace pabd {
-
-double incremental_potential(const SolveContext& s) {
-  double energy = 0;
-  for (const Index i : s.w.solved) energy += inertia_energy(inertia_of(s, i), s.w.pose[i]);
-  for (const ContactPatch& p : s.w.patches)
-    energy += sum(contact_energy(law_of(s.w, p), p, state_of(s.w, p)));
-  for (std::size_t k = 0; k < s.w.all_joints.size(); ++k) energy += energy_of_joint(s, static_cast<Index>(k));
-  return energy;
-}
 
 double kinetic_energy(const Model& model, Index i, const Mat3& R, const Vec3& v, const Vec3& omega) {
   const Vec3 w = R.transpose() * omega;
@@ -37,15 +27,6 @@ double potential_energy(const Model& model, const Params& params, const State& s
   return energy;
 }
 
-double smallest_gap(const StepWorkspace::Impl& w) {
-  double gap = std::numeric_limits<double>::infinity();
-  for (const ContactPatch& patch : w.patches) {
-    const ContactState s = state_of(w, patch);
-    for (int k = 0; k < patch.count; ++k) gap = smaller(gap, s.d[k]);
-  }
-  return gap;
-}
-
 namespace {
 
 // How far friction is above μ f_n, as a part of it. Contacts that carry less than `least` count as if they
@@ -57,17 +38,16 @@ Lanes friction_excess(const ContactPatch& patch, Lanes friction, const ContactFo
 
 }  // namespace
 
-void summarize_contacts(const SolveContext& context, bool with_reports, StepReport& report) {
-  const StepWorkspace::Impl& w = context.w;
-  const double least = kLeastLoad * heaviest_mass(context.model) * weight_per_mass(context.params);
+void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports, StepReport& report) {
+  const double least = kLeastLoad * heaviest_mass(*p.model) * weight_per_mass(*p.params);
   report.elastic = 0;
   report.friction_excess = 0;
   report.contacts = 0;
   report.min_gap = std::numeric_limits<double>::infinity();
   report.contact_reports.clear();
-  for (const ContactPatch& patch : w.patches) {
-    const ContactState s = state_of(w, patch);
-    const ContactLaw law = law_of(w, patch);
+  for (const ContactPatch& patch : it.patch) {
+    const ContactState s = state_of(it, patch);
+    const ContactLaw law = p.law_of(patch);
     const ContactForce f = normal_force(law.barrier, patch, s.d);
     const Lanes energy = f.value + friction_energy(law, patch.limit, length(s.u));
     const Lanes alpha_t = friction_weight(law, patch.limit, length(s.u));
@@ -75,11 +55,11 @@ void summarize_contacts(const SolveContext& context, bool with_reports, StepRepo
     for (int k = 0; k < patch.count; ++k) {
       report.min_gap = smaller(report.min_gap, s.d[k]);
       report.friction_excess = larger(report.friction_excess, excess[k]);
-      if (s.d[k] >= w.law.barrier.d_hat) continue;
+      if (s.d[k] >= p.law.barrier.d_hat) continue;
       report.elastic += energy[k];
       ++report.contacts;
       if (!with_reports) continue;
-      const Vec3 n = lane(s.n, k), u = lane(s.u, k), y_b = w.pose[patch.a].c + lane(s.y, k);
+      const Vec3 n = lane(s.n, k), u = lane(s.u, k), y_b = it.pose[patch.a].c + lane(s.y, k);
       const bool sticking = patch.limit[k] > 0 && law.k_t * u.norm() <= patch.limit[k];
       report.contact_reports.push_back({patch.a, patch.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k],
                                         -alpha_t[k] * u, sticking, patch.mu});

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "sim/body/state.h"
-#include "sim/solver/solve.h"
+#include "sim/solver/problem.h"
+#include "sim/solver/report.h"
 
 namespace pabd {
 
@@ -13,11 +14,7 @@ double kinetic_energy(const Model& model, Index i, const Mat3& R, const Vec3& v,
 double kinetic_energy(const Model& model, const State& state);
 double potential_energy(const Model& model, const Params& params, const State& state);
 
-// Smallest d over all contact bonds at the current iterate; +inf without any.
-double smallest_gap(const StepWorkspace::Impl& w);
-
-// elastic, contacts, max_penetration, min_gap, friction_excess and, if asked, contact_reports at the current
-// iterate.
-void summarize_contacts(const SolveContext& s, bool with_reports, StepReport& report);
+// elastic, contacts, max_penetration, min_gap, friction_excess and, if asked, contact_reports at the iterate.
+void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports, StepReport& report);
 
 }  // namespace pabd

@@ -37,22 +37,22 @@ double share(double stiffness, double cap) { return stiffness > cap ? cap / stif
 
 }  // namespace
 
-int cap_stiffness(const SolveContext& s) {
-  StepWorkspace::Impl& w = s.w;
-  w.joint_share.assign(w.all_joints.size(), 1);
-  if (!bounds_energy(s.params.solver)) return 0;
-  const double followed = s.params.solver.iterations / (s.params.h * s.params.h);
+int cap_stiffness(Problem& p, Iterate& it) {
+  p.joint_share.assign(p.joints.size(), 1);
+  const SolverParams& solver = p.params->solver;
+  if (!bounds_energy(solver)) return 0;
+  const double followed = solver.iterations / (p.params->h * p.params->h);
   int capped = 0;
-  for (std::size_t k = 0; k < w.all_joints.size(); ++k) {
-    const Joint& joint = w.all_joints[k];
-    const double c = joint_compliance(s.model, joint);
-    if (c > 0) w.joint_share[k] = share(evaluate(joint.law, 0.0).second, kJoints * followed / c);
-    if (w.joint_share[k] < 1) ++capped;
+  for (std::size_t k = 0; k < p.joints.size(); ++k) {
+    const Joint& joint = p.joints[static_cast<Index>(k)];
+    const double c = joint_compliance(*p.model, joint);
+    if (c > 0) p.joint_share[k] = share(evaluate(joint.law, 0.0).second, kJoints * followed / c);
+    if (p.joint_share[k] < 1) ++capped;
   }
-  const Barrier& barrier = w.law.barrier;
+  const Barrier& barrier = p.law.barrier;
   const double unit = barrier.kind == BarrierKind::log ? 1.0 : barrier.d_hat * barrier.d_hat;
-  const auto inverse_mass = [&](Index i) { return s.model.fixed[i] ? 0.0 : 1 / s.model.mass[i]; };
-  for (ContactPatch& patch : w.patches) {
+  const auto inverse_mass = [&](Index i) { return p.movable(i) ? 1 / p.model->mass[i] : 0.0; };
+  for (ContactPatch& patch : it.patch) {
     const double c = inverse_mass(patch.a) + inverse_mass(patch.b);
     patch.share = share(barrier.kappa / unit, kContacts * followed / c);
     if (patch.share < 1) capped += patch.count;

@@ -15,12 +15,12 @@
 // part that `energy_bound.h` has to hold back grows, with less the joints sag.
 #pragma once
 
-#include "sim/solver/solve.h"
+#include "sim/solver/problem.h"
 
 namespace pabd {
 
-// Fills w.joint_share and the share of each patch: 1, or the part of the stiffness that is left. Returns the
+// Fills p.joint_share and the share of each patch: 1, or the part of the stiffness that is left. Returns the
 // number of joints and contact points that are capped. Only the weighted projection of `sissm` caps any.
-int cap_stiffness(const SolveContext& s);
+int cap_stiffness(Problem& p, Iterate& it);
 
 }  // namespace pabd

@@ -102,25 +102,24 @@ TangentModel add_up(const ContactSums& c, const Inertia& in, const Pose& pose) {
 
 }  // namespace
 
-TangentModel tangent_model(const SolveContext& s, Index i, const Inertia& in, bool move_limits) {
-  const StepWorkspace::Impl& w = s.w;
-  const Pose& pose = w.pose[i];
+TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool move_limits, Iterate& it) {
+  const Pose& pose = it.pose[i];
   ContactSums c;
-  for (const BondEnd& end : w.ends_of(i)) {
-    ContactPatch& patch = s.w.patches[end.patch];
-    const Pose& other = w.pose[end.other];
+  for (const PatchEnd& end : p.ends[i]) {
+    ContactPatch& patch = it.patch[end.patch];
+    const Pose& other = it.pose[end.other];
     const ContactState state =
         end.is_a ? contact_state(patch, pose, other) : contact_state(patch, other, pose);
-    const ContactForce force = normal_force(w.law.barrier, patch, state.d);
+    const ContactForce force = normal_force(p.law.barrier, patch, state.d);
     if (move_limits && end.owner) move_limit(patch, force);
     if (sum(force.alpha_n) + sum(patch.limit) > 0) patch.felt = true;
     const ContactLevers levers = end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, other, pose);
-    add_patch(w.law, patch, state, force, levers, end.is_a ? -1 : 1, c);
+    add_patch(p.law, patch, state, force, levers, end.is_a ? -1 : 1, c);
   }
   TangentModel q = add_up(c, in, pose);
-  if (w.joints_of(i).empty()) return q;
+  if (p.joints_at[i].empty()) return q;
   JointSums joints;
-  add_joints(s, i, joints);
+  add_joints(p, it, i, joints);
   q.H.topLeftCorner<3, 3>() += joints.H_cc;
   q.H.bottomLeftCorner<3, 3>() += joints.H_wc;
   q.H.bottomRightCorner<3, 3>() += joints.H_ww;

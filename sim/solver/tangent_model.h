@@ -10,7 +10,7 @@
 #pragma once
 
 #include "sim/math/ldlt6.h"
-#include "sim/solver/solve.h"
+#include "sim/solver/problem.h"
 
 namespace pabd {
 
@@ -20,8 +20,8 @@ struct TangentModel {
   double energy;  // of the body and its bonds
 };
 
-// Of body i at the current iterate. `move_limits`: first moves the friction bounds of the patches whose owner
+// Of body i at the iterate. `move_limits`: first moves the friction bounds of the patches whose owner
 // the body is to μ f_n of the current iterate.
-TangentModel tangent_model(const SolveContext& s, Index i, const Inertia& in, bool move_limits);
+TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool move_limits, Iterate& it);
 
 }  // namespace pabd

@@ -2,30 +2,23 @@
 
 #include "sim/solver/time_step.h"
 
-#include <Eigen/Dense>
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 
-#include "sim/body/mass_properties.h"
-#include "sim/math/extremes.h"
 #include "sim/math/flush_denormals.h"
-#include "sim/math/so3.h"
 #include "sim/solver/body_reports.h"
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/energy_bound.h"
-#include "sim/solver/free_flight.h"
 #include "sim/solver/friction.h"
-#include "sim/solver/islands.h"
 #include "sim/solver/joint_reports.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/momentum.h"
-#include "sim/solver/newton.h"
 #include "sim/solver/recovery.h"
 #include "sim/solver/runaway.h"
 #include "sim/solver/solve.h"
+#include "sim/solver/step_memory.h"
 #include "sim/solver/step_summary.h"
 #include "sim/solver/stiffness_cap.h"
 
@@ -34,173 +27,171 @@ namespace {
 
 class Stopwatch {
  public:
-  double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - start_).count(); }
+  // Time since the last call; ms.
+  double lap() {
+    const auto now = Clock::now();
+    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
+    last_ = now;
+    return ms;
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = Clock::now();
 };
 
-// 1. Q* = [c*, R*]: free flight of every body.
-void predict(const Model& model, const Params& params, const State& state, int threads,
-             StepWorkspace::Impl& w) {
-  w.star.resize(state.c.size());
-  w.radius.resize(state.c.size());
-  w.turn.assign(state.c.size(), Vec3::Zero());
-  w.v = state.v;
-  w.omega = state.omega;
-  w.collision.team.for_each(threads, model.shape.size(), kBlock, [&](std::size_t i) {
-    w.star[i] = {state.c[i], state.R[i]};
-    w.radius[i] = bounding_radius(model.shape[i]);
-    if (model.fixed[i]) return;
-    w.turn[i] = free_flight(model.J[i], params.gravity, params.h, w.star[i], w.v[i], w.omega[i]);
-  });
-}
-
-// 4. Momentum is kept by what nothing outside holds; v ← v + (c − c*)/h. The spin gets the angular impulse
-// that the minimiser of E implies, −axial(R* J Rᵀ)/h, which is I log(R R*ᵀ)/h to first order and exactly the
-// contacts' r × f h (Deviation D8).
-void update_velocities(const Model& model, const Params& params, const State& start, StepWorkspace::Impl& w) {
-  balance_poses(model, start, params.h, w);
-  for (const Index i : w.solved) {
-    if (w.pose[i].c == w.star[i].c && w.pose[i].R == w.star[i].R) continue;  // flew freely
-    w.pose[i].R = reorthonormalized(w.pose[i].R);
-    w.v[i] += (w.pose[i].c - w.star[i].c) / params.h;
-    const Mat3 I = inertia_tensor(model.J[i]);
-    const Vec3 spin = w.star[i].R * (I * (w.star[i].R.transpose() * w.omega[i])) -
-                      axial(w.star[i].R * model.J[i] * w.pose[i].R.transpose()) / params.h;
-    w.omega[i] = w.pose[i].R * I.llt().solve(w.pose[i].R.transpose() * spin);
-  }
-  balance_velocities(model, w);
-}
-
-// Of the bodies at `pose`, and their velocities.
-bool all_finite(const std::vector<Pose>& pose, const StepWorkspace::Impl& w) {
+// Of all bodies.
+bool all_finite(const std::vector<Pose>& pose, const std::vector<Vec3>& v, const std::vector<Vec3>& omega) {
   double sum = 0;
-  for (std::size_t i = 0; i < w.v.size(); ++i)
-    sum += 0.0 * (pose[i].c.sum() + pose[i].R.sum() + w.v[i].sum() + w.omega[i].sum());
+  for (std::size_t i = 0; i < v.size(); ++i)
+    sum += 0.0 * (pose[i].c.sum() + pose[i].R.sum() + v[i].sum() + omega[i].sum());
   return sum == 0;  // 0 · x is NaN for an infinite or undefined x
 }
 
-IterationRecord record(const SolveContext& s, double residual, double gap_before, const StepReport& report) {
-  IterationRecord r;
-  r.energy = incremental_potential(s);
-  r.residual = residual;
-  r.min_gap_after = smallest_gap(s.w);
-  r.min_gap_before = report.method == SolverMethod::sissm ? gap_before : r.min_gap_after;
-  r.max_penetration_before = larger(0, -r.min_gap_before);
-  r.max_penetration_after = larger(0, -r.min_gap_after);
-  r.max_joint_error = largest_joint_error(s);
-  r.projection_change = 0;
-  if (report.method == SolverMethod::sissm) {
-    for (const Index i : s.w.solved) r.projection_change = larger(r.projection_change, s.w.projected[i]);
-  }
-  return r;
-}
-
-// Every body with bonds, in order of number.
-void list_solved(StepWorkspace::Impl& w) {
-  w.solved = w.colored;
-  w.solved.insert(w.solved.end(), w.newton.begin(), w.newton.end());
-  std::sort(w.solved.begin(), w.solved.end());
-}
-
-// Does friction obey its law at an iterate that no longer moves? Before it may, bodies that can no longer
-// hold let go.
-bool friction_settled(const SolveContext& s) {
-  if (largest_friction_error(s) > kFrictionTolerance || holds_back(s.w)) return false;
-  if (!let_go(s.w)) return true;
-  forget_best(*s.w.system);
-  return false;
-}
-
-// 3. Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the
-// cap.
-void solve(const SolveContext& s, const StepOptions& options, StepReport& report) {
-  StepWorkspace::Impl& w = s.w;
-  report.status = w.solved.empty() ? StepStatus::converged : StepStatus::iteration_limit;
-  if (w.solved.empty()) return;
-  w.moved.assign(w.v.size(), 0.0);
-  w.rests.assign(w.v.size(), 0);
-  w.projected.assign(w.v.size(), 0.0);
-  // Jacobi's threads share patches, and do not mark them.
-  const bool marks =
-      report.method != SolverMethod::sissm && s.params.solver.projection != Projection::weighted;
-  for (ContactPatch& patch : w.patches) patch.felt = !marks;
-  const bool swept = sweeps_limits(s, report.method);  // friction bounds
-  bool every_body = true;
-  if (report.method == SolverMethod::sissm) w.A.resize(w.v.size());
-  if (options.record_iterations) report.first_iterate = record(s, 0, smallest_gap(w), report);
-  start_newton(s, *w.system);
-  const LimitsOf moved_here = swept ? LimitsOf::newton : LimitsOf::all;
-  for (int k = 0; k < s.params.solver.iterations; ++k) {
-    if (k > 0 && move_friction_limits(s, moved_here)) forget_best(*w.system);
-    double gap_before = 0;
-    if (report.method == SolverMethod::sissm) {
-      sissm_iteration(s, options.record_iterations ? &gap_before : nullptr);
-    } else {
-      newton_iteration(s, k + 1 == s.params.solver.iterations, *w.system);
-      descent_sweep(s, {k == 0, swept && k > 0, every_body});
-    }
-    ++report.iterations;
-    report.residual = 0;
-    for (const Index i : w.solved) report.residual = larger(report.residual, w.moved[i]);
-    if (options.record_iterations) report.records.push_back(record(s, report.residual, gap_before, report));
-    if (s.w.stop.requested()) {
-      report.status = StepStatus::interrupted;
-      return;
-    }
-    if (!std::isfinite(report.residual)) {
-      report.status = StepStatus::non_finite;
-      return;
-    }
-    if (!(report.residual < s.params.solver.tolerance)) {
-      every_body = false;
-    } else if ((!every_body && any_rests(w)) || !friction_settled(s)) {
-      every_body = true;  // once more, to be sure
-    } else {
-      report.status = StepStatus::converged;
-      return;
-    }
-  }
-  if (report.method != SolverMethod::sissm) finish_newton(s, *w.system);
-}
-
 // The log barrier has no force for a pair that overlaps: such a start is reported, not solved.
-bool is_infeasible(const StepWorkspace::Impl& w) {
-  return w.law.barrier.kind == BarrierKind::log && smallest_gap(w) <= 0;
+bool is_feasible(const Problem& p, const Iterate& it) {
+  if (p.law.barrier.kind != BarrierKind::log) return true;
+  for (const ContactPatch& patch : it.patch) {
+    const ContactState s = state_of(it, patch);
+    for (int k = 0; k < patch.count; ++k) {
+      if (!(s.d[k] > 0)) return false;
+    }
+  }
+  return true;
+}
+
+// Bonds of the step S(17), friction from the last one, and the first iterate.
+void build(const StepOptions& options, const Workers& workers, StepMemory& m, StepReport& report) {
+  Problem& p = m.problem;
+  start_recovery(p, m.iterate);
+  pulls_as_joints(*p.model, options.pulls, m.pulls);
+  p.joints = {p.model->joints, m.pulls};
+  list_bonds(p, m.iterate);
+  first_iterate(p, m.iterate);
+  report.capped_bonds = cap_stiffness(p, m.iterate);
+  start_friction(p, workers, m.iterate);
+}
+
+// Which bodies hang together, and who solves them.
+void split(const Problem& p, StepMemory& m, StepReport& report) {
+  split_into_islands(p, m.iterate, m.islands);
+  report.too_dense = choose_solvers(p, m.iterate, m.islands, m.solvers.newton);
+  color_bodies(p, m.islands);
+  std::size_t newton = 0;
+  for (const Island& island : m.islands.list) {
+    if (island.solver == SolverMethod::newton) newton += island.bodies.size();
+  }
+  report.method = p.params->solver.method;
+  if (report.method == SolverMethod::automatic)
+    report.method = 2 * newton > m.islands.solved.size() ? SolverMethod::newton : SolverMethod::descent;
+}
+
+// Velocities that follow from the poses; the momentum of what nothing outside holds is kept.
+void find_motion(const Problem& p, StepMemory& m) {
+  find_free_groups(p, m.islands, m.iterate, m.groups);
+  balance_poses(p, m.groups, m.iterate);
+  find_velocities(p, m.islands, m.iterate, m.velocities);
+  balance_velocities(p, m.iterate, m.groups, m.velocities);
+}
+
+// Islands of `sissm` that would gain energy go a part of their way.
+void bound_energy(const Problem& p, StepMemory& m, StepReport& report) {
+  if (!bounds_energy(p.params->solver)) return;
+  for (const Island& island : m.islands.list) {
+    const int held = bound_energy(p, island, m.scratch, m.iterate, m.velocities);
+    if (held > 0) unbalance(island, m.groups);
+    report.held_bodies += held;
+  }
+  if (report.held_bodies == 0) return;
+  report.status = StepStatus::iteration_limit;
+  balance_velocities(p, m.iterate, m.groups, m.velocities);
+}
+
+void take_over(const Problem& p, StepMemory& m, const StepReport& report, State& state) {
+  finish_recovery(p, m.iterate);
+  for (std::size_t i = 0; i < state.c.size(); ++i) {
+    state.c[i] = m.iterate.pose[i].c;
+    state.R[i] = m.iterate.pose[i].R;
+  }
+  state.v.swap(m.velocities.v);
+  state.omega.swap(m.velocities.omega);
+  store_friction(p, m.iterate, state.anchors);
+  state.step = report.step;
+  state.time = report.time;
+}
+
+void summarize(const Problem& p, const StepMemory& m, const StepOptions& options, const State& end,
+               StepReport& report) {
+  summarize_contacts(p, m.iterate, options.report_contacts, report);
+  for (std::size_t k = 0; k < p.joints.size(); ++k)
+    report.elastic += energy_of_joint(p, m.iterate, static_cast<Index>(k));
+  report.drive_work = drive_work(p, m.iterate);
+  report.max_joint_error = largest_joint_error(p, m.iterate);
+  if (options.report_joints) report_joints(p, m.iterate, report.joint_reports);
+  if (options.report_bodies) report_bodies(p, m.islands, m.iterate, m.solvers.sissm, report.body_reports);
+  report.kinetic = kinetic_energy(*p.model, end);
+  report.potential = potential_energy(*p.model, *p.params, end);
 }
 
 // The step was not made: what it would have ended with is not known.
-void fail(const Stopwatch& total, StepReport& report) {
+void fail(StepReport& report) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   report.status = StepStatus::non_finite;
   if (report.iterations == 0) report.residual = kUnknown;
   for (double* quantity : {&report.kinetic, &report.potential, &report.elastic, &report.max_penetration,
                            &report.min_gap, &report.max_joint_error})
     *quantity = kUnknown;
-  report.times.total = total.ms();
 }
 
+// Everything but the memory of its vectors.
 void clear(StepReport& report) {
-  std::vector<IterationRecord> records = std::move(report.records);
-  std::vector<ContactReport> contacts = std::move(report.contact_reports);
-  std::vector<BodyReport> bodies = std::move(report.body_reports);
-  std::vector<JointReport> joints = std::move(report.joint_reports);
-  records.clear();
-  contacts.clear();
-  bodies.clear();
-  joints.clear();
-  report = StepReport{};
-  report.records = std::move(records);
-  report.contact_reports = std::move(contacts);
-  report.body_reports = std::move(bodies);
-  report.joint_reports = std::move(joints);
+  StepReport fresh;
+  const auto keep = [](auto& from, auto& to) {
+    to = std::move(from);
+    to.clear();
+  };
+  keep(report.islands, fresh.islands);
+  keep(report.records, fresh.records);
+  keep(report.contact_reports, fresh.contact_reports);
+  keep(report.body_reports, fresh.body_reports);
+  keep(report.joint_reports, fresh.joint_reports);
+  report = std::move(fresh);
 }
 
-void interrupt(const Stopwatch& total, StepReport& report) {
-  report.status = StepStatus::interrupted;
-  report.times.total = total.ms();
+void make_step(const StepOptions& options, StepMemory& m, State& state, StepReport& report) {
+  const Workers workers{m.detection.collision.team, options.threads, {&options.stop}};
+  Problem& p = m.problem;
+  const auto interrupted = [&] {
+    if (workers.stop.requested()) report.status = StepStatus::interrupted;
+    return report.status == StepStatus::interrupted;
+  };
+  Stopwatch watch;
+
+  fly(*p.model, *p.params, state, workers, m.flight);  // 1. free flight: Q*
+  if (!all_finite(m.flight.star, m.flight.v, m.flight.omega)) return fail(report);
+  report.times.set_up = watch.lap();
+  find_contacts(p, workers, m.detection, m.iterate);  // 2. bonds of this step, S(17)
+  report.times.detect = watch.lap();
+  if (interrupted()) return;
+  build(options, workers, m, report);
+  split(p, m, report);
+  report.times.set_up += watch.lap();
+
+  const bool feasible = is_feasible(p, m.iterate);
+  if (feasible)  // 3. minimise E
+    solve_islands(p, m.islands, workers, options.record_iterations, m.solvers, m.iterate, report);
+  report.times.solve = watch.lap();
+  if (report.status == StepStatus::interrupted) return;
+
+  find_motion(p, m);  // 4. velocities
+  if (!feasible || report.status == StepStatus::non_finite ||
+      !all_finite(m.iterate.pose, m.velocities.v, m.velocities.omega) ||
+      ran_away(p, m.islands, m.velocities, m.scratch, m.iterate))
+    return fail(report);
+  bound_energy(p, m, report);
+  take_over(p, m, report, state);
+  summarize(p, m, options, state, report);
+  report.times.velocities = watch.lap();
 }
 
 }  // namespace
@@ -208,77 +199,24 @@ void interrupt(const Stopwatch& total, StepReport& report) {
 void step(const Model& model, const Params& params, const StepOptions& options, State& state,
           StepWorkspace& workspace, StepReport& report) {
   const FlushDenormals flush;
-  StepWorkspace::Impl& w = workspace.impl();
-  const Stopwatch total;
+  Stopwatch watch;
   clear(report);
   report.step = state.step + 1;
   report.time = state.time + params.h;
   report.method =
       params.solver.method == SolverMethod::automatic ? SolverMethod::descent : params.solver.method;
-
-  w.stop = w.collision.stop = {&options.stop};
-  predict(model, params, state, options.threads, w);  // 1. free flight: Q*
-  if (!all_finite(w.star, w)) return fail(total, report);
-  const Stopwatch detecting;
-  find_contacts(model, params, state, options.threads, w);  // 2. bonds of this step, S(17)
-  report.times.detect = detecting.ms();
-  if (w.stop.requested()) return interrupt(total, report);
-  start_recovery(params, state, w);
-  list_ends(model, w);
-  take_pulls(model, options.pulls, w);
-  find_islands(model, params, state, w);
-  report.left_pairs = w.collision.left_pairs;
-  report.too_dense = prepare_newton(model, w);
-  color_bodies(model, w);
-  list_solved(w);
-  report.method = params.solver.method;
-  if (report.method == SolverMethod::automatic)
-    report.method = w.newton.size() > w.colored.size() ? SolverMethod::newton : SolverMethod::descent;
-  initial_guess(model, params, state, w);
-  const SolveContext context{model, params, options.threads, report.time, w};
-  report.capped_bonds = cap_stiffness(context);
-  start_friction(context, state);
-  report.times.set_up = total.ms() - report.times.detect;
-  report.kappa = w.law.barrier.kappa;
-
-  const Stopwatch solving;
-  const bool feasible = !is_infeasible(w);
-  if (feasible) solve(context, options, report);  // 3. minimise E
-  if (report.status == StepStatus::interrupted) return interrupt(total, report);
-  report.times.solve = solving.ms();
-  const Stopwatch finishing;
-  note_free_flight(context);
-  update_velocities(model, params, state, w);  // 4. velocities
-
-  if (!feasible || report.status == StepStatus::non_finite || !all_finite(w.pose, w) ||
-      ran_away(context, state))
-    return fail(total, report);
-  if (bounds_energy(params.solver)) report.held_bodies = bound_energy(context, state);
-  if (report.held_bodies > 0) {
-    report.status = StepStatus::iteration_limit;
-    balance_velocities(model, w);
-  }
-  finish_recovery(params, state, w);
-  for (std::size_t i = 0; i < w.v.size(); ++i) {
-    state.c[i] = w.pose[i].c;
-    state.R[i] = w.pose[i].R;
-  }
-  state.v.swap(w.v);
-  state.omega.swap(w.omega);
-  store_friction(w, state.anchors);
-  state.step = report.step;
-  state.time = report.time;
-  summarize_contacts(context, options.report_contacts, report);
-  for (std::size_t k = 0; k < w.all_joints.size(); ++k)
-    report.elastic += energy_of_joint(context, static_cast<Index>(k));
-  report.drive_work = drive_work(context);
-  report.max_joint_error = largest_joint_error(context);
-  if (options.report_joints) report_joints(context, report.joint_reports);
-  if (options.report_bodies) report_bodies(model, params.solver.method, w, report.body_reports);
-  report.kinetic = kinetic_energy(model, state);
-  report.potential = potential_energy(model, params, state);
-  report.times.velocities = finishing.ms();
-  report.times.total = total.ms();
+  StepMemory& m = workspace.memory();
+  Problem& p = m.problem;
+  p.model = &model;
+  p.params = &params;
+  p.start = &state;
+  p.flight = &m.flight;
+  p.time = report.time;
+  p.law = contact_law(model, params);
+  report.kappa = p.law.barrier.kappa;
+  make_step(options, m, state, report);
+  report.left_pairs = m.detection.collision.left_pairs;
+  report.times.total = watch.lap();
 }
 
 const char* to_string(StepStatus status) {
@@ -295,10 +233,7 @@ const char* to_string(StepStatus status) {
   return "?";
 }
 
-StepWorkspace::Impl::Impl() : system(std::make_unique<NewtonSystem>()) {}
-StepWorkspace::Impl::~Impl() = default;
-
-StepWorkspace::StepWorkspace() : impl_(std::make_unique<Impl>()) {}
+StepWorkspace::StepWorkspace() : memory_(std::make_unique<StepMemory>()) {}
 StepWorkspace::~StepWorkspace() = default;
 StepWorkspace::StepWorkspace(StepWorkspace&&) noexcept = default;
 StepWorkspace& StepWorkspace::operator=(StepWorkspace&&) noexcept = default;

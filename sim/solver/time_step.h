@@ -34,6 +34,8 @@ struct StepOptions {
   std::function<bool()> stop = {};
 };
 
+struct StepMemory;
+
 // Scratch memory that survives from step to step so that a step does not allocate once it is warm. Holds
 // nothing that influences a result: a fresh one gives the same bytes.
 class StepWorkspace {
@@ -43,11 +45,10 @@ class StepWorkspace {
   StepWorkspace(StepWorkspace&&) noexcept;
   StepWorkspace& operator=(StepWorkspace&&) noexcept;
 
-  struct Impl;
-  Impl& impl() { return *impl_; }
+  StepMemory& memory() { return *memory_; }
 
  private:
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<StepMemory> memory_;
 };
 
 // Advances `state` by params.h. Precondition: check_params(params) is empty, state.size() == model.size(),

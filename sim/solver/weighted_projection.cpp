@@ -28,11 +28,10 @@ void add_points(const Mat3& R, int count, const Vec3x& y, Lanes alpha, const Vec
 }
 
 // Points of joints, with their largest weight in every direction: for bonds of length 0 the κ of S(2).
-void add_joint_points(const SolveContext& s, Index i, double coupled, AffineModel& q) {
-  const Mat3& R = s.w.pose[i].R;
-  each_bond_of(s, i, [&](const PointBondForce& f, const Vec3& y, Index other) {
-    const bool moves = other != kWorld && !s.model.fixed[other];
-    const double alpha = (moves ? coupled : 1.0) * f.largest;
+void add_joint_points(const Problem& p, const Iterate& it, Index i, double coupled, AffineModel& q) {
+  const Mat3& R = it.pose[i].R;
+  each_bond_of(p, it, i, [&](const PointBondForce& f, const Vec3& y, Index other) {
+    const double alpha = (p.movable(other) ? coupled : 1.0) * f.largest;
     const Vec3 r = R.transpose() * y;
     const Vec3 target = alpha * y - f.gradient;
     q.h_c += alpha;
@@ -45,20 +44,20 @@ void add_joint_points(const SolveContext& s, Index i, double coupled, AffineMode
 
 }  // namespace
 
-AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, WeightKind weights,
+AffineModel affine_model(const Problem& p, const Iterate& it, Index i, const Inertia& in, WeightKind weights,
                          double coupled) {
-  const Pose& pose = s.w.pose[i];
+  const Pose& pose = it.pose[i];
   AffineModel q;
   q.h_c = in.m * in.inv_h2;
   q.h_A.setZero();
   q.H_A = in.inv_h2 * in.J;
   q.b_c = q.h_c * (in.star.c - pose.c);
   q.b_A = in.inv_h2 * in.star.R * in.J;
-  for (const BondEnd& end : s.w.ends_of(i)) {
-    const ContactPatch& patch = s.w.patches[end.patch];
-    const ContactState state = state_of(s.w, patch);
-    const ContactLaw law = law_of(s.w, patch);
-    const double factor = s.model.fixed[end.other] ? 1.0 : coupled;
+  for (const PatchEnd& end : p.ends[i]) {
+    const ContactPatch& patch = it.patch[end.patch];
+    const ContactState state = state_of(it, patch);
+    const ContactLaw law = p.law_of(patch);
+    const double factor = p.movable(end.other) ? coupled : 1.0;
     const ContactForce f = normal_force(law.barrier, patch, state.d);
     const Lanes alpha_t = friction_weight(law, patch.limit, length(state.u));
     Lanes alpha_n = f.alpha_n;
@@ -66,7 +65,7 @@ AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, Weig
       alpha_n = patch.scale * binomial_weights(law.barrier, state.d + patch.shift, f.alpha_n);
     if (weights == WeightKind::majorising) alpha_n = larger(alpha_n, f.alpha_n);
     const ContactLevers levers =
-        end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, s.w.pose[patch.a], pose);
+        end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, it.pose[patch.a], pose);
     const Lanes side = lanes(end.is_a ? 1 : -1);
     const Vec3x push = (side * f.first) * state.n;
     const Vec3x friction = (side * alpha_t) * state.u;
@@ -77,7 +76,7 @@ AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, Weig
       add_points(pose.R, patch.count, levers.surface, factor * larger(alpha_n, alpha_t), push + friction, q);
     }
   }
-  add_joint_points(s, i, coupled, q);
+  add_joint_points(p, it, i, coupled, q);
   return q;
 }
 

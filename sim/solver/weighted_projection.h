@@ -9,7 +9,7 @@
 //   weighted:  R = polar(b_A − b_c h_Aᵀ/h_c),  δc = (b_c − R h_A)/h_c     exact minimiser over SE(3)
 #pragma once
 
-#include "sim/solver/solve.h"
+#include "sim/solver/problem.h"
 
 namespace pabd {
 
@@ -28,7 +28,7 @@ enum class WeightKind {
 };
 
 // `coupled`: factor on the weight of bonds whose other end moves as well.
-AffineModel affine_model(const SolveContext& s, Index i, const Inertia& in, WeightKind weights,
+AffineModel affine_model(const Problem& p, const Iterate& it, Index i, const Inertia& in, WeightKind weights,
                          double coupled = 1);
 
 // R near `guess`.

@@ -4,7 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "sim/scene/scene.h"
-#include "sim/solver/workspace.h"
+#include "sim/solver/step_memory.h"
+#include "sim/solver/time_step.h"
 
 using namespace pabd;
 
@@ -23,7 +24,7 @@ Outcome run(const Scene& scene, SolverMethod method, int threads, int steps) {
   params.solver.method = method;
   params.solver.iterations = std::min(params.solver.iterations, 6);
   StepWorkspace workspace;
-  workspace.impl().collision.team = Team(kEveryLoop);
+  workspace.memory().detection.collision.team = Team(kEveryLoop);
   const StepOptions options{true, true, threads, {}, true, true};
   Outcome out{scene.initial, {}};
   for (int k = 0; k < steps; ++k) {

@@ -7,6 +7,7 @@
 
 #include "sim/math/so3.h"
 #include "sim/solver/solve.h"
+#include "sim/solver/step_memory.h"
 #include "sim/solver/weighted_projection.h"
 #include "tests/physics/scenario.h"
 
@@ -201,10 +202,10 @@ TEST_CASE("a ball bond of stiffness κ weighs κ in the affine model") {
   StepReport report;
   State state = world.state;
   step(world.model, world.params, {}, state, workspace, report);
-  const SolveContext s{world.model, world.params, 1, world.params.h, workspace.impl()};
-  const AffineModel q = affine_model(s, 0, inertia_of(s, 0), WeightKind::tangent);
+  const StepMemory& m = workspace.memory();
+  const AffineModel q = affine_model(m.problem, m.iterate, 0, m.problem.inertia(0), WeightKind::tangent);
   const double kappa =
-      world.params.solver.method == SolverMethod::sissm ? law_of(workspace.impl(), 0).kappa : 0;
+      world.params.solver.method == SolverMethod::sissm ? m.problem.law_of(Index{0}).kappa : 0;
   CHECK(q.h_c - 1 / (world.params.h * world.params.h) == Approx(kappa).epsilon(1e-12));
 }
 

@@ -1,0 +1,36 @@
+// `descent`: Gauss–Seidel over the bodies of an island, colour by colour.
+#pragma once
+
+#include "sim/solver/islands.h"
+#include "sim/solver/workers.h"
+
+namespace pabd {
+
+// Last step of a body, before it was stretched.
+struct LastStep {
+  Vec3 dc, dw;
+  double squared;  // ‖dc‖² + (radius ‖dw‖)²; m²
+  double stretch;
+};
+
+// What a body remembers from sweep to sweep of a solve; one entry a body.
+struct DescentMemory {
+  std::vector<LastStep> last_step;
+  std::vector<std::uint8_t> rests;  // left alone in the last sweep
+};
+
+struct DescentSweep {
+  bool first;        // of the solve
+  bool move_limits;  // move the friction bounds to the current iterate on the way
+  bool every_body;   // relax quiet bodies too
+};
+
+// E does not rise (for fixed friction bounds). Fills it.moved for the bodies of the island: of those that are
+// left alone it stays what it was.
+void descent_sweep(const Problem& p, const Island& island, const DescentSweep& sweep, const Workers& workers,
+                   DescentMemory& memory, Iterate& it);
+
+// Was any body left alone in the last sweep?
+bool any_rests(const Island& island, const DescentMemory& memory);
+
+}  // namespace pabd

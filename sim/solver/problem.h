@@ -1,0 +1,124 @@
+// What a step minimises, and the iterate that its solvers move. Plain arrays, numbered as bodies, patches and
+// joints are: nothing in them points into a solver, so that one on another device can take them as they are.
+//
+//   array          one entry per    layout
+//   flight.star    body             c (3), R (3×3 by columns)                        predicted poses Q*
+//   iterate.pose   body, and the    the same                                         the world is the last
+//                  world
+//   iterate.patch  pair and four    bond/contact_bond.h, four points side by side    sorted by pair
+//                  of its points
+//   joints         joint            body/joint.h; those of the model, then the pulls
+//   ends           body             patches that end there: row i of a RowList
+//   joints_at      body             joints that end there
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+#include "sim/bond/contact_bond.h"
+#include "sim/solver/free_flight.h"
+#include "sim/solver/inertia.h"
+#include "sim/solver/params.h"
+
+namespace pabd {
+
+// Lists of unequal length in one array: row i is items[first[i]] … items[first[i + 1] − 1].
+template <class Item>
+struct RowList {
+  std::vector<Index> first;
+  std::vector<Item> items;
+
+  std::span<const Item> operator[](Index i) const {
+    const auto k = static_cast<std::size_t>(i);
+    return {items.data() + first[k], static_cast<std::size_t>(first[k + 1] - first[k])};
+  }
+
+  // Fills `rows` rows: each(visit) calls visit(row, item) for all items, twice, in the order within the rows.
+  template <class Each>
+  void fill(std::size_t rows, const Each& each) {
+    first.assign(rows + 2, 0);
+    each([&](Index row, const Item&) { ++first[static_cast<std::size_t>(row) + 2]; });
+    for (std::size_t k = 2; k < first.size(); ++k) first[k] += first[k - 1];
+    items.resize(static_cast<std::size_t>(first.back()));
+    each([&](Index row, const Item& item) {
+      items[static_cast<std::size_t>(first[static_cast<std::size_t>(row) + 1]++)] = item;
+    });
+    first.pop_back();
+  }
+};
+
+// One end of a contact patch, in the list of its body.
+struct PatchEnd {
+  Index patch;
+  Index other;  // body at the other end
+  bool is_a;
+  bool owner;  // of the two ends that move, the one that moves the friction bound
+};
+
+// The joints of a step by number: those of the model, then the pulls.
+struct StepJoints {
+  std::span<const Joint> model, pulls;
+  std::size_t size() const { return model.size() + pulls.size(); }
+  const Joint& operator[](Index k) const {
+    const auto n = static_cast<std::size_t>(k);
+    return n < model.size() ? model[n] : pulls[n - model.size()];
+  }
+};
+
+// Constant while a step is solved.
+struct Problem {
+  const Model* model = nullptr;
+  const Params* params = nullptr;
+  const State* start = nullptr;
+  const Flight* flight = nullptr;
+  double time = 0;  // at the end of the step, for driven joints; s
+  ContactLaw law{};
+  StepJoints joints;
+  std::vector<double> joint_share;  // of the stiffness of each joint, see stiffness_cap.h
+  RowList<PatchEnd> ends;
+  RowList<Index> joints_at;
+  std::vector<std::uint8_t> rolls;  // per body: has it a patch whose slip follows its roll?
+
+  bool movable(Index i) const { return i != kWorld && !model->fixed[static_cast<std::size_t>(i)]; }
+  Pose start_pose(Index i) const { return {start->c[i], start->R[i]}; }
+
+  Inertia inertia(Index i) const {
+    return {model->mass[i], model->J[i], flight->star[i], 1 / (params->h * params->h)};
+  }
+
+  // Laws of a contact patch and of a joint in this step: `sissm` caps their stiffness.
+  ContactLaw law_of(const ContactPatch& patch) const { return scaled(law, patch.share); }
+  BondLaw law_of(Index joint) const {
+    BondLaw out = joints[joint].law;
+    out.kappa *= joint_share[static_cast<std::size_t>(joint)];
+    return out;
+  }
+};
+
+// Where a solve stands.
+struct Iterate {
+  std::vector<Pose> pose;
+  std::vector<double> moved;  // per body: way in the last iteration over d̂
+  std::vector<ContactPatch> patch;
+  std::vector<Rolling> rolling;  // of the separate patches
+  std::vector<Roll> roll;        // per body, at its pose; kept where Problem::rolls
+
+  // Index of a body's pose.
+  std::size_t slot(Index body) const { return body < 0 ? pose.size() - 1 : static_cast<std::size_t>(body); }
+};
+
+// Fills p.ends and p.joints_at from the joints and patches.
+void list_bonds(Problem& p, const Iterate& it);
+
+// To be called when the pose of body i turns, or is about to be tried.
+inline void set_roll(const Problem& p, Index i, const Mat3& R, Iterate& it) {
+  if (p.rolls[i]) it.roll[i] = roll_since_prediction(p.flight->star[i].R, R);
+}
+
+[[gnu::always_inline]] inline ContactState state_of(const Iterate& it, const ContactPatch& patch) {
+  return contact_state(patch, it.pose[patch.a], it.pose[patch.b]);
+}
+
+}  // namespace pabd

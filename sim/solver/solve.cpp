@@ -1,0 +1,203 @@
+// See solve.h.
+#include "sim/solver/solve.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "sim/math/extremes.h"
+#include "sim/solver/friction.h"
+#include "sim/solver/iteration_records.h"
+
+namespace pabd {
+namespace {
+
+// An island of so many bodies is shared by all threads; smaller ones are solved side by side.
+constexpr std::size_t kShared = 512;
+
+// Does the sweep of `descent` move the friction bounds as well?
+bool sweeps_limits(const Problem& p, const Island& island) {
+  return island.solver == SolverMethod::descent && p.params->solver.projection != Projection::weighted;
+}
+
+// Do the solver's iterations mark the patches that push? Jacobi's threads share patches, and do not.
+bool marks_felt(const Problem& p, const Island& island) {
+  return island.solver != SolverMethod::sissm && p.params->solver.projection != Projection::weighted;
+}
+
+// An island and what belongs to it while it is solved.
+struct Task {
+  const Problem& p;
+  const Island& island;
+  const Workers& workers;
+  SolverMemory& memory;
+  NewtonSystem* newton;                   // where it solves the island
+  std::vector<IterationRecord>* records;  // where they are asked for
+};
+
+// Does friction obey its law at an iterate that no longer moves? Before it may, bodies that can no longer
+// hold let go.
+bool friction_settled(const Task& t, Iterate& it) {
+  if (largest_friction_error(t.p, t.island, it) > kFrictionTolerance || holds_back(t.p, t.island, it))
+    return false;
+  if (!let_go(t.p, t.island, it)) return true;
+  if (t.newton) forget_best(*t.newton);
+  return false;
+}
+
+void start(const Task& t, Iterate& it) {
+  for (const Index k : t.island.patches) it.patch[k].felt = !marks_felt(t.p, t.island);
+  if (t.newton) start_newton(t.island, it, *t.newton);
+  if (t.records) t.records->assign(1, record(t.p, t.island, it));
+}
+
+// Iteration k of the island's solver. Returns the smallest d before the projection of `sissm`.
+double iterate(const Task& t, int k, bool every_body, Iterate& it) {
+  const bool swept = sweeps_limits(t.p, t.island);
+  if (k > 0 && !swept && move_friction_limits(t.p, t.island, t.workers, it) && t.newton)
+    forget_best(*t.newton);
+  double gap_before = 0;
+  switch (t.island.solver) {
+    case SolverMethod::sissm:
+      sissm_iteration(t.p, t.island, t.workers, t.records ? &gap_before : nullptr, t.memory.sissm, it);
+      break;
+    case SolverMethod::newton:
+      newton_iteration(t.p, t.island, k + 1 == t.p.params->solver.iterations, t.workers, *t.newton, it);
+      break;
+    default:
+      descent_sweep(t.p, t.island, {k == 0, swept && k > 0, every_body}, t.workers, t.memory.descent, it);
+  }
+  return gap_before;
+}
+
+void record_iteration(const Task& t, double residual, double gap_before, const Iterate& it) {
+  IterationRecord r = record(t.p, t.island, it);
+  r.residual = residual;
+  if (t.island.solver == SolverMethod::sissm) {
+    r.min_gap_before = gap_before;
+    r.max_penetration_before = larger(0, -gap_before);
+    for (const Index i : t.island.bodies)
+      r.projection_change = larger(r.projection_change, t.memory.sissm.projected[i]);
+  }
+  t.records->push_back(r);
+}
+
+// Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the cap.
+void solve(const Task& t, Iterate& it, IslandReport& out) {
+  const SolverParams& solver = t.p.params->solver;
+  start(t, it);
+  bool every_body = true;
+  for (int k = 0; k < solver.iterations; ++k) {
+    const double gap_before = iterate(t, k, every_body, it);
+    ++out.iterations;
+    out.residual = 0;
+    for (const Index i : t.island.bodies) out.residual = larger(out.residual, it.moved[i]);
+    if (t.records) record_iteration(t, out.residual, gap_before, it);
+    if (t.workers.stop.requested()) {
+      out.status = StepStatus::interrupted;
+      return;
+    }
+    if (!std::isfinite(out.residual)) {
+      out.status = StepStatus::non_finite;
+      return;
+    }
+    const bool rests = t.island.solver == SolverMethod::descent && any_rests(t.island, t.memory.descent);
+    if (!(out.residual < solver.tolerance)) {
+      every_body = false;
+    } else if ((!every_body && rests) || !friction_settled(t, it)) {
+      every_body = true;  // once more, to be sure
+    } else {
+      out.status = StepStatus::converged;
+      return;
+    }
+  }
+  if (t.newton) finish_newton(t.p, t.island, *t.newton, it);
+}
+
+// Largest first, so that no thread is left with a large one at the end.
+void order_by_size(const Islands& islands, std::vector<Index>& order) {
+  order.resize(islands.list.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index x, Index y) {
+    const std::size_t n = islands.list[x].bodies.size(), m = islands.list[y].bodies.size();
+    return n != m ? n > m : x < y;
+  });
+}
+
+void prepare(const Problem& p, const Islands& islands, bool record, SolverMemory& m, Iterate& it,
+             StepReport& report) {
+  const std::size_t bodies = p.model->shape.size();
+  it.moved.assign(bodies, 0.0);
+  m.descent.rests.assign(bodies, 0);
+  m.descent.last_step.resize(bodies);
+  if (p.params->solver.method == SolverMethod::sissm) {
+    m.sissm.A.resize(bodies);
+    m.sissm.c.resize(bodies);
+    m.sissm.next.resize(bodies);
+    m.sissm.projected.assign(bodies, 0.0);
+  }
+  if (record && m.records.size() < islands.list.size()) m.records.resize(islands.list.size());
+  report.islands.resize(islands.list.size());
+  for (std::size_t k = 0; k < islands.list.size(); ++k) {
+    const Island& island = islands.list[k];
+    report.islands[k] = {island.bodies.front(),
+                         static_cast<Index>(island.bodies.size()),
+                         static_cast<Index>(island.patches.size()),
+                         static_cast<Index>(island.joints.size()),
+                         island.solver,
+                         StepStatus::iteration_limit,
+                         0,
+                         0};
+  }
+}
+
+// The step did what the worst of its islands did.
+void sum_up(StepReport& report) {
+  report.status = StepStatus::converged;
+  const auto any = [&](StepStatus status) {
+    return std::any_of(report.islands.begin(), report.islands.end(),
+                       [&](const IslandReport& island) { return island.status == status; });
+  };
+  for (const StepStatus status :
+       {StepStatus::iteration_limit, StepStatus::non_finite, StepStatus::interrupted}) {
+    if (any(status)) report.status = status;
+  }
+  for (const IslandReport& island : report.islands) {
+    report.iterations = std::max(report.iterations, island.iterations);
+    report.residual = larger(report.residual, island.residual);
+  }
+}
+
+}  // namespace
+
+void solve_islands(const Problem& p, const Islands& islands, const Workers& workers, bool record,
+                   SolverMemory& memory, Iterate& it, StepReport& report) {
+  prepare(p, islands, record, memory, it, report);
+  order_by_size(islands, memory.order);
+  std::atomic<bool> stopped = false;
+  const auto solve_one = [&](Index number, const Workers& with) {
+    const auto k = static_cast<std::size_t>(number);
+    const Island& island = islands.list[k];
+    const bool newton = island.solver == SolverMethod::newton;
+    IslandReport& out = report.islands[k];
+    if (stopped) {
+      out.status = StepStatus::interrupted;
+      return;
+    }
+    solve({p, island, with, memory, newton ? memory.newton[k].get() : nullptr,
+           record ? &memory.records[k] : nullptr},
+          it, out);
+    if (out.status == StepStatus::interrupted) stopped = true;
+  };
+  std::size_t next = 0;
+  for (; next < memory.order.size() && islands.list[memory.order[next]].bodies.size() >= kShared; ++next)
+    solve_one(memory.order[next], workers);
+  const Workers alone = workers.alone();
+  workers.team.for_each(workers.threads, memory.order.size() - next, 1,
+                        [&](std::size_t k) { solve_one(memory.order[next + k], alone); });
+  sum_up(report);
+  if (record && !islands.list.empty()) merge_records(memory.records, islands.list.size(), report);
+}
+
+}  // namespace pabd

@@ -1,0 +1,29 @@
+// See velocities.h.
+#include "sim/solver/velocities.h"
+
+#include <Eigen/Dense>
+
+#include "sim/body/mass_properties.h"
+#include "sim/math/so3.h"
+
+namespace pabd {
+
+void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velocities& out) {
+  const Model& model = *p.model;
+  const double h = p.params->h;
+  out.v = p.flight->v;
+  out.omega = p.flight->omega;
+  for (const Index i : islands.solved) {
+    const Pose& star = p.flight->star[i];
+    Pose& pose = it.pose[i];
+    if (pose.c == star.c && pose.R == star.R) continue;  // flew freely
+    pose.R = reorthonormalized(pose.R);
+    out.v[i] += (pose.c - star.c) / h;
+    const Mat3 I = inertia_tensor(model.J[i]);
+    const Vec3 spin = star.R * (I * (star.R.transpose() * out.omega[i])) -
+                      axial(star.R * model.J[i] * pose.R.transpose()) / h;
+    out.omega[i] = pose.R * I.llt().solve(pose.R.transpose() * spin);
+  }
+}
+
+}  // namespace pabd
