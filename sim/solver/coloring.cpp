@@ -31,7 +31,8 @@ void color_bodies(const Problem& p, Islands& islands) {
   islands.first_of_color.reserve(2 * islands.solved.size());  // so that spans into it stay
   Index* place = islands.colored.data();
   for (Island& island : islands.list) {
-    if (island.solver != SolverMethod::descent) continue;
+    const bool may_change = island.solver == SolverMethod::newton && !island.jointed;  // see solve.cpp
+    if (island.solver != SolverMethod::descent && !may_change) continue;
     Index colors = 0;
     for (const Index i : island.bodies) {
       islands.color[i] = free_color(p, islands.color, i);

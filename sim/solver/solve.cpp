@@ -29,11 +29,14 @@ bool marks_felt(const Problem& p, const Island& island) {
 // An island and what belongs to it while it is solved.
 struct Task {
   const Problem& p;
-  const Island& island;
+  Island island;  // its solver may change
   const Workers& workers;
   SolverMemory& memory;
-  NewtonSystem* newton;                   // where it solves the island
+  NewtonSystem* system;                   // where `newton` takes the island
   std::vector<IterationRecord>* records;  // where they are asked for
+  int since = 0;                          // iteration from which on the island has its solver
+
+  bool newton() const { return island.solver == SolverMethod::newton; }
 };
 
 // Does friction obey its law at an iterate that no longer moves? Before it may, bodies that can no longer
@@ -42,31 +45,32 @@ bool friction_settled(const Task& t, Iterate& it) {
   if (largest_friction_error(t.p, t.island, it) > kFrictionTolerance || holds_back(t.p, t.island, it))
     return false;
   if (!let_go(t.p, t.island, it)) return true;
-  if (t.newton) forget_best(*t.newton);
+  if (t.newton()) forget_best(*t.system);
   return false;
 }
 
 void start(const Task& t, Iterate& it) {
   for (const Index k : t.island.patches) it.patch[k].felt = !marks_felt(t.p, t.island);
-  if (t.newton) start_newton(t.island, it, *t.newton);
+  if (t.newton()) start_newton(t.island, it, *t.system);
   if (t.records) t.records->assign(1, record(t.p, t.island, it));
 }
 
 // Iteration k of the island's solver. Returns the smallest d before the projection of `sissm`.
 double iterate(const Task& t, int k, bool every_body, Iterate& it) {
   const bool swept = sweeps_limits(t.p, t.island);
-  if (k > 0 && !swept && move_friction_limits(t.p, t.island, t.workers, it) && t.newton)
-    forget_best(*t.newton);
+  if (k > 0 && !swept && move_friction_limits(t.p, t.island, t.workers, it) && t.newton())
+    forget_best(*t.system);
   double gap_before = 0;
   switch (t.island.solver) {
     case SolverMethod::sissm:
       sissm_iteration(t.p, t.island, t.workers, t.records ? &gap_before : nullptr, t.memory.sissm, it);
       break;
     case SolverMethod::newton:
-      newton_iteration(t.p, t.island, k + 1 == t.p.params->solver.iterations, t.workers, *t.newton, it);
+      newton_iteration(t.p, t.island, k + 1 == t.p.params->solver.iterations, t.workers, *t.system, it);
       break;
     default:
-      descent_sweep(t.p, t.island, {k == 0, swept && k > 0, every_body}, t.workers, t.memory.descent, it);
+      descent_sweep(t.p, t.island, {k == t.since, swept && k > 0, every_body}, t.workers, t.memory.descent,
+                    it);
   }
   return gap_before;
 }
@@ -83,8 +87,27 @@ void record_iteration(const Task& t, double residual, double gap_before, const I
   t.records->push_back(r);
 }
 
+// `auto` in a pile. While contacts come and go each iteration of `newton` solves another system, and costs
+// more than a sweep: where it does not halve the moves in every iteration, down to d̂, it has the pile again
+// after some sweeps. `done`: iterations.
+void change_solver(int done, double residual, Task& t, Iterate& it) {
+  constexpr int kTrial = 2, kSweeps = 20;
+  if (!t.system || t.island.jointed || t.p.params->solver.method != SolverMethod::automatic) return;
+  const int n = done - t.since;
+  if (t.newton() && n >= kTrial && residual > std::max(1.0, std::ldexp(16.0, -n))) {
+    finish_newton(t.p, t.island, *t.system, it);
+    t.island.solver = SolverMethod::descent;
+  } else if (!t.newton() && n >= kSweeps) {
+    t.island.solver = SolverMethod::newton;
+    start_newton(t.island, it, *t.system);
+  } else {
+    return;
+  }
+  t.since = done;
+}
+
 // Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the cap.
-void solve(const Task& t, Iterate& it, IslandReport& out) {
+void solve(Task t, Iterate& it, IslandReport& out) {
   const SolverParams& solver = t.p.params->solver;
   start(t, it);
   bool every_body = true;
@@ -111,8 +134,10 @@ void solve(const Task& t, Iterate& it, IslandReport& out) {
       out.status = StepStatus::converged;
       return;
     }
+    change_solver(out.iterations, out.residual, t, it);
+    out.solver = t.island.solver;
   }
-  if (t.newton) finish_newton(t.p, t.island, *t.newton, it);
+  if (t.newton()) finish_newton(t.p, t.island, *t.system, it);
 }
 
 // Largest first, so that no thread is left with a large one at the end.
