@@ -21,6 +21,22 @@ World stack(int count, BarrierKind kind) {
   return world;
 }
 
+// Rows of bricks with room at their sides, the rows `gap` apart. In a pyramid each has one brick less than
+// that below, in a wall as many, by turns a quarter of a brick to the side.
+World bricks(int rows, int columns, bool pyramid, double gap) {
+  World world;
+  world.add_ground();
+  for (int row = 0; row < rows; ++row) {
+    const int count = pyramid ? columns - row : columns;
+    const double shift = pyramid || row % 2 == 0 ? 0 : 0.25;
+    for (int k = 0; k < count; ++k) {
+      const double x = (k - 0.5 * (count - 1)) * 1.01 + shift;
+      world.add(Box{{0.5, 0.25, 0.25}}, 250, {x, 0.25 + gap + row * (0.5 + gap), 0});
+    }
+  }
+  return world;
+}
+
 }  // namespace
 
 TEST_CASE("a stack of ten cubes is at rest after 5 s: below 1e-12 J, no penetration, drift below 1e-3 m") {
@@ -101,5 +117,29 @@ TEST_CASE("high stacks settle by less than a tenth of d̂ a level") {
     const double support = k == 1 ? 0 : world.state.c[k - 1].y() + 0.5 * edge;
     const double gap = world.state.c[k].y() - 0.5 * edge - support;
     CHECK(gap > 0.89 * d_hat);
+  }
+}
+
+TEST_CASE("walls and pyramids of bricks come to rest upright, also where they start without a gap") {
+  struct Case {
+    int rows, columns;
+    bool pyramid;
+    double gap;    // of d̂
+    double shift;  // of the highest brick, at most; m
+  };
+  // Without gaps the rows have to rise by d̂ each first.
+  for (const Case c : {Case{20, 20, true, 0, 0.1}, Case{20, 20, true, 0.95, 2e-3}, Case{14, 9, false, 0, 0.1},
+                       Case{14, 9, false, 0.95, 2e-3}}) {
+    World world = bricks(c.rows, c.columns, c.pyramid, c.gap * ContactParams{}.d_hat);
+    const Index top = world.model.size() - 1;
+    const Vec3 start = world.state.c[top];
+    StepReport last;
+    testing::run(world, 300, {}, [&](const StepReport& r) { last = r; });
+    Vec3 way = world.state.c[top] - start;
+    way.y() = 0;
+    CAPTURE(c.rows, c.columns, c.pyramid, c.gap, way.norm());
+    CHECK(last.kinetic < 1e-4);
+    CHECK(last.max_penetration == 0);
+    CHECK(way.norm() < c.shift);
   }
 }
