@@ -207,12 +207,29 @@ Advice longer_solve(const Model& model, const Params& params, const StepReport& 
   return advice;
 }
 
+// Of several islands, those that ended at the limit: " for 2 of 14 islands (most of all that of 'brick 3': 37
+// bodies, by descent)".
+std::string slow_islands(const Model& model, const StepReport& report) {
+  if (report.islands.size() < 2) return {};
+  const IslandReport* worst = nullptr;
+  int slow = 0;
+  for (const IslandReport& island : report.islands) {
+    if (island.status != StepStatus::iteration_limit) continue;
+    ++slow;
+    if (!worst || island.residual > worst->residual) worst = &island;
+  }
+  if (!worst) return {};
+  return fmt::format(" for {} of {} islands ({}that of '{}': {} {}, by {})", slow, report.islands.size(),
+                     slow > 1 ? "most of all " : "", model.name[static_cast<std::size_t>(worst->first_body)],
+                     worst->bodies, worst->bodies == 1 ? "body" : "bodies", to_string(worst->solver));
+}
+
 std::optional<Advice> iteration_limit(const Model& model, const Params& params, const StepReport& report) {
   // Tolerance 0 asks for all iterations.
   if (report.status != StepStatus::iteration_limit || params.solver.tolerance == 0) return std::nullopt;
-  return longer_solve(
-      model, params, report, AdviceKind::iteration_limit,
-      fmt::format("{} iterations were not enough: {}", report.iterations, unsettled(params, report)));
+  return longer_solve(model, params, report, AdviceKind::iteration_limit,
+                      fmt::format("{} iterations were not enough{}: {}", report.iterations,
+                                  slow_islands(model, report), unsettled(params, report)));
 }
 
 std::optional<Advice> friction_excess(const Model& model, const Params& params, const StepReport& report) {
@@ -301,7 +318,10 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
   add(iteration_limit(model, params, report));
   add(friction_excess(model, params, report));
   add(past_onset(params, report));
-  const bool by_body = report.method == SolverMethod::descent;
+  const bool by_body =
+      std::any_of(report.islands.begin(), report.islands.end(), [](const IslandReport& island) {
+        return island.patches > 0 && island.solver == SolverMethod::descent;
+      });
   if (by_body && contact.barrier == BarrierKind::polynomial && contact.onset == 0 && report.contacts > 0) {
     advice.push_back(
         {AdviceKind::no_onset, "ε = 0: the contact force jumps at d = d̂",

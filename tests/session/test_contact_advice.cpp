@@ -301,6 +301,32 @@ TEST_CASE("a warning does not contradict its numbers") {
   }
 }
 
+TEST_CASE("of several islands the advice names those that were slow, and the worst") {
+  const Run run("two_boxes");
+  Params params = run.session.params();
+  StepReport report = run.session.report();
+  report.status = StepStatus::iteration_limit;
+  report.iterations = 20;
+  report.residual = 0.5;
+  const auto what = [&](std::vector<IslandReport> islands) {
+    report.islands = std::move(islands);
+    const auto advice = contact_advice(run.session.model(), params, run.session.state(), report);
+    const Advice* found = find(advice, AdviceKind::iteration_limit);
+    REQUIRE(found);
+    return found->what.substr(0, found->what.find(": residual"));
+  };
+  const std::string first = run.session.model().name[0], second = run.session.model().name[1];
+  const IslandReport settled{0, 3, 4, 0, SolverMethod::newton, StepStatus::converged, 4, 0},
+      slow{0, 1, 2, 0, SolverMethod::descent, StepStatus::iteration_limit, 20, 0.1},
+      worst{1, 37, 80, 0, SolverMethod::newton, StepStatus::iteration_limit, 20, 0.5};
+  CHECK(what({worst}) == "20 iterations were not enough");
+  CHECK(what({settled, slow}) ==
+        "20 iterations were not enough for 1 of 2 islands (that of '" + first + "': 1 body, by descent)");
+  CHECK(what({slow, worst, settled}) ==
+        "20 iterations were not enough for 2 of 3 islands (most of all that of '" + second +
+            "': 37 bodies, by newton)");
+}
+
 TEST_CASE("no onset with descent: 0.2 is suggested and the contacts come to rest") {
   Run run("stack", {"contact.onset=0", "solver.method=descent"});
   run.steps(4 * kSecond);
