@@ -21,6 +21,9 @@ StepReport light_copy(const StepReport& report) {
   copy.residual = report.residual;
   copy.left_pairs = report.left_pairs;
   copy.too_dense = report.too_dense;
+  copy.drive_work = report.drive_work;
+  copy.capped_bonds = report.capped_bonds;
+  copy.held_bodies = report.held_bodies;
   copy.friction_excess = report.friction_excess;
   copy.times = report.times;
   return copy;
