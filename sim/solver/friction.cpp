@@ -10,9 +10,9 @@ namespace {
 // Calls visit(first, last) for each run of patches of one pair of bodies; `patch(k)` is the k-th of `count`.
 template <class PatchAt, class Visit>
 void each_pair(std::size_t count, const PatchAt& patch, const Visit& visit) {
-  for (std::size_t first = 0, last = 0; first < count; first = last) {
+  for (std::size_t first = 0, last = 0; first != count; first = last) {
     const std::uint64_t key = pair_key(patch(first).a, patch(first).b);
-    while (last < count && pair_key(patch(last).a, patch(last).b) == key) ++last;
+    while (last != count && pair_key(patch(last).a, patch(last).b) == key) ++last;
     visit(first, last);
   }
 }
@@ -23,7 +23,7 @@ template <class PatchAt>
 bool used_up(const Problem& p, const Iterate& it, const PatchAt& patch, std::size_t first, std::size_t last) {
   constexpr double kReserve = 1e-3;
   double bound = 0, used = 0;
-  for (std::size_t k = first; k < last; ++k) {
+  for (std::size_t k = first; k != last; ++k) {
     const Lanes limit = larger(patch(k).limit, lanes(0));
     bound += sum(limit);
     used += sum(smaller(p.law_of(patch(k)).k_t * length(state_of(it, patch(k)).u), limit));
@@ -69,7 +69,7 @@ void recall_friction(const std::vector<FrictionAnchor>& anchors, const ContactLa
     const std::uint64_t pair = pair_key(at(first).a, at(first).b);
     while (next != anchors.end() && next->pair < pair) ++next;
     const bool slides = next != anchors.end() && next->pair == pair && next->sliding;
-    for (std::size_t j = first; j < last; ++j) {
+    for (std::size_t j = first; j != last; ++j) {
       ContactPatch& patch = at(j);
       patch.slides = slides;
       patch.mu = slides ? law.mu_dynamic : law.mu_static;
@@ -140,7 +140,7 @@ bool let_go(const Problem& p, const Island& island, Iterate& it) {
   const auto at = [&](std::size_t k) -> ContactPatch& { return it.patch[island.patches[k]]; };
   each_pair(island.patches.size(), at, [&](std::size_t first, std::size_t last) {
     if (at(first).slides || !used_up(p, it, at, first, last)) return;
-    for (std::size_t k = first; k < last; ++k) {
+    for (std::size_t k = first; k != last; ++k) {
       ContactPatch& patch = at(k);
       patch.slides = true;
       patch.limit *= p.law.mu_dynamic / patch.mu;
@@ -156,7 +156,7 @@ void store_friction(const Problem& p, Iterate& it, std::vector<FrictionAnchor>& 
   const auto at = [&](std::size_t k) -> ContactPatch& { return it.patch[k]; };
   each_pair(it.patch.size(), at, [&](std::size_t first, std::size_t last) {
     const bool slides = used_up(p, it, at, first, last);
-    for (std::size_t j = first; j < last; ++j) {
+    for (std::size_t j = first; j != last; ++j) {
       const ContactPatch& patch = at(j);
       const ContactState s = state_of(it, patch);
       const ContactLaw law = p.law_of(patch);
