@@ -6,13 +6,10 @@
 //   quiet    a body that moved by less than the mean of all bodies when it was last relaxed, as did its
 //            neighbours, waits until the others are no worse. Before a solve may call itself converged, one
 //            sweep relaxes every body. With `tolerance` 0 no body waits.
-//   small    a step that shortens from sweep to sweep, is short against d̂ and is not stretched is taken
-//   without
-//            asking for the energy: there the model is good enough for E to fall.
+//   small    a step that shortens from sweep to sweep, is short against d̂, reaches no other contact and is
+//            not stretched is taken without asking for the energy: there the model is good enough.
 //   stretch  a body that keeps moving the same way goes farther, up to half as far again (over-relaxation):
-//   the
-//            load of a stack travels faster.
-
+//            the load of a stack travels faster.
 #include "sim/solver/descent.h"
 
 #include <algorithm>
@@ -43,13 +40,14 @@ struct LocalStep {
   Vec3 dw;        // of cayley()
   double energy;  // of the body at the pose before the step
   bool definite;  // the model has a minimum
+  double room;    // TangentModel::room
 };
 
 LocalStep tangent_step(const Problem& p, Index i, const Inertia& in, bool move_limits, Iterate& it) {
   const TangentModel q = tangent_model(p, i, in, move_limits, it);
   bool definite;
   const Vec6 step = -solve_ldlt(q.H, q.g, definite);
-  LocalStep out{step.head<3>(), step.tail<3>(), q.energy, definite};
+  LocalStep out{step.head<3>(), step.tail<3>(), q.energy, definite, q.room};
   const double angle = out.dw.norm();
   if (angle > 1) {  // the tangent model says nothing that far away
     out.dc /= angle;
@@ -63,17 +61,18 @@ LocalStep weighted_step(const Problem& p, const Iterate& it, Index i, const Iner
   const AffineModel model = affine_model(p, it, i, in, WeightKind::tangent);
   const Mat3 R = weighted_rotation(model, pose.R);
   return {weighted_translation(model, R), cayley_inverse(R * pose.R.transpose()),
-          local_energy(p, it, i, in, pose), false};
+          local_energy(p, it, i, in, pose), false, 0};
 }
 
 Pose moved_by(const Pose& pose, const LocalStep& step) {
   return {pose.c + step.dc, cayley(step.dw) * pose.R};
 }
 
-// A step so short that Ψ'' hardly changes along it.
-bool is_small(const Barrier& barrier, double moved) {
+// A step so short that Ψ'' hardly changes along it, and that no other contact begins to push. `moved`: over
+// d̂.
+bool is_small(const Barrier& barrier, double moved, double room) {
   constexpr double kShare = 0.06;
-  return barrier.kind != BarrierKind::log && moved * barrier.N < kShare;
+  return barrier.kind != BarrierKind::log && moved * barrier.N < kShare && moved * barrier.d_hat < room;
 }
 
 // How much farther than its step the body should go.
@@ -106,7 +105,7 @@ void relax_body(const Problem& p, Index i, const DescentSweep& sweep, LastStep& 
   step.dc *= stretched;
   step.dw *= stretched;
   Pose trial = moved_by(it.pose[i], step);
-  if (step.definite && stretched == 1 && it.moved[i] < last && is_small(barrier, it.moved[i]) &&
+  if (step.definite && stretched == 1 && it.moved[i] < last && is_small(barrier, it.moved[i], step.room) &&
       p.joints_at[i].empty()) {
     it.pose[i] = trial;
     set_roll(p, i, trial.R, it);

@@ -1,6 +1,8 @@
 #include "sim/solver/tangent_model.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <limits>
 
 #include "sim/solver/joint_set.h"
 
@@ -105,6 +107,7 @@ TangentModel add_up(const ContactSums& c, const Inertia& in, const Pose& pose) {
 TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool move_limits, Iterate& it) {
   const Pose& pose = it.pose[i];
   ContactSums c;
+  Lanes room = lanes(std::numeric_limits<double>::infinity());
   for (const PatchEnd& end : p.ends[i]) {
     ContactPatch& patch = it.patch[end.patch];
     const Pose& other = it.pose[end.other];
@@ -113,10 +116,13 @@ TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool mo
     const ContactForce force = normal_force(p.law.barrier, patch, state.d);
     if (move_limits && end.owner) move_limit(patch, force);
     if (sum(force.alpha_n) + sum(patch.limit) > 0) patch.felt = true;
+    const Lanes beyond = state.d - p.law.barrier.d_hat;
+    room = select(beyond < 0, room, smaller(room, beyond));
     const ContactLevers levers = end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, other, pose);
     add_patch(p.law, patch, state, force, levers, end.is_a ? -1 : 1, c);
   }
   TangentModel q = add_up(c, in, pose);
+  q.room = std::min(std::min(room[0], room[1]), std::min(room[2], room[3]));
   if (p.joints_at[i].empty()) return q;
   JointSums joints;
   add_joints(p, it, i, joints);

@@ -18,6 +18,7 @@ struct TangentModel {
   Mat6 H;
   Vec6 g;
   double energy;  // of the body and its bonds
+  double room;    // way of a point to where a contact that does not push now would; m
 };
 
 // Of body i at the iterate. `move_limits`: first moves the friction bounds of the patches whose owner
