@@ -23,14 +23,14 @@ void share_contacts(const Problem& p, const Iterate& it, std::vector<BodyReport>
 
 }  // namespace
 
-void report_bodies(const Problem& p, const Islands& islands, const Iterate& it, const SissmMemory& sissm,
-                   std::vector<BodyReport>& out) {
+void report_bodies(const Problem& p, const Islands& islands, const std::vector<IslandReport>& solved,
+                   const Iterate& it, const SissmMemory& sissm, std::vector<BodyReport>& out) {
   out.assign(p.model->shape.size(), {});
   share_contacts(p, it, out);
   for (const Index i : islands.solved) {
     BodyReport& body = out[i];
     body.island = islands.of[i];
-    body.solver = islands.list[body.island].solver;
+    body.solver = solved[body.island].solver;
     if (body.solver != SolverMethod::sissm) continue;
     body.projection_change = sissm.projected[i];
     body.det_A = sissm.A[i].determinant();

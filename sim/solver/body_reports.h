@@ -7,8 +7,8 @@
 
 namespace pabd {
 
-// One report a body at the end of a finished step.
-void report_bodies(const Problem& p, const Islands& islands, const Iterate& it, const SissmMemory& sissm,
-                   std::vector<BodyReport>& out);
+// One report a body at the end of a finished step. `solved`: how its islands were solved.
+void report_bodies(const Problem& p, const Islands& islands, const std::vector<IslandReport>& solved,
+                   const Iterate& it, const SissmMemory& sissm, std::vector<BodyReport>& out);
 
 }  // namespace pabd

@@ -128,7 +128,8 @@ void summarize(const Problem& p, const StepMemory& m, const StepOptions& options
   report.drive_work = drive_work(p, m.iterate);
   report.max_joint_error = largest_joint_error(p, m.iterate);
   if (options.report_joints) report_joints(p, m.iterate, report.joint_reports);
-  if (options.report_bodies) report_bodies(p, m.islands, m.iterate, m.solvers.sissm, report.body_reports);
+  if (options.report_bodies)
+    report_bodies(p, m.islands, report.islands, m.iterate, m.solvers.sissm, report.body_reports);
   report.kinetic = kinetic_energy(*p.model, end);
   report.potential = potential_energy(*p.model, *p.params, end);
 }
