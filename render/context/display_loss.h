@@ -8,9 +8,10 @@
 
 namespace pabd {
 
-// From its making on, a broken connection to the X server sets lost() instead of ending the program. Where
-// the window system is another one, or Xlib is older than 1.7, it does nothing. GLFW must be initialised
-// before, and be shut down before this goes, unless the display is lost.
+// To be made before GLFW is initialised: until opened() a broken connection to the X server ends the program
+// with ExitCode::no_gl and a line. After that it sets lost(). watch() once GLFW is there. Where the window
+// system is another one, or Xlib is older than 1.7, it does nothing. GLFW must be shut down before this goes,
+// unless the display is lost. One at a time.
 class DisplayLoss {
  public:
   DisplayLoss();
@@ -18,6 +19,8 @@ class DisplayLoss {
   DisplayLoss(const DisplayLoss&) = delete;
   DisplayLoss& operator=(const DisplayLoss&) = delete;
 
+  void watch();
+  void opened();
   bool lost() const { return *lost_; }
 
  private:

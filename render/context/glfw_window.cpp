@@ -47,7 +47,7 @@ class Glfw {
   Glfw() {
     fix_vector_width();
     if (glfwInit() != GLFW_TRUE) throw Error(ExitCode::no_gl, "no window: " + last_error() + kRemedy);
-    loss_ = std::make_unique<DisplayLoss>();
+    loss_.watch();
   }
   ~Glfw() {
     if (!lost()) glfwTerminate();
@@ -55,15 +55,16 @@ class Glfw {
   Glfw(const Glfw&) = delete;
   Glfw& operator=(const Glfw&) = delete;
 
-  bool lost() const { return loss_->lost(); }
+  bool lost() const { return loss_.lost(); }
+  void opened() { loss_.opened(); }
 
  private:
-  std::unique_ptr<DisplayLoss> loss_;
+  DisplayLoss loss_;
 };
 
 class GlfwContext final : public GlContext {
  public:
-  GlfwContext(const Glfw& glfw, GLFWwindow* window, std::string name)
+  GlfwContext(Glfw& glfw, GLFWwindow* window, std::string name)
       : glfw_(glfw), window_(window), name_(std::move(name)) {}
 
   void make_current() override {
@@ -82,12 +83,14 @@ class GlfwContext final : public GlContext {
     if (glfw_.lost()) width = height = 0;  // lost while it was asked
   }
   void present() override {
-    if (!glfw_.lost()) glfwSwapBuffers(window_);
+    if (glfw_.lost()) return;
+    glfwSwapBuffers(window_);
+    glfw_.opened();
   }
   std::string name() const override { return name_; }
 
  private:
-  const Glfw& glfw_;
+  Glfw& glfw_;
   GLFWwindow* window_;
   std::string name_;
 };
