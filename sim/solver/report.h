@@ -77,9 +77,9 @@ struct PhaseTimes {
 };
 
 struct StepReport {
-  std::int64_t step = 0;  // number of the step just done (first: 1)
-  double time = 0;        // at its end; s
-  SolverMethod method = SolverMethod::descent;
+  std::int64_t step = 0;                        // number of the step just done (first: 1)
+  double time = 0;                              // at its end; s
+  SolverMethod method = SolverMethod::descent;  // `auto`: the one that ended most bodies
   StepStatus status = StepStatus::iteration_limit;
   int iterations = 0;          // of the island that needed most
   double kinetic = 0;          // J

@@ -125,10 +125,12 @@ void solve(Task t, Iterate& it, IslandReport& out) {
       out.status = StepStatus::non_finite;
       return;
     }
-    const bool rests = t.island.solver == SolverMethod::descent && any_rests(t.island, t.memory.descent);
+    const auto rests = [&] {
+      return t.island.solver == SolverMethod::descent && any_rests(t.island, t.memory.descent);
+    };
     if (!(out.residual < solver.tolerance)) {
       every_body = false;
-    } else if ((!every_body && rests) || !friction_settled(t, it)) {
+    } else if ((!every_body && rests()) || !friction_settled(t, it)) {
       every_body = true;  // once more, to be sure
     } else {
       out.status = StepStatus::converged;
@@ -177,8 +179,8 @@ void prepare(const Problem& p, const Islands& islands, bool record, SolverMemory
   }
 }
 
-// The step did what the worst of its islands did.
-void sum_up(StepReport& report) {
+// The step did what the worst of its islands did; `auto` was what ended most of its bodies.
+void sum_up(SolverMethod asked, StepReport& report) {
   report.status = StepStatus::converged;
   const auto any = [&](StepStatus status) {
     return std::any_of(report.islands.begin(), report.islands.end(),
@@ -192,6 +194,13 @@ void sum_up(StepReport& report) {
     report.iterations = std::max(report.iterations, island.iterations);
     report.residual = larger(report.residual, island.residual);
   }
+  if (asked != SolverMethod::automatic) return;
+  Index newton = 0, all = 0;
+  for (const IslandReport& island : report.islands) {
+    all += island.bodies;
+    newton += island.solver == SolverMethod::newton ? island.bodies : 0;
+  }
+  report.method = 2 * newton > all ? SolverMethod::newton : SolverMethod::descent;
 }
 
 }  // namespace
@@ -221,7 +230,7 @@ void solve_islands(const Problem& p, const Islands& islands, const Workers& work
   const Workers alone = workers.alone();
   workers.team.for_each(workers.threads, memory.order.size() - next, 1,
                         [&](std::size_t k) { solve_one(memory.order[next + k], alone); });
-  sum_up(report);
+  sum_up(p.params->solver.method, report);
   if (record && !islands.list.empty()) merge_records(memory.records, islands.list.size(), report);
 }
 

@@ -77,13 +77,6 @@ void split(const Problem& p, StepMemory& m, StepReport& report) {
   split_into_islands(p, m.iterate, m.islands);
   report.too_dense = choose_solvers(p, m.iterate, m.islands, m.solvers.newton);
   color_bodies(p, m.islands);
-  std::size_t newton = 0;
-  for (const Island& island : m.islands.list) {
-    if (island.solver == SolverMethod::newton) newton += island.bodies.size();
-  }
-  report.method = p.params->solver.method;
-  if (report.method == SolverMethod::automatic)
-    report.method = 2 * newton > m.islands.solved.size() ? SolverMethod::newton : SolverMethod::descent;
 }
 
 // Velocities that follow from the poses; the momentum of what nothing outside holds is kept.
