@@ -14,7 +14,8 @@ JointLoad joint_load(const Model& model, const Vec3& gravity) {
     mass += model.mass[i];
     smallest = std::min(smallest, 2 * inner_radius(model.shape[i]));
   }
-  return {mass * (gravity.norm() > 0 ? gravity.norm() : 9.81), smallest};
+  const double g = gravity.norm() > 0 ? gravity.norm() : 9.81;
+  return {g, mass * g, smallest};
 }
 
 double auto_joint_kappa(const JointLoad& load, const BondLaw& law) {
@@ -26,6 +27,18 @@ double auto_joint_kappa(const JointLoad& load, const BondLaw& law) {
 
 double auto_joint_kappa(const Model& model, const Vec3& gravity, const BondLaw& law) {
   return auto_joint_kappa(joint_load(model, gravity), law);
+}
+
+double auto_joint_kappa(const Model& model, const JointLoad& load, const Joint& joint) {
+  constexpr double kRoundingStep = 2.5e-13;  // m
+  double lighter = std::numeric_limits<double>::infinity();
+  for (const Index i : {joint.i, joint.j}) {
+    if (i != kWorld && !model.fixed[i]) lighter = std::min(lighter, model.mass[i]);
+  }
+  BondLaw unit = joint.law;
+  unit.kappa = 1;
+  return std::min(auto_joint_kappa(load, joint.law),
+                  lighter * load.g / (kRoundingStep * evaluate(unit, 0).second));
 }
 
 }  // namespace pabd

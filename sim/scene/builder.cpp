@@ -115,7 +115,7 @@ void SceneBuilder::finish_joints(const Vec3& gravity, std::size_t generated) {
   const JointLoad load = joint_load(model, gravity);
   for (Joint& joint : joints) {
     if (joint.law.kappa != kAutoKappa) continue;
-    joint.law.kappa = auto_joint_kappa(load, joint.law);
+    joint.law.kappa = auto_joint_kappa(model, load, joint);
     joint.limit_scale = kLimitScale;
   }
   if (joint_law.kappa == kAutoKappa) joint_law.kappa = auto_joint_kappa(load, joint_law);

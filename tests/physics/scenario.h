@@ -58,7 +58,7 @@ inline Joint make_joint(const World& world, JointType type, Index i, Index j, co
 
 // Adds it with the automatic stiffness.
 inline void add_joint(World& world, Joint joint) {
-  joint.law.kappa = auto_joint_kappa(world.model, world.params.gravity, joint.law);
+  joint.law.kappa = auto_joint_kappa(world.model, joint_load(world.model, world.params.gravity), joint);
   world.model.joints.push_back(std::move(joint));
 }
 

@@ -24,7 +24,7 @@ World hanging_box(const TurnProfile& turn, int arms) {
   joint.arms = static_cast<std::uint8_t>(arms);
   joint.turn = turn;
   attach(world.state, Vec3::Zero(), Mat3::Identity(), joint);
-  joint.law.kappa = auto_joint_kappa(world.model, world.params.gravity, joint.law);
+  joint.law.kappa = auto_joint_kappa(world.model, joint_load(world.model, world.params.gravity), joint);
   world.model.joints.push_back(joint);
   return world;
 }

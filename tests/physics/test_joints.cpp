@@ -77,7 +77,7 @@ TEST_CASE("a hinge keeps its five degrees of freedom to 1e-6 of the body, soft a
     World world = pendulum(1.2, 1.0 / 60);
     Joint& joint = world.model.joints[0];
     joint.law.potential = potential;
-    joint.law.kappa = auto_joint_kappa(world.model, world.params.gravity, joint.law);
+    joint.law.kappa = auto_joint_kappa(world.model, joint_load(world.model, world.params.gravity), joint);
     testing::run(world, 300, {}, [&](const StepReport& r) {
       CHECK(r.method == SolverMethod::newton);
       CHECK(r.max_joint_error < 1e-6);
