@@ -106,6 +106,12 @@ void erase_at(std::vector<T>& list, Index i) {
   list.erase(list.begin() + i);
 }
 
+// A joint, and the force it had.
+void erase_joint(Index k, Model& model, State& state) {
+  erase_at(model.joints, k);
+  if (!state.joint_force.empty()) erase_at(state.joint_force, k);
+}
+
 // Body numbers in the order they had, without the body that is gone: what was sorted stays sorted.
 struct Renumber {
   Index gone;
@@ -119,7 +125,10 @@ void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& stat
   if (model.size() == 1) refuse("body: it is the only one; a scene without bodies cannot run");
   const Renumber moved{gone};
 
-  std::erase_if(model.joints, [&](const Joint& joint) { return joint.i == gone || joint.j == gone; });
+  for (auto k = static_cast<Index>(model.joints.size()) - 1; k >= 0; --k) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(k)];
+    if (joint.i == gone || joint.j == gone) erase_joint(k, model, state);
+  }
   for (Joint& joint : model.joints) {
     joint.i = moved(joint.i);
     joint.j = moved(joint.j);
@@ -201,13 +210,14 @@ void carry_out(const AddJoint& edit, const BondLaw& joint_law, Model& model, Sta
       free_name(edit.name, "joint", model.joints, [](const Joint& k) { return std::string_view(k.name); });
 
   model.joints.push_back(std::move(joint));
+  if (!state.joint_force.empty()) state.joint_force.emplace_back(Vec3::Zero());
   if (edit.i == kWorld || edit.j == kWorld) return;
   const std::pair<Index, Index> pair = std::minmax(edit.i, edit.j);
   const auto place = std::lower_bound(model.no_collide.begin(), model.no_collide.end(), pair);
   if (place == model.no_collide.end() || *place != pair) model.no_collide.insert(place, pair);
 }
 
-void carry_out(const RemoveJoint& edit, const BondLaw&, Model& model, State&) {
+void carry_out(const RemoveJoint& edit, const BondLaw&, Model& model, State& state) {
   const auto count = static_cast<Index>(model.joints.size());
   if (count == 0) refuse("joint: there is none");
   require(edit.joint >= 0 && edit.joint < count, "joint",
@@ -216,7 +226,7 @@ void carry_out(const RemoveJoint& edit, const BondLaw&, Model& model, State&) {
     return std::minmax(joint.i, joint.j);
   };
   const auto pair = ends(model.joints[static_cast<std::size_t>(edit.joint)]);
-  erase_at(model.joints, edit.joint);
+  erase_joint(edit.joint, model, state);
   const bool held = std::any_of(model.joints.begin(), model.joints.end(),
                                 [&](const Joint& joint) { return ends(joint) == pair; });
   if (!held) std::erase(model.no_collide, pair);

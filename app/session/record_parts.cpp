@@ -27,6 +27,8 @@ void write_state(const State& s, ByteWriter& out) {
     out.matrix(a.stretch);
     out.u8(static_cast<std::uint8_t>((a.sliding ? 1 : 0) | (a.recovers ? 2 : 0)));
   }
+  out.u32(s.joint_force.size());
+  for (const Vec3& force : s.joint_force) out.matrix(force);
 }
 
 // Of the times what plots show: a report that is read has detect and set_up as one.
@@ -74,6 +76,8 @@ State read_state(ByteReader& in, Index bodies) {
     in.require(a.pair >> 32 < n && (a.pair & 0xffffffffu) < n, "a contact is of a body that is none");
     in.require(k == 0 || order(s.anchors[k - 1]) < order(a), "contacts are out of order");
   }
+  s.joint_force.resize(in.count(sizeof(Vec3)));
+  for (Vec3& force : s.joint_force) in.matrix(force);
   return s;
 }
 

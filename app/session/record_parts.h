@@ -8,7 +8,7 @@
 namespace pabd {
 
 inline constexpr std::string_view kRecordMagic = "pabd-rec";
-inline constexpr std::uint32_t kRecordVersion = 1;
+inline constexpr std::uint32_t kRecordVersion = 2;
 inline constexpr std::size_t kRecordHeadBytes = 8 + 4 + 8, kRecordChecksumBytes = 16;
 
 enum RecordFlag : std::uint8_t {
@@ -21,7 +21,7 @@ enum RecordFlag : std::uint8_t {
 };
 
 void write_state(const State& state, ByteWriter& out);
-// Throws Error(bad_input) when it is no state of so many bodies.
+// Throws Error(bad_input) when it is no state of so many bodies; of how many joints is not looked at.
 State read_state(ByteReader& in, Index bodies);
 
 // Without its vectors.

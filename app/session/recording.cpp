@@ -205,9 +205,12 @@ class Decoder {
   }
 
   void check(const Moment& m) const {
-    if (m.state)
+    if (m.state) {
+      in_.require(m.state->joint_force.empty() || m.state->joint_force.size() == m.model->joints.size(),
+                  "a state has another number of joints than its model");
       in_.require(m.state->step == m.report.step && m.state->time == m.report.time,
                   "a state is of another time than its moment");
+    }
     if (!timeline_.empty()) {
       const StepReport& before = timeline_.back().report;
       in_.require(m.report.step == before.step + (m.start ? 0 : 1) && m.report.time >= before.time,

@@ -30,9 +30,9 @@ bool same_anchor(const FrictionAnchor& a, const FrictionAnchor& b) {
 }  // namespace
 
 bool same_bits(const State& a, const State& b) {
-  const auto& [time, step, c, R, v, omega, anchors] = a;
+  const auto& [time, step, c, R, v, omega, anchors, joint_force] = a;
   return same(time, b.time) && step == b.step && same_list(c, b.c) && same_list(R, b.R) &&
-         same_list(v, b.v) && same_list(omega, b.omega) &&
+         same_list(v, b.v) && same_list(omega, b.omega) && same_list(joint_force, b.joint_force) &&
          std::equal(anchors.begin(), anchors.end(), b.anchors.begin(), b.anchors.end(), same_anchor);
 }
 

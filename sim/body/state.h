@@ -32,6 +32,8 @@ struct State {
   std::vector<Vec3> v;                  // velocity of the centre of mass; m/s
   std::vector<Vec3> omega;              // angular velocity, world; rad/s
   std::vector<FrictionAnchor> anchors;  // sorted by (pair, feature)
+  std::vector<Vec3> joint_force;        // of each joint on its body j in the last step; N. Empty before the
+                                        // first step; zero where the solver does not know it
 
   Index size() const { return static_cast<Index>(c.size()); }
 };

@@ -1,4 +1,4 @@
-// Cholesky factorisation A = L D Lᵀ of a sparse symmetric positive definite matrix of 6×6 blocks.
+// Cholesky factorisation A = L D Lᵀ of a sparse symmetric positive definite matrix of N×N blocks, N = 3 or 6.
 //
 //   analyze        elimination order and fill (elimination.h)
 //   diagonal, …    A is written where L will stand
@@ -8,6 +8,7 @@
 // On a chain or a tree nothing fills, and the work is linear in the number of block rows.
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "sim/math/elimination.h"
@@ -15,22 +16,30 @@
 
 namespace pabd {
 
-// A 6×6 block by columns of eight: whole vector instructions, two lanes to spare.
-struct Block6 {
-  using Column = double __attribute__((vector_size(8 * sizeof(double))));
-  Column column[6];
+// An N×N block by columns of four or eight: whole vector instructions, some lanes to spare.
+using Four = double __attribute__((vector_size(4 * sizeof(double))));
+using Eight = double __attribute__((vector_size(8 * sizeof(double))));
+template <int N>
+struct Block {
+  using Column = std::conditional_t<(N <= 4), Four, Eight>;
+  using Matrix = Eigen::Matrix<double, N, N>;
+  using Vector = Eigen::Matrix<double, N, 1>;
+  Column column[N];
 
-  void set_zero() { *this = Block6{}; }
-  double operator()(int r, int c) const { return column[c][r]; }
-  void add(const Mat6& B) {
-    for (int c = 0; c < 6; ++c) {
-      for (int r = 0; r < 6; ++r) column[c][r] += B(r, c);
+  void add(const Matrix& B) {
+    for (int c = 0; c < N; ++c) {
+      for (int r = 0; r < N; ++r) column[c][r] += B(r, c);
     }
   }
 };
 
+template <int N>
 class BlockCholesky {
  public:
+  using Column = typename Block<N>::Column;
+  using Matrix = typename Block<N>::Matrix;
+  using Vector = typename Block<N>::Vector;
+
   // As Elimination::analyze: false, and not to be used, where it would cost more.
   bool analyze(Index n, const Elimination::Pairs& pairs,
                double most_products = std::numeric_limits<double>::infinity());
@@ -39,23 +48,26 @@ class BlockCholesky {
   const Elimination& graph() const { return graph_; }
 
   void set_zero();
-  Block6& diagonal(Index p) { return diagonal_[graph_.position(p)]; }  // its lower triangle counts
+  Block<N>& diagonal(Index p) { return diagonal_[graph_.position(p)]; }  // its lower triangle counts
   // Adds `block` (rows q, columns p) and its transpose; p ≠ q, coupled.
-  void add_off_diagonal(Index q, Index p, const Mat6& block);
+  void add_off_diagonal(Index q, Index p, const Matrix& block);
 
   // False where A is not positive definite, or when stopped; it is destroyed either way.
   bool factorize(const Stop& stop = {});
-  void solve(std::vector<Vec6>& x) const;  // x: block rows in the caller's order
+  void solve(std::vector<Vector>& x) const;  // x: block rows in the caller's order
 
  private:
   void subtract_outer(Index k);
 
   Elimination graph_;
-  std::vector<Block6> diagonal_;  // then L_kk without its unit diagonal
-  std::vector<Block6> below_;
-  std::vector<Block6> scaled_;             // scratch of a column: L D
-  std::vector<Block6::Column> inverse_;    // 1/D
-  mutable std::vector<Block6::Column> x_;  // scratch of solve
+  std::vector<Block<N>> diagonal_;  // then L_kk without its unit diagonal
+  std::vector<Block<N>> below_;
+  std::vector<Block<N>> scaled_;   // scratch of a column: L D
+  std::vector<Column> inverse_;    // 1/D
+  mutable std::vector<Column> x_;  // scratch of solve
 };
+
+extern template class BlockCholesky<3>;
+extern template class BlockCholesky<6>;
 
 }  // namespace pabd

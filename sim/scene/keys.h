@@ -15,9 +15,10 @@ namespace keys {
 using Key = std::string_view;
 
 inline constexpr std::array scene{
-    Key("$schema"), Key("format"),    Key("version"),  Key("name"),    Key("description"),
-    Key("gravity"), Key("time_step"), Key("solver"),   Key("contact"), Key("joints_default"),
-    Key("bodies"),  Key("joints"),    Key("generate"), Key("camera"),  Key("friction_anchors")};
+    Key("$schema"),     Key("format"),         Key("version"),          Key("name"),
+    Key("description"), Key("gravity"),        Key("time_step"),        Key("solver"),
+    Key("contact"),     Key("joints_default"), Key("bodies"),           Key("joints"),
+    Key("generate"),    Key("camera"),         Key("friction_anchors"), Key("joint_forces")};
 inline constexpr std::array solver{Key("method"), Key("iterations"), Key("tolerance"), Key("relaxation"),
                                    Key("projection")};
 inline constexpr std::array contact{Key("barrier"), Key("N"),        Key("d_hat"),         Key("kappa"),

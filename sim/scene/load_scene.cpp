@@ -8,9 +8,9 @@
 #include "sim/scene/generators.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/overrides.h"
-#include "sim/scene/read_anchors.h"
 #include "sim/scene/read_body.h"
 #include "sim/scene/read_joint.h"
+#include "sim/scene/read_memory.h"
 #include "sim/scene/read_params.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/text.h"
@@ -64,6 +64,14 @@ void read_friction_anchors(const ObjectReader& scene, SceneBuilder& out) {
     scene.record("friction_anchors", anchor.stretch);
     scene.record("friction_anchors", (anchor.sliding ? 1.0 : 0.0) + (anchor.recovers ? 2.0 : 0.0));
   }
+}
+
+// The same.
+void read_forces_of_joints(const ObjectReader& scene, SceneBuilder& out) {
+  const auto list = scene.find("joint_forces");
+  if (!list) return;
+  read_joint_forces(*list, out.model.joints.size(), out.state.joint_force);
+  for (const Vec3& force : out.state.joint_force) scene.record("joint_forces", force);
 }
 
 std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
@@ -131,6 +139,7 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
   builder.finish_joints(scene.params.gravity, generated);
   if (builder.model.size() == 0) in.fail("the scene has no bodies; expected \"bodies\" or \"generate\"");
   read_friction_anchors(in, builder);
+  read_forces_of_joints(in, builder);
   scene.camera = read_camera(in);
   scene.files = meshes.files();
 

@@ -101,6 +101,10 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
     out += list("friction_anchors", state.anchors.size(),
                 [&](std::size_t k) { return json_of_anchor(state.anchors[k]); });
   }
+  if (!state.joint_force.empty()) {
+    out += list("joint_forces", state.joint_force.size(),
+                [&](std::size_t k) { return json_of(state.joint_force[k]); });
+  }
   if (camera) {
     const OrderedJson view{
         {"eye", json_of(camera->eye)}, {"target", json_of(camera->target)}, {"fov", camera->fov}};

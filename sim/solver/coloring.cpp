@@ -15,7 +15,10 @@ Index free_color(const Problem& p, const std::vector<Index>& color, Index body) 
     beyond = std::max(beyond, color[other] + 1);
   };
   for (const PatchEnd& end : p.ends[body]) avoid(end.other);
-  for (const Index k : p.joints_at[body]) avoid(p.joints[k].i == body ? p.joints[k].j : p.joints[k].i);
+  for (const Index k : p.joints_at[body]) {
+    const auto [i, j] = p.joint_ends[k];
+    avoid(i == body ? j : i);
+  }
   for (Index k = 0; k < 64; ++k) {
     if (!(used >> k & 1)) return k;
   }
@@ -31,8 +34,6 @@ void color_bodies(const Problem& p, Islands& islands) {
   islands.first_of_color.reserve(2 * islands.solved.size());  // so that spans into it stay
   Index* place = islands.colored.data();
   for (Island& island : islands.list) {
-    const bool may_change = island.solver == SolverMethod::newton && !island.jointed;  // see solve.cpp
-    if (island.solver != SolverMethod::descent && !may_change) continue;
     Index colors = 0;
     for (const Index i : island.bodies) {
       islands.color[i] = free_color(p, islands.color, i);

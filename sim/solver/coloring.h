@@ -5,8 +5,8 @@
 
 namespace pabd {
 
-// Fills the colours of the islands that `descent` solves, or may get from `newton`. They depend only on the
-// order of bodies and bonds.
+// Fills the colours of all islands: `descent` may get any of them. They depend only on the order of bodies
+// and bonds.
 void color_bodies(const Problem& p, Islands& islands);
 
 }  // namespace pabd

@@ -14,7 +14,7 @@ void join_bodies(const Problem& p, const Iterate& it, std::vector<Index>& parent
     if (p.movable(a) && p.movable(b)) parent[root(parent, a)] = root(parent, b);
   };
   for (const ContactPatch& patch : it.patch) join(patch.a, patch.b);
-  for (const Joint& joint : p.joints.model) join(joint.i, joint.j);
+  for (std::size_t k = 0; k < p.joints.model.size(); ++k) join(p.joint_ends[k].first, p.joint_ends[k].second);
 }
 
 // Numbers the islands in order of their lowest bodies.
@@ -47,9 +47,9 @@ void split_into_islands(const Problem& p, const Iterate& it, Islands& out) {
       visit(of(it.patch[k].a, it.patch[k].b), static_cast<Index>(k));
   });
   out.joints.fill(count, [&](const auto& visit) {
-    for (std::size_t k = 0; k < p.joints.size(); ++k) {
-      const Joint& joint = p.joints[static_cast<Index>(k)];
-      if (p.movable(joint.i) || p.movable(joint.j)) visit(of(joint.i, joint.j), static_cast<Index>(k));
+    for (std::size_t k = 0; k < p.joint_ends.size(); ++k) {
+      const auto [i, j] = p.joint_ends[k];
+      if (p.movable(i) || p.movable(j)) visit(of(i, j), static_cast<Index>(k));
     }
   });
   out.row.assign(p.model->shape.size() + 1, -1);

@@ -11,6 +11,12 @@ Vec6 wrench(const Vec3& force, const Vec3& torque) {
 
 }  // namespace
 
+bool pushes(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b) {
+  const ContactState state = contact_state(patch, a, b);
+  const Lanes alpha_n = normal_force(law.barrier, patch, state.d).alpha_n;
+  return !(sum(alpha_n) + sum(friction_weight(law, patch.limit, length(state.u))) <= 0);
+}
+
 LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b) {
   LinearPatch out;
   const ContactState state = contact_state(patch, a, b);

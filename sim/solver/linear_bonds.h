@@ -43,6 +43,8 @@ struct LinearPatch {
   Mat6 H;
   Vec3 back;  // from c_b to c_a; m
 };
+// Does it push or hold at these poses? LinearPatch::active says the same.
+bool pushes(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b);
 LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b);
 
 }  // namespace pabd

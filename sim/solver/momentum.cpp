@@ -24,10 +24,7 @@ void join_groups(const Problem& p, const Islands& islands, const Iterate& it, Fr
   for (const ContactPatch& patch : it.patch) {
     if (patch.felt) join(patch.a, patch.b);
   }
-  for (std::size_t k = 0; k < p.joints.size(); ++k) {
-    const Joint& joint = p.joints[static_cast<Index>(k)];
-    join(joint.i, joint.j);
-  }
+  for (const auto& [i, j] : p.joint_ends) join(i, j);
   for (const Index i : islands.solved) {
     if (g.held[i]) g.held[root(g.parent, i)] = 1;
   }

@@ -22,21 +22,11 @@
 namespace pabd {
 namespace {
 
-constexpr int kPatience = 4;         // iterations in which E may stay above its lowest value
-constexpr double kRounding = 1e-12;  // of E
+constexpr int kPatience = 4;  // iterations in which E may stay above its lowest value
 constexpr int kHalvings = 30;
 
-double with_rounding(double energy) { return energy + kRounding * std::abs(energy); }
-
-// Second order of a point's motion under a rotation, ½ δω × (δω × r), against the gradient g of the energy at
-// the point: ½ (g rᵀ + r gᵀ) − (g·r) 1.
-Mat3 geometric_stiffness(const Vec3& r, const Vec3& g) {
-  const Mat3 rg = r * g.transpose();
-  return 0.5 * (rg + rg.transpose()) - g.dot(r) * Mat3::Identity();
-}
-
 // Inertia of body i: its diagonal block, gradient and energy.
-double add_inertia(const Inertia& in, const Pose& pose, Block6& block, Vec6& g) {
+double add_inertia(const Inertia& in, const Pose& pose, Block<6>& block, Vec6& g) {
   const Mat3 X = in.star.R * in.J * pose.R.transpose();
   const double mass = in.m * in.inv_h2;
   Mat6 M = Mat6::Zero();
@@ -66,13 +56,13 @@ void add_bond(const LinearBond& bond, const Vec3& pull, Index p, Index q, Newton
     Mat6 H = weight_between(bond.K, rK_a, rK_a, bond.r_a);
     H.bottomRightCorner<3, 3>() += geometric_stiffness(bond.r_a, -pull);
     system.matrix.diagonal(p).add(H);
-    add_force(bond.r_a, -bond.gradient, system.g[p]);
+    add_force(bond.r_a, -bond.gradient, system.move.g[p]);
   }
   if (q >= 0) {
     Mat6 H = weight_between(bond.K, rK_b, rK_b, bond.r_b);
     H.bottomRightCorner<3, 3>() += geometric_stiffness(bond.r_b, pull);
     system.matrix.diagonal(q).add(H);
-    add_force(bond.r_b, bond.gradient, system.g[q]);
+    add_force(bond.r_b, bond.gradient, system.move.g[q]);
   }
   if (p >= 0 && q >= 0) system.matrix.add_off_diagonal(q, p, -weight_between(bond.K, rK_b, rK_a, bond.r_a));
 }
@@ -92,8 +82,8 @@ double assemble(const Problem& p, const Island& island, bool geometric, NewtonSy
   double energy = 0;
   for (std::size_t k = 0; k < island.bodies.size(); ++k) {
     const Index i = island.bodies[k];
-    energy +=
-        add_inertia(p.inertia(i), it.pose[i], system.matrix.diagonal(static_cast<Index>(k)), system.g[k]);
+    energy += add_inertia(p.inertia(i), it.pose[i], system.matrix.diagonal(static_cast<Index>(k)),
+                          system.move.g[k]);
   }
   each_joint_bond(p, island, it, [&](const LinearBond& bond) {
     const Vec3 pull = geometric ? system.force[bond.force] : Vec3(Vec3::Zero());
@@ -109,11 +99,11 @@ double assemble(const Problem& p, const Island& island, bool geometric, NewtonSy
     patch.felt = true;
     if (a >= 0) {
       system.matrix.diagonal(a).add(linear.H);
-      system.g[a] += linear.g_a;
+      system.move.g[a] += linear.g_a;
     }
     if (b >= 0) {
       system.matrix.diagonal(b).add(shifted(linear.back, linear.H));
-      system.g[b] += linear.g_b;
+      system.move.g[b] += linear.g_b;
     }
     if (a >= 0 && b >= 0) system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.back, linear.H));
   }
@@ -132,7 +122,7 @@ double energy_of(const Problem& p, const Island& island, const Iterate& it) {
 // By `share` of the largest entry of each block: what is lost to cancellation is that small.
 void raise_diagonal(double share, NewtonSystem& system) {
   for (Index p = 0; p < system.matrix.rows(); ++p) {
-    Block6& block = system.matrix.diagonal(p);
+    Block<6>& block = system.matrix.diagonal(p);
     double largest = 0;
     for (int c = 0; c < 6; ++c) largest = std::max(largest, std::abs(block.column[c][c]));
     for (int c = 0; c < 6; ++c) block.column[c][c] += share * largest;
@@ -152,45 +142,13 @@ bool find_direction(const Problem& p, const Island& island, bool geometric, cons
     solvable = system.matrix.factorize(stop);
   }
   if (!solvable) {
-    std::fill(system.step.begin(), system.step.end(),
+    std::fill(system.move.step.begin(), system.move.step.end(),
               Vec6::Constant(std::numeric_limits<double>::infinity()));
     return false;
   }
-  for (std::size_t k = 0; k < system.g.size(); ++k) system.step[k] = -system.g[k];
-  system.matrix.solve(system.step);
+  for (std::size_t k = 0; k < system.move.g.size(); ++k) system.move.step[k] = -system.move.g[k];
+  system.matrix.solve(system.move.step);
   return true;
-}
-
-void move(const Problem& p, const Island& island, const NewtonSystem& system, double t, Iterate& it) {
-  for (std::size_t k = 0; k < island.bodies.size(); ++k) {
-    const Index i = island.bodies[k];
-    Pose& pose = it.pose[i];
-    pose.c += t * system.step[k].head<3>();
-    pose.R = cayley(t * system.step[k].tail<3>()) * pose.R;
-    set_roll(p, i, pose.R, it);
-  }
-}
-
-void keep_best(const Island& island, const Iterate& it, double energy, NewtonSystem& system) {
-  system.lowest = energy;
-  system.rises = 0;
-  system.best.resize(island.bodies.size());
-  for (std::size_t k = 0; k < system.best.size(); ++k) system.best[k] = it.pose[island.bodies[k]];
-}
-
-void restore_best(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it) {
-  for (std::size_t k = 0; k < system.best.size(); ++k) {
-    it.pose[island.bodies[k]] = system.best[k];
-    set_roll(p, island.bodies[k], system.best[k].R, it);
-  }
-}
-
-void swap_with_best(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
-  for (std::size_t k = 0; k < system.best.size(); ++k) {
-    const Index i = island.bodies[k];
-    std::swap(it.pose[i], system.best[k]);
-    set_roll(p, i, it.pose[i].R, it);
-  }
 }
 
 // The forces at the iterate itself would be off by stiffness times the curvature of the way there.
@@ -198,7 +156,7 @@ void predict_forces(const Problem& p, const Island& island, const Iterate& it, N
   const auto step_of = [&](Index slot, const Vec3& r) -> Vec3 {
     const Index row = island.row[slot];
     if (row < 0) return Vec3::Zero();
-    return system.step[row].head<3>() + system.step[row].tail<3>().cross(r);
+    return system.move.step[row].head<3>() + system.move.step[row].tail<3>().cross(r);
   };
   system.force.assign(island.joints.size() * BondList::kMost, Vec3::Zero());
   each_joint_bond(p, island, it, [&](const LinearBond& bond) {
@@ -207,105 +165,145 @@ void predict_forces(const Problem& p, const Island& island, const Iterate& it, N
   });
 }
 
-// Largest step that turns no body by more than 1 rad.
-double longest_step(const NewtonSystem& system) {
-  double turn = 0;
-  for (const Vec6& step : system.step) turn = larger(turn, step.tail<3>().norm());
-  return turn > 1 ? 1 / turn : 1;
-}
-
 void search_from_best(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
                       Iterate& it) {
   const double current = energy_of(p, island, it);
-  swap_with_best(p, island, system, it);
+  swap_with_best(p, island, system.move, it);
   double energy = assemble(p, island, false, system, it);  // anew: friction bounds may have moved since
   if (energy > current) {
-    swap_with_best(p, island, system, it);
+    swap_with_best(p, island, system.move, it);
     energy = assemble(p, island, false, system, it);
   }
-  keep_best(island, it, energy, system);
+  keep_best(island, it, energy, system.move);
   system.force.clear();
   if (!find_direction(p, island, false, stop, system, it)) return;
   double slope = 0;
-  for (std::size_t k = 0; k < system.g.size(); ++k) slope += system.g[k].dot(system.step[k]);
-  double t = longest_step(system);
+  for (std::size_t k = 0; k < system.move.g.size(); ++k) slope += system.move.g[k].dot(system.move.step[k]);
+  double t = longest_step(system.move);
   for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
-    move(p, island, system, t, it);
+    move(p, island, system.move, t, it);
     if (energy_of(p, island, it) <= energy + 1e-4 * t * slope) return;
-    restore_best(p, island, system, it);
+    restore_best(p, island, system.move, it);
   }
 }
 
 // Contacts alone, and soft pulls: a line search on E pays. With joints: see above.
-void step_from_here(const Problem& p, const Island& island, bool geometric, bool last, const Stop& stop,
+void step_from_here(const Problem& p, const Island& island, bool geometric, const Stop& stop,
                     NewtonSystem& system, Iterate& it) {
   if (!find_direction(p, island, geometric, stop, system, it)) return;
-  double t = longest_step(system);
+  double t = longest_step(system.move);
   if (island.jointed) {
-    if (!last) predict_forces(p, island, it, system);
-    move(p, island, system, t, it);
+    predict_forces(p, island, it, system);
+    move(p, island, system.move, t, it);
     return;
   }
   for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
-    move(p, island, system, t, it);
-    if (p.params->solver.iterations == 1 || energy_of(p, island, it) <= with_rounding(system.lowest)) return;
-    restore_best(p, island, system, it);
+    move(p, island, system.move, t, it);
+    if (p.params->solver.iterations == 1 || is_lower(energy_of(p, island, it), system.move)) return;
+    restore_best(p, island, system.move, it);
   }
+}
+
+void iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
+                      Iterate& it) {
+  const bool geometric = !system.force.empty() && island.jointed;
+  const double energy = assemble(p, island, geometric, system, it);
+  if (!island.jointed || is_lower(energy, system.move)) {
+    if (p.params->solver.iterations > 1) keep_best(island, it, energy, system.move);
+  } else {
+    ++system.move.rises;
+  }
+  if (system.move.rises > kPatience) system.searches = true;
+  if (system.move.rises <= (system.searches ? 0 : kPatience)) {
+    step_from_here(p, island, geometric, stop, system, it);
+  } else {
+    search_from_best(p, island, stop, system, it);
+  }
+}
+
+// False where the bodies' system has to take over.
+bool iterate_by_forces(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
+                       Iterate& it) {
+  double energy = 0;
+  if (!dual_step(p, island, it, stop, system.by_forces, system.move, energy)) return false;
+  if (p.params->solver.iterations > 1) {
+    if (is_lower(energy, system.move)) {
+      keep_best(island, it, energy, system.move);
+    } else if (++system.move.rises > kPatience) {
+      return false;
+    }
+  }
+  move(p, island, system.move, longest_step(system.move), it);
+  return true;
+}
+
+// What the dual iterations found, for the bodies' system.
+void recall_forces(NewtonSystem& system) {
+  const std::vector<Vec3>& found = system.by_forces.force;
+  system.force.assign(found.size() * BondList::kMost, Vec3::Zero());
+  for (std::size_t k = 0; k < found.size(); ++k) system.force[k * BondList::kMost] = found[k];
+}
+
+void tell_forces(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it) {
+  const std::size_t bonds = system.dual ? 1 : BondList::kMost;
+  const std::vector<Vec3>& force = system.dual ? system.by_forces.force : system.force;
+  for (std::size_t k = 0; k < island.joints.size(); ++k) {
+    const auto joint = static_cast<std::size_t>(island.joints[k]);
+    if (joint >= p.joints.model.size() || force.empty()) break;  // pulls come last
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t b = 0; b < bonds; ++b) sum -= force[k * bonds + b];
+    it.joint_force[joint] = sum;
+  }
+}
+
+bool find_body_structure(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system) {
+  system.pairs.clear();
+  const auto couple = [&](std::size_t slot_a, std::size_t slot_b) {
+    const Index a = island.row[slot_a], b = island.row[slot_b];
+    if (a >= 0 && b >= 0 && a != b) system.pairs.emplace_back(std::min(a, b), std::max(a, b));
+  };
+  for (const Index k : island.joints) couple(it.slot(p.joint_ends[k].first), it.slot(p.joint_ends[k].second));
+  for (const Index k : island.patches) couple(it.slot(it.patch[k].a), it.slot(it.patch[k].b));
+  if (!std::is_sorted(system.pairs.begin(), system.pairs.end()))
+    std::sort(system.pairs.begin(), system.pairs.end());
+  system.pairs.erase(std::unique(system.pairs.begin(), system.pairs.end()), system.pairs.end());
+  return system.matrix.analyze(static_cast<Index>(island.bodies.size()), system.pairs, system.most_products);
 }
 
 }  // namespace
 
 bool find_structure(const Problem& p, const Island& island, const Iterate& it, double most_products,
                     NewtonSystem& system) {
-  system.pairs.clear();
-  const auto couple = [&](std::size_t slot_a, std::size_t slot_b) {
-    const Index a = island.row[slot_a], b = island.row[slot_b];
-    if (a >= 0 && b >= 0 && a != b) system.pairs.emplace_back(std::min(a, b), std::max(a, b));
-  };
-  for (const Index k : island.joints) couple(it.slot(p.joints[k].i), it.slot(p.joints[k].j));
-  for (const Index k : island.patches) couple(it.slot(it.patch[k].a), it.slot(it.patch[k].b));
-  if (!std::is_sorted(system.pairs.begin(), system.pairs.end()))
-    std::sort(system.pairs.begin(), system.pairs.end());
-  system.pairs.erase(std::unique(system.pairs.begin(), system.pairs.end()), system.pairs.end());
-  return system.matrix.analyze(static_cast<Index>(island.bodies.size()), system.pairs, most_products);
+  system.most_products = most_products;
+  system.dual = island.jointed && find_dual_structure(p, island, it, most_products, system.by_forces);
+  return system.dual || find_body_structure(p, island, it, system);
 }
 
-void start_newton(const Island& island, const Iterate& it, NewtonSystem& system) {
-  system.g.resize(island.bodies.size());
-  system.step.resize(island.bodies.size());
+void start_newton(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system) {
+  start(p, island, it, system.move);
   system.force.clear();
   system.searches = false;
-  keep_best(island, it, std::numeric_limits<double>::infinity(), system);
+  if (system.dual) start_dual(p, island, system.by_forces);
 }
 
-void newton_iteration(const Problem& p, const Island& island, bool last, const Workers& workers,
-                      NewtonSystem& system, Iterate& it) {
-  const bool geometric = !system.force.empty() && island.jointed;
-  const double energy = assemble(p, island, geometric, system, it);
-  const bool lower = !island.jointed || energy <= with_rounding(system.lowest);
-  if (lower) {
-    if (p.params->solver.iterations > 1) keep_best(island, it, energy, system);
-  } else {
-    ++system.rises;
+bool newton_iteration(const Problem& p, const Island& island, const Workers& workers, NewtonSystem& system,
+                      Iterate& it) {
+  if (system.dual && !iterate_by_forces(p, island, workers.stop, system, it)) {
+    if (!find_body_structure(p, island, it, system)) return false;
+    system.dual = false;
+    recall_forces(system);
   }
-  if (system.rises > kPatience) system.searches = true;
-  if (system.rises <= (system.searches ? 0 : kPatience)) {
-    step_from_here(p, island, geometric, last, workers.stop, system, it);
-  } else {
-    search_from_best(p, island, workers.stop, system, it);
-  }
-  for (std::size_t k = 0; k < island.bodies.size(); ++k) {
-    const Vec6& step = system.step[k];
-    const Index i = island.bodies[k];
-    it.moved[i] = (step.head<3>().norm() + p.flight->radius[i] * step.tail<3>().norm()) / p.law.barrier.d_hat;
-  }
+  if (!system.dual) iterate_by_moves(p, island, workers.stop, system, it);
+  tell_moves(p, island, system.move, it);
+  tell_forces(p, island, system, it);
+  return true;
 }
 
-void forget_best(NewtonSystem& system) { system.lowest = std::numeric_limits<double>::infinity(); }
+void forget_best(NewtonSystem& system) { system.move.lowest = std::numeric_limits<double>::infinity(); }
 
 void finish_newton(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
   if (p.params->solver.iterations == 1) return;
-  if (!(energy_of(p, island, it) <= with_rounding(system.lowest))) swap_with_best(p, island, system, it);
+  if (!(is_lower(energy_of(p, island, it), system.move))) swap_with_best(p, island, system.move, it);
 }
 
 }  // namespace pabd

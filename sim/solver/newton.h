@@ -2,7 +2,8 @@
 #pragma once
 
 #include "sim/math/block_cholesky.h"
-#include "sim/solver/islands.h"
+#include "sim/solver/dual_newton.h"
+#include "sim/solver/island_step.h"
 #include "sim/solver/workers.h"
 
 namespace pabd {
@@ -11,31 +12,34 @@ namespace pabd {
 // factorisation. Neither influences a result. Block rows are the bodies of the island.
 struct NewtonSystem {
   Elimination::Pairs pairs;  // coupled block rows p < q, sorted
-  BlockCholesky matrix;
-  std::vector<Vec6> g, step;  // gradient of E; δ = (δc, δω)
+  BlockCholesky<6> matrix;
+  IslandStep move;
 
-  // Force on b of each bond of joints after the full step, by the linear model; N. Bond j of the island's
+  // Gradient on b of each bond of joints after the full step, by the linear model; N. Bond j of the island's
   // joint k is number BondList::kMost k + j.
   std::vector<Vec3> force;
 
-  // The best iterate so far.
-  double lowest;  // E; J
-  std::vector<Pose> best;
-  int rises;      // iterations since
   bool searches;  // full steps went in circles: from then on each rise of E is answered by a line search
+
+  double most_products;  // of a factorisation
+
+  // The same iteration with the forces of the joints as unknowns, while the island can be taken so.
+  bool dual;
+  DualSystem by_forces;
 };
 
-// Finds the structure of the island's matrix. False where its factorisation would take more than
-// `most_products` products of 6×6 blocks.
+// Finds the structure of the island's matrix, of the dual one where it can. False where its factorisation
+// would take more than `most_products` products of 6×6 blocks.
 bool find_structure(const Problem& p, const Island& island, const Iterate& it, double most_products,
                     NewtonSystem& system);
 
 // Before the first iteration of a step. Precondition: its structure is found.
-void start_newton(const Island& island, const Iterate& it, NewtonSystem& system);
+void start_newton(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system);
 
-// One iteration; fills it.moved for the bodies of the island. `last`: no other will follow.
-void newton_iteration(const Problem& p, const Island& island, bool last, const Workers& workers,
-                      NewtonSystem& system, Iterate& it);
+// One iteration; fills it.moved for the bodies of the island, and it.joint_force. False where the island has
+// become too dense: a contact came to what joints alone held together.
+bool newton_iteration(const Problem& p, const Island& island, const Workers& workers, NewtonSystem& system,
+                      Iterate& it);
 
 // E has changed: friction bounds moved. What was best under the old ones is no measure.
 void forget_best(NewtonSystem& system);

@@ -1,10 +1,42 @@
 // See problem.h.
 #include "sim/solver/problem.h"
 
-namespace pabd {
+#include <algorithm>
 
-void list_bonds(Problem& p, const Iterate& it) {
+namespace pabd {
+namespace {
+
+// `now` becomes `last`; were they the same?
+template <class List>
+bool stays(const List& now, List& last) {
+  if (now == last) return true;
+  last = now;
+  return false;
+}
+
+bool patches_stay(const Iterate& it, BodyPairs& last) {
+  const auto same = [](const ContactPatch& patch, const std::pair<Index, Index>& pair) {
+    return patch.a == pair.first && patch.b == pair.second;
+  };
+  if (std::equal(it.patch.begin(), it.patch.end(), last.begin(), last.end(), same)) return true;
+  last.clear();
+  for (const ContactPatch& patch : it.patch) last.emplace_back(patch.a, patch.b);
+  return false;
+}
+
+}  // namespace
+
+bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
   const auto bodies = p.model->shape.size();
+  p.joint_ends.clear();
+  for (const Joint& joint : p.joints.model) p.joint_ends.emplace_back(joint.i, joint.j);
+  for (const Joint& joint : p.joints.pulls) p.joint_ends.emplace_back(joint.i, joint.j);
+  bool same = stays(bodies, last.bodies);
+  same = stays(p.joints.model.size(), last.model_joints) && same;
+  same = stays(p.model->fixed, last.fixed) && same;
+  same = stays(p.joint_ends, last.joints) && same;
+  same = patches_stay(it, last.patches) && same;
+  if (same) return false;
   p.ends.fill(bodies, [&](const auto& visit) {
     for (std::size_t k = 0; k < it.patch.size(); ++k) {
       const ContactPatch& patch = it.patch[k];
@@ -15,13 +47,13 @@ void list_bonds(Problem& p, const Iterate& it) {
     }
   });
   p.joints_at.fill(bodies, [&](const auto& visit) {
-    for (std::size_t k = 0; k < p.joints.size(); ++k) {
-      const auto number = static_cast<Index>(k);
-      for (const Index i : {p.joints[number].i, p.joints[number].j}) {
-        if (p.movable(i)) visit(i, number);
+    for (std::size_t k = 0; k < p.joint_ends.size(); ++k) {
+      for (const Index i : {p.joint_ends[k].first, p.joint_ends[k].second}) {
+        if (p.movable(i)) visit(i, static_cast<Index>(k));
       }
     }
   });
+  return true;
 }
 
 }  // namespace pabd

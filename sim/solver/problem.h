@@ -10,6 +10,7 @@
 //   joints         joint            body/joint.h; those of the model, then the pulls
 //   ends           body             patches that end there: row i of a RowList
 //   joints_at      body             joints that end there
+//   joint_ends     joint            its bodies; a joint itself takes some hundred bytes
 #pragma once
 
 #include <span>
@@ -57,6 +58,8 @@ struct PatchEnd {
   bool owner;  // of the two ends that move, the one that moves the friction bound
 };
 
+using BodyPairs = std::vector<std::pair<Index, Index>>;
+
 // The joints of a step by number: those of the model, then the pulls.
 struct StepJoints {
   std::span<const Joint> model, pulls;
@@ -79,6 +82,7 @@ struct Problem {
   std::vector<double> joint_share;  // of the stiffness of each joint, see stiffness_cap.h
   RowList<PatchEnd> ends;
   RowList<Index> joints_at;
+  BodyPairs joint_ends;
   std::vector<std::uint8_t> rolls;  // per body: has it a patch whose slip follows its roll?
 
   bool movable(Index i) const { return i != kWorld && !model->fixed[static_cast<std::size_t>(i)]; }
@@ -100,7 +104,8 @@ struct Problem {
 // Where a solve stands.
 struct Iterate {
   std::vector<Pose> pose;
-  std::vector<double> moved;  // per body: way in the last iteration over d̂
+  std::vector<double> moved;      // per body: way in the last iteration over d̂
+  std::vector<Vec3> joint_force;  // of each joint of the model on its body j, as far as the solver knows; N
   std::vector<ContactPatch> patch;
   std::vector<Rolling> rolling;  // of the separate patches
   std::vector<Roll> roll;        // per body, at its pose; kept where Problem::rolls
@@ -109,8 +114,16 @@ struct Iterate {
   std::size_t slot(Index body) const { return body < 0 ? pose.size() - 1 : static_cast<std::size_t>(body); }
 };
 
-// Fills p.ends and p.joints_at from the joints and patches.
-void list_bonds(Problem& p, const Iterate& it);
+// Which bodies have bonds with which: what islands and colours follow from.
+struct BondGraph {
+  std::size_t bodies = 0, model_joints = 0;
+  std::vector<std::uint8_t> fixed;
+  BodyPairs joints, patches;
+};
+
+// Fills p.joint_ends, p.ends and p.joints_at from the joints and patches. False: `last`, the graph of the
+// call before, is still that of the problem, and so are all that follows from it.
+bool list_bonds(Problem& p, const Iterate& it, BondGraph& last);
 
 // To be called when the pose of body i turns, or is about to be tried.
 inline void set_roll(const Problem& p, Index i, const Mat3& R, Iterate& it) {

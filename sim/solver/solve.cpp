@@ -51,22 +51,25 @@ bool friction_settled(const Task& t, Iterate& it) {
 
 void start(const Task& t, Iterate& it) {
   for (const Index k : t.island.patches) it.patch[k].felt = !marks_felt(t.p, t.island);
-  if (t.newton()) start_newton(t.island, it, *t.system);
+  if (t.newton()) start_newton(t.p, t.island, it, *t.system);
   if (t.records) t.records->assign(1, record(t.p, t.island, it));
 }
 
 // Iteration k of the island's solver. Returns the smallest d before the projection of `sissm`.
-double iterate(const Task& t, int k, bool every_body, Iterate& it) {
+double iterate(int k, bool every_body, Task& t, Iterate& it) {
   const bool swept = sweeps_limits(t.p, t.island);
   if (k > 0 && !swept && move_friction_limits(t.p, t.island, t.workers, it) && t.newton())
     forget_best(*t.system);
   double gap_before = 0;
+  if (t.newton() && !newton_iteration(t.p, t.island, t.workers, *t.system, it)) {
+    t.island.solver = SolverMethod::descent;
+    t.since = k;
+  }
   switch (t.island.solver) {
     case SolverMethod::sissm:
       sissm_iteration(t.p, t.island, t.workers, t.records ? &gap_before : nullptr, t.memory.sissm, it);
       break;
     case SolverMethod::newton:
-      newton_iteration(t.p, t.island, k + 1 == t.p.params->solver.iterations, t.workers, *t.system, it);
       break;
     default:
       descent_sweep(t.p, t.island, {k == t.since, swept && k > 0, every_body}, t.workers, t.memory.descent,
@@ -99,7 +102,7 @@ void change_solver(int done, double residual, Task& t, Iterate& it) {
     t.island.solver = SolverMethod::descent;
   } else if (!t.newton() && n >= kSweeps) {
     t.island.solver = SolverMethod::newton;
-    start_newton(t.island, it, *t.system);
+    start_newton(t.p, t.island, it, *t.system);
   } else {
     return;
   }
@@ -112,7 +115,7 @@ void solve(Task t, Iterate& it, IslandReport& out) {
   start(t, it);
   bool every_body = true;
   for (int k = 0; k < solver.iterations; ++k) {
-    const double gap_before = iterate(t, k, every_body, it);
+    const double gap_before = iterate(k, every_body, t, it);
     ++out.iterations;
     out.residual = 0;
     for (const Index i : t.island.bodies) out.residual = larger(out.residual, it.moved[i]);
@@ -156,6 +159,7 @@ void prepare(const Problem& p, const Islands& islands, bool record, SolverMemory
              StepReport& report) {
   const std::size_t bodies = p.model->shape.size();
   it.moved.assign(bodies, 0.0);
+  it.joint_force.assign(p.model->joints.size(), Vec3::Zero());
   m.descent.rests.assign(bodies, 0);
   m.descent.last_step.resize(bodies);
   if (p.params->solver.method == SolverMethod::sissm) {

@@ -15,6 +15,7 @@ struct StepMemory {
   std::vector<Joint> pulls;
   Problem problem;
   Iterate iterate;
+  BondGraph graph;
   Islands islands;
   SolverMemory solvers;
   FreeGroups groups;

@@ -60,23 +60,21 @@ bool is_feasible(const Problem& p, const Iterate& it) {
   return true;
 }
 
-// Bonds of the step S(17), friction from the last one, and the first iterate.
+// Bonds of the step S(17), which bodies hang together, friction from the last step, the first iterate, and
+// who solves which island.
 void build(const StepOptions& options, const Workers& workers, StepMemory& m, StepReport& report) {
   Problem& p = m.problem;
   start_recovery(p, m.iterate);
   pulls_as_joints(*p.model, options.pulls, m.pulls);
   p.joints = {p.model->joints, m.pulls};
-  list_bonds(p, m.iterate);
+  if (list_bonds(p, m.iterate, m.graph)) {
+    split_into_islands(p, m.iterate, m.islands);
+    color_bodies(p, m.islands);
+  }
   first_iterate(p, m.iterate);
   report.capped_bonds = cap_stiffness(p, m.iterate);
   start_friction(p, workers, m.iterate);
-}
-
-// Which bodies hang together, and who solves them.
-void split(const Problem& p, StepMemory& m, StepReport& report) {
-  split_into_islands(p, m.iterate, m.islands);
   report.too_dense = choose_solvers(p, m.iterate, m.islands, m.solvers.newton);
-  color_bodies(p, m.islands);
 }
 
 // Velocities that follow from the poses; the momentum of what nothing outside holds is kept.
@@ -109,6 +107,7 @@ void take_over(const Problem& p, StepMemory& m, const StepReport& report, State&
   state.v.swap(m.velocities.v);
   state.omega.swap(m.velocities.omega);
   store_friction(p, m.iterate, state.anchors);
+  state.joint_force.swap(m.iterate.joint_force);
   state.step = report.step;
   state.time = report.time;
 }
@@ -168,7 +167,6 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
   report.times.detect = watch.lap();
   if (interrupted()) return;
   build(options, workers, m, report);
-  split(p, m, report);
   report.times.set_up += watch.lap();
 
   const bool feasible = is_feasible(p, m.iterate);

@@ -31,6 +31,7 @@ std::string state_hash(const State& state) {
     add(hash, anchor.stretch);
     hash.add_word((anchor.sliding ? 1u : 0u) | (anchor.recovers ? 2u : 0u));
   }
+  for (const Vec3& force : state.joint_force) add(hash, force);
   return hash.hex();
 }
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "sim/error.h"
-#include "sim/scene/read_anchors.h"
+#include "sim/scene/read_memory.h"
 #include "sim/scene/reader.h"
 #include "sim/scene/text.h"
 #include "sim/trace/trace.h"
@@ -16,8 +16,8 @@ namespace pabd {
 namespace {
 
 using Key = std::string_view;
-constexpr std::array kStateKeys{Key("format"), Key("version"), Key("time"),   Key("step"),
-                                Key("hash"),   Key("bodies"),  Key("anchors")};
+constexpr std::array kStateKeys{Key("format"), Key("version"), Key("time"),    Key("step"),
+                                Key("hash"),   Key("bodies"),  Key("anchors"), Key("joint_forces")};
 constexpr std::array kBodyKeys{Key("name"),     Key("position"),         Key("orientation"), Key("rotation"),
                                Key("velocity"), Key("angular_velocity"), Key("omega")};
 
@@ -102,6 +102,9 @@ State state_from_json(const Model& model, const std::string& text, const std::st
   state.omega.reserve(count);
   for (std::size_t i = 0; i < count; ++i) read_body(bodies.element(i), model, i, state);
   if (const auto anchors = in.find("anchors")) read_anchors(*anchors, model.size(), state.anchors);
+
+  if (const auto forces = in.find("joint_forces"))
+    read_joint_forces(*forces, model.joints.size(), state.joint_force);
 
   if (const auto hash = in.find("hash")) {
     const std::string expected = state_hash(state);

@@ -35,7 +35,16 @@ class StateWriter {
       text(anchor.recovers ? ", \"recovers\": true }" : " }");
       first = false;
     }
-    text(first ? "]\n}\n" : "\n  ]\n}\n");
+    text(first ? "]" : "\n  ]");
+    if (!state.joint_force.empty()) {
+      text(",\n  \"joint_forces\": [");
+      for (std::size_t k = 0; k < state.joint_force.size(); ++k) {
+        text(k == 0 ? "\n    " : ",\n    ");
+        numbers(state.joint_force[k]);
+      }
+      text("\n  ]");
+    }
+    text("\n}\n");
     return fmt::to_string(out_);
   }
 

@@ -22,7 +22,7 @@ Mat6 random_block(std::mt19937_64& random) {
 }
 
 // Largest relative error of the solution of a random positive definite system with that graph.
-double error_of(Index n, const Pairs& pairs, std::mt19937_64& random, BlockCholesky& cholesky) {
+double error_of(Index n, const Pairs& pairs, std::mt19937_64& random, BlockCholesky<6>& cholesky) {
   cholesky.analyze(n, pairs);
   cholesky.set_zero();
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(6 * n, 6 * n);
@@ -64,7 +64,7 @@ Pairs chain(Index n) {
 
 TEST_CASE("solves what a dense factorisation solves, on chains, loops, stars and random graphs") {
   std::mt19937_64 random(5);
-  BlockCholesky cholesky;
+  BlockCholesky<6> cholesky;
   CHECK(error_of(1, {}, random, cholesky) < 1e-12);
   CHECK(error_of(20, chain(20), random, cholesky) < 1e-10);
   Pairs loop = chain(20);
@@ -86,7 +86,7 @@ TEST_CASE("solves what a dense factorisation solves, on chains, loops, stars and
 TEST_CASE("nothing fills on a chain, a star or a tree, in whatever order its rows are numbered") {
   std::mt19937_64 random(6);
   const Index n = 1000;
-  BlockCholesky cholesky;
+  BlockCholesky<6> cholesky;
   cholesky.analyze(n, chain(n));
   CHECK(cholesky.graph().blocks() == n - 1);
 
@@ -102,7 +102,7 @@ TEST_CASE("nothing fills on a chain, a star or a tree, in whatever order its row
 }
 
 TEST_CASE("a matrix that is not positive definite is refused") {
-  BlockCholesky cholesky;
+  BlockCholesky<6> cholesky;
   cholesky.analyze(2, chain(2));
   cholesky.set_zero();
   cholesky.diagonal(0).add(Mat6::Identity());

@@ -67,6 +67,16 @@ TEST_CASE("friction anchors arrive in the state and count in the hash", "[scene]
     CHECK(parse(text, {change}).hash != scene.hash);
 }
 
+TEST_CASE("joint forces arrive in the state and count in the hash", "[scene]") {
+  const std::string text = scene_with(R"("joint_forces": [[1, 2, 3]],
+    "joints": [ { "type": "spherical", "bodies": ["a", "b"], "anchor": [1, 1, 0] } ])");
+  const Scene scene = parse(text);
+  REQUIRE(scene.initial.joint_force.size() == 1);
+  CHECK(scene.initial.joint_force[0] == Vec3(1, 2, 3));
+  CHECK(parse(text, {"joint_forces.0.2=4"}).hash != scene.hash);
+  check_refused(text, {"/joint_forces", "each of 1 joints, got 2"}, {"joint_forces=[[0,0,0],[0,0,0]]"});
+}
+
 TEST_CASE("half a place and anchors of nothing are refused", "[scene]") {
   const std::string hinge = R"("type": "hinge", )";
   check_refused(with_joint(hinge + kPlace + R"(, "anchor": [0, 0, 0])"), {"/joints/0/anchor", "remove"});

@@ -23,7 +23,9 @@ struct Example {
 Example example() {
   Scene scene = parse_scene(R"({ "format": "pabd-scene", "version": 1, "bodies": [
     { "name": "ground \"0\" \\ é", "shape": { "type": "plane" } } ],
-    "generate": [ { "type": "pile", "count": 50, "shape": "mixed" } ] })",
+    "generate": [ { "type": "pile", "count": 50, "shape": "mixed" } ],
+    "joints": [ { "type": "spherical", "bodies": ["pile 1", "pile 2"], "anchor": [0, 1, 0] },
+                { "type": "spherical", "bodies": ["pile 2", null], "anchor": [0, 1, 0] } ] })",
                             "test.json", {});
   Example e{std::move(scene.model), std::move(scene.initial)};
   Random random(5);
@@ -40,6 +42,7 @@ Example example() {
   e.state.v[1] = Vec3(-0.0, 1e-310, 1e300);
   e.state.anchors.push_back({(std::uint64_t{0} << 32) | 3, 7, Vec3(1e-9, -0.0, 2.0 / 3)});
   e.state.anchors.push_back({(std::uint64_t{2} << 32) | 5, 0xffffffffu, Vec3(0, 0.1, 0), true, true});
+  e.state.joint_force = {Vec3(1.0 / 3, -0.0, 1e9), Vec3(0, 2e-300, 0)};
   return e;
 }
 
@@ -132,6 +135,8 @@ TEST_CASE("every number of a state enters its hash", "[trace]") {
   changed([&](State& s) { s.anchors[0].sliding = true; });
   changed([&](State& s) { next(s.anchors[0].stretch[2]); });
   changed([&](State& s) { s.anchors.pop_back(); });
+  for (int k = 0; k < 3; ++k) changed([&](State& s) { next(s.joint_force[1][k]); });
+  changed([&](State& s) { s.joint_force.clear(); });
   changed([&](State& s) { std::swap(s.v[3], s.v[4]); });
   CHECK(state_hash(State{}).size() == 16);
 }
@@ -144,6 +149,9 @@ TEST_CASE("state files that do not fit are refused", "[trace]") {
     json[Json::json_pointer(pointer)] = value;
     check_refused(e, json, parts);
   };
+  refuse("/joint_forces", Json::array({Json::array({0, 0, 0})}),
+         {"/joint_forces", "each of 2 joints, got 1"});
+  refuse("/joint_forces/1/2", nullptr, {"/joint_forces/1/2", "number"});
   refuse("/format", "other", {"/format", "pabd-state"});
   refuse("/version", 2, {"/version", "from 1 to 1"});
   refuse("/time", nullptr, {"/time", "expected a number"});

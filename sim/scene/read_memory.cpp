@@ -1,5 +1,7 @@
-// See read_anchors.h.
-#include "sim/scene/read_anchors.h"
+// See read_memory.h.
+#include "sim/scene/read_memory.h"
+
+#include <fmt/format.h>
 
 #include "sim/scene/keys.h"
 
@@ -37,6 +39,12 @@ void read_anchors(const Node& list, Index count, std::vector<FrictionAnchor>& ou
       node.fail("expected anchors in rising order of bodies and feature, each once");
     }
   }
+}
+
+void read_joint_forces(const Node& list, std::size_t joints, std::vector<Vec3>& out) {
+  const std::size_t n = list.array_size();
+  if (n != joints) list.fail(fmt::format("expected a force for each of {} joints, got {}", joints, n));
+  for (std::size_t k = 0; k < n; ++k) out.push_back(list.element(k).vec3(Range{}));
 }
 
 }  // namespace pabd
