@@ -30,6 +30,35 @@ inline Mat3 exp_so3(const Vec3& w) {
   return Eigen::AngleAxisd(a, w / a).toRotationMatrix();
 }
 
+// x turned by exp([w]), and back, without the matrix. ‖w‖ ≤ 1, where both series are good to rounding.
+class ShortTurn {
+ public:
+  explicit ShortTurn(const Vec3& w) : w_(w) {
+    const double a2 = w.squaredNorm();
+    for (int k = 8; k >= 0; --k) {
+      sine_ = 1 - kSine[k] * a2 * sine_;
+      cosine_ = 1 - kCosine[k] * a2 * cosine_;
+    }
+    cosine_ *= 0.5;
+  }
+  Vec3 turn(const Vec3& x) const { return along(x, sine_); }
+  Vec3 back(const Vec3& x) const { return along(x, -sine_); }
+
+ private:
+  // sin(a)/a = 1 − a²/(2·3) (1 − a²/(4·5) (…)), 2 (1 − cos a)/a² = 1 − a²/(3·4) (1 − a²/(5·6) (…)).
+  static constexpr double kSine[] = {1. / 6,   1. / 20,  1. / 42,  1. / 72, 1. / 110,
+                                     1. / 156, 1. / 210, 1. / 272, 1. / 342};
+  static constexpr double kCosine[] = {1. / 12,  1. / 30,  1. / 56,  1. / 90, 1. / 132,
+                                       1. / 182, 1. / 240, 1. / 306, 1. / 380};
+  Vec3 along(const Vec3& x, double sine) const {
+    const Vec3 v = w_.cross(x);
+    return x + sine * v + cosine_ * w_.cross(v);
+  }
+
+  Vec3 w_;
+  double sine_ = 1, cosine_ = 1;  // sin(a)/a, (1 − cos a)/a²
+};
+
 // The rotation vector with exp([w]) = R and ‖w‖ ≤ π. Through the quaternion: accurate near 0 and near π.
 inline Vec3 log_so3(const Mat3& R) {
   Quat q(R);

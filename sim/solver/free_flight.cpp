@@ -1,9 +1,8 @@
 #include "sim/solver/free_flight.h"
 
-#include <Eigen/Dense>
-
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
+#include "sim/math/symmetric3.h"
 
 namespace pabd {
 namespace {
@@ -47,14 +46,21 @@ Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3&
   const Mat3 I = inertia_tensor(J);
   const int axis = axis_of_symmetry(J);
   if (axis >= 0 && h * omega.norm() > 1) return top_flight(I.diagonal(), axis, h, R, omega);
-  const Mat3 inverse = I.inverse();
+  const Mat3 inverse = symmetric_inverse(I), A = R * inverse * R.transpose();
   const Vec3 L = R * (I * (R.transpose() * omega));
-  // ω_m = R_m I⁻¹ R_mᵀ L at the midpoint R_m = exp(h ω_m / 2) R: a contraction for h ω < 1, and what rolls
-  // faster is a top.
+  // ω_m = E A Eᵀ L at the midpoint, E = exp(h ω_m / 2): a contraction for h ω < 1, and what rolls faster is a
+  // top.
   Vec3 midpoint = omega;
   for (int i = 0; i < 8; ++i) {
-    const Mat3 R_m = exp_so3(0.5 * h * midpoint) * R;
-    const Vec3 next = R_m * (inverse * (R_m.transpose() * L));
+    const Vec3 half = 0.5 * h * midpoint;
+    Vec3 next;
+    if (half.squaredNorm() < 1) {
+      const ShortTurn E(half);
+      next = E.turn(A * E.back(L));
+    } else {
+      const Mat3 E = exp_so3(half);
+      next = E * (A * (E.transpose() * L));
+    }
     const bool done = (next - midpoint).squaredNorm() < 1e-28 * next.squaredNorm();
     midpoint = next;
     if (done) break;

@@ -1,10 +1,9 @@
 // See velocities.h.
 #include "sim/solver/velocities.h"
 
-#include <Eigen/Dense>
-
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
+#include "sim/math/symmetric3.h"
 
 namespace pabd {
 
@@ -22,7 +21,7 @@ void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velo
     const Mat3 I = inertia_tensor(model.J[i]);
     const Vec3 spin = star.R * (I * (star.R.transpose() * out.omega[i])) -
                       axial(star.R * model.J[i] * pose.R.transpose()) / h;
-    out.omega[i] = pose.R * I.llt().solve(pose.R.transpose() * spin);
+    out.omega[i] = pose.R * (symmetric_inverse(I) * (pose.R.transpose() * spin));
   }
 }
 

@@ -29,6 +29,21 @@ double best_trace(const Mat3& B) {
 
 }  // namespace
 
+TEST_CASE("a short turn is the exponential, both ways") {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const double angle : {0.0, 1e-300, 1e-9, 1e-3, 0.3, 1.0}) {
+    for (int k = 0; k < 20; ++k) {
+      const Vec3 axis = Vec3(number(random), number(random), number(random)).normalized();
+      const Vec3 x(number(random), number(random), number(random));
+      const Mat3 R = exp_so3(angle * axis);
+      const ShortTurn turn(angle * axis);
+      CHECK((turn.turn(x) - R * x).norm() < 1e-15);
+      CHECK((turn.back(x) - R.transpose() * x).norm() < 1e-15);
+    }
+  }
+}
+
 TEST_CASE("exp of a rotation vector turns by its angle about its axis") {
   const Mat3 R = exp_so3({0, 0, kPi / 2});
   CHECK((R * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-15);
