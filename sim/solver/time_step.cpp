@@ -119,7 +119,7 @@ void summarize(const Problem& p, const StepMemory& m, const StepOptions& options
     report.elastic += energy_of_joint(p, m.iterate, static_cast<Index>(k));
   report.drive_work = drive_work(p, m.iterate);
   report.max_joint_error = largest_joint_error(p, m.iterate);
-  if (options.report_joints) report_joints(p, m.iterate, report.joint_reports);
+  if (options.report_joints) report_joints(p, m.iterate, end.joint_force, report.joint_reports);
   if (options.report_bodies)
     report_bodies(p, m.islands, report.islands, m.iterate, m.solvers.sissm, report.body_reports);
   report.kinetic = kinetic_energy(*p.model, end);

@@ -101,6 +101,28 @@ TEST_CASE("a state's joint forces are the reactions that the report tells") {
   }
 }
 
+TEST_CASE("a step that calls itself converged is as close to the minimum as its tolerance says") {
+  const auto seed = GENERATE(21u, 22u, 23u, 24u, 25u, 26u);
+  const auto kappa = GENERATE(1e4, 1e8, 1e11);
+  World world = random_tree(seed, 25, kappa, seed % 2 == 0);
+  world.params.solver.tolerance = 1e-6;
+  World exact = world;
+  exact.params.solver.tolerance = 0;
+  exact.params.solver.iterations = 20;
+  StepWorkspace workspace;
+  StepReport report;
+  for (int k = 0; k < 10; ++k) {
+    exact.state = world.state;
+    step(exact.model, exact.params, {}, exact.state, workspace, report);
+    step(world.model, world.params, {}, world.state, workspace, report);
+    REQUIRE(report.status == StepStatus::converged);
+    double apart = 0;
+    for (std::size_t i = 0; i < world.state.c.size(); ++i)
+      apart = std::max(apart, (world.state.c[i] - exact.state.c[i]).norm());
+    CHECK(apart < world.params.solver.tolerance * world.params.contact.d_hat);
+  }
+}
+
 TEST_CASE("one iteration a step holds a chain to 1e-6 of a link, also 500 km from the origin") {
   const auto origin = GENERATE(Vec3(0, 0, 0), Vec3(-5e5, 0, 0), Vec3(3e5, 2e5, -4e5));
   World world = row_of_links(300, origin);
