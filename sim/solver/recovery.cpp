@@ -9,17 +9,32 @@
 namespace pabd {
 namespace {
 
-constexpr double kDeep = 2;      // d̂
-constexpr double kAtRest = 0.1;  // of V
+constexpr double kDeep = 2;  // d̂
+constexpr double kTouch = 1e-3,
+                 kBorn = 0.5;    // d̂: overlap that is none, and the distance of who stands too close
+constexpr double kSlow = 1;      // d̂ a second
+constexpr double kAtRest = 0.1;  // of the way of a step
 
 ContactState state_at_start(const Problem& p, const ContactPatch& patch) {
   return contact_state(patch, p.start_pose(patch.a), p.start_pose(patch.b));
 }
 
-void mark_deep(const Problem& p, std::vector<ContactPatch>& patches) {
+// How far a contact opens in a step.
+double way(const Problem& p, double d) {
+  const double h = p.params->h, slow = kSlow * p.law.barrier.d_hat * h;
+  return std::min(p.params->contact.recovery_speed * h, slow + std::max(0.0, -d));
+}
+
+// Where a scene starts, what overlaps a little is meant to spring apart, and what stands too close is not.
+void mark(const Problem& p, std::vector<ContactPatch>& patches) {
+  const double d_hat = p.law.barrier.d_hat;
+  const bool starts = p.start->step == 0 && p.start->anchors.empty();
   for (ContactPatch& patch : patches) {
     const ContactState s = state_at_start(p, patch);
-    for (int k = 0; k < patch.count; ++k) patch.recovers |= s.d[k] < -kDeep * p.law.barrier.d_hat;
+    double closest = s.d[0];
+    for (int k = 1; k < patch.count; ++k) closest = std::min(closest, s.d[k]);
+    patch.recovers =
+        closest < -kDeep * d_hat || (starts && closest >= -kTouch * d_hat && closest < kBorn * d_hat);
   }
 }
 
@@ -49,14 +64,14 @@ void start_recovery(const Problem& p, Iterate& it) {
   const Barrier& barrier = p.law.barrier;
   const double speed = p.params->contact.recovery_speed;
   if (speed == 0 || barrier.kind == BarrierKind::log) return;
-  mark_deep(p, it.patch);
+  mark(p, it.patch);
   mark_remembered(p.start->anchors, it.patch);
   spread_to_pairs(it.patch);
-  const double end = barrier.d_hat - speed * p.params->h;  // d₀ + s
   for (ContactPatch& patch : it.patch) {
     if (!patch.recovers) continue;
     const ContactState s = state_at_start(p, patch);
     for (int k = 0; k < patch.count; ++k) {
+      const double end = barrier.d_hat - way(p, s.d[k]);  // d₀ + s
       if (!(s.d[k] < end)) continue;
       patch.shift[k] = end - s.d[k];
       patch.scale[k] = evaluate(barrier, s.d[k]).first / evaluate(barrier, end).first;
@@ -65,15 +80,15 @@ void start_recovery(const Problem& p, Iterate& it) {
 }
 
 void finish_recovery(const Problem& p, Iterate& it) {
-  const double way = p.params->contact.recovery_speed * p.params->h;
   const double d_hat = p.law.barrier.d_hat;
   for (ContactPatch& patch : it.patch) {
     if (!patch.recovers) continue;
     const Lanes before = state_at_start(p, patch).d, now = state_of(it, patch).d;
     bool goes_on = false;
     for (int k = 0; k < patch.count; ++k) {
-      const bool rests = now[k] >= 0 && std::abs(now[k] - before[k]) <= kAtRest * way;
-      goes_on |= now[k] < d_hat - way && !rests;
+      const double opens = way(p, before[k]);
+      const bool rests = now[k] >= 0 && std::abs(now[k] - before[k]) <= kAtRest * opens;
+      goes_on |= now[k] < d_hat - opens && !rests;
     }
     patch.recovers = goes_on;
   }

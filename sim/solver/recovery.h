@@ -1,13 +1,14 @@
-// Bodies that overlap deeply come apart slowly (contact.recovery_speed).
+// Bodies that overlap deeply, or that a scene puts closer than they can rest, come apart slowly
+// (contact.recovery_speed).
 //
-// At a deep overlap the barrier holds far more energy than any impact brought. A pair with a contact deeper
-// than 2 d̂ at the start of a step recovers: in each of its contacts that starts at d₀ < d̂ − V h, with V the
-// speed,
+// There the barrier holds energy that nothing brought. A pair with a contact deeper than 2 d̂ at the start of
+// a step recovers, and in the first step of a scene one that is closer than d̂/2 without overlap. In each of
+// its contacts that starts at d₀ < d̂ − w, with w = min(V h, d̂ h/s + max(0, −d₀)) and V the speed,
 //
-//   Ψ(d) → q Ψ(d + s),   s = d̂ − V h − d₀,   q = Ψ'(d₀)/Ψ'(d₀ + s)
+//   Ψ(d) → q Ψ(d + s),   s = d̂ − w − d₀,   q = Ψ'(d₀)/Ψ'(d₀ + s)
 //
 // pushes at d₀ as hard as before, so that it carries the same load, and ends where the contact has opened by
-// V h. The pair recovers until its contacts are within V h of d̂, or rest without overlap. Not for the log
+// w. The pair recovers until its contacts are within w of d̂, or rest without overlap. Not for the log
 // barrier, which has no overlap.
 #pragma once
 

@@ -32,6 +32,7 @@ World pressed_stack() {
   world.params.contact.mu_static = world.params.contact.mu_dynamic = 0;
   world.params.contact.d_hat = 0.05;
   world.params.contact.kappa = 1e4;
+  world.params.contact.recovery_speed = 0;  // the barrier as it is, also for what stands too close
   world.add_ground();
   for (int k = 0; k < 4; ++k)
     world.add_cube(1, 100 * (k + 1), {0.1 * k, 0.5 + 1.01 * k, 0.05 * k}, exp_so3({0.01 * k, 0.2 * k, 0}));
