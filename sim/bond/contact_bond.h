@@ -194,6 +194,12 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   return f;
 }
 
+// Is every point too far to push, and is none held by friction? Then the patch has no energy and no force.
+[[gnu::always_inline]] inline bool feels_nothing(const Barrier& b, const ContactPatch& p, Lanes d) {
+  const LaneMask far = (d + p.shift >= b.d_hat) & (p.limit <= 0);
+  return (far[0] & far[1] & far[2] & far[3]) != 0;
+}
+
 // D(u) for a given bound: ½ k_t u² while it sticks, then linear.
 inline Lanes friction_energy(const ContactLaw& law, Lanes limit, Lanes u) {
   return select(law.k_t * u <= limit, 0.5 * law.k_t * u * u, limit * (u - limit * (0.5 / law.k_t)));
@@ -210,6 +216,7 @@ inline Lanes length(const Vec3x& v) { return sqrt(dot(v, v)); }
 
 // E of the patch, every point by itself.
 inline Lanes contact_energy(const ContactLaw& law, const ContactPatch& p, const ContactState& s) {
+  if (feels_nothing(law.barrier, p, s.d)) return lanes(0);
   return normal_force(law.barrier, p, s.d).value + friction_energy(law, p.limit, length(s.u));
 }
 

@@ -113,11 +113,15 @@ TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool mo
     const Pose& other = it.pose[end.other];
     const ContactState state =
         end.is_a ? contact_state(patch, pose, other) : contact_state(patch, other, pose);
-    const ContactForce force = normal_force(p.law.barrier, patch, state.d);
-    if (move_limits && end.owner) move_limit(patch, force);
-    if (sum(force.alpha_n) + sum(patch.limit) > 0) patch.felt = true;
     const Lanes beyond = state.d - p.law.barrier.d_hat;
     room = select(beyond < 0, room, smaller(room, beyond));
+    if (feels_nothing(p.law.barrier, patch, state.d)) {
+      if (move_limits && end.owner) move_limit(patch, {lanes(0), lanes(0), lanes(0)});
+      continue;
+    }
+    const ContactForce force = normal_force(p.law.barrier, patch, state.d);
+    if (move_limits && end.owner) move_limit(patch, force);
+    patch.felt = true;
     const ContactLevers levers = end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, other, pose);
     add_patch(p.law, patch, state, force, levers, end.is_a ? -1 : 1, c);
   }
