@@ -25,7 +25,7 @@ void write_state(const State& s, ByteWriter& out) {
     out.u64(a.pair);
     out.u32(a.feature);
     out.matrix(a.stretch);
-    out.u8(static_cast<std::uint8_t>((a.sliding ? 1 : 0) | (a.recovers ? 2 : 0)));
+    out.u8(static_cast<std::uint8_t>(flags_of(a)));
   }
   out.u32(s.joint_force.size());
   for (const Vec3& force : s.joint_force) out.matrix(force);
@@ -70,9 +70,8 @@ State read_state(ByteReader& in, Index bodies) {
     a.feature = in.u32();
     in.matrix(a.stretch);
     const std::uint8_t flags = in.u8();
-    in.require(flags <= 3, "a contact has a flag that is none");
-    a.sliding = (flags & 1) != 0;
-    a.recovers = (flags & 2) != 0;
+    in.require(flags <= kAnchorFlags, "a contact has a flag that is none");
+    set_flags(flags, a);
     in.require(a.pair >> 32 < n && (a.pair & 0xffffffffu) < n, "a contact is of a body that is none");
     in.require(k == 0 || order(s.anchors[k - 1]) < order(a), "contacts are out of order");
   }

@@ -22,9 +22,9 @@ bool same_list(const std::vector<Matrix>& a, const std::vector<Matrix>& b) {
 
 // Every member is named, so that one more does not compile until it is compared as well.
 bool same_anchor(const FrictionAnchor& a, const FrictionAnchor& b) {
-  const auto& [pair, feature, stretch, recovers, sliding] = a;
+  const auto& [pair, feature, stretch, recovers, sliding, restless] = a;
   return pair == b.pair && feature == b.feature && same_entries(stretch, b.stretch) &&
-         recovers == b.recovers && sliding == b.sliding;
+         recovers == b.recovers && sliding == b.sliding && restless == b.restless;
 }
 
 }  // namespace

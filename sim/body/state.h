@@ -22,7 +22,19 @@ struct FrictionAnchor {
                  // metres
   bool recovers = false;  // its pair comes apart after a deep overlap (solver/recovery.h)
   bool sliding = false;   // it slid at the end of the step: dynamic friction until it sticks again
+  bool restless = false;  // `newton` handed over what it is part of: `auto` lets `descent` go on
 };
+
+// The three of them as bits 0 (sliding), 1 (recovers) and 2 (restless).
+inline constexpr unsigned kAnchorFlags = 7;
+inline unsigned flags_of(const FrictionAnchor& anchor) {
+  return (anchor.sliding ? 1u : 0u) | (anchor.recovers ? 2u : 0u) | (anchor.restless ? 4u : 0u);
+}
+inline void set_flags(unsigned flags, FrictionAnchor& anchor) {
+  anchor.sliding = (flags & 1) != 0;
+  anchor.recovers = (flags & 2) != 0;
+  anchor.restless = (flags & 4) != 0;
+}
 
 struct State {
   double time = 0;                      // s

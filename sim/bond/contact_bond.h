@@ -87,6 +87,7 @@ struct ContactPatch {
   Lanes least_along;                         // least share: grows each time that the slip turns back
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
+  bool recalled = false, restless = false;   // it has a past, and FrictionAnchor::restless
   bool felt = false;                         // it pushed or held in some iterate of this step
   bool off = false;                          // its friction broke the law in the last iterate of `newton`
   double share = 1;                          // of the law's stiffness, see stiffness_cap.h

@@ -80,8 +80,8 @@ inline constexpr std::array drive{Key("value"), Key("keys")};
 inline constexpr std::array twist{Key("limits")};
 
 // Of state files as well.
-inline constexpr std::array friction_anchor{Key("bodies"), Key("feature"), Key("stretch"), Key("sliding"),
-                                            Key("recovers")};
+inline constexpr std::array friction_anchor{Key("bodies"),  Key("feature"),  Key("stretch"),
+                                            Key("sliding"), Key("restless"), Key("recovers")};
 
 }  // namespace keys
 

@@ -62,7 +62,7 @@ void read_friction_anchors(const ObjectReader& scene, SceneBuilder& out) {
     scene.record("friction_anchors", static_cast<double>(anchor.pair & 0xffffffffu));
     scene.record("friction_anchors", static_cast<double>(anchor.feature));
     scene.record("friction_anchors", anchor.stretch);
-    scene.record("friction_anchors", (anchor.sliding ? 1.0 : 0.0) + (anchor.recovers ? 2.0 : 0.0));
+    scene.record("friction_anchors", static_cast<double>(flags_of(anchor)));
   }
 }
 

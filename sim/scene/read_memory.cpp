@@ -21,6 +21,7 @@ FrictionAnchor read_anchor(const Node& node, Index count) {
   anchor.stretch = in.vec3("stretch", Range{});
   anchor.sliding = in.boolean("sliding", false);
   anchor.recovers = in.boolean("recovers", false);
+  anchor.restless = in.boolean("restless", false);
   return anchor;
 }
 

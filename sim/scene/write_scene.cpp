@@ -55,6 +55,7 @@ OrderedJson json_of_anchor(const FrictionAnchor& anchor) {
                   {"feature", anchor.feature},
                   {"stretch", json_of(anchor.stretch)}};
   if (anchor.sliding) out["sliding"] = true;
+  if (anchor.restless) out["restless"] = true;
   if (anchor.recovers) out["recovers"] = true;
   return out;
 }

@@ -68,10 +68,13 @@ void recall_friction(const std::vector<FrictionAnchor>& anchors, const ContactLa
   each_pair(patches.size(), at, [&](std::size_t first, std::size_t last) {
     const std::uint64_t pair = pair_key(at(first).a, at(first).b);
     while (next != anchors.end() && next->pair < pair) ++next;
-    const bool slides = next != anchors.end() && next->pair == pair && next->sliding;
+    const bool recalled = next != anchors.end() && next->pair == pair;
+    const bool slides = recalled && next->sliding, restless = recalled && next->restless;
     for (std::size_t j = first; j != last; ++j) {
       ContactPatch& patch = at(j);
       patch.slides = slides;
+      patch.recalled = recalled;
+      patch.restless = restless;
       patch.mu = slides ? law.mu_dynamic : law.mu_static;
       for (int k = 0; k < patch.count; ++k) {
         const auto key = std::make_tuple(pair, patch.feature[k]);
@@ -166,7 +169,7 @@ void store_friction(const Problem& p, Iterate& it, std::vector<FrictionAnchor>& 
         const Vec3 u = lane(s.u, k);
         anchors.push_back({pair_key(patch.a, patch.b), patch.feature[k],
                            kept[k] * (patch.turns ? Vec3(it.pose[patch.a].R.transpose() * u) : u),
-                           patch.recovers, slides});
+                           patch.recovers, slides, patch.restless});
       }
     }
   });

@@ -117,6 +117,12 @@ double next_move(const Task& t, double before, double now) {
   return std::min(now, 100 * now * (now / before) * (now / before));
 }
 
+// For the next step of `auto`: did `newton` hand over?
+void remember_outcome(const Task& t, const IslandReport& out, Iterate& it) {
+  if (t.p.params->solver.method != SolverMethod::automatic || t.island.jointed) return;
+  for (const Index k : t.island.patches) it.patch[k].restless = out.solver == SolverMethod::descent;
+}
+
 // Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the cap.
 void solve(Task t, Iterate& it, IslandReport& out) {
   const SolverParams& solver = t.p.params->solver;
@@ -233,9 +239,14 @@ void solve_islands(const Problem& p, const Islands& islands, const Workers& work
       out.status = StepStatus::interrupted;
       return;
     }
-    solve({p, island, with, memory, newton ? memory.newton[k].get() : nullptr,
-           record ? &memory.records[k] : nullptr},
-          it, out);
+    const Task task{p,
+                    island,
+                    with,
+                    memory,
+                    newton ? memory.newton[k].get() : nullptr,
+                    record ? &memory.records[k] : nullptr};
+    solve(task, it, out);
+    remember_outcome(task, out, it);
     if (out.status == StepStatus::interrupted) stopped = true;
   };
   std::size_t next = 0;

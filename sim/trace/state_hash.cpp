@@ -29,7 +29,7 @@ std::string state_hash(const State& state) {
     hash.add_word(anchor.pair);
     hash.add_word(anchor.feature);
     add(hash, anchor.stretch);
-    hash.add_word((anchor.sliding ? 1u : 0u) | (anchor.recovers ? 2u : 0u));
+    hash.add_word(flags_of(anchor));
   }
   for (const Vec3& force : state.joint_force) add(hash, force);
   return hash.hex();

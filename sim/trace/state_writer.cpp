@@ -32,6 +32,7 @@ class StateWriter {
                      anchor.pair >> 32, anchor.pair & 0xffffffffu, anchor.feature);
       numbers(anchor.stretch);
       if (anchor.sliding) text(", \"sliding\": true");
+      if (anchor.restless) text(", \"restless\": true");
       text(anchor.recovers ? ", \"recovers\": true }" : " }");
       first = false;
     }

@@ -17,6 +17,7 @@ State some_state() {
   state.R = {Mat3::Identity(), Mat3::Identity()};
   state.v = {{7, 8, 9}, {0, 0, 0}};
   state.omega = {{0, 1, 0}, {2, 0, 0}};
+  state.joint_force = {{0, -0.0, 1}};
   state.anchors = {{3, 4, {0, 1, 2}, false, false}, {3, 5, {0, 1, 2}, false, true}};
   return state;
 }
@@ -38,8 +39,11 @@ TEST_CASE("states differ where any number does that the next step depends on") {
       [](State& s) { s.anchors[0].feature = 3; },
       [](State& s) { s.anchors[1].stretch.y() = std::nextafter(1.0, 2); },
       [](State& s) { s.anchors[1].sliding = false; },
+      [](State& s) { s.anchors[1].restless = true; },
       [](State& s) { s.anchors[0].recovers = true; },
       [](State& s) { s.anchors.pop_back(); },
+      [](State& s) { s.joint_force[0].z() = std::nextafter(1.0, 2); },
+      [](State& s) { s.joint_force.clear(); },
   };
   for (std::size_t k = 0; k < std::size(changes); ++k) {
     State changed = some_state();

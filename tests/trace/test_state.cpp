@@ -133,6 +133,7 @@ TEST_CASE("every number of a state enters its hash", "[trace]") {
   changed([&](State& s) { s.anchors[0].feature ^= 1; });
   changed([&](State& s) { s.anchors[0].pair ^= 1; });
   changed([&](State& s) { s.anchors[0].sliding = true; });
+  changed([&](State& s) { s.anchors[0].restless = true; });
   changed([&](State& s) { next(s.anchors[0].stretch[2]); });
   changed([&](State& s) { s.anchors.pop_back(); });
   for (int k = 0; k < 3; ++k) changed([&](State& s) { next(s.joint_force[1][k]); });
