@@ -36,10 +36,12 @@ struct BenchOptions {
   std::int64_t repeat = 1;
   std::string json;
   bool force = false;
+  bool solvers = false;
 };
 
 struct BenchScene {
   std::string name;
+  std::string asked;  // the solver, where several are compared
   std::shared_ptr<const Scene> scene;
   std::int64_t steps;
 };
@@ -77,7 +79,15 @@ std::vector<BenchScene> open_scenes(const BenchOptions& options, InputFiles& inp
     auto scene = std::make_shared<const Scene>(load_scene(file, options.common.sets));
     for (const auto& read : scene->files) inputs.add(read);
     const std::int64_t steps = step_count(options, name, *scene);
-    scenes.push_back({name, std::move(scene), steps});
+    if (!options.solvers) {
+      scenes.push_back({name, "", std::move(scene), steps});
+      continue;
+    }
+    for (const SolverMethod method : {SolverMethod::automatic, SolverMethod::descent, SolverMethod::newton}) {
+      auto with = std::make_shared<Scene>(*scene);
+      with->params.solver.method = method;
+      scenes.push_back({name, to_string(method), std::move(with), steps});
+    }
   }
   return scenes;
 }
@@ -106,6 +116,7 @@ class Bench {
   void measure(const BenchScene& scene) {
     BenchRow row;
     row.scene = scene.name;
+    row.asked = scene.asked;
     row.bodies = scene.scene->model.size();
     row.joints = scene.scene->model.joints.size();
     Progress progress(printable(scene.name) + ", step", scene.steps * options_.repeat,
@@ -167,7 +178,10 @@ int bench(const BenchOptions& options) {
     if (bench.interrupt().requested()) break;
     bench.measure(scene);
   }
-  if (options.json != "-") write_stdout(bench_markdown(head, bench.rows()));
+  if (options.json != "-") {
+    write_stdout(bench_markdown(head, bench.rows()));
+    if (options.solvers) write_stdout(choice_markdown(bench.rows()));
+  }
   if (json) {
     json->write(bench_json(head, bench.rows()).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
                 "\n");
@@ -201,6 +215,9 @@ void add_bench_command(CLI::App& app, Action& action) {
                    "write the same as JSON, SI units and ms; -: to standard output in place of the table")
       ->type_name("JSON");
   command->add_flag("--force", options->force, "overwrite what exists");
+  command->add_flag("--solvers", options->solvers,
+                    "measure every scene with auto, descent and newton; a second table tells what auto costs "
+                    "against the cheaper of the two");
   add_scene_options(*command, options->common);
   command->callback([options, &action] { action = [options] { return bench(*options); }; });
 }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "sim/scene/text.h"
@@ -34,11 +36,15 @@ nlohmann::ordered_json to_json(const StepCounts& counts) {
   return json;
 }
 
+std::string name_of(const BenchRow& row) {
+  return row.asked.empty() ? cell(row.scene) : fmt::format("{}, {}", cell(row.scene), row.asked);
+}
+
 std::string table_row(const BenchRow& row) {
   const StepStatistics& s = row.statistics;
   return fmt::format(
       "| {} | {} | {} | {} | {} | {:.4g} | {:.4g} | {:.1f} | {:.0f} | {:.3g} | {} | {:.3g} | {} |\n",
-      cell(row.scene), row.bodies, row.joints, solver_text(s.solvers()), s.steps, median(row.wall_ms),
+      name_of(row), row.bodies, row.joints, solver_text(s.solvers()), s.steps, median(row.wall_ms),
       median(row.cpu_ms), s.iterations_a_step(), s.contacts_a_step(), 1e3 * s.max_penetration,
       row.joints > 0 ? fmt::format("{:.2g}", s.max_joint_error) : "–", row.kinetic, to_text(s.outcomes()));
 }
@@ -67,11 +73,30 @@ std::string bench_markdown(const BenchHead& head, const std::vector<BenchRow>& r
   return text;
 }
 
+std::string choice_markdown(const std::vector<BenchRow>& rows) {
+  std::string text =
+      "\n| scene | auto, mean CPU ms/step | descent | newton | auto / the cheaper |\n|---|--:|--:|--:|--:|\n";
+  const auto cost = [&](const BenchRow& of, std::string_view solver) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const BenchRow& other) {
+      return other.scene == of.scene && other.asked == solver;
+    });
+    return row == rows.end() ? std::numeric_limits<double>::quiet_NaN() : mean(row->cpu_ms);
+  };
+  for (const BenchRow& row : rows) {
+    if (row.asked != "auto") continue;
+    const double own = cost(row, "auto"), descent = cost(row, "descent"), newton = cost(row, "newton");
+    text += fmt::format("| {} | {:.4g} | {:.4g} | {:.4g} | {:.2f} |\n", cell(row.scene), own, descent, newton,
+                        own / std::fmin(descent, newton));
+  }
+  return text;
+}
+
 nlohmann::ordered_json bench_json(const BenchHead& head, const std::vector<BenchRow>& rows) {
   auto scenes = nlohmann::ordered_json::array();
   for (const BenchRow& row : rows) {
     const StepStatistics& s = row.statistics;
     scenes.push_back({{"scene", row.scene},
+                      {"asked", row.asked},
                       {"bodies", row.bodies},
                       {"joints", row.joints},
                       {"steps", s.steps},

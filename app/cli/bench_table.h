@@ -13,6 +13,7 @@ namespace pabd::cli {
 // One scene. All repetitions make the same steps, so that only times have more than one.
 struct BenchRow {
   std::string scene;
+  std::string asked;  // the solver that was asked for, where several are compared
   int bodies = 0;
   std::size_t joints = 0;
   StepStatistics statistics;    // of the first repetition
@@ -33,6 +34,9 @@ struct BenchHead {
 
 // Of an even number the mean of the middle two; 0 of none.
 double median(std::vector<double> values);
+
+// CPU time a step of `auto` over that of the cheaper of the other solvers, scene by scene: a second table.
+std::string choice_markdown(const std::vector<BenchRow>& rows);
 
 std::string bench_markdown(const BenchHead& head, const std::vector<BenchRow>& rows);
 nlohmann::ordered_json bench_json(const BenchHead& head, const std::vector<BenchRow>& rows);

@@ -113,6 +113,26 @@ TEST_CASE("a row a scene with what they did, and the machine above") {
   }
 }
 
+TEST_CASE("--solvers measures auto against descent and newton") {
+  const TempFolder folder;
+  const Outcome outcome = run_pabd({"bench", "stack", "pendulum", "--steps", "5", "--threads", "1",
+                                    "--solvers", "--json", folder / "bench.json"});
+  REQUIRE(outcome.exit_code == 0);
+  const auto rows = table_of(outcome.out);
+  REQUIRE(rows.size() == 1 + 6 + 1 + 2);
+  CHECK(rows[1][0] == "stack, auto");
+  CHECK(rows[2][0] == "stack, descent");
+  CHECK(rows[2][3] == "descent");
+  CHECK(rows[6][0] == "pendulum, newton");
+  CHECK(rows[6][3] == "newton");
+  CHECK(rows[7].back() == "auto / the cheaper");
+  for (const std::size_t k : {8u, 9u}) {
+    const double cheaper = std::min(std::stod(rows[k][2]), std::stod(rows[k][3]));
+    CHECK(std::stod(rows[k][4]) == Approx(std::stod(rows[k][1]) / cheaper).margin(0.02));
+  }
+  CHECK(json::parse(read_text(folder / "bench.json"))["scenes"][5]["asked"] == "newton");
+}
+
 TEST_CASE("--time counts as for 'run', --set holds for every scene, --json - stands in place of the table") {
   const Outcome outcome = run_pabd({"bench", "stack", "two_boxes", "--time", "0.1", "--set", "time_step=0.01",
                                     "--set", "solver.method=sissm", "--quiet", "--json", "-"});
