@@ -76,6 +76,7 @@ struct ContactPatch {
   Vec3x normal_a;                 // frame of a
   Vec3x normal_b;                 // frame of b
   Lanes gap;                      // d where the normal points coincide
+  Lanes start_d;                  // d where the step starts
   bool slides;                    // the pair of bodies has let go: dynamic friction
   double mu;                      // coefficient of this step
   Lanes limit;                    // friction bound of this iteration
@@ -92,6 +93,12 @@ struct ContactPatch {
   bool off = false;                          // its friction broke the law in the last iterate of `newton`
   double share = 1;                          // of the law's stiffness, see stiffness_cap.h
 };
+
+inline double smallest_start_d(const ContactPatch& patch) {
+  double d = patch.start_d[0];
+  for (int k = 1; k < patch.count; ++k) d = d < patch.start_d[k] ? d : patch.start_d[k];
+  return d;
+}
 
 // What all contacts of a step share.
 struct ContactLaw {
@@ -145,6 +152,13 @@ struct ContactForce {
     s.short_b = r.radius_b * (1 - r.b->slope);
   }
   return s;
+}
+
+// Its d alone.
+[[gnu::always_inline]] inline Lanes contact_gap(const ContactPatch& p, const Pose& a, const Pose& b) {
+  const Vec3x n = p.turns ? rotate(a.R, p.n) : p.n;
+  const Vec3x normal_y = spread(b.c - a.c) + rotate(b.R, p.normal_b);
+  return p.gap + dot(n, normal_y - rotate(a.R, p.normal_a));
 }
 
 // Levers of the normal force and of friction from the centre of one end of the patch; world.

@@ -64,8 +64,9 @@ ContactPatch empty_patch(const Model& model, Index a, Index b) {
   const Vec3x zero = spread(Vec3::Zero());
   const bool flat_a = roundness(model.shape[a]) == 0;
   const bool flat = flat_a && roundness(model.shape[b]) == 0;
-  return {a,    b,           0,     flat_a, !flat,    nullptr,  {},       zero, zero,     zero,       zero,
-          zero, lanes(1e30), false, 0,      lanes(0), lanes(0), lanes(1), zero, lanes(1), lanes(0.02)};
+  return {a,        b,        0,        flat_a, !flat,       nullptr,     {},    zero,
+          zero,     zero,     zero,     zero,   lanes(1e30), lanes(1e30), false, 0,
+          lanes(0), lanes(0), lanes(1), zero,   lanes(1),    lanes(0.02)};
 }
 
 // Puts the point into the next lane, in the frames of the bodies.
@@ -119,17 +120,41 @@ void set_rolling(Problem& p, Iterate& it) {
   }
 }
 
-void make_patches(const Problem& p, Detection& from, std::vector<ContactPatch>& out) {
+// Points that belong together lie side by side already; features of a pair come in order of their owner.
+void sort_points(std::vector<ContactPoint>& points) {
   const auto before = [](const ContactPoint& x, const ContactPoint& y) { return sort_key(x) < sort_key(y); };
-  if (!std::is_sorted(from.points.begin(), from.points.end(), before))
-    std::sort(from.points.begin(), from.points.end(), before);
-  out.clear();
-  for (const ContactPoint& point : from.points) {
-    const bool fits =
-        !out.empty() && out.back().a == point.a && out.back().b == point.b && out.back().count < kLanes;
-    if (!fits) out.push_back(empty_patch(*p.model, point.a, point.b));
-    add_point(p, point, from, out.back());
+  for (auto first = points.begin(); first != points.end();) {
+    const std::uint64_t key = pair_key(first->a, first->b);
+    const auto last =
+        std::find_if(first, points.end(), [&](const ContactPoint& p) { return pair_key(p.a, p.b) != key; });
+    if (!std::is_sorted(first, last, before)) std::sort(first, last, before);
+    first = last;
   }
+}
+
+// Cuts the points into patches: patch k begins with point first[k], and first ends with their number.
+void cut(const std::vector<ContactPoint>& points, std::vector<std::size_t>& first) {
+  first.clear();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const bool fits = !first.empty() && points[first.back()].a == points[k].a &&
+                      points[first.back()].b == points[k].b && k - first.back() < kLanes;
+    if (!fits) first.push_back(k);
+  }
+  first.push_back(points.size());
+}
+
+void make_patches(const Problem& p, const Workers& workers, Detection& from, std::vector<ContactPatch>& out) {
+  sort_points(from.points);
+  cut(from.points, from.first_point);
+  out.resize(from.first_point.size() - 1);
+  workers.for_each(out.size(), [&](std::size_t k) {
+    const ContactPoint* point = from.points.data() + from.first_point[k];
+    const ContactPoint* end = from.points.data() + from.first_point[k + 1];
+    ContactPatch& patch = out[k];
+    patch = empty_patch(*p.model, point->a, point->b);
+    for (; point != end; ++point) add_point(p, *point, from, patch);
+    patch.start_d = contact_gap(patch, p.start_pose(patch.a), p.start_pose(patch.b));
+  });
 }
 
 }  // namespace
@@ -149,7 +174,7 @@ void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterat
   memory.collision.stop = workers.stop;
   detect(*p.model, memory.c, memory.R, memory.reach, p.model->no_collide, workers.threads, memory.collision,
          memory.points);
-  make_patches(p, memory, it.patch);
+  make_patches(p, workers, memory, it.patch);
   set_rolling(p, it);
   recall_friction(p.start->anchors, p.law, it.patch);
 }
@@ -167,10 +192,7 @@ void first_iterate(const Problem& p, Iterate& it) {
   }
   const Vec3 fall = p.params->h * p.params->h * p.params->gravity;
   for (const ContactPatch& patch : it.patch) {
-    const ContactState start = contact_state(patch, p.start_pose(patch.a), p.start_pose(patch.b));
-    double gap = start.d[0];
-    for (int k = 1; k < patch.count; ++k) gap = std::min(gap, start.d[k]);
-    if (gap >= p.law.barrier.d_hat) continue;
+    if (smallest_start_d(patch) >= p.law.barrier.d_hat) continue;
     for (const Index i : {patch.a, patch.b}) {
       if (p.movable(i)) it.pose[i].c = p.flight->star[i].c - fall;
     }

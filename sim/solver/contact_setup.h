@@ -13,6 +13,7 @@ struct Detection {
   std::vector<Mat3> R;
   std::vector<double> reach;  // m
   std::vector<ContactPoint> points;
+  std::vector<std::size_t> first_point;  // of each patch, and their number
 };
 
 // The law of all contacts of a step.

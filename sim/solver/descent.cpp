@@ -152,7 +152,7 @@ void descent_sweep(const Problem& p, const Island& island, const DescentSweep& s
   for (std::size_t k = 0; k + 1 < island.first_of_color.size() && !workers.stop.requested(); ++k) {
     const Index first = island.first_of_color[k];
     const auto count = static_cast<std::size_t>(island.first_of_color[k + 1] - first);
-    workers.for_each(count, [&](std::size_t j) {
+    workers.for_each_in_sweep(count, [&](std::size_t j) {
       const Index i = island.colored[static_cast<std::size_t>(first) + j];
       memory.rests[i] = is_quiet(p, it, i, bound);
       if (!memory.rests[i]) relax_body(p, i, sweep, memory.last_step[i], it);

@@ -91,11 +91,10 @@ void start_friction(const Problem& p, const Workers& workers, Iterate& it) {
   if (p.law.mu_static == 0) return;
   workers.for_each(it.patch.size(), [&](std::size_t j) {
     ContactPatch& patch = it.patch[j];
-    const ContactState state = contact_state(patch, p.start_pose(patch.a), p.start_pose(patch.b));
     const Barrier& barrier = p.law_of(patch).barrier;
     // One that parts before the first iterate holds nothing back.
     const LaneMask pushes = normal_force(barrier, patch, state_of(it, patch).d).first < 0;
-    patch.limit = select(pushes, -patch.mu * normal_force(barrier, patch, state.d).first, lanes(0));
+    patch.limit = select(pushes, -patch.mu * normal_force(barrier, patch, patch.start_d).first, lanes(0));
   });
 }
 

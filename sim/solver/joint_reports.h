@@ -7,8 +7,8 @@
 namespace pabd {
 
 // One report a joint of the model, in order of number: the sums of the forces of its bonds at the iterate,
-// which are those that the step was made with where it converged. `solved`: of each joint what the solver found
-// (State::joint_force); joints with one bond report that. Pulls are none of them.
+// which are those that the step was made with where it converged. `solved`: of each joint what the solver
+// found (State::joint_force); joints with one bond report that. Pulls are none of them.
 void report_joints(const Problem& p, const Iterate& it, const std::vector<Vec3>& solved,
                    std::vector<JointReport>& out);
 

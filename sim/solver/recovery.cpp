@@ -15,10 +15,6 @@ constexpr double kTouch = 1e-3,
 constexpr double kSlow = 1;      // d̂ a second
 constexpr double kAtRest = 0.1;  // of the way of a step
 
-ContactState state_at_start(const Problem& p, const ContactPatch& patch) {
-  return contact_state(patch, p.start_pose(patch.a), p.start_pose(patch.b));
-}
-
 // How far a contact opens in a step.
 double way(const Problem& p, double d) {
   const double h = p.params->h, slow = kSlow * p.law.barrier.d_hat * h;
@@ -30,9 +26,7 @@ void mark(const Problem& p, std::vector<ContactPatch>& patches) {
   const double d_hat = p.law.barrier.d_hat;
   const bool starts = p.start->step == 0 && p.start->anchors.empty();
   for (ContactPatch& patch : patches) {
-    const ContactState s = state_at_start(p, patch);
-    double closest = s.d[0];
-    for (int k = 1; k < patch.count; ++k) closest = std::min(closest, s.d[k]);
+    const double closest = smallest_start_d(patch);
     patch.recovers =
         closest < -kDeep * d_hat || (starts && closest >= -kTouch * d_hat && closest < kBorn * d_hat);
   }
@@ -69,12 +63,11 @@ void start_recovery(const Problem& p, Iterate& it) {
   spread_to_pairs(it.patch);
   for (ContactPatch& patch : it.patch) {
     if (!patch.recovers) continue;
-    const ContactState s = state_at_start(p, patch);
     for (int k = 0; k < patch.count; ++k) {
-      const double end = barrier.d_hat - way(p, s.d[k]);  // d₀ + s
-      if (!(s.d[k] < end)) continue;
-      patch.shift[k] = end - s.d[k];
-      patch.scale[k] = evaluate(barrier, s.d[k]).first / evaluate(barrier, end).first;
+      const double d = patch.start_d[k], end = barrier.d_hat - way(p, d);  // d₀ and d₀ + s
+      if (!(d < end)) continue;
+      patch.shift[k] = end - d;
+      patch.scale[k] = evaluate(barrier, d).first / evaluate(barrier, end).first;
     }
   }
 }
@@ -83,7 +76,7 @@ void finish_recovery(const Problem& p, Iterate& it) {
   const double d_hat = p.law.barrier.d_hat;
   for (ContactPatch& patch : it.patch) {
     if (!patch.recovers) continue;
-    const Lanes before = state_at_start(p, patch).d, now = state_of(it, patch).d;
+    const Lanes before = patch.start_d, now = state_of(it, patch).d;
     bool goes_on = false;
     for (int k = 0; k < patch.count; ++k) {
       const double opens = way(p, before[k]);

@@ -6,8 +6,9 @@
 
 namespace pabd {
 
-// Bodies or contacts that a thread takes at a time: some ten microseconds of work.
-inline constexpr std::size_t kBlock = 64;
+// What a thread takes at a time, some microseconds of work: bodies or contacts of a simple loop, and bodies
+// of a sweep. A colour of a pile of a thousand has a hundred bodies, and is worth sharing.
+inline constexpr std::size_t kBlock = 64, kSweepBlock = 8;
 
 struct Workers {
   Team& team;
@@ -17,6 +18,10 @@ struct Workers {
   template <class Body>
   void for_each(std::size_t count, const Body& body) const {
     team.for_each(threads, count, kBlock, body);
+  }
+  template <class Body>
+  void for_each_in_sweep(std::size_t count, const Body& body) const {
+    team.for_each(threads, count, kSweepBlock, body);
   }
   // For work inside a piece of work that is shared already.
   Workers alone() const { return {team, 1, stop}; }
