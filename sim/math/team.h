@@ -48,14 +48,13 @@ class Team {
   // are started when first needed. What `body` throws is thrown here.
   template <class Body>
   void for_each(int threads, std::size_t count, std::size_t block, const Body& body) {
-    if (!shares(threads, count, block)) {
-      for (std::size_t k = 0; k < count; ++k) body(k);
-      return;
-    }
-    share(threads, {[](const void* f, std::size_t begin, std::size_t end) {
-                      for (std::size_t k = begin; k < end; ++k) (*static_cast<const Body*>(f))(k);
-                    },
-                    &body, count, std::min(block, sharing_.largest_block)});
+    run(shares(threads, count, block), threads, count, block, body);
+  }
+
+  // The same one by one, for few large items: `pays` is for the caller to know.
+  template <class Body>
+  void for_each_large(int threads, std::size_t count, bool pays, const Body& body) {
+    run(threads > 1 && count > 1 && pays, threads, count, 1, body);
   }
 
  private:
@@ -66,6 +65,17 @@ class Team {
   };
   struct Shared;
 
+  template <class Body>
+  void run(bool shared, int threads, std::size_t count, std::size_t block, const Body& body) {
+    if (!shared) {
+      for (std::size_t k = 0; k < count; ++k) body(k);
+      return;
+    }
+    share(threads, {[](const void* f, std::size_t begin, std::size_t end) {
+                      for (std::size_t k = begin; k < end; ++k) (*static_cast<const Body*>(f))(k);
+                    },
+                    &body, count, std::min(block, sharing_.largest_block)});
+  }
   void share(int threads, const Loop& loop);
 
   Sharing sharing_;

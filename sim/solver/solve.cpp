@@ -14,8 +14,9 @@
 namespace pabd {
 namespace {
 
-// An island of so many bodies is shared by all threads; smaller ones are solved side by side.
-constexpr std::size_t kShared = 512;
+// An island of so many bodies is shared by all threads; smaller ones are solved side by side, where they have
+// so many bodies together that another thread is worth waking.
+constexpr std::size_t kShared = 512, kSideBySide = 32;
 
 // Does the sweep of `descent` move the friction bounds as well?
 bool sweeps_limits(const Problem& p, const Island& island) {
@@ -253,8 +254,11 @@ void solve_islands(const Problem& p, const Islands& islands, const Workers& work
   for (; next < memory.order.size() && islands.list[memory.order[next]].bodies.size() >= kShared; ++next)
     solve_one(memory.order[next], workers);
   const Workers alone = workers.alone();
-  workers.team.for_each(workers.threads, memory.order.size() - next, 1,
-                        [&](std::size_t k) { solve_one(memory.order[next + k], alone); });
+  std::size_t bodies = 0;
+  for (std::size_t k = next; k < memory.order.size(); ++k)
+    bodies += islands.list[memory.order[k]].bodies.size();
+  workers.team.for_each_large(workers.threads, memory.order.size() - next, bodies >= kSideBySide,
+                              [&](std::size_t k) { solve_one(memory.order[next + k], alone); });
   sum_up(p.params->solver.method, report);
   if (record && !islands.list.empty()) merge_records(memory.records, islands.list.size(), report);
 }

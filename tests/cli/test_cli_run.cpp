@@ -135,6 +135,23 @@ TEST_CASE("a run that is stopped and continued ends as one in a piece") {
   CHECK(end_hash({"--steps", "9", "--from", half}) == end_hash({"--steps", "20"}));
 }
 
+TEST_CASE("what joints and contacts remember goes on through a state file") {
+  // Joints alone, joints and contacts, contacts that newton hands over.
+  for (const std::string scene : {"chain_heavy_end", "ragdoll", "chairs"}) {
+    CAPTURE(scene);
+    const TempFolder folder;
+    const auto run = [&](std::vector<std::string> more, const std::string& end) {
+      std::vector<std::string> command = {"run", scene, "--quiet", "--state", folder / end, "--steps"};
+      command.insert(command.end(), more.begin(), more.end());
+      REQUIRE(run_pabd(command).exit_code == 0);
+      return read_text(folder / end);
+    };
+    const std::string whole = run({"50"}, "whole.json");
+    run({"37"}, "half.json");
+    CHECK(run({"13", "--from", folder / "half.json"}, "end.json") == whole);
+  }
+}
+
 TEST_CASE("a state of another scene is refused") {
   const TempFolder folder;
   REQUIRE(run_pabd({"run", "stack", "--steps", "1", "--quiet", "--state", folder / "s.json"}).exit_code == 0);

@@ -63,6 +63,25 @@ TEST_CASE("a loop is shared from as many blocks on as the team was told") {
   CHECK(usual.ranges(3, 512, 64) == 12);
 }
 
+TEST_CASE("a few large items are shared where the caller says that it pays") {
+  Team team;
+  std::vector<std::thread::id> by(3);
+  team.for_each_large(3, by.size(), false, [&](std::size_t k) { by[k] = std::this_thread::get_id(); });
+  CHECK(by == std::vector<std::thread::id>(3, std::this_thread::get_id()));
+
+  // Each item waits for the others: with a thread too few they would wait to the end of their patience.
+  constexpr long kPatience = 100'000'000;
+  Team all(Sharing{8, 64, true});
+  std::atomic<int> begun{0}, alone{0};
+  all.for_each_large(3, 3, true, [&](std::size_t) {
+    ++begun;
+    long k = 0;
+    while (begun < 3 && ++k < kPatience) std::this_thread::yield();
+    if (begun < 3) ++alone;
+  });
+  CHECK(alone == 0);
+}
+
 TEST_CASE("a contrary team has every thread in every loop, down to one item each") {
   for (const int threads : {2, 3, 8}) {
     Team team(Sharing{1, 1, true});
