@@ -289,6 +289,7 @@ void start_newton(const Problem& p, const Island& island, const Iterate& it, New
 bool newton_iteration(const Problem& p, const Island& island, const Workers& workers, NewtonSystem& system,
                       Iterate& it) {
   if (system.dual && !iterate_by_forces(p, island, workers.stop, system, it)) {
+    if (workers.stop.requested()) return true;
     if (!find_body_structure(p, island, it, system)) return false;
     system.dual = false;
     recall_forces(system);
