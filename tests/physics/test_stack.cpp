@@ -129,8 +129,8 @@ TEST_CASE("walls and pyramids of bricks come to rest upright, also where they st
   };
   // Without gaps the rows have to rise by d̂ each first.
   for (const Case c :
-       {Case{20, 20, true, 0, 2e-3}, Case{20, 20, true, 0.3, 2e-3}, Case{20, 20, true, 0.95, 2e-3},
-        Case{14, 9, false, 0, 2e-3}, Case{14, 9, false, 0.1, 2e-3}, Case{14, 9, false, 0.95, 2e-3}}) {
+       {Case{20, 20, true, 0, 2e-3}, Case{20, 20, true, 0.95, 2e-3}, Case{14, 9, false, 0, 2e-3},
+        Case{14, 9, false, 0.1, 2e-3}, Case{14, 9, false, 0.95, 2e-3}}) {
     World world = bricks(c.rows, c.columns, c.pyramid, c.gap * ContactParams{}.d_hat);
     const Index top = world.model.size() - 1;
     const Vec3 start = world.state.c[top];
@@ -147,7 +147,7 @@ TEST_CASE("walls and pyramids of bricks come to rest upright, also where they st
 
 TEST_CASE("a wall whose bricks touch on all sides widens by d̂ a joint, and does not burst") {
   const auto [rows, columns, gap] =
-      GENERATE(table<int, int, double>({{9, 14, 0.0}, {9, 14, 0.2}, {20, 20, 0.0}, {5, 3, 0.0}}));
+      GENERATE(table<int, int, double>({{9, 14, 0.0}, {6, 9, 0.2}, {5, 3, 0.0}}));
   World world;
   world.add_ground();
   const double d_hat = world.params.contact.d_hat, space = gap * d_hat;
