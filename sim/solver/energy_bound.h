@@ -1,4 +1,5 @@
-// What keeps `sissm` from making energy (Deviation D18). For each island of bodies that hang together
+// What keeps `sissm` from making energy, and `newton` where a jointed island did not converge (Deviation
+// D18). For each island of bodies that hang together
 //
 //   H = Σ ½ m ‖v‖² + ½ ωᵀ I ω − m g·c + Σ Ψ      bonds of this step, with the stiffness they have in it   J
 //   W = Σ f·Δy                                  work of its drives: force on a driven point at the end      J

@@ -85,10 +85,16 @@ void find_motion(const Problem& p, StepMemory& m) {
   balance_velocities(p, m.iterate, m.groups, m.velocities);
 }
 
-// Islands of `sissm` that would gain energy go a part of their way.
+// Islands of `sissm`, and jointed ones whose solve ended too early, go a part of their way where they would
+// gain energy.
 void bound_energy(const Problem& p, StepMemory& m, StepReport& report) {
-  if (!bounds_energy(p.params->solver)) return;
-  for (const Island& island : m.islands.list) {
+  const bool all = bounds_energy(p.params->solver);
+  for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
+    const Island& island = m.islands.list[k];
+    const IslandReport& outcome = report.islands[k];
+    const bool early = island.jointed && outcome.solver == SolverMethod::newton &&
+                       outcome.status == StepStatus::iteration_limit && p.params->solver.iterations > 1;
+    if (!all && !early) continue;
     const int held = bound_energy(p, island, m.scratch, m.iterate, m.velocities);
     if (held > 0) unbalance(island, m.groups);
     report.held_bodies += held;
