@@ -96,7 +96,6 @@ nlohmann::ordered_json bench_json(const BenchHead& head, const std::vector<Bench
   for (const BenchRow& row : rows) {
     const StepStatistics& s = row.statistics;
     scenes.push_back({{"scene", row.scene},
-                      {"asked", row.asked},
                       {"bodies", row.bodies},
                       {"joints", row.joints},
                       {"steps", s.steps},
@@ -112,6 +111,7 @@ nlohmann::ordered_json bench_json(const BenchHead& head, const std::vector<Bench
                       {"max_joint_error", s.max_joint_error},
                       {"kinetic", row.kinetic},
                       {"state", row.hash}});
+    if (!row.asked.empty()) scenes.back()["asked"] = row.asked;
   }
   return {{"version", PABD_VERSION},
           {"date", head.date},

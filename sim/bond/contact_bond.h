@@ -75,17 +75,17 @@ struct ContactPatch {
   Vec3x rolled;                   // part of the slip that the step starts with; separate patches
   Vec3x normal_a;                 // frame of a
   Vec3x normal_b;                 // frame of b
-  Lanes gap;                      // d where the normal points coincide
-  Lanes start_d;                  // d where the step starts
+  Lanes gap = lanes(1e30);        // d where the normal points coincide
+  Lanes start_d = lanes(1e30);    // d where the step starts
   bool slides;                    // the pair of bodies has let go: dynamic friction
   double mu;                      // coefficient of this step
   Lanes limit;                    // friction bound of this iteration
   Lanes last_change;              // that μ f_n asked for
-  Lanes gain;  // share of the next change: less where the bound swings, more where it does not
+  Lanes gain = lanes(1);  // share of the next change: less where the bound swings, more where it does not
   // For `newton`, see ease_slip.
   Vec3x last_u;                              // stretch of the last iterate
-  Lanes along;                               // share of the weight α_t that acts along the slip
-  Lanes least_along;                         // least share: grows each time that the slip turns back
+  Lanes along = lanes(1);                    // share of the weight α_t that acts along the slip
+  Lanes least_along = lanes(0.02);           // least share: grows each time that the slip turns back
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
   bool recalled = false, restless = false;   // it has a past, and FrictionAnchor::restless
@@ -130,18 +130,32 @@ struct ContactForce {
   Lanes alpha_n;  // weight along the normal: tangent split; N/m
 };
 
+// The planes of a and the normal points of b; world, from c_a.
+struct ContactPlanes {
+  Vec3x n, normal_y, offset;  // offset: from a's normal points to b's
+  Lanes along;                // of it along n
+};
+[[gnu::always_inline]] inline ContactPlanes contact_planes(const ContactPatch& p, const Pose& a,
+                                                           const Pose& b) {
+  ContactPlanes at;
+  at.n = p.turns ? rotate(a.R, p.n) : p.n;
+  at.normal_y = spread(b.c - a.c) + rotate(b.R, p.normal_b);
+  at.offset = at.normal_y - rotate(a.R, p.normal_a);
+  at.along = dot(at.n, at.offset);
+  return at;
+}
+
 // Always inlined: sixteen vector registers' worth of results would go through memory otherwise, and loads
 // that follow such stores wait for them (measured: 40 % of a step).
 [[gnu::always_inline]] inline ContactState contact_state(const ContactPatch& p, const Pose& a,
                                                          const Pose& b) {
+  const ContactPlanes at = contact_planes(p, a, b);
   ContactState s;
-  s.n = p.turns ? rotate(a.R, p.n) : p.n;
-  s.normal_y = spread(b.c - a.c) + rotate(b.R, p.normal_b);
-  const Vec3x offset = s.normal_y - rotate(a.R, p.normal_a);
-  const Lanes along = dot(s.n, offset);
+  s.n = at.n;
+  s.normal_y = at.normal_y;
+  s.d = p.gap + at.along;
   const Vec3x before = p.separate ? p.stretch + p.rolled : p.stretch;
-  s.d = p.gap + along;
-  s.u = offset - along * s.n + (p.turns ? rotate(a.R, before) : before);
+  s.u = at.offset - at.along * s.n + (p.turns ? rotate(a.R, before) : before);
   s.y = s.normal_y;
   if (p.separate) {
     const Rolling& r = *p.rolling;
@@ -152,13 +166,6 @@ struct ContactForce {
     s.short_b = r.radius_b * (1 - r.b->slope);
   }
   return s;
-}
-
-// Its d alone.
-[[gnu::always_inline]] inline Lanes contact_gap(const ContactPatch& p, const Pose& a, const Pose& b) {
-  const Vec3x n = p.turns ? rotate(a.R, p.n) : p.n;
-  const Vec3x normal_y = spread(b.c - a.c) + rotate(b.R, p.normal_b);
-  return p.gap + dot(n, normal_y - rotate(a.R, p.normal_a));
 }
 
 // Levers of the normal force and of friction from the centre of one end of the patch; world.

@@ -6,6 +6,14 @@
 #include "sim/bond/point_bond.h"
 
 namespace pabd {
+namespace {
+
+BondLaw with_unit_kappa(BondLaw law) {
+  law.kappa = 1;
+  return law;
+}
+
+}  // namespace
 
 JointLoad joint_load(const Model& model, const Vec3& gravity) {
   double mass = 0, smallest = std::numeric_limits<double>::infinity();
@@ -20,13 +28,7 @@ JointLoad joint_load(const Model& model, const Vec3& gravity) {
 
 double auto_joint_kappa(const JointLoad& load, const BondLaw& law) {
   if (load.weight == 0) return 1;
-  BondLaw unit = law;
-  unit.kappa = 1;
-  return load.weight / evaluate(unit, 1e-8 * load.smallest).first;
-}
-
-double auto_joint_kappa(const Model& model, const Vec3& gravity, const BondLaw& law) {
-  return auto_joint_kappa(joint_load(model, gravity), law);
+  return load.weight / evaluate(with_unit_kappa(law), 1e-8 * load.smallest).first;
 }
 
 double auto_joint_kappa(const Model& model, const JointLoad& load, const Joint& joint) {
@@ -35,10 +37,8 @@ double auto_joint_kappa(const Model& model, const JointLoad& load, const Joint& 
   for (const Index i : {joint.i, joint.j}) {
     if (i != kWorld && !model.fixed[i]) lighter = std::min(lighter, model.mass[i]);
   }
-  BondLaw unit = joint.law;
-  unit.kappa = 1;
-  return std::min(auto_joint_kappa(load, joint.law),
-                  lighter * load.g / (kRoundingStep * evaluate(unit, 0).second));
+  const double stiffest = lighter * load.g / (kRoundingStep * evaluate(with_unit_kappa(joint.law), 0).second);
+  return std::min(auto_joint_kappa(load, joint.law), stiffest);
 }
 
 }  // namespace pabd

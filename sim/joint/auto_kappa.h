@@ -18,7 +18,6 @@ JointLoad joint_load(const Model& model, const Vec3& gravity);
 // κ at which that weight stretches a bond of `law` by 1e-8 of the smallest body: N/m for soft bonds, J for
 // hard ones; 1 when nothing can move.
 double auto_joint_kappa(const JointLoad& load, const BondLaw& law);
-double auto_joint_kappa(const Model& model, const Vec3& gravity, const BondLaw& law);
 
 // The same for a joint between bodies: at most so stiff that the rounding of a place 2 km from the origin
 // pulls with the weight of the lighter of its bodies. Only chains of some ten thousand links ask for more.

@@ -43,19 +43,15 @@ bool takes_newton(const Problem& p, const Iterate& it, const Island& island, New
 
 }  // namespace
 
-Index choose_solvers(const Problem& p, const Iterate& it, Islands& islands, NewtonSystems& systems) {
+void choose_solvers(const Problem& p, const Iterate& it, Islands& islands, NewtonSystems& systems) {
   const SolverMethod method = p.params->solver.method;
-  Index too_dense = 0;
   for (std::size_t k = 0; k < islands.list.size(); ++k) {
     Island& island = islands.list[k];
     island.solver = method;
     if (method != SolverMethod::newton && method != SolverMethod::automatic) continue;
     const bool newton = takes_newton(p, it, island, system_of(k, systems));
     island.solver = newton ? SolverMethod::newton : SolverMethod::descent;
-    if (!newton && (method == SolverMethod::newton || island.jointed))
-      too_dense += static_cast<Index>(island.bodies.size());
   }
-  return too_dense;
 }
 
 }  // namespace pabd

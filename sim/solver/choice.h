@@ -12,7 +12,7 @@ using NewtonSystems = std::vector<std::unique_ptr<NewtonSystem>>;
 
 // Sets Island::solver. `auto` gives `newton` the islands in which a joint couples bodies, and piles that cost
 // little to factorise; `descent` the others. An island whose factorisation would cost far too much goes to
-// `descent` whatever was asked for; returns the number of bodies in those.
-Index choose_solvers(const Problem& p, const Iterate& it, Islands& islands, NewtonSystems& systems);
+// `descent` whatever was asked for.
+void choose_solvers(const Problem& p, const Iterate& it, Islands& islands, NewtonSystems& systems);
 
 }  // namespace pabd

@@ -61,12 +61,12 @@ double roundness(const Shape& shape) {
 }
 
 ContactPatch empty_patch(const Model& model, Index a, Index b) {
-  const Vec3x zero = spread(Vec3::Zero());
-  const bool flat_a = roundness(model.shape[a]) == 0;
-  const bool flat = flat_a && roundness(model.shape[b]) == 0;
-  return {a,        b,        0,        flat_a, !flat,       nullptr,     {},    zero,
-          zero,     zero,     zero,     zero,   lanes(1e30), lanes(1e30), false, 0,
-          lanes(0), lanes(0), lanes(1), zero,   lanes(1),    lanes(0.02)};
+  ContactPatch patch{};
+  patch.a = a;
+  patch.b = b;
+  patch.turns = roundness(model.shape[a]) == 0;
+  patch.separate = !patch.turns || roundness(model.shape[b]) > 0;
+  return patch;
 }
 
 // Puts the point into the next lane, in the frames of the bodies.
@@ -153,7 +153,7 @@ void make_patches(const Problem& p, const Workers& workers, Detection& from, std
     ContactPatch& patch = out[k];
     patch = empty_patch(*p.model, point->a, point->b);
     for (; point != end; ++point) add_point(p, *point, from, patch);
-    patch.start_d = contact_gap(patch, p.start_pose(patch.a), p.start_pose(patch.b));
+    patch.start_d = patch.gap + contact_planes(patch, p.start_pose(patch.a), p.start_pose(patch.b)).along;
   });
 }
 

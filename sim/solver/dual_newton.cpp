@@ -39,7 +39,6 @@ void list_ends(const DualSystem::Rows& rows, std::size_t bodies, RowList<DualSys
 }
 
 // Which joints share a body.
-
 Elimination::Pairs coupled_joints(const DualSystem& s, std::size_t bodies) {
   Elimination::Pairs pairs;
   for (std::size_t k = 0; k < bodies; ++k) {

@@ -49,20 +49,20 @@ Mat6 weight_between(const Mat3& K, const Mat3& rK_b, const Mat3& rK_a, const Vec
   return H;
 }
 
-// A joint's bond between block rows p and q (−1: not moved here), `pull` its predicted force on b.
+// A joint's bond between block rows p and q (−1: not moved here); `pull` is its predicted gradient on b.
 void add_bond(const LinearBond& bond, const Vec3& pull, Index p, Index q, NewtonSystem& system) {
   const Mat3 rK_a = skew(bond.r_a) * bond.K, rK_b = skew(bond.r_b) * bond.K;
   if (p >= 0) {
     Mat6 H = weight_between(bond.K, rK_a, rK_a, bond.r_a);
     H.bottomRightCorner<3, 3>() += geometric_stiffness(bond.r_a, -pull);
     system.matrix.diagonal(p).add(H);
-    add_force(bond.r_a, -bond.gradient, system.move.g[p]);
+    add_force(bond.r_a, -bond.gradient, system.motion.g[p]);
   }
   if (q >= 0) {
     Mat6 H = weight_between(bond.K, rK_b, rK_b, bond.r_b);
     H.bottomRightCorner<3, 3>() += geometric_stiffness(bond.r_b, pull);
     system.matrix.diagonal(q).add(H);
-    add_force(bond.r_b, bond.gradient, system.move.g[q]);
+    add_force(bond.r_b, bond.gradient, system.motion.g[q]);
   }
   if (p >= 0 && q >= 0) system.matrix.add_off_diagonal(q, p, -weight_between(bond.K, rK_b, rK_a, bond.r_a));
 }
@@ -83,7 +83,7 @@ double assemble(const Problem& p, const Island& island, bool geometric, NewtonSy
   for (std::size_t k = 0; k < island.bodies.size(); ++k) {
     const Index i = island.bodies[k];
     energy += add_inertia(p.inertia(i), it.pose[i], system.matrix.diagonal(static_cast<Index>(k)),
-                          system.move.g[k]);
+                          system.motion.g[k]);
   }
   each_joint_bond(p, island, it, [&](const LinearBond& bond) {
     const Vec3 pull = geometric ? system.force[bond.force] : Vec3(Vec3::Zero());
@@ -99,11 +99,11 @@ double assemble(const Problem& p, const Island& island, bool geometric, NewtonSy
     patch.felt = true;
     if (a >= 0) {
       system.matrix.diagonal(a).add(linear.H);
-      system.move.g[a] += linear.g_a;
+      system.motion.g[a] += linear.g_a;
     }
     if (b >= 0) {
       system.matrix.diagonal(b).add(shifted(linear.back, linear.H));
-      system.move.g[b] += linear.g_b;
+      system.motion.g[b] += linear.g_b;
     }
     if (a >= 0 && b >= 0) system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.back, linear.H));
   }
@@ -142,12 +142,12 @@ bool find_direction(const Problem& p, const Island& island, bool geometric, cons
     solvable = system.matrix.factorize(stop);
   }
   if (!solvable) {
-    std::fill(system.move.step.begin(), system.move.step.end(),
+    std::fill(system.motion.step.begin(), system.motion.step.end(),
               Vec6::Constant(std::numeric_limits<double>::infinity()));
     return false;
   }
-  for (std::size_t k = 0; k < system.move.g.size(); ++k) system.move.step[k] = -system.move.g[k];
-  system.matrix.solve(system.move.step);
+  for (std::size_t k = 0; k < system.motion.g.size(); ++k) system.motion.step[k] = -system.motion.g[k];
+  system.matrix.solve(system.motion.step);
   return true;
 }
 
@@ -156,7 +156,7 @@ void predict_forces(const Problem& p, const Island& island, const Iterate& it, N
   const auto step_of = [&](Index slot, const Vec3& r) -> Vec3 {
     const Index row = island.row[slot];
     if (row < 0) return Vec3::Zero();
-    return system.move.step[row].head<3>() + system.move.step[row].tail<3>().cross(r);
+    return system.motion.step[row].head<3>() + system.motion.step[row].tail<3>().cross(r);
   };
   system.force.assign(island.joints.size() * BondList::kMost, Vec3::Zero());
   each_joint_bond(p, island, it, [&](const LinearBond& bond) {
@@ -168,22 +168,23 @@ void predict_forces(const Problem& p, const Island& island, const Iterate& it, N
 void search_from_best(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
                       Iterate& it) {
   const double current = energy_of(p, island, it);
-  swap_with_best(p, island, system.move, it);
+  swap_with_best(p, island, system.motion, it);
   double energy = assemble(p, island, false, system, it);  // anew: friction bounds may have moved since
   if (energy > current) {
-    swap_with_best(p, island, system.move, it);
+    swap_with_best(p, island, system.motion, it);
     energy = assemble(p, island, false, system, it);
   }
-  keep_best(island, it, energy, system.move);
+  keep_best(island, it, energy, system.motion);
   system.force.clear();
   if (!find_direction(p, island, false, stop, system, it)) return;
   double slope = 0;
-  for (std::size_t k = 0; k < system.move.g.size(); ++k) slope += system.move.g[k].dot(system.move.step[k]);
-  double t = longest_step(system.move);
+  for (std::size_t k = 0; k < system.motion.g.size(); ++k)
+    slope += system.motion.g[k].dot(system.motion.step[k]);
+  double t = longest_step(system.motion);
   for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
-    move(p, island, system.move, t, it);
+    move(p, island, system.motion, t, it);
     if (energy_of(p, island, it) <= energy + 1e-4 * t * slope) return;
-    restore_best(p, island, system.move, it);
+    restore_best(p, island, system.motion, it);
   }
 }
 
@@ -191,16 +192,16 @@ void search_from_best(const Problem& p, const Island& island, const Stop& stop, 
 void step_from_here(const Problem& p, const Island& island, bool geometric, const Stop& stop,
                     NewtonSystem& system, Iterate& it) {
   if (!find_direction(p, island, geometric, stop, system, it)) return;
-  double t = longest_step(system.move);
+  double t = longest_step(system.motion);
   if (island.jointed) {
     predict_forces(p, island, it, system);
-    move(p, island, system.move, t, it);
+    move(p, island, system.motion, t, it);
     return;
   }
   for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
-    move(p, island, system.move, t, it);
-    if (p.params->solver.iterations == 1 || is_lower(energy_of(p, island, it), system.move)) return;
-    restore_best(p, island, system.move, it);
+    move(p, island, system.motion, t, it);
+    if (p.params->solver.iterations == 1 || is_lower(energy_of(p, island, it), system.motion)) return;
+    restore_best(p, island, system.motion, it);
   }
 }
 
@@ -208,13 +209,13 @@ void iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, 
                       Iterate& it) {
   const bool geometric = !system.force.empty() && island.jointed;
   const double energy = assemble(p, island, geometric, system, it);
-  if (!island.jointed || is_lower(energy, system.move)) {
-    if (p.params->solver.iterations > 1) keep_best(island, it, energy, system.move);
+  if (!island.jointed || is_lower(energy, system.motion)) {
+    if (p.params->solver.iterations > 1) keep_best(island, it, energy, system.motion);
   } else {
-    ++system.move.rises;
+    ++system.motion.rises;
   }
-  if (system.move.rises > kPatience) system.searches = true;
-  if (system.move.rises <= (system.searches ? 0 : kPatience)) {
+  if (system.motion.rises > kPatience) system.searches = true;
+  if (system.motion.rises <= (system.searches ? 0 : kPatience)) {
     step_from_here(p, island, geometric, stop, system, it);
   } else {
     search_from_best(p, island, stop, system, it);
@@ -225,15 +226,15 @@ void iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, 
 bool iterate_by_forces(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
                        Iterate& it) {
   double energy = 0;
-  if (!dual_step(p, island, it, stop, system.by_forces, system.move, energy)) return false;
+  if (!dual_step(p, island, it, stop, system.by_forces, system.motion, energy)) return false;
   if (p.params->solver.iterations > 1) {
-    if (is_lower(energy, system.move)) {
-      keep_best(island, it, energy, system.move);
-    } else if (++system.move.rises > kPatience) {
+    if (is_lower(energy, system.motion)) {
+      keep_best(island, it, energy, system.motion);
+    } else if (++system.motion.rises > kPatience) {
       return false;
     }
   }
-  move(p, island, system.move, longest_step(system.move), it);
+  move(p, island, system.motion, longest_step(system.motion), it);
   return true;
 }
 
@@ -242,18 +243,6 @@ void recall_forces(NewtonSystem& system) {
   const std::vector<Vec3>& found = system.by_forces.force;
   system.force.assign(found.size() * BondList::kMost, Vec3::Zero());
   for (std::size_t k = 0; k < found.size(); ++k) system.force[k * BondList::kMost] = found[k];
-}
-
-void tell_forces(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it) {
-  const std::size_t bonds = system.dual ? 1 : BondList::kMost;
-  const std::vector<Vec3>& force = system.dual ? system.by_forces.force : system.force;
-  for (std::size_t k = 0; k < island.joints.size(); ++k) {
-    const auto joint = static_cast<std::size_t>(island.joints[k]);
-    if (joint >= p.joints.model.size() || force.empty()) break;  // pulls come last
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t b = 0; b < bonds; ++b) sum -= force[k * bonds + b];
-    it.joint_force[joint] = sum;
-  }
 }
 
 bool find_body_structure(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system) {
@@ -280,7 +269,7 @@ bool find_structure(const Problem& p, const Island& island, const Iterate& it, d
 }
 
 void start_newton(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system) {
-  start(p, island, it, system.move);
+  start(p, island, it, system.motion);
   system.force.clear();
   system.searches = false;
   if (system.dual) start_dual(p, island, system.by_forces);
@@ -295,16 +284,27 @@ bool newton_iteration(const Problem& p, const Island& island, const Workers& wor
     recall_forces(system);
   }
   if (!system.dual) iterate_by_moves(p, island, workers.stop, system, it);
-  tell_moves(p, island, system.move, it);
-  tell_forces(p, island, system, it);
+  tell_moves(p, island, system.motion, it);
   return true;
 }
 
-void forget_best(NewtonSystem& system) { system.move.lowest = std::numeric_limits<double>::infinity(); }
+void tell_forces(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it) {
+  const std::size_t bonds = system.dual ? 1 : BondList::kMost;
+  const std::vector<Vec3>& force = system.dual ? system.by_forces.force : system.force;
+  for (std::size_t k = 0; k < island.joints.size(); ++k) {
+    const auto joint = static_cast<std::size_t>(island.joints[k]);
+    if (joint >= p.joints.model.size() || force.empty()) break;  // pulls come last
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t b = 0; b < bonds; ++b) sum -= force[k * bonds + b];
+    it.joint_force[joint] = sum;
+  }
+}
+
+void forget_best(NewtonSystem& system) { system.motion.lowest = std::numeric_limits<double>::infinity(); }
 
 void finish_newton(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
   if (p.params->solver.iterations == 1) return;
-  if (!(is_lower(energy_of(p, island, it), system.move))) swap_with_best(p, island, system.move, it);
+  if (!(is_lower(energy_of(p, island, it), system.motion))) swap_with_best(p, island, system.motion, it);
 }
 
 }  // namespace pabd

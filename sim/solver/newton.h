@@ -13,7 +13,7 @@ namespace pabd {
 struct NewtonSystem {
   Elimination::Pairs pairs;  // coupled block rows p < q, sorted
   BlockCholesky<6> matrix;
-  IslandStep move;
+  IslandStep motion;
 
   // Gradient on b of each bond of joints after the full step, by the linear model; N. Bond j of the island's
   // joint k is number BondList::kMost k + j.
@@ -36,10 +36,13 @@ bool find_structure(const Problem& p, const Island& island, const Iterate& it, d
 // Before the first iteration of a step. Precondition: its structure is found.
 void start_newton(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system);
 
-// One iteration; fills it.moved for the bodies of the island, and it.joint_force. False where the island has
+// One iteration; fills it.moved for the bodies of the island. False where the island has
 // become too dense: a contact came to what joints alone held together.
 bool newton_iteration(const Problem& p, const Island& island, const Workers& workers, NewtonSystem& system,
                       Iterate& it);
+
+// Fills it.joint_force for the joints of the island with what the last iteration found.
+void tell_forces(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it);
 
 // E has changed: friction bounds moved. What was best under the old ones is no measure.
 void forget_best(NewtonSystem& system);

@@ -7,6 +7,8 @@
 //                  world
 //   iterate.patch  pair and four    bond/contact_bond.h, four points side by side    sorted by pair
 //                  of its points
+//   iterate.       joint of the     force on its body j (3)                          world; N
+//   joint_force    model
 //   joints         joint            body/joint.h; those of the model, then the pulls
 //   ends           body             patches that end there: row i of a RowList
 //   joints_at      body             joints that end there

@@ -64,7 +64,8 @@ struct IslandReport {
   SolverMethod solver;  // sissm, descent or newton
   StepStatus status;
   int iterations;
-  double residual;  // of the last iteration
+  double residual;  // largest way of a body in the last iteration over d̂; where the moves of `newton` shrink
+                    // quadratically that of the next one, extrapolated
 };
 
 // Wall clock; ms. The first four add up to the total of a step that was made.
@@ -90,14 +91,14 @@ struct StepReport {
   double max_penetration = 0;  // m
   double min_gap = 0;          // m; +inf without contacts
   double max_joint_error = 0;  // m
-  double residual = 0;         // of the last iteration, the largest of the islands
+  double residual = 0;         // the largest of the islands
   // What was left out because it would cost too much: pairs of bodies deep in each other whose first body has
   // many such (collision/detect.h), and bodies that `descent` solved in place of `newton` (choice.h).
   Index left_pairs = 0;
   Index too_dense = 0;
   double drive_work = 0;  // work of driven joints in this step; J
   int capped_bonds = 0;   // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)
-  int held_bodies = 0;    // whose step `sissm` shortened so that no energy is made (energy_bound.h)
+  int held_bodies = 0;    // whose step was shortened so that no energy is made (energy_bound.h)
   // Coulomb's law: largest ‖friction‖/(μ f_n) − 1 of the contacts that carry more than 1e-3 of the heaviest
   // weight (of less loaded ones: with that load), 0 where all obey. At most 0.01 in a step that converged.
   double friction_excess = 0;

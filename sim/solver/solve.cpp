@@ -63,16 +63,15 @@ double iterate(int k, bool every_body, Task& t, Iterate& it) {
   if (k > 0 && !swept && move_friction_limits(t.p, t.island, t.workers, it) && t.newton())
     forget_best(*t.system);
   double gap_before = 0;
-  if (t.newton() && !newton_iteration(t.p, t.island, t.workers, *t.system, it)) {
-    t.island.solver = SolverMethod::descent;
-    t.since = k;
-  }
   switch (t.island.solver) {
     case SolverMethod::sissm:
       sissm_iteration(t.p, t.island, t.workers, t.records ? &gap_before : nullptr, t.memory.sissm, it);
       break;
     case SolverMethod::newton:
-      break;
+      if (newton_iteration(t.p, t.island, t.workers, *t.system, it)) break;
+      t.island.solver = SolverMethod::descent;
+      t.since = k;
+      [[fallthrough]];
     default:
       descent_sweep(t.p, t.island, {k == t.since, swept && k > 0, every_body}, t.workers, t.memory.descent,
                     it);
@@ -118,8 +117,9 @@ double next_move(const Task& t, double before, double now) {
   return std::min(now, 100 * now * (now / before) * (now / before));
 }
 
-// For the next step of `auto`: did `newton` hand over?
+// For the next step: the forces of the joints, and for `auto` whether `newton` handed over.
 void remember_outcome(const Task& t, const IslandReport& out, Iterate& it) {
+  if (out.solver == SolverMethod::newton) tell_forces(t.p, t.island, *t.system, it);
   if (t.p.params->solver.method != SolverMethod::automatic || t.island.jointed) return;
   for (const Index k : t.island.patches) it.patch[k].restless = out.solver == SolverMethod::descent;
 }
@@ -132,6 +132,7 @@ void solve(Task t, Iterate& it, IslandReport& out) {
   double moved = 0;
   for (int k = 0; k < solver.iterations; ++k) {
     const double gap_before = iterate(k, every_body, t, it);
+    out.solver = t.island.solver;
     ++out.iterations;
     const double before = std::exchange(moved, 0);
     for (const Index i : t.island.bodies) moved = larger(moved, it.moved[i]);
@@ -200,8 +201,9 @@ void prepare(const Problem& p, const Islands& islands, bool record, SolverMemory
   }
 }
 
-// The step did what the worst of its islands did; `auto` was what ended most of its bodies.
-void sum_up(SolverMethod asked, StepReport& report) {
+// The step did what the worst of its islands did; `auto` was what ended most of its bodies. What `newton`
+// should have solved and did not was too dense.
+void sum_up(SolverMethod asked, const Islands& islands, StepReport& report) {
   report.status = StepStatus::converged;
   const auto any = [&](StepStatus status) {
     return std::any_of(report.islands.begin(), report.islands.end(),
@@ -214,6 +216,13 @@ void sum_up(SolverMethod asked, StepReport& report) {
   for (const IslandReport& island : report.islands) {
     report.iterations = std::max(report.iterations, island.iterations);
     report.residual = larger(report.residual, island.residual);
+  }
+  if (asked == SolverMethod::newton || asked == SolverMethod::automatic) {
+    for (std::size_t k = 0; k < islands.list.size(); ++k) {
+      const bool due = asked == SolverMethod::newton || islands.list[k].jointed;
+      if (due && report.islands[k].solver == SolverMethod::descent)
+        report.too_dense += report.islands[k].bodies;
+    }
   }
   if (asked != SolverMethod::automatic) return;
   Index newton = 0, all = 0;
@@ -259,7 +268,7 @@ void solve_islands(const Problem& p, const Islands& islands, const Workers& work
     bodies += islands.list[memory.order[k]].bodies.size();
   workers.team.for_each_large(workers.threads, memory.order.size() - next, bodies >= kSideBySide,
                               [&](std::size_t k) { solve_one(memory.order[next + k], alone); });
-  sum_up(p.params->solver.method, report);
+  sum_up(p.params->solver.method, islands, report);
   if (record && !islands.list.empty()) merge_records(memory.records, islands.list.size(), report);
 }
 

@@ -74,7 +74,7 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
   first_iterate(p, m.iterate);
   report.capped_bonds = cap_stiffness(p, m.iterate);
   start_friction(p, workers, m.iterate);
-  report.too_dense = choose_solvers(p, m.iterate, m.islands, m.solvers.newton);
+  choose_solvers(p, m.iterate, m.islands, m.solvers.newton);
 }
 
 // Velocities that follow from the poses; the momentum of what nothing outside holds is kept.
@@ -92,6 +92,7 @@ void bound_energy(const Problem& p, StepMemory& m, StepReport& report) {
   for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
     const Island& island = m.islands.list[k];
     const IslandReport& outcome = report.islands[k];
+    // Who asks for one iteration wants what that gives.
     const bool early = island.jointed && outcome.solver == SolverMethod::newton &&
                        outcome.status == StepStatus::iteration_limit && p.params->solver.iterations > 1;
     if (!all && !early) continue;

@@ -22,7 +22,7 @@ Hull tetrahedron(double shift) {
 }  // namespace
 
 TEST_CASE("a warm step allocates nothing") {
-  for (const SolverMethod method : {SolverMethod::descent, SolverMethod::sissm}) {
+  for (const SolverMethod method : {SolverMethod::descent, SolverMethod::sissm, SolverMethod::newton}) {
     testing::World world;
     world.params.solver.method = method;
     world.params.solver.tolerance = 0;
@@ -30,6 +30,12 @@ TEST_CASE("a warm step allocates nothing") {
     for (int k = 0; k < 20; ++k) world.add_cube(1, 100, {1.5 * (k % 5), 0.509 + 1.01 * (k / 5), 0});
     world.add(make_compound({tetrahedron(0), tetrahedron(0.3)}), 100, {0, 0.3, 3});
     world.add(make_compound({tetrahedron(0), tetrahedron(0.3)}), 100, {0, 1.1, 3});
+    for (int k = 0; k < 10; ++k) {  // a chain, solved for its forces where `newton` has it
+      const Index link = world.add(Box{{0.45, 0.05, 0.05}}, 10, {k + 0.5, 20, 8});
+      testing::add_joint(world, testing::make_joint(world, JointType::spherical, k == 0 ? kWorld : link - 1,
+                                                    link, Vec3(k, 20, 8)));
+      if (k > 0) world.model.no_collide.emplace_back(link - 1, link);
+    }
     StepWorkspace workspace;
     StepReport report;
     const StepOptions options{true, true, 1};

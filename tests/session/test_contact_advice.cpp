@@ -269,19 +269,28 @@ TEST_CASE("friction above its bound: it is said by how much, and more iterations
   CHECK_FALSE(find(advice(0.01), AdviceKind::friction_excess));
 }
 
+namespace {
+
+// What the advice says of a step that ended at its iteration limit.
+std::string limit_text(const Run& run, const Params& params, StepReport report) {
+  report.status = StepStatus::iteration_limit;
+  report.iterations = 20;
+  const auto advice = contact_advice(run.session.model(), params, run.session.state(), report);
+  const Advice* found = find(advice, AdviceKind::iteration_limit);
+  REQUIRE(found);
+  return found->what;
+}
+
+}  // namespace
+
 TEST_CASE("a warning does not contradict its numbers") {
   const Run run("two_boxes");
   Params params = run.session.params();
   StepReport report = run.session.report();
-  report.status = StepStatus::iteration_limit;
-  report.iterations = 20;
   const auto what = [&](double residual, double tolerance) {
     report.residual = residual;
     params.solver.tolerance = tolerance;
-    const auto advice = contact_advice(run.session.model(), params, run.session.state(), report);
-    const Advice* found = find(advice, AdviceKind::iteration_limit);
-    REQUIRE(found);
-    return found->what;
+    return limit_text(run, params, report);
   };
   // The last number of the text is the tolerance, the one before it the residual, if it is told.
   CHECK(what(7.4e-10, 1e-9) ==
@@ -303,17 +312,12 @@ TEST_CASE("a warning does not contradict its numbers") {
 
 TEST_CASE("of several islands the advice names those that were slow, and the worst") {
   const Run run("two_boxes");
-  Params params = run.session.params();
   StepReport report = run.session.report();
-  report.status = StepStatus::iteration_limit;
-  report.iterations = 20;
   report.residual = 0.5;
   const auto what = [&](std::vector<IslandReport> islands) {
     report.islands = std::move(islands);
-    const auto advice = contact_advice(run.session.model(), params, run.session.state(), report);
-    const Advice* found = find(advice, AdviceKind::iteration_limit);
-    REQUIRE(found);
-    return found->what.substr(0, found->what.find(": residual"));
+    const std::string text = limit_text(run, run.session.params(), report);
+    return text.substr(0, text.find(": residual"));
   };
   const std::string first = run.session.model().name[0], second = run.session.model().name[1];
   const IslandReport settled{0, 3, 4, 0, SolverMethod::newton, StepStatus::converged, 4, 0},
