@@ -96,7 +96,8 @@ void bound_energy(const Problem& p, StepMemory& m, StepReport& report) {
     const bool early = island.jointed && outcome.solver == SolverMethod::newton &&
                        outcome.status == StepStatus::iteration_limit && p.params->solver.iterations > 1;
     if (!all && !early) continue;
-    const int held = bound_energy(p, island, m.scratch, m.iterate, m.velocities);
+    const EnergyBound bound = all ? EnergyBound::total : EnergyBound::kinetic;
+    const int held = bound_energy(p, island, bound, m.scratch, m.iterate, m.velocities);
     if (held > 0) unbalance(island, m.groups);
     report.held_bodies += held;
   }

@@ -138,15 +138,43 @@ TEST_CASE("a heavy ball on light rods that swings into a wall makes no energy, h
     for (int k = 0; k < 6; ++k)
       world.add(Box{{0.2, 0.15, 0.15}}, 36, {(k - 2.5) * 0.404 + (row % 2) * 0.1, 0.159 + 0.309 * row, 0});
   }
-  double highest = -1e300, joint_error = 0, start = 0;
+  double highest = -1e300, widest = 0, start = 0, error = 0;
   testing::run(world, static_cast<int>(4 / h), {}, [&](const StepReport& r) {
-    const double total = r.kinetic + r.potential + r.elastic;
-    if (r.step == 1) start = total;
-    highest = std::max(highest, total);
-    joint_error = std::max(joint_error, r.max_joint_error);
+    const double mechanical = r.kinetic + r.potential;
+    if (r.step == 1) start = mechanical;
+    highest = std::max(highest, mechanical);
+    widest = std::max(widest, r.max_joint_error);
+    error = r.max_joint_error;
   });
   CAPTURE(h, density);
-  // What is found only when it overlaps already brings some (0.03); without the bound it is 40 to 1e5 times.
-  CHECK(highest < start + 0.25 * std::abs(start));
-  CHECK(joint_error < 1e-3);
+  CHECK(highest < 1.05 * start);  // without the bound 40 to 1e5 times
+  CHECK(widest < 0.1);            // while newton does not end, for some steps
+  CHECK(error < 1e-6);
+}
+
+TEST_CASE(
+    "a ball that hits a hanging chain goes on, though the step in which it does is not solved to the end") {
+  const auto x = GENERATE(0.0, 0.12, 0.25);
+  World world;
+  const double half = 0.13;
+  Index above = kWorld;
+  for (int k = 0; k < 7; ++k) {
+    const double y = 2.4 - half * (2 * k + 1);
+    const Index link = world.add(Box{{0.035, half, 0.035}}, 0.9, {0, y, 0});
+    testing::add_joint(world,
+                       testing::make_joint(world, JointType::spherical, above, link, {0, y + half, 0}));
+    if (above != kWorld) world.model.no_collide.push_back({above, link});
+    above = link;
+  }
+  const Index ball = world.add(Sphere{0.3}, 34, {x, 1.5, 1});
+  world.state.v[static_cast<std::size_t>(ball)] = {0, 0, -5};
+  double slowest = 5;
+  bool unsolved = false;
+  testing::run(world, 30, {}, [&](const StepReport& r) {
+    slowest = std::min(slowest, -world.state.v[static_cast<std::size_t>(ball)].z());
+    unsolved = unsolved || r.status == StepStatus::iteration_limit;
+  });
+  CAPTURE(x, unsolved);
+  // An inelastic hit of the whole chain, 6.3 kg, would leave 4.2; the pivot takes some more.
+  CHECK(slowest > 3.5);
 }
