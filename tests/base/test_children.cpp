@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "sim/base/child_process.h"
-#include "tests/base/running.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/running.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 

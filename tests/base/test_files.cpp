@@ -13,8 +13,8 @@
 #include "sim/base/input_file.h"
 #include "sim/base/leftovers.h"
 #include "sim/base/output_path.h"
-#include "tests/output/errors.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/errors.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <thread>
 
-#include "tests/base/running.h"
 #include "tests/cli/program.h"
-#include "tests/output/fake_ffmpeg.h"
+#include "tests/support/fake_ffmpeg.h"
+#include "tests/support/running.h"
 
 namespace fs = std::filesystem;
 using namespace pabd::test;

@@ -1,5 +1,5 @@
 // Brute force, with no thought for speed and no code of the library but its types.
-#include "reference.h"
+#include "tests/collision/reference.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "reference.h"
+#include "tests/collision/reference.h"
 
 using namespace reference;
 

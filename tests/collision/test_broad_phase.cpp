@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "reference.h"
+#include "tests/collision/reference.h"
 
 using namespace reference;
 

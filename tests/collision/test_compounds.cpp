@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "reference.h"
 #include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
+#include "tests/collision/reference.h"
 
 using namespace reference;
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <set>
 
-#include "reference.h"
+#include "tests/collision/reference.h"
 
 namespace {
 std::atomic<long> allocations{0};

@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "reference.h"
 #include "sim/body/convex_hull.h"
+#include "tests/collision/reference.h"
 
 using namespace reference;
 

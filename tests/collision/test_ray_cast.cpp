@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "reference.h"
 #include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
 #include "sim/collision/ray_cast.h"
+#include "tests/collision/reference.h"
 
 using namespace reference;
 

@@ -1,7 +1,7 @@
 // Spheres, capsules and planes against closed forms, and degenerate placements.
 #include <catch2/catch.hpp>
 
-#include "reference.h"
+#include "tests/collision/reference.h"
 
 using namespace reference;
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "reference.h"
 #include "sim/body/convex_hull.h"
+#include "tests/collision/reference.h"
 
 using namespace reference;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/visual/build_visual.h"
-#include "tests/visual/tiny_model.h"
+#include "tests/support/tiny_model.h"
 
 namespace pabd {
 

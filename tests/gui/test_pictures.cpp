@@ -11,7 +11,7 @@
 #include "app/frames/render_pipeline.h"
 #include "app/gui/script.h"
 #include "render/output/png.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;

@@ -12,8 +12,8 @@
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
 #include "sim/error.h"
-#include "tests/output/golden.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/golden.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 
 #include "app/gui/settings.h"
 #include "sim/error.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;

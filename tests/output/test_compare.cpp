@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "errors.h"
-#include "picture.h"
 #include "render/output/compare.h"
 #include "render/output/compare_report.h"
 #include "render/output/png.h"
-#include "temp_folder.h"
+#include "tests/support/errors.h"
+#include "tests/support/picture.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "golden.h"
-#include "picture.h"
 #include "render/output/png.h"
-#include "temp_folder.h"
+#include "tests/support/golden.h"
+#include "tests/support/picture.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <random>
 
-#include "errors.h"
-#include "file_size_limit.h"
-#include "picture.h"
 #include "render/output/png.h"
-#include "temp_folder.h"
+#include "tests/support/errors.h"
+#include "tests/support/file_size_limit.h"
+#include "tests/support/picture.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 

@@ -12,13 +12,13 @@
 #include <mutex>
 #include <thread>
 
-#include "errors.h"
-#include "file_size_limit.h"
-#include "picture.h"
 #include "render/output/async_sink.h"
 #include "render/output/sinks.h"
 #include "sim/base/descriptor.h"
-#include "temp_folder.h"
+#include "tests/support/errors.h"
+#include "tests/support/file_size_limit.h"
+#include "tests/support/picture.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;

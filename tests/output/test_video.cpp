@@ -12,14 +12,14 @@
 #include <cstring>
 #include <thread>
 
-#include "errors.h"
-#include "fake_ffmpeg.h"
-#include "file_size_limit.h"
-#include "picture.h"
 #include "render/output/async_sink.h"
 #include "render/output/encoder_process.h"
 #include "render/output/frame_sink.h"
-#include "temp_folder.h"
+#include "tests/support/errors.h"
+#include "tests/support/fake_ffmpeg.h"
+#include "tests/support/file_size_limit.h"
+#include "tests/support/picture.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;

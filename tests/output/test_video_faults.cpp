@@ -9,11 +9,11 @@
 #include "render/output/encoder_process.h"
 #include "render/output/frame_sink.h"
 #include "render/output/video_check.h"
-#include "tests/base/running.h"
-#include "tests/output/errors.h"
-#include "tests/output/fake_ffmpeg.h"
-#include "tests/output/picture.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/errors.h"
+#include "tests/support/fake_ffmpeg.h"
+#include "tests/support/picture.h"
+#include "tests/support/running.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/session/session.h"
-#include "tests/physics/scenario.h"
+#include "tests/support/scenario.h"
 
 using namespace pabd;
 using testing::World;

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "sim/solver/params.h"
-#include "tests/physics/scenario.h"
+#include "tests/support/scenario.h"
 
 using namespace pabd;
 

@@ -8,7 +8,7 @@
 #include "app/workbench/workbench.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "app/workbench/runner.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 namespace fs = std::filesystem;

@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "app/workbench/workbench.h"
-#include "tests/base/allocations.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/allocations.h"
+#include "tests/support/temp_folder.h"
 
 #ifndef __SANITIZE_ADDRESS__  // nothing is counted there
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "sim/scene/tuning.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/temp_folder.h"
 #include "tests/workbench/helpers.h"
 
 using namespace pabd;

@@ -7,7 +7,7 @@
 #include "app/workbench/command_json.h"
 #include "app/workbench/runner.h"
 #include "sim/scene/tuning.h"
-#include "tests/output/temp_folder.h"
+#include "tests/support/temp_folder.h"
 #include "tests/workbench/helpers.h"
 
 using namespace pabd;

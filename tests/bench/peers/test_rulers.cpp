@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "tests/bench/peers/rulers.h"
-#include "tests/physics/scenario.h"
+#include "tests/support/scenario.h"
 
 using namespace pabd;
 using namespace pabd::peers;
