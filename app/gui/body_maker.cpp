@@ -32,37 +32,33 @@ AddBody body_at(const RunView& run, const Shape& shape, double density, const Ve
 }
 
 void BodyMaker::draw(GuiFrame& f) {
-  static constexpr const char* kShapes[] = {"box", "sphere", "capsule"};
-  for (int i = 0; i < 3; ++i) {
-    if (i > 0) ImGui::SameLine(0, f.px(2));
-    if (toggle_button(f, kShapes[i], i == shape_, "Shape of the new body")) shape_ = i;
+  for (const ShapeKind* kind : shape_kinds()) {
+    if (!kind->make) continue;
+    if (kind != shape_kinds().front()) ImGui::SameLine(0, f.px(2));
+    if (toggle_button(f, std::string(kind->name), kind == kind_, "Shape of the new body")) kind_ = kind;
   }
-  const auto number = [&](const char* id, double& value, const char* format, const char* help, float width) {
+  const auto number = [&](double& value, const std::string& format, const std::string& help, float width) {
     ImGui::SetNextItemWidth(width);
-    ImGui::InputDouble(id, &value, 0, 0, format);
+    ImGui::InputDouble(("##" + format).c_str(), &value, 0, 0, format.c_str());
     tooltip(help);
   };
   const float all = ImGui::GetContentRegionAvail().x, gap = f.px(6);
-  const float third = (all - 2 * gap) / 3, half = (all - gap) / 2;
-  if (shape_ == 0) {
-    number("##x", size_[0], "x %.3g m", "Edge along x", third);
-    ImGui::SameLine(0, gap);
-    number("##y", size_[1], "y %.3g m", "Edge along y", third);
-    ImGui::SameLine(0, gap);
-    number("##z", size_[2], "z %.3g m", "Edge along z", third);
-  } else {
-    number("##r", size_[0], "radius %.3g m", "Radius", shape_ == 1 ? all : half);
-    if (shape_ == 2) {
-      ImGui::SameLine(0, gap);
-      number("##l", size_[1], "length %.3g m", "Between the centres of the two caps; along y", half);
+  int count = 0, k = 0;
+  for (const ShapeSize& size : kind_->sizes) count += size.count;
+  const float width = (all - static_cast<float>(count - 1) * gap) / static_cast<float>(count);
+  for (const ShapeSize& size : kind_->sizes) {
+    for (int part = 0; part < size.count; ++part, ++k) {
+      const std::string axis(1, "xyz"[part]), help(size.help);
+      const bool whole = size.count == 1;
+      if (k > 0) ImGui::SameLine(0, gap);
+      number(size_[static_cast<std::size_t>(k)], (whole ? std::string(size.key) : axis) + " %.3g m",
+             whole ? help : help + " " + axis, width);
     }
   }
-  number("##density", density_, "density %.4g kg/m³", "Water has 1000, steel 7800", all);
+  number(density_, "density %.4g kg/m³", "Water has 1000, steel 7800", all);
   if (ImGui::Button("Add where the view looks", {all, 0})) {
-    Shape shape = Box{0.5 * Vec3(size_[0], size_[1], size_[2])};
-    if (shape_ == 1) shape = Sphere{size_[0]};
-    if (shape_ == 2) shape = Capsule{size_[0], size_[1]};
-    f.out.send(Command(command::Edit{to_json(body_at(f.sim.a, shape, density_, f.ui.camera.target))}));
+    const AddBody body = body_at(f.sim.a, kind_->make(size_), density_, f.ui.camera.target);
+    f.out.send(Command(command::Edit{to_json(body)}));
   }
   tooltip("In the middle of the picture, on top of what is there");
 }

@@ -1,10 +1,9 @@
 // The form that makes a body where the view looks. Part of the inspector.
 #pragma once
 
-#include <array>
-
 #include "app/gui/panel.h"
 #include "app/session/model_edit.h"
+#include "sim/body/shape_kind.h"
 
 namespace pabd {
 
@@ -13,9 +12,9 @@ class BodyMaker {
   void draw(GuiFrame& frame);
 
  private:
-  int shape_ = 0;                              // box, sphere, capsule
-  std::array<double, 3> size_{0.4, 0.4, 0.4};  // box: edges; else radius and length; m
-  double density_ = 1000;                      // kg/m³
+  const ShapeKind* kind_ = shape_kinds().front();  // of those with sizes
+  Sizes size_{0.4, 0.4, 0.4};                      // m
+  double density_ = 1000;                          // kg/m³
 };
 
 // The body of that shape at `place`, lifted on top of what is there.

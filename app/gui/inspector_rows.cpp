@@ -12,6 +12,7 @@
 
 #include "app/gui/body_colors.h"
 #include "render/visual/joint_glyphs.h"
+#include "sim/body/shape_kind.h"
 #include "sim/bond/point_bond.h"
 #include "sim/joint/expand.h"
 #include "sim/math/so3.h"
@@ -39,19 +40,6 @@ std::string force_text(const Vec3& f) {
   const auto shown = [least](double x) { return fmt::format("{:.3g}", std::abs(x) < least ? 0.0 : x); };
   return fmt::format("{}  {}  {} N", shown(f.x()), shown(f.y()), shown(f.z()));
 }
-
-struct ShapeText {
-  std::string operator()(const Box& b) const {
-    return fmt::format("box {:.4g} × {:.4g} × {:.4g} m", 2 * b.half.x(), 2 * b.half.y(), 2 * b.half.z());
-  }
-  std::string operator()(const Sphere& s) const { return fmt::format("sphere, radius {:.4g} m", s.radius); }
-  std::string operator()(const Capsule& c) const {
-    return fmt::format("capsule {:.4g} m + {:.4g} m", 2 * c.radius, c.length);
-  }
-  std::string operator()(const Plane&) const { return "plane"; }
-  std::string operator()(const Hull&) const { return "convex hull"; }
-  std::string operator()(const Compound&) const { return "compound of hulls"; }
-};
 
 struct OnBody {
   int contacts = 0;
@@ -152,7 +140,7 @@ InspectorRows body_rows(const RunView& run, Index body) {
   const bool fixed = run.model->fixed[i] != 0;
   InspectorRows rows;
   rows.push_back({"number", std::to_string(body)});
-  rows.push_back({"shape", std::visit(ShapeText{}, run.model->shape[i])});
+  rows.push_back({"shape", text_of(run.model->shape[i])});
   rows.push_back({"mass", fixed ? "fixed: it never moves" : text(run.model->mass[i], "kg")});
   if (const Plane* plane = std::get_if<Plane>(&run.model->shape[i])) {
     rows.push_back({"normal", text(plane->normal, "")});

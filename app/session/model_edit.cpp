@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "sim/body/mass_properties.h"
+#include "sim/body/shape_kind.h"
 #include "sim/error.h"
 #include "sim/joint/attach.h"
 #include "sim/potential/barrier.h"
@@ -49,15 +50,15 @@ std::string free_name(const std::string& name, const char* stem, const List& lis
   }
 }
 
-struct CheckShape {
-  void operator()(const Box& box) const { check_vector(2 * box.half, kSizeRange, "size"); }
-  void operator()(const Sphere& sphere) const { check_number(sphere.radius, kSizeRange, "radius"); }
-  void operator()(const Capsule& capsule) const {
-    check_number(capsule.radius, kSizeRange, "radius");
-    check_number(capsule.length, kSizeRange, "length");
+void check_shape(const Shape& shape) {
+  const ShapeKind& kind = kind_of(shape);
+  if (!kind.sizes_of) refuse("shape: expected " + sized_shapes());
+  const Sizes sizes = kind.sizes_of(shape);
+  const double* next = sizes.data();
+  for (const ShapeSize& size : kind.sizes) {
+    for (int k = 0; k < size.count; ++k) check_number(*next++, kSizeRange, std::string(size.key).c_str());
   }
-  void operator()(const auto&) const { refuse("shape: expected a box, a sphere or a capsule"); }
-};
+}
 
 MassProperties mass_of(const AddBody& body) {
   if (body.mass) {
@@ -75,7 +76,7 @@ MassProperties mass_of(const AddBody& body) {
 }
 
 void carry_out(const AddBody& body, const BondLaw&, Model& model, State& state) {
-  std::visit(CheckShape{}, body.shape);
+  check_shape(body.shape);
   check_vector(body.position, kPositionRange, "position");
   check_vector(body.velocity, kVelocityRange, "velocity");
   check_vector(body.omega, {kSpinRange.lo * kPi / 180, kSpinRange.hi * kPi / 180, "rad/s"},
@@ -233,6 +234,13 @@ void carry_out(const RemoveJoint& edit, const BondLaw&, Model& model, State& sta
 }
 
 }  // namespace
+
+std::string sized_shapes() {
+  std::vector<std::string_view> words;
+  for (const ShapeKind* kind : shape_kinds())
+    if (kind->make) words.push_back(kind->name);
+  return one_of(words);
+}
 
 void apply_edit(const ModelEdit& edit, const BondLaw& joint_law, Model& model, State& state) {
   std::visit([&](const auto& e) { carry_out(e, joint_law, model, state); }, edit);

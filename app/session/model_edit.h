@@ -11,7 +11,8 @@
 
 namespace pabd {
 
-// A body as scene files have it: a box, a sphere or a capsule. It gets the highest number.
+// A body as scene files have it, of a shape that is given by its sizes: no plane and no mesh. It gets the
+// highest number.
 struct AddBody {
   std::string name;  // empty: one is made up
   Shape shape = Box{Vec3::Constant(0.5)};
@@ -46,6 +47,9 @@ struct AddJoint {
 struct RemoveJoint {
   Index joint = 0;
 };
+
+// `"box", "sphere" or "capsule"`: the shapes that a new body may have.
+std::string sized_shapes();
 
 using ModelEdit = std::variant<AddBody, RemoveBody, AddJoint, RemoveJoint>;
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/session/model_edit.h"
+#include "sim/body/shape_kind.h"
 #include "sim/error.h"
 #include "sim/potential/barrier.h"
 #include "sim/scene/keys.h"
@@ -78,9 +79,10 @@ struct ToJson {
 AddBody read_add_body(const Node& node) {
   const auto shape = node.value().find("shape");
   if (shape != node.value().end() && shape->is_object() && shape->contains("type")) {
-    const Json& type = (*shape)["type"];
-    if (type == "mesh" || type == "plane")
-      Node(*shape, node, "shape").fail_expected("a box, a sphere or a capsule");
+    for (const ShapeKind* kind : shape_kinds()) {
+      if (!kind->make && (*shape)["type"] == kind->name)
+        Node(*shape, node, "shape").fail_expected(sized_shapes());
+    }
   }
   Json body = node.value();
   body.erase("do");

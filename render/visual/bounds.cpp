@@ -11,15 +11,13 @@ namespace {
 // scenery.
 constexpr double kScenery = 3.0;
 
-bool is_plane(const Model& model, Index body) { return std::holds_alternative<Plane>(model.shape[body]); }
-
 template <class Accept>
 std::optional<BoundingSphere> sphere_around(const Model& model, const State& state, Accept accept) {
   const double inf = std::numeric_limits<double>::infinity();
   Vec3 lo = Vec3::Constant(inf);
   Vec3 hi = Vec3::Constant(-inf);
   for (Index i = 0; i < model.size(); ++i) {
-    if (is_plane(model, i) || !has_finite_pose(state, i) || !accept(i)) continue;
+    if (is_plane(model.shape[i]) || !has_finite_pose(state, i) || !accept(i)) continue;
     const Aabb box = bounds(model.shape[i], state.c[i], state.R[i]);
     lo = lo.cwiseMin(box.lo);
     hi = hi.cwiseMax(box.hi);
@@ -28,7 +26,7 @@ std::optional<BoundingSphere> sphere_around(const Model& model, const State& sta
   const Vec3 centre = 0.5 * (lo + hi);
   double radius = 0;
   for (Index i = 0; i < model.size(); ++i) {
-    if (is_plane(model, i) || !has_finite_pose(state, i) || !accept(i)) continue;
+    if (is_plane(model.shape[i]) || !has_finite_pose(state, i) || !accept(i)) continue;
     radius = std::max(radius, (state.c[i] - centre).norm() + bounding_radius(model.shape[i]));
   }
   return BoundingSphere{centre, std::max(radius, 1e-6)};

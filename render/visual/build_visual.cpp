@@ -11,7 +11,7 @@
 #include "render/visual/line_shapes.h"
 #include "render/visual/outline.h"
 #include "render/visual/palette.h"
-#include "sim/body/compound.h"
+#include "sim/body/shape_kind.h"
 #include "sim/joint/expand.h"
 
 namespace pabd {
@@ -47,6 +47,25 @@ MeshInstances& mesh_of(const Hull& hull, VisualScene& out) {
   return out.meshes.back();
 }
 
+Primitive primitive_of(SurfaceForm form) {
+  switch (form) {
+    case SurfaceForm::box:
+      return Primitive::cube;
+    case SurfaceForm::ball:
+      return Primitive::sphere;
+    case SurfaceForm::half_ball:
+      return Primitive::hemisphere;
+    case SurfaceForm::tube:
+    case SurfaceForm::cylinder:
+      return Primitive::cylinder;
+    case SurfaceForm::cone:
+      return Primitive::cone;
+    case SurfaceForm::polyhedron:
+      break;
+  }
+  return Primitive::mesh;
+}
+
 struct BodyPainter {
   VisualScene& out;
   Vec3 c;
@@ -54,47 +73,32 @@ struct BodyPainter {
   Vec4f color;
   bool shadow = true;
 
-  // A primitive with its centre at `local` in the body frame and scaled by `scale` along the body's axes.
-  void add(Primitive primitive, const Vec3& local, const Vec3& scale) const {
+  void operator()(const SurfacePart& part) const {
+    const Primitive primitive = primitive_of(part.form);
     Mat4f m = Mat4f::Identity();
-    m.block<3, 3>(0, 0) = (R * scale.asDiagonal()).cast<float>();
-    m.block<3, 1>(0, 3) = (c + R * local).cast<float>();
+    m.block<3, 1>(0, 3) = (c + R * part.at).cast<float>();
+    if (primitive == Primitive::mesh) {
+      m.block<3, 3>(0, 0) = (part.hull->data->bounding_radius * R).cast<float>();
+      mesh_of(*part.hull, out).instances.push_back({m, color, shadow});
+      return;
+    }
+    // Turned about x, not mirrored: the faces keep their orientation.
+    const double up = part.upside_down ? -1 : 1;
+    m.block<3, 3>(0, 0) = (R * part.size.cwiseProduct(Vec3(1, up, up)).asDiagonal()).cast<float>();
     out.instances[static_cast<int>(primitive)].push_back({m, color, shadow});
   }
-
-  void operator()(const Box& box) const { add(Primitive::cube, Vec3::Zero(), box.half); }
-
-  void operator()(const Sphere& sphere) const {
-    add(Primitive::sphere, Vec3::Zero(), Vec3::Constant(sphere.radius));
-  }
-
-  void operator()(const Capsule& capsule) const {
-    const double r = capsule.radius;
-    const double h = 0.5 * capsule.length;
-    if (h > 0) add(Primitive::cylinder, Vec3::Zero(), {r, h, r});
-    add(Primitive::hemisphere, {0, h, 0}, {r, r, r});
-    // Turned about x, not mirrored: the faces keep their orientation.
-    const BodyPainter turned{out, c, R * Vec3(1, -1, -1).asDiagonal(), color, shadow};
-    turned.add(Primitive::hemisphere, {0, h, 0}, {r, r, r});
-  }
-
-  void add(const Hull& hull, const Vec3& local) const {
-    Mat4f m = Mat4f::Identity();
-    m.block<3, 3>(0, 0) = (hull.data->bounding_radius * R).cast<float>();
-    m.block<3, 1>(0, 3) = (c + R * local).cast<float>();
-    mesh_of(hull, out).instances.push_back({m, color, shadow});
-  }
-
-  void operator()(const Hull& hull) const { add(hull, Vec3::Zero()); }
-
-  void operator()(const Compound& compound) const {
-    for (const CompoundPart& part : compound.data->parts) add(part.hull, part.offset);
-  }
-
-  void operator()(const Plane& plane) const {
-    out.grounds.push_back({plane.normal.cast<float>(), static_cast<float>(plane.offset)});
-  }
 };
+
+// `parts` is room that is used again for the next body.
+void add_body(const Shape& shape, const BodyPainter& painter, std::vector<SurfacePart>& parts) {
+  parts.clear();
+  kind_of(shape).surface(shape, parts);
+  for (const SurfacePart& part : parts) painter(part);
+  if (is_plane(shape)) {
+    const Plane& plane = as<Plane>(shape);
+    painter.out.grounds.push_back({plane.normal.cast<float>(), static_cast<float>(plane.offset)});
+  }
+}
 
 // A typical weight in N: the mean over movable bodies; 1 when nothing moves.
 double typical_weight(const Model& model) {
@@ -144,9 +148,10 @@ void add_selection(const Model& model, const State& state, const StepReport& rep
 void build_visual(const Model& model, const State& state, const StepReport& report,
                   const VisualOptions& options, VisualScene& out) {
   out.clear();
+  std::vector<SurfacePart> parts;
   for (Index i = 0; i < model.size(); ++i) {
     if (!has_finite_pose(state, i)) continue;  // nothing sensible can be drawn
-    std::visit(BodyPainter{out, state.c[i], state.R[i], choose_color(model, options, i)}, model.shape[i]);
+    add_body(model.shape[i], {out, state.c[i], state.R[i], choose_color(model, options, i)}, parts);
   }
   std::erase_if(out.meshes, [](const MeshInstances& mesh) { return mesh.instances.empty(); });
   const bool scaled = options.bonds || options.contacts || options.selected_contact;
@@ -167,9 +172,10 @@ constexpr double kGhostSize = 0.996;
 
 void add_ghost(const Model& model, const State& state, const Vec4f& color, VisualScene& out) {
   const Index count = std::min(model.size(), static_cast<Index>(std::min(state.c.size(), state.R.size())));
+  std::vector<SurfacePart> parts;
   for (Index i = 0; i < count; ++i) {
     if (model.fixed[i] || !has_finite_pose(state, i)) continue;
-    std::visit(BodyPainter{out, state.c[i], kGhostSize * state.R[i], color, false}, model.shape[i]);
+    add_body(model.shape[i], {out, state.c[i], kGhostSize * state.R[i], color, false}, parts);
   }
 }
 

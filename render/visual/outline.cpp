@@ -3,7 +3,8 @@
 //   e          eye                                                                        m
 //   r, D       radius of a ball, distance of its centre from the eye                      m
 //   circle     a ball's outline: centre c + (r²/D) v, radius r √(1 − r²/D²), across v, the unit vector to e
-//   n          of a capsule with axis u: where a plane through e touches its side, n·u = 0 and n·(e − c) = r
+//   ρ          of a round side about the axis u: its radius at the height of the eye, a cone being drawn out
+//   q          distance of e from the axis; the side turns away from e at the angle acos(ρ/q) from e's own
 //
 // A polyhedron's outline is every edge between a face that looks at the eye and one that does not.
 #include "render/visual/outline.h"
@@ -15,7 +16,7 @@
 #include "render/visual/contact_glyphs.h"
 #include "render/visual/line_shapes.h"
 #include "render/visual/palette.h"
-#include "sim/body/compound.h"
+#include "sim/body/shape_kind.h"
 
 namespace pabd {
 namespace {
@@ -30,54 +31,29 @@ class OutlinePainter {
   OutlinePainter(const Pose& pose, const Pen& pen, VisualScene& out)
       : pose_(pose), eye_(out.camera.eye.cast<double>()), pen_(pen), out_(out) {}
 
-  void operator()(const Sphere& sphere) const { ball(pose_.c, sphere.radius, Vec3::Zero()); }
-
-  void operator()(const Capsule& capsule) const {
-    const Vec3 u = pose_.R.col(1);
-    const double r = capsule.radius;
-    const Vec3 ends[2] = {pose_.c + 0.5 * capsule.length * u, pose_.c - 0.5 * capsule.length * u};
-    const Vec3 q = (eye_ - pose_.c) - u.dot(eye_ - pose_.c) * u;
-    const double level = q.norm();
-    if (level <= r) {  // seen along the axis: the nearer end hides the rest
-      const bool first = u.dot(eye_ - pose_.c) > 0;
-      return ball(ends[first ? 0 : 1], r, Vec3::Zero());
-    }
-    ball(ends[0], r, u);
-    ball(ends[1], r, -u);
-    const Vec3 v = q / level, side = u.cross(v);
-    for (const double sign : {-1.0, 1.0}) {
-      const Vec3 n = r / level * v + sign * std::sqrt(1 - r * r / (level * level)) * side;
-      add_line(out_, ends[0] + r * n, ends[1] + r * n, pen_);
-    }
-  }
-
-  void operator()(const Box& box) const {
-    const Vec3 local = pose_.R.transpose() * (eye_ - pose_.c);
-    const auto seen = [&](int axis, int sign) { return sign * local[axis] > box.half[axis]; };
-    for (int axis = 0; axis < 3; ++axis) {
-      const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-      for (const int sj : {-1, 1}) {
-        for (const int sk : {-1, 1}) {
-          if (seen(j, sj) == seen(k, sk)) continue;
-          Vec3 a = Vec3::Zero();
-          a[j] = sj * box.half[j];
-          a[k] = sk * box.half[k];
-          Vec3 b = a;
-          a[axis] = -box.half[axis];
-          b[axis] = box.half[axis];
-          line(a, b);
-        }
-      }
+  void operator()(const SurfacePart& part) const {
+    const double y = part.at.y();
+    switch (part.form) {
+      case SurfaceForm::box:
+        return box(part.size);
+      case SurfaceForm::ball:
+        return ball(at(part), part.size.x(), Vec3::Zero());
+      case SurfaceForm::half_ball:
+        return ball(at(part), part.size.x(), (part.upside_down ? -1 : 1) * pose_.R.col(1));
+      case SurfaceForm::tube:
+      case SurfaceForm::cylinder:
+        return side({y + part.size.y(), part.size.x()}, {y - part.size.y(), part.size.x()},
+                    part.form == SurfaceForm::cylinder);
+      case SurfaceForm::cone:
+        return side({y + part.size.y(), 0}, {y, part.size.x()}, true);
+      case SurfaceForm::polyhedron:
+        return polyhedron(*part.hull->data, part.at);
     }
   }
-
-  void operator()(const Hull& hull) const { polyhedron(*hull.data, Vec3::Zero()); }
-  void operator()(const Compound& compound) const {
-    for (const CompoundPart& part : compound.data->parts) polyhedron(*part.hull.data, part.offset);
-  }
-  void operator()(const Plane&) const {}
 
  private:
+  Vec3 at(const SurfacePart& part) const { return pose_.c + pose_.R * part.at; }
+
   void line(const Vec3& a, const Vec3& b) const {
     add_line(out_, pose_.c + pose_.R * a, pose_.c + pose_.R * b, pen_);
   }
@@ -96,14 +72,69 @@ class OutlinePainter {
     }
     // In the frame whose first axis is the half's own direction across v, the arc is symmetric.
     const Vec3 across = half - half.dot(v) * v;
-    const double length = across.norm();
+    const double length = std::max(across.norm(), 1e-12);
     const double least =
         -r / distance * half.dot(v) * r;  // of radius · length · cos, where the other half begins
-    if (length < 1e-9) return;
-    const double bound = std::clamp(least / (radius * length), -1.0, 1.0);
+    const double bound = least / (radius * length);
+    if (bound >= 1) return;
+    if (bound <= -1) return ball(centre, r, Vec3::Zero());
     const Vec3 a = across / length;
     const double reach = std::acos(bound);
     add_arc(out_, c, a, v.cross(a), radius, -reach, reach, pen_);
+  }
+
+  void box(const Vec3& half) const {
+    const Vec3 local = pose_.R.transpose() * (eye_ - pose_.c);
+    const auto seen = [&](int axis, int sign) { return sign * local[axis] > half[axis]; };
+    for (int axis = 0; axis < 3; ++axis) {
+      const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+      for (const int sj : {-1, 1}) {
+        for (const int sk : {-1, 1}) {
+          if (seen(j, sj) == seen(k, sk)) continue;
+          Vec3 a = Vec3::Zero();
+          a[j] = sj * half[j];
+          a[k] = sk * half[k];
+          Vec3 b = a;
+          a[axis] = -half[axis];
+          b[axis] = half[axis];
+          line(a, b);
+        }
+      }
+    }
+  }
+
+  // A circle about the body's y axis; a point where its radius is 0.
+  struct Rim {
+    double y, radius;
+  };
+
+  // The round side between two rims about the y axis: two lines, where it turns away from the eye. With flat
+  // ends also the part of each rim between an end and a side of which the eye sees only one.
+  void side(const Rim& top, const Rim& bottom, bool flat_ends) const {
+    const Vec3 u = pose_.R.col(1);
+    const double height = u.dot(eye_ - pose_.c);
+    const Vec3 q = (eye_ - pose_.c) - height * u;
+    const double level = q.norm(), slope = (bottom.radius - top.radius) / (top.y - bottom.y);
+    const double radius = bottom.radius - slope * (height - bottom.y);  // of the side, drawn out to the eye
+    const Vec3 v = level > 0 ? Vec3(q / level) : u.unitOrthogonal(), across = u.cross(v);
+    const auto on = [&](const Rim& rim, double cosine, double sine) -> Vec3 {
+      return pose_.c + rim.y * u + rim.radius * (cosine * v + sine * across);
+    };
+    const bool two_lines = std::abs(radius) < level;
+    if (two_lines) {
+      for (const double sign : {-1.0, 1.0}) {
+        const double cosine = radius / level, sine = sign * std::sqrt(1 - radius * radius / (level * level));
+        add_line(out_, on(top, cosine, sine), on(bottom, cosine, sine), pen_);
+      }
+    }
+    if (!flat_ends) return;
+    // The eye sees the side within `half` of the direction v.
+    const double half = two_lines ? std::acos(radius / level) : radius < 0 ? kPi : 0;
+    for (const auto& [rim, end_seen] : {std::pair{top, height > top.y}, {bottom, height < bottom.y}}) {
+      const double from = end_seen ? half : -half, to = end_seen ? 2 * kPi - half : half;
+      if (rim.radius > 0 && to > from)
+        add_arc(out_, pose_.c + rim.y * u, v, across, rim.radius, from, to, pen_);
+    }
   }
 
   void polyhedron(const HullData& hull, const Vec3& offset) const {
@@ -132,8 +163,10 @@ Vec3 towards_eye(const Vec3& p, const VisualScene& out) { return PixelMeter(out.
 
 void add_outline(const Shape& shape, const Pose& pose, VisualScene& out) {
   if (!pose.c.allFinite() || !pose.R.allFinite()) return;
+  std::vector<SurfacePart> parts;
+  kind_of(shape).surface(shape, parts);
   for (const auto& [ink, width] : kPens)
-    std::visit(OutlinePainter(pose, {srgb_color(ink), width}, out), shape);
+    for (const SurfacePart& part : parts) OutlinePainter(pose, {srgb_color(ink), width}, out)(part);
 }
 
 void add_ring(const Vec3& centre, double radius, VisualScene& out) {

@@ -41,6 +41,8 @@ struct Compound {
 
 using Shape = std::variant<Box, Sphere, Capsule, Plane, Hull, Compound>;
 
+inline bool is_plane(const Shape& shape) { return std::holds_alternative<Plane>(shape); }
+
 struct Aabb {
   Vec3 lo;
   Vec3 hi;

@@ -43,8 +43,6 @@ static_assert(std::is_same_v<std::variant_alternative_t<kHull, Shape>, Hull>);
 static_assert(std::is_same_v<std::variant_alternative_t<kCompound, Shape>, Compound>);
 static_assert(std::variant_size_v<Shape> == kKinds);
 
-bool is_plane(const Shape& shape) { return shape.index() == kPlane; }
-
 constexpr unsigned both(unsigned i, unsigned j) { return kKinds * i + j; }
 
 // Contacts of one pair, i < j.

@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "sim/body/line_cut.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 
@@ -17,11 +18,6 @@ struct Ray {
   Vec3 direction;  // of any length but 0: t counts in it
 };
 
-struct SurfaceHit {
-  double t;     // the point is origin + t direction
-  Vec3 normal;  // of the surface, outward; unit, world
-};
-
 struct RayHit {
   Index body;
   double t;
@@ -29,7 +25,7 @@ struct RayHit {
   Vec3 normal;  // outward; unit, world
 };
 
-// With one shape at the pose (c, R); a plane ignores it.
+// With one shape at the pose (c, R), which a plane ignores; the normal in the world.
 std::optional<SurfaceHit> ray_cast(const Shape& shape, const Vec3& c, const Mat3& R, const Ray& ray);
 
 // With all bodies; of equal t the body of the lower number. Linear in the number of bodies. Precondition:

@@ -1,6 +1,7 @@
 // Generator of a chain: links one behind the other along a line, each joined to the next. See generators.h.
 #include <fmt/format.h>
 
+#include "sim/body/shape_kind.h"
 #include "sim/joint/attach.h"
 #include "sim/scene/generators.h"
 
@@ -8,12 +9,8 @@ namespace pabd {
 
 namespace {
 
-enum class Kind { box, capsule, sphere };
 enum class Ends { none, first, both };
 
-constexpr Choice kKinds[] = {{"box", static_cast<int>(Kind::box)},
-                             {"capsule", static_cast<int>(Kind::capsule)},
-                             {"sphere", static_cast<int>(Kind::sphere)}};
 constexpr Choice kJoints[] = {{"spherical", static_cast<int>(JointType::spherical)},
                               {"hinge", static_cast<int>(JointType::hinge)},
                               {"fixed", static_cast<int>(JointType::fixed)}};
@@ -22,23 +19,28 @@ constexpr Choice kEnds[] = {{"none", static_cast<int>(Ends::none)},
                             {"both", static_cast<int>(Ends::both)}};
 
 // A link that is size.x long and size.y thick.
-Shape make_shape(const ObjectReader& in, Kind kind, const Vec3& size) {
-  if (kind == Kind::sphere) return Sphere{size.x() / 2};
-  if (kind == Kind::box) return Box{0.5 * size};
-  if (!(size.x() - size.y() >= kSizeRange.lo)) {
-    in.fail_key("size", fmt::format("a capsule {} m long and {} m thick has no straight part; expected the "
-                                    "first number above the second",
-                                    size.x(), size.y()));
+Shape make_shape(const ObjectReader& in, int kind, const Vec3& size) {
+  const Shape link = generated_shape(kind, size, size.x(), {size.x(), size.y()});
+  if (is_rod(kind) && !(kind_of(link).sizes_of(link)[1] >= kSizeRange.lo)) {
+    in.fail_key("size", fmt::format("a {} {} m long and {} m thick has no straight part; expected the first "
+                                    "number above the second",
+                                    kind_of(link).name, size.x(), size.y()));
   }
-  return Capsule{size.y() / 2, size.x() - size.y()};
+  return link;
 }
 
-// The link's length, x of a box and y of a capsule, comes to lie along the first column of F.
-Mat3 orientation(Kind kind, const Mat3& F) {
-  if (kind != Kind::capsule) return F;
+// The link's length, y of a rod and x of others, comes to lie along the first column of F.
+Mat3 orientation(int kind, const Mat3& F) {
+  if (!is_rod(kind)) return F;
   Mat3 R;
   R << -F.col(1), F.col(0), F.col(2);
   return R;
+}
+
+// From the centre of mass to the middle of the link's length, in the body frame.
+Vec3 middle(const Shape& link) {
+  const Aabb box = bounds(link, Vec3::Zero(), Mat3::Identity());
+  return 0.5 * (box.lo + box.hi);
 }
 
 }  // namespace
@@ -47,7 +49,8 @@ void generate_chain(const ObjectReader& in, const GeneratorContext& context, Sce
   std::string prefix = in.name("name");
   if (prefix.empty()) prefix = context.default_prefix;
   const std::int64_t links = in.integer("links", 1, kMostBodies);
-  const auto kind = static_cast<Kind>(in.choice("shape", kKinds, static_cast<int>(Kind::box)));
+  static const std::vector<Choice> kinds = generated_shapes();
+  const int kind = in.choice("shape", kinds, 0);
   const Vec3 size = in.vec3("size", kSizeRange, {1, 0.1, 0.1});
   const Vec3 start = in.vec3("position", kPositionRange, Vec3::Zero());
   const double gap = in.number("gap", {0, 1e3, "m"}, 0);
@@ -80,8 +83,8 @@ void generate_chain(const ObjectReader& in, const GeneratorContext& context, Sce
     body.shape = shape;
     body.mass = mass;
     if (end_mass && k + 1 == links) body.mass.mass = end_mass;
-    body.c = start + ((static_cast<double>(k) + 0.5) * pitch) * direction;
     body.R = orientation(kind, along_chain);
+    body.c = start + ((static_cast<double>(k) + 0.5) * pitch) * direction - body.R * middle(shape);
     out.add(std::move(body), in);
   }
   const auto join = [&](Index i, Index j, std::int64_t place) {

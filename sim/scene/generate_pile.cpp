@@ -13,21 +13,23 @@ namespace pabd {
 
 namespace {
 
-enum Kind { box, sphere, capsule, mixed };
+constexpr int kMixed = -1;  // a box, a sphere or a capsule, the first three of the table
 
-constexpr Choice kKinds[] = {{"box", box}, {"sphere", sphere}, {"capsule", capsule}, {"mixed", mixed}};
-
-// Fits into the box of that size: a sphere of its shortest edge, a capsule half as thick and as long as the
-// longest.
-Shape make_shape(Kind kind, const Vec3& size) {
-  const double shortest = size.minCoeff(), longest = size.maxCoeff();
-  if (kind == sphere) return Sphere{shortest / 2};
-  if (kind == capsule) return Capsule{0.375 * shortest, longest - 0.75 * shortest};
-  return Box{0.5 * size};
+std::vector<Choice> choices() {
+  std::vector<Choice> out = generated_shapes();
+  out.push_back({"mixed", kMixed});
+  return out;
 }
 
-double reach(Kind kind, const Vec3& size) {
-  if (kind == mixed) return std::max(reach(box, size), reach(capsule, size));
+// Fits into the box of that size: a sphere of its shortest edge, a rod three quarters as thick and as long as
+// the longest.
+Shape make_shape(int kind, const Vec3& size) {
+  const double shortest = size.minCoeff(), longest = size.maxCoeff();
+  return generated_shape(kind, size, shortest, {longest, 0.75 * shortest});
+}
+
+double reach(int kind, const Vec3& size) {
+  if (kind == kMixed) return std::max(reach(0, size), reach(2, size));
   return bounding_radius(make_shape(kind, size));
 }
 
@@ -37,7 +39,8 @@ void generate_pile(const ObjectReader& in, const GeneratorContext& context, Scen
   std::string prefix = in.name("name");
   if (prefix.empty()) prefix = context.default_prefix;
   const std::int64_t count = in.integer("count", 1, kMostBodies);
-  const auto kind = static_cast<Kind>(in.choice("shape", kKinds, box));
+  static const std::vector<Choice> kinds = choices();
+  const int kind = in.choice("shape", kinds, 0);
   const Vec3 size = in.vec3("size", kSizeRange, Vec3::Ones());
   const Vec3 position = in.vec3("position", kPositionRange, Vec3::Zero());
   const MassSpec mass = read_mass(in);
@@ -63,12 +66,12 @@ void generate_pile(const ObjectReader& in, const GeneratorContext& context, Scen
     const Vec3 cell(static_cast<double>(i % columns) - middle,
                     static_cast<double>(i / columns / columns) + 0.5,
                     static_cast<double>(i / columns % columns) - middle);
-    const auto draw = static_cast<Kind>(random.bits() % 3);
+    const auto draw = static_cast<int>(random.bits() % 3);
     const double scale = 1 + vary * random.symmetric();
     const double jx = random.symmetric(), jy = random.symmetric(), jz = random.symmetric();
     BodySpec body;
     body.name = fmt::format("{} {}", prefix, i);
-    body.shape = make_shape(kind == mixed ? draw : kind, scale * size);
+    body.shape = make_shape(kind == kMixed ? draw : kind, scale * size);
     body.mass = mass;
     body.c = position + cell * spacing + room * Vec3(jx, jy, jz);
     body.c.y() += 0.5 * context.d_hat;  // the lowest layer starts at least d̂ above the ground

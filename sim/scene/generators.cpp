@@ -5,6 +5,7 @@
 
 #include <iterator>
 
+#include "sim/body/shape_kind.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/text.h"
 
@@ -41,6 +42,25 @@ const Generator& find_generator(const Node& node) {
 }
 
 }  // namespace
+
+bool is_rod(int kind) { return shape_kinds()[static_cast<std::size_t>(kind)]->rod != nullptr; }
+
+std::vector<Choice> generated_shapes() {
+  std::vector<Choice> out;
+  for (std::size_t k = 0; k < shape_kinds().size(); ++k) {
+    const ShapeKind& kind = *shape_kinds()[k];
+    if (kind.name == "box" || kind.name == "sphere" || kind.rod)
+      out.push_back({kind.name, static_cast<int>(k)});
+  }
+  return out;
+}
+
+Shape generated_shape(int kind, const Vec3& box, double diameter, const RodSize& rod) {
+  const ShapeKind& row = *shape_kinds()[static_cast<std::size_t>(kind)];
+  if (row.rod) return row.rod(rod.length, rod.thickness);
+  if (row.name == "box") return Box{0.5 * box};
+  return Sphere{diameter / 2};
+}
 
 void run_generators(const ObjectReader& scene, double d_hat, SceneBuilder& out) {
   const auto list = scene.find("generate");

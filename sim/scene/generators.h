@@ -5,6 +5,8 @@
 // file do.
 #pragma once
 
+#include <vector>
+
 #include "sim/scene/builder.h"
 
 namespace pabd {
@@ -21,6 +23,17 @@ void generate_pyramid(const ObjectReader& in, const GeneratorContext& context, S
 void generate_pile(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
 void generate_chain(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
 void generate_net(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
+
+// Shapes that generators make, by their place in shape_kinds(): boxes, spheres and everything that may be a
+// rod.
+std::vector<Choice> generated_shapes();
+bool is_rod(int kind);
+
+// A box of edges `box`, a sphere of that diameter, or a rod, its length along y.
+struct RodSize {
+  double length, thickness;  // m
+};
+Shape generated_shape(int kind, const Vec3& box, double diameter, const RodSize& rod);
 
 // Runs every entry of "generate", in order.
 void run_generators(const ObjectReader& scene, double d_hat, SceneBuilder& out);

@@ -1,35 +1,39 @@
 // See keys.h.
 #include "sim/scene/keys.h"
 
+#include "sim/body/shape_kind.h"
+
 namespace pabd {
 
 std::span<const KeyTable> key_tables() {
-  static constexpr std::array kTables{KeyTable{"scene", keys::scene},
-                                      KeyTable{"solver", keys::solver},
-                                      KeyTable{"contact", keys::contact},
-                                      KeyTable{"friction", keys::friction},
-                                      KeyTable{"joints_default", keys::joints_default},
-                                      KeyTable{"camera", keys::camera},
-                                      KeyTable{"body", keys::body},
-                                      KeyTable{"box", keys::box},
-                                      KeyTable{"sphere", keys::sphere},
-                                      KeyTable{"capsule", keys::capsule},
-                                      KeyTable{"plane", keys::plane},
-                                      KeyTable{"mesh", keys::mesh},
-                                      KeyTable{"stack", keys::stack},
-                                      KeyTable{"wall", keys::wall},
-                                      KeyTable{"pyramid", keys::pyramid},
-                                      KeyTable{"pile", keys::pile},
-                                      KeyTable{"chain", keys::chain},
-                                      KeyTable{"net", keys::net},
-                                      KeyTable{"spherical", keys::spherical},
-                                      KeyTable{"hinge", keys::hinge},
-                                      KeyTable{"slider", keys::slider},
-                                      KeyTable{"fixed", keys::fixed},
-                                      KeyTable{"distance", keys::distance},
-                                      KeyTable{"drive", keys::drive},
-                                      KeyTable{"twist", keys::twist},
-                                      KeyTable{"friction_anchor", keys::friction_anchor}};
+  static constexpr std::array kFixed{KeyTable{"scene", keys::scene},
+                                     KeyTable{"solver", keys::solver},
+                                     KeyTable{"contact", keys::contact},
+                                     KeyTable{"friction", keys::friction},
+                                     KeyTable{"joints_default", keys::joints_default},
+                                     KeyTable{"camera", keys::camera},
+                                     KeyTable{"body", keys::body},
+                                     KeyTable{"stack", keys::stack},
+                                     KeyTable{"wall", keys::wall},
+                                     KeyTable{"pyramid", keys::pyramid},
+                                     KeyTable{"pile", keys::pile},
+                                     KeyTable{"chain", keys::chain},
+                                     KeyTable{"net", keys::net},
+                                     KeyTable{"spherical", keys::spherical},
+                                     KeyTable{"hinge", keys::hinge},
+                                     KeyTable{"slider", keys::slider},
+                                     KeyTable{"fixed", keys::fixed},
+                                     KeyTable{"distance", keys::distance},
+                                     KeyTable{"drive", keys::drive},
+                                     KeyTable{"twist", keys::twist},
+                                     KeyTable{"friction_anchor", keys::friction_anchor}};
+  static const auto kTables = [] {
+    std::vector<KeyTable> tables(kFixed.begin(), kFixed.end());
+    for (const ShapeKind* kind : shape_kinds()) {
+      if (kind->name != tables.back().object) tables.push_back({kind->name, kind->keys});
+    }
+    return tables;
+  }();
   return kTables;
 }
 

@@ -30,13 +30,6 @@ inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
 inline constexpr std::array body{Key("name"),        Key("shape"),    Key("fixed"),
                                  Key("density"),     Key("mass"),     Key("position"),
                                  Key("orientation"), Key("velocity"), Key("angular_velocity")};
-inline constexpr std::array box{Key("type"), Key("size")};
-inline constexpr std::array sphere{Key("type"), Key("radius")};
-inline constexpr std::array capsule{Key("type"), Key("radius"), Key("length")};
-inline constexpr std::array plane{Key("type"), Key("normal"), Key("offset")};
-
-inline constexpr std::array mesh{Key("type"), Key("file"), Key("scale")};
-
 inline constexpr std::array stack{Key("type"),    Key("name"), Key("count"),  Key("size"), Key("position"),
                                   Key("density"), Key("mass"), Key("masses"), Key("gap"),  Key("rotate")};
 inline constexpr std::array wall{Key("type"), Key("name"),     Key("columns"),    Key("rows"),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/body/shape_kind.h"
 #include "sim/error.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/text.h"
@@ -13,13 +14,15 @@ namespace pabd {
 
 namespace {
 
-enum class ShapeType { box, sphere, capsule, plane, mesh };
-
-constexpr Choice kShapes[] = {{"box", static_cast<int>(ShapeType::box)},
-                              {"sphere", static_cast<int>(ShapeType::sphere)},
-                              {"capsule", static_cast<int>(ShapeType::capsule)},
-                              {"plane", static_cast<int>(ShapeType::plane)},
-                              {"mesh", static_cast<int>(ShapeType::mesh)}};
+// Every name of the table once, with its place there.
+std::vector<Choice> shape_choices() {
+  std::vector<Choice> out;
+  for (std::size_t k = 0; k < shape_kinds().size(); ++k) {
+    const std::string_view name = shape_kinds()[k]->name;
+    if (out.empty() || name != out.back().word) out.push_back({name, static_cast<int>(k)});
+  }
+  return out;
+}
 
 Plane read_plane(const ObjectReader& in) {
   Plane plane{Vec3::UnitY(), 0};
@@ -69,40 +72,38 @@ Shape read_mesh(const ObjectReader& in, MeshLibrary& meshes) {
   return meshes.load_parts(names, scale);
 }
 
+// A shape that is given by its sizes.
+Shape read_sizes(const ObjectReader& in, const ShapeKind& kind) {
+  Sizes sizes{};
+  double* next = sizes.data();
+  for (const ShapeSize& size : kind.sizes) {
+    if (size.count == 1) {
+      *next = in.number(size.key, kSizeRange);
+    } else {
+      const Vec3 edges = in.vec3(size.key, kSizeRange);
+      std::copy(edges.begin(), edges.end(), next);
+    }
+    next += size.count;
+  }
+  return kind.make(sizes);
+}
+
 Shape read_shape(const Node& node, MeshLibrary& meshes) {
+  static const std::vector<Choice> choices = shape_choices();
   if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
   const auto type_it = node.value().find("type");
-  if (type_it == node.value().end())
-    fail_at(node.context(), node.pointer() + "/type",
-            "missing; expected \"box\", \"sphere\", \"capsule\", \"mesh\" or \"plane\"");
-  const Node type(*type_it, node, "type");
-  switch (static_cast<ShapeType>(type.choice(kShapes))) {
-    case ShapeType::sphere: {
-      const ObjectReader in(node, keys::sphere);
-      in.record("type", "sphere");
-      return Sphere{in.number("radius", kSizeRange)};
-    }
-    case ShapeType::capsule: {
-      const ObjectReader in(node, keys::capsule);
-      in.record("type", "capsule");
-      return Capsule{in.number("radius", kSizeRange), in.number("length", kSizeRange)};
-    }
-    case ShapeType::plane: {
-      const ObjectReader in(node, keys::plane);
-      in.record("type", "plane");
-      return read_plane(in);
-    }
-    case ShapeType::mesh: {
-      const ObjectReader in(node, keys::mesh);
-      in.record("type", "mesh");
-      return read_mesh(in, meshes);
-    }
-    case ShapeType::box:
-      break;
+  if (type_it == node.value().end()) {
+    std::vector<std::string_view> words;
+    for (const Choice& choice : choices) words.push_back(choice.word);
+    fail_at(node.context(), node.pointer() + "/type", "missing; expected " + one_of(words));
   }
-  const ObjectReader in(node, keys::box);
-  in.record("type", "box");
-  return Box{0.5 * in.vec3("size", kSizeRange)};
+  const Node type(*type_it, node, "type");
+  const ShapeKind& kind = *shape_kinds()[static_cast<std::size_t>(type.choice(choices))];
+  const ObjectReader in(node, kind.keys);
+  in.record("type", kind.name);
+  if (kind.make) return read_sizes(in, kind);
+  if (kind.name == "plane") return read_plane(in);
+  return read_mesh(in, meshes);
 }
 
 // A plane is placed by its normal and offset and never moves, so the rest of a body's keys would say nothing.
@@ -125,7 +126,7 @@ BodySpec read_body(const Node& node, std::size_t index, MeshLibrary& meshes) {
   if (body.name.empty()) body.name = fmt::format("body {}", index);
   body.shape =
       read_shape(in.require("shape", "an object such as { \"type\": \"box\", \"size\": [1, 1, 1] }"), meshes);
-  const bool plane = std::holds_alternative<Plane>(body.shape);
+  const bool plane = is_plane(body.shape);
   if (plane) refuse_on_plane(in);
 
   body.fixed = in.boolean("fixed", plane);

@@ -21,7 +21,7 @@ OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) 
                             "remove the body, or save only the parameters",
                             in_quotes(model.name[i])));
   }
-  if (std::holds_alternative<Plane>(model.shape[i])) return out;
+  if (is_plane(model.shape[i])) return out;
   if (model.fixed[i]) {
     out["fixed"] = true;
   } else {

@@ -1,25 +1,9 @@
 // See write_values.h.
 #include "sim/scene/write_values.h"
 
+#include "sim/body/shape_kind.h"
+
 namespace pabd {
-namespace {
-
-struct ShapeJson {
-  OrderedJson operator()(const Box& box) const { return {{"type", "box"}, {"size", json_of(2 * box.half)}}; }
-  OrderedJson operator()(const Sphere& sphere) const {
-    return {{"type", "sphere"}, {"radius", sphere.radius}};
-  }
-  OrderedJson operator()(const Capsule& capsule) const {
-    return {{"type", "capsule"}, {"radius", capsule.radius}, {"length", capsule.length}};
-  }
-  OrderedJson operator()(const Plane& plane) const {
-    return {{"type", "plane"}, {"normal", json_of(plane.normal)}, {"offset", plane.offset}};
-  }
-  OrderedJson operator()(const auto&) const { return nullptr; }
-};
-
-}  // namespace
-
 OrderedJson json_of(const Vec3& v) { return OrderedJson::array({v.x(), v.y(), v.z()}); }
 
 OrderedJson json_of_rotation(const Mat3& R) {
@@ -29,7 +13,27 @@ OrderedJson json_of_rotation(const Mat3& R) {
   return OrderedJson::array({q.w(), q.x(), q.y(), q.z()});
 }
 
-OrderedJson json_of(const Shape& shape) { return std::visit(ShapeJson{}, shape); }
+OrderedJson json_of(const Shape& shape) {
+  const ShapeKind& kind = kind_of(shape);
+  OrderedJson out{{"type", kind.name}};
+  if (is_plane(shape)) {
+    out["normal"] = json_of(as<Plane>(shape).normal);
+    out["offset"] = as<Plane>(shape).offset;
+    return out;
+  }
+  if (!kind.sizes_of) return nullptr;
+  const Sizes sizes = kind.sizes_of(shape);
+  const double* next = sizes.data();
+  for (const ShapeSize& size : kind.sizes) {
+    if (size.count == 1) {
+      out[std::string(size.key)] = *next;
+    } else {
+      out[std::string(size.key)] = std::vector<double>(next, next + size.count);
+    }
+    next += size.count;
+  }
+  return out;
+}
 
 void add_law(const BondLaw& law, OrderedJson& out) {
   out["potential"] = law.potential == BondPotential::soft ? "soft" : "hard";

@@ -13,7 +13,7 @@ using OrderedJson = nlohmann::ordered_json;
 OrderedJson json_of(const Vec3& v);
 OrderedJson json_of_rotation(const Mat3& R);  // unit quaternion [w, x, y, z], w ≥ 0
 
-// Null for a hull or a compound: their files are not known.
+// Null for a hull or a compound: their files are not known. The keys of sizes are those of shape_kind.h.
 OrderedJson json_of(const Shape& shape);
 
 // Adds potential, kappa, and for hard bonds N and d_hat.

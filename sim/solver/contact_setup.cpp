@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "sim/body/shape_kind.h"
 #include "sim/math/so3.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/time_step.h"
@@ -15,11 +16,11 @@ namespace {
 double travel(const Problem& p, Index i) {
   const Shape& shape = p.model->shape[i];
   const Flight& flight = *p.flight;
-  double turn = flight.turn[i].norm() * flight.radius[i];
-  if (std::holds_alternative<Sphere>(shape)) turn = 0;
-  if (const auto* capsule = std::get_if<Capsule>(&shape))
-    turn = flight.turn[i].cross(p.start->R[i].col(1)).norm() * 0.5 * capsule->length;
-  return (flight.star[i].c - p.start->c[i]).norm() + turn;
+  const ShapeKind& kind = kind_of(shape);
+  const double radius = kind.core_radius ? kind.core_radius(shape) : flight.radius[i];
+  Vec3 turn = flight.turn[i];
+  if (kind.round_about_y) turn = turn.cross(p.start->R[i].col(1));
+  return (flight.star[i].c - p.start->c[i]).norm() + turn.norm() * radius;
 }
 
 // Poses and reach for detection. A body that flies farther than half its own thickness could come out on the
@@ -53,19 +54,12 @@ auto sort_key(const ContactPoint& p) {
   return std::make_tuple(pair_key(p.a, p.b), owned_feature(p.a, p.b, p.feature));
 }
 
-// Radius of a round shape, 0 of a flat one.
-double roundness(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
-  if (const auto* capsule = std::get_if<Capsule>(&shape)) return capsule->radius;
-  return 0;
-}
-
 ContactPatch empty_patch(const Model& model, Index a, Index b) {
   ContactPatch patch{};
   patch.a = a;
   patch.b = b;
-  patch.turns = roundness(model.shape[a]) == 0;
-  patch.separate = !patch.turns || roundness(model.shape[b]) > 0;
+  patch.turns = rolling_radius(model.shape[a]) == 0;
+  patch.separate = !patch.turns || rolling_radius(model.shape[b]) > 0;
   return patch;
 }
 
@@ -77,7 +71,7 @@ void add_point(const Problem& problem, const ContactPoint& p, const Detection& f
   const int k = patch.count++;
   const auto in_a = [&](const Vec3& y) -> Vec3 { return from.R[p.a].transpose() * (y - from.c[p.a]); };
   const auto in_b = [&](const Vec3& y) -> Vec3 { return from.R[p.b].transpose() * (y - from.c[p.b]); };
-  const double radius_a = roundness(model.shape[p.a]), radius_b = roundness(model.shape[p.b]);
+  const double radius_a = rolling_radius(model.shape[p.a]), radius_b = rolling_radius(model.shape[p.b]);
   const Vec3 n = patch.turns ? Vec3(from.R[p.a].transpose() * p.n) : p.n;
   const Vec3 normal_b = in_b(p.y_b + radius_b * p.n);
   // From the centre of a to the normal point of b at the start of the step.
@@ -111,8 +105,8 @@ void set_rolling(Problem& p, Iterate& it) {
   for (const ContactPatch& patch : it.patch) {
     if (!patch.separate) continue;
     p.rolls[patch.a] = p.rolls[patch.b] = 1;
-    it.rolling.push_back({&it.roll[patch.a], &it.roll[patch.b], roundness(model.shape[patch.a]),
-                          roundness(model.shape[patch.b])});
+    it.rolling.push_back({&it.roll[patch.a], &it.roll[patch.b], rolling_radius(model.shape[patch.a]),
+                          rolling_radius(model.shape[patch.b])});
   }
   const Rolling* next = it.rolling.data();
   for (ContactPatch& patch : it.patch) {

@@ -1,0 +1,39 @@
+// The table of shapes. See shape_kind.h.
+#include "sim/body/shape_kind.h"
+
+#include <fmt/format.h>
+
+namespace pabd {
+
+extern const ShapeKind box_kind, sphere_kind, capsule_kind, plane_kind, hull_kind, compound_kind;
+
+namespace {
+
+// First the alternatives of Shape, in their order.
+constexpr const ShapeKind* kKinds[] = {
+    &box_kind,       //
+    &sphere_kind,    //
+    &capsule_kind,   //
+    &plane_kind,     //
+    &hull_kind,      //
+    &compound_kind,  //
+};
+static_assert(std::size(kKinds) == std::variant_size_v<Shape>);
+
+}  // namespace
+
+std::span<const ShapeKind* const> shape_kinds() { return kKinds; }
+
+const ShapeKind& kind_of(const Shape& shape) { return *kKinds[shape.index()]; }
+
+std::string text_of(const Shape& shape) {
+  const ShapeKind& kind = kind_of(shape);
+  if (kind.text) return kind.text(shape);
+  std::string out(kind.name);
+  const Sizes sizes = kind.sizes_of(shape);
+  for (std::size_t k = 0; k < kind.sizes.size(); ++k)
+    out += fmt::format(", {} {:.4g} m", kind.sizes[k].key, sizes[k]);
+  return out;
+}
+
+}  // namespace pabd
