@@ -138,6 +138,25 @@ bool add_face(const std::vector<int>& loop, const std::map<int, std::uint16_t>& 
   return true;
 }
 
+// No vertex above a face, and every loop turns left at every corner.
+bool is_convex(const HullData& hull, double tolerance) {
+  for (const HullFace& face : hull.faces) {
+    for (const Vec3& x : hull.vertices) {
+      if (!(face.normal.dot(x) - face.offset <= tolerance)) return false;
+    }
+    for (std::size_t k = 0; k < face.count; ++k) {
+      const auto corner = [&](std::size_t j) {
+        return hull.vertices[hull.loop[face.first + j % face.count]];
+      };
+      const Vec3 in = corner(k + 1) - corner(k), out = corner(k + 2) - corner(k + 1);
+      if (!(in.cross(out).dot(face.normal) > -tolerance * (in.norm() + out.norm()))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 bool add_edges(HullData& hull) {
   std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint16_t> edges;  // by (from, to)
   hull.loop_edge.assign(hull.loop.size(), 0);
@@ -164,25 +183,6 @@ bool add_edges(HullData& hull) {
   const bool sphere = hull.vertices.size() + hull.faces.size() == hull.edges.size() + 2;  // Euler
   return sphere && closed == hull.edges.size();
 }
-
-// No vertex above a face, and every loop turns left at every corner.
-bool is_convex(const HullData& hull, double tolerance) {
-  for (const HullFace& face : hull.faces) {
-    for (const Vec3& x : hull.vertices) {
-      if (!(face.normal.dot(x) - face.offset <= tolerance)) return false;
-    }
-    for (std::size_t k = 0; k < face.count; ++k) {
-      const auto corner = [&](std::size_t j) {
-        return hull.vertices[hull.loop[face.first + j % face.count]];
-      };
-      const Vec3 in = corner(k + 1) - corner(k), out = corner(k + 2) - corner(k + 1);
-      if (!(in.cross(out).dot(face.normal) > -tolerance * (in.norm() + out.norm()))) return false;
-    }
-  }
-  return true;
-}
-
-}  // namespace
 
 std::optional<HullData> merge_faces(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
                                     double tolerance) {

@@ -19,6 +19,9 @@ std::vector<Triangle> hull_triangles(const std::vector<Vec3>& points);
 std::optional<HullData> merge_faces(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
                                     double tolerance);
 
+// Fills the edges of a hull that has faces and loops. False when they do not close.
+bool add_edges(HullData& hull);
+
 // Moves the origin to the centre of mass and fills what is still missing. False when the volume is not
 // positive.
 bool finish_hull(HullData& hull);

@@ -39,7 +39,13 @@ struct Compound {
   std::shared_ptr<const CompoundData> data;
 };
 
-using Shape = std::variant<Box, Sphere, Capsule, Plane, Hull, Compound>;
+// A solid of which its row in the table of shapes says everything (shape_kind.h). Copies share the data.
+struct SolidData;
+struct Solid {
+  std::shared_ptr<const SolidData> data;
+};
+
+using Shape = std::variant<Box, Sphere, Capsule, Plane, Hull, Compound, Solid>;
 
 inline bool is_plane(const Shape& shape) { return std::holds_alternative<Plane>(shape); }
 

@@ -3,13 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cassert>
+
 namespace pabd {
 
 extern const ShapeKind box_kind, sphere_kind, capsule_kind, plane_kind, hull_kind, compound_kind;
 
 namespace {
 
-// First the alternatives of Shape, in their order.
+// First the alternatives of Shape, in their order, then the solids.
 constexpr const ShapeKind* kKinds[] = {
     &box_kind,       //
     &sphere_kind,    //
@@ -18,13 +21,23 @@ constexpr const ShapeKind* kKinds[] = {
     &hull_kind,      //
     &compound_kind,  //
 };
-static_assert(std::size(kKinds) == std::variant_size_v<Shape>);
+static_assert(std::size(kKinds) >= std::variant_size_v<Shape> - 1);
 
 }  // namespace
 
 std::span<const ShapeKind* const> shape_kinds() { return kKinds; }
 
-const ShapeKind& kind_of(const Shape& shape) { return *kKinds[shape.index()]; }
+const ShapeKind& kind_of(const Shape& shape) {
+  const auto* solid = std::get_if<Solid>(&shape);
+  return solid ? *solid->data->kind : *kKinds[shape.index()];
+}
+
+Shape make_shape(std::string_view name, const Sizes& sizes) {
+  const auto* found = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                   [&](const ShapeKind* kind) { return kind->make && kind->name == name; });
+  assert(found != std::end(kKinds));
+  return (*found)->make(sizes);
+}
 
 std::string text_of(const Shape& shape) {
   const ShapeKind& kind = kind_of(shape);

@@ -71,6 +71,8 @@ struct ShapeKind {
   Aabb (*bounds)(const Shape& shape, const Vec3& c, const Mat3& R);
   double (*bounding_radius)(const Shape& shape);
   double (*inner_radius)(const Shape& shape);
+  // Largest u·x over the shape, in its frame. Of solids; null for others.
+  double (*support)(const Shape& shape, const Vec3& u) = nullptr;
 
   // A round shape is all that is within rolling_radius of its core, a point or a piece of the y axis.
   // core_radius is how far the core reaches. Null: a flat shape, which is its own core.
@@ -84,9 +86,24 @@ struct ShapeKind {
   void (*surface)(const Shape& shape, std::vector<SurfacePart>& out);
 };
 
+// What is behind a Solid.
+struct SolidData {
+  const ShapeKind* kind;
+  Sizes sizes;
+  Shape facets;  // the Hull that contacts see, in the frame of the body
+};
+
+inline Shape make_solid(const ShapeKind& kind, const Sizes& sizes, Hull facets) {
+  return Solid{std::make_shared<const SolidData>(SolidData{&kind, sizes, std::move(facets)})};
+}
+
 // All kinds. A mesh has two, of one part and of several, under one name.
 std::span<const ShapeKind* const> shape_kinds();
 const ShapeKind& kind_of(const Shape& shape);
+
+// The shape of that name and those sizes, which must be positive: make_shape("cylinder", {radius, height}).
+// Precondition: the table has it, and it is given by its sizes.
+Shape make_shape(std::string_view name, const Sizes& sizes);
 
 // "capsule 0.4 m + 1 m": what the inspector says.
 std::string text_of(const Shape& shape);

@@ -41,6 +41,7 @@ struct HullAgainst {
     hull_hull(placed(other), hull, reach, out);
   }
   void operator()(const Compound&) const {}  // comes part by part
+  void operator()(const Solid&) const {}     // comes as a hull
 };
 
 // All parts of `compound` against one thing within `radius` of c: `meet` is given each part that is near

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "sim/body/shape_kind.h"
 #include "sim/collision/narrow_phase.h"
 
 namespace pabd {
@@ -19,10 +20,9 @@ struct Poses {
   const std::vector<Vec3>& c;
   const std::vector<Mat3>& R;
 
-  template <class ShapeType>
-  Placed<ShapeType> placed(Index i) const {
+  Placed<Shape> placed(Index i) const {
     const auto k = static_cast<std::size_t>(i);
-    return {*std::get_if<ShapeType>(&model.shape[k]), c[k], R[k], i};
+    return {model.shape[k], c[k], R[k], i};
   }
 };
 
@@ -33,68 +33,81 @@ enum Kind : unsigned {
   kPlane,
   kHull,
   kCompound,
-  kKinds
-};  // the order of the alternatives of Shape
+  kKinds,
+  kSolid = kKinds  // comes as a hull
+};                 // the order of the alternatives of Shape
 static_assert(std::is_same_v<std::variant_alternative_t<kBox, Shape>, Box>);
 static_assert(std::is_same_v<std::variant_alternative_t<kSphere, Shape>, Sphere>);
 static_assert(std::is_same_v<std::variant_alternative_t<kCapsule, Shape>, Capsule>);
 static_assert(std::is_same_v<std::variant_alternative_t<kPlane, Shape>, Plane>);
 static_assert(std::is_same_v<std::variant_alternative_t<kHull, Shape>, Hull>);
 static_assert(std::is_same_v<std::variant_alternative_t<kCompound, Shape>, Compound>);
-static_assert(std::variant_size_v<Shape> == kKinds);
+static_assert(std::is_same_v<std::variant_alternative_t<kSolid, Shape>, Solid>);
+static_assert(std::variant_size_v<Shape> == kKinds + 1);
 
 constexpr unsigned both(unsigned i, unsigned j) { return kKinds * i + j; }
 
-// Contacts of one pair, i < j.
-void collide(const Poses& poses, Index i, Index j, double reach, Contacts& out) {
-  auto kind_i = static_cast<unsigned>(poses.model.shape[static_cast<std::size_t>(i)].index());
-  auto kind_j = static_cast<unsigned>(poses.model.shape[static_cast<std::size_t>(j)].index());
+template <class T>
+Placed<T> as(const Placed<Shape>& body) {
+  return {*std::get_if<T>(&body.shape), body.c, body.R, body.number};
+}
+
+// Contacts of one pair, first.number < second.number; no solids.
+void collide(const Placed<Shape>& first, const Placed<Shape>& second, double reach, Contacts& out) {
+  auto kind_i = static_cast<unsigned>(first.shape.index());
+  auto kind_j = static_cast<unsigned>(second.shape.index());
   const bool same = kind_i == kind_j;
   // Mixed pairs: compound before plane before hull before box before capsule before sphere, the order in
   // which they own the normal.
   constexpr unsigned kRank[kKinds] = {3, 5, 4, 1, 2, 0};
-  if (!same && kRank[kind_j] < kRank[kind_i]) {
-    std::swap(i, j);
-    std::swap(kind_i, kind_j);
-  }
+  const bool swapped = !same && kRank[kind_j] < kRank[kind_i];
+  if (swapped) std::swap(kind_i, kind_j);
+  const Placed<Shape>&i = swapped ? second : first, &j = swapped ? first : second;
   using namespace narrow;
-  if (kind_i == kCompound) {
-    const auto k = static_cast<std::size_t>(j);
-    return compound_shape(poses.placed<Compound>(i), {poses.model.shape[k], poses.c[k], poses.R[k], j}, reach,
-                          out);
-  }
+  if (kind_i == kCompound) return compound_shape(as<Compound>(i), j, reach, out);
   switch (both(kind_i, kind_j)) {
     case both(kBox, kBox):
-      return box_box(poses.placed<Box>(i), poses.placed<Box>(j), reach, out);
+      return box_box(as<Box>(i), as<Box>(j), reach, out);
     case both(kBox, kSphere):
-      return box_sphere(poses.placed<Box>(i), poses.placed<Sphere>(j), reach, out);
+      return box_sphere(as<Box>(i), as<Sphere>(j), reach, out);
     case both(kBox, kCapsule):
-      return box_capsule(poses.placed<Box>(i), poses.placed<Capsule>(j), reach, out);
+      return box_capsule(as<Box>(i), as<Capsule>(j), reach, out);
     case both(kSphere, kSphere):
-      return sphere_sphere(poses.placed<Sphere>(i), poses.placed<Sphere>(j), reach, out);
+      return sphere_sphere(as<Sphere>(i), as<Sphere>(j), reach, out);
     case both(kCapsule, kSphere):
-      return capsule_sphere(poses.placed<Capsule>(i), poses.placed<Sphere>(j), reach, out);
+      return capsule_sphere(as<Capsule>(i), as<Sphere>(j), reach, out);
     case both(kCapsule, kCapsule):
-      return capsule_capsule(poses.placed<Capsule>(i), poses.placed<Capsule>(j), reach, out);
+      return capsule_capsule(as<Capsule>(i), as<Capsule>(j), reach, out);
     case both(kPlane, kBox):
-      return box_plane(poses.placed<Plane>(i), poses.placed<Box>(j), reach, out);
+      return box_plane(as<Plane>(i), as<Box>(j), reach, out);
     case both(kPlane, kSphere):
-      return sphere_plane(poses.placed<Plane>(i), poses.placed<Sphere>(j), reach, out);
+      return sphere_plane(as<Plane>(i), as<Sphere>(j), reach, out);
     case both(kPlane, kCapsule):
-      return capsule_plane(poses.placed<Plane>(i), poses.placed<Capsule>(j), reach, out);
+      return capsule_plane(as<Plane>(i), as<Capsule>(j), reach, out);
     case both(kPlane, kHull):
-      return hull_plane(poses.placed<Plane>(i), poses.placed<Hull>(j), reach, out);
+      return hull_plane(as<Plane>(i), as<Hull>(j), reach, out);
     case both(kHull, kBox):
-      return hull_box(poses.placed<Hull>(i), poses.placed<Box>(j), reach, out);
+      return hull_box(as<Hull>(i), as<Box>(j), reach, out);
     case both(kHull, kCapsule):
-      return hull_capsule(poses.placed<Hull>(i), poses.placed<Capsule>(j), reach, out);
+      return hull_capsule(as<Hull>(i), as<Capsule>(j), reach, out);
     case both(kHull, kSphere):
-      return hull_sphere(poses.placed<Hull>(i), poses.placed<Sphere>(j), reach, out);
+      return hull_sphere(as<Hull>(i), as<Sphere>(j), reach, out);
     case both(kHull, kHull):
-      return hull_hull(poses.placed<Hull>(i), poses.placed<Hull>(j), reach, out);
+      return hull_hull(as<Hull>(i), as<Hull>(j), reach, out);
     default:
       return;  // two planes
   }
+}
+
+const Shape& facets(const Shape& shape) {
+  const auto* solid = std::get_if<Solid>(&shape);
+  return solid ? solid->data->facets : shape;
+}
+
+// The same where one is a solid: the hulls that stand for them.
+void collide_solids(const Placed<Shape>& a, const Placed<Shape>& b, double reach, Contacts& out) {
+  const Mat3 R_a = narrow::facing(a, b), R_b = narrow::facing(b, a);
+  collide({facets(a.shape), a.c, R_a, a.number}, {facets(b.shape), b.c, R_b, b.number}, reach, out);
 }
 
 // Planes meet every body whose bounds reach below them.
@@ -154,7 +167,13 @@ void collide_range(const Poses& poses, const std::vector<double>& reach, const s
     if (skipped != skip.end() && *skipped == *pair) continue;
     const auto [i, j] = *pair;
     const std::size_t start = out.size();
-    collide(poses, i, j, reach[static_cast<std::size_t>(i)] + reach[static_cast<std::size_t>(j)], out);
+    const Placed<Shape> a = poses.placed(i), b = poses.placed(j);
+    const double near = reach[static_cast<std::size_t>(i)] + reach[static_cast<std::size_t>(j)];
+    if (a.shape.index() == kSolid || b.shape.index() == kSolid) {
+      collide_solids(a, b, near, out);
+    } else {
+      collide(a, b, near, out);
+    }
     if (out.size() - start < 2) continue;
     std::sort(out.begin() + static_cast<std::ptrdiff_t>(start), out.end(),
               [](const ContactPoint& p, const ContactPoint& q) { return p.feature < q.feature; });

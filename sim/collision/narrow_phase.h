@@ -49,6 +49,9 @@ void hull_hull(const Placed<Hull>& a, const Placed<Hull>& b, double reach, Conta
 void compound_shape(const Placed<Compound>& compound, const Placed<Shape>& other, double reach,
                     Contacts& out);
 
+// The rotation with which the facets of a solid stand for it against `other`; that of any other body as it is.
+Mat3 facing(const Placed<Shape>& body, const Placed<Shape>& other);
+
 inline void add_contact(Contacts& out, Index a, Index b, const Vec3& y_b, const Vec3& n, double d,
                         std::uint32_t feature) {
   out.push_back({a, b, y_b - d * n, y_b, n, d, feature});
