@@ -8,7 +8,8 @@
 
 namespace pabd {
 
-extern const ShapeKind box_kind, sphere_kind, capsule_kind, plane_kind, hull_kind, compound_kind;
+extern const ShapeKind box_kind, sphere_kind, capsule_kind, plane_kind, hull_kind, compound_kind,
+    cylinder_kind;
 
 namespace {
 
@@ -20,6 +21,7 @@ constexpr const ShapeKind* kKinds[] = {
     &plane_kind,     //
     &hull_kind,      //
     &compound_kind,  //
+    &cylinder_kind,
 };
 static_assert(std::size(kKinds) >= std::variant_size_v<Shape> - 1);
 
