@@ -9,7 +9,7 @@
 namespace pabd {
 
 extern const ShapeKind box_kind, sphere_kind, capsule_kind, plane_kind, hull_kind, compound_kind,
-    cylinder_kind;
+    cylinder_kind, cone_kind;
 
 namespace {
 
@@ -21,7 +21,8 @@ constexpr const ShapeKind* kKinds[] = {
     &plane_kind,     //
     &hull_kind,      //
     &compound_kind,  //
-    &cylinder_kind,
+    &cylinder_kind,  //
+    &cone_kind,      //
 };
 static_assert(std::size(kKinds) >= std::variant_size_v<Shape> - 1);
 

@@ -32,7 +32,19 @@ Round cylinder() {
           {across, 0.5 * m * kRadius * kRadius, across}};
 }
 
-std::vector<Round> solids() { return {cylinder()}; }
+// Hibbeler, Engineering Mechanics: 3/10 m r² about the axis, 3/80 m (4 r² + h²) across it.
+Round cone() {
+  const double m = kDensity * kPi * kRadius * kRadius * kHeight / 3;
+  const double across = 3 * m / 80 * (4 * kRadius * kRadius + kHeight * kHeight);
+  return {make_shape("cone", {kRadius, kHeight}),
+          -kHeight / 4,
+          3 * kHeight / 4,
+          [](double y) { return kRadius * (0.75 - y / kHeight); },
+          m,
+          {across, 0.3 * m * kRadius * kRadius, across}};
+}
+
+std::vector<Round> solids() { return {cylinder(), cone()}; }
 
 double relative_error(const Mat3& a, const Mat3& b) { return (a - b).norm() / b.norm(); }
 

@@ -40,7 +40,9 @@ struct Round {
 };
 
 std::vector<Round> solids() {
-  return {{cylinder(), -kHeight / 2, kHeight / 2, [](double) { return kRadius; }}};
+  return {{cylinder(), -kHeight / 2, kHeight / 2, [](double) { return kRadius; }},
+          {make_shape("cone", {kRadius, kHeight}), -kHeight / 4, 3 * kHeight / 4,
+           [](double y) { return kRadius * (0.75 - y / kHeight); }}};
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Kind {
   const char* name;
   double centre;  // of mass, of the height above the base
 };
-constexpr Kind kKinds[] = {{"cylinder", 0.5}};
+constexpr Kind kKinds[] = {{"cylinder", 0.5}, {"cone", 0.25}};
 
 Shape solid(const Kind& kind) { return make_shape(kind.name, {kRadius, kHeight}); }
 
