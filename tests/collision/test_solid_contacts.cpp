@@ -1,9 +1,11 @@
 // Cylinders and cones against closed forms: contacts on planes, balls and each other, and rays.
 #include <catch2/catch.hpp>
 
+#include "sim/body/compound.h"
 #include "sim/body/shape_kind.h"
 #include "sim/collision/ray_cast.h"
 #include "tests/collision/reference.h"
+#include "tests/support/hulls.h"
 
 using namespace reference;
 
@@ -135,6 +137,32 @@ TEST_CASE("a round solid on a box and on the hull of that box is as on a plane")
       REQUIRE(contacts.size() == 2);
       CHECK(contacts[0].d == Approx(0.01).epsilon(1e-9));
       CHECK(contacts[1].d == Approx(0.01).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a cylinder that lies on a compound, across its parts and on one of them, is as on a plane") {
+  const auto slab = [](double from, double to) {
+    std::vector<Vec3> corners;
+    for (int k = 0; k < 8; ++k) corners.emplace_back(k & 1 ? from : to, k & 2 ? 0 : -1, k & 4 ? 3 : -3);
+    return testing::hull_of(corners);
+  };
+  const Mat3 along_x = Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
+  for (const double x : {0.1, 1.6}) {
+    for (const double roll : {0.0, 1.3}) {
+      Setup setup;
+      setup.add(make_compound({slab(-3, 0), slab(0, 3)}), {0, -0.5, 0}, Mat3::Identity(), 0.001, true);
+      setup.add(cylinder(), {x, kRadius + 0.01, 0}, along_x * about_y(roll), 0.01);
+      const auto contacts = setup.contacts();
+      REQUIRE(contacts.size() >= 2);
+      double lo = 1e9, hi = -1e9;
+      for (const ContactPoint& p : contacts) {
+        CHECK(p.d == Approx(0.01).epsilon(1e-9));
+        lo = std::min(lo, p.y_b.x());
+        hi = std::max(hi, p.y_b.x());
+      }
+      CHECK(lo == Approx(x - kHeight / 2).epsilon(1e-9));
+      CHECK(hi == Approx(x + kHeight / 2).epsilon(1e-9));
     }
   }
 }
