@@ -113,6 +113,7 @@ TEST_CASE("bounds and radii of solids are those of their rims") {
     CHECK(bounding_radius(solid.shape) == Approx(radius).epsilon(1e-12));
     CHECK(inner_radius(solid.shape) == Approx(inside).epsilon(1e-8));
   }
+  CHECK(inner_radius(make_shape("cone", {2, 0.4})) == Approx(0.1));  // a flat one: down to its base
 }
 
 TEST_CASE("contacts see a polyhedron with its corners on the rims and flat ends") {

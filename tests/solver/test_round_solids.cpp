@@ -121,6 +121,14 @@ TEST_CASE("a cylinder that lies on its side rolls: it keeps its speed, and a slo
   CHECK(std::abs(level.state.v[1].y()) < 1e-6);
   CHECK(std::abs(level.state.v[1].z()) < 1e-6);
 
+  // What belongs to the surface turns away from the ground: v = sin(ω h) r/h.
+  World fast = rolling(0, 6);
+  testing::run(fast, 600);
+  const double turn = -fast.state.omega[1].z() * fast.params.h;
+  CHECK(turn > 0.3);
+  CHECK(fast.state.v[1].x() == Approx(std::sin(turn) * kRadius / fast.params.h).epsilon(1e-3));
+  CHECK(fast.state.v[1].x() < 6);
+
   const double slope = 0.1;
   World down = rolling(slope, 0);
   testing::run(down, 60);
