@@ -1,26 +1,15 @@
 // The gradient behind everything: one triangle at the far plane.
 #include "render/gl/background_pass.h"
 
-#include "render/gl/corner_triangle.h"
-#include "render/gl/frame_uniforms.h"
+#include "render/gl/frame_block.h"
+#include "render/gl/shader_files.h"
 
 namespace pabd {
-namespace {
-
-constexpr const char* kVertex = R"(
-void main() { gl_Position = vec4(corner(), 1.0, 1.0); }
-)";
-
-constexpr const char* kFragment = R"(
-out vec4 fragment;
-void main() { fragment = vec4(background(gl_FragCoord.y), 1.0); }
-)";
-
-}  // namespace
 
 BackgroundPass::BackgroundPass(const GlFunctions& gl)
     : gl_(gl),
-      program_(gl, "background", {kCornerGlsl, kVertex}, {kFrameGlsl, kLightingGlsl, kFragment}),
+      program_(gl, "background", {shaders::corner, shaders::background_vert},
+               {frame_block(), shaders::lighting, shaders::background_frag}),
       array_(gl) {}
 
 void BackgroundPass::draw() const {

@@ -5,56 +5,16 @@
 //   D        exp(−h/λ), blurred with σ = 0.25 × the mean radius       0 … 1, part of the sky that is hidden
 #include "render/gl/contact_shade_pass.h"
 
-#include "render/gl/corner_triangle.h"
+#include "render/gl/shader_files.h"
 #include "sim/error.h"
 
 namespace pabd {
-namespace {
-
-constexpr const char* kClearanceVertex = R"(
-out float height;
-void main() {
-  vec3 q = (frame.world_to_floor * vec4(world_position(position), 1.0)).xyz;
-  height = q.z / frame.floor_shade.x;
-  gl_Position = vec4(q.xy * 2.0 - 1.0, height / 8.0, 1.0);
-}
-)";
-constexpr const char* kClearanceFragment = R"(
-in float height;
-out vec4 fragment;
-void main() { fragment = vec4(exp(-max(height, 0.0))); }
-)";
-constexpr const char* kBlurVertex = R"(
-out vec2 uv;
-void main() {
-  uv = 0.5 * corner() + 0.5;
-  gl_Position = vec4(corner(), 0.0, 1.0);
-}
-)";
-// Fifteen taps over ±3 σ.
-constexpr const char* kBlurFragment = R"(
-in vec2 uv;
-uniform sampler2D map;
-uniform vec2 step_size;  // 3/7 σ along one axis
-out vec4 fragment;
-void main() {
-  float sum = 0.0, total = 0.0;
-  for (int i = -7; i <= 7; ++i) {
-    float t = float(i) * (3.0 / 7.0);
-    float w = exp(-0.5 * t * t);
-    sum += w * texture(map, uv + step_size * float(i)).r;
-    total += w;
-  }
-  fragment = vec4(sum / total);
-}
-)";
-
-}  // namespace
 
 ContactShadePass::ContactShadePass(const GlFunctions& gl)
     : gl_(gl),
-      clearance_(gl, "clearance", {kFrameGlsl, kInstanceGlsl, kClearanceVertex}, {kClearanceFragment}),
-      blur_(gl, "blur", {kCornerGlsl, kBlurVertex}, {kBlurFragment}),
+      clearance_(gl, "clearance", {frame_block(), shaders::instance, shaders::clearance_vert},
+                 {shaders::clearance_frag}),
+      blur_(gl, "blur", {shaders::corner, shaders::blur_vert}, {shaders::blur_frag}),
       step_(blur_.uniform("step_size")),
       array_(gl),
       maps_{GlTexture(gl), GlTexture(gl)},

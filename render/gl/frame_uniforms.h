@@ -1,41 +1,13 @@
-// What every pass needs to know of a frame: camera, light, shadow map. One uniform block.
+// What every pass needs to know of a frame: camera, light, shadow map.
 //
 //   L            world to shadow texels: x, y in texels, z along the light in texels too
 //   texel        size of a shadow texel; m
 #pragma once
 
+#include "render/gl/frame_block.h"
 #include "render/visual/visual_scene.h"
 
 namespace pabd {
-
-inline constexpr unsigned kFrameBinding = 0;
-inline constexpr int kShadowSize = 512;    // texels; the filter is six wide, so that fewer are softer
-inline constexpr int kFloorMapSize = 192;  // texels
-
-// std140 layout of the block "Frame".
-struct FrameUniforms {
-  float world_to_clip[16];
-  float world_to_shadow[16];
-  float world_to_floor[16];
-  float eye[4];       // xyz; w: 1
-  float light[4];     // xyz: unit, towards the light; w: depth range of the shadow map in texels
-  float centre[4];    // xyz: of the scene; w: radius
-  float viewport[4];  // width, height in pixels; z: line width factor; w: size of a pixel at distance 1
-  float sun[4];
-  float sky[4];
-  float bounce[4];
-  float background_top[4];
-  float background_bottom[4];
-  float floor_color[4];
-  float floor_shade[4];    // fall-off of the contact shade in m, its strength (0: no floor), -, -
-  float shadow_bounds[4];  // texels that casters may touch: x0, y0, x1, y1
-};
-
-// GLSL text of the block, for both stages.
-extern const char* const kFrameGlsl;
-// GLSL: background(y), ambient(n), sun_visibility(p, n), floor_shade(p), near_floor(p, n). Needs kFrameGlsl;
-// fragment stage. Its samplers: shadow_map on unit 0, floor_map on unit 1.
-extern const char* const kLightingGlsl;
 
 // The part of space that shadows are computed in.
 struct ShadowVolume {

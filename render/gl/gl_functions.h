@@ -25,9 +25,12 @@
   X(Enable, ENABLE) X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) X(Finish, FINISH) X(Flush, FLUSH) \
   X(FramebufferRenderbuffer, FRAMEBUFFERRENDERBUFFER) X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D) \
   X(GenBuffers, GENBUFFERS) X(GenFramebuffers, GENFRAMEBUFFERS) X(GenRenderbuffers, GENRENDERBUFFERS) \
-  X(GenTextures, GENTEXTURES) X(GenVertexArrays, GENVERTEXARRAYS) X(GetError, GETERROR) X(GetIntegerv, GETINTEGERV) \
+  X(GenTextures, GENTEXTURES) X(GenVertexArrays, GENVERTEXARRAYS) \
+  X(GetActiveUniformBlockiv, GETACTIVEUNIFORMBLOCKIV) X(GetActiveUniformsiv, GETACTIVEUNIFORMSIV) \
+  X(GetError, GETERROR) X(GetIntegerv, GETINTEGERV) \
   X(GetProgramInfoLog, GETPROGRAMINFOLOG) X(GetProgramiv, GETPROGRAMIV) X(GetShaderInfoLog, GETSHADERINFOLOG) \
   X(GetShaderiv, GETSHADERIV) X(GetString, GETSTRING) X(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX) \
+  X(GetUniformIndices, GETUNIFORMINDICES) \
   X(GetUniformLocation, GETUNIFORMLOCATION) X(LinkProgram, LINKPROGRAM) X(MapBufferRange, MAPBUFFERRANGE) \
   X(PixelStorei, PIXELSTOREI) X(PolygonOffset, POLYGONOFFSET) X(ReadBuffer, READBUFFER) X(ReadPixels, READPIXELS) \
   X(RenderbufferStorage, RENDERBUFFERSTORAGE) X(RenderbufferStorageMultisample, RENDERBUFFERSTORAGEMULTISAMPLE) \

@@ -1,9 +1,12 @@
 // Compiling and linking shaders.
 #include "render/gl/gl_program.h"
 
+#include <algorithm>
+#include <string_view>
 #include <vector>
 
-#include "render/gl/frame_uniforms.h"
+#include "render/gl/frame_block.h"
+#include "render/gl/shader_log.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -16,21 +19,20 @@ constexpr const char* kHeader =
     "#extension GL_ARB_texture_gather : enable\n"
     "#endif\n";
 
-// The driver's words on one line.
-std::string joined(std::string log) {
-  for (char& c : log) {
-    if (c == '\n' || c == '\r' || c == '\0') c = ' ';
-  }
-  while (!log.empty() && log.back() == ' ') log.pop_back();
-  return log;
-}
-
 GLuint compile(const GlFunctions& gl, const char* name, GLenum stage,
-               std::initializer_list<const char*> parts) {
-  std::vector<const char*> source = {kHeader};
-  source.insert(source.end(), parts);
+               std::initializer_list<ShaderPart> parts) {
+  std::string source;
+  std::vector<SourceLines> lines;
+  const auto add = [&](const ShaderPart& part) {
+    const std::string_view text = part.text;
+    source += text;
+    lines.push_back({part.file, static_cast<int>(std::count(text.begin(), text.end(), '\n'))});
+  };
+  add({"header", kHeader});
+  for (const ShaderPart& part : parts) add(part);
+  const char* const text = source.c_str();
   const GLuint shader = gl.CreateShader(stage);
-  gl.ShaderSource(shader, static_cast<GLsizei>(source.size()), source.data(), nullptr);
+  gl.ShaderSource(shader, 1, &text, nullptr);
   gl.CompileShader(shader);
   GLint ok = GL_FALSE;
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
@@ -39,13 +41,13 @@ GLuint compile(const GlFunctions& gl, const char* name, GLenum stage,
   gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
   gl.DeleteShader(shader);
   throw Error(ExitCode::no_gl, std::string("shader '") + name + "' was refused by " + gl.string(GL_RENDERER) +
-                                   ": " + joined(log) + "; " + driver_remedy());
+                                   ": " + with_file_names(log, lines) + "; " + driver_remedy());
 }
 
 }  // namespace
 
-GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_list<const char*> vertex,
-                     std::initializer_list<const char*> fragment)
+GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_list<ShaderPart> vertex,
+                     std::initializer_list<ShaderPart> fragment)
     : gl_(gl) {
   const GLuint v = compile(gl, name, GL_VERTEX_SHADER, vertex);
   GLuint f = 0;
@@ -68,10 +70,18 @@ GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_l
     gl.GetProgramInfoLog(id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
     gl.DeleteProgram(id_);
     throw Error(ExitCode::no_gl, std::string("shader '") + name + "' does not link on " +
-                                     gl.string(GL_RENDERER) + ": " + joined(log) + "; " + driver_remedy());
+                                     gl.string(GL_RENDERER) + ": " + with_file_names(log, {}) + "; " +
+                                     driver_remedy());
   }
   const GLuint block = gl.GetUniformBlockIndex(id_, "Frame");
-  if (block != GL_INVALID_INDEX) gl.UniformBlockBinding(id_, block, kFrameBinding);
+  if (block == GL_INVALID_INDEX) return;
+  const std::string mismatch = block_mismatch(gl, id_, frame_members());
+  if (!mismatch.empty()) {
+    gl.DeleteProgram(id_);
+    throw Error(ExitCode::no_gl, std::string("shader '") + name + "' on " + gl.string(GL_RENDERER) + ": " +
+                                     mismatch + "; " + driver_remedy());
+  }
+  gl.UniformBlockBinding(id_, block, kFrameBinding);
 }
 
 GlProgram::~GlProgram() { gl_.DeleteProgram(id_); }

@@ -8,16 +8,24 @@
 
 namespace pabd {
 
+// GLSL of a file, or of what stands for one: whole lines. The texts outlive it.
+struct ShaderPart {
+  const char* file;  // how errors name it: "ground.frag.glsl"
+  const char* text;
+};
+
 class GlProgram {
  public:
   // Each source is the concatenation of its parts, after "#version 330 core". Throws Error(no_gl) with `name`
-  // and the driver's words.
-  GlProgram(const GlFunctions& gl, const char* name, std::initializer_list<const char*> vertex,
-            std::initializer_list<const char*> fragment);
+  // and the driver's words, in which lines are those of the parts' files; also where the driver lays out the
+  // block Frame in another way than FrameUniforms.
+  GlProgram(const GlFunctions& gl, const char* name, std::initializer_list<ShaderPart> vertex,
+            std::initializer_list<ShaderPart> fragment);
   ~GlProgram();
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;
 
+  GLuint id() const { return id_; }
   void use() const { gl_.UseProgram(id_); }
   GLint uniform(const char* name) const { return gl_.GetUniformLocation(id_, name); }
 
@@ -26,7 +34,7 @@ class GlProgram {
   GLuint id_ = 0;
 };
 
-// Tells a program that uses kLightingGlsl the texture units of its maps. The program must be in use.
+// Tells a program with shaders/lighting.glsl the texture units of its maps. The program must be in use.
 void bind_maps(const GlFunctions& gl, const GlProgram& program);
 
 }  // namespace pabd

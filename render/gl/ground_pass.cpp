@@ -14,74 +14,19 @@
 #include <cmath>
 #include <vector>
 
+#include "render/gl/frame_block.h"
+#include "render/gl/shader_files.h"
+
 namespace pabd {
 namespace {
 
 constexpr float kExtent = 12.0f;  // half width of the quad, in R
 
-constexpr const char* kVertex = R"(
-layout(location = 0) in vec3 position;
-out vec3 world;
-void main() {
-  world = position;
-  gl_Position = frame.world_to_clip * vec4(position, 1.0);
-}
-)";
-
-constexpr const char* kFragment = R"(
-in vec3 world;
-uniform vec4 normal;  // w: offset
-uniform vec4 axis_u;  // xyz: unit; w: of the point below the scene's centre
-uniform vec4 axis_v;
-uniform vec4 grid;    // spacing of the fine grid, its weight, 1 for the first floor, -
-out vec4 fragment;
-
-// Part of a pixel of size `pixel` that lines of the given width every `spacing` metres cover, along both axes.
-float lines(vec2 at, vec2 pixel, float spacing, float width) {
-  vec2 d = abs(fract(at / spacing - 0.5) - 0.5) * spacing;
-  vec2 wide = max(vec2(width), pixel);
-  vec2 cover = clamp((0.5 * (wide + pixel) - d) / pixel, 0.0, 1.0) * (width / wide);
-  // Where lines come closer than a few pixels: their mean, instead of a moiré.
-  cover = mix(cover, vec2(width / spacing), smoothstep(0.2, 0.5, pixel / spacing));
-  return max(cover.x, cover.y);
-}
-
-void main() {
-  vec3 n = normal.xyz;
-  vec2 at = vec2(dot(world, axis_u.xyz), dot(world, axis_v.xyz));
-  float r = length(at - vec2(axis_u.w, axis_v.w)) / frame.centre.w;
-  vec2 pixel = max(fwidth(at), vec2(1e-9));
-
-  float near = 1.0 - smoothstep(1.0, 5.5, r);
-  float fine = lines(at, pixel, grid.x, 0.018 * grid.x) * grid.y;
-  float coarse = lines(at, pixel, 10.0 * grid.x, 0.03 * grid.x);
-  float line = max(0.30 * fine, 0.42 * coarse) * near;
-
-  float facing = max(dot(n, frame.light.xyz), 0.0);
-  vec3 sky = ambient(n), sunlight = frame.sun.rgb * facing;
-#ifdef LIVE
-#ifdef SHADOWED
-  vec3 shade = mix(sky / (sky + sunlight), vec3(1.0), sun_visibility(world, n));
-#else
-  float shade = 1.0;
-#endif
-#else
-#ifdef SHADOWED
-  vec3 lit = sunlight * sun_visibility(world, n);
-#else
-  vec3 lit = sunlight;
-#endif
-  vec3 shade = (sky * (1.0 - 0.8 * floor_shade(world) * grid.z) + lit) / (sky + sunlight);
-#endif
-  vec3 color = frame.floor_color.rgb * shade * (1.0 - line);
-  fragment = vec4(mix(color, background(gl_FragCoord.y), smoothstep(1.5, 9.0, r)), 1.0);
-}
-)";
-
 }  // namespace
 
 GroundPass::Program::Program(const GlFunctions& gl, const char* name, const char* defines)
-    : program(gl, name, {kFrameGlsl, kVertex}, {defines, kFrameGlsl, kLightingGlsl, kFragment}),
+    : program(gl, name, {frame_block(), shaders::ground_vert},
+              {{"defines", defines}, frame_block(), shaders::lighting, shaders::ground_frag}),
       normal(program.uniform("normal")),
       axis_u(program.uniform("axis_u")),
       axis_v(program.uniform("axis_v")),

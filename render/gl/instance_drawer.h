@@ -6,15 +6,12 @@
 
 namespace pabd {
 
-// Vertex attributes of every program that draws instances.
+// Vertex attributes of every program that draws instances, as shaders/instance.glsl has them.
 inline constexpr GLuint kPositionAttribute = 0;
 inline constexpr GLuint kNormalAttribute = 1;
 inline constexpr GLuint kRowAttribute = 2;  // and the two after it
 inline constexpr GLuint kColorAttribute = 5;
 inline constexpr GLuint kShadedAttribute = 6;
-
-// GLSL declarations of these attributes and of world_position(p), world_normal(n).
-extern const char* const kInstanceGlsl;
 
 class InstanceDrawer {
  public:

@@ -9,33 +9,11 @@
 #include <cstdint>
 #include <string>
 
+#include "render/gl/shader_files.h"
 #include "sim/error.h"
 
 namespace pabd {
 namespace {
-
-constexpr const char* kVertex = R"(
-layout(location = 0) in vec2 position;
-layout(location = 1) in vec2 uv;
-layout(location = 2) in vec4 color;
-uniform vec2 scale;
-uniform vec2 shift;
-out vec2 at;
-out vec4 tint;
-void main() {
-  at = uv;
-  tint = color;
-  gl_Position = vec4(position * scale + shift, 0.0, 1.0);
-}
-)";
-
-constexpr const char* kFragment = R"(
-in vec2 at;
-in vec4 tint;
-uniform sampler2D image;
-out vec4 fragment;
-void main() { fragment = tint * texture(image, at); }
-)";
 
 constexpr GLenum kIndexType = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
 
@@ -60,7 +38,7 @@ void load(const GlFunctions& gl, const GlTexture& texture, GLenum format, const 
 
 OverlayPass::OverlayPass(const GlFunctions& gl)
     : gl_(gl),
-      program_(gl, "overlay", {kVertex}, {kFragment}),
+      program_(gl, "overlay", {shaders::overlay_vert}, {shaders::overlay_frag}),
       scale_(program_.uniform("scale")),
       shift_(program_.uniform("shift")),
       array_(gl),

@@ -1,25 +1,15 @@
-// Depth of the casters as the light sees them. Read by sun_visibility() in frame_uniforms.cpp.
+// Depth of the casters as the light sees them. Read by sun_visibility() in shaders/lighting.glsl.
 #include "render/gl/shadow_pass.h"
 
+#include "render/gl/shader_files.h"
 #include "sim/error.h"
 
 namespace pabd {
-namespace {
-
-// The same matrix that receivers use, scaled to clip space: both see exactly the same depth.
-constexpr const char* kVertex = R"(
-void main() {
-  vec3 q = (frame.world_to_shadow * vec4(world_position(position), 1.0)).xyz;
-  gl_Position = vec4(q.xy * (2.0 / SHADOW_SIZE) - 1.0, q.z * (2.0 / frame.light.w) - 1.0, 1.0);
-}
-)";
-constexpr const char* kFragment = "void main() {}\n";
-
-}  // namespace
 
 ShadowPass::ShadowPass(const GlFunctions& gl)
     : gl_(gl),
-      program_(gl, "shadow", {kFrameGlsl, kInstanceGlsl, kVertex}, {kFragment}),
+      program_(gl, "shadow", {frame_block(), shaders::instance, shaders::shadow_vert},
+               {shaders::shadow_frag}),
       map_(gl),
       framebuffer_(gl) {
   gl.BindTexture(GL_TEXTURE_2D, map_.id());

@@ -10,97 +10,13 @@
 
 #include <algorithm>
 
-#include "render/gl/frame_uniforms.h"
+#include "render/gl/frame_block.h"
+#include "render/gl/shader_files.h"
 
 namespace pabd {
 namespace {
 
 constexpr float kGhost = 0.5f;  // opacity of a glyph behind a body
-
-constexpr const char* kVertex = R"(
-out vec3 world;
-out vec3 world_n;
-flat out vec4 color;
-flat out float shaded;
-#ifdef CUBE
-out vec3 local;
-flat out vec3 face;
-flat out vec3 half_size;
-flat out vec3 axis_x;
-flat out vec3 axis_y;
-flat out vec3 axis_z;
-#endif
-void main() {
-  world = world_position(position);
-  world_n = world_normal(normal);
-  color = instance_color;
-  shaded = instance_shaded;
-#ifdef CUBE
-  local = position;
-  face = abs(normal);
-  half_size = sqrt(squared_scale());
-  axis_x = vec3(row_x.x, row_y.x, row_z.x) / half_size.x;
-  axis_y = vec3(row_x.y, row_y.y, row_z.y) / half_size.y;
-  axis_z = vec3(row_x.z, row_y.z, row_z.z) / half_size.z;
-#endif
-  gl_Position = frame.world_to_clip * vec4(world, 1.0);
-}
-)";
-
-constexpr const char* kFragment = R"(
-in vec3 world;
-in vec3 world_n;
-flat in vec4 color;
-flat in float shaded;
-#ifdef CUBE
-in vec3 local;
-flat in vec3 face;
-flat in vec3 half_size;
-flat in vec3 axis_x;
-flat in vec3 axis_y;
-flat in vec3 axis_z;
-#endif
-uniform float opacity;
-out vec4 fragment;
-void main() {
-  vec3 n = normalize(world_n);
-  vec3 bent = n;
-  float edge = 1.0;
-#ifdef CUBE
-  // Distance to the neighbouring faces, in metres; the soft edge is never narrower than a pixel, but fades instead.
-  float wide = 0.06 * min(half_size.x, min(half_size.y, half_size.z));
-  float pixel = frame.viewport.w / gl_FragCoord.w;
-  float w = max(wide, 1.2 * pixel);
-  vec3 t = clamp(1.0 - half_size * (1.0 - abs(local)) / w, 0.0, 1.0) * (1.0 - face);
-  vec3 turn = sign(local) * t * t * (0.55 * wide / w);
-  bent = normalize(n + axis_x * turn.x + axis_y * turn.y + axis_z * turn.z);
-  edge = 1.0 - 0.22 * max(t.x, max(t.y, t.z)) * sqrt(wide / w);
-#endif
-  vec3 l = frame.light.xyz;
-  float facing = max(dot(bent, l), 0.0);
-#ifdef GLYPH
-  float sunlit = 1.0;
-#else
-  float sunlit = sun_visibility(world, n) * smoothstep(0.0, 0.12, dot(n, l));
-#endif
-  vec3 h = normalize(l + normalize(frame.eye.xyz - world));
-#ifdef LIVE
-  float shine = max(dot(bent, h), 0.0);
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  float highlight = 0.10 * shine;
-  vec3 around = ambient(bent);
-#else
-  float highlight = 0.10 * pow(max(dot(bent, h), 0.0), 40.0);
-  vec3 around = ambient(bent) * near_floor(world, n);
-#endif
-  vec3 lit = color.rgb * edge * (around + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
-  fragment = vec4(mix(color.rgb, lit, shaded), color.a * opacity);
-}
-)";
 
 bool is_cube(Primitive primitive) { return primitive == Primitive::cube; }
 bool is_round(Primitive primitive) { return primitive != Primitive::cube; }
@@ -110,8 +26,8 @@ bool is_solid(Primitive primitive) { return primitive != Primitive::disc; }
 }  // namespace
 
 SurfacePass::Program::Program(const GlFunctions& gl, const char* name, const char* defines)
-    : program(gl, name, {defines, kFrameGlsl, kInstanceGlsl, kVertex},
-              {defines, kFrameGlsl, kLightingGlsl, kFragment}),
+    : program(gl, name, {{"defines", defines}, frame_block(), shaders::instance, shaders::surface_vert},
+              {{"defines", defines}, frame_block(), shaders::lighting, shaders::surface_frag}),
       opacity(program.uniform("opacity")) {
   program.use();
   gl.Uniform1f(opacity, 1);

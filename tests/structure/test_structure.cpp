@@ -136,6 +136,21 @@ TEST_CASE("render's parts keep apart") {
   CHECK(violations("render/context/", {"render/gl/", "render/visual/", "render/output/"}) == List{});
 }
 
+TEST_CASE("GLSL is in files of its own, and each of them is embedded") {
+  using List = std::vector<std::string>;
+  CHECK(mentions("render/", {"gl_Position", "void main("}) == List{});
+  std::ifstream file(fs::path(PABD_SOURCE_DIR) / "render/gl/CMakeLists.txt");
+  const std::string cmake((std::istreambuf_iterator<char>(file)), {});
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(PABD_SOURCE_DIR) / "render/gl/shaders")) {
+    CAPTURE(entry.path());
+    REQUIRE(entry.path().extension() == ".glsl");
+    CHECK(std::regex_search(cmake, std::regex("\\s" + entry.path().stem().string() + "[\\s)]")));
+    ++count;
+  }
+  CHECK(count > 20);
+}
+
 TEST_CASE("one file of render knows Dear ImGui") {
   std::set<std::string> files;
   for (const Source& source : sources()) {

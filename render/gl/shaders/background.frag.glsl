@@ -1,0 +1,3 @@
+// The gradient behind everything.
+out vec4 fragment;
+void main() { fragment = vec4(background(gl_FragCoord.y), 1.0); }
