@@ -23,7 +23,7 @@ std::string duration(double seconds) {
 }  // namespace
 
 std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,
-                          const StepReport& report, bool bar) {
+                          const StepSummary& report, bool bar) {
   std::string line;
   if (bar) {
     const auto filled = static_cast<int>(kBarWidth * done / std::max<std::int64_t>(total, 1));
@@ -46,7 +46,7 @@ Progress::~Progress() {
   if (open_line_) write_stderr("\n");
 }
 
-void Progress::update(std::int64_t done, const StepReport& report) {
+void Progress::update(std::int64_t done, const StepSummary& report) {
   if (!enabled_ || done <= 0) return;
   const auto now = Clock::now();
   const double pause = terminal_ ? 0.1 : 2.0;

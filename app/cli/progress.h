@@ -12,7 +12,7 @@ namespace pabd::cli {
 
 // One line: "frame 12/300  4 %  ETA 31 s  iterations 7  residual 3.1e-07", with a bar in front on a terminal.
 std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,
-                          const StepReport& report, bool bar);
+                          const StepSummary& report, bool bar);
 
 class Progress {
  public:
@@ -20,7 +20,7 @@ class Progress {
   Progress(std::string unit, std::int64_t total, bool enabled);
   ~Progress();  // leaves the cursor on a fresh line
 
-  void update(std::int64_t done, const StepReport& report);
+  void update(std::int64_t done, const StepSummary& report);
 
  private:
   using Clock = std::chrono::steady_clock;

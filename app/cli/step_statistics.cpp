@@ -24,7 +24,7 @@ StepCounts counted(const std::array<std::int64_t, 4>& counts) {
 
 }  // namespace
 
-void StepStatistics::add(const StepReport& report) {
+void StepStatistics::add(const StepSummary& report) {
   ++steps;
   times.detect += report.times.detect;
   times.set_up += report.times.set_up;

@@ -25,7 +25,7 @@ struct StepStatistics {
   double max_penetration = 0;              // m
   double max_joint_error = 0;              // m
 
-  void add(const StepReport& report);
+  void add(const StepSummary& report);
 
   double iterations_a_step() const;
   double contacts_a_step() const;

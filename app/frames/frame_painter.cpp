@@ -127,7 +127,7 @@ void FramePainter::compare(const Comparison& comparison) {
 }
 
 void FramePainter::add_other(const FramePacket& other, const std::vector<DistancePoint>& apart) {
-  for (const StepReport& report : other.since) other_history_.add(report);
+  for (const StepSummary& report : other.since) other_history_.add(report);
   if (std::ssize(distances_) >= kMostDistances) {
     distances_.erase(distances_.begin(), distances_.begin() + kMostDistances / 2);
   }
@@ -135,7 +135,7 @@ void FramePainter::add_other(const FramePacket& other, const std::vector<Distanc
 }
 
 void FramePainter::draw(const FramePacket& packet, const FramePacket* other, double time) {
-  for (const StepReport& report : packet.since) history_.add(report);
+  for (const StepSummary& report : packet.since) history_.add(report);
   if (other) add_other(*other, packet.b ? packet.apart : other->apart);
   visual_.camera =
       apply_camera(camera_option_, base_camera_, camera_option_.keys.empty() ? time - start_time_ : time);

@@ -36,7 +36,7 @@ std::optional<FramePacket> FrameProducer::next() {
 void FrameProducer::recycle(FramePacket packet) { spent_.push(std::move(packet)); }
 
 // False when the run ends here.
-bool FrameProducer::make_step(Session& session, std::vector<StepReport>& since) {
+bool FrameProducer::make_step(Session& session, std::vector<StepSummary>& since) {
   if (stopped_ || stop_requested_()) return false;
   session.stop_when([this] { return stopped_ || stop_requested_(); });
   const StepReport& report = session.step();
@@ -45,7 +45,7 @@ bool FrameProducer::make_step(Session& session, std::vector<StepReport>& since) 
     diverged_ = &session;
     return false;
   }
-  since.push_back(light_copy(report));
+  since.push_back(report.summary());
   return true;
 }
 

@@ -20,7 +20,7 @@ struct FramePacket {
   int frame = 0;
   State state;
   StepReport report;                 // of the last step, with what the overlays asked for
-  std::vector<StepReport> since;     // light reports of the steps since the packet before
+  std::vector<StepSummary> since;    // of the steps since the packet before
   std::shared_ptr<FramePacket> b;    // the second run at the same time, if there is one
   std::vector<DistancePoint> apart;  // how far it is from this one, at common times since the packet before
 };
@@ -62,7 +62,7 @@ class FrameProducer {
   void run();
   bool advance_to(std::int64_t step);
   bool follow();
-  bool make_step(Session& session, std::vector<StepReport>& since);
+  bool make_step(Session& session, std::vector<StepSummary>& since);
   FramePacket pack(int frame);
 
   Session& session_;
@@ -72,7 +72,7 @@ class FrameProducer {
   const Skipped skipped_;
   BoundedQueue<FramePacket> ready_{3};
   BoundedQueue<FramePacket> spent_{8};  // more than there ever are packets: giving back never waits
-  std::vector<StepReport> since_, since_b_;
+  std::vector<StepSummary> since_, since_b_;
   std::vector<DistancePoint> apart_;
   std::atomic<bool> stopped_ = false;
   const Session* diverged_ = nullptr;

@@ -24,9 +24,9 @@ std::pair<std::size_t, std::size_t> ends(const Timeline& timeline, const PastRan
   return {first, std::max(first, last)};
 }
 
-// The light reports behind `from`, up to moment `to`.
-std::vector<StepReport> reports(const Timeline& timeline, std::size_t from, std::size_t to) {
-  std::vector<StepReport> out;
+// The summaries behind `from`, up to moment `to`.
+std::vector<StepSummary> reports(const Timeline& timeline, std::size_t from, std::size_t to) {
+  std::vector<StepSummary> out;
   for (std::size_t i = from + 1; i <= to; ++i) {
     if (!timeline[i].start) out.push_back(timeline[i].report);
   }

@@ -57,7 +57,7 @@ class PastProducer {
   std::optional<Run> b_;
   std::vector<std::size_t> moments_;
   std::vector<double> times_;
-  std::size_t reported_ = 0, reported_b_ = 0;  // moments whose light reports were handed out
+  std::size_t reported_ = 0, reported_b_ = 0;  // moments whose summaries were handed out
   BoundedQueue<PastPacket> ready_{3};
   std::atomic<bool> failed_ = false;
   std::exception_ptr failure_;  // set before failed_ is

@@ -111,10 +111,7 @@ class SeriesPanel final : public GuiPanel {
       options.other_name = std::string("before");
     }
     if (what == 0) {
-      std::vector<HistoryPoint> points;
-      points.reserve(a.history.size());
-      for (const StepReport& r : a.history) points.push_back(history_point(r));
-      plot_ = time_series_plot(points, d_hat, !a.model->joints.empty());
+      plot_ = time_series_plot(a.history, d_hat, !a.model->joints.empty());
       // Cursor and marks as the other plots have them.
       options.other = {};
       options.d_hat = 0;

@@ -31,7 +31,7 @@ struct Track {
 // Penetrations and iteration limits as ticks, one a pixel column at most.
 void draw_marks(const GuiFrame& f, const Track& track, const Reports& history, ImDrawList& list) {
   float last = -1;
-  for (const StepReport& r : history) {
+  for (const StepSummary& r : history) {
     if (r.max_penetration <= 0) continue;
     const float x = std::floor(track.x(r.time));
     if (x == last) continue;

@@ -27,17 +27,17 @@ struct OverlayData {
   const Params* params = nullptr;
   double kappa = 0;                    // resolved contact κ; J
   const StepReport* report = nullptr;  // of the last step, with records and contacts if the panels want them
-  const std::vector<StepReport>* history = nullptr;  // oldest first
-  unsigned joint_types = 0;                          // bits 1 << JointType of what the legend of joints lists
-  std::size_t joints = 0;                            // how many
+  const std::vector<StepSummary>* history = nullptr;  // oldest first
+  unsigned joint_types = 0;            // bits 1 << JointType of what the legend of joints lists
+  std::size_t joints = 0;              // how many
   const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved; may be null
 
   // Of two runs beside each other. The caption is one line in larger letters, the details follow below it.
   std::string caption{};
   std::vector<std::string> details{};
-  std::string name{}, other_name{};                        // "A", "B"
-  const std::vector<StepReport>* other_history = nullptr;  // of the other run, oldest first
-  const std::vector<DistancePoint>* distances = nullptr;   // oldest first
+  std::string name{}, other_name{};                         // "A", "B"
+  const std::vector<StepSummary>* other_history = nullptr;  // of the other run, oldest first
+  const std::vector<DistancePoint>* distances = nullptr;    // oldest first
 };
 
 class Overlay {

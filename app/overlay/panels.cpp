@@ -195,10 +195,7 @@ Plot live_plot(Panel panel, const OverlayData& data) {
                                   data.distances ? *data.distances : std::vector<DistancePoint>{});
   }
   if (!data.history) return empty_plot("Over time");
-  const auto plot_of = [&](const std::vector<StepReport>& reports) {
-    std::vector<HistoryPoint> history;
-    history.reserve(reports.size());
-    for (const StepReport& r : reports) history.push_back(history_point(r));
+  const auto plot_of = [&](std::span<const StepSummary> history) {
     return time_series_plot(history, data.params ? data.params->contact.d_hat : 0, data.joints > 0);
   };
   Plot plot = plot_of(*data.history);

@@ -1,4 +1,4 @@
-// The reports of a run, without their heavy members, for plots over time. Bounded: a run may go on for days.
+// Summaries of the steps of a run, for plots over time. Bounded: a run may go on for days.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,15 @@ class History {
   // Keeps at least the last `capacity` reports (and at most twice as many).
   explicit History(std::size_t capacity = 20000) : capacity_(capacity) {}
 
-  void add(const StepReport& report);
+  void add(const StepSummary& step);
   void clear() { reports_.clear(); }
 
-  // Oldest first; records and contact_reports of every entry are empty.
-  const std::vector<StepReport>& reports() const { return reports_; }
+  // Oldest first.
+  const std::vector<StepSummary>& reports() const { return reports_; }
 
  private:
   std::size_t capacity_;
-  std::vector<StepReport> reports_;
+  std::vector<StepSummary> reports_;
 };
-
-// A copy of everything but the two vectors.
-StepReport light_copy(const StepReport& report);
 
 }  // namespace pabd

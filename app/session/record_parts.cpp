@@ -32,7 +32,7 @@ void write_state(const State& s, ByteWriter& out) {
 }
 
 // Of the times what plots show: a report that is read has detect and set_up as one.
-void write_report(const StepReport& r, ByteWriter& out) {
+void write_report(const StepSummary& r, ByteWriter& out) {
   out.u64(static_cast<std::uint64_t>(r.step));
   out.u8(static_cast<std::uint8_t>(r.method));
   out.u8(static_cast<std::uint8_t>(r.status));
@@ -80,8 +80,8 @@ State read_state(ByteReader& in, Index bodies) {
   return s;
 }
 
-StepReport read_report(ByteReader& in) {
-  StepReport r;
+StepSummary read_report(ByteReader& in) {
+  StepSummary r;
   r.step = static_cast<std::int64_t>(in.u64());
   const std::uint8_t method = in.u8(), status = in.u8();
   in.require(method <= static_cast<std::uint8_t>(SolverMethod::automatic) &&

@@ -24,8 +24,7 @@ void write_state(const State& state, ByteWriter& out);
 // Throws Error(bad_input) when it is no state of so many bodies; of how many joints is not looked at.
 State read_state(ByteReader& in, Index bodies);
 
-// Without its vectors.
-void write_report(const StepReport& report, ByteWriter& out);
-StepReport read_report(ByteReader& in);
+void write_report(const StepSummary& report, ByteWriter& out);
+StepSummary read_report(ByteReader& in);
 
 }  // namespace pabd

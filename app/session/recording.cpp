@@ -212,7 +212,7 @@ class Decoder {
                   "a state is of another time than its moment");
     }
     if (!timeline_.empty()) {
-      const StepReport& before = timeline_.back().report;
+      const StepSummary& before = timeline_.back().report;
       in_.require(m.report.step == before.step + (m.start ? 0 : 1) && m.report.time >= before.time,
                   "moments are out of order");
     }

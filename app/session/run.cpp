@@ -215,7 +215,7 @@ void Run::add_moment(std::shared_ptr<const MadeEdit> edit) {
   if (!shared_) shared_ = std::make_shared<const Params>(next_);
   const bool start = timeline_.empty() || edit;
   timeline_.add({session_.shared_model(), shared_, std::make_shared<const State>(session_.state()),
-                 light_copy(session_.report()), start, start ? nullptr : pulls_, std::move(edit)});
+                 session_.report().summary(), start, start ? nullptr : pulls_, std::move(edit)});
   cursor_ = timeline_.size() - 1;
 }
 

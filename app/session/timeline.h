@@ -33,15 +33,15 @@ struct Moment {
   std::shared_ptr<const Model> model;
   std::shared_ptr<const Params> params;  // that the step which ended here was made with
   std::shared_ptr<const State> state;    // null when it was dropped
-  StepReport report;                     // light; energies only where no step led here
+  StepSummary report;                    // energies only where no step led here
   bool start = false;  // no step led here: the beginning, or an edit. Such a state is never dropped
   Pulls pulls;         // that the step which ended here was made with
   std::shared_ptr<const MadeEdit> edit;  // that led here; null without one
   std::string hash = {};                 // state_hash, where it came from a recording; else empty
 };
 
-// Light reports of moments, oldest first, to be looked at from any thread.
-using Reports = SharedList<StepReport>::View;
+// Summaries of moments, oldest first, to be looked at from any thread.
+using Reports = SharedList<StepSummary>::View;
 
 class Timeline {
  public:
@@ -96,7 +96,7 @@ class Timeline {
   std::size_t budget_;
   std::size_t bytes_ = 0, forgotten_ = 0;
   std::deque<Moment> moments_;
-  SharedList<StepReport> reports_;                      // those of the moments
+  SharedList<StepSummary> reports_;                     // those of the moments
   std::vector<std::shared_ptr<const MadeEdit>> edits_;  // of the moments that are there
   std::size_t pulled_ = 0;
   std::vector<ForgottenEdit> forgotten_edits_;

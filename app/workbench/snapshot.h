@@ -46,7 +46,7 @@ struct RunView {
   double kappa = 0;   // resolved; J
   std::vector<std::pair<std::string, std::string>>
       changed;  // keys that differ from the scene, with their value
-  // Light reports of all moments of the timeline, and where in it this one is.
+  // Summaries of all moments of the timeline, and where in it this one is.
   Reports history;
   std::size_t cursor = 0;
   std::vector<Pull> pulls;  // hands on bodies in the next step

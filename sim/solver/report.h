@@ -77,7 +77,8 @@ struct PhaseTimes {
   double total = 0;
 };
 
-struct StepReport {
+// A step in numbers of a fixed size: what the past of a run keeps of it.
+struct StepSummary {
   std::int64_t step = 0;                        // number of the step just done (first: 1)
   double time = 0;                              // at its end; s
   SolverMethod method = SolverMethod::descent;  // `auto`: the one that ended most bodies
@@ -103,6 +104,10 @@ struct StepReport {
   // weight (of less loaded ones: with that load), 0 where all obey. At most 0.01 in a step that converged.
   double friction_excess = 0;
   PhaseTimes times;
+};
+
+// The summary, and what a step is asked to tell in detail.
+struct StepReport : StepSummary {
   std::vector<IslandReport> islands;     // in order of their lowest bodies
   std::vector<IterationRecord> records;  // one an iteration; empty unless StepOptions::record_iterations
   IterationRecord first_iterate{};       // before the first iteration, filled together with `records`
@@ -113,6 +118,8 @@ struct StepReport {
   // One a joint of the model, in order of number; empty unless StepOptions::report_joints, or when the step
   // failed.
   std::vector<JointReport> joint_reports;
+
+  const StepSummary& summary() const { return *this; }
 };
 
 }  // namespace pabd

@@ -33,7 +33,7 @@ void write_steps_header(std::ostream& out) {
 }
 
 // A step that failed ends in no state: what a state has is not known of it, and not zero.
-void write_steps_row(std::ostream& out, const StepReport& r) {
+void write_steps_row(std::ostream& out, const StepSummary& r) {
   const bool failed = r.status == StepStatus::non_finite;
   const auto known = [failed](double x) { return failed ? std::numeric_limits<double>::quiet_NaN() : x; };
   fmt::memory_buffer line;

@@ -16,7 +16,7 @@ namespace pabd {
 std::string state_hash(const State& state);
 
 void write_steps_header(std::ostream& out);
-void write_steps_row(std::ostream& out, const StepReport& report);
+void write_steps_row(std::ostream& out, const StepSummary& step);
 void write_iterations_header(std::ostream& out);
 void write_iterations_rows(std::ostream& out, const StepReport& report);  // one row an IterationRecord
 void write_joints_header(std::ostream& out);

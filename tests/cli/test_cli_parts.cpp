@@ -116,11 +116,9 @@ TEST_CASE("progress says how far, how long and how well") {
   CHECK(progress_line("step", 1, 2, 7321, report, false).find("ETA 2:02 h") != std::string::npos);
 }
 
-TEST_CASE("the history is bounded and light") {
+TEST_CASE("the history is bounded") {
   History history(10);
-  StepReport report;
-  report.records.resize(3);
-  report.contact_reports.resize(3);
+  StepSummary report;
   for (int i = 1; i <= 1000; ++i) {
     report.step = i;
     history.add(report);
@@ -128,8 +126,6 @@ TEST_CASE("the history is bounded and light") {
   }
   CHECK(history.reports().size() >= 10);
   CHECK(history.reports().back().step == 1000);
-  CHECK(history.reports().back().records.empty());
-  CHECK(history.reports().back().contact_reports.empty());
   CHECK(history.reports().front().step == 1001 - static_cast<std::int64_t>(history.reports().size()));
 }
 

@@ -34,8 +34,8 @@ void check_draw_data(const ImDrawData* data, int width, int height) {
   }
 }
 
-std::vector<StepReport> some_history() {
-  std::vector<StepReport> history(300);
+std::vector<StepSummary> some_history() {
+  std::vector<StepSummary> history(300);
   for (std::size_t i = 0; i < history.size(); ++i) {
     history[i].time = static_cast<double>(i) / 60;
     history[i].kinetic = std::abs(std::sin(0.1 * static_cast<double>(i)));
@@ -62,7 +62,7 @@ TEST_CASE("frames of every size, with all panels, with and without data") {
   report.contact_reports.resize(2);
   report.contact_reports[0].d = 0.004;
   report.contact_reports[1].d = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<StepReport> history = some_history();
+  const std::vector<StepSummary> history = some_history();
   const BondLaw law{BondPotential::hard, 1e9, 0.01, 4};
   const OverlayData full{
       "сцена 一 with a very very long name that cannot fit", &params, 120, &report, &history, 31, 5, &law};

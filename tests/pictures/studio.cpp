@@ -23,11 +23,11 @@ std::vector<ContactReport> contacts_of(const Scene& scene, const Barrier& barrie
   return reports;
 }
 
-std::vector<StepReport> damped_bounce(double h) {
-  std::vector<StepReport> history;
+std::vector<StepSummary> damped_bounce(double h) {
+  std::vector<StepSummary> history;
   for (int k = 1; k <= 120; ++k) {
     const double t = k * h, bounce = std::exp(-2 * t) * std::abs(std::cos(5 * t));
-    StepReport report;
+    StepSummary report;
     report.step = k;
     report.time = t;
     report.kinetic = 1000 * bounce;

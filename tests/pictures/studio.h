@@ -16,8 +16,8 @@ namespace pabd {
 struct StoredStep {
   explicit StoredStep(const std::string& scene_name);
   Scene scene;
-  StepReport report;                // contacts of the state, and the records of a solve that halves its error
-  std::vector<StepReport> history;  // two seconds of a damped bounce
+  StepReport report;  // contacts of the state, and the records of a solve that halves its error
+  std::vector<StepSummary> history;  // two seconds of a damped bounce
 };
 
 class Studio {

@@ -128,7 +128,7 @@ TEST_CASE("a mechanism with all overlays, small") {
   StoredStep stored("slider_crank");
   for (std::size_t k = 0; k < stored.report.records.size(); ++k)
     stored.report.records[k].max_joint_error = 1e-3 * std::pow(0.2, static_cast<double>(k));
-  for (StepReport& report : stored.history) report.max_joint_error = 2e-9 + 1e-9 * std::sin(6 * report.time);
+  for (StepSummary& report : stored.history) report.max_joint_error = 2e-9 + 1e-9 * std::sin(6 * report.time);
   stored.report.max_joint_error = stored.history.back().max_joint_error;
   const BondLaw law{BondPotential::hard, 2.5e8, 0.01, 4};
   OverlayData data = overlay_of(stored);

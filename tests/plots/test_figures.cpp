@@ -177,25 +177,24 @@ TEST_CASE("convergence with joints: their error in a plot of its own, contacts o
 }
 
 TEST_CASE("time series with joints: their error beside the penetration, on a logarithmic axis") {
-  std::vector<StepReport> reports(2);
+  std::vector<StepSummary> reports(2);
   reports[0].max_joint_error = 2e-9;
   reports[1].max_joint_error = 3e-9;
   const Figure figure = time_series_figure(reports);
   REQUIRE(figure.plots.size() == 3);
   CHECK(figure.plots[2].series[0].y == std::vector<double>{2e-9, 3e-9});
-  const std::vector<HistoryPoint> points{history_point(reports[0]), history_point(reports[1])};
-  const Plot live = time_series_plot(points, 0.01, true);
+  const Plot live = time_series_plot(reports, 0.01, true);
   CHECK(live.y.log);
   REQUIRE(live.series.size() == 4);
   CHECK(live.series[3].y == std::vector<double>{2e-9, 3e-9});
   CHECK_FALSE(live.series[3].right_axis);
-  const Plot free = time_series_plot(points, 0.01);
+  const Plot free = time_series_plot(reports, 0.01);
   CHECK_FALSE(free.y.log);
   CHECK(free.series.size() == 3);
 }
 
 TEST_CASE("time series: potential energy counts from its first value") {
-  std::vector<StepReport> reports(2);
+  std::vector<StepSummary> reports(2);
   reports[0].time = 0.1;
   reports[0].potential = 100;
   reports[0].kinetic = 1;

@@ -32,8 +32,8 @@ std::vector<IterationRecord> falling(int count, double rate, double floor, bool 
   return records;
 }
 
-StepReport at(double time, double kinetic, double potential = 0) {
-  StepReport r;
+StepSummary at(double time, double kinetic, double potential = 0) {
+  StepSummary r;
   r.time = time;
   r.kinetic = kinetic;
   r.potential = potential;
@@ -114,7 +114,7 @@ TEST_CASE("convergence panel without data says what is missing") {
 }
 
 TEST_CASE("time panel: each quantity is the report's number at its time") {
-  std::vector<StepReport> run{at(0.1, 1, 100), at(0.2, 8, 90)};
+  std::vector<StepSummary> run{at(0.1, 1, 100), at(0.2, 8, 90)};
   run[1].min_gap = 0.25;
   run[1].max_penetration = 0.125;
   run[1].elastic = 1;
@@ -144,7 +144,7 @@ TEST_CASE("time panel: each quantity is the report's number at its time") {
 }
 
 TEST_CASE("time panel: cursor, marks and a second run") {
-  const std::vector<StepReport> a{at(0.1, 1), at(0.2, 2)}, b{at(0.1, 3), at(0.3, 4)};
+  const std::vector<StepSummary> a{at(0.1, 1), at(0.2, 2)}, b{at(0.1, 3), at(0.3, 4)};
   TimePanelOptions options;
   options.cursor = 0.15;
   options.other = b;
@@ -188,8 +188,8 @@ TEST_CASE("distance of two states: the farthest body and the largest turn") {
 }
 
 TEST_CASE("differences are B − A at the times of A, interpolated where B has other steps") {
-  const std::vector<StepReport> a{at(0.1, 1, 5), at(0.2, 1, 5), at(0.3, 1, 5), at(0.4, 1, 5)};
-  const std::vector<StepReport> b{at(0.1 + 1e-12, 2, 5), at(0.25, 5, 6), at(0.3 - 1e-12, 6, 7)};
+  const std::vector<StepSummary> a{at(0.1, 1, 5), at(0.2, 1, 5), at(0.3, 1, 5), at(0.4, 1, 5)};
+  const std::vector<StepSummary> b{at(0.1 + 1e-12, 2, 5), at(0.25, 5, 6), at(0.3 - 1e-12, 6, 7)};
   const Plot plot = difference_series_plot(a, b, DifferenceQuantity::energies);
   REQUIRE(named(plot, "kinetic"));
   CHECK(named(plot, "kinetic")->x == std::vector<double>{0.1, 0.2, 0.3});

@@ -10,7 +10,7 @@
 namespace pabd {
 namespace {
 
-using Value = double (*)(const StepReport&);
+using Value = double (*)(const StepSummary&);
 
 struct Curve {
   const char* name;
@@ -19,13 +19,13 @@ struct Curve {
 };
 
 // B − A at the times of A.
-Series difference(std::span<const StepReport> a, std::span<const StepReport> b, const Curve& curve) {
+Series difference(std::span<const StepSummary> a, std::span<const StepSummary> b, const Curve& curve) {
   Series series;
   series.name = curve.name;
   series.color = curve.color;
   if (b.empty()) return series;
   std::size_t next = 0;  // first of B not before the time of A
-  for (const StepReport& at : a) {
+  for (const StepSummary& at : a) {
     while (next < b.size() && b[next].time < at.time) ++next;
     // Times are sums of steps; a step that was rounded is the same moment.
     const double same = 1e-9 * std::max(1.0, std::abs(at.time));
@@ -35,7 +35,7 @@ Series difference(std::span<const StepReport> a, std::span<const StepReport> b, 
     } else if (next > 0 && at.time - b[next - 1].time <= same) {
       value = curve.value(b[next - 1]);
     } else if (next > 0 && next < b.size()) {
-      const StepReport &before = b[next - 1], &after = b[next];
+      const StepSummary &before = b[next - 1], &after = b[next];
       const double t = (at.time - before.time) / (after.time - before.time);
       value = (1 - t) * curve.value(before) + t * curve.value(after);
     } else {
@@ -109,9 +109,9 @@ const char* to_string(DifferenceQuantity quantity) {
   return "contacts";
 }
 
-Plot difference_series_plot(std::span<const StepReport> a, std::span<const StepReport> b,
+Plot difference_series_plot(std::span<const StepSummary> a, std::span<const StepSummary> b,
                             DifferenceQuantity quantity, std::span<const DistancePoint> distances) {
-  using R = const StepReport&;
+  using R = const StepSummary&;
   if (quantity == DifferenceQuantity::distance) return distance_plot(distances);
   Plot plot;
   plot.x.label = "time [s]";

@@ -33,7 +33,7 @@ const char* to_string(DifferenceQuantity quantity);  // for lists
 
 // Reports and distances oldest first. Times of A outside of B's are left out. `distances` is for the quantity
 // of that name only: metres on the left, degrees on the right, both logarithmic, as runs part exponentially.
-Plot difference_series_plot(std::span<const StepReport> a, std::span<const StepReport> b,
+Plot difference_series_plot(std::span<const StepSummary> a, std::span<const StepSummary> b,
                             DifferenceQuantity quantity, std::span<const DistancePoint> distances = {});
 
 }  // namespace pabd

@@ -40,11 +40,11 @@ Look look_of(TimeQuantity quantity) {
 struct Curve {
   const char* name;  // empty: the quantity has one curve only
   int color;
-  double (*value)(const StepReport& report, double zero);  // zero: first potential energy
+  double (*value)(const StepSummary& report, double zero);  // zero: first potential energy
 };
 
 std::vector<Curve> curves_of(TimeQuantity quantity) {
-  using R = const StepReport&;
+  using R = const StepSummary&;
   switch (quantity) {
     case TimeQuantity::gap:
       return {{"", 0, [](R r, double) { return r.min_gap; }}};
@@ -69,13 +69,13 @@ std::vector<Curve> curves_of(TimeQuantity quantity) {
           {"collision", 2, [](R r, double) { return r.times.detect + r.times.set_up; }}};
 }
 
-Series curve(std::span<const StepReport> reports, const Curve& what) {
+Series curve(std::span<const StepSummary> reports, const Curve& what) {
   Series series;
   series.color = what.color;
   const double zero = reports.empty() ? 0 : reports.front().potential;
   series.x.reserve(reports.size());
   series.y.reserve(reports.size());
-  for (const StepReport& report : reports) {
+  for (const StepSummary& report : reports) {
     series.x.push_back(report.time);
     series.y.push_back(what.value(report, zero));
   }
@@ -130,7 +130,8 @@ const char* to_string(TimeQuantity quantity) {
   return "ms a step";
 }
 
-Plot time_panel(std::span<const StepReport> reports, TimeQuantity quantity, const TimePanelOptions& options) {
+Plot time_panel(std::span<const StepSummary> reports, TimeQuantity quantity,
+                const TimePanelOptions& options) {
   const Look look = look_of(quantity);
   Plot plot;
   plot.title = look.title;

@@ -42,13 +42,13 @@ struct TimePanelOptions {
   std::optional<double> cursor;  // s: the present moment
   std::vector<TimeMark> marks;
   // A second run, drawn dashed in the same colours: B, or the future that a branch left. Empty: none.
-  std::span<const StepReport> other;
+  std::span<const StepSummary> other;
   std::string name, other_name;  // for the legend, when there are two: "A", "B"
   double d_hat = 0;              // m; a gap or penetration axis spans at least a tenth of it
 };
 
 // Reports oldest first. Labels of at most a dozen marks are written, the latest ones.
-Plot time_panel(std::span<const StepReport> reports, TimeQuantity quantity,
+Plot time_panel(std::span<const StepSummary> reports, TimeQuantity quantity,
                 const TimePanelOptions& options = {});
 
 }  // namespace pabd

@@ -7,7 +7,7 @@ namespace pabd {
 namespace {
 
 template <class Value>
-Series time_series(std::string name, const std::vector<HistoryPoint>& history, const Value& value, int color,
+Series time_series(std::string name, std::span<const StepSummary> history, const Value& value, int color,
                    bool right = false) {
   Series series;
   series.name = std::move(name);
@@ -15,22 +15,18 @@ Series time_series(std::string name, const std::vector<HistoryPoint>& history, c
   series.right_axis = right;
   series.x.reserve(history.size());
   series.y.reserve(history.size());
-  for (const HistoryPoint& p : history) {
+  for (const StepSummary& p : history) {
     series.x.push_back(p.time);
     series.y.push_back(value(p));
   }
   return series;
 }
 
-double joint_error(const HistoryPoint& p) { return p.joint_error; }
+double joint_error(const StepSummary& p) { return p.max_joint_error; }
 
 }  // namespace
 
-HistoryPoint history_point(const StepReport& r) {
-  return {r.time, r.max_penetration, r.min_gap, r.kinetic, r.potential, r.elastic, r.max_joint_error};
-}
-
-Figure time_series_figure(const std::vector<HistoryPoint>& history) {
+Figure time_series_figure(std::span<const StepSummary> history) {
   Figure figure;
   figure.columns = 2;
   figure.title = "Contacts and energy over time";
@@ -39,26 +35,27 @@ Figure time_series_figure(const std::vector<HistoryPoint>& history) {
   gap.x.label = energy.x.label = "time [s]";
   gap.y.label = "distance [m]";
   gap.series.push_back(time_series(
-      "largest penetration", history, [](const HistoryPoint& p) { return p.max_penetration; }, 1));
+      "largest penetration", history, [](const StepSummary& p) { return p.max_penetration; }, 1));
   gap.series.push_back(time_series(
-      "smallest gap d", history, [](const HistoryPoint& p) { return p.min_gap; }, 0));
+      "smallest gap d", history, [](const StepSummary& p) { return p.min_gap; }, 0));
   const double zero = history.empty() ? 0 : history.front().potential;
   energy.title = "Energy";
   energy.y.label = "energy [J]";
   energy.series.push_back(time_series(
-      "kinetic", history, [](const HistoryPoint& p) { return p.kinetic; }, 0));
+      "kinetic", history, [](const StepSummary& p) { return p.kinetic; }, 0));
   energy.series.push_back(time_series(
-      "potential, from its first value", history,
-      [zero](const HistoryPoint& p) { return p.potential - zero; }, 2));
+      "potential, from its first value", history, [zero](const StepSummary& p) { return p.potential - zero; },
+      2));
   energy.series.push_back(time_series(
-      "elastic (contacts, bonds)", history, [](const HistoryPoint& p) { return p.elastic; }, 3));
+      "elastic (contacts, bonds)", history, [](const StepSummary& p) { return p.elastic; }, 3));
   Series total = time_series(
-      "total", history, [zero](const HistoryPoint& p) { return p.kinetic + p.potential - zero + p.elastic; },
+      "total", history, [zero](const StepSummary& p) { return p.kinetic + p.potential - zero + p.elastic; },
       6);
   total.style = SeriesStyle::dashed;
   energy.series.push_back(std::move(total));
   figure.plots = {std::move(gap), std::move(energy)};
-  if (std::any_of(history.begin(), history.end(), [](const HistoryPoint& p) { return p.joint_error > 0; })) {
+  if (std::any_of(history.begin(), history.end(),
+                  [](const StepSummary& p) { return p.max_joint_error > 0; })) {
     Plot joints;
     joints.title = "Joints";
     joints.x.label = "time [s]";
@@ -71,14 +68,7 @@ Figure time_series_figure(const std::vector<HistoryPoint>& history) {
   return figure;
 }
 
-Figure time_series_figure(const std::vector<StepReport>& reports) {
-  std::vector<HistoryPoint> history;
-  history.reserve(reports.size());
-  std::transform(reports.begin(), reports.end(), std::back_inserter(history), history_point);
-  return time_series_figure(history);
-}
-
-Plot time_series_plot(const std::vector<HistoryPoint>& history, double d_hat, bool joints) {
+Plot time_series_plot(std::span<const StepSummary> history, double d_hat, bool joints) {
   Plot plot;
   plot.title = "Over time";
   plot.x.label = "time [s]";
@@ -88,11 +78,11 @@ Plot time_series_plot(const std::vector<HistoryPoint>& history, double d_hat, bo
   plot.y_right.label = "energy [J]";
   plot.y_right.min_span = 1e-9;
   plot.series.push_back(time_series(
-      "penetration", history, [](const HistoryPoint& p) { return p.max_penetration; }, 1));
+      "penetration", history, [](const StepSummary& p) { return p.max_penetration; }, 1));
   plot.series.push_back(time_series(
-      "kinetic", history, [](const HistoryPoint& p) { return p.kinetic; }, 0, true));
+      "kinetic", history, [](const StepSummary& p) { return p.kinetic; }, 0, true));
   plot.series.push_back(time_series(
-      "elastic", history, [](const HistoryPoint& p) { return p.elastic; }, 2, true));
+      "elastic", history, [](const StepSummary& p) { return p.elastic; }, 2, true));
   if (joints) plot.series.push_back(time_series("joints", history, joint_error, 3));
   return plot;
 }
