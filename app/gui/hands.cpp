@@ -7,6 +7,7 @@
 
 #include "app/gui/pick.h"
 #include "app/session/model_edit.h"
+#include "sim/joint/joint_traits.h"
 
 namespace pabd {
 namespace {
@@ -34,19 +35,15 @@ void tell(GuiFrame& f, const std::string& text) { f.out.send(Command(command::Te
 
 // The joint that waited for `picked` as its second body.
 AddJoint joint_between(const Joining& first, const RunView& run, const Selection& picked) {
-  static constexpr JointType kTypes[] = {JointType::spherical, JointType::hinge, JointType::slider,
-                                         JointType::fixed, JointType::distance};
   AddJoint joint;
-  for (const JointType type : kTypes)
-    if (first.type == to_string(type)) joint.type = type;
+  joint.type = joint_type(first.type).value_or(joint.type);
   const auto i = static_cast<std::size_t>(first.body), j = static_cast<std::size_t>(picked.index);
   joint.i = first.body;
   joint.j = picked.index;
   const Vec3 clicked = run.state.c[j] + run.state.R[j] * picked.at;
-  joint.anchor =
-      joint.type == JointType::distance ? Vec3(run.state.c[i] + run.state.R[i] * first.at) : clicked;
+  joint.anchor = traits_of(joint.type).points ? Vec3(run.state.c[i] + run.state.R[i] * first.at) : clicked;
   joint.anchor_j = clicked;
-  joint.axis = run.state.R[j] * picked.normal;
+  set_axes(run.state.R[j] * picked.normal, joint);
   return joint;
 }
 

@@ -10,6 +10,7 @@
 #include "app/gui/inspector_rows.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "sim/joint/joint_traits.h"
 
 namespace pabd {
 namespace {
@@ -198,20 +199,19 @@ class InspectorPanel final : public GuiPanel {
 
   // A joint from here to what is double-clicked next, or to the world.
   void join(GuiFrame& f, Index number) {
-    static constexpr const char* kTypes[] = {"spherical", "hinge", "slider", "fixed", "distance"};
     const RunView& run = f.sim.a;
     const auto i = static_cast<std::size_t>(number);
     ImGui::SetNextItemWidth(f.px(92));
-    if (ImGui::BeginCombo("##type", kTypes[type_])) {
-      for (int t = 0; t < 5; ++t)
-        if (ImGui::Selectable(kTypes[t], t == type_)) type_ = t;
+    if (ImGui::BeginCombo("##type", to_string(type_))) {
+      for (const JointType type : kJointTypes)
+        if (ImGui::Selectable(to_string(type), type == type_)) type_ = type;
       ImGui::EndCombo();
     }
     tooltip("Type of the new joint");
     ImGui::SameLine(0, f.px(4));
     const bool waits = f.ui.joining.has_value();
     if (ImGui::Button(waits ? "double-click it…" : "Join to body…"))
-      f.out.send(ViewCommand(command::Join{waits ? "" : kTypes[type_]}));
+      f.out.send(ViewCommand(command::Join{waits ? "" : to_string(type_)}));
     tooltip("Then double-click the second body where the joint shall be");
     ImGui::SameLine(0, f.px(4));
     ImGui::BeginDisabled(run.model->fixed[i] != 0);
@@ -219,15 +219,13 @@ class InspectorPanel final : public GuiPanel {
     tooltip("Where this body was double-clicked, as it stands now");
     if (world) {
       AddJoint joint;
-      static constexpr JointType kJoint[] = {JointType::spherical, JointType::hinge, JointType::slider,
-                                             JointType::fixed, JointType::distance};
-      joint.type = kJoint[type_];
+      joint.type = type_;
       joint.j = number;
       joint.anchor = joint.anchor_j = run.state.c[i] + run.state.R[i] * f.ui.selection.at;
-      // A distance joint hangs it from above.
+      // A rod or a spring hangs it from above.
       const double radius = bounding_radius(run.model->shape[i]);
-      if (joint.type == JointType::distance && std::isfinite(radius)) joint.anchor.y() += 2 * radius;
-      joint.axis = run.state.R[i] * f.ui.selection.normal;
+      if (traits_of(type_).points && std::isfinite(radius)) joint.anchor.y() += 2 * radius;
+      set_axes(run.state.R[i] * f.ui.selection.normal, joint);
       edit(f, joint);
     }
     ImGui::EndDisabled();
@@ -269,7 +267,7 @@ class InspectorPanel final : public GuiPanel {
 
   NameList list_;
   BodyMaker maker_;
-  int type_ = 0;
+  JointType type_ = JointType::spherical;
 };
 
 }  // namespace

@@ -102,23 +102,26 @@ void add_solver(const RunView& run, std::size_t i, InspectorRows& rows) {
 
 // What a joint measures and what keeps it in range.
 void add_measures(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, InspectorRows& rows) {
-  const auto range = [](const JointRange& r, double scale, const char* unit) {
-    return fmt::format("{:.4g} … {:.4g}{}", r.lo * scale, r.hi * scale, unit);
-  };
-  const bool slides = joint.type == JointType::slider;
-  if (joint.type == JointType::hinge || slides)
+  const JointTraits& traits = traits_of(joint.type);
+  for (const JointMeasure& measure : traits.measures) {
+    const double value = measure.value(fi, fj);
     rows.push_back(
-        {"angle φ", fmt::format("{:.3f}°", kDegrees * joint_angle(fi, fj)), "Of j against i about the axis"});
-  if (slides)
-    rows.push_back({"offset λ", text(joint_offset(fi, fj), "m"), "Of j along the axis, from the start"});
-  if (joint.limits)
-    rows.push_back({"limits", slides ? range(*joint.limits, 1, " m") : range(*joint.limits, kDegrees, "°")});
-  if (joint.twist_limits) rows.push_back({"angle limits", range(*joint.twist_limits, kDegrees, "°")});
-  if (joint.drive || joint.turn) rows.push_back({"drive", "follows its time profile"});
-  if (joint.type == JointType::distance) {
-    rows.push_back({"length", text((fj.y - fi.y).norm(), "m")});
-    rows.push_back({"rest length", text(joint.length, "m")});
+        {measure.words,
+         measure.of == JointMeasure::Of::angle ? fmt::format("{:.3f}°", kDegrees * value) : text(value, "m"),
+         measure.help ? measure.help : ""});
   }
+  const auto add_limits = [&](const char* words, Rare<JointRange> Joint::*limits) {
+    const JointMeasure* measure = measure_with(traits, limits);
+    if (!measure || !(joint.*limits)) return;
+    const bool angle = measure->of == JointMeasure::Of::angle;
+    const double scale = angle ? kDegrees : 1;
+    rows.push_back({words, fmt::format("{:.4g} … {:.4g}{}", (joint.*limits)->lo * scale,
+                                       (joint.*limits)->hi * scale, angle ? "°" : " m")});
+  };
+  add_limits("limits", &Joint::limits);
+  add_limits("angle limits", &Joint::twist_limits);
+  if (joint.drive || joint.turn) rows.push_back({"drive", "follows its time profile"});
+  if (traits.points) rows.push_back({"rest length", text(joint.length, "m")});
 }
 
 }  // namespace

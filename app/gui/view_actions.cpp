@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "app/frames/camera_keys.h"
 #include "app/gui/pictures.h"
@@ -28,9 +29,8 @@ constexpr PanelPlace kPanels[] = {
     {"compare", Slot::right_top}};
 
 // The one of `words` that is meant. Throws Error(bad_input) with the list.
-template <std::size_t n>
-std::size_t one(const std::string& word, const std::string_view (&words)[n], const char* what) {
-  for (std::size_t i = 0; i < n; ++i) {
+std::size_t one(const std::string& word, std::span<const std::string_view> words, const char* what) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
     if (word == words[i]) return i;
   }
   throw Error(ExitCode::bad_input,
@@ -118,8 +118,9 @@ struct Actor {
     if (selection.kind != Selection::Kind::none) ui.shown[static_cast<std::size_t>(Slot::left)] = "inspector";
   }
   void operator()(const command::Join& c) const {
-    static constexpr std::string_view kTypes[] = {"", "spherical", "hinge", "slider", "fixed", "distance"};
-    if (one(c.type, kTypes, "join") == 0) return ui.joining.reset();
+    std::vector<std::string_view> types{""};
+    for (const JointType type : kJointTypes) types.emplace_back(to_string(type));
+    if (one(c.type, types, "join") == 0) return ui.joining.reset();
     if (ui.selection.kind != Selection::Kind::body)
       throw Error(ExitCode::bad_input, "join: select the first body, by a double-click on it");
     ui.joining = Joining{c.type, ui.selection.index, ui.selection.at};

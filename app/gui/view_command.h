@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/workbench/command.h"
+#include "sim/body/joint.h"
 
 namespace pabd {
 
@@ -82,12 +83,14 @@ struct Select {
   }
 };
 // A joint from where the selected body was picked to the body that is double-clicked next, at the place of
-// the click. `type`: "spherical", "hinge", "slider", "fixed", "distance"; "" ends the wait.
+// the click. `type`: as in a scene file; "" ends the wait.
 struct Join {
   static constexpr const char* name = "join";
   std::string type;
   void fields(auto&& f) {
-    f(need("type", "spherical, hinge, slider, fixed or distance; empty: none after all", R"("hinge")"), type);
+#define PABD_WORD(name) #name ", "
+    f(need("type", PABD_JOINT_TYPES(PABD_WORD) "or empty: none after all", R"("hinge")"), type);
+#undef PABD_WORD
   }
 };
 // "body", "projection" (‖A − R‖), "speed", "energy", "component".

@@ -163,8 +163,7 @@ void paint_joint_legend(const Rect& rect, double s, unsigned types, Canvas& canv
   points(true, true, "joined");
   x = in.x;
   y = in.y + 0.78 * in.h;
-  for (const JointType type :
-       {JointType::spherical, JointType::hinge, JointType::slider, JointType::fixed, JointType::distance}) {
+  for (const JointType type : kJointTypes) {
     if ((types >> static_cast<unsigned>(type) & 1u) == 0) continue;
     canvas.fill_rect({x, std::round(y - 1.5 * s), 10 * s, std::max(2.0, std::round(3 * s))},
                      screen_ink(joint_color(type)));

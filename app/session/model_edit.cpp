@@ -10,6 +10,7 @@
 #include "sim/body/shape_kind.h"
 #include "sim/error.h"
 #include "sim/joint/attach.h"
+#include "sim/joint/joint_traits.h"
 #include "sim/potential/barrier.h"
 #include "sim/scene/builder.h"
 #include "sim/scene/text.h"
@@ -191,13 +192,19 @@ void carry_out(const AddJoint& edit, const BondLaw& joint_law, Model& model, Sta
   joint.j = edit.j;
   joint.law = edit.law.value_or(joint_law);
   check_law(joint.law);
-  Mat3 F = Mat3::Identity();
-  if (edit.type == JointType::hinge || edit.type == JointType::slider) {
+  const JointTraits& traits = traits_of(edit.type);
+  joint.twist = traits.twist;
+  if (traits.axes > 0) {
     require(edit.axis.allFinite() && edit.axis.stableNorm() >= 1e-9, "axis",
             "a vector that is at least 1e-9 long");
-    F = frame_about(edit.axis.stableNormalized());
   }
-  if (edit.type == JointType::distance) {
+  const Vec3 axis = edit.axis.stableNormalized();
+  if (traits.axes > 1 && edit.second_axis) {
+    require(edit.second_axis->allFinite() && axis.cross(edit.second_axis->stableNormalized()).norm() >= 1e-6,
+            "second_axis", "a direction across the axis");
+  }
+  const Mat3 F = joint_frame(edit.type, axis, edit.second_axis);
+  if (traits.points) {
     check_vector(edit.anchor_j, kPositionRange, "anchor");
     joint.length = edit.length.value_or((edit.anchor_j - edit.anchor).norm());
     check_number(joint.length, {0, 1e6, "m"}, "length");
@@ -240,6 +247,13 @@ std::string sized_shapes() {
   for (const ShapeKind* kind : shape_kinds())
     if (kind->make) words.push_back(kind->name);
   return one_of(words);
+}
+
+void set_axes(const Vec3& normal, AddJoint& joint) {
+  const Mat3 F = frame_about(normal);
+  const bool two = traits_of(joint.type).axes > 1;
+  joint.axis = two ? Vec3(F.col(1)) : normal;
+  if (two) joint.second_axis = F.col(2);
 }
 
 void apply_edit(const ModelEdit& edit, const BondLaw& joint_law, Model& model, State& state) {

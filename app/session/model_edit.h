@@ -36,12 +36,16 @@ struct AddJoint {
   std::string name;  // empty: one is made up
   JointType type = JointType::spherical;
   Index i = kWorld, j = kWorld;
-  Vec3 anchor = Vec3::Zero();    // world; m. Of a distance joint the point on i
-  Vec3 axis = Vec3::UnitZ();     // world, any length but 0; hinge and slider only
-  Vec3 anchor_j = Vec3::Zero();  // world; m. Distance joint only: the point on j
-  std::optional<double> length;  // distance joint only; m. Else as far as the points are apart
-  std::optional<BondLaw> law;    // else that of the scene's joints
+  Vec3 anchor = Vec3::Zero();       // world; m. Of a distance joint the point on i
+  Vec3 axis = Vec3::UnitZ();        // world, any length but 0; of a joint with an axis
+  std::optional<Vec3> second_axis;  // world; of a joint with two. Else some direction square to `axis`
+  Vec3 anchor_j = Vec3::Zero();     // world; m. Distance joint only: the point on j
+  std::optional<double> length;     // distance joint only; m. Else as far as the points are apart
+  std::optional<BondLaw> law;       // else that of the scene's joints
 };
+
+// The axes of a joint that stands on a face with that normal: an axis along it, two axes across it.
+void set_axes(const Vec3& normal, AddJoint& joint);
 
 // The bodies collide again, unless another joint holds them. Higher numbers move down by one.
 struct RemoveJoint {
@@ -62,7 +66,7 @@ void apply_edit(const ModelEdit& edit, const BondLaw& joint_law, Model& model, S
 // scene file, bodies and joints by number, null for the world.
 //   add_body     a body of a scene file
 //   remove_body  body
-//   add_joint    name, type, bodies, anchor (points for a distance), axis, length; potential, kappa, N, d_hat
+//   add_joint    name, type, bodies, anchor (points for a distance), axis, second_axis, length; potential, kappa, N, d_hat
 //   remove_joint joint
 std::string to_json(const ModelEdit& edit);
 

@@ -4,9 +4,11 @@
 #include "app/session/model_edit.h"
 #include "sim/body/shape_kind.h"
 #include "sim/error.h"
+#include "sim/joint/joint_traits.h"
 #include "sim/potential/barrier.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/read_body.h"
+#include "sim/scene/read_joint.h"
 #include "sim/scene/text.h"
 #include "sim/scene/write_values.h"
 
@@ -17,20 +19,15 @@ using keys::Key;
 
 constexpr std::array kNumberOfBody{Key("do"), Key("body")};
 constexpr std::array kNumberOfJoint{Key("do"), Key("joint")};
-constexpr std::array kJoint{Key("do"),        Key("name"),  Key("type"),   Key("bodies"),
-                            Key("anchor"),    Key("axis"),  Key("points"), Key("length"),
-                            Key("potential"), Key("kappa"), Key("N"),      Key("d_hat")};
+constexpr std::array kJoint{Key("do"),          Key("name"),   Key("type"),   Key("bodies"),    Key("anchor"),
+                            Key("axis"),        Key("points"), Key("length"), Key("potential"), Key("kappa"),
+                            Key("second_axis"), Key("N"),      Key("d_hat")};
 
 enum class Kind { add_body, remove_body, add_joint, remove_joint };
 constexpr Choice kKinds[] = {{"add_body", static_cast<int>(Kind::add_body)},
                              {"remove_body", static_cast<int>(Kind::remove_body)},
                              {"add_joint", static_cast<int>(Kind::add_joint)},
                              {"remove_joint", static_cast<int>(Kind::remove_joint)}};
-constexpr Choice kTypes[] = {{"spherical", static_cast<int>(JointType::spherical)},
-                             {"hinge", static_cast<int>(JointType::hinge)},
-                             {"slider", static_cast<int>(JointType::slider)},
-                             {"fixed", static_cast<int>(JointType::fixed)},
-                             {"distance", static_cast<int>(JointType::distance)}};
 constexpr Choice kPotentials[] = {{"soft", static_cast<int>(BondPotential::soft)},
                                   {"hard", static_cast<int>(BondPotential::hard)}};
 
@@ -61,13 +58,15 @@ struct ToJson {
     out["bodies"] = OrderedJson::array();
     for (const Index end : {joint.i, joint.j})
       out["bodies"].push_back(end == kWorld ? OrderedJson() : OrderedJson(end));
-    if (joint.type == JointType::distance) {
+    const JointTraits& traits = traits_of(joint.type);
+    if (traits.points) {
       out["points"] = OrderedJson::array({json_of(joint.anchor), json_of(joint.anchor_j)});
       if (joint.length) out["length"] = *joint.length;
     } else {
       out["anchor"] = json_of(joint.anchor);
     }
-    if (joint.type == JointType::hinge || joint.type == JointType::slider) out["axis"] = json_of(joint.axis);
+    if (traits.axes > 0) out["axis"] = json_of(joint.axis);
+    if (traits.axes > 1 && joint.second_axis) out["second_axis"] = json_of(*joint.second_axis);
     if (joint.law) add_law(*joint.law, out);
     return out;
   }
@@ -129,12 +128,13 @@ void refuse_key(const ObjectReader& in, Key key, JointType type) {
 AddJoint read_add_joint(const ObjectReader& in) {
   AddJoint out;
   out.name = in.name("name");
-  out.type = static_cast<JointType>(in.choice("type", kTypes));
+  out.type = static_cast<JointType>(in.choice("type", joint_choices()));
   const Node ends = in.require("bodies", "two numbers of bodies, null for the world");
   if (ends.array_size() != 2) ends.fail_expected("two numbers of bodies, null for the world");
   out.i = read_end(ends.element(0));
   out.j = read_end(ends.element(1));
-  if (out.type == JointType::distance) {
+  const JointTraits& traits = traits_of(out.type);
+  if (traits.points) {
     refuse_key(in, "anchor", out.type);
     const Node points = in.require("points", "two points [a, b]");
     if (points.array_size() != 2) points.fail_expected("two points [a, b]");
@@ -146,10 +146,15 @@ AddJoint read_add_joint(const ObjectReader& in) {
     refuse_key(in, "length", out.type);
     out.anchor = in.vec3("anchor", kPositionRange);
   }
-  if (out.type == JointType::hinge || out.type == JointType::slider) {
+  if (traits.axes > 0) {
     out.axis = in.require("axis", "the direction of the joint's axis").unit_vector();
   } else {
     refuse_key(in, "axis", out.type);
+  }
+  if (traits.axes < 2) {
+    refuse_key(in, "second_axis", out.type);
+  } else if (const auto second = in.find("second_axis")) {
+    out.second_axis = second->unit_vector();
   }
   out.law = read_law(in);
   return out;

@@ -22,7 +22,7 @@ namespace {
 constexpr double kLeastDot = 1.6, kLargestDot = 5.0;
 constexpr double kVisibleGap = 0.5;   // a shorter line between two points says nothing
 constexpr double kLeastSpread = 2.5;  // × rim: points nearer to each other than this are drawn as one pair
-constexpr double kLeastArms = 40;     // of a fixed joint
+constexpr double kLeastArms = 40;     // of a joint that leaves nothing free
 constexpr double kWrongGap = 3;
 constexpr double kLeastDial = 9, kLargestDial = 54;
 
@@ -64,7 +64,7 @@ struct JointPainter {
     disc(y_j, 0, kRim * r, color);
     disc(y_j, 0.3, kDisc * r, bond_point_j_color());
     disc(y_i, 2, r, bond_point_i_color());
-    if (apart && joint.type != JointType::distance) add_line(out, y_i, y_j, {bond_line_color(), 1.6});
+    if (apart && !traits_of(joint.type).points) add_line(out, y_i, y_j, {bond_line_color(), 1.6});
   }
 
   void bonds(const BondList& list, bool spread) const {
@@ -83,57 +83,75 @@ struct JointPainter {
     points(y_i, y_j);
   }
 
-  // Angle φ about the axis of i, with a zero mark, a hand and, if there are any, limits.
-  void dial(double phi, const Rare<JointRange>& limits) const {
+  void axis(const Vec3& n) const {
+    add_line(out, fi.y - 1.5 * joint.arm * n, fi.y + 1.5 * joint.arm * n, {color, 2.2});
+  }
+
+  // An angle about the anchor of i, with a zero mark, a hand and, if there are any, limits.
+  void dial(const JointMeasure& measure, const JointRange* limits) const {
     const double radius = std::min(0.8 * joint.arm, kLargestDial * px);
     if (radius < (limits ? kLeastDial : 2 * kLeastDial) * px) return;  // many free hinges would be a thicket
-    const Vec3 e = fi.F.col(1), b = fi.F.col(2);
+    const AnglePlane plane = measure.plane(fi, fj);
+    const double phi = measure.value(fi, fj);
     const auto at = [&](double angle, double share) -> Vec3 {
-      return fi.y + share * radius * (std::cos(angle) * e + std::sin(angle) * b);
+      return fi.y + share * radius * (std::cos(angle) * plane.zero + std::sin(angle) * plane.ahead);
     };
     add_line(out, at(0, 0.82), at(0, 1.18), {color, 1.6});
     if (limits) {
-      add_arc(out, fi.y, e, b, radius, limits->lo, limits->hi, {faded(color, 0.45), 4});
+      add_arc(out, fi.y, plane.zero, plane.ahead, radius, limits->lo, limits->hi, {faded(color, 0.45), 4});
       for (const double bound : {limits->lo, limits->hi}) {
         add_line(out, at(bound, 0.82), at(bound, 1.18), {color, 2.4});
       }
     } else {
-      add_arc(out, fi.y, e, b, radius, 0, phi, {faded(color, 0.7), 2});
+      add_arc(out, fi.y, plane.zero, plane.ahead, radius, 0, phi, {faded(color, 0.7), 2});
     }
     add_line(out, fi.y, at(phi, 1.18), {color, 2.4});
   }
 
-  void hinge() const {
-    const Vec3 n = fi.F.col(0);
-    add_line(out, fi.y - 1.5 * joint.arm * n, fi.y + 1.5 * joint.arm * n, {color, 2.2});
-    dial(joint_angle(fi, fj), joint.limits);
-  }
-
   // The offset moves j along +n, and so is drawn from the anchor of i.
-  void slider() const {
+  void rail(const JointMeasure& measure, const JointRange* limits) const {
     const Vec3 n = fj.F.col(0);
-    const double lambda = joint_offset(fi, fj);
-    const double lo = joint.limits ? joint.limits->lo : std::min(-1.5 * joint.arm, lambda);
-    const double hi = joint.limits ? joint.limits->hi : std::max(1.5 * joint.arm, lambda);
+    const double lambda = measure.value(fi, fj);
+    const double lo = limits ? limits->lo : std::min(-1.5 * joint.arm, lambda);
+    const double hi = limits ? limits->hi : std::max(1.5 * joint.arm, lambda);
     add_line(out, fi.y + lo * n, fi.y + hi * n, {faded(color, 0.7), 2});
     const Vec3 side = n.cross(meter.to_eye(fi.y)).stableNormalized();
     const auto mark = [&](double at, double half, double width) {
       add_line(out, fi.y + at * n - half * px * side, fi.y + at * n + half * px * side, {color, width});
     };
-    if (joint.limits) {
+    if (limits) {
       mark(lo, 8, 3);
       mark(hi, 8, 3);
     }
     mark(0, 5, 1.6);
     mark(lambda, 6, 3.4);
     add_line(out, fi.y, fi.y + lambda * n, {color, 4.4});
-    if (joint.twist == Twist::limited) dial(joint_angle(fi, fj), joint.twist_limits);
   }
 
-  void fixed() const {
+  // What leaves nothing free shows the directions along which it holds.
+  void frame() const {
     for (int k = 0; k < 3; ++k) {
       const Vec3 reach = joint.arm * fi.F.col(k);
       add_line(out, fi.y - reach, fi.y + reach, {faded(color, 0.8), 1.6});
+    }
+  }
+
+  // A rail or its axes, and dials.
+  void freedom(const JointTraits& traits) const {
+    const auto limits_of = [&](const JointMeasure& measure) -> const JointRange* {
+      return measure.limits && joint.*measure.limits ? &*(joint.*measure.limits) : nullptr;
+    };
+    bool slides = false;
+    for (const JointMeasure& measure : traits.measures) {
+      if (measure.of != JointMeasure::Of::offset) continue;
+      rail(measure, limits_of(measure));
+      slides = true;
+    }
+    if (traits.axes > 0 && !slides) axis(fi.F.col(0));
+    if (traits.axes > 1) axis(fj.F.col(1));
+    for (const JointMeasure& measure : traits.measures) {
+      const JointRange* limits = limits_of(measure);
+      if (measure.of == JointMeasure::Of::angle && (limits || !measure.held)) dial(measure, limits);
     }
   }
 
@@ -172,16 +190,17 @@ void add_joint_glyphs(const Joint& joint, const Pose& i, const Pose& j, double t
   expand(joint, i, j, time, list);
   bool spread = joint.arm > kLeastSpread * kRim * r;
   // Seven bonds each would bury a frame of many parts: one point, unless it is large or something is wrong.
-  if (joint.type == JointType::fixed && joint.arm < kLeastArms * px) {
+  const JointTraits& traits = traits_of(joint.type);
+  const bool holds_all = traits.translations == 0 && traits.rotations == 0;
+  if (holds_all && joint.arm < kLeastArms * px) {
     const auto end = list.bond.cbegin() + list.count;
     spread = std::any_of(list.bond.cbegin(), end, [&](const PointBond& bond) {
       return (bond.y_b - bond.y_a).norm() > kWrongGap * px;
     });
   }
-  if (joint.type == JointType::hinge && spread) painter.hinge();
-  if (joint.type == JointType::slider && spread) painter.slider();
-  if (joint.type == JointType::fixed && spread) painter.fixed();
-  if (joint.type == JointType::distance) painter.spring();
+  if (holds_all && spread) painter.frame();
+  if (spread) painter.freedom(traits);
+  if (traits.points) painter.spring();
   painter.bonds(list, spread);
 }
 

@@ -16,10 +16,11 @@ struct GlyphSize {
 // Adds what is to be seen of `joint` between bodies at poses i and j (identity for the world) at `time` (s).
 //   bond     y_i a dark dot, y_j a light disc with a rim in the colour of the joint's type: a bullseye where
 //            the two meet, a line between them where they do not
-//   hinge    its axis, the present angle as a hand, limits as an arc
-//   slider   its line, the present offset as a bar from the anchor of i to that of j, limits as stops
-//   fixed    the three axes along which it holds; one point where that would be small
-//   distance a coil if soft, else a rod
+//   angle    its axis, the present angle as a hand, limits as an arc
+//   offset   its line, the present offset as a bar from the anchor of i to that of j, limits as stops
+//   nothing  free: the three axes along which it holds; one point where that would be small
+//   length   between two points: a coil if soft, else a rod
+// What a type of joint leaves free is told by its traits (sim/joint/joint_traits.h).
 // `out.camera` must be set before: dots are kept within a few pixels as it sees them, and what would be too
 // small to read is left out. A joint with a number that is not finite is left out.
 void add_joint_glyphs(const Joint& joint, const Pose& i, const Pose& j, double time, const GlyphSize& size,

@@ -88,19 +88,11 @@ Vec4f bond_point_j_color() { return srgb_color(0xf3e9d2); }
 Vec4f bond_line_color() { return srgb_color(0x2a2633); }
 
 Vec4f joint_color(JointType type) {
-  switch (type) {
-    case JointType::spherical:
-      return srgb_color(0xb23a7a);
-    case JointType::hinge:
-      return srgb_color(0x1f6fb2);
-    case JointType::slider:
-      return srgb_color(0x128a6a);
-    case JointType::fixed:
-      return srgb_color(0x4a535f);
-    case JointType::distance:
-      return srgb_color(0xc9631a);
-  }
-  return srgb_color(0x4a535f);
+  // In the order of the types; the last ones wait for new types.
+  static constexpr std::uint32_t kInk[] = {0xb23a7a, 0x1f6fb2, 0x128a6a, 0x4a535f,
+                                           0xc9631a, 0x6b4fc0, 0x7a6a12, 0x8c2f24};
+  static_assert(std::size(kInk) >= kJointTypes.size());
+  return srgb_color(kInk[static_cast<std::size_t>(type)]);
 }
 
 Vec4f contact_color(double x) {

@@ -5,19 +5,18 @@
 namespace pabd {
 
 const char* to_string(JointType type) {
-  switch (type) {
-    case JointType::spherical:
-      return "spherical";
-    case JointType::hinge:
-      return "hinge";
-    case JointType::slider:
-      return "slider";
-    case JointType::fixed:
-      return "fixed";
-    case JointType::distance:
-      return "distance";
-  }
-  return "?";
+  static constexpr const char* kWords[] = {
+#define PABD_TYPE(name) #name,
+      PABD_JOINT_TYPES(PABD_TYPE)
+#undef PABD_TYPE
+  };
+  return kWords[static_cast<std::size_t>(type)];
+}
+
+std::optional<JointType> joint_type(std::string_view word) {
+  for (const JointType type : kJointTypes)
+    if (word == to_string(type)) return type;
+  return std::nullopt;
 }
 
 template <class Value>

@@ -1,12 +1,16 @@
 // Joints of the supplement's section 2: what joins two bodies, or a body and the world, as plain constant
-// data. Each type is expanded to point bonds by a file of its own (expand.h).
+// data. What a type is, its equations and its words, is told by a file of its own (sim/joint/joint_traits.h).
 //
-// Frames: column 0 of F is the joint's axis n, columns 1 and 2 complete it to a right-handed frame. At the
-// start pose the two frames coincide. Angle φ: right-hand rule about n, j relative to i, zero at the start
-// pose. Offset λ: of j's anchor from i's along the axis, measured as S(15) does, zero at the start pose.
+// Frames: column 0 of F is the joint's axis n, columns 1 and 2 complete it to a right-handed frame. A
+// second axis is column 1, on j. At the start pose the two frames coincide. Angle φ: right-hand rule about n,
+// j relative to i, zero at the start pose. Offset λ: of j's anchor from i's along the axis, measured as S(15)
+// does, zero at the start pose.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,8 +31,30 @@ struct BondLaw {
 
 inline constexpr Index kWorld = -1;  // instead of a body number
 
-enum class JointType : std::uint8_t { spherical, hinge, slider, fixed, distance };
+// Every type of joint, one a line. A new one is a line at the end, for colours and bits go by order, and a file
+// in sim/joint that defines joints::NAME.
+#define PABD_JOINT_TYPES(X) \
+  X(spherical)              \
+  X(hinge)                  \
+  X(slider)                 \
+  X(fixed)                  \
+  X(distance)
+
+enum class JointType : std::uint8_t {
+#define PABD_TYPE(name) name,
+  PABD_JOINT_TYPES(PABD_TYPE)
+#undef PABD_TYPE
+};
+
+inline constexpr std::array kJointTypes{
+#define PABD_TYPE(name) JointType::name,
+    PABD_JOINT_TYPES(PABD_TYPE)
+#undef PABD_TYPE
+};
+
+// The word of scene files, and back; empty for a word that is none.
 const char* to_string(JointType type);
+std::optional<JointType> joint_type(std::string_view word);
 
 enum class Twist : std::uint8_t { free, locked, limited };
 
@@ -55,7 +81,7 @@ struct JointFrame {
 struct Joint {
   std::string name;  // may be empty
   JointType type = JointType::spherical;
-  Twist twist = Twist::locked;  // slider
+  Twist twist = Twist::locked;  // of a joint that moves along its axis
   std::uint8_t arms = 7;        // spherical with a turn: bit k, the points along column k of F are held
   bool symmetric = true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
   Index i = kWorld, j = kWorld;
@@ -64,7 +90,7 @@ struct Joint {
   Rare<JointRange> limits;        // hinge: angle, rad, in [−π, π]; slider: offset, m
   Rare<Profile> drive;            // of the same quantity
   Rare<TurnProfile> turn;         // spherical: the rotation of j against i
-  Rare<JointRange> twist_limits;  // slider with limited twist; rad, in [−π, π]
+  Rare<JointRange> twist_limits;  // limited twist; rad, in [−π, π]
   double length = 0;              // distance joint: rest length; m
   double arm = 0.5;               // of the points beside the anchor; m
   BondLaw law;

@@ -5,12 +5,25 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/joint/joint_traits.h"
+
 namespace pabd {
 
 Mat3 frame_about(const Vec3& axis) {
   Mat3 F;
   F.col(0) = axis.normalized();
   F.col(1) = F.col(0).unitOrthogonal();
+  F.col(2) = F.col(0).cross(F.col(1));
+  return F;
+}
+
+Mat3 joint_frame(JointType type, const Vec3& axis, const std::optional<Vec3>& second_axis) {
+  const int axes = traits_of(type).axes;
+  if (axes == 0) return Mat3::Identity();
+  if (axes == 1 || !second_axis) return frame_about(axis);
+  Mat3 F;
+  F.col(0) = axis.normalized();
+  F.col(1) = (*second_axis - second_axis->dot(F.col(0)) * F.col(0)).normalized();
   F.col(2) = F.col(0).cross(F.col(1));
   return F;
 }

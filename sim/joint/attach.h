@@ -9,6 +9,10 @@ namespace pabd {
 // Columns n, e, n × e with n along `axis`, which must not be zero.
 Mat3 frame_about(const Vec3& axis);
 
+// Frame of a joint of that type. `second_axis` counts where it has two; what of it lies along `axis` is left
+// out, and the rest must not be zero; empty: any direction square to `axis`.
+Mat3 joint_frame(JointType type, const Vec3& axis, const std::optional<Vec3>& second_axis);
+
 // The world frame F at `anchor`, seen from `body` at the pose it has in `state` (kWorld: as it is).
 JointFrame frame_on(const State& state, Index body, const Vec3& anchor, const Mat3& F);
 

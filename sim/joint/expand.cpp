@@ -22,6 +22,8 @@ double joint_angle(const PlacedFrame& fi, const PlacedFrame& fj) {
   return std::atan2(e.dot(fi.F.col(2)), e.dot(fi.F.col(1)));
 }
 
+AnglePlane angle_plane(const PlacedFrame& fi, const PlacedFrame&) { return {fi.F.col(1), fi.F.col(2)}; }
+
 double joint_offset(const PlacedFrame& fi, const PlacedFrame& fj) { return fj.F.col(0).dot(fj.y - fi.y); }
 
 void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta, double scale,
@@ -31,29 +33,24 @@ void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj
   const Vec3 on_j = joint.arm * fj.F.col(1);
   for (const double side : {1.0, -1.0}) {
     if (side < 0 && !joint.symmetric) break;
-    out.add(fi.y + side * on_i, fj.y + shift + side * on_j);
-    PointBond& bond = out.bond[static_cast<std::size_t>(out.count - 1)];
+    PointBond& bond = out.add(fi.y + side * on_i, fj.y + shift + side * on_j);
     bond.slides = slides;
     bond.free_axis = fj.F.col(0);
     bond.scale = scale;
   }
 }
 
+void hold_direction(const Joint& joint, const PlacedFrame& fj, const Vec3& y_i, const Mat3& Fi, int k,
+                    BondList& out) {
+  for (const double side : {1.0, -1.0}) {
+    if (side < 0 && !joint.symmetric) break;
+    out.add(y_i + side * joint.arm * Fi.col(k), fj.y + side * joint.arm * fj.F.col(k));
+  }
+}
+
 void expand(const Joint& joint, const Pose& i, const Pose& j, double time, BondList& out) {
   out.count = 0;
-  const PlacedFrame fi = place(joint.on_i, i), fj = place(joint.on_j, j);
-  switch (joint.type) {
-    case JointType::spherical:
-      return expand_spherical(joint, fi, fj, time, out);
-    case JointType::hinge:
-      return expand_hinge(joint, fi, fj, time, out);
-    case JointType::slider:
-      return expand_slider(joint, fi, fj, time, out);
-    case JointType::fixed:
-      return expand_fixed(joint, fi, fj, out);
-    case JointType::distance:
-      return expand_distance(joint, fi, fj, out);
-  }
+  traits_of(joint.type).expand(joint, place(joint.on_i, i), place(joint.on_j, j), time, out);
 }
 
 }  // namespace pabd

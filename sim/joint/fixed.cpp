@@ -2,15 +2,19 @@
 #include "sim/joint/expand.h"
 
 namespace pabd {
+namespace {
 
-void expand_fixed(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, BondList& out) {
+void expand_fixed(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double, BondList& out) {
   out.add(fi.y, fj.y);
-  for (int k = 0; k < 3; ++k) {
-    for (const double side : {1.0, -1.0}) {
-      if (side < 0 && !joint.symmetric) break;
-      out.add(fi.y + side * joint.arm * fi.F.col(k), fj.y + side * joint.arm * fj.F.col(k));
-    }
-  }
+  for (int k = 0; k < 3; ++k) hold_direction(joint, fj, fi.y, fi.F, k, out);
 }
+
+}  // namespace
+
+const JointTraits joints::fixed{.help = "The two bodies move as one.",
+                                .translations = 0,
+                                .rotations = 0,
+                                .expand = expand_fixed,
+                                .measures = {}};
 
 }  // namespace pabd

@@ -3,6 +3,7 @@
 #include "sim/joint/expand.h"
 
 namespace pabd {
+namespace {
 
 void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
                   BondList& out) {
@@ -16,5 +17,22 @@ void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
     if (passed) hold_angle(joint, fi, fj, *passed, joint.limit_scale, Vec3::Zero(), false, out);
   }
 }
+
+constexpr JointMeasure kMeasures[] = {{.of = JointMeasure::Of::angle,
+                                       .words = "angle φ",
+                                       .help = "Of j against i about the axis",
+                                       .value = joint_angle,
+                                       .plane = angle_plane,
+                                       .limits = &Joint::limits}};
+
+}  // namespace
+
+const JointTraits joints::hinge{
+    .help = "A common axis. The angle is that of j against i by the right-hand rule, 0 at the start.",
+    .translations = 0,
+    .rotations = 1,
+    .expand = expand_hinge,
+    .measures = kMeasures,
+    .axes = 1};
 
 }  // namespace pabd

@@ -5,6 +5,7 @@
 #include "sim/joint/expand.h"
 
 namespace pabd {
+namespace {
 
 void expand_slider(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
                    BondList& out) {
@@ -14,16 +15,13 @@ void expand_slider(const Joint& joint, const PlacedFrame& fi, const PlacedFrame&
   if (joint.drive) driven = joint.drive->at(time);
   const Vec3 shift = -driven.value_or(offset) * n;
   for (const double side : {1.0, -1.0}) {
-    out.add(fi.y + side * joint.arm * fi.F.col(0), fj.y + shift + side * joint.arm * n);
-    PointBond& bond = out.bond[static_cast<std::size_t>(out.count - 1)];
+    PointBond& bond = out.add(fi.y + side * joint.arm * fi.F.col(0), fj.y + shift + side * joint.arm * n);
     bond.slides = !driven;
     bond.free_axis = n;
   }
   if (joint.limits && !driven) {
-    if (const auto passed = passed_bound(*joint.limits, offset)) {
-      out.add(fi.y, fj.y - *passed * n);
-      out.bond[static_cast<std::size_t>(out.count - 1)].scale = joint.limit_scale;
-    }
+    if (const auto passed = passed_bound(*joint.limits, offset))
+      out.add(fi.y, fj.y - *passed * n).scale = joint.limit_scale;
   }
   if (joint.twist == Twist::locked) hold_angle(joint, fi, fj, 0, 1, shift, !driven, out);
   if (joint.twist == Twist::limited) {
@@ -31,5 +29,30 @@ void expand_slider(const Joint& joint, const PlacedFrame& fi, const PlacedFrame&
     if (passed) hold_angle(joint, fi, fj, *passed, joint.limit_scale, shift, !driven, out);
   }
 }
+
+constexpr JointMeasure kMeasures[] = {{.of = JointMeasure::Of::angle,
+                                       .words = "angle φ",
+                                       .help = "Of j against i about the axis",
+                                       .value = joint_angle,
+                                       .plane = angle_plane,
+                                       .limits = &Joint::twist_limits,
+                                       .held = true},
+                                      {.of = JointMeasure::Of::offset,
+                                       .words = "offset λ",
+                                       .help = "Of j along the axis, from the start",
+                                       .value = joint_offset,
+                                       .limits = &Joint::limits}};
+
+}  // namespace
+
+const JointTraits joints::slider{
+    .help =
+        "The two move along a common axis. The offset is 0 at the start and grows as j moves along the "
+        "axis.",
+    .translations = 1,
+    .rotations = 0,
+    .expand = expand_slider,
+    .measures = kMeasures,
+    .axes = 1};
 
 }  // namespace pabd

@@ -5,6 +5,7 @@
 #include "sim/math/so3.h"
 
 namespace pabd {
+namespace {
 
 void expand_spherical(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
                       BondList& out) {
@@ -12,12 +13,18 @@ void expand_spherical(const Joint& joint, const PlacedFrame& fi, const PlacedFra
   if (!joint.turn) return;
   const Mat3 F = fi.F * exp_so3(joint.turn->at(time));
   for (int k = 0; k < 3; ++k) {
-    if (!(joint.arms >> k & 1)) continue;
-    for (const double side : {1.0, -1.0}) {
-      if (side < 0 && !joint.symmetric) break;
-      out.add(fi.y + side * joint.arm * F.col(k), fj.y + side * joint.arm * fj.F.col(k));
-    }
+    if (joint.arms >> k & 1) hold_direction(joint, fj, fi.y, F, k, out);
   }
 }
+
+}  // namespace
+
+const JointTraits joints::spherical{
+    .help = "A ball joint: one point in common. With a drive, a prescribed rotation of j against i.",
+    .translations = 0,
+    .rotations = 3,
+    .expand = expand_spherical,
+    .measures = {},
+    .turn = true};
 
 }  // namespace pabd

@@ -3,6 +3,7 @@
 
 #include "sim/body/shape_kind.h"
 #include "sim/joint/attach.h"
+#include "sim/joint/joint_traits.h"
 #include "sim/scene/generators.h"
 
 namespace pabd {
@@ -60,7 +61,7 @@ void generate_chain(const ObjectReader& in, const GeneratorContext& context, Sce
   const auto type =
       static_cast<JointType>(in.choice("joint", kJoints, static_cast<int>(JointType::spherical)));
   const auto axis_node = in.find("axis");
-  if (axis_node && type != JointType::hinge) {
+  if (axis_node && traits_of(type).axes == 0) {
     axis_node->fail("only hinges have an axis; set \"joint\": \"hinge\" or remove this key");
   }
   const Vec3 axis = axis_node ? axis_node->unit_vector() : Vec3(Vec3::UnitZ());
@@ -71,7 +72,7 @@ void generate_chain(const ObjectReader& in, const GeneratorContext& context, Sce
   const bool collide = in.boolean("collide", false);
 
   const Mat3 along_chain = frame_about(direction);
-  const Mat3 F = type == JointType::hinge ? frame_about(axis) : Mat3(Mat3::Identity());
+  const Mat3 F = joint_frame(type, axis, std::nullopt);
   const Shape shape = make_shape(in, kind, size);
   const double pitch = size.x() + gap;
   const auto first = static_cast<Index>(out.model.name.size());

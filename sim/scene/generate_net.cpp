@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/joint/attach.h"
+#include "sim/joint/joint_traits.h"
 #include "sim/scene/generators.h"
 
 namespace pabd {
@@ -92,7 +93,7 @@ void generate_net(const ObjectReader& in, const GeneratorContext& context, Scene
     const Vec3 y_i = out.state.c[i], y_j = out.state.c[j];
     joint.arm = 0.5 * bounding_radius(shape);
     joint.law = out.joint_law;
-    if (type == JointType::distance) {
+    if (traits_of(type).points) {
       joint.on_i = joint.on_j = {Vec3::Zero(), Mat3::Identity()};
       joint.length = (y_j - y_i).norm();
     } else {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/body/joint.h"
+
 namespace pabd {
 
 namespace keys {
@@ -49,26 +51,6 @@ inline constexpr std::array net{Key("type"),  Key("name"),     Key("rows"), Key(
                                 Key("size"),  Key("position"), Key("gap"),  Key("upright"), Key("joint"),
                                 Key("fixed"), Key("density"),  Key("mass"), Key("collide")};
 
-// Joints by their type.
-inline constexpr std::array spherical{Key("name"),      Key("type"),    Key("bodies"), Key("anchor"),
-                                      Key("drive"),     Key("axes"),    Key("arm"),    Key("symmetric"),
-                                      Key("potential"), Key("kappa"),   Key("N"),      Key("d_hat"),
-                                      Key("collide"),   Key("anchors"), Key("frames")};
-inline constexpr std::array hinge{Key("name"),      Key("type"),      Key("bodies"),  Key("anchor"),
-                                  Key("axis"),      Key("limits"),    Key("drive"),   Key("arm"),
-                                  Key("symmetric"), Key("potential"), Key("kappa"),   Key("N"),
-                                  Key("d_hat"),     Key("collide"),   Key("anchors"), Key("frames")};
-inline constexpr std::array slider{
-    Key("name"),  Key("type"),  Key("bodies"),  Key("anchor"),    Key("axis"),      Key("limits"),
-    Key("drive"), Key("twist"), Key("arm"),     Key("symmetric"), Key("potential"), Key("kappa"),
-    Key("N"),     Key("d_hat"), Key("collide"), Key("anchors"),   Key("frames")};
-inline constexpr std::array fixed{Key("name"),  Key("type"),      Key("bodies"),    Key("anchor"),
-                                  Key("arm"),   Key("symmetric"), Key("potential"), Key("kappa"),
-                                  Key("N"),     Key("d_hat"),     Key("collide"),   Key("anchors"),
-                                  Key("frames")};
-inline constexpr std::array distance{Key("name"),   Key("type"),      Key("bodies"), Key("points"),
-                                     Key("length"), Key("potential"), Key("kappa"),  Key("N"),
-                                     Key("d_hat"),  Key("collide")};
 inline constexpr std::array drive{Key("value"), Key("keys")};
 inline constexpr std::array twist{Key("limits")};
 
@@ -77,6 +59,9 @@ inline constexpr std::array friction_anchor{Key("bodies"),  Key("feature"),  Key
                                             Key("sliding"), Key("restless"), Key("recovers")};
 
 }  // namespace keys
+
+// What a joint of that type may say.
+std::span<const std::string_view> joint_keys(JointType type);
 
 struct KeyTable {
   std::string_view object;  // what the keys belong to; a definition of that name is in the JSON Schema

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <unordered_set>
 
 #include "sim/joint/attach.h"
+#include "sim/joint/joint_traits.h"
 #include "sim/potential/barrier.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/text.h"
@@ -19,11 +21,6 @@ constexpr Range kTurnsRange{-1e6, 1e6, "degrees"};  // a drive may go round many
 
 constexpr Choice kPotentials[] = {{"soft", static_cast<int>(BondPotential::soft)},
                                   {"hard", static_cast<int>(BondPotential::hard)}};
-constexpr Choice kTypes[] = {{"spherical", static_cast<int>(JointType::spherical)},
-                             {"hinge", static_cast<int>(JointType::hinge)},
-                             {"slider", static_cast<int>(JointType::slider)},
-                             {"fixed", static_cast<int>(JointType::fixed)},
-                             {"distance", static_cast<int>(JointType::distance)}};
 constexpr Choice kTwists[] = {{"free", static_cast<int>(Twist::free)},
                               {"locked", static_cast<int>(Twist::locked)}};
 constexpr Choice kArms[] = {{"x", 1}, {"y", 2}, {"z", 4}, {"xy", 3}, {"xz", 5}, {"yz", 6}, {"xyz", 7}};
@@ -81,19 +78,30 @@ struct Surroundings {
 
 Vec3 read_anchor(const ObjectReader& in) { return in.vec3("anchor", kPositionRange); }
 
-Mat3 read_axis(const ObjectReader& in) {
+Mat3 read_axes(const ObjectReader& in, JointType type) {
+  const int axes = traits_of(type).axes;
+  if (axes == 0) return Mat3::Identity();
   const Vec3 axis = in.require("axis", "the direction of the joint's axis").unit_vector();
   in.record("axis", axis);
-  return frame_about(axis);
+  if (axes == 1) return frame_about(axis);
+  const Node node = in.require("second_axis", "the direction of the joint's axis on the second body");
+  const Vec3 second = node.unit_vector();
+  in.record("second_axis", second);
+  constexpr double kSquare = 1e-6;  // rad
+  if (std::abs(axis.dot(second)) > kSquare) {
+    node.fail(fmt::format("it is {:.6g} degrees from \"axis\"; expected 90",
+                          std::acos(std::clamp(axis.dot(second), -1.0, 1.0)) / kDegree));
+  }
+  return joint_frame(type, axis, second);
 }
 
 // Both frames at one anchor and axis; or, in a scene that was saved in mid-run, each where it stands.
-void read_place(const ObjectReader& in, const Surroundings& around, bool has_axis, Joint& joint) {
+void read_place(const ObjectReader& in, const Surroundings& around, Joint& joint) {
   if (!in.has("anchors") && !in.has("frames")) {
     const Vec3 anchor = read_anchor(in);
-    return attach(around.scene.state, anchor, has_axis ? read_axis(in) : Mat3(Mat3::Identity()), joint);
+    return attach(around.scene.state, anchor, read_axes(in, joint.type), joint);
   }
-  for (const std::string_view key : {"anchor", "axis"})
+  for (const std::string_view key : {"anchor", "axis", "second_axis"})
     if (in.has(key))
       in.fail_key(key, "\"anchors\" and \"frames\" say it all; remove this key or both of those");
   const Node anchors = in.require("anchors", "two points [a, b]");
@@ -121,36 +129,20 @@ void read_arms(const ObjectReader& in, const Surroundings& around, Joint& joint)
   joint.symmetric = in.boolean("symmetric", true);
 }
 
-// Limits or a drive of a hinge or slider.
-void read_motion(const ObjectReader& in, const Range& limits, const Range& drive, double unit, Joint& joint) {
+// Limits or a drive of what the joint leaves free.
+void read_motion(const ObjectReader& in, const JointMeasure& measure, Joint& joint) {
   if (in.has("limits") && in.has("drive")) {
     in.fail_key("limits", "a driven joint has no limits; remove one of \"limits\" and \"drive\"");
   }
-  if (in.has("limits")) joint.limits = read_limits(in, "limits", limits, unit, stands_at_zero(in));
-  if (const auto node = in.find("drive")) joint.drive = read_drive(*node, drive, unit);
+  const bool angle = measure.of == JointMeasure::Of::angle;
+  const double unit = angle ? kDegree : 1;
+  if (in.has("limits"))
+    joint.limits = read_limits(in, "limits", angle ? kAngleRange : kPositionRange, unit, stands_at_zero(in));
+  if (const auto node = in.find("drive"))
+    joint.drive = read_drive(*node, angle ? kTurnsRange : kPositionRange, unit);
 }
 
-void read_spherical(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  read_place(in, around, false, joint);
-  read_arms(in, around, joint);
-  if (const auto drive = in.find("drive")) {
-    joint.turn = read_turn(*drive);
-    joint.arms = static_cast<std::uint8_t>(in.choice("axes", kArms, 7));
-  } else if (in.has("axes")) {
-    in.fail_key("axes", "says which arms a drive holds, but there is none; add \"drive\" or remove this key");
-  }
-}
-
-void read_hinge(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  read_place(in, around, true, joint);
-  read_arms(in, around, joint);
-  read_motion(in, kAngleRange, kTurnsRange, kDegree, joint);
-}
-
-void read_slider(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  read_place(in, around, true, joint);
-  read_arms(in, around, joint);
-  read_motion(in, kPositionRange, kPositionRange, 1, joint);
+void read_twist(const ObjectReader& in, Twist fallback, Joint& joint) {
   const auto twist = in.find("twist");
   if (twist && twist->value().is_object()) {
     const ObjectReader limited(*twist, keys::twist);
@@ -159,16 +151,20 @@ void read_slider(const ObjectReader& in, const Surroundings& around, Joint& join
   } else if (twist && !twist->value().is_string()) {
     twist->fail_expected("\"free\", \"locked\" or { \"limits\": [lowest, highest] }");
   } else {
-    joint.twist = static_cast<Twist>(in.choice("twist", kTwists, static_cast<int>(Twist::locked)));
+    joint.twist = static_cast<Twist>(in.choice("twist", kTwists, static_cast<int>(fallback)));
   }
 }
 
-void read_fixed(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  read_place(in, around, false, joint);
-  read_arms(in, around, joint);
+void read_prescribed_turn(const ObjectReader& in, Joint& joint) {
+  if (const auto drive = in.find("drive")) {
+    joint.turn = read_turn(*drive);
+    joint.arms = static_cast<std::uint8_t>(in.choice("axes", kArms, 7));
+  } else if (in.has("axes")) {
+    in.fail_key("axes", "says which arms a drive holds, but there is none; add \"drive\" or remove this key");
+  }
 }
 
-void read_distance(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+void read_points(const ObjectReader& in, const Surroundings& around, Joint& joint) {
   const Node points = in.require("points", "two points [a, b]");
   if (points.array_size() != 2) points.fail_expected("two points [a, b]");
   const Vec3 a = points.element(0).vec3(kPositionRange), b = points.element(1).vec3(kPositionRange);
@@ -179,38 +175,43 @@ void read_distance(const ObjectReader& in, const Surroundings& around, Joint& jo
   joint.length = in.number("length", {0, 1e6, "m"}, (b - a).norm());
 }
 
-struct Reader {
-  std::span<const std::string_view> keys;
-  void (*read)(const ObjectReader&, const Surroundings&, Joint&);
-};
-
-Reader reader_of(JointType type) {
-  switch (type) {
-    case JointType::spherical:
-      return {keys::spherical, read_spherical};
-    case JointType::hinge:
-      return {keys::hinge, read_hinge};
-    case JointType::slider:
-      return {keys::slider, read_slider};
-    case JointType::fixed:
-      return {keys::fixed, read_fixed};
-    case JointType::distance:
-      break;
+// What the type of the joint asks for.
+void read_by_traits(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+  const JointTraits& traits = traits_of(joint.type);
+  if (traits.points) {
+    read_points(in, around, joint);
+  } else {
+    read_place(in, around, joint);
+    read_arms(in, around, joint);
   }
-  return {keys::distance, read_distance};
+  if (const JointMeasure* moved = measure_with(traits, &Joint::limits)) read_motion(in, *moved, joint);
+  joint.twist = traits.twist;
+  if (measure_with(traits, &Joint::twist_limits)) read_twist(in, traits.twist, joint);
+  if (traits.turn) read_prescribed_turn(in, joint);
 }
 
 JointType read_type(const Node& node) {
   if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
   const auto type = node.value().find("type");
   if (type == node.value().end()) {
-    fail_at(node.context(), node.pointer() + "/type",
-            "missing; expected \"spherical\", \"hinge\", \"slider\", \"fixed\" or \"distance\"");
+    std::vector<std::string_view> words;
+    for (const Choice& choice : joint_choices()) words.push_back(choice.word);
+    fail_at(node.context(), node.pointer() + "/type", "missing; expected " + one_of(words));
   }
-  return static_cast<JointType>(Node(*type, node, "type").choice(kTypes));
+  return static_cast<JointType>(Node(*type, node, "type").choice(joint_choices()));
 }
 
 }  // namespace
+
+std::span<const Choice> joint_choices() {
+  static const auto kChoices = [] {
+    std::array<Choice, kJointTypes.size()> choices;
+    for (std::size_t k = 0; k < choices.size(); ++k)
+      choices[k] = {to_string(kJointTypes[k]), static_cast<int>(kJointTypes[k])};
+    return choices;
+  }();
+  return kChoices;
+}
 
 BondLaw read_joint_defaults(const ObjectReader& scene) {
   BondLaw law;
@@ -229,8 +230,7 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, SceneBuilder
   for (std::size_t k = 0; k < count; ++k) {
     const Node node = list->element(k);
     const JointType type = read_type(node);
-    const Reader reader = reader_of(type);
-    const ObjectReader in(node, reader.keys);
+    const ObjectReader in(node, joint_keys(type));
     Joint joint;
     joint.type = type;
     in.record("type", to_string(type));
@@ -240,7 +240,7 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, SceneBuilder
       in.fail_key("name", fmt::format("another joint is named {} too; expected different names",
                                       in_quotes(joint.name)));
     around.read_ends(in, joint);
-    reader.read(in, around, joint);
+    read_by_traits(in, around, joint);
     joint.law = read_law(in, out.joint_law);
     out.add_joint(std::move(joint), in.boolean("collide", false));
   }

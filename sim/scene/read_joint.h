@@ -7,6 +7,9 @@ namespace pabd {
 
 inline constexpr Range kAngleRange{-180, 180, "degrees"};
 
+// The types of joints as words of a file.
+std::span<const Choice> joint_choices();
+
 // "joints_default" of a scene; κ is kAutoKappa for "auto".
 BondLaw read_joint_defaults(const ObjectReader& scene);
 

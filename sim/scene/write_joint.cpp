@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/joint/expand.h"
+#include "sim/joint/joint_traits.h"
 
 namespace pabd {
 namespace {
@@ -41,15 +41,21 @@ void add_turn(const Joint& joint, double now, OrderedJson& out) {
 }
 
 void add_motion(const Joint& joint, double now, OrderedJson& out) {
-  const double unit = joint.type == JointType::hinge ? kDegrees : 1;
+  const JointMeasure* moved = measure_with(traits_of(joint.type), &Joint::limits);
+  const double unit = moved && moved->of == JointMeasure::Of::angle ? kDegrees : 1;
   if (joint.limits) out["limits"] = range_json(*joint.limits, unit);
   if (joint.drive)
     out["drive"] = keys_from(now, *joint.drive, [&](double value) { return OrderedJson(value * unit); });
 }
 
 void add_twist(const Joint& joint, OrderedJson& out) {
-  if (joint.twist == Twist::free) out["twist"] = "free";
-  if (joint.twist == Twist::limited) out["twist"] = {{"limits", range_json(*joint.twist_limits, kDegrees)}};
+  const JointTraits& traits = traits_of(joint.type);
+  if (!measure_with(traits, &Joint::twist_limits)) return;
+  if (joint.twist == Twist::limited) {
+    out["twist"] = {{"limits", range_json(*joint.twist_limits, kDegrees)}};
+  } else if (joint.twist != traits.twist) {
+    out["twist"] = joint.twist == Twist::free ? "free" : "locked";
+  }
 }
 
 bool same(const BondLaw& a, const BondLaw& b) {
@@ -75,7 +81,7 @@ OrderedJson json_of_joint(const Model& model, const State& state, const Joint& j
   for (const Index end : {joint.i, joint.j})
     out["bodies"].push_back(end == kWorld ? OrderedJson()
                                           : OrderedJson(model.name[static_cast<std::size_t>(end)]));
-  if (joint.type == JointType::distance) {
+  if (traits_of(joint.type).points) {
     out["points"] = OrderedJson::array({json_of(on_i.y), json_of(on_j.y)});
     out["length"] = joint.length;
   } else {
@@ -86,7 +92,7 @@ OrderedJson json_of_joint(const Model& model, const State& state, const Joint& j
   }
   if (joint.turn) add_turn(joint, state.time, out);
   add_motion(joint, state.time, out);
-  if (joint.type == JointType::slider) add_twist(joint, out);
+  add_twist(joint, out);
   add_own_law(joint, joint_law, out);
   if (joint.i != kWorld && joint.j != kWorld) {
     const std::pair<Index, Index> pair = std::minmax(joint.i, joint.j);

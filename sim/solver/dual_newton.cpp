@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/bond/point_bond.h"
+#include "sim/joint/joint_traits.h"
 #include "sim/math/symmetric3.h"
 #include "sim/solver/linear_bonds.h"
 
@@ -12,8 +13,6 @@ namespace {
 
 // A product of 6×6 blocks costs as much as eight of 3×3.
 constexpr double kProductsOf6 = 8;
-
-bool is_ball(const Joint& joint) { return joint.type == JointType::spherical && !joint.turn; }
 
 // Rows of the bodies that a joint holds together.
 std::pair<Index, Index> rows_of(const Problem& p, const Island& island, const Iterate& it, Index joint) {

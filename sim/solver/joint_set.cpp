@@ -81,7 +81,7 @@ double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time
 
 double joint_error(const Problem& p, const Iterate& it, Index k) {
   const Joint& joint = p.joints[k];
-  if (joint.type == JointType::distance && joint.law.potential == BondPotential::soft) return 0;  // a spring
+  if (traits_of(joint.type).points && joint.law.potential == BondPotential::soft) return 0;  // a spring
   BondList list;
   expand_at(p, it, k, list);
   double largest = 0;

@@ -5,6 +5,7 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/bond/point_bond.h"
+#include "sim/joint/joint_traits.h"
 
 namespace pabd {
 namespace {
@@ -26,7 +27,7 @@ double joint_compliance(const Model& model, const Joint& joint) {
            compliance(model, joint.j, joint.on_j.r + joint.on_j.F * arm);
   };
   double most = at(Vec3::Zero());
-  if (joint.type == JointType::distance || (joint.type == JointType::spherical && !joint.turn)) return most;
+  if (!has_arms(joint)) return most;
   for (int k = 0; k < 3; ++k) {
     for (const double side : {1.0, -1.0}) most = std::max(most, at(side * joint.arm * Vec3::Unit(k)));
   }

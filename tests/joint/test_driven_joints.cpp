@@ -69,7 +69,7 @@ TEST_CASE("a spherical joint with a turn has two bonds a direction, one without 
     joint.arms = static_cast<std::uint8_t>(arms);
     joint.symmetric = symmetric;
     BondList list;
-    expand_spherical(joint, at, at, 0, list);
+    traits_of(JointType::spherical).expand(joint, at, at, 0, list);
     CHECK(list.count == bonds);
     for (int b = 0; b < list.count; ++b) CHECK((list.bond[b].y_a - list.bond[b].y_b).norm() < 1e-15);
   }

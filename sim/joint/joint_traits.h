@@ -1,0 +1,82 @@
+// What a type of joint is, beside the numbers of one joint: its equations, what it leaves free and how that is
+// measured, what a scene file says of it. Readers, writers, pictures, reports and the window ask here and know
+// no type by name. Each type is described in the file that has its equations.
+#pragma once
+
+#include <span>
+
+#include "sim/body/joint.h"
+#include "sim/body/state.h"
+#include "sim/bond/point_bond.h"
+
+namespace pabd {
+
+// No joint needs more: two for the axis and two for the angle, or one for the anchor and six for its arms.
+struct BondList {
+  static constexpr std::size_t kMost = 7;
+  std::array<PointBond, kMost> bond;  // only the first `count` are written
+  int count = 0;
+  PointBond& add(const Vec3& y_a, const Vec3& y_b) {
+    PointBond& added = bond[static_cast<std::size_t>(count++)];
+    added = {y_a, y_b};
+    return added;
+  }
+};
+
+// Where a joint's frame stands in the world.
+struct PlacedFrame {
+  Vec3 y;
+  Mat3 F;
+};
+inline PlacedFrame place(const JointFrame& frame, const Pose& pose) {
+  return {pose.c + pose.R * frame.r, pose.R * frame.F};
+}
+
+// Where an angle is drawn, about the anchor of i: the directions of 0 and of +90°.
+struct AnglePlane {
+  Vec3 zero, ahead;
+};
+
+// A number that tells how j stands against i.
+struct JointMeasure {
+  enum class Of : std::uint8_t { angle, offset, length };  // rad; m along n of j; m between the anchors
+  Of of;
+  const char* words;  // "angle φ"
+  const char* help;   // one line, or null
+  double (*value)(const PlacedFrame& fi, const PlacedFrame& fj);
+  AnglePlane (*plane)(const PlacedFrame& fi, const PlacedFrame& fj) = nullptr;  // of an angle
+  // Of the joint's members that which limits it, if any. The one that has `limits` also has the drive.
+  Rare<JointRange> Joint::*limits = nullptr;
+  bool held = false;  // as a rule: then a picture shows it only where it is limited
+};
+
+struct JointTraits {
+  const char* help;             // one or two sentences
+  int translations, rotations;  // that it leaves free
+  // Its bonds, where its frames on i and j stand so at `time`; `out` is empty.
+  void (*expand)(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
+                 BondList& out);
+  std::span<const JointMeasure> measures;
+  int axes = 0;                 // 1: on both bodies the same; 2: the second stays square to it, on j
+  bool points = false;          // from a point on i to one on j, rather than at an anchor with arms beside it
+  bool turn = false;            // a prescribed rotation S(8–10); without one nothing is held but the anchor
+  Twist twist = Twist::locked;  // where nothing is said of it
+};
+
+namespace joints {
+#define PABD_TYPE(name) extern const JointTraits name;
+PABD_JOINT_TYPES(PABD_TYPE)
+#undef PABD_TYPE
+}  // namespace joints
+
+const JointTraits& traits_of(JointType type);
+
+// The measure that `limits` of a joint is about; null where the type has none.
+const JointMeasure* measure_with(const JointTraits& traits, Rare<JointRange> Joint::*limits);
+
+// Are there points beside the anchor?
+bool has_arms(const Joint& joint);
+// Is it one bond of length 0, at the anchor?
+bool is_ball(const Joint& joint);
+
+}  // namespace pabd
