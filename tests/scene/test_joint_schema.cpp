@@ -1,0 +1,55 @@
+// The JSON Schema has of joints, word for word, what their traits give.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "sim/scene/joint_schema.h"
+
+using namespace pabd;
+
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream out;
+  out << std::ifstream(path).rdbuf();
+  return out.str();
+}
+
+// As it stands in the file, `indent` deep, without the indent of its first line.
+std::string printed(const OrderedJson& value, int indent) {
+  std::string out;
+  for (const char c : value.dump(2)) {
+    out += c;
+    if (c == '\n') out.append(static_cast<std::size_t>(indent), ' ');
+  }
+  return out;
+}
+
+// Replaces what lies between two texts, the first of them behind `after`.
+void replace_between(std::string& text, const std::string& after, const std::string& from,
+                     const std::string& to, const std::string& by) {
+  const std::size_t start = text.find(from, text.find(after)) + from.size();
+  const std::size_t end = text.find(to, start);
+  REQUIRE(end != std::string::npos);
+  text.replace(start, end - start, by);
+}
+
+}  // namespace
+
+TEST_CASE("the schema says of joints what their traits give", "[scene]") {
+  const std::string written = text_of(std::filesystem::path(PABD_ASSETS) / "pabd-scene.schema.json");
+  REQUIRE(written.find("\"$defs\"") != std::string::npos);
+  std::string definitions;
+  for (const JointType type : kJointTypes)
+    definitions += std::string("    \"") + to_string(type) + "\": " + printed(joint_schema(type), 4) + ",\n";
+  std::string expected = written;
+  replace_between(expected, "\"joints\": {", "\"items\": ", ",\n      \"maxItems\"",
+                  printed(joint_schema_list(), 6));
+  const std::string first = std::string("    \"") + to_string(kJointTypes.front()) + "\": {";
+  replace_between(expected, "\"$defs\"", first, "    \"drive\": {", definitions.substr(first.size()));
+  if (written != expected) std::ofstream("pabd-scene.schema.json") << expected;
+  INFO(
+      "what it should be is in pabd-scene.schema.json of this folder: look at the change, copy it to assets");
+  CHECK((written == expected));
+}
