@@ -24,11 +24,19 @@ struct PlotBarrierOptions {
   double onset = 0;
 };
 
+// "polynomial, log", …: the default first.
+std::string kind_words() {
+  std::string out = to_string(BarrierKind::polynomial);
+  for (const BarrierKind kind : kBarrierKinds)
+    if (kind != BarrierKind::polynomial) out += std::string(", ") + to_string(kind);
+  return out;
+}
+
 BarrierKind parse_kind(const std::string& word) {
-  for (const BarrierKind kind : {BarrierKind::polynomial, BarrierKind::log, BarrierKind::even}) {
+  for (const BarrierKind kind : kBarrierKinds) {
     if (word == to_string(kind)) return kind;
   }
-  throw Error(ExitCode::bad_input, fmt::format("--kind {}: expected polynomial, log or even", word));
+  throw Error(ExitCode::bad_input, fmt::format("--kind {}: expected one of {}", word, kind_words()));
 }
 
 // The limits of the scene file hold here too.
@@ -84,7 +92,7 @@ void add_plot_barrier_command(CLI::App& plot, Action& action) {
   list(command->add_option("--N", options->N, "highest orders (default 1,2,3,8)"), "LIST");
   list(command->add_option("--d-hat", options->d_hat, "contact thicknesses in m (default 0.01)"), "LIST");
   list(command->add_option("--kappa", options->kappa, "stiffnesses in J (default: plain B_N)"), "LIST");
-  list(command->add_option("--kind", options->kinds, "polynomial, log, even (default polynomial)"), "LIST");
+  list(command->add_option("--kind", options->kinds, kind_words() + " (default polynomial)"), "LIST");
   command->add_option("--onset", options->onset, "onset width, 0 … 1 (default 0: the printed formula)")
       ->type_name("E");
   add_figure_output_options(*command, options->output);

@@ -210,8 +210,7 @@ class BarrierPanelView final : public GuiPanel {
       const Point at = layout_.map(panel_.kappa->d, panel_.kappa->y);
       list.AddCircle({static_cast<float>(at.x), static_cast<float>(at.y)}, f.px(9), ink, 24, f.px(2));
       ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-      text = fmt::format("κ = {} {}", format_value(f.sim.a.kappa),
-                         contact.barrier == BarrierKind::log ? "J/m²" : "J");
+      text = fmt::format("κ = {} {}", format_value(f.sim.a.kappa), kappa_unit(contact.barrier));
     }
     ImGui::BeginTooltip();
     label(text + (drag_.active() ? "" : ", drag to change"));

@@ -158,7 +158,7 @@ class ParametersPanel final : public GuiPanel {
     const Vec3& g = run.params.gravity;
     if (row.kind == ParameterKind::text) return fmt::format("{:.6g}, {:.6g}, {:.6g}", g.x(), g.y(), g.z());
     std::string unit = row.unit;
-    if (unit == "J" && run.params.contact.barrier == BarrierKind::log) unit = "J/m²";
+    if (unit == "J") unit = kappa_unit(run.params.contact.barrier);
     if (text == "auto") {
       const std::string resolved = fmt::format("auto {:.3g}", run.kappa);
       return resolved.size() > 9 ? resolved : resolved + " " + unit;  // as much as the field holds

@@ -54,12 +54,11 @@ std::vector<Row> parameter_rows(const OverlayData& data) {
     const SolverMethod method = data.report ? data.report->method : p.solver.method;
     rows.push_back({"solver", to_string(method)});
     rows.push_back(
-        {"barrier", p.contact.barrier == BarrierKind::log
-                        ? std::string("log")
+        {"barrier", traits_of(p.contact.barrier).least_N == 0
+                        ? std::string(to_string(p.contact.barrier))
                         : fmt::format("{}, *{{N}} = {}", to_string(p.contact.barrier), p.contact.N)});
     rows.push_back({"thickness *{d̂}", format_value(p.contact.d_hat) + " m"});
-    rows.push_back({"stiffness *{κ}", format_value(data.kappa) +
-                                          (p.contact.barrier == BarrierKind::log ? " J/m²" : " J") +
+    rows.push_back({"stiffness *{κ}", format_value(data.kappa) + " " + kappa_unit(p.contact.barrier) +
                                           (p.contact.kappa ? "" : ", auto")});
     rows.push_back({"onset *{ε}", format_value(p.contact.onset)});
     const std::string friction = format_value(p.contact.mu_static);

@@ -29,8 +29,8 @@ constexpr Word kWords[] = {
 };
 
 std::string kappa_words(const Params& params, double kappa) {
-  const char* unit = params.contact.barrier == BarrierKind::log ? " J/m²" : " J";
-  return format_value(kappa) + unit + (params.contact.kappa ? "" : " (auto)");
+  return format_value(kappa) + " " + kappa_unit(params.contact.barrier) +
+         (params.contact.kappa ? "" : " (auto)");
 }
 
 // A number for people; anything else as --set takes it.
@@ -53,7 +53,7 @@ std::vector<std::string> difference_words(const Params& a, double kappa_a, const
     if (key == "contact.kappa") {
       // The unit once, unless the barrier changes it.
       std::string from = kappa_words(a, kappa_a);
-      const bool same = (a.contact.barrier == BarrierKind::log) == (b.contact.barrier == BarrierKind::log);
+      const bool same = traits_of(a.contact.barrier).per_area == traits_of(b.contact.barrier).per_area;
       if (same && a.contact.kappa) from = format_value(kappa_a);
       lines.push_back("*{κ} " + from + " → " + kappa_words(b, kappa_b));
       continue;

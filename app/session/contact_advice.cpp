@@ -91,7 +91,7 @@ std::optional<RestGap> rest_gap(const Model& model, const Params& params, const 
 
 std::optional<Advice> overlap(const Model& model, const Params& params, const State& state,
                               const StepReport& report) {
-  if (!(report.min_gap < 0) || params.contact.barrier == BarrierKind::log) return std::nullopt;
+  if (!(report.min_gap < 0) || traits_of(params.contact.barrier).feasible_only) return std::nullopt;
   const ContactParams& contact = params.contact;
   const double target = kComfortable * contact.d_hat;
   // The same force at 0.5 d̂. What still moves brings its inertia as well: it is stopped within a step.
@@ -122,9 +122,15 @@ std::optional<Advice> overlap(const Model& model, const Params& params, const St
       "contact.kappa", number(kappa)};
 }
 
+// Does the force begin with more than nothing at d̂, where an onset would ramp it up?
+bool force_jumps(const ContactParams& contact) {
+  return traits_of(contact.barrier).has_onset &&
+         force_at(contact, std::nextafter(contact.d_hat, 0.0)) > 0.5 / contact.d_hat;
+}
+
 std::optional<Advice> past_onset(const Params& params, const StepReport& report) {
   const ContactParams& contact = params.contact;
-  if (contact.barrier != BarrierKind::polynomial || contact.onset == 0 || report.min_gap < 0) {
+  if (!traits_of(contact.barrier).has_onset || contact.onset == 0 || report.min_gap < 0) {
     return std::nullopt;
   }
   std::vector<double> gaps;
@@ -144,6 +150,7 @@ std::optional<Advice> past_onset(const Params& params, const StepReport& report)
   const double end = contact.d_hat * (1 - contact.onset), aside = 1e-9 * contact.d_hat;
   const double inner = evaluate(barrier_of(contact, 1), end + aside).second;
   const double outer = evaluate(barrier_of(contact, 1), end - aside).second;
+  if (!(outer < inner)) return std::nullopt;
   const std::string softer =
       outer > 0 ? fmt::format("the same extra load sinks it {:.2g} times as far", inner / outer)
                 : std::string("its force does not grow at all");
@@ -259,7 +266,7 @@ double gap_under_load(const Barrier& barrier, double force) {
   const double d_hat = barrier.d_hat;
   if (!(force > push(std::nextafter(d_hat, 0.0)))) return d_hat;
   double hi = d_hat, lo = 0;
-  if (barrier.kind != BarrierKind::log) {
+  if (!traits_of(barrier.kind).feasible_only) {
     double reach = d_hat;
     while (push(lo) < force && reach < 1e9 * d_hat) {
       lo -= reach;
@@ -284,8 +291,7 @@ ContactNumbers contact_numbers(const Model& model, const MassRange& masses, cons
     numbers.largest_force = std::max(numbers.largest_force, c.normal_force);
   }
   const ContactParams& contact = params.contact;
-  const bool log = contact.barrier == BarrierKind::log;
-  const double stiffness = report.kappa * params.h * params.h / (log ? 1 : contact.d_hat * contact.d_hat);
+  const double stiffness = report.kappa * params.h * params.h / area_of_kappa(contact.barrier, contact.d_hat);
   if (masses.median > 0) numbers.stiffness_median = stiffness / masses.median;
   if (masses.heaviest > 0) numbers.stiffness_heaviest = stiffness / masses.heaviest;
   return numbers;
@@ -295,8 +301,8 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
                                    const StepReport& report) {
   std::vector<Advice> advice;
   const ContactParams& contact = params.contact;
-  const bool log = contact.barrier == BarrierKind::log;
-  if (report.status == StepStatus::non_finite && !log) {
+  const bool feasible_only = traits_of(contact.barrier).feasible_only;
+  if (report.status == StepStatus::non_finite && !feasible_only) {
     const double h = std::max(0.5 * params.h, kSmallestStep);
     advice.push_back(
         {AdviceKind::non_finite, fmt::format("step {} left the numbers", report.step),
@@ -304,7 +310,7 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
          "time_step", number(h)});
     return advice;
   }
-  if (log && (report.status == StepStatus::non_finite || report.min_gap <= 0)) {
+  if (feasible_only && (report.status == StepStatus::non_finite || report.min_gap <= 0)) {
     advice.push_back({AdviceKind::log_overlap, "bodies overlap, and the log barrier has no force there",
                       "It is infinite for d ≤ 0, so the step cannot be solved. The polynomial barrier pushes "
                       "overlapping bodies apart (its κ is in joules).",
@@ -322,7 +328,7 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
       std::any_of(report.islands.begin(), report.islands.end(), [](const IslandReport& island) {
         return island.patches > 0 && island.solver == SolverMethod::descent;
       });
-  if (by_body && contact.barrier == BarrierKind::polynomial && contact.onset == 0 && report.contacts > 0) {
+  if (by_body && force_jumps(contact) && report.contacts > 0) {
     advice.push_back(
         {AdviceKind::no_onset, "ε = 0: the contact force jumps at d = d̂",
          "Solved body by body, contacts at the jump switch on and off and never settle. An onset of "

@@ -38,7 +38,7 @@
 #include "sim/body/state.h"
 #include "sim/math/lanes.h"
 #include "sim/math/so3.h"
-#include "sim/potential/power_sum.h"
+#include "sim/potential/barrier_traits.h"
 
 namespace pabd {
 
@@ -183,7 +183,7 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
 }
 
 // Ψ, Ψ' and the tangent split's weight for a patch.
-[[gnu::noinline]] inline ContactForce log_force(const Barrier& b, Lanes d) {
+[[gnu::noinline]] inline ContactForce force_point_by_point(const Barrier& b, Lanes d) {
   ContactForce f;
   for (int k = 0; k < kLanes; ++k) {
     const BarrierValue psi = evaluate(b, d[k]);
@@ -194,7 +194,7 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   return f;
 }
 [[gnu::always_inline]] inline ContactForce normal_force(const Barrier& b, Lanes d) {
-  if (b.kind == BarrierKind::log) return log_force(b, d);
+  if (is_feasible_only(b.kind)) return force_point_by_point(b, d);
   ContactForce f;
   const double inverse = 1 / b.d_hat;
   const Lanes zero = lanes(0);

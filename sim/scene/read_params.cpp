@@ -23,9 +23,11 @@ constexpr Choice kProjections[] = {{"auto", value_of(Projection::automatic)},
                                    {"polar", value_of(Projection::polar)},
                                    {"weighted", value_of(Projection::weighted)},
                                    {"tangent", value_of(Projection::tangent)}};
-constexpr Choice kBarriers[] = {{"polynomial", value_of(BarrierKind::polynomial)},
-                                {"log", value_of(BarrierKind::log)},
-                                {"even", value_of(BarrierKind::even)}};
+constexpr Choice kBarriers[] = {
+#define PABD_KIND(name) {#name, value_of(BarrierKind::name)},
+    PABD_BARRIERS(PABD_KIND)
+#undef PABD_KIND
+};
 
 void read_solver(const ObjectReader& in, SolverParams& out) {
   out.method = static_cast<SolverMethod>(in.choice("method", kMethods, value_of(out.method)));

@@ -36,7 +36,7 @@ void place_for_detection(const Problem& p, Detection& out) {
     if (model.fixed[i]) continue;
     const double way = travel(p, i);
     out.reach[i] += way;
-    if (way > 0.5 * inner_radius(model.shape[i]) || contact.barrier == BarrierKind::log) continue;
+    if (way > 0.5 * inner_radius(model.shape[i]) || traits_of(contact.barrier).feasible_only) continue;
     out.c[i] = p.flight->star[i].c;
     out.R[i] = p.flight->star[i].R;
   }
@@ -46,7 +46,7 @@ void place_for_detection(const Problem& p, Detection& out) {
 // μ ‖u_n‖. At least κ/d̂² (κ for the log barrier, where it is in J/m²), for barriers that begin with no
 // stiffness.
 double tangential_stiffness(const Barrier& barrier) {
-  const double unit = barrier.kind == BarrierKind::log ? 1.0 : barrier.d_hat * barrier.d_hat;
+  const double unit = area_of_kappa(barrier.kind, barrier.d_hat);
   return std::max(barrier.kappa / unit, evaluate(barrier, barrier.d_hat * (1 - 1e-9)).second);
 }
 
@@ -176,7 +176,7 @@ void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterat
 void first_iterate(const Problem& p, Iterate& it) {
   it.pose = p.flight->star;
   it.pose.push_back({Vec3::Zero(), Mat3::Identity()});
-  if (p.params->contact.barrier == BarrierKind::log) {
+  if (traits_of(p.params->contact.barrier).feasible_only) {
     for (Index i = 0; i < p.model->size(); ++i) {
       if (!p.movable(i) || (p.ends[i].empty() && p.joints_at[i].empty())) continue;
       it.pose[i] = p.start_pose(i);

@@ -72,7 +72,7 @@ Pose moved_by(const Pose& pose, const LocalStep& step) {
 // d̂.
 bool is_small(const Barrier& barrier, double moved, double room) {
   constexpr double kShare = 0.06;
-  return barrier.kind != BarrierKind::log && moved * barrier.N < kShare && moved * barrier.d_hat < room;
+  return !is_feasible_only(barrier.kind) && moved * barrier.N < kShare && moved * barrier.d_hat < room;
 }
 
 // How much farther than its step the body should go.

@@ -104,7 +104,7 @@ void find_free_groups(const Problem& p, const Islands& islands, const Iterate& i
 }
 
 void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
-  if (g.group.empty() || p.law.barrier.kind == BarrierKind::log) return;
+  if (g.group.empty() || is_feasible_only(p.law.barrier.kind)) return;
   const Model& model = *p.model;
   const Flight& flight = *p.flight;
   const double h = p.params->h;

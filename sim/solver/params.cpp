@@ -32,8 +32,9 @@ std::optional<ParamError> check_solver(const SolverParams& s) {
 std::optional<ParamError> check_contact(const ContactParams& c) {
   if (auto e = expect(c.N >= 1 && c.N <= kMaxOrder, "/contact/N", c.N, "a whole number from 1 to 32"))
     return e;
-  if (c.barrier == BarrierKind::even && c.N < 2)
-    return ParamError{"/contact/N", "1 leaves the even barrier without a term: expected 2 to 32"};
+  if (c.N < traits_of(c.barrier).least_N)
+    return ParamError{"/contact/N", std::string("1 leaves the ") + to_string(c.barrier) +
+                                        " barrier without a term: expected 2 to 32"};
   if (auto e = expect(inside(c.d_hat, 1e-9, 1e3), "/contact/d_hat", c.d_hat,
                       "a thickness from 1e-9 to 1000 (metres)"))
     return e;

@@ -57,7 +57,7 @@ void spread_to_pairs(std::vector<ContactPatch>& patches) {
 void start_recovery(const Problem& p, Iterate& it) {
   const Barrier& barrier = p.law.barrier;
   const double speed = p.params->contact.recovery_speed;
-  if (speed == 0 || barrier.kind == BarrierKind::log) return;
+  if (speed == 0 || is_feasible_only(barrier.kind)) return;
   mark(p, it.patch);
   mark_remembered(p.start->anchors, it.patch);
   spread_to_pairs(it.patch);

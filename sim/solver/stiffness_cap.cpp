@@ -51,7 +51,7 @@ int cap_stiffness(Problem& p, Iterate& it) {
     if (p.joint_share[k] < 1) ++capped;
   }
   const Barrier& barrier = p.law.barrier;
-  const double unit = barrier.kind == BarrierKind::log ? 1.0 : barrier.d_hat * barrier.d_hat;
+  const double unit = area_of_kappa(barrier.kind, barrier.d_hat);
   const auto inverse_mass = [&](Index i) { return p.movable(i) ? 1 / p.model->mass[i] : 0.0; };
   for (ContactPatch& patch : it.patch) {
     const double c = inverse_mass(patch.a) + inverse_mass(patch.b);

@@ -50,7 +50,7 @@ bool all_finite(const std::vector<Pose>& pose, const std::vector<Vec3>& v, const
 
 // The log barrier has no force for a pair that overlaps: such a start is reported, not solved.
 bool is_feasible(const Problem& p, const Iterate& it) {
-  if (p.law.barrier.kind != BarrierKind::log) return true;
+  if (!is_feasible_only(p.law.barrier.kind)) return true;
   for (const ContactPatch& patch : it.patch) {
     const ContactState s = state_of(it, patch);
     for (int k = 0; k < patch.count; ++k) {

@@ -5,9 +5,9 @@
 namespace pabd {
 namespace {
 
-// φ⁺/d of S(6) for the points in reach; the log barrier has none and keeps its tangent weight.
+// φ⁺/d of S(6) for the points in reach; a barrier that has none keeps its tangent weight.
 Lanes binomial_weights(const Barrier& barrier, Lanes d, Lanes tangent) {
-  if (barrier.kind == BarrierKind::log) return tangent;
+  if (!traits_of(barrier.kind).has_split) return tangent;
   for (int k = 0; k < kLanes; ++k) tangent[k] = binomial_split(barrier, d[k]).stiffness;
   return tangent;
 }

@@ -47,14 +47,14 @@ void add_curve(const Curve& curve, double lo, double hi, int samples, Series* va
   }
 }
 
-// Range that shows the polynomial curves whole; a log barrier beside them leaves it.
+// Range that shows whole what is finite for d ≤ 0; what is not leaves it.
 void limit_range(Axis& axis, const std::vector<Curve>& curves, double lo, bool slope) {
   double least = 0, largest = 0;
-  const auto is_log = [](const Curve& curve) { return curve.barrier.kind == BarrierKind::log; };
-  const bool only_log = std::all_of(curves.begin(), curves.end(), is_log);
+  const auto ends = [](const Curve& curve) { return traits_of(curve.barrier.kind).feasible_only; };
+  const bool all_end = std::all_of(curves.begin(), curves.end(), ends);
   for (const Curve& curve : curves) {
-    if (is_log(curve) && !only_log) continue;
-    const double d = curve.barrier.kind == BarrierKind::log ? 0.05 * curve.barrier.d_hat : lo;
+    if (ends(curve) && !all_end) continue;
+    const double d = ends(curve) ? 0.05 * curve.barrier.d_hat : lo;
     const BarrierValue b = evaluate(curve.barrier, d);
     const double v = curve.scale * (slope ? b.first : b.value);
     if (!std::isfinite(v)) continue;
@@ -74,9 +74,10 @@ std::vector<Curve> all_curves(const BarrierCurves& in) {
   std::vector<Curve> curves;
   const std::vector<double> kappas = in.kappa.empty() ? std::vector<double>{1.0} : in.kappa;
   for (const BarrierKind kind : in.kinds) {
-    const bool log = kind == BarrierKind::log;
-    std::vector<int> orders = log ? std::vector<int>{1} : in.N;
-    if (kind == BarrierKind::even) {
+    const BarrierTraits& traits = traits_of(kind);
+    const bool has_orders = traits.least_N > 0;
+    std::vector<int> orders = has_orders ? in.N : std::vector<int>{1};
+    if (traits.least_N == 2) {
       // Odd orders add nothing: one curve for 2 and 3.
       const auto same = [](int a, int b) { return a / 2 == b / 2; };
       orders.erase(std::unique(orders.begin(), orders.end(), same), orders.end());
@@ -86,11 +87,11 @@ std::vector<Curve> all_curves(const BarrierCurves& in) {
         for (const int N : orders) {
           Curve curve;
           curve.barrier = {kind, N, d_hat, kappa, in.onset};
-          curve.scale = log ? 1 / (d_hat * d_hat) : 1;
-          curve.style = log ? SeriesStyle::dashed : SeriesStyle::line;
+          curve.scale = one_joule(kind, d_hat);
+          curve.style = has_orders ? SeriesStyle::line : SeriesStyle::dashed;
           std::vector<std::string> parts;
           if (in.kinds.size() > 1) parts.push_back(to_string(kind));
-          if (!log && (in.N.size() > 1)) parts.push_back(fmt::format("N = {}", N));
+          if (has_orders && in.N.size() > 1) parts.push_back(fmt::format("N = {}", N));
           if (in.d_hat.size() > 1) parts.push_back(quantity("d̂", d_hat, " m"));
           if (in.kappa.size() > 1) parts.push_back(quantity("κ", kappa, " J"));
           curve.name = fmt::format("{}", fmt::join(parts, ", "));
@@ -105,11 +106,12 @@ std::vector<Curve> all_curves(const BarrierCurves& in) {
 std::string fixed_values(const BarrierCurves& in) {
   std::vector<std::string> parts;
   if (in.kinds.size() == 1) parts.push_back(std::string(to_string(in.kinds[0])) + " barrier");
-  const bool orders = in.kinds.size() > 1 || (in.kinds.size() == 1 && in.kinds[0] != BarrierKind::log);
+  const bool orders = in.kinds.size() > 1 || (in.kinds.size() == 1 && traits_of(in.kinds[0]).least_N > 0);
   if (orders && in.N.size() == 1) parts.push_back(fmt::format("N = {}", in.N[0]));
   if (in.d_hat.size() == 1) parts.push_back(quantity("d̂", in.d_hat[0], " m"));
   if (in.kappa.size() == 1) parts.push_back(quantity("κ", in.kappa[0], " J"));
-  if (std::find(in.kinds.begin(), in.kinds.end(), BarrierKind::polynomial) != in.kinds.end()) {
+  const auto has_onset = [](BarrierKind kind) { return traits_of(kind).has_onset; };
+  if (std::any_of(in.kinds.begin(), in.kinds.end(), has_onset)) {
     parts.push_back(quantity("onset width ε", in.onset, ""));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
@@ -133,8 +135,10 @@ Figure barrier_figure(const BarrierCurves& in) {
   figure.title = energy ? "Contact potential and force law" : "Contact barrier and its derivative";
   figure.caption = fixed_values(in) +
                    ". For d < 0 the bodies overlap: the polynomial barriers stay finite and push them apart.";
-  if (std::find(in.kinds.begin(), in.kinds.end(), BarrierKind::log) != in.kinds.end()) {
-    figure.caption += " The log barrier is drawn as B/d̂² and is infinite for d ≤ 0.";
+  for (const BarrierKind kind : in.kinds) {
+    if (traits_of(kind).feasible_only)
+      figure.caption +=
+          fmt::format(" The {} barrier is drawn as B/d̂² and is infinite for d ≤ 0.", to_string(kind));
   }
   double largest = 0;
   for (const double d_hat : in.d_hat) largest = std::max(largest, d_hat);
@@ -151,7 +155,7 @@ Figure barrier_figure(const BarrierCurves& in) {
     Series v, s;
     v.name = s.name = curve.name;
     v.style = s.style = curve.style;
-    if (curve.barrier.kind == BarrierKind::log) {
+    if (traits_of(curve.barrier.kind).per_area) {
       v.quantity = energy ? "κ B/d̂² [J]" : "B/d̂² [1]";
       s.quantity = energy ? "κ B′/d̂² [N]" : "B′/d̂² [1/m]";
     }
@@ -227,21 +231,22 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
                           const std::function<Color(double)>& color) {
   Plot plot;
   plot.title = "Contact barrier";
-  const bool log = contact.barrier == BarrierKind::log;
+  const BarrierTraits& traits = traits_of(contact.barrier);
   const double d_hat = contact.d_hat;
   Curve curve;
   curve.barrier = {contact.barrier, contact.N, d_hat, 1, contact.onset};
-  curve.scale = log ? 1 / (d_hat * d_hat) : 1;
+  curve.scale = one_joule(contact.barrier, d_hat);
   // The range holds the deepest contact, or the usual part of the curve.
-  double lo = log ? 0.01 * d_hat : kLeft * d_hat;
+  double lo = traits.feasible_only ? 0.01 * d_hat : kLeft * d_hat;
   for (const ContactReport& report : contacts) {
     if (std::isfinite(report.d)) lo = std::min(lo, report.d - 0.1 * d_hat);
   }
   plot.x.label = "d [m]";
   plot.x.lo = lo;
   plot.x.hi = 1.15 * d_hat;
-  plot.y.label = log ? "B/d̂² [1]" : fmt::format("B_{{{}}} [1]", contact.N);
-  plot.y_right.label = log ? "B′/d̂² [1/m]" : fmt::format("B_{{{}}}′ [1/m]", contact.N);
+  const std::string order = traits.least_N > 0 ? fmt::format("_{{{}}}", contact.N) : "";
+  plot.y.label = traits.per_area ? "B/d̂² [1]" : "B" + order + " [1]";
+  plot.y_right.label = traits.per_area ? "B′/d̂² [1/m]" : "B" + order + "′ [1/m]";
   limit_range(plot.y, {curve}, lo, false);
   limit_range(plot.y_right, {curve}, lo, true);
   Series value, slope, value_marks, slope_marks;

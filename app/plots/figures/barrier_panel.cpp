@@ -17,60 +17,41 @@ constexpr int kSamples = 300;
 constexpr double kFoot = 0.999;    // d/d̂ at which a log axis ends: below lies only the way to 0
 constexpr double kDecades = 1e-9;  // a log axis spans no more than this
 
-enum class Variant : std::uint8_t { printed, onset, even, log };
-
-struct Curve {
-  Variant variant;
-  Barrier barrier;  // κ = 1 J or its equal in J/m²
-};
-
-Variant current_variant(const ContactParams& contact) {
-  if (contact.barrier == BarrierKind::log) return Variant::log;
-  if (contact.barrier == BarrierKind::even) return Variant::even;
-  return contact.onset > 0 ? Variant::onset : Variant::printed;
+// κ = 1 J.
+Barrier unit_barrier(BarrierKind kind, const ContactParams& contact, double onset) {
+  return {kind, contact.N, contact.d_hat, one_joule(kind, contact.d_hat), onset};
 }
 
-Barrier barrier_of(Variant variant, const ContactParams& contact) {
-  const double d_hat = contact.d_hat;
-  switch (variant) {
-    case Variant::printed:
-      return {BarrierKind::polynomial, contact.N, d_hat, 1, 0};
-    case Variant::onset:
-      return {BarrierKind::polynomial, contact.N, d_hat, 1, contact.onset};
-    case Variant::even:
-      return {BarrierKind::even, contact.N, d_hat, 1, 0};
-    case Variant::log:
-      break;
-  }
-  return {BarrierKind::log, contact.N, d_hat, 1 / (d_hat * d_hat), 0};
+Barrier current_barrier(const ContactParams& contact) {
+  return unit_barrier(contact.barrier, contact, traits_of(contact.barrier).has_onset ? contact.onset : 0);
 }
 
-std::string name_of(Variant variant, const ContactParams& contact) {
-  switch (variant) {
-    case Variant::printed:
-      return "printed";
-    case Variant::onset:
-      return "onset *{ε} = " + format_value(contact.onset, 3);
-    case Variant::even:
-      return "even";
-    case Variant::log:
-      break;
-  }
-  return "log";
+std::string name_of(const Barrier& barrier) {
+  if (barrier.kind != BarrierKind::polynomial) return to_string(barrier.kind);
+  return barrier.onset > 0 ? "onset *{ε} = " + format_value(barrier.onset, 3) : "printed";
+}
+
+// The same whichever is in use: of the kinds in their order, and of the polynomial with an onset.
+int color_of(const Barrier& barrier) {
+  static constexpr int kColors[] = {6, 1, 2, 3, 4, 5};
+  static_assert(std::size(kColors) >= kBarrierKinds.size());
+  const bool ramped = barrier.kind == BarrierKind::polynomial && barrier.onset > 0;
+  return ramped ? 0 : kColors[static_cast<std::size_t>(barrier.kind)];
 }
 
 // The curve in use last, so that it lies on top.
-std::vector<Curve> curves_of(const ContactParams& contact, const BarrierVariants& shown) {
-  const Variant current = current_variant(contact);
-  std::vector<Curve> curves;
-  const auto add = [&](bool wanted, Variant variant) {
-    if (wanted && variant != current) curves.push_back({variant, barrier_of(variant, contact)});
+std::vector<Barrier> curves_of(const ContactParams& contact, const BarrierVariants& shown) {
+  const Barrier current = current_barrier(contact);
+  std::vector<Barrier> curves;
+  const auto add = [&](bool wanted, BarrierKind kind, double onset) {
+    if (wanted && (kind != current.kind || onset != current.onset))
+      curves.push_back(unit_barrier(kind, contact, onset));
   };
-  add(shown.log, Variant::log);
-  add(shown.even && contact.N >= 2, Variant::even);
-  add(shown.printed, Variant::printed);
-  add(shown.onset && contact.onset > 0, Variant::onset);
-  curves.push_back({current, barrier_of(current, contact)});
+  add(shown.log, BarrierKind::log, 0);
+  add(shown.even && contact.N >= 2, BarrierKind::even, 0);
+  add(shown.printed, BarrierKind::polynomial, 0);
+  add(shown.onset && contact.onset > 0, BarrierKind::polynomial, contact.onset);
+  curves.push_back(current);
   return curves;
 }
 
@@ -117,7 +98,7 @@ Series sampled(const Barrier& barrier, double lo, double hi, double scale,
 // Shows the curve in use whole; where it is infinite, as far as 0.02 d̂.
 PlotRange fitted_range(const Barrier& barrier, double lo, double scale, const BarrierPanelOptions& options) {
   const double d_hat = barrier.d_hat;
-  const double deep = barrier.kind == BarrierKind::log ? std::max(lo, 0.02 * d_hat) : lo;
+  const double deep = traits_of(barrier.kind).feasible_only ? std::max(lo, 0.02 * d_hat) : lo;
   double least = std::numeric_limits<double>::infinity(), largest = -least;
   for (int k = 0; k <= 100; ++k) {
     const double d = deep + (kFoot * d_hat - deep) * k / 100;
@@ -165,11 +146,11 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
   panel.d_hat = contact.d_hat;
   const std::vector<double> gaps = active_gaps(contact.d_hat, contacts);
   panel.contacts = gaps.size();
-  const std::vector<Curve> curves = curves_of(contact, options.variants);
-  const Barrier& current = curves.back().barrier;
-  const bool log = contact.barrier == BarrierKind::log;
-  // κ in joules: of the log barrier over d̂².
-  const double scale = !options.energy ? 1 : log ? kappa * contact.d_hat * contact.d_hat : kappa;
+  const std::vector<Barrier> curves = curves_of(contact, options.variants);
+  const Barrier& current = curves.back();
+  const BarrierTraits& traits = traits_of(contact.barrier);
+  // κ in joules.
+  const double scale = !options.energy ? 1 : traits.per_area ? kappa * contact.d_hat * contact.d_hat : kappa;
 
   double left = kLeft * contact.d_hat;
   if (!gaps.empty()) left = std::min(left, gaps.front() - 0.1 * contact.d_hat);
@@ -180,12 +161,11 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
   plot.x = {"d [m]", false, x.lo, x.hi};
   plot.y = {label_of(options), options.log_y, y.lo, y.hi};
 
-  constexpr int kColors[] = {1, 0, 2, 6};  // of the variants, the same whichever is in use
-  for (const Curve& curve : curves) {
-    Series series = sampled(curve.barrier, x.lo, x.hi, scale, options);
+  for (const Barrier& curve : curves) {
+    Series series = sampled(curve, x.lo, x.hi, scale, options);
     const bool in_use = &curve == &curves.back();
-    series.name = name_of(curve.variant, contact);
-    series.color = kColors[static_cast<std::size_t>(curve.variant)];
+    series.name = name_of(curve);
+    series.color = color_of(curve);
     series.style = in_use ? SeriesStyle::line : SeriesStyle::dashed;
     series.weight = in_use ? 1.5 : 0.8;
     plot.series.push_back(std::move(series));
@@ -220,13 +200,13 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
 
   if (options.energy) {
     // Where d = 0 is infinite or flat, κ has no height there.
-    const double d = log ? 0.5 * contact.d_hat : 0;
+    const double d = traits.feasible_only ? 0.5 * contact.d_hat : 0;
     const double per_joule = height(current, d, options);
     if (std::isfinite(per_joule) && per_joule != 0) {
       panel.kappa = KappaHandle{d, scale * per_joule, scale * per_joule / kappa};
       Series handle;
       handle.style = SeriesStyle::markers;
-      handle.color = kColors[static_cast<std::size_t>(current_variant(contact))];
+      handle.color = color_of(current);
       handle.weight = 1.7;
       handle.tag = "κ";
       handle.x = {d};
@@ -282,7 +262,7 @@ ContactHistogram contact_histogram(const ContactParams& contact, const std::vect
     plot.series.push_back(std::move(bars));
     plot.series.push_back(upright(out.median, "median"));
   }
-  if (contact.barrier == BarrierKind::polynomial && contact.onset > 0) {
+  if (traits_of(contact.barrier).has_onset && contact.onset > 0) {
     plot.series.push_back(upright(1 - contact.onset, "onset"));
   }
   return out;

@@ -1,0 +1,39 @@
+// All barriers, where what they are must be known when the code is compiled: the loops over contacts.
+#pragma once
+
+#include "sim/potential/even_barrier.h"
+#include "sim/potential/log_barrier.h"
+#include "sim/potential/polynomial_barrier.h"
+#include "sim/potential/power_sum.h"
+
+namespace pabd {
+
+// A kind whose B is a function of u, for one distance or a patch of them.
+template <class Kind>
+concept HasSum = requires(const Barrier& b) {
+  Kind::sum(b, 1.0);
+};
+
+constexpr bool is_feasible_only(BarrierKind kind) {
+  bool is = false;
+#define PABD_KIND(name) is |= kind == BarrierKind::name && barriers::name::traits.feasible_only;
+  PABD_BARRIERS(PABD_KIND)
+#undef PABD_KIND
+  return is;
+}
+
+// B(u) of kinds that have it. Precondition: u ≥ 0.
+template <class T>
+[[gnu::always_inline]] inline PowerSum<T> power_sum(const Barrier& b, T u) {
+  switch (b.kind) {
+#define PABD_KIND(name)                                                                 \
+  case BarrierKind::name:                                                               \
+    if constexpr (HasSum<barriers::name>) return barriers::name::template sum<T>(b, u); \
+    break;
+    PABD_BARRIERS(PABD_KIND)
+#undef PABD_KIND
+  }
+  __builtin_unreachable();
+}
+
+}  // namespace pabd
