@@ -12,7 +12,7 @@
 #include "sim/joint/attach.h"
 #include "sim/joint/joint_traits.h"
 #include "sim/potential/barrier.h"
-#include "sim/scene/builder.h"
+#include "sim/scene/model_builder.h"
 #include "sim/scene/text.h"
 
 namespace pabd {

@@ -1,83 +1,196 @@
-// Collects bodies and joints into a Model and a State, and refuses what no simulation can hold: duplicate
-// names, masses and places out of bounds, too many bodies. Internal to sim/scene.
+// A scene built in C++: what a scene file says, as types. The entries below are those of a file, with the same
+// keys, units (SI, angles in degrees), defaults and ranges; build() hands them to the reader of files, so that
+// each check and each message is there once. assets/pabd-scene.schema.json says what every key means.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <unordered_map>
+#include <utility>
+#include <variant>
+#include <vector>
 
-#include "sim/body/model.h"
-#include "sim/body/state.h"
-#include "sim/scene/reader.h"
+#include "sim/body/compound.h"
+#include "sim/scene/scene.h"
 
 namespace pabd {
 
-inline constexpr std::int64_t kMostBodies = 4'000'000;
-inline constexpr std::int64_t kMostJoints = 8'000'000;
-inline constexpr double kFarthest = 1e6;         // |coordinate| of a position; m
-inline constexpr double kDefaultDensity = 1000;  // kg/m³
-
-inline constexpr Range kSizeRange{1e-6, 1e6, "m"};
-inline constexpr Range kPositionRange{-kFarthest, kFarthest, "m"};
-inline constexpr Range kDensityRange{1e-6, 1e9, "kg/m³"};
-inline constexpr Range kMassRange{1e-9, 1e12, "kg"};
-inline constexpr Range kVelocityRange{-1e6, 1e6, "m/s"};
-inline constexpr Range kSpinRange{-1e7, 1e7, "degrees/s"};
-
-// Mass, or where that is empty the density, of a movable body.
-struct MassSpec {
-  std::optional<double> mass;        // kg
-  double density = kDefaultDensity;  // kg/m³
-};
-
-// Reads "mass" or "density"; both together are refused.
-MassSpec read_mass(const ObjectReader& in);
-
-struct BodySpec {
-  std::string name;
-  Shape shape = Box{Vec3::Constant(0.5)};
-  MassSpec mass;
-  bool fixed = false;
-  Vec3 c = Vec3::Zero();      // m
-  Mat3 R = Mat3::Identity();  // body to world
-  Vec3 v = Vec3::Zero();      // m/s
-  Vec3 omega = Vec3::Zero();  // rad/s
-};
-
-// In a BondLaw that is still to be resolved: κ is "auto".
+// As κ of a joint: what suits its masses ("auto").
 inline constexpr double kAutoKappa = 0;
 
-// Bodies by name; the names are those of the model.
-using BodyNames = std::unordered_map<std::string_view, Index>;
+// Entries of a scene. What is empty is left to the default of scene files. Every member has an initialiser, so that
+// those that a caller leaves out of { .name = … } raise no warning.
+namespace spec {
 
+// The law of a joint's bonds.
+struct Law {
+  std::optional<BondPotential> potential = {};  // soft
+  std::optional<double> kappa = {};  // N/m for soft, J for hard; or kAutoKappa, which is the default
+  std::optional<int> N = {};         // hard only
+  std::optional<double> d_hat = {};  // hard only; m
+};
+
+// OBJ, STL or PLY files, relative to the builder's folder; each is a convex part.
+struct Mesh {
+  std::vector<std::string> files = {};
+  double scale = 1;
+};
+
+struct Body {
+  std::string name = {};  // empty: "body 3" by its number
+  // Cylinders and cones are made by make_shape (shape_kind.h), hulls and compounds as convex_hull.h and compound.h
+  // say. A plane has neither mass nor place.
+  std::variant<Shape, Mesh> shape = Box{Vec3::Constant(0.5)};
+  std::optional<double> mass = {};                        // kg; or density
+  std::optional<double> density = {};                     // kg/m³; 1000
+  bool fixed = false;                                     // never moves
+  std::optional<Vec3> position = {};                      // of the centre of mass, world; m
+  std::optional<std::array<double, 4>> orientation = {};  // unit quaternion [w, x, y, z], body to world
+  std::optional<Vec3> velocity = {};                      // m/s
+  std::optional<Vec3> angular_velocity = {};              // world; degrees/s
+};
+
+// A range of an angle or an offset: lowest and highest; degrees or m. Includes 0, where the joint stands.
+using Limits = std::pair<double, double>;
+
+// Joins two bodies, or one and the world. Entries that the type does not have are refused.
+struct Joint {
+  JointType type = JointType::spherical;
+  std::string i = {}, j = {};               // names of the two bodies; empty: the world
+  std::string name = {};                    // empty: "joint 3" by its number
+  std::optional<Vec3> anchor = {};          // world, at the start; m
+  std::optional<Vec3> axis = {};            // world, at the start; of any length but 0
+  std::vector<Vec3> points = {};            // distance: on i and on j; world, m
+  std::optional<double> length = {};        // distance: at rest; m
+  std::optional<double> arm = {};           // of the points beside the anchor; m
+  std::optional<bool> symmetric = {};       // two bonds a rotational degree of freedom
+  std::optional<Limits> limits = {};        // hinge: degrees; slider: m
+  std::optional<Profile> drive = {};        // of the same quantity and unit, over time in s
+  std::optional<TurnProfile> turn = {};     // spherical: rotation vectors of j against i; degrees
+  std::string axes = {};                    // spherical with a turn: arms that are held, "x" … "xyz"
+  std::optional<Twist> twist = {};          // slider
+  std::optional<Limits> twist_limits = {};  // slider with limited twist; degrees
+  Law law = {};
+  bool collide = false;  // may the two touch each other?
+};
+
+// What all generators of bricks share.
+struct Bricks {
+  std::string name = {};                          // begins the name of every brick
+  std::optional<Vec3> size = {};                  // edge lengths; m
+  std::optional<Vec3> position = {};              // centre of the bottom; m
+  std::optional<double> mass = {}, density = {};  // of each; kg, kg/m³
+  std::optional<double> gap = {};                 // between levels; m
+};
+
+// Bricks one on the other.
+struct Stack {
+  Bricks bricks = {};
+  std::int64_t count = 1;
+  std::vector<double> masses = {};    // from the bottom up, repeated; in place of bricks.mass; kg
+  std::optional<double> rotate = {};  // of each level against the one below; degrees
+};
+
+// Rows of bricks, every other one shifted by half a brick.
+struct Wall {
+  Bricks bricks = {};
+  std::int64_t columns = 1, rows = 1;
+  std::optional<double> spacing = {};    // sideways; m
+  std::optional<bool> half_blocks = {};  // at the ends of shifted rows
+};
+
+// Rows of bricks, each with one fewer than the row below.
+struct Pyramid {
+  Bricks bricks = {};
+  std::int64_t base = 1;               // bricks in the lowest row
+  std::optional<double> spacing = {};  // sideways; m
+};
+
+// Bodies on a jittered grid, turned at random, ready to fall.
+struct Pile {
+  std::string name = {};
+  std::int64_t count = 1;
+  std::string shape = {};                         // "box", "sphere", "capsule" or "mixed"
+  std::optional<Vec3> size = {};                  // m
+  std::optional<Vec3> position = {};              // centre of the bottom; m
+  std::optional<double> mass = {}, density = {};  // of each; kg, kg/m³
+  std::optional<double> vary = {};                // of sizes, 0 … 0.9
+  std::optional<std::int64_t> columns = {};       // of the grid
+  std::optional<double> spacing = {};             // of the grid; m
+  std::optional<std::int64_t> seed = {};
+};
+
+// Links one behind the other, each joined to the next.
+struct Chain {
+  std::string name = {};
+  std::int64_t links = 1;
+  std::string shape = {};                         // "box", "capsule" or "sphere"
+  std::optional<Vec3> size = {};                  // of a link, along the chain first; m
+  std::optional<Vec3> position = {};              // of the start; m
+  std::optional<double> gap = {};                 // between links; m
+  std::optional<Vec3> direction = {};             // of any length but 0
+  std::optional<JointType> joint = {};            // spherical, hinge or fixed
+  std::optional<Vec3> axis = {};                  // of hinges
+  std::string fixed = {};                         // ends held by the world: "none", "first" or "both"
+  std::optional<double> mass = {}, density = {};  // of a link; kg, kg/m³
+  std::optional<double> end_mass = {};            // of the last link; kg
+  std::optional<bool> collide = {};               // may neighbours touch each other?
+};
+
+// Rows and columns of bodies, each joined to its four neighbours.
+struct Net {
+  std::string name = {};
+  std::int64_t rows = 1, columns = 1;
+  std::string shape = {};                         // "box" or "sphere"
+  std::optional<Vec3> size = {};                  // m
+  std::optional<Vec3> position = {};              // of the middle; m
+  std::optional<double> gap = {};                 // between bodies; m
+  std::optional<bool> upright = {};               // hangs, or lies level
+  std::optional<JointType> joint = {};            // spherical or distance
+  std::string fixed = {};                         // "none", "corners", "edges" or "top"
+  std::optional<double> mass = {}, density = {};  // of a body; kg, kg/m³
+  std::optional<bool> collide = {};               // may neighbours touch each other?
+};
+
+}  // namespace spec
+
+// Collects entries; build() makes the scene that a file with the same entries would give, to the last bit.
+// Listed bodies and joints come before those of generators, whatever the order of calls.
 class SceneBuilder {
  public:
-  // `joint_law` holds for joints that say nothing of their own; its κ may be kAutoKappa.
-  explicit SceneBuilder(const BondLaw& law) : joint_law(law) {}
+  // `name` is the scene's, and names it in messages. `folder`: what names of meshes are relative to.
+  explicit SceneBuilder(std::string name, std::filesystem::path folder = {});
+  ~SceneBuilder();
+  SceneBuilder(SceneBuilder&&) noexcept;
+  SceneBuilder& operator=(SceneBuilder&&) noexcept;
 
-  // Announces `count` more bodies; `place` is blamed when the total is above kMostBodies.
-  void reserve(std::int64_t count, const Node& place);
-  void add(BodySpec&& body, const Node& place);
+  // Set at will before build().
+  std::string description;
+  Params params;
+  spec::Law joint_law;               // of joints that say nothing of their own
+  std::optional<CameraDesc> camera;  // empty: the viewer frames the scene
 
-  // Call when all bodies are there. Refuses duplicate names; the first `listed` bodies are those of "bodies".
-  BodyNames names(const ReadContext& context, std::size_t listed) const;
+  // Nothing is checked before build().
+  void add(const spec::Body& body);
+  void add(const spec::Joint& joint);
+  void add(const spec::Stack& stack);
+  void add(const spec::Wall& wall);
+  void add(const spec::Pyramid& pyramid);
+  void add(const spec::Pile& pile);
+  void add(const spec::Chain& chain);
+  void add(const spec::Net& net);
 
-  // Announces `count` more joints.
-  void reserve_joints(std::int64_t count, const Node& place);
-  // Without `collide` the two bodies never touch each other.
-  void add_joint(Joint&& joint, bool collide);
-
-  // Call once at the end. Resolves κ "auto" of all joints and of joint_law; the first `generated` joints move
-  // behind the others.
-  void finish_joints(const Vec3& gravity, std::size_t generated);
-
-  Model model;
-  State state;
-  BondLaw joint_law;
+  // The scene of all that was added, which stays: more may be added for another. Throws Error(bad_input) with
+  // the text that a file would be refused with, the scene's name in place of the file's: "pyramid:
+  // /bodies/3/mass: expected …".
+  Scene build();
 
  private:
-  std::int64_t announced_ = 0, announced_joints_ = 0;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace pabd

@@ -51,7 +51,7 @@ double half_offset(std::int64_t i, std::int64_t n) {
 
 }  // namespace
 
-void generate_stack(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out) {
+void generate_stack(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
   Bricks bricks(in, context);
   const std::int64_t count = in.integer("count", 1, kMostBodies);
   const double turn = in.number("rotate", {-360, 360, "degrees"}, 0) * (kPi / 180);
@@ -78,7 +78,7 @@ void generate_stack(const ObjectReader& in, const GeneratorContext& context, Sce
   }
 }
 
-void generate_wall(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out) {
+void generate_wall(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
   const Bricks bricks(in, context);
   const std::int64_t columns = in.integer("columns", 1, kMostBodies);
   const std::int64_t rows = in.integer("rows", 1, kMostBodies);
@@ -113,7 +113,7 @@ void generate_wall(const ObjectReader& in, const GeneratorContext& context, Scen
   }
 }
 
-void generate_pyramid(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out) {
+void generate_pyramid(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
   const Bricks bricks(in, context);
   const std::int64_t base = in.integer("base", 1, 2827);  // 2827·2828/2 is just below the largest scene
   const double pitch = bricks.size.x() + in.number("spacing", kGapRange, context.d_hat);

@@ -46,7 +46,7 @@ Vec3 middle(const Shape& link) {
 
 }  // namespace
 
-void generate_chain(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out) {
+void generate_chain(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
   std::string prefix = in.name("name");
   if (prefix.empty()) prefix = context.default_prefix;
   const std::int64_t links = in.integer("links", 1, kMostBodies);

@@ -45,7 +45,7 @@ struct Grid {
 
 }  // namespace
 
-void generate_net(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out) {
+void generate_net(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
   std::string prefix = in.name("name");
   if (prefix.empty()) prefix = context.default_prefix;
   Grid grid;

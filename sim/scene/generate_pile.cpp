@@ -35,7 +35,7 @@ double reach(int kind, const Vec3& size) {
 
 }  // namespace
 
-void generate_pile(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out) {
+void generate_pile(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
   std::string prefix = in.name("name");
   if (prefix.empty()) prefix = context.default_prefix;
   const std::int64_t count = in.integer("count", 1, kMostBodies);

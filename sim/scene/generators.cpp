@@ -13,7 +13,7 @@ namespace pabd {
 
 namespace {
 
-using Function = void (*)(const ObjectReader&, const GeneratorContext&, SceneBuilder&);
+using Function = void (*)(const ObjectReader&, const GeneratorContext&, ModelBuilder&);
 
 struct Generator {
   std::string_view type;
@@ -62,7 +62,7 @@ Shape generated_shape(int kind, const Vec3& box, double diameter, const RodSize&
   return Sphere{diameter / 2};
 }
 
-void run_generators(const ObjectReader& scene, double d_hat, SceneBuilder& out) {
+void run_generators(const ObjectReader& scene, double d_hat, ModelBuilder& out) {
   const auto list = scene.find("generate");
   if (!list) return;
   const std::size_t count = list->array_size();

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "sim/scene/builder.h"
+#include "sim/scene/model_builder.h"
 
 namespace pabd {
 
@@ -17,12 +17,12 @@ struct GeneratorContext {
   std::string default_prefix;  // of body names when the file gives none
 };
 
-void generate_stack(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
-void generate_wall(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
-void generate_pyramid(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
-void generate_pile(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
-void generate_chain(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
-void generate_net(const ObjectReader& in, const GeneratorContext& context, SceneBuilder& out);
+void generate_stack(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out);
+void generate_wall(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out);
+void generate_pyramid(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out);
+void generate_pile(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out);
+void generate_chain(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out);
+void generate_net(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out);
 
 // Shapes that generators make, by their place in shape_kinds(): boxes, spheres and everything that may be a
 // rod.
@@ -36,6 +36,6 @@ struct RodSize {
 Shape generated_shape(int kind, const Vec3& box, double diameter, const RodSize& rod);
 
 // Runs every entry of "generate", in order.
-void run_generators(const ObjectReader& scene, double d_hat, SceneBuilder& out);
+void run_generators(const ObjectReader& scene, double d_hat, ModelBuilder& out);
 
 }  // namespace pabd

@@ -6,9 +6,9 @@
 #include "sim/base/input_file.h"
 #include "sim/body/convex_hull.h"
 #include "sim/error.h"
-#include "sim/scene/builder.h"
 #include "sim/scene/hash.h"
 #include "sim/scene/mesh_surface.h"
+#include "sim/scene/model_builder.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -91,9 +91,23 @@ const MeshLibrary::Entry& MeshLibrary::load(const std::string& file, double scal
   return place->second;
 }
 
+void MeshLibrary::enter(const std::string& name, const Hull& hull) {
+  Hash64 hash;
+  for (const Vec3& vertex : hull.data->vertices) {
+    for (const double x : vertex) hash.add_number(x);
+  }
+  entries_[{name, 1}] = {hull, hash.hex(), false};
+}
+
+void MeshLibrary::enter(const std::vector<std::string>& names, const Compound& compound) {
+  compounds_[{names, 1}] = compound;
+}
+
 std::vector<std::filesystem::path> MeshLibrary::files() const {
   std::vector<std::filesystem::path> list;
-  for (const auto& [key, entry] : entries_) list.push_back(folder_ / key.first);
+  for (const auto& [key, entry] : entries_) {
+    if (entry.file) list.push_back(folder_ / key.first);
+  }
   return list;
 }
 

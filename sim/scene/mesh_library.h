@@ -19,6 +19,7 @@ class MeshLibrary {
   struct Entry {
     Hull hull;
     std::string digest;  // of the file's bytes
+    bool file = true;    // false: entered
   };
 
   // Convex hull of the mesh in `file` times `scale`. The same file and scale give the same data again. Throws
@@ -27,6 +28,10 @@ class MeshLibrary {
 
   // The hulls of several files as one body. The same files and scale give the same data again.
   const Compound& load_parts(const std::vector<std::string>& files, double scale);
+
+  // Hulls that a program has, under names that stand for files. Each name once.
+  void enter(const std::string& name, const Hull& hull);
+  void enter(const std::vector<std::string>& names, const Compound& compound);
 
   std::vector<std::filesystem::path> files() const;  // that were read
 

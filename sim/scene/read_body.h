@@ -1,8 +1,8 @@
 // One entry of "bodies". Internal to sim/scene.
 #pragma once
 
-#include "sim/scene/builder.h"
 #include "sim/scene/mesh_library.h"
+#include "sim/scene/model_builder.h"
 
 namespace pabd {
 

@@ -46,7 +46,7 @@ BondLaw read_law(const ObjectReader& in, const BondLaw& defaults) {
 // What reading a joint needs of the rest of the scene.
 struct Surroundings {
   const BodyNames& names;
-  const SceneBuilder& scene;
+  const ModelBuilder& scene;
 
   bool movable(Index body) const {
     return body != kWorld && !scene.model.fixed[static_cast<std::size_t>(body)];
@@ -220,7 +220,7 @@ BondLaw read_joint_defaults(const ObjectReader& scene) {
                       [&law](const ObjectReader& in) { return read_law(in, law); });
 }
 
-void read_joints(const ObjectReader& scene, const BodyNames& names, SceneBuilder& out) {
+void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder& out) {
   const auto list = scene.find("joints");
   const std::size_t count = list ? list->array_size() : 0;
   scene.record("joints", static_cast<double>(count));

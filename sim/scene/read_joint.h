@@ -1,7 +1,7 @@
 // The entries of "joints" and their defaults. Internal to sim/scene.
 #pragma once
 
-#include "sim/scene/builder.h"
+#include "sim/scene/model_builder.h"
 
 namespace pabd {
 
@@ -14,7 +14,7 @@ std::span<const Choice> joint_choices();
 BondLaw read_joint_defaults(const ObjectReader& scene);
 
 // Reads every entry of "joints" into `out`, whose bodies are complete.
-void read_joints(const ObjectReader& scene, const BodyNames& names, SceneBuilder& out);
+void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder& out);
 
 // Parts of a joint (read_drive.cpp). `range` and `unit` are those of the file; the result is in rad or m.
 // `at_zero`: limits must include 0, where the joint stands.

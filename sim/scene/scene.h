@@ -12,12 +12,14 @@
 
 namespace pabd {
 
+// Where a scene wants to be seen from; y is up.
 struct CameraDesc {
-  Vec3 eye{6, 4, 8};
-  Vec3 target{0, 1, 0};
-  double fov = 45;  // vertical, degrees
+  Vec3 eye{6, 4, 8};     // world; m
+  Vec3 target{0, 1, 0};  // world; m
+  double fov = 45;       // vertical, degrees
 };
 
+// Everything a run needs.
 struct Scene {
   std::string name;         // the file's stem when it gives none
   std::string description;  // one line for lists of scenes; may be empty

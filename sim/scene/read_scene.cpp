@@ -1,0 +1,122 @@
+// Document → Scene, in the order: format, parameters, bodies, generators, joints. See read_scene.h.
+#include "sim/scene/read_scene.h"
+
+#include <fmt/format.h>
+
+#include "sim/scene/generators.h"
+#include "sim/scene/keys.h"
+#include "sim/scene/model_builder.h"
+#include "sim/scene/read_body.h"
+#include "sim/scene/read_joint.h"
+#include "sim/scene/read_memory.h"
+#include "sim/scene/read_params.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+
+namespace {
+
+constexpr int kVersion = 1;
+
+void read_bodies(const ObjectReader& scene, MeshLibrary& meshes, ModelBuilder& out) {
+  const auto bodies = scene.find("bodies");
+  const std::size_t count = bodies ? bodies->array_size() : 0;
+  scene.record("bodies", static_cast<double>(count));
+  if (count > 0) out.reserve(static_cast<std::int64_t>(count), *bodies);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Node node = bodies->element(i);
+    out.add(read_body(node, i, meshes), node);
+  }
+}
+
+// Only a scene that was saved in mid-run has them.
+void read_friction_anchors(const ObjectReader& scene, ModelBuilder& out) {
+  const auto list = scene.find("friction_anchors");
+  if (!list) return;
+  read_anchors(*list, out.model.size(), out.state.anchors);
+  for (const FrictionAnchor& anchor : out.state.anchors) {
+    scene.record("friction_anchors", static_cast<double>(anchor.pair >> 32));
+    scene.record("friction_anchors", static_cast<double>(anchor.pair & 0xffffffffu));
+    scene.record("friction_anchors", static_cast<double>(anchor.feature));
+    scene.record("friction_anchors", anchor.stretch);
+    scene.record("friction_anchors", static_cast<double>(flags_of(anchor)));
+  }
+}
+
+// The same.
+void read_forces_of_joints(const ObjectReader& scene, ModelBuilder& out) {
+  const auto list = scene.find("joint_forces");
+  if (!list) return;
+  read_joint_forces(*list, out.model.joints.size(), out.state.joint_force);
+  for (const Vec3& force : out.state.joint_force) scene.record("joint_forces", force);
+}
+
+std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
+  const auto node = scene.find("camera");
+  if (!node) return std::nullopt;
+  const ObjectReader in(*node, keys::camera);
+  CameraDesc camera;
+  camera.eye = in.vec3("eye", kPositionRange);
+  camera.target = in.vec3("target", kPositionRange);
+  camera.fov = in.number("fov", {1, 170, "degrees", true}, camera.fov);
+  if (!((camera.eye - camera.target).norm() > 1e-6)) {
+    in.fail_key("eye", "the camera sits on its target; expected two different points");
+  }
+  return camera;
+}
+
+}  // namespace
+
+// Before anything else: a newer file would only produce a confusing list of unknown keys.
+void check_format(const Json& document, ReadContext& context) {
+  const Node root(document, context);
+  if (!root.value().is_object()) root.fail_expected("an object with \"format\": \"pabd-scene\"");
+  const auto format = root.value().find("format");
+  if (format == root.value().end()) fail_at(root.context(), "/format", "missing; expected \"pabd-scene\"");
+  const Node format_node(*format, root, "format");
+  if (!format_node.is_word("pabd-scene")) format_node.fail_expected("\"pabd-scene\"");
+  const auto version = root.value().find("version");
+  if (version == root.value().end())
+    fail_at(root.context(), "/version", fmt::format("missing; expected {}", kVersion));
+  const Node node(*version, root, "version");
+  if (!version->is_number()) node.fail_expected(std::to_string(kVersion));
+  const double v = version->get<double>();
+  if (v > kVersion) {
+    node.fail(
+        fmt::format("the file has version {}, this program reads version {}; use a newer pabd", v, kVersion));
+  }
+  if (v != kVersion) node.fail_expected(std::to_string(kVersion));
+}
+
+Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes) {
+  check_format(document, context);
+  const ObjectReader in(Node(document, context), keys::scene);
+  Scene scene;
+  scene.name = in.name("name");
+  scene.description = in.text("description", 1000);
+  if (const auto schema = in.find("$schema"))
+    schema->text(1000);  // for editors; says nothing about the scene
+  scene.params = read_params(in);
+
+  ModelBuilder builder(read_joint_defaults(in));
+  read_bodies(in, meshes, builder);
+  const std::size_t listed = builder.model.name.size();
+  run_generators(in, scene.params.contact.d_hat, builder);
+  const BodyNames names = builder.names(context, listed);
+  const std::size_t generated = builder.model.joints.size();
+  read_joints(in, names, builder);
+  builder.finish_joints(scene.params.gravity, generated);
+  if (builder.model.size() == 0) in.fail("the scene has no bodies; expected \"bodies\" or \"generate\"");
+  read_friction_anchors(in, builder);
+  read_forces_of_joints(in, builder);
+  scene.camera = read_camera(in);
+
+  if (scene.name.empty()) scene.name = std::filesystem::path(context.source).stem().string();
+  scene.model = std::move(builder.model);
+  scene.joint_law = builder.joint_law;
+  scene.initial = std::move(builder.state);
+  scene.hash = context.hash.hex();
+  return scene;
+}
+
+}  // namespace pabd
