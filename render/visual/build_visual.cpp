@@ -5,6 +5,8 @@
 //   transform  [R S | c]                                  primitive to world
 #include "render/visual/build_visual.h"
 
+#include <cassert>
+
 #include "render/visual/bounds.h"
 #include "render/visual/contact_glyphs.h"
 #include "render/visual/joint_glyphs.h"
@@ -147,6 +149,7 @@ void add_selection(const Model& model, const State& state, const StepReport& rep
 
 void build_visual(const Model& model, const State& state, const StepReport& report,
                   const VisualOptions& options, VisualScene& out) {
+  assert(state.size() == model.size());
   out.clear();
   std::vector<SurfacePart> parts;
   for (Index i = 0; i < model.size(); ++i) {

@@ -5,6 +5,7 @@
 //   V          [x y z]ᵀ (p − e)                                 view_matrix
 //   f          1 / tan(fov/2)                                   projection_matrix: diag(f/aspect, f, …)
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "render/visual/bounds.h"
@@ -58,6 +59,7 @@ Mat4f view_matrix(const Camera& camera) {
 }
 
 Mat4f projection_matrix(const Camera& camera, float aspect, float near_plane, float far_plane) {
+  assert(aspect > 0 && near_plane > 0 && near_plane < far_plane);
   const float f = 1.0f / std::tan(0.5f * camera.fov * kDegree);
   Mat4f p = Mat4f::Zero();
   p(0, 0) = f / aspect;

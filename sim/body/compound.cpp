@@ -6,11 +6,13 @@
 #include "sim/body/compound.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace pabd {
 
 Compound make_compound(const std::vector<Hull>& hulls) {
+  assert(!hulls.empty() && hulls.size() <= kMostParts);
   auto out = std::make_shared<CompoundData>();
   const Vec3 near = hulls.front().data->centroid;  // offsets are summed from here: nothing cancels
   Vec3 moment = Vec3::Zero();

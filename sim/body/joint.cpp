@@ -1,6 +1,7 @@
 #include "sim/body/joint.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace pabd {
 
@@ -21,6 +22,7 @@ std::optional<JointType> joint_type(std::string_view word) {
 
 template <class Value>
 Value Keyed<Value>::at(double time) const {
+  assert(!keys.empty());
   const auto after =
       std::upper_bound(keys.begin(), keys.end(), time,
                        [](double t, const std::pair<double, Value>& key) { return t < key.first; });

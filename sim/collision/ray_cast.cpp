@@ -1,6 +1,8 @@
 // A ray in the frame of each shape, which says where it is met first. See ray_cast.h.
 #include "sim/collision/ray_cast.h"
 
+#include <cassert>
+
 #include "sim/body/shape_kind.h"
 
 namespace pabd {
@@ -33,6 +35,7 @@ std::optional<SurfaceHit> ray_cast(const Shape& shape, const Vec3& c, const Mat3
 }
 
 std::optional<RayHit> ray_cast(const Model& model, const State& state, const Ray& ray) {
+  assert(state.size() == model.size());
   if (!is_usable(ray)) return std::nullopt;
   const double length = ray.direction.stableNorm();
   const RayLine line{ray.origin, ray.direction / length};

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -10,6 +11,7 @@
 namespace pabd {
 
 Mat3 frame_about(const Vec3& axis) {
+  assert(!axis.isZero(0));
   Mat3 F;
   F.col(0) = axis.normalized();
   F.col(1) = F.col(0).unitOrthogonal();
