@@ -1,13 +1,19 @@
-# Headers that nearly every file reads, compiled twice: for the program, and with Catch2 for the tests.
+# Headers that nearly every file reads, compiled once for each set of flags: for what is optimised, for the command line
+# and the window (app/CMakeLists.txt), and with Catch2 for the tests.
 
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
 set(headers
   <Eigen/Dense> <algorithm> <array> <cmath> <cstdint> <filesystem> <fmt/format.h> <fstream> <functional> <limits> <map>
   <memory> <optional> <set> <span> <sstream> <string> <string_view> <utility> <variant> <vector>)
 
-add_library(pabd_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-target_link_libraries(pabd_precompiled PRIVATE pabd_flags)
-target_precompile_headers(pabd_precompiled PRIVATE ${headers})
+# pabd_precompile(NAME LINKS libraries… OPTIONS flags… HEADERS more headers…)
+function(pabd_precompile name)
+  cmake_parse_arguments(ARG "" "" "LINKS;OPTIONS;HEADERS" ${ARGN})
+  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
+  target_link_libraries(${name} PRIVATE pabd_flags ${ARG_LINKS})
+  target_compile_options(${name} PRIVATE ${ARG_OPTIONS})
+  target_precompile_headers(${name} PRIVATE ${headers} ${ARG_HEADERS})
+endfunction()
 
 # Every target of a folder and of those below it.
 function(pabd_reuse_precompiled folder from)
@@ -25,15 +31,21 @@ function(pabd_reuse_precompiled folder from)
   endforeach()
 endfunction()
 
-foreach(folder sim render app)
+pabd_precompile(pabd_precompiled)
+foreach(folder sim render)
   pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/${folder} pabd_precompiled)
+endforeach()
+
+foreach(folder plots overlay session workbench frames)
+  pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/app/${folder} pabd_precompiled)
+endforeach()
+pabd_precompile(pabd_precompiled_quick OPTIONS ${PABD_QUICK_TO_COMPILE})
+foreach(folder gui cli)
+  pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/app/${folder} pabd_precompiled_quick)
 endforeach()
 
 if(PABD_TESTS)
   find_package(Catch2 2.13 REQUIRED)
-  add_library(pabd_precompiled_tests OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
-  target_link_libraries(pabd_precompiled_tests PRIVATE pabd_flags Catch2::Catch2)
-  target_compile_options(pabd_precompiled_tests PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1>)
-  target_precompile_headers(pabd_precompiled_tests PRIVATE ${headers} <catch2/catch.hpp>)
+  pabd_precompile(pabd_precompiled_tests LINKS Catch2::Catch2 OPTIONS ${PABD_QUICK_TO_COMPILE} HEADERS <catch2/catch.hpp>)
   pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/tests pabd_precompiled_tests)
 endif()
