@@ -1,5 +1,5 @@
 # Headers that nearly every file reads, compiled once for each set of flags: for what is optimised, for the command line
-# and the window (app/CMakeLists.txt), and with Catch2 for the tests.
+# and the window (app/cli, app/gui), and with Catch2 for the tests.
 
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
 set(headers
@@ -36,13 +36,15 @@ foreach(folder sim render)
   pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/${folder} pabd_precompiled)
 endforeach()
 
-foreach(folder plots overlay session workbench frames)
-  pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/app/${folder} pabd_precompiled)
-endforeach()
-pabd_precompile(pabd_precompiled_quick OPTIONS ${PABD_QUICK_TO_COMPILE})
-foreach(folder gui cli)
-  pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/app/${folder} pabd_precompiled_quick)
-endforeach()
+if(PABD_APP)
+  pabd_precompile(pabd_precompiled_quick OPTIONS ${PABD_QUICK_TO_COMPILE})
+  foreach(folder plots overlay session workbench frames)
+    pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/app/${folder} pabd_precompiled)
+  endforeach()
+  foreach(folder gui cli)
+    pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/app/${folder} pabd_precompiled_quick)
+  endforeach()
+endif()
 
 if(PABD_TESTS)
   find_package(Catch2 2.13 REQUIRED)

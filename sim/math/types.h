@@ -7,6 +7,9 @@
 
 namespace pabd {
 
+static_assert(EIGEN_MAX_STATIC_ALIGN_BYTES == 16,
+              "compile with -DEIGEN_MAX_ALIGN_BYTES=16, as pabd was: types would have another layout");
+
 using Vec3 = Eigen::Vector3d;
 using Vec4 = Eigen::Vector4d;
 using Mat3 = Eigen::Matrix3d;

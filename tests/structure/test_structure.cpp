@@ -163,6 +163,33 @@ TEST_CASE("one file of render knows Dear ImGui") {
   CHECK(files.size() <= 1);
 }
 
+TEST_CASE("public headers need nothing but each other, Eigen and the standard library") {
+  // As they are installed: another header would not be there, another library its users would have to find.
+  const std::string list = PABD_PUBLIC_HEADERS;
+  std::set<std::string> headers;
+  for (std::size_t begin = 0; begin < list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    headers.insert(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  CHECK(headers.size() > 30);
+  std::vector<std::string> strangers;
+  for (const Source& source : sources()) {
+    if (headers.erase(source.path) == 0) continue;
+    for (const std::string& include : source.includes) {
+      const bool standard = include.find_first_of("./") == std::string::npos || include == "sys/types.h";
+      const bool ours = ("," + list + ",").find("," + include + ",") != std::string::npos;
+      if (!standard && !ours && !include.starts_with("Eigen/")) {
+        strangers.push_back(source.path + " includes " + include);
+      }
+    }
+    // What has another size where the compiler may use other instructions is for the inside.
+    if (source.text.find("vector_size") != std::string::npos) strangers.push_back(source.path + " has lanes");
+  }
+  CHECK(strangers == std::vector<std::string>{});
+  CHECK(headers.empty());  // each is there
+}
+
 TEST_CASE("app's parts keep apart") {
   using List = std::vector<std::string>;
   CHECK(violations("app/plots/", kGl) == List{});
