@@ -7,6 +7,7 @@
 
 namespace pabd {
 
+// OpenGL 3.3 core or better, as one thread at a time may use it.
 class GlContext {
  public:
   virtual ~GlContext() = default;
@@ -20,6 +21,7 @@ class GlContext {
   virtual std::string name() const = 0;  // "EGL device 0", "EGL surfaceless", "OSMesa", "window"
 };
 
+// Where a context without a display comes from; automatic: EGL, then OSMesa.
 enum class Backend { automatic, egl, osmesa };
 
 // One candidate that was tried, and why it was not taken (empty: it was).

@@ -39,6 +39,7 @@ struct ViewPlace {
   int width = 0, height = 0;
 };
 
+// One at a time for a context. Frames are RGB, 8 bits a channel, sRGB, in rows from the top.
 class Renderer {
  public:
   static constexpr int kViews = 3;  // a scene, another beside it, and one for pictures on the side

@@ -20,6 +20,7 @@ namespace pabd {
 //              channel.
 enum class CompareTier { same_class, cross_class };
 
+// What differs, and whether that is too much.
 struct CompareResult {
   bool equal = false;      // within the tier's limits
   std::string reason;      // one line when not equal, empty otherwise

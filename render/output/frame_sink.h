@@ -13,6 +13,7 @@
 
 namespace pabd {
 
+// Takes the frames of one output, in order.
 class FrameSink {
  public:
   virtual ~FrameSink() =
@@ -23,6 +24,7 @@ class FrameSink {
   virtual void finish() = 0;  // publishes; once; throws Error(file) or Error(encoder)
 };
 
+// What all kinds of output need to know.
 struct SinkOptions {
   int width = 1280;  // pixels, 1 to 16384
   int height = 720;

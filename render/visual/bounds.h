@@ -9,6 +9,7 @@
 
 namespace pabd {
 
+// Holds what is to be seen.
 struct BoundingSphere {
   Vec3 centre;    // m, world
   double radius;  // m, > 0

@@ -10,6 +10,7 @@
 
 namespace pabd {
 
+// A camera in double precision. `up` need not be unit, nor square to the line of sight.
 struct CameraPose {
   Vec3 eye{6, 4, 8};     // m
   Vec3 target{0, 1, 0};  // m; what orbit() turns about and zoom() comes near to
@@ -18,6 +19,7 @@ struct CameraPose {
 
   double distance() const { return (eye - target).norm(); }
 };
+// The same camera in the other precision.
 CameraPose precise(const Camera& camera);
 Camera rounded(const CameraPose& pose);
 
@@ -33,14 +35,16 @@ struct Viewport {
   double width = 1280, height = 720;
 };
 
+// What a pixel looks along; (x, y) in pixels.
 struct ViewRay {
-  Vec3 origin;     // the eye
+  Vec3 origin;     // the eye; m
   Vec3 direction;  // unit
 };
 ViewRay ray_through(const CameraPose& pose, const Viewport& port, double x, double y);
 
+// Where a point of the world appears.
 struct PixelPoint {
-  double x, y;
+  double x, y;   // pixels
   double depth;  // m in front of the eye, along the line of sight; x and y mean nothing where it is not > 0
 };
 PixelPoint to_pixel(const CameraPose& pose, const Viewport& port, const Vec3& p);

@@ -7,6 +7,7 @@
 
 namespace pabd {
 
+// Where the camera is at a time.
 struct CameraKey {
   double time = 0;  // s
   CameraPose pose;

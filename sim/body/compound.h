@@ -8,13 +8,16 @@
 
 namespace pabd {
 
+// Of a body.
 inline constexpr std::size_t kMostParts = 64;
 
+// One convex part.
 struct CompoundPart {
   Hull hull;
   Vec3 offset;  // of the hull's centre of mass from that of the body; m
 };
 
+// The parts, in the body frame, and what they are together.
 struct CompoundData {
   std::vector<CompoundPart> parts;
   Vec3 centroid;           // where the centre of mass was in the coordinates of the points; m

@@ -9,6 +9,7 @@
 
 namespace pabd {
 
+// A hull, or why there is none.
 struct HullResult {
   std::shared_ptr<const HullData> hull;  // empty when there is none
   std::string problem;                   // why, and what to do: "… ; expected …"

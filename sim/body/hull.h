@@ -24,6 +24,7 @@ struct HullEdge {
   std::uint16_t from, to, left, right;
 };
 
+// The polyhedron, in the body frame, and its exact mass properties.
 struct HullData {
   std::vector<Vec3> vertices;  // m
   std::vector<HullFace> faces;

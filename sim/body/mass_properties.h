@@ -11,9 +11,10 @@
 
 namespace pabd {
 
+// Of a solid body, about its centre of mass.
 struct MassProperties {
-  double mass;
-  Mat3 J;
+  double mass;  // kg
+  Mat3 J;       // second moment, body frame; kg m²
 };
 
 // Volume in m³; 0 for a plane.

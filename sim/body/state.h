@@ -8,8 +8,9 @@
 
 namespace pabd {
 
+// Where a body is.
 struct Pose {
-  Vec3 c;  // centre of mass, world
+  Vec3 c;  // centre of mass, world; m
   Mat3 R;  // rotation, body to world
 };
 
@@ -36,6 +37,7 @@ inline void set_flags(unsigned flags, FrictionAnchor& anchor) {
   anchor.restless = (flags & 4) != 0;
 }
 
+// Where all bodies are, how they move, and what a step remembers of the one before.
 struct State {
   double time = 0;                      // s
   std::int64_t step = 0;                // steps since the start

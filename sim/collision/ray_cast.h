@@ -13,14 +13,16 @@
 
 namespace pabd {
 
+// Points origin + t direction with t ≥ 0, world.
 struct Ray {
   Vec3 origin;     // m
   Vec3 direction;  // of any length but 0: t counts in it
 };
 
+// The first body that a ray meets.
 struct RayHit {
   Index body;
-  double t;
+  double t;     // the point is origin + t direction
   Vec3 point;   // world; m
   Vec3 normal;  // outward; unit, world
 };

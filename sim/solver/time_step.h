@@ -22,6 +22,7 @@ struct Pull {
   double kappa;  // stiffness, > 0; N/m
 };
 
+// What a step does beside moving the bodies. Only pulls change where they go, and `stop` whether they go at all.
 struct StepOptions {
   bool record_iterations = false;  // fill StepReport::records (costs one pass over the contacts an iteration)
   bool report_contacts = false;    // fill StepReport::contact_reports

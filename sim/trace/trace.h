@@ -15,6 +15,7 @@ namespace pabd {
 // hash.
 std::string state_hash(const State& state);
 
+// CSV: the line of column names, and a row for each step, iteration or joint.
 void write_steps_header(std::ostream& out);
 void write_steps_row(std::ostream& out, const StepSummary& step);
 void write_iterations_header(std::ostream& out);
