@@ -1,5 +1,5 @@
 // Everything a person tunes while a simulation runs. It may change between any two steps without rebuilding
-// the model; every limit below is checked by `check_params`, which the scene reader and the panels both use.
+// the model. What each one means, its unit and its range: parameter_table.cpp, which has a row for each.
 #pragma once
 
 #include <optional>
@@ -22,28 +22,28 @@ enum class Projection : std::uint8_t { automatic, polar, weighted, tangent };
 
 struct SolverParams {
   SolverMethod method = SolverMethod::automatic;
-  int iterations = 20;      // cap per step, 1 … 100000
+  int iterations = 20;      // cap per step
   double tolerance = 1e-6;  // relative step at which the solve stops early; 0: never
-  double relaxation = 0.5;  // of the Jacobi step of sissm, (0, 1]
+  double relaxation = 0.5;  // of the Jacobi step of sissm
   Projection projection = Projection::automatic;
   bool operator==(const SolverParams&) const = default;
 };
 
 struct ContactParams {
   BarrierKind barrier = BarrierKind::polynomial;
-  int N = 3;                    // highest order of the polynomial, 1 … 32
-  double d_hat = 0.01;          // contact thickness d̂; m, > 0
-  std::optional<double> kappa;  // stiffness κ; J, > 0. Empty: "auto", see resolve_kappa
-  double onset = 0.2;           // onset width ε, [0, 1)
-  double recovery_speed = 3;    // at which overlap deeper than 2 d̂ comes apart; m/s, 0 … 1e6. 0: no limit
-  double mu_static = 0.5;       // friction, ≥ 0
-  double mu_dynamic = 0.5;      // friction, ≥ 0, not above mu_static
+  int N = 3;                    // highest order of the polynomial
+  double d_hat = 0.01;          // contact thickness d̂; m
+  std::optional<double> kappa;  // stiffness κ; J. Empty: "auto", see resolve_kappa
+  double onset = 0.2;           // onset width ε
+  double recovery_speed = 3;    // at which overlap deeper than 2 d̂ comes apart; m/s. 0: no limit
+  double mu_static = 0.5;       // friction
+  double mu_dynamic = 0.5;      // friction, not above mu_static
   bool operator==(const ContactParams&) const = default;
 };
 
 struct Params {
   Vec3 gravity{0, -9.81, 0};  // m/s²
-  double h = 1.0 / 60;        // time step; s, 1e-6 … 1
+  double h = 1.0 / 60;        // time step; s
   SolverParams solver;
   ContactParams contact;
   bool operator==(const Params&) const = default;

@@ -4,10 +4,41 @@
 #include <cmath>
 #include <functional>
 
-#include "sim/solver/params.h"
+#include "sim/solver/parameter_table.h"
 #include "tests/support/scenario.h"
 
 using namespace pabd;
+
+namespace {
+
+struct Anything {
+  template <class Type>
+  operator Type() const;
+};
+
+// How many members an aggregate has: as many as it can be made of.
+template <class Struct, class... Made>
+constexpr std::size_t members() {
+  if constexpr (requires { Struct{Made{}..., Anything{}}; }) {
+    return members<Struct, Made..., Anything>();
+  } else {
+    return sizeof...(Made);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every member of the parameters has a row in their table") {
+  struct Three {
+    std::optional<double> a;
+    int b;
+    Vec3 c;
+  };
+  CHECK(members<Three>() == 3);
+  constexpr std::size_t kSections = 2;
+  CHECK(parameter_table().size() ==
+        members<Params>() - kSections + members<SolverParams>() + members<ContactParams>());
+}
 
 TEST_CASE("parameters out of range are refused with their JSON pointer") {
   struct Case {
