@@ -1,6 +1,8 @@
 // See keys.h.
 #include "sim/scene/keys.h"
 
+#include <algorithm>
+
 #include "sim/body/shape_kind.h"
 #include "sim/joint/joint_traits.h"
 
@@ -26,6 +28,26 @@ std::vector<std::string_view> keys_of(const JointTraits& joint) {
   return out;
 }
 
+// The last part of a key.
+std::string_view name_of(std::string_view key) { return key.substr(key.rfind('.') + 1); }
+
+// Those of parameters first, whose keys live as long as the program.
+std::vector<KeyTable> made_tables() {
+  static const std::vector<std::string_view> scene = scene_object_keys(parameter_table());
+  static const std::vector<std::vector<std::string_view>> sections = [] {
+    std::vector<std::vector<std::string_view>> all;
+    for (const std::string_view s : sections_of(parameter_table())) {
+      all.push_back(parameter_keys(s, parameter_table()));
+    }
+    return all;
+  }();
+  std::vector<KeyTable> tables{{"scene", scene}};
+  for (const std::string_view s : sections_of(parameter_table())) {
+    tables.push_back({name_of(s), sections[tables.size() - 1]});
+  }
+  return tables;
+}
+
 }  // namespace
 
 std::span<const std::string_view> joint_keys(JointType type) {
@@ -38,11 +60,7 @@ std::span<const std::string_view> joint_keys(JointType type) {
 }
 
 std::span<const KeyTable> key_tables() {
-  static constexpr std::array kFixed{KeyTable{"scene", keys::scene},
-                                     KeyTable{"solver", keys::solver},
-                                     KeyTable{"contact", keys::contact},
-                                     KeyTable{"friction", keys::friction},
-                                     KeyTable{"joints_default", keys::joints_default},
+  static constexpr std::array kFixed{KeyTable{"joints_default", keys::joints_default},
                                      KeyTable{"camera", keys::camera},
                                      KeyTable{"body", keys::body},
                                      KeyTable{"stack", keys::stack},
@@ -55,7 +73,8 @@ std::span<const KeyTable> key_tables() {
                                      KeyTable{"twist", keys::twist},
                                      KeyTable{"friction_anchor", keys::friction_anchor}};
   static const auto kTables = [] {
-    std::vector<KeyTable> tables(kFixed.begin(), kFixed.end());
+    std::vector<KeyTable> tables = made_tables();
+    tables.insert(tables.end(), kFixed.begin(), kFixed.end());
     for (const ShapeKind* kind : shape_kinds()) {
       if (kind->name != tables.back().object) tables.push_back({kind->name, kind->keys});
     }
@@ -66,17 +85,54 @@ std::span<const KeyTable> key_tables() {
 }
 
 std::vector<std::string> scene_keys() {
-  std::vector<std::string> out{"name", "description", "gravity", "time_step"};
+  std::vector<std::string> out{"name", "description"};
+  for (const ParameterRow& row : parameter_table()) out.emplace_back(row.key);
   const auto add = [&out](const std::string& prefix, std::span<const std::string_view> table) {
-    for (const std::string_view key : table) {
-      if (key != "friction") out.push_back(prefix + std::string(key));
-    }
+    for (const std::string_view key : table) out.push_back(prefix + std::string(key));
   };
-  add("solver.", keys::solver);
-  add("contact.", keys::contact);
-  add("contact.friction.", keys::friction);
   add("joints_default.", keys::joints_default);
   add("camera.", keys::camera);
+  return out;
+}
+
+std::vector<std::string_view> parameter_keys(std::string_view section, ParameterTable table) {
+  std::vector<std::string_view> out;
+  for (const ParameterRow& row : table) {
+    std::string_view key = row.key;
+    if (!section.empty()) {
+      if (!key.starts_with(section) || key.size() <= section.size() || key[section.size()] != '.') continue;
+      key.remove_prefix(section.size() + 1);
+    }
+    key = key.substr(0, key.find('.'));
+    if (std::find(out.begin(), out.end(), key) == out.end()) out.push_back(key);
+  }
+  return out;
+}
+
+std::string key_below(std::string_view section, std::string_view part) {
+  return std::string(section) + (section.empty() ? "" : ".") + std::string(part);
+}
+
+std::vector<std::string_view> sections_of(ParameterTable table) {
+  std::vector<std::string_view> out;
+  for (const ParameterRow& row : table) {
+    const std::string_view key = row.key;
+    for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.', dot + 1)) {
+      const std::string_view section = key.substr(0, dot);
+      if (std::find(out.begin(), out.end(), section) == out.end()) out.push_back(section);
+    }
+  }
+  return out;
+}
+
+std::vector<std::string_view> scene_object_keys(ParameterTable table) {
+  std::vector<std::string_view> out;
+  for (const std::string_view key : keys::scene) {
+    out.push_back(key);
+    if (key != "description") continue;
+    const auto parameters = parameter_keys("", table);
+    out.insert(out.end(), parameters.begin(), parameters.end());
+  }
   return out;
 }
 

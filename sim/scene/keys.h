@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/body/joint.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
@@ -16,16 +17,11 @@ namespace keys {
 
 using Key = std::string_view;
 
-inline constexpr std::array scene{
-    Key("$schema"),     Key("format"),         Key("version"),          Key("name"),
-    Key("description"), Key("gravity"),        Key("time_step"),        Key("solver"),
-    Key("contact"),     Key("joints_default"), Key("bodies"),           Key("joints"),
-    Key("generate"),    Key("camera"),         Key("friction_anchors"), Key("joint_forces")};
-inline constexpr std::array solver{Key("method"), Key("iterations"), Key("tolerance"), Key("relaxation"),
-                                   Key("projection")};
-inline constexpr std::array contact{Key("barrier"), Key("N"),        Key("d_hat"),         Key("kappa"),
-                                    Key("onset"),   Key("friction"), Key("recovery_speed")};
-inline constexpr std::array friction{Key("static"), Key("dynamic")};
+// Of the scene, without those of parameters, which come after the description: see scene_object_keys.
+inline constexpr std::array scene{Key("$schema"), Key("format"),           Key("version"),
+                                  Key("name"),    Key("description"),      Key("joints_default"),
+                                  Key("bodies"),  Key("joints"),           Key("generate"),
+                                  Key("camera"),  Key("friction_anchors"), Key("joint_forces")};
 inline constexpr std::array joints_default{Key("potential"), Key("kappa"), Key("N"), Key("d_hat")};
 inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
 
@@ -68,10 +64,23 @@ struct KeyTable {
   std::span<const std::string_view> keys;
 };
 
-// All tables, the scene itself first.
+// All tables, the scene itself first, then those of parameters.
 std::span<const KeyTable> key_tables();
 
 // The settings of a scene in the form that --set takes: "time_step", "contact.kappa", "camera.fov", ….
 std::vector<std::string> scene_keys();
+
+// The keys of the object `section` that holds parameters: "contact" has "barrier", …, "friction". An empty
+// section is the scene itself.
+std::vector<std::string_view> parameter_keys(std::string_view section, ParameterTable table);
+
+// "contact" and "barrier" as one key: "contact.barrier". An empty section adds nothing.
+std::string key_below(std::string_view section, std::string_view part);
+
+// The objects that hold parameters: "solver", "contact", "contact.friction".
+std::vector<std::string_view> sections_of(ParameterTable table);
+
+// Every key of the scene itself.
+std::vector<std::string_view> scene_object_keys(ParameterTable table);
 
 }  // namespace pabd

@@ -32,13 +32,13 @@ Scene load_scene(const std::filesystem::path& file, const std::vector<std::strin
 }
 
 Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path& folder,
-                  const std::vector<std::string>& overrides) {
+                  const std::vector<std::string>& overrides, ParameterTable table) {
   Json document = parse_document(text, source);
   ReadContext context{source, {}, {}};
   if (!document.is_object()) check_format(document, context);  // refuses
-  context.overrides = apply_overrides(document, overrides, source);
+  context.overrides = apply_overrides(document, overrides, source, table);
   MeshLibrary meshes(folder);
-  Scene scene = read_scene(document, context, meshes);
+  Scene scene = read_scene(document, context, meshes, table);
   scene.files = meshes.files();
   return scene;
 }

@@ -15,7 +15,8 @@ namespace {
 
 class Override {
  public:
-  Override(const std::string& text, const std::string& source) : text_(text), source_(source) {
+  Override(const std::string& text, const std::string& source, ParameterTable table)
+      : text_(text), source_(source), table_(table) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
       refuse("expected KEY=VALUE, for example contact.kappa=50");
@@ -69,16 +70,17 @@ class Override {
     if (!place.is_object()) refuse(fmt::format("{} has no parts", owner(i)));
     if (const auto it = place.find(part); it != place.end()) return *it;
 
-    static constexpr std::string_view kSections[] = {"solver", "contact", "contact.friction",
-                                                     "joints_default", "camera"};
+    std::vector<std::string_view> sections = sections_of(table_);
+    sections.insert(sections.end(), {"joints_default", "camera"});
     const std::string path = joined('.', i + 1);
-    if (std::find(std::begin(kSections), std::end(kSections), path) != std::end(kSections)) {
+    if (std::find(sections.begin(), sections.end(), path) != sections.end()) {
       return place[part] = Json::object();
     }
     std::vector<std::string_view> known;
-    if (i == 0) known.assign(keys::scene.begin(), keys::scene.end());
+    if (i == 0) known = scene_object_keys(table_);
+    const bool of_scene = std::find(known.begin(), known.end(), part) != known.end();
     for (const auto& [key, unused] : place.items()) known.emplace_back(key);
-    if (i == 0 && std::find(keys::scene.begin(), keys::scene.end(), part) != keys::scene.end()) {
+    if (of_scene) {
       refuse(fmt::format("this scene has no {}; set it whole", in_quotes(part)));
     }
     refuse(fmt::format("{} has no {}{}", owner(i), in_quotes(part), did_you_mean(part, known)));
@@ -124,6 +126,7 @@ class Override {
 
   const std::string& text_;
   const std::string& source_;
+  ParameterTable table_;
   std::vector<std::string> parts_;
   std::string value_text_;
 };
@@ -131,9 +134,9 @@ class Override {
 }  // namespace
 
 std::vector<AppliedOverride> apply_overrides(Json& scene, const std::vector<std::string>& overrides,
-                                             const std::string& source) {
+                                             const std::string& source, ParameterTable table) {
   std::vector<AppliedOverride> applied;
-  for (const std::string& text : overrides) applied.push_back(Override(text, source).apply(scene));
+  for (const std::string& text : overrides) applied.push_back(Override(text, source, table).apply(scene));
   return applied;
 }
 

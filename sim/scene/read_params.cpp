@@ -1,8 +1,9 @@
-// See read_params.h. Ranges live in check_params (sim/solver), which the panels use as well; here only types,
-// whole numbers and words are checked.
+// See read_params.h. Ranges are checked by check_params (sim/solver), which the window uses as well; here only
+// types, whole numbers and words are.
 #include "sim/scene/read_params.h"
 
 #include <limits>
+#include <string>
 
 #include "sim/scene/keys.h"
 
@@ -13,75 +14,89 @@ namespace {
 constexpr Range kAny{};
 constexpr std::int64_t kIntLo = std::numeric_limits<int>::min(), kIntHi = std::numeric_limits<int>::max();
 
-constexpr int value_of(auto enumerator) { return static_cast<int>(enumerator); }
+// One value of the object `in`, there under `key`; `now` where it is left out. A type each.
+struct ValueReader {
+  const ObjectReader& in;
+  std::string_view key;
+  const ParameterRow& row;
 
-constexpr Choice kMethods[] = {{"auto", value_of(SolverMethod::automatic)},
-                               {"sissm", value_of(SolverMethod::sissm)},
-                               {"descent", value_of(SolverMethod::descent)},
-                               {"newton", value_of(SolverMethod::newton)}};
-constexpr Choice kProjections[] = {{"auto", value_of(Projection::automatic)},
-                                   {"polar", value_of(Projection::polar)},
-                                   {"weighted", value_of(Projection::weighted)},
-                                   {"tangent", value_of(Projection::tangent)}};
-constexpr Choice kBarriers[] = {
-#define PABD_KIND(name) {#name, value_of(BarrierKind::name)},
-    PABD_BARRIERS(PABD_KIND)
-#undef PABD_KIND
+  ParameterValue operator()(double now) const { return in.number(key, kAny, now); }
+  ParameterValue operator()(int now) const { return static_cast<int>(in.integer(key, kIntLo, kIntHi, now)); }
+  ParameterValue operator()(bool now) const { return in.boolean(key, now); }
+  ParameterValue operator()(const Vec3& now) const {
+    return in.vec3(key, {row.range.lo, row.range.hi, row.unit}, now);
+  }
+  ParameterValue operator()(const std::optional<double>& now) const {
+    const auto node = in.find(key);
+    if (node ? node->is_word("auto") : !now) {
+      in.record(key, "auto");
+      return std::optional<double>();
+    }
+    if (!node) return std::optional(in.number(key, kAny, *now));
+    if (!node->value().is_number()) node->fail_expected(expected_of(row));
+    return std::optional(in.number(key, kAny));
+  }
+  template <class Enum>
+  ParameterValue operator()(Enum now) const {
+    std::vector<Choice> words;
+    for (const ParameterChoice& choice : choices_of(row)) {
+      words.push_back({choice.word, static_cast<int>(std::get<Enum>(choice.value))});
+    }
+    return static_cast<Enum>(in.choice(key, words, static_cast<int>(now)));
+  }
 };
 
-void read_solver(const ObjectReader& in, SolverParams& out) {
-  out.method = static_cast<SolverMethod>(in.choice("method", kMethods, value_of(out.method)));
-  out.iterations = static_cast<int>(in.integer("iterations", kIntLo, kIntHi, out.iterations));
-  out.tolerance = in.number("tolerance", kAny, out.tolerance);
-  out.relaxation = in.number("relaxation", kAny, out.relaxation);
-  out.projection = static_cast<Projection>(in.choice("projection", kProjections, value_of(out.projection)));
-}
+class ParamsReader {
+ public:
+  ParamsReader(ParameterTable table, Params& out) : table_(table), out_(out) {}
 
-// A number, or "auto" (empty).
-std::optional<double> read_kappa(const ObjectReader& in) {
-  const auto node = in.find("kappa");
-  if (!node || node->is_word("auto")) {
-    in.record("kappa", "auto");
-    return std::nullopt;
+  // All keys of `section` and of those in it.
+  void read(const ObjectReader& in, const std::string& section) {
+    for (const std::string_view part : parameter_keys(section, table_)) {
+      const std::string key = key_below(section, part);
+      if (const ParameterRow* row = find_parameter(key, table_)) {
+        read_row(in, part, *row);
+        continue;
+      }
+      const auto node = in.find(part);
+      const ParameterSection* known = find_section(key);
+      const auto keys = parameter_keys(key, table_);
+      if (node && node->value().is_number() && known && known->as_number) {
+        read_number(in, node->number(kAny), key);
+      } else {
+        with_section(in, part, keys, [&](const ObjectReader& inner) { read(inner, key); });
+      }
+    }
   }
-  if (!node->value().is_number()) node->fail_expected("a number above 0 or \"auto\"");
-  return in.number("kappa", kAny);
-}
 
-void read_friction(const Node& node, ContactParams& out) {
-  if (node.value().is_number()) {  // one number stands for both
-    out.mu_static = out.mu_dynamic = node.number(kAny);
-    return;
+ private:
+  void read_row(const ObjectReader& in, std::string_view part, const ParameterRow& row) {
+    const ParameterRow* followed = row.follows ? find_parameter(row.follows, table_) : nullptr;
+    const ParameterValue now = value_of(followed ? *followed : row, out_);
+    set_value(row, out_, std::visit(ValueReader{in, part, row}, now));
   }
-  const ObjectReader in(node, keys::friction);
-  if (const auto s = in.find("static")) out.mu_static = s->number(kAny);
-  const auto dynamic = in.find("dynamic");
-  out.mu_dynamic = dynamic ? dynamic->number(kAny) : out.mu_static;
-}
 
-void read_contact(const ObjectReader& in, ContactParams& out) {
-  out.barrier = static_cast<BarrierKind>(in.choice("barrier", kBarriers, value_of(out.barrier)));
-  out.N = static_cast<int>(in.integer("N", kIntLo, kIntHi, out.N));
-  out.d_hat = in.number("d_hat", kAny, out.d_hat);
-  out.kappa = read_kappa(in);
-  out.onset = in.number("onset", kAny, out.onset);
-  out.recovery_speed = in.number("recovery_speed", kAny, out.recovery_speed);
-  if (const auto friction = in.find("friction")) read_friction(*friction, out);
-  in.record("static", out.mu_static);
-  in.record("dynamic", out.mu_dynamic);
-}
+  // One number for all of a section.
+  void read_number(const ObjectReader& in, double number, const std::string& section) {
+    for (const std::string_view part : parameter_keys(section, table_)) {
+      const ParameterRow* row = find_parameter(key_below(section, part), table_);
+      if (!row) continue;
+      in.record(part, number);
+      set_value(*row, out_, as_value(*row, number));
+    }
+  }
+
+  ParameterTable table_;
+  Params& out_;
+};
 
 }  // namespace
 
-Params read_params(const ObjectReader& scene) {
+Params read_params(const ObjectReader& scene, ParameterTable table) {
   Params params;
-  params.gravity = scene.vec3("gravity", {-1e6, 1e6, "m/s²"}, params.gravity);
-  params.h = scene.number("time_step", kAny, params.h);
-  with_section(scene, "solver", keys::solver,
-               [&](const ObjectReader& in) { read_solver(in, params.solver); });
-  with_section(scene, "contact", keys::contact,
-               [&](const ObjectReader& in) { read_contact(in, params.contact); });
-  if (const auto error = check_params(params)) fail_at(scene.context(), error->pointer, error->message);
+  ParamsReader(table, params).read(scene, "");
+  if (const auto error = check_params(params, table))
+    fail_at(scene.context(), error->pointer, error->message);
   return params;
 }
 

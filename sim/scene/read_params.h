@@ -2,11 +2,11 @@
 #pragma once
 
 #include "sim/scene/reader.h"
-#include "sim/solver/params.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
-// Reads and checks (check_params) the parameters of a scene object.
-Params read_params(const ObjectReader& scene);
+// Reads and checks (check_params) the parameters of a scene object, in the order of the table.
+Params read_params(const ObjectReader& scene, ParameterTable table = parameter_table());
 
 }  // namespace pabd

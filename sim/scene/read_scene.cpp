@@ -88,15 +88,15 @@ void check_format(const Json& document, ReadContext& context) {
   if (v != kVersion) node.fail_expected(std::to_string(kVersion));
 }
 
-Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes) {
+Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes, ParameterTable table) {
   check_format(document, context);
-  const ObjectReader in(Node(document, context), keys::scene);
+  const ObjectReader in(Node(document, context), scene_object_keys(table));
   Scene scene;
   scene.name = in.name("name");
   scene.description = in.text("description", 1000);
   if (const auto schema = in.find("$schema"))
     schema->text(1000);  // for editors; says nothing about the scene
-  scene.params = read_params(in);
+  scene.params = read_params(in, table);
 
   ModelBuilder builder(read_joint_defaults(in));
   read_bodies(in, meshes, builder);

@@ -4,6 +4,7 @@
 #include "sim/scene/mesh_library.h"
 #include "sim/scene/reader.h"
 #include "sim/scene/scene.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
@@ -11,6 +12,7 @@ namespace pabd {
 void check_format(const Json& document, ReadContext& context);
 
 // Reads, validates and expands a scene; all but its files. Throws Error(bad_input).
-Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes);
+Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes,
+                 ParameterTable table = parameter_table());
 
 }  // namespace pabd

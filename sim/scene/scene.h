@@ -8,7 +8,7 @@
 
 #include "sim/body/model.h"
 #include "sim/body/state.h"
-#include "sim/solver/params.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
@@ -42,6 +42,6 @@ std::string read_scene_text(const std::filesystem::path& file);
 
 // The same from text; `source` names it in messages, `folder` is what paths in it are relative to.
 Scene parse_scene(const std::string& text, const std::string& source, const std::filesystem::path& folder,
-                  const std::vector<std::string>& overrides = {});
+                  const std::vector<std::string>& overrides = {}, ParameterTable table = parameter_table());
 
 }  // namespace pabd

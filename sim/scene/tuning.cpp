@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "sim/error.h"
 #include "sim/scene/keys.h"
@@ -17,152 +18,147 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 template <class AnyJson>
-AnyJson to_json(const Params& params) {
-  const ContactParams& contact = params.contact;
-  AnyJson kappa = "auto";
-  if (contact.kappa) kappa = *contact.kappa;
-  return {
-      {"gravity", {params.gravity.x(), params.gravity.y(), params.gravity.z()}},
-      {"time_step", params.h},
-      {"solver",
-       {{"method", to_string(params.solver.method)},
-        {"iterations", params.solver.iterations},
-        {"tolerance", params.solver.tolerance},
-        {"relaxation", params.solver.relaxation},
-        {"projection", to_string(params.solver.projection)}}},
-      {"contact",
-       {{"barrier", to_string(contact.barrier)},
-        {"N", contact.N},
-        {"d_hat", contact.d_hat},
-        {"kappa", kappa},
-        {"onset", contact.onset},
-        {"recovery_speed", contact.recovery_speed},
-        {"friction", {{"static", contact.mu_static}, {"dynamic", contact.mu_dynamic}}}}},
-  };
+AnyJson json_of(const ParameterValue& value) {
+  return std::visit(
+      []<class Type>(const Type& v) -> AnyJson {
+        if constexpr (std::is_same_v<Type, Vec3>) return AnyJson::array({v.x(), v.y(), v.z()});
+        if constexpr (std::is_same_v<Type, std::optional<double>>) return v ? AnyJson(*v) : AnyJson("auto");
+        if constexpr (std::is_enum_v<Type>) return to_string(v);
+        if constexpr (std::is_arithmetic_v<Type>) return v;
+      },
+      value);
 }
 
-constexpr std::string_view kSections[] = {"gravity", "time_step", "solver", "contact"};
-
-Params read(const Json& document, ReadContext& context) {
-  const Node root(document, context);
-  return read_params(ObjectReader(root, kSections));
+// A number that stands for a section, as the section.
+OrderedJson spelt_out(std::string_view section, const OrderedJson& number, ParameterTable table) {
+  OrderedJson out = OrderedJson::object();
+  for (const std::string_view part : parameter_keys(section, table)) out[std::string(part)] = number;
+  return out;
 }
 
+// Puts `value` where `key` points, making the objects on the way.
 template <class AnyJson>
-const AnyJson& at(const AnyJson& document, std::string_view key) {
-  const AnyJson* place = &document;
+void put(AnyJson& document, std::string_view key, const AnyJson& value, ParameterTable table) {
+  AnyJson* place = &document;
   for (std::size_t from = 0; from <= key.size();) {
     const std::size_t dot = std::min(key.find('.', from), key.size());
-    place = &place->at(std::string(key.substr(from, dot - from)));
-    from = dot + 1;
-  }
-  return *place;
-}
-
-void put(OrderedJson& document, std::string_view key, const OrderedJson& value) {
-  OrderedJson* place = &document;
-  for (std::size_t from = 0; from <= key.size();) {
-    const std::size_t dot = std::min(key.find('.', from), key.size());
-    OrderedJson& next = (*place)[std::string(key.substr(from, dot - from))];
-    // "friction": 0.5 stands for both coefficients.
-    if (dot < key.size() && next.is_number()) next = {{"static", next}, {"dynamic", next}};
+    AnyJson& next = (*place)[std::string(key.substr(from, dot - from))];
+    if (dot < key.size() && next.is_number()) next = spelt_out(key.substr(0, dot), next, table);
     place = &next;
     from = dot + 1;
   }
   *place = value;
 }
 
-void check_key(const std::string& set) {
-  const std::string key = set.substr(0, set.find('='));
-  const auto& keys = tunable_keys();
-  if (key == "contact.friction" || std::find(keys.begin(), keys.end(), key) != keys.end()) return;
-  if (key.starts_with("gravity.")) return;
-  const std::vector<std::string_view> views(keys.begin(), keys.end());
+template <class AnyJson>
+AnyJson to_json(const Params& params, ParameterTable table) {
+  AnyJson document = AnyJson::object();
+  for (const ParameterRow& row : table) {
+    put(document, row.key, json_of<AnyJson>(value_of(row, params)), table);
+  }
+  return document;
+}
+
+Params read(const Json& document, ReadContext& context, ParameterTable table) {
+  const Node root(document, context);
+  return read_params(ObjectReader(root, parameter_keys("", table)), table);
+}
+
+// The row of a key as --set takes it, which may also name a section that a number stands for, or a part of a
+// vector ("gravity.1"): null for these.
+const ParameterRow* tunable(std::string_view key, ParameterTable table) {
+  if (const ParameterRow* row = find_parameter(key, table)) return row;
+  const ParameterSection* section = find_section(key);
+  if (section && section->as_number) return nullptr;
+  const ParameterRow* whole = find_parameter(key.substr(0, key.rfind('.')), table);
+  if (whole && kind_of(*whole) == ParameterKind::vector) return nullptr;
+  std::vector<std::string_view> keys;
+  for (const ParameterRow& row : table) keys.emplace_back(row.key);
   throw Error(ExitCode::bad_input,
-              fmt::format("{}: no parameter that can be tuned{}", printable(key), did_you_mean(key, views)));
+              fmt::format("{}: no parameter that can be tuned{}", printable(key), did_you_mean(key, keys)));
 }
 
 }  // namespace
 
-const std::vector<std::string>& tunable_keys() {
-  static const std::vector<std::string> keys = {"gravity",
-                                                "time_step",
-                                                "solver.method",
-                                                "solver.iterations",
-                                                "solver.tolerance",
-                                                "solver.relaxation",
-                                                "solver.projection",
-                                                "contact.barrier",
-                                                "contact.N",
-                                                "contact.d_hat",
-                                                "contact.kappa",
-                                                "contact.onset",
-                                                "contact.recovery_speed",
-                                                "contact.friction.static",
-                                                "contact.friction.dynamic"};
-  return keys;
-}
-
-Params tuned(const Params& params, const std::vector<std::string>& sets) {
-  for (const std::string& set : sets) check_key(set);
-  Json document = to_json<Json>(params);
+Params tuned(const Params& params, const std::vector<std::string>& sets, ParameterTable table) {
+  for (const std::string& set : sets) tunable(std::string_view(set).substr(0, set.find('=')), table);
+  Json document = to_json<Json>(params, table);
   ReadContext context{"parameters", {}, {}};
-  context.overrides = apply_overrides(document, sets, context.source);
-  return read(document, context);
+  context.overrides = apply_overrides(document, sets, context.source, table);
+  return read(document, context, table);
 }
 
-Params patched(const Params& params, const std::string& patch, const std::string& source) {
+Params patched(const Params& params, const std::string& patch, const std::string& source,
+               ParameterTable table) {
   const Json changes = parse_document(patch, source);
   ReadContext context{source, {}, {}};
   const Node root(changes, context);
   if (!changes.is_object())
     root.fail_expected("an object of scene keys, for example {\"contact\": {\"kappa\": 50}}");
-  const ObjectReader known(root, kSections);  // refuses other keys at the place where they stand
-  if (const auto node = known.find("solver")) ObjectReader(*node, keys::solver);
-  if (const auto node = known.find("contact")) ObjectReader(*node, keys::contact);
-  Json document = to_json<Json>(params);
+  const auto keys = parameter_keys("", table);
+  const ObjectReader known(root, keys);  // refuses other keys at the place where they stand
+  for (const std::string_view key : keys) {
+    const auto section = find_parameter(key, table) ? std::nullopt : known.find(key);
+    if (section) ObjectReader(*section, parameter_keys(key, table));
+  }
+  Json document = to_json<Json>(params, table);
   document.merge_patch(changes);
-  return read(document, context);
+  return read(document, context, table);
 }
 
-std::string tuned_value(const Params& params, std::string_view key) {
-  check_key(std::string(key));
-  const Json document = to_json<Json>(params);
-  const Json& value = at(document, key);
-  return value.is_string() ? value.get<std::string>() : value.dump();
+std::string value_text(const ParameterValue& value) {
+  const Json json = json_of<Json>(value);
+  return json.is_string() ? json.get<std::string>() : json.dump();
 }
 
-std::vector<std::pair<std::string, std::string>> differences(const Params& from, const Params& to) {
-  std::vector<std::pair<std::string, std::string>> out;
-  for (const std::string& key : tunable_keys()) {
-    std::string value = tuned_value(to, key);
-    if (tuned_value(from, key) != value) out.emplace_back(key, std::move(value));
+std::string tuned_value(const Params& params, std::string_view key, ParameterTable table) {
+  if (const ParameterRow* row = tunable(key, table)) return value_text(value_of(*row, params));
+  return to_json<Json>(params, table).at(Json::json_pointer(pointer_of(key))).dump();
+}
+
+std::vector<const ParameterRow*> differing(const Params& from, const Params& to, ParameterTable table) {
+  std::vector<const ParameterRow*> out;
+  for (const ParameterRow& row : table) {
+    if (value_of(row, from) != value_of(row, to)) out.push_back(&row);
   }
   return out;
 }
 
-std::string patch_json(const Params& from, const Params& to) {
-  const OrderedJson document = to_json<OrderedJson>(to);
+std::vector<std::pair<std::string, std::string>> differences(const Params& from, const Params& to,
+                                                             ParameterTable table) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const ParameterRow* row : differing(from, to, table)) {
+    out.emplace_back(row->key, value_text(value_of(*row, to)));
+  }
+  return out;
+}
+
+std::string patch_json(const Params& from, const Params& to, ParameterTable table) {
   OrderedJson patch = OrderedJson::object();
-  for (const auto& [key, value] : differences(from, to)) put(patch, key, at(document, key));
+  for (const ParameterRow* row : differing(from, to, table)) {
+    put(patch, row->key, json_of<OrderedJson>(value_of(*row, to)), table);
+  }
   return patch.dump(2) + "\n";
 }
 
-std::string params_json(const Params& params) { return to_json<OrderedJson>(params).dump(); }
+std::string params_json(const Params& params, ParameterTable table) {
+  return to_json<OrderedJson>(params, table).dump();
+}
 
 std::string tuned_scene_text(const std::string& scene, const std::string& source,
-                             const std::vector<std::string>& overrides, const Params& params) {
+                             const std::vector<std::string>& overrides, const Params& params,
+                             ParameterTable table) {
   Json checked = parse_document(scene, source);
   OrderedJson document = OrderedJson::parse(scene);
   ReadContext context{source, {}, {}};
   if (!overrides.empty()) {
-    context.overrides = apply_overrides(checked, overrides, source);
+    context.overrides = apply_overrides(checked, overrides, source, table);
     document = OrderedJson::parse(checked.dump());
   }
   const Node root(checked, context);
-  const OrderedJson values = to_json<OrderedJson>(params);
-  for (const auto& [key, value] : differences(read_params(ObjectReader(root, keys::scene)), params)) {
-    put(document, key, at(values, key));
+  const Params before = read_params(ObjectReader(root, scene_object_keys(table)), table);
+  for (const ParameterRow* row : differing(before, params, table)) {
+    put(document, row->key, json_of<OrderedJson>(value_of(*row, params)), table);
   }
   return document.dump(2) + "\n";
 }

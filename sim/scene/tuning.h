@@ -9,38 +9,44 @@
 #include <utility>
 #include <vector>
 
-#include "sim/solver/params.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
-// Every key that may change while a simulation runs: "gravity", "time_step", "solver.method", … in the order
-// of the schema.
-const std::vector<std::string>& tunable_keys();
-
 // `params` with "key=value" strings applied in order. Throws Error(bad_input) that names key and expectation;
-// a key outside tunable_keys() (or "contact.friction" for both) is refused.
-Params tuned(const Params& params, const std::vector<std::string>& sets);
+// a key that is not in the table (or "contact.friction" for both, "gravity.1" for one of three) is refused.
+Params tuned(const Params& params, const std::vector<std::string>& sets,
+             ParameterTable table = parameter_table());
 
 // `params` with a merge patch. `source` names the text in messages. Throws like `tuned`.
-Params patched(const Params& params, const std::string& patch, const std::string& source);
+Params patched(const Params& params, const std::string& patch, const std::string& source,
+               ParameterTable table = parameter_table());
 
-// The value of one key, as --set takes it: shortest text that reads back exactly. Throws Error(bad_input) for
-// a key that cannot be tuned.
-std::string tuned_value(const Params& params, std::string_view key);
+// A value as --set takes it: shortest text that reads back exactly.
+std::string value_text(const ParameterValue& value);
+
+// The same of one key. Throws Error(bad_input) for a key that cannot be tuned.
+std::string tuned_value(const Params& params, std::string_view key, ParameterTable table = parameter_table());
+
+// Rows on which the two differ.
+std::vector<const ParameterRow*> differing(const Params& from, const Params& to,
+                                           ParameterTable table = parameter_table());
 
 // Keys on which the two differ, with the value in `to`.
-std::vector<std::pair<std::string, std::string>> differences(const Params& from, const Params& to);
+std::vector<std::pair<std::string, std::string>> differences(const Params& from, const Params& to,
+                                                             ParameterTable table = parameter_table());
 
 // The patch that leads from one to the other, ending in a line break; "{}" when they are equal.
-std::string patch_json(const Params& from, const Params& to);
+std::string patch_json(const Params& from, const Params& to, ParameterTable table = parameter_table());
 
-// All tunable keys as an object of a scene file, on one line; κ "auto" where it is not given.
-std::string params_json(const Params& params);
+// All parameters as an object of a scene file, on one line; κ "auto" where it is not given.
+std::string params_json(const Params& params, ParameterTable table = parameter_table());
 
-// The text of a scene file with overrides as load_scene takes them, and the tunable keys of `params` where
-// they differ from what it says then; indented JSON. The order of keys is kept when there are no overrides.
-// Throws Error(bad_input).
+// The text of a scene file with overrides as load_scene takes them, and the parameters where they differ from
+// what it says then; indented JSON. The order of keys is kept when there are no overrides. Throws
+// Error(bad_input).
 std::string tuned_scene_text(const std::string& scene, const std::string& source,
-                             const std::vector<std::string>& overrides, const Params& params);
+                             const std::vector<std::string>& overrides, const Params& params,
+                             ParameterTable table = parameter_table());
 
 }  // namespace pabd

@@ -71,9 +71,9 @@ std::string list(const char* key, std::size_t count, const EntryOf& entry_of) {
   return out + (count == 0 ? "]" : "\n  ]");
 }
 
-void check_loads(const std::string& text) {
+void check_loads(const std::string& text, ParameterTable table) {
   try {
-    parse_scene(text, "the scene as it would be saved", {});
+    parse_scene(text, "the scene as it would be saved", {}, {}, table);
   } catch (const Error& error) {
     throw Error(error.code(), std::string("not saved: ") + error.what());
   }
@@ -83,10 +83,10 @@ void check_loads(const std::string& text) {
 
 std::string scene_to_json(const Model& model, const State& state, const Params& params,
                           const BondLaw& joint_law, const std::string& name,
-                          const std::optional<CameraDesc>& camera) {
+                          const std::optional<CameraDesc>& camera, ParameterTable table) {
   std::string out = fmt::format("{{\n  \"format\": \"pabd-scene\",\n  \"version\": 1,\n  \"name\": {}",
                                 OrderedJson(name).dump());
-  const OrderedJson tunable = OrderedJson::parse(params_json(params));
+  const OrderedJson tunable = OrderedJson::parse(params_json(params, table));
   for (const auto& [key, value] : tunable.items()) out += fmt::format(",\n  \"{}\": {}", key, value.dump());
   OrderedJson law = OrderedJson::object();
   add_law(joint_law, law);
@@ -112,7 +112,7 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
     out += fmt::format(",\n  \"camera\": {}", view.dump());
   }
   out += "\n}\n";
-  check_loads(out);
+  check_loads(out, table);
   return out;
 }
 

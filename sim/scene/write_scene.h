@@ -17,6 +17,6 @@ namespace pabd {
 // does load.
 std::string scene_to_json(const Model& model, const State& state, const Params& params,
                           const BondLaw& joint_law, const std::string& name,
-                          const std::optional<CameraDesc>& camera);
+                          const std::optional<CameraDesc>& camera, ParameterTable table = parameter_table());
 
 }  // namespace pabd

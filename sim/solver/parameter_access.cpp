@@ -49,9 +49,16 @@ std::span<const ParameterChoice> choices(Projection) {
   static const auto all = named({automatic, polar, weighted, tangent});
   return all;
 }
+// The usual one first.
 std::span<const ParameterChoice> choices(BarrierKind) {
-  using enum BarrierKind;
-  static const auto all = named({polynomial, log, even});
+  static const auto all = [] {
+    std::vector<ParameterChoice> kinds;
+    for (const BarrierKind kind : kBarrierKinds) kinds.push_back({to_string(kind), kind});
+    std::stable_partition(kinds.begin(), kinds.end(), [](const ParameterChoice& choice) {
+      return std::get<BarrierKind>(choice.value) == BarrierKind::polynomial;
+    });
+    return kinds;
+  }();
   return all;
 }
 

@@ -4,9 +4,7 @@
 namespace pabd {
 namespace {
 
-const char* kappa_unit(const Params& params) {
-  return params.contact.barrier == BarrierKind::log ? "J/m²" : "J";
-}
+const char* unit_of_kappa(const Params& params) { return kappa_unit(params.contact.barrier); }
 
 constexpr auto kLog = ParameterScale::log;
 
@@ -98,7 +96,7 @@ constexpr ParameterRow kRows[] = {
      .label = "stiffness κ",
      .symbol = "κ",
      .unit = "J",
-     .unit_with = kappa_unit,
+     .unit_with = unit_of_kappa,
      .noun = "stiffness",
      .help = "Height of the barrier; J/m² for the log barrier. auto: all movable bodies, at least ten and at "
              "most a hundred of the heaviest, rest on four contacts at d = 0.9 d̂",

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "sim/scene/keys.h"
+#include "sim/scene/parameter_docs.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/helpers.h"
 
@@ -272,25 +273,31 @@ TEST_CASE("the schema and the reader know the same keys", "[scene]") {
   CHECK(in_schema == definitions);
 }
 
+TEST_CASE("the schema says of parameters what their table says", "[scene]") {
+  const Json root = schema(), made = Json::parse(parameter_schema());
+  INFO("assets/pabd-scene.schema.json should hold\n" << parameter_schema());
+  for (const char* part : {"properties", "$defs"}) {
+    CHECK(made[part].size() >= 3);
+    for (const auto& [name, object] : made[part].items()) {
+      INFO(name);
+      CHECK(root[part][name] == object);
+    }
+  }
+}
+
+TEST_CASE("the reference of parameters is their table", "[scene]") {
+  std::ifstream in(kAssets / "README.md");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  INFO("assets/README.md should hold\n" << parameter_reference());
+  CHECK(text.find("\n" + parameter_reference() + "\n") != std::string::npos);
+}
+
 TEST_CASE("the schema gives the defaults of the program", "[scene]") {
   const Json root = schema();
   const Json& defs = root["$defs"];
-  const Params p;
   const auto default_of = [](const Json& object, const char* key) {
     return object["properties"][key]["default"];
   };
-  CHECK(default_of(root, "gravity") == Json({p.gravity.x(), p.gravity.y(), p.gravity.z()}));
-  CHECK(default_of(root, "time_step") == p.h);
-  CHECK(default_of(defs["solver"], "iterations") == p.solver.iterations);
-  CHECK(default_of(defs["solver"], "tolerance") == p.solver.tolerance);
-  CHECK(default_of(defs["solver"], "relaxation") == p.solver.relaxation);
-  CHECK(default_of(defs["solver"], "projection") == to_string(p.solver.projection));
-  CHECK(default_of(defs["solver"], "method") == to_string(p.solver.method));
-  CHECK(default_of(defs["contact"], "barrier") == to_string(p.contact.barrier));
-  CHECK(default_of(defs["contact"], "N") == p.contact.N);
-  CHECK(default_of(defs["contact"], "d_hat") == p.contact.d_hat);
-  CHECK(default_of(defs["contact"], "onset") == p.contact.onset);
-  CHECK(default_of(defs["friction"], "static") == p.contact.mu_static);
   CHECK(default_of(defs["camera"], "fov") == CameraDesc{}.fov);
   CHECK(default_of(defs["joints_default"], "potential") == "soft");
   CHECK(default_of(defs["joints_default"], "N") == BondLaw{}.N);
