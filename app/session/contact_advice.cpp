@@ -7,12 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/solver/parameter_table.h"
+
 namespace pabd {
 namespace {
 
-constexpr double kLargestKappa = 1e18;    // of check_params
-constexpr int kMostIterations = 100000;   // of check_params
-constexpr double kSmallestStep = 1e-6;    // of check_params
 constexpr double kComfortable = 0.5;      // d/d̂ that the deepest contact should keep
 constexpr double kTenfold = 10;           // a bed of springs that stiffens more at once throws bodies out
 constexpr double kManyIterations = 1000;  // beyond, another method is the better advice
@@ -110,7 +109,7 @@ std::optional<Advice> overlap(const Model& model, const Params& params, const St
   }
   // At least half as much again: N = 1 has the same force at every depth.
   const double wanted = std::max(force / force_at(contact, target), 1.5 * report.kappa);
-  const double kappa = std::min(rounded_up(std::min(wanted, most)), kLargestKappa);
+  const double kappa = allowed(&ContactParams::kappa, rounded_up(std::min(wanted, most)));
   return Advice{
       AdviceKind::overlap, fmt::format("bodies overlap: d = {:.3g} m{}", report.min_gap, where),
       fmt::format(
@@ -161,7 +160,7 @@ std::optional<Advice> past_onset(const Params& params, const StepReport& report)
       fmt::format("Within the onset a contact is stiffest, beyond it {}. The larger κ carries this load "
                   "within the onset.",
                   softer),
-      "contact.kappa", number(std::min(rounded_up(kappa), kLargestKappa))};
+      "contact.kappa", number(allowed(&ContactParams::kappa, rounded_up(kappa)))};
 }
 
 // How many iterations the solve would need at the rate of its second half; 0 when that cannot be told.
@@ -209,7 +208,7 @@ Advice longer_solve(const Model& model, const Params& params, const StepReport& 
   } else {
     const double most = std::isfinite(needed) ? needed : 4.0 * solver.iterations;
     advice.why = "The step is used as it is, so contacts and joints keep part of their error.";
-    advice.value = number(std::min<double>(std::ceil(rounded_up(most)), kMostIterations));
+    advice.value = number(allowed(&SolverParams::iterations, std::ceil(rounded_up(most))));
   }
   return advice;
 }
@@ -303,7 +302,7 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
   const ContactParams& contact = params.contact;
   const bool feasible_only = traits_of(contact.barrier).feasible_only;
   if (report.status == StepStatus::non_finite && !feasible_only) {
-    const double h = std::max(0.5 * params.h, kSmallestStep);
+    const double h = allowed(&Params::h, 0.5 * params.h);
     advice.push_back(
         {AdviceKind::non_finite, fmt::format("step {} left the numbers", report.step),
          "Something moved or turned too far within one step. Half the time step halves every move.",

@@ -8,6 +8,7 @@
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/palette.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 namespace {
@@ -66,8 +67,10 @@ void limit_range(Axis& axis, const std::vector<Curve>& curves, double lo, bool s
   axis.hi = largest + room;
 }
 
-std::string quantity(const char* symbol, double v, const char* unit) {
-  return std::string(symbol) + " = " + format_value(v) + unit;
+// "d̂ = 0.01 m"
+std::string quantity(const ParameterMember& member, double v) {
+  const ParameterRow& row = parameter_of(member);
+  return fmt::format("{} = {}{}{}", row.symbol, format_value(v), *row.unit ? " " : "", row.unit);
 }
 
 std::vector<Curve> all_curves(const BarrierCurves& in) {
@@ -92,8 +95,8 @@ std::vector<Curve> all_curves(const BarrierCurves& in) {
           std::vector<std::string> parts;
           if (in.kinds.size() > 1) parts.push_back(to_string(kind));
           if (has_orders && in.N.size() > 1) parts.push_back(fmt::format("N = {}", N));
-          if (in.d_hat.size() > 1) parts.push_back(quantity("d̂", d_hat, " m"));
-          if (in.kappa.size() > 1) parts.push_back(quantity("κ", kappa, " J"));
+          if (in.d_hat.size() > 1) parts.push_back(quantity(&ContactParams::d_hat, d_hat));
+          if (in.kappa.size() > 1) parts.push_back(quantity(&ContactParams::kappa, kappa));
           curve.name = fmt::format("{}", fmt::join(parts, ", "));
           curves.push_back(std::move(curve));
         }
@@ -108,11 +111,11 @@ std::string fixed_values(const BarrierCurves& in) {
   if (in.kinds.size() == 1) parts.push_back(std::string(to_string(in.kinds[0])) + " barrier");
   const bool orders = in.kinds.size() > 1 || (in.kinds.size() == 1 && traits_of(in.kinds[0]).least_N > 0);
   if (orders && in.N.size() == 1) parts.push_back(fmt::format("N = {}", in.N[0]));
-  if (in.d_hat.size() == 1) parts.push_back(quantity("d̂", in.d_hat[0], " m"));
-  if (in.kappa.size() == 1) parts.push_back(quantity("κ", in.kappa[0], " J"));
+  if (in.d_hat.size() == 1) parts.push_back(quantity(&ContactParams::d_hat, in.d_hat[0]));
+  if (in.kappa.size() == 1) parts.push_back(quantity(&ContactParams::kappa, in.kappa[0]));
   const auto has_onset = [](BarrierKind kind) { return traits_of(kind).has_onset; };
   if (std::any_of(in.kinds.begin(), in.kinds.end(), has_onset)) {
-    parts.push_back(quantity("onset width ε", in.onset, ""));
+    parts.push_back("onset width " + quantity(&ContactParams::onset, in.onset));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -216,7 +219,7 @@ Figure figure1() {
 
   for (const double thickness : {0.005, 0.01, 0.015, 0.02}) {
     Series series;
-    series.name = quantity("d̂", thickness, " m");
+    series.name = quantity(&ContactParams::d_hat, thickness);
     add_curve({{BarrierKind::polynomial, 3, thickness, 1, 0}, {}, {}, 1}, -0.005, 0.0225, samples, nullptr,
               &series);
     right.series.push_back(std::move(series));

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/plots/axis_ticks.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 namespace {
@@ -135,8 +136,6 @@ Series upright(double x, std::string tag) {
   return series;
 }
 
-double clamped(double v, double lo, double hi) { return std::min(std::max(v, lo), hi); }
-
 }  // namespace
 
 BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
@@ -217,11 +216,11 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
   return panel;
 }
 
-double dragged_d_hat(double x, double now) { return std::isnan(x) ? now : clamped(x, 1e-9, 1e3); }
+double dragged_d_hat(double x, double now) { return std::isnan(x) ? now : allowed(&ContactParams::d_hat, x); }
 
 double dragged_kappa(const KappaHandle& handle, double y, double now) {
   const double kappa = y / handle.per_kappa;
-  return std::isnan(kappa) ? now : clamped(kappa, 1e-12, 1e18);
+  return std::isnan(kappa) ? now : allowed(&ContactParams::kappa, kappa);
 }
 
 ContactHistogram contact_histogram(const ContactParams& contact, const std::vector<ContactReport>& contacts,
