@@ -1,10 +1,11 @@
 // See barrier_drag.h.
 #include "app/gui/barrier_drag.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "app/gui/significant.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 namespace {
@@ -38,7 +39,7 @@ void BarrierDrag::begin(BarrierGrip grip, const BarrierPanel& panel, double kapp
   x_ = {panel.plot.x.lo, panel.plot.x.hi};
   y_ = {panel.plot.y.lo, panel.plot.y.hi};
   more_ = false;
-  sent_.clear();
+  sent_.reset();
   Point held = line_at(panel, layout, mouse);
   start_ = panel.d_hat;
   if (grip == BarrierGrip::kappa) {
@@ -55,13 +56,14 @@ std::optional<command::Set> BarrierDrag::move(const PlotLayout& layout, const Po
   const bool line = grip_ == BarrierGrip::d_hat;
   const double value = line ? std::max(dragged_d_hat(data.x, start_), kLeastThickness * start_)
                             : std::max(dragged_kappa(handle_, data.y, start_), kLeastStiffness * start_);
-  std::string text = fmt::format("{:.4g}", value);
-  const bool untouched = sent_.empty() && std::abs(value - start_) <= 1e-6 * start_;
-  if (untouched || text == sent_) return std::nullopt;
-  sent_ = text;
+  const double sent = significant(value, 4);
+  const bool untouched = !sent_ && std::abs(value - start_) <= 1e-6 * start_;
+  if (untouched || sent == sent_) return std::nullopt;
+  sent_ = sent;
   const bool more = more_;
   more_ = true;
-  return command::Set{line ? "contact.d_hat" : "contact.kappa", std::move(text), Side::a, more};
+  const ParameterRow& row = line ? parameter_of(&ContactParams::d_hat) : parameter_of(&ContactParams::kappa);
+  return command::Set{row.key, as_value(row, sent), Side::a, more};
 }
 
 }  // namespace pabd

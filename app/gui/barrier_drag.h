@@ -7,7 +7,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "app/plots/figures/barrier_panel.h"
 #include "app/plots/plot_layout.h"
@@ -43,7 +42,7 @@ class BarrierDrag {
   double start_ = 0;  // value at the start
   Point offset_;      // from the pointer to what it holds; px
   KappaHandle handle_{};
-  std::string sent_;
+  std::optional<double> sent_;
   bool more_ = false;
 };
 

@@ -25,21 +25,6 @@ constexpr int kLinger = 40;                      // frames: warnings that come a
 constexpr double kTall = 430;                    // from here on there is room for everything
 constexpr double kStrip = 30, kHistogram = 150;  // heights, the same
 
-struct Unknown {
-  std::string_view key;
-  const char* symbol;
-};
-constexpr Unknown kSymbols[] = {{"contact.kappa", "κ"},      {"contact.onset", "ε"},
-                                {"contact.barrier", "Ψ"},    {"solver.iterations", "iterations"},
-                                {"solver.method", "solver"}, {"time_step", "h"}};
-
-std::string symbol(const std::string& key) {
-  for (const Unknown& u : kSymbols) {
-    if (u.key == key) return u.symbol;
-  }
-  return key;
-}
-
 bool is_number(const std::string& text, double& value) {
   char* end = nullptr;
   value = std::strtod(text.c_str(), &end);
@@ -287,8 +272,9 @@ class BarrierPanelView final : public GuiPanel {
   void advice_box(GuiFrame& f, const Advice& advice, bool tall) const {
     const float pad = f.px(6), width = ImGui::GetContentRegionAvail().x;
     const bool done = in_force(f.sim.a.params, advice);
-    const std::string button =
-        done ? "at the next step" : ui_text(symbol(advice.key) + " = " + short_value(advice.value));
+    const std::string button = done ? "at the next step"
+                                    : ui_text(fmt::format("{} = {}", symbol_of(*find_parameter(advice.key)),
+                                                          short_value(advice.value)));
     const float bw = ImGui::CalcTextSize(button.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     const float wrap = width - bw - 3.5f * pad;
     const std::string what = ui_text(advice.what), why = ui_text(advice.why);

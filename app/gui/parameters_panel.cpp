@@ -5,11 +5,10 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 #include "app/gui/panels.h"
 #include "app/gui/parameter_rows.h"
+#include "app/gui/significant.h"
 #include "app/gui/widgets.h"
 #include "sim/scene/tuning.h"
 
@@ -39,12 +38,10 @@ class ParametersPanel final : public GuiPanel {
     }
     const RunView& run = side_ == Side::b && f.sim.b ? *f.sim.b : f.sim.a;
     actions(f, run);
-    heading(f, "Contact");
-    for (const ParameterRow& row : kContactRows) draw_row(f, run, row);
-    heading(f, "Solver");
-    for (const ParameterRow& row : kSolverRows) draw_row(f, run, row);
-    heading(f, "World");
-    for (const ParameterRow& row : kWorldRows) draw_row(f, run, row);
+    for (const ParameterGroup& group : groups_) {
+      heading(f, group.heading.c_str());
+      for (const ParameterRow* row : group.rows) draw_row(f, run, *row);
+    }
     heading(f, "Keep");
     keep(f, run);
   }
@@ -71,14 +68,14 @@ class ParametersPanel final : public GuiPanel {
     muted_label(f, run.changed.empty() ? "as in the scene" : fmt::format("{} changed", run.changed.size()));
   }
 
-  void set(GuiFrame& f, const char* key, const std::string& value, bool more) {
-    f.out.send(Command(command::Set{key, value, side_, more}));
+  void set(GuiFrame& f, const ParameterRow& row, command::SetValue value, bool more = false) {
+    f.out.send(Command(command::Set{row.key, std::move(value), side_, more}));
   }
 
   // Name with a mark, the way back, and room for the widgets.
-  void begin_row(GuiFrame& f, const RunView& run, const char* key, const char* symbol, const char* help) {
-    const bool changed = is_changed(run, key);
-    ImGui::PushID(key);
+  void begin_row(GuiFrame& f, const RunView& run, const ParameterRow& row) {
+    const bool changed = is_changed(run, row.key);
+    ImGui::PushID(row.key);
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     if (changed) {
@@ -89,10 +86,11 @@ class ParametersPanel final : public GuiPanel {
     }
     ImGui::SetCursorPosX(left + f.px(8));
     if (!changed) ImGui::PushStyleColor(ImGuiCol_Text, im_color(f.theme().muted));
-    label(symbol);
+    label(row_label(row));
     if (!changed) ImGui::PopStyleColor();
-    tooltip(fmt::format("{}\n{}{}", help, key,
-                        changed ? fmt::format("\nscene: {}", tuned_value(f.sim.scene->params, key)) : ""));
+    const std::string unit = unit_of(row, run.params);
+    tooltip(fmt::format("{}\n{}{}{}", row.help, row.key, unit.empty() ? "" : " [" + unit + "]",
+                        changed ? "\nscene: " + value_text(value_of(row, f.sim.scene->params)) : ""));
     ImGui::SameLine(left + label_width(f));
   }
   void end_row(GuiFrame& f, const RunView& run, const char* key) {
@@ -110,43 +108,60 @@ class ParametersPanel final : public GuiPanel {
   }
 
   void draw_row(GuiFrame& f, const RunView& run, const ParameterRow& row) {
-    begin_row(f, run, row.key, row.name, row.help);
-    if (row.kind == ParameterKind::choice) {
-      choice(f, run, row);
-    } else if (row.kind == ParameterKind::text) {
-      field(f, run, row, widget_width());
-    } else {
-      const float exact = f.px(98);
-      slider(f, run, row, widget_width() - exact - ImGui::GetStyle().ItemInnerSpacing.x);
-      ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-      field(f, run, row, exact);
+    begin_row(f, run, row);
+    switch (kind_of(row)) {
+      case ParameterKind::choice:
+        choice(f, run, row);
+        break;
+      case ParameterKind::flag:
+        flag(f, run, row);
+        break;
+      case ParameterKind::vector:
+        field(f, run, row, widget_width());
+        break;
+      case ParameterKind::real:
+      case ParameterKind::whole: {
+        const float exact = f.px(98), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+        slider(f, run, row, widget_width() - exact - gap);
+        ImGui::SameLine(0, gap);
+        field(f, run, row, exact);
+        break;
+      }
     }
     end_row(f, run, row.key);
   }
 
   void choice(GuiFrame& f, const RunView& run, const ParameterRow& row) {
-    const std::string now = tuned_value(run.params, row.key);
+    const ParameterValue now = value_of(row, run.params);
     ImGui::SetNextItemWidth(widget_width());
-    if (!ImGui::BeginCombo("##choice", now.c_str())) return;
-    for (const char* word : row.choices) {
-      if (word && ImGui::Selectable(word, now == word)) set(f, row.key, word, false);
+    if (!ImGui::BeginCombo("##choice", word_of(now))) return;
+    for (const ParameterChoice& choice : choices_of(row)) {
+      if (ImGui::Selectable(choice.word, now == choice.value)) set(f, row, choice.value);
     }
     ImGui::EndCombo();
   }
 
+  void flag(GuiFrame& f, const RunView& run, const ParameterRow& row) {
+    bool on = std::get<bool>(value_of(row, run.params));
+    if (ImGui::Checkbox("##flag", &on)) set(f, row, ParameterValue(on));
+  }
+
+  // What is "auto" has the value that it came to; κ alone may be.
+  static double number_of(const RunView& run, const ParameterRow& row) {
+    return as_number(value_of(row, run.params)).value_or(run.kappa);
+  }
+
   void slider(GuiFrame& f, const RunView& run, const ParameterRow& row, float width) {
-    const std::string text = tuned_value(run.params, row.key);
-    const double value = text == "auto" ? run.kappa : std::strtod(text.c_str(), nullptr);
-    const bool whole = row.kind == ParameterKind::integer || row.kind == ParameterKind::log_integer;
-    const bool log = row.kind == ParameterKind::log || row.kind == ParameterKind::log_integer;
-    double moved = std::clamp(value, row.lo, row.hi);
+    const bool log = row.scale == ParameterScale::log;
+    double moved = std::clamp(number_of(run, row), row.slider_lo, row.slider_hi);
     ImGui::SetNextItemWidth(std::max(f.px(20), width));
     const bool slid =
-        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &moved, &row.lo, &row.hi, "",
+        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &moved, &row.slider_lo, &row.slider_hi, "",
                             (log ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_NoInput);
     if (ImGui::IsItemActivated()) dragging_ = false;
     if (slid) {
-      set(f, row.key, whole ? fmt::format("{}", std::lround(moved)) : fmt::format("{:.3g}", moved),
+      // Three digits; all of them where they count something.
+      set(f, row, as_value(row, kind_of(row) == ParameterKind::whole ? moved : significant(moved, 3)),
           dragging_);
       dragging_ = true;
     }
@@ -154,23 +169,22 @@ class ParametersPanel final : public GuiPanel {
 
   // What the field shows: the value as it is written in a scene, with its unit.
   static std::string shown(const RunView& run, const ParameterRow& row) {
-    std::string text = tuned_value(run.params, row.key);
-    const Vec3& g = run.params.gravity;
-    if (row.kind == ParameterKind::text) return fmt::format("{:.6g}, {:.6g}, {:.6g}", g.x(), g.y(), g.z());
-    std::string unit = row.unit;
-    if (unit == "J") unit = kappa_unit(run.params.contact.barrier);
-    if (text == "auto") {
+    const ParameterValue value = value_of(row, run.params);
+    if (const auto* v = std::get_if<Vec3>(&value))
+      return fmt::format("{:.6g}, {:.6g}, {:.6g}", v->x(), v->y(), v->z());
+    const std::string unit = unit_of(row, run.params);
+    const auto number = as_number(value);
+    if (!number) {
       const std::string resolved = fmt::format("auto {:.3g}", run.kappa);
       return resolved.size() > 9 ? resolved : resolved + " " + unit;  // as much as the field holds
     }
-    const double value = std::strtod(text.c_str(), nullptr);
-    text = fmt::format("{:.5g}", value);
+    const std::string text = fmt::format("{:.5g}", *number);
     return unit.empty() ? text : text + " " + unit;
   }
 
   // What was typed, as --set takes it.
   static std::string typed(const std::string& text, const ParameterRow& row) {
-    if (row.kind == ParameterKind::text) return "[" + text + "]";
+    if (kind_of(row) == ParameterKind::vector) return "[" + text + "]";
     return text.substr(0, text.find_first_of(" \t"));
   }
 
@@ -185,11 +199,11 @@ class ParametersPanel final : public GuiPanel {
       typed_ = text;
     }
     if (mine && ImGui::IsItemDeactivated()) {
-      if (typed_ != shown(run, row)) set(f, row.key, typed(typed_, row), false);
+      if (typed_ != shown(run, row)) set(f, row, typed(typed_, row));
       typing_.clear();
     }
-    tooltip(std::string("Exact value: ") + tuned_value(run.params, row.key) +
-            (std::string_view(row.key) == "contact.kappa" ? "; a number, or auto" : ""));
+    tooltip("Exact value: " + value_text(value_of(row, run.params)) +
+            (may_be_auto(row) ? "; a number, or auto" : ""));
   }
 
   void keep(GuiFrame& f, const RunView&) {
@@ -217,6 +231,7 @@ class ParametersPanel final : public GuiPanel {
     tooltip("'pabd render …' with these parameters and this camera, to the clipboard (ctrl+shift+c)");
   }
 
+  const std::vector<ParameterGroup> groups_ = parameter_groups();
   Side side_ = Side::a;
   bool dragging_ = false;       // the slider that is held has sent something already
   std::string typing_, typed_;  // key of the field that is being typed in, and its text

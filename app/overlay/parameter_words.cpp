@@ -3,72 +3,64 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "app/plots/axis_ticks.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {
 namespace {
 
-struct Word {
-  const char* key;  // of the scene
-  const char* symbol;
-  const char* unit;  // with the space before it
-};
-
-constexpr Word kWords[] = {
-    {"gravity", "*{g}", " m/s²"},
-    {"time_step", "*{h}", " s"},
-    {"solver.method", "solver", ""},
-    {"contact.d_hat", "*{d̂}", " m"},
-    {"contact.onset", "*{ε}", ""},
-    {"contact.N", "*{N}", ""},
-    {"contact.friction.static", "*{μ}_{static}", ""},
-    {"contact.friction.dynamic", "*{μ}_{dynamic}", ""},
-};
-
-std::string kappa_words(const Params& params, double kappa) {
-  return format_value(kappa) + " " + kappa_unit(params.contact.barrier) +
-         (params.contact.kappa ? "" : " (auto)");
+// A symbol is set in italics, its index is not: "μ_static". Where there is none, the label says it.
+std::string rich_symbol(const ParameterRow& row) {
+  const std::string symbol = row.symbol;
+  if (symbol.empty()) return row.label;
+  const auto index = symbol.find('_');
+  if (index == std::string::npos) return "*{" + symbol + "}";
+  return "*{" + symbol.substr(0, index) + "}_{" + symbol.substr(index + 1) + "}";
 }
 
-// A number for people; anything else as --set takes it.
-std::string value_words(const Params& params, const std::string& key) {
-  if (key == "gravity") {
-    return fmt::format("({}, {}, {})", format_value(params.gravity.x()), format_value(params.gravity.y()),
-                       format_value(params.gravity.z()));
+// A number for people, `resolved` for "auto"; anything else as --set takes it.
+std::string value_words(const ParameterValue& value, double resolved) {
+  if (const auto* v = std::get_if<Vec3>(&value)) {
+    return fmt::format("({}, {}, {})", format_value(v->x()), format_value(v->y()), format_value(v->z()));
   }
-  const std::string text = tuned_value(params, key);
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  return !text.empty() && end && *end == '\0' ? format_value(number) : text;
+  if (const auto* given = std::get_if<std::optional<double>>(&value)) {
+    return format_value(given->value_or(resolved));
+  }
+  const auto number = as_number(value);
+  return number ? format_value(*number) : value_text(value);
+}
+
+// With its unit, and whether it is automatic.
+std::string full_words(const ParameterRow& row, const Params& params, double resolved) {
+  const ParameterValue value = value_of(row, params);
+  const std::string unit = unit_of(row, params);
+  return value_words(value, resolved) + (unit.empty() ? "" : " " + unit) +
+         (value == ParameterValue(std::optional<double>()) ? " (auto)" : "");
+}
+
+std::string change_words(const ParameterRow& row, const Params& a, double kappa_a, const Params& b,
+                         double kappa_b) {
+  // The unit once, unless it changes.
+  const ParameterValue from = value_of(row, a);
+  const bool once =
+      std::string_view(unit_of(row, a)) == unit_of(row, b) && from != ParameterValue(std::optional<double>());
+  return fmt::format("{} {} → {}", rich_symbol(row),
+                     once ? value_words(from, kappa_a) : full_words(row, a, kappa_a),
+                     full_words(row, b, kappa_b));
 }
 
 }  // namespace
 
-std::vector<std::string> difference_words(const Params& a, double kappa_a, const Params& b, double kappa_b) {
+std::vector<std::string> difference_words(const Params& a, double kappa_a, const Params& b, double kappa_b,
+                                          ParameterTable table) {
   std::vector<std::string> lines;
-  for (const auto& [key, value] : differences(a, b)) {
-    if (key == "contact.kappa") {
-      // The unit once, unless the barrier changes it.
-      std::string from = kappa_words(a, kappa_a);
-      const bool same = traits_of(a.contact.barrier).per_area == traits_of(b.contact.barrier).per_area;
-      if (same && a.contact.kappa) from = format_value(kappa_a);
-      lines.push_back("*{κ} " + from + " → " + kappa_words(b, kappa_b));
-      continue;
-    }
-    // "solver.iterations" is "iterations" where nothing shorter is known.
-    std::string symbol = key.substr(key.rfind('.') + 1), unit;
-    for (const Word& word : kWords) {
-      if (key != word.key) continue;
-      symbol = word.symbol;
-      unit = word.unit;
-    }
-    lines.push_back(fmt::format("{} {} → {}{}", symbol, value_words(a, key), value_words(b, key), unit));
+  for (const ParameterRow* row : differing(a, b, table)) {
+    lines.push_back(change_words(*row, a, kappa_a, b, kappa_b));
   }
   if (!a.contact.kappa && !b.contact.kappa && kappa_a != kappa_b) {  // it follows d̂, N, …
-    lines.push_back("*{κ} " + format_value(kappa_a) + " → " + kappa_words(b, kappa_b));
+    const ParameterRow& row = parameter_of(&ContactParams::kappa);
+    lines.push_back(
+        fmt::format("{} {} → {}", rich_symbol(row), format_value(kappa_a), full_words(row, b, kappa_b)));
   }
   return lines;
 }

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "sim/solver/params.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
 // What of the tunable parameters differs, one line a key in the order of the scene's schema: "κ 100 → 50 J",
 // "solver descent → newton", "N 3 → 8". Rich text. `kappa_a` and `kappa_b` are the resolved contact
-// stiffnesses, shown for "auto"; where both are
-// automatic and differ, that is a line too.
-std::vector<std::string> difference_words(const Params& a, double kappa_a, const Params& b, double kappa_b);
+// stiffnesses, shown for "auto"; where both are automatic and differ, that is a line too.
+std::vector<std::string> difference_words(const Params& a, double kappa_a, const Params& b, double kappa_b,
+                                          ParameterTable table = parameter_table());
 
 }  // namespace pabd

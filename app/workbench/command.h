@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/error.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
@@ -41,9 +42,12 @@ inline constexpr Field kGiveUp = may("force", "although something that was made 
 inline constexpr Field kOn = may("on", "or off", "false");
 
 // ---- parameters (keys and values as for --set) ----
+// A value as a person writes it, or as a slider has it.
+using SetValue = std::variant<std::string, ParameterValue>;
 struct Set {
   static constexpr const char* name = "set";
-  std::string key, value;
+  std::string key;
+  SetValue value;
   Side side = Side::a;
   bool more = false;  // goes on with the last change of that key, as a slider does: one step of undo
   void fields(auto&& f) {

@@ -15,6 +15,7 @@
 #include "app/workbench/command.h"
 #include "sim/error.h"
 #include "sim/scene/text.h"
+#include "sim/scene/tuning.h"
 
 namespace pabd {
 
@@ -63,6 +64,9 @@ class Reader {
       refuse(what_, field, "a text");
     }
   }
+  void read(const CommandJson& j, const char* field, command::SetValue& out) const {
+    read(j, field, out.emplace<std::string>());
+  }
   void read(const CommandJson& j, const char* field, double& out) const {
     if (!j.is_number()) refuse(what_, field, "a number");
     out = j.get<double>();
@@ -99,6 +103,12 @@ class Reader {
   std::vector<std::string_view> known_;
 };
 
+// As in a script.
+inline std::string text_of(const command::SetValue& value) {
+  const auto* typed = std::get_if<ParameterValue>(&value);
+  return typed ? value_text(*typed) : std::get<std::string>(value);
+}
+
 class Writer {
  public:
   explicit Writer(CommandJson& json) : json_(json) {}
@@ -106,6 +116,8 @@ class Writer {
   void operator()(const command::Field& field, const T& value) {
     if constexpr (std::is_same_v<T, Side>) {
       json_[field.name] = value == Side::a ? "a" : "b";
+    } else if constexpr (std::is_same_v<T, command::SetValue>) {
+      json_[field.name] = text_of(value);
     } else {
       json_[field.name] = value;
     }
@@ -163,6 +175,8 @@ template <>
 struct TypeName<std::string> {
   static std::string text() { return "text"; }
 };
+template <>
+struct TypeName<command::SetValue> : TypeName<std::string> {};
 template <>
 struct TypeName<double> {
   static std::string text() { return "number"; }

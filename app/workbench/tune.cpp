@@ -1,13 +1,22 @@
 // Parameters: see workbench.h.
 #include "app/workbench/workbench.h"
 
+#include "app/workbench/command_json.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {
 
 void Workbench::carry_out(const command::Set& c) {
-  change(c.side, c.key, tuned(run_of(c.side).params(), {c.key + "=" + c.value}), c.more);
+  Params after = run_of(c.side).params();
+  const ParameterRow* row = find_parameter(c.key);
+  const auto* typed = std::get_if<ParameterValue>(&c.value);
+  if (row && typed) {
+    set_value(*row, after, *typed);  // Run::set_params checks it
+  } else {
+    after = tuned(after, {c.key + "=" + command_json::text_of(c.value)});
+  }
+  change(c.side, c.key, after, c.more);
 }
 
 void Workbench::carry_out(const command::SetAll& c) {
@@ -22,6 +31,11 @@ void Workbench::carry_out(const command::ResetParams& c) {
   if (c.key.empty()) {
     change(c.side, "all parameters", scene_->params);
     return;
+  }
+  if (const ParameterRow* row = find_parameter(c.key)) {
+    Params after = now;
+    set_value(*row, after, value_of(*row, scene_->params));
+    return change(c.side, c.key, after);
   }
   change(c.side, c.key, tuned(now, {c.key + "=" + tuned_value(scene_->params, c.key)}));
 }

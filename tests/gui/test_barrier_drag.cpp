@@ -30,7 +30,7 @@ struct Stage {
 
 double value(const std::optional<command::Set>& set) {
   REQUIRE(set);
-  return std::stod(set->value);
+  return as_number(std::get<ParameterValue>(set->value)).value();
 }
 
 }  // namespace

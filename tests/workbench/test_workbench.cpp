@@ -45,6 +45,31 @@ TEST_CASE("parameters: set, undo, redo, reset, and what changed") {
   CHECK(bench.run().params().contact.kappa == 20.0);
 }
 
+TEST_CASE("a value as a slider has it does what the same value does as text") {
+  Workbench typed = open(), written = open();
+  const Params p = typed.run().params();
+  const auto check = [&](const char* key, const ParameterValue& value) {
+    INFO(key);
+    CHECK(refusal(typed, command::Set{key, value}).empty());
+    CHECK(refusal(written, command::Set{key, value_text(value)}).empty());
+    CHECK(typed.run().params() == written.run().params());
+    // As a script it is one text.
+    const CommandJson json = command_to_json(Command(command::Set{key, value}));
+    CHECK(json == command_to_json(Command(command::Set{key, value_text(value)})));
+  };
+  check("contact.kappa", std::optional<double>(12.5));
+  check("contact.kappa", std::optional<double>());
+  check("contact.N", 7);
+  check("time_step", 1.0 / 240);
+  check("solver.method", SolverMethod::newton);
+  check("gravity", Vec3(0, -1.62, 0.1));
+  check("gravity", p.gravity);
+  CHECK(typed.run().params().h == 1.0 / 240);
+  CHECK(typed.run().params().contact.N == 7);
+  CHECK_THAT(refusal(typed, command::Set{"contact.N", ParameterValue(99)}), Catch::Contains("1 to 32"));
+  CHECK(typed.run().params().contact.N == 7);
+}
+
 TEST_CASE("time: steps forward and back, seek, restart") {
   Workbench bench = open();
   bench.apply(command::Step{30});
@@ -170,7 +195,7 @@ TEST_CASE("commands read and write themselves as JSON") {
     return command_from_json(json.at("do"), json, "action 1", c);
   };
   REQUIRE(read(R"({"do":"set","key":"contact.kappa","value":50})"));
-  CHECK(std::get<command::Set>(c).value == "50");
+  CHECK(std::get<command::Set>(c).value == command::SetValue("50"));
   REQUIRE(read(R"({"do":"compare","values":["contact.N=4"]})"));
   CHECK(command_to_json(c).dump() == R"({"do":"compare","values":["contact.N=4"]})");
   CHECK_FALSE(read(R"({"do":"fly"})"));
