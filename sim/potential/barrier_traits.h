@@ -22,14 +22,22 @@ constexpr bool is_feasible_only(BarrierKind kind) {
   return is;
 }
 
+template <class Kind, class T>
+[[gnu::always_inline]] inline PowerSum<T> sum_of(const Barrier& b, T u) {
+  if constexpr (HasSum<Kind>) {
+    return Kind::template sum<T>(b, u);
+  } else {
+    __builtin_unreachable();
+  }
+}
+
 // B(u) of kinds that have it. Precondition: u ≥ 0.
 template <class T>
 [[gnu::always_inline]] inline PowerSum<T> power_sum(const Barrier& b, T u) {
   switch (b.kind) {
-#define PABD_KIND(name)                                                                 \
-  case BarrierKind::name:                                                               \
-    if constexpr (HasSum<barriers::name>) return barriers::name::template sum<T>(b, u); \
-    break;
+#define PABD_KIND(name)   \
+  case BarrierKind::name: \
+    return sum_of<barriers::name>(b, u);
     PABD_BARRIERS(PABD_KIND)
 #undef PABD_KIND
   }
