@@ -44,8 +44,7 @@ struct ParameterRow {
   const char* help;  // in words; may be several sentences, no stop at the end
   ParameterMember member;
   ParameterRange range = {};                      // of a number, or of each of three; see expected_of
-  double slider_lo = 0;                           // what a slider spans; range says what is allowed
-  double slider_hi = 1;                           //
+  double slider_lo = 0, slider_hi = 1;            // what a slider spans; range says what is allowed
   ParameterScale scale = ParameterScale::linear;  // of the slider
   const char* follows = nullptr;  // key of the row above whose value this one has where a scene leaves it out
 };
