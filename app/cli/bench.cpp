@@ -134,7 +134,6 @@ class Bench {
   void run(const BenchScene& scene, std::int64_t repetition, Progress& progress, BenchRow& row) {
     using Clock = std::chrono::steady_clock;
     Session session(scene.scene, threads_);
-    session.keep_history(false);
     session.stop_when([this] { return interrupt_.requested(); });
     for (std::int64_t done = 0; done < scene.steps && !interrupt_.requested();) {
       const double cpu = process_cpu_ms();
@@ -147,7 +146,7 @@ class Bench {
       if (repetition == 0) row.statistics.add(report);
       progress.update(repetition * scene.steps + ++done, report);
       if (report.status != StepStatus::non_finite) continue;
-      if (!failure_) failure_ = diverged_error(scene.name, session);
+      if (!failure_) failure_ = diverged_error(scene.name, session.report());
       break;
     }
     if (interrupt_.requested() && repetition > 0) return;

@@ -97,7 +97,8 @@ void write_figure6(const FigureOptions& options) {
   const Figure6 picture = figure6(session.model(), session.params(), session.state(), aspect(size));
   Image image;
   const std::string driver = render_scene(picture.scene, size, options, image);
-  PngText text = common_text(session, {size.width, size.height, 0, "figure 6", "figure 6", driver});
+  PngText text = common_text(session.scene(), {size.width, size.height, 0, "figure 6", "figure 6", driver},
+                             session.view());
   text["Caption"] = plain_text(picture.caption);
   write_png(options.output.output.path, image, text);
 }

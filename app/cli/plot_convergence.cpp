@@ -43,7 +43,8 @@ int plot_convergence(const PlotConvergenceOptions& options) {
     if (!session.model().joints.empty()) methods.push_back(SolverMethod::newton);
   }
   for (std::int64_t step = 1; step < options.at_step; ++step) {
-    if (session.step().status == StepStatus::non_finite) throw diverged_error(options.scene, session);
+    if (session.step().status == StepStatus::non_finite)
+      throw diverged_error(options.scene, session.report());
   }
   const int threads = options.common.thread_count();
   const auto runs =

@@ -97,12 +97,10 @@ void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const 
 }
 
 // B: the same scene and start with other parameters.
-Session open_patched(const RenderOptions& options, const Session& a) {
+Run open_patched(const RenderOptions& options, const Run& a) {
   const std::string patch = read_file(options.ab, kMostPatchBytes, "a JSON merge patch");
-  const Params params = patched(a.params(), patch, options.ab);
-  Session b(a.shared_scene(), options.common.thread_count());
-  b.set_state(a.state());
-  b.set_params(params);
+  Run b = a.fork();
+  b.set_params(patched(a.params(), patch, options.ab));
   return b;
 }
 
@@ -129,27 +127,25 @@ int render(const RenderOptions& options) {
   if (is_still(out)) range.first = range.count - 1;
 
   InputFiles inputs;
-  Session session = open_session(options.scene, options.common, options.from, inputs);
+  Run a = open_run(options.scene, options.common, options.from, inputs);
   inputs.add(options.ab);
   if (!camera.keys.empty()) inputs.add(options.camera);
-  std::optional<Session> b;
-  if (!options.ab.empty()) b.emplace(open_patched(options, session));
-  Session* const other = b ? &*b : nullptr;
-  for (Session* run : {&session, other}) {
-    if (!run) continue;
-    run->record_iterations(overlay.needs_iterations());
-    run->report_contacts(overlay.needs_contacts());
-  }
+  a.observe(overlay.needs_iterations(), overlay.needs_contacts());
+  std::optional<Run> b;
+  if (!options.ab.empty()) b.emplace(open_patched(options, a));
+  std::optional<FrameView> start_b;
+  if (b) start_b = b->view();
+  const Frame start = make_frame(0, a.view(), std::move(start_b), {});
 
   std::optional<TextOutput> timings;
   if (!options.timings.empty()) timings.emplace("--timings", options.timings, options.output.force, inputs);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
-  AbPainter painter(*context, session, other, ab_view, size.width, size.height, overlay, camera);
-  const PngText common = common_text(session,
+  AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera);
+  const PngText common = common_text(a.scene(),
                                      {size.width, size.height, options.fps, options.overlay,
                                       camera_text(camera, options.camera), painter.gl_renderer()},
-                                     other, options.ab_view);
+                                     start.a, start.b ? &*start.b : nullptr, options.ab_view);
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
     if (!options.common.quiet) write_stderr(fmt::format("all {} frames are there already\n", range.count));
@@ -157,7 +153,7 @@ int render(const RenderOptions& options) {
   }
 
   SinkOptions sink_setup =
-      sink_options(session, common, range, size.width, size.height, options.resume ? range.first : 0);
+      sink_options(start.a, common, range, size.width, size.height, options.resume ? range.first : 0);
   sink_setup.inputs = inputs;
   // What follows the last whole frame is drawn again.
   sink_setup.force = options.output.force || options.resume;
@@ -165,14 +161,12 @@ int render(const RenderOptions& options) {
   AsyncSink sink(make_sink(out, sink_setup));
 
   const InterruptGuard interrupt;
-  RenderResult result;
-  {
-    Progress progress("frame", range.count, !options.common.quiet);
-    result = render_frames(session, range, painter, sink,
-                           {[&] { return interrupt.requested(); },
-                            [&](int frames, const StepReport& report) { progress.update(frames, report); }},
-                           other);
-  }
+  std::optional<Progress> progress(std::in_place, "frame", range.count, !options.common.quiet);
+  const auto show = [&](int frames, const StepSummary& step) { progress->update(frames, step); };
+  LiveSource source(std::move(a), std::move(b), range, show);
+  const RenderResult result =
+      render_frames(source, painter, sink, {[&] { return interrupt.requested(); }, show});
+  progress.reset();  // what follows has a line of its own
   if (timings) {
     timings->write(timings_json(result));
     timings->finish();
@@ -183,10 +177,8 @@ int render(const RenderOptions& options) {
                     result.frames, result.times.total, result.times.simulate, result.times.draw,
                     result.times.encode, context->name(), painter.gl_renderer()));
   }
-  if (result.diverged) {
-    throw result.in_b ? diverged_error(options.scene + " with " + options.ab, *b)
-                      : diverged_error(options.scene, session);
-  }
+  if (const auto diverged = source.diverged())
+    throw diverged_error(options.scene + (diverged->in_b ? " with " + options.ab : ""), diverged->step);
   return interrupt.exit_code();
 }
 

@@ -152,7 +152,6 @@ int run(const RunOptions& options) {
   check_options(options);
   InputFiles inputs;
   Session session = open_session(options.scene, options.common, options.from, inputs);
-  session.keep_history(false);
   const std::int64_t steps =
       options.steps.value_or(steps_until(options.time.value_or(5.0), session.params().h));
   RunOutputs outputs(options, inputs);
@@ -184,7 +183,7 @@ int run(const RunOptions& options) {
   if (options.profile) {
     write_stdout(profile_text(statistics, {seconds, session.model().size(), options.common.thread_count()}));
   }
-  if (diverged) throw diverged_error(options.scene, session);
+  if (diverged) throw diverged_error(options.scene, session.report());
   return interrupt.exit_code();
 }
 

@@ -3,30 +3,58 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <optional>
+#include <utility>
+
 #include "app/cli/scene_lookup.h"
 #include "sim/base/input_file.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::cli {
 
-Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from,
-                     InputFiles& inputs) {
-  Session session(load_scene(find_scene(scene), common.sets), common.thread_count());
-  for (const auto& file : session.scene().files) inputs.add(file);
+namespace {
+
+struct Start {
+  std::shared_ptr<const Scene> scene;
+  std::optional<State> state;  // none: the scene's
+};
+
+Start open(const std::string& scene, const CommonOptions& common, const std::string& from,
+           InputFiles& inputs) {
+  Start start{std::make_shared<const Scene>(load_scene(find_scene(scene), common.sets)), {}};
+  for (const auto& file : start.scene->files) inputs.add(file);
   if (!from.empty()) {
     inputs.add(from);
-    const std::string text = read_file(from, most_state_bytes(session.model()), "a state of this scene");
-    session.set_state(state_from_json(session.model(), text, from));
+    const Model& model = start.scene->model;
+    const std::string text = read_file(from, most_state_bytes(model), "a state of this scene");
+    start.state = state_from_json(model, text, from);
   }
+  return start;
+}
+
+}  // namespace
+
+Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from,
+                     InputFiles& inputs) {
+  Start start = open(scene, common, from, inputs);
+  Session session(std::move(start.scene), common.thread_count());
+  if (start.state) session.set_state(*std::move(start.state));
   return session;
 }
 
-Error diverged_error(const std::string& scene, const Session& session) {
+Run open_run(const std::string& scene, const CommonOptions& common, const std::string& from,
+             InputFiles& inputs) {
+  Start start = open(scene, common, from, inputs);
+  return Run(std::move(start.scene), common.thread_count(), kNoPast, start.state);
+}
+
+Error diverged_error(const std::string& scene, const StepSummary& step) {
   return Error(
       ExitCode::diverged,
       fmt::format("{}: the simulation diverged at step {} (t = {:.6g} s): the state left all bounds; try a "
                   "smaller time_step, a smaller contact.kappa, or solver.method=descent",
-                  scene, session.report().step, session.report().time));
+                  scene, step.step, step.time));
 }
 
 }  // namespace pabd::cli

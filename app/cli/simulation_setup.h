@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/common.h"
-#include "app/session/session.h"
+#include "app/session/run.h"
 #include "sim/base/output_path.h"
 #include "sim/error.h"
 
@@ -14,8 +14,11 @@ namespace pabd::cli {
 // start at. What is read is added to `inputs`.
 Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from,
                      InputFiles& inputs);
+// The same as a run that keeps no past.
+Run open_run(const std::string& scene, const CommonOptions& common, const std::string& from,
+             InputFiles& inputs);
 
-// The error of a run whose last step left the numbers.
-Error diverged_error(const std::string& scene, const Session& session);
+// The error of a run with a step that left the numbers.
+Error diverged_error(const std::string& scene, const StepSummary& step);
 
 }  // namespace pabd::cli

@@ -15,8 +15,8 @@ constexpr int kSeam = 2;                 // px between the halves, white
 constexpr float kBack = 1.4f;            // a compromise between cut-off sides and small bodies
 constexpr std::size_t kMostDetails = 6;  // lines of a caption
 
-std::vector<std::string> details_of(const Session& a, const Session& b) {
-  std::vector<std::string> lines = difference_words(a.params(), a.kappa(), b.params(), b.kappa());
+std::vector<std::string> details_of(const FrameView& a, const FrameView& b) {
+  std::vector<std::string> lines = difference_words(a.params, a.kappa, b.params, b.kappa);
   if (lines.empty()) lines.emplace_back("the same parameters");
   if (lines.size() > kMostDetails) {
     const std::size_t more = lines.size() - (kMostDetails - 1);
@@ -42,38 +42,39 @@ AbView parse_ab_view(const std::string& text) {
   throw Error(ExitCode::bad_input, fmt::format("--ab-view {}: expected side or ghost", text));
 }
 
-AbPainter::AbPainter(GlContext& context, const Session& a, const Session* b, AbView view, int width,
-                     int height, const OverlayChoice& overlay, const CameraOption& camera)
-    : left_(context, a, b && view == AbView::side ? (width - kSeam) / 2 : width, height, overlay, camera) {
-  if (!b) return;
-  const std::vector<std::string> details = details_of(a, *b);
-  if (view == AbView::ghost) {
-    left_.compare({"A, and B as a ghost", details, "A", "B", true, 0, 1});
+AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first,
+                     AbView view, int width, int height, const OverlayChoice& overlay,
+                     const CameraOption& camera) {
+  const auto painter = [&](const FrameView& of, int w, const Comparison& comparison) {
+    return std::make_unique<FramePainter>(context, scene, of, w, height, overlay, camera, comparison);
+  };
+  if (!first.b) {
+    left_ = painter(first.a, width, {});
     return;
   }
-  right_ = std::make_unique<FramePainter>(context, *b, width - kSeam - (width - kSeam) / 2, height, overlay,
-                                          camera);
-  left_.compare({"A", {"as it is"}, "A", "B", false, details.size(), kBack});
-  right_->compare({"B", details, "B", "A", false, 0, kBack});
+  const std::vector<std::string> details = details_of(first.a, *first.b);
+  if (view == AbView::ghost) {
+    left_ = painter(first.a, width, {"A, and B as a ghost", details, true, 0, 1});
+    return;
+  }
+  const int half = (width - kSeam) / 2;
+  left_ = painter(first.a, half, {first.a.label, {"as it is"}, false, details.size(), kBack});
+  right_ = painter(*first.b, width - kSeam - half, {first.b->label, details, false, 0, kBack});
 }
 
-void AbPainter::refresh() {
-  left_.refresh();
-  if (right_) right_->refresh();
-}
-
-void AbPainter::draw(const FramePacket& packet) {
-  const double time = packet.state.time;
-  left_.draw(packet, packet.b.get(), time);
-  if (right_) right_->draw(*packet.b, &packet, time);
+void AbPainter::draw(const Frame& frame) {
+  const double time = frame.a.state.time;
+  const FrameView* b = frame.b ? &*frame.b : nullptr;
+  left_->draw(frame.a, b, frame.apart, time);
+  if (right_) right_->draw(*b, &frame.a, frame.apart, time);
 }
 
 void AbPainter::fetch(Image& out) {
   if (!right_) {
-    left_.fetch(out);
+    left_->fetch(out);
     return;
   }
-  left_.fetch(left_half_);
+  left_->fetch(left_half_);
   right_->fetch(right_half_);
   out.resize(left_half_.width + kSeam + right_half_.width, left_half_.height);
   std::fill(out.rgb.begin(), out.rgb.end(), std::uint8_t{255});

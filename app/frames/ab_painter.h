@@ -7,26 +7,26 @@
 #include <memory>
 
 #include "app/frames/frame_painter.h"
+#include "app/frames/frame_source.h"
 
 namespace pabd {
 
 enum class AbView { side, ghost };
 AbView parse_ab_view(const std::string& text);  // throws Error(bad_input)
 
-class AbPainter : public FrameDrawer {
+class AbPainter {
  public:
-  // As FramePainter; `b` may be null: one run.
-  AbPainter(GlContext& context, const Session& a, const Session* b, AbView view, int width, int height,
-            const OverlayChoice& overlay, const CameraOption& camera);
+  // As FramePainter. `first` says whether there are two runs, and what the caption tells of them.
+  AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first, AbView view,
+            int width, int height, const OverlayChoice& overlay, const CameraOption& camera);
 
-  void refresh();  // as FramePainter; of both
-  void draw(const FramePacket& packet) override;
-  int queued() const override { return left_.queued(); }
-  void fetch(Image& out) override;
-  std::string gl_renderer() const { return left_.gl_renderer(); }
+  void draw(const Frame& frame);  // and starts copying it back
+  int queued() const { return left_->queued(); }
+  void fetch(Image& out);  // the oldest picture that was drawn; precondition: queued() > 0
+  std::string gl_renderer() const { return left_->gl_renderer(); }
 
  private:
-  FramePainter left_;
+  std::unique_ptr<FramePainter> left_;
   std::unique_ptr<FramePainter> right_;  // null: the left one fills the frame
   Image left_half_, right_half_;
 };

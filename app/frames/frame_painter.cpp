@@ -1,4 +1,4 @@
-// From a frame's state to pixels.
+// See frame_painter.h.
 #include "app/frames/frame_painter.h"
 
 #include <fmt/format.h>
@@ -8,13 +8,10 @@
 #include <sstream>
 
 #include "app/overlay/panels.h"
-#include "render/visual/joint_glyphs.h"
 #include "sim/error.h"
 
 namespace pabd {
 namespace {
-
-constexpr std::ptrdiff_t kMostDistances = 40000;  // kept for the plot
 
 // Moves the camera so that its target appears in the middle of `free` (px, in a frame of width × height), and
 // as far away as that rectangle is smaller than the frame.
@@ -36,9 +33,9 @@ Camera make_room(const Camera& camera, const Rect& free, int width, int height) 
   return moved;
 }
 
-Camera choose_base_camera(const Session& session, double aspect) {
-  if (!session.scene().camera) return frame_camera(session.model(), session.state(), aspect);
-  const CameraDesc& desc = *session.scene().camera;
+Camera choose_base_camera(const Scene& scene, const FrameView& first, double aspect) {
+  if (!scene.camera) return frame_camera(*first.model, first.state, aspect);
+  const CameraDesc& desc = *scene.camera;
   Camera camera;
   camera.eye = desc.eye.cast<float>();
   camera.target = desc.target.cast<float>();
@@ -66,9 +63,10 @@ OverlayChoice parse_overlay(const std::string& text) {
   return choice;
 }
 
-FramePainter::FramePainter(GlContext& context, const Session& session, int width, int height,
-                           const OverlayChoice& overlay, const CameraOption& camera)
-    : session_(session),
+FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
+                           int width, int height, const OverlayChoice& overlay, const CameraOption& camera,
+                           const Comparison& comparison)
+    : scene_(std::move(scene)),
       width_(width),
       height_(height),
       renderer_(context, width, height),
@@ -77,33 +75,23 @@ FramePainter::FramePainter(GlContext& context, const Session& session, int width
       }),
       choice_(overlay),
       camera_option_(camera),
-      start_time_(session.state().time) {
-  data_.scene_name = session.scene().name;
-  data_.report = &session.report();
-  data_.history = &history_.reports();
-  data_.joint_law = &session.scene().joint_law;
-  refresh();
-  choice_.panels.joints = choice_.bonds && data_.joint_types != 0;
+      start_time_(first.state.time),
+      ghost_(comparison.ghost) {
+  data_.scene_name = scene_->name;
+  data_.joint_law = &scene_->joint_law;
+  data_.caption = comparison.caption;
+  data_.details = comparison.details;
+  data_.view = &first;
+  choice_.panels.joints = choice_.bonds && !first.model->joints.empty();
   choice_.panels.joint_rows = joint_row_count(data_);
-  visual_options_.bonds = overlay.bonds;
-  visual_options_.contacts = overlay.contacts;
-  set_camera(0, 1);
-}
-
-void FramePainter::refresh() {
-  data_.params = &session_.params();
-  data_.kappa = session_.kappa();
-  data_.joint_types = joint_types(session_.model());
-  data_.joints = session_.model().joints.size();
-  visual_options_.d_hat = session_.params().contact.d_hat;
+  set_camera(first, std::max(comparison.lines, comparison.details.size()), comparison.back);
 }
 
 // So that panels, and a caption of so many lines, leave the bodies to be seen.
-void FramePainter::set_camera(std::size_t caption_lines, float back) {
-  base_camera_ = choose_base_camera(session_, static_cast<double>(width_) / height_);
+void FramePainter::set_camera(const FrameView& first, std::size_t caption_lines, float back) {
+  base_camera_ = choose_base_camera(*scene_, first, static_cast<double>(width_) / height_);
   if (camera_option_.eye || camera_option_.target || !camera_option_.keys.empty()) return;
-  if (back != 1 && session_.scene().camera)
-    base_camera_.eye += (back - 1) * (base_camera_.eye - base_camera_.target);
+  if (back != 1 && scene_->camera) base_camera_.eye += (back - 1) * (base_camera_.eye - base_camera_.target);
   if (!choice_.panels.any() && caption_lines == 0) return;
   const PanelLayout layout = layout_panels(choice_.panels, width_, height_);
   Rect free = layout.free;
@@ -115,33 +103,19 @@ void FramePainter::set_camera(std::size_t caption_lines, float back) {
   base_camera_ = make_room(base_camera_, free, width_, height_);
 }
 
-void FramePainter::compare(const Comparison& comparison) {
-  data_.caption = comparison.caption;
-  data_.details = comparison.details;
-  data_.name = comparison.name;
-  data_.other_name = comparison.other_name;
-  data_.other_history = &other_history_.reports();
-  data_.distances = &distances_;
-  ghost_ = comparison.ghost;
-  set_camera(std::max(comparison.lines, comparison.details.size()), comparison.back);
-}
-
-void FramePainter::add_other(const FramePacket& other, const std::vector<DistancePoint>& apart) {
-  for (const StepSummary& report : other.since) other_history_.add(report);
-  if (std::ssize(distances_) >= kMostDistances) {
-    distances_.erase(distances_.begin(), distances_.begin() + kMostDistances / 2);
-  }
-  distances_.insert(distances_.end(), apart.begin(), apart.end());
-}
-
-void FramePainter::draw(const FramePacket& packet, const FramePacket* other, double time) {
-  for (const StepSummary& report : packet.since) history_.add(report);
-  if (other) add_other(*other, packet.b ? packet.apart : other->apart);
+void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
+                        double time) {
+  VisualOptions options;
+  options.bonds = choice_.bonds;
+  options.contacts = choice_.contacts;
+  options.d_hat = view.params.contact.d_hat;
   visual_.camera =
       apply_camera(camera_option_, base_camera_, camera_option_.keys.empty() ? time - start_time_ : time);
-  build_visual(session_.model(), packet.state, packet.report, visual_options_, visual_);
-  if (other && ghost_) add_ghost(session_.model(), other->state, ghost_color(), visual_);
-  data_.report = &packet.report;
+  build_visual(*view.model, view.state, view.report, options, visual_);
+  if (other && ghost_) add_ghost(*view.model, other->state, ghost_color(), visual_);
+  data_.view = &view;
+  data_.other = other;
+  data_.distances = apart;
   renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_));
   renderer_.queue_read();
 }

@@ -19,9 +19,9 @@ using Json = nlohmann::ordered_json;
 // Invalid UTF-8 in a name must not end a run.
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-std::string camera_text(const Session& session, const std::string& option) {
+std::string camera_text(const Scene& scene, const std::string& option) {
   if (!option.empty()) return option;
-  return session.scene().camera ? "scene" : "auto";
+  return scene.camera ? "scene" : "auto";
 }
 
 // As in a scene file: N and d_hat belong to the hard potential.
@@ -45,26 +45,23 @@ std::string parameters_json(const Params& params, double kappa, const BondLaw* j
   return dump(json);
 }
 
-PngText common_text(const Session& session, const ViewFacts& view, const Session* b,
+PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView& a, const FrameView* b,
                     const std::string& ab_view) {
-  Json view_json = {{"size", {view.width, view.height}},
-                    {"fps", view.fps},
-                    {"overlay", view.overlay},
-                    {"camera", camera_text(session, view.camera)}};
-  const BondLaw* joints = session.model().joints.empty() ? nullptr : &session.scene().joint_law;
+  Json view_json = {{"size", {facts.width, facts.height}},
+                    {"fps", facts.fps},
+                    {"overlay", facts.overlay},
+                    {"camera", camera_text(scene, facts.camera)}};
+  const BondLaw* joints = a.model->joints.empty() ? nullptr : &scene.joint_law;
   if (b) view_json["ab"] = ab_view;
   PngText text = {
-      {"Software", "pabd " PABD_VERSION},
-      {"Scene", session.scene().name},
-      {"Scene hash", session.scene().hash},
-      {"Parameters", parameters_json(session.params(), session.kappa(), joints)},
-      {"Start", state_hash(session.state())},
-      {"View", dump(view_json)},
-      {"GL_RENDERER", view.gl_renderer},
+      {"Software", "pabd " PABD_VERSION}, {"Scene", scene.name},
+      {"Scene hash", scene.hash},         {"Parameters", parameters_json(a.params, a.kappa, joints)},
+      {"Start", state_hash(a.state)},     {"View", dump(view_json)},
+      {"GL_RENDERER", facts.gl_renderer},
   };
   if (b) {
-    text["B patch"] = dump(Json::parse(patch_json(session.params(), b->params())));
-    text["B parameters"] = parameters_json(b->params(), b->kappa(), joints);
+    text["B patch"] = dump(Json::parse(patch_json(a.params, b->params)));
+    text["B parameters"] = parameters_json(b->params, b->kappa, joints);
   }
   return text;
 }

@@ -14,8 +14,9 @@
 
 #include <string>
 
-#include "app/session/session.h"
+#include "app/session/frame_view.h"
 #include "render/output/png.h"
+#include "sim/scene/scene.h"
 
 namespace pabd {
 
@@ -31,9 +32,10 @@ struct ViewFacts {
 // `joints`, "joints_default": the law of joints that say nothing of their own, its stiffness resolved too.
 std::string parameters_json(const Params& params, double kappa, const BondLaw* joints = nullptr);
 
-// What all frames of one run have in common. `b`: the second run, or null; `ab_view`: "side" or "ghost".
-PngText common_text(const Session& session, const ViewFacts& view, const Session* b = nullptr,
-                    const std::string& ab_view = "");
+// What all frames of one run of `scene` have in common. `a` is what frame 0 shows of it, `b` of the second
+// run; null: there is none. `ab_view`: "side" or "ghost".
+PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView& a,
+                    const FrameView* b = nullptr, const std::string& ab_view = "");
 
 // With the two chunks of frame `frame`; `time` in seconds.
 PngText frame_text(const PngText& common, int frame, double time);

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "app/frames/frame_schedule.h"
+#include "app/frames/frame_thread.h"
 
 namespace pabd {
 namespace {
@@ -16,14 +17,12 @@ double seconds_since(Clock::time_point start) {
 
 }  // namespace
 
-RenderResult render_frames(Session& session, const FrameRange& range, FrameDrawer& painter, AsyncSink& sink,
-                           const RenderWatch& watch, Session* b) {
+RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink,
+                           const RenderWatch& watch) {
   const auto start = Clock::now();
   RenderResult result;
   Image image;
-  FrameProducer producer(
-      session, range, watch.stop,
-      [&](int frame, const StepReport& report) { watch.progress(frame + 1, report); }, b);
+  FrameThread frames(source, watch.stop);
 
   // The copy back of a frame runs while the next one is drawn, so one is always on its way.
   const auto deliver = [&] {
@@ -34,36 +33,33 @@ RenderResult render_frames(Session& session, const FrameRange& range, FrameDrawe
     ++result.frames;
   };
   while (!watch.stop()) {
-    auto packet = producer.next();
-    if (!packet) break;
+    const auto frame = frames.next(true);
+    if (!frame) break;
     const auto begin = Clock::now();
-    painter.draw(*packet);
+    painter.draw(*frame);
     result.times.draw += seconds_since(begin);
     if (painter.queued() > 1) deliver();
-    watch.progress(packet->frame + 1, packet->report);
-    producer.recycle(*std::move(packet));
+    watch.progress(frame->number + 1, frame->a.report);
   }
   while (painter.queued() > 0) deliver();
-  producer.stop();
+  frames.stop();
   if (result.frames > 0) sink.finish();
 
-  result.diverged = producer.diverged() != nullptr;
-  result.in_b = b && producer.diverged() == b;
-  result.times.simulate = producer.busy_seconds();
+  result.times.simulate = frames.busy_seconds();
   result.times.encode = sink.busy_ms() / 1000;
   result.times.total = seconds_since(start);
   return result;
 }
 
-SinkOptions sink_options(const Session& session, const PngText& common, const FrameRange& range, int width,
+SinkOptions sink_options(const FrameView& start, const PngText& common, const FrameRange& range, int width,
                          int height, int first_written) {
   SinkOptions options;
   options.width = width;
   options.height = height;
   options.fps = range.fps;
   options.first_frame = first_written;
-  const double start_time = session.state().time;
-  const double h = session.params().h;
+  const double start_time = start.state.time;
+  const double h = start.params.h;
   // A still is the only frame that its file sees, but not the first one of the run.
   const int skipped = range.first - first_written;
   options.png_text = [common, start_time, h, skipped, fps = range.fps](int written) {

@@ -12,26 +12,28 @@ namespace {
 
 constexpr int kLeastSide = 16, kLargestSide = 16384;  // pixels
 
-std::unique_ptr<Session> session_of(const std::shared_ptr<const Scene>& scene, const RunView& run) {
-  auto session = std::make_unique<Session>(scene);
-  session->set_params(run.params);
-  return session;
+Frame frame_of(const Snapshot& sim) {
+  std::optional<FrameView> b;
+  if (sim.b) b = *sim.b;
+  return make_frame(static_cast<int>(sim.a.state.step), sim.a, std::move(b), {});
 }
 
-std::shared_ptr<FramePacket> packet_of(const RunView& run) {
-  auto packet = std::make_shared<FramePacket>();
-  packet->frame = static_cast<int>(run.state.step);
-  packet->state = run.state;
-  packet->report = run.report;
-  packet->since.assign(run.history.begin(), run.history.end());
-  return packet;
+// The scene with these parameters: what a picture tells of frame 0.
+FrameView start_of(const std::shared_ptr<const Scene>& scene, const Params& params) {
+  FrameView start;
+  start.model = {scene, &scene->model};
+  start.params = params;
+  start.kappa = resolve_kappa(scene->model, params);
+  start.state = scene->initial;
+  return start;
 }
 
 // One frame a step: the number of the frame is that of the step.
 PngText text_of(const Snapshot& sim, const ViewFacts& facts) {
-  const auto a = session_of(sim.scene, sim.a);
-  const auto b = sim.b ? session_of(sim.scene, *sim.b) : nullptr;
-  return frame_text(common_text(*a, facts, b.get()), static_cast<int>(sim.a.state.step), sim.a.state.time);
+  const FrameView a = start_of(sim.scene, sim.a.params);
+  const FrameView b = sim.b ? start_of(sim.scene, sim.b->params) : FrameView{};
+  return frame_text(common_text(*sim.scene, facts, a, sim.b ? &b : nullptr),
+                    static_cast<int>(sim.a.state.step), sim.a.state.time);
 }
 
 ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height,
@@ -68,19 +70,11 @@ void save_scene_picture(const std::string& path, const Snapshot& sim, const UiSt
     throw Error(ExitCode::bad_input, fmt::format("screenshot: {} × {} pixels: expected {} to {} a side",
                                                  width, height, kLeastSide, kLargestSide));
   }
-  const auto a = session_of(sim.scene, sim.a);
-  a->restore(sim.a.model, sim.a.state);
-  std::unique_ptr<Session> b;
-  if (sim.b) {
-    b = session_of(sim.scene, *sim.b);
-    b->restore(sim.b->model, sim.b->state);
-  }
   const ViewFacts facts = facts_of(sim, ui, width, height, "");
-  AbPainter painter(context, *a, b.get(), ui.side_by_side ? AbView::side : AbView::ghost, width, height,
+  const Frame frame = frame_of(sim);
+  AbPainter painter(context, sim.scene, frame, ui.side_by_side ? AbView::side : AbView::ghost, width, height,
                     parse_overlay(facts.overlay), parse_camera(facts.camera));
-  const auto packet = packet_of(sim.a);
-  if (sim.b) packet->b = packet_of(*sim.b);
-  painter.draw(*packet);
+  painter.draw(frame);
   Image image;
   painter.fetch(image);
   PngText text = text_of(sim, facts);

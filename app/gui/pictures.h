@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/frames/ab_painter.h"
-#include "app/frames/past_producer.h"
+#include "app/frames/past_source.h"
 #include "app/gui/ui_state.h"
 #include "app/workbench/runner.h"
 #include "render/gl/renderer.h"
@@ -64,8 +64,8 @@ class Recorder {
   };
   std::optional<Outcome> work(std::chrono::milliseconds budget, bool all);
   void begin(RunCopies runs);
-  void open(const PastPacket& first);
-  void draw(const PastPacket& packet);
+  void open(const Frame& first);
+  void draw(const Frame& frame);
   void deliver();
   void finish();
 

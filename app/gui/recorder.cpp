@@ -1,11 +1,12 @@
 // Videos of the past: see pictures.h.
 //
-//   Runner (a copy of the runs) → PastProducer (a thread) → AbPainter (here) → AsyncSink (a thread) → file
+//   Runner (a copy of the runs) → PastSource (FrameThread) → AbPainter (here) → AsyncSink (a thread) → file
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "app/frames/frame_text.h"
+#include "app/frames/frame_thread.h"
 #include "app/gui/pictures.h"
 #include "sim/error.h"
 
@@ -19,8 +20,8 @@ struct Recorder::Job {
   AbView ab_view = AbView::ghost;
   std::future<RunCopies> runs;
   std::shared_ptr<const Scene> scene;
-  std::unique_ptr<PastProducer> producer;
-  std::unique_ptr<Session> a, b;  // what the painter asks
+  std::unique_ptr<PastSource> source;
+  std::unique_ptr<FrameThread> frames;
   std::unique_ptr<AbPainter> painter;
   std::unique_ptr<AsyncSink> sink;
   std::future<void> finished;
@@ -42,19 +43,6 @@ void check(const char* what, double value, double lo, double hi) {
 template <class T>
 bool ready(const std::future<T>& future) {
   return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-}
-
-void follow(Session& session, const std::shared_ptr<const Model>& model, const Params& params,
-            const State& state, bool& changed) {
-  if (session.shared_model() != model) {
-    session.restore(model, state);
-    changed = true;
-  }
-  // Every field counts: a number that is off by a bit is another run.
-  if (parameters_json(session.params(), session.kappa()) != parameters_json(params, session.kappa())) {
-    session.set_params(params);
-    changed = true;
-  }
 }
 
 }  // namespace
@@ -86,25 +74,18 @@ void Recorder::start(const command::Record& record, const UiState& ui) {
 void Recorder::begin(RunCopies runs) {
   Job& job = *job_;
   job.scene = runs.a.shared_scene();
-  job.a = std::make_unique<Session>(job.scene);
-  if (runs.b) job.b = std::make_unique<Session>(job.scene);
   const OverlayChoice& overlay = job.overlay;
-  job.producer = std::make_unique<PastProducer>(std::move(runs.a), std::move(runs.b),
-                                                PastRange{job.record.from, job.record.to, job.record.fps},
-                                                overlay.needs_iterations(), overlay.needs_contacts());
+  job.source = std::make_unique<PastSource>(std::move(runs.a), std::move(runs.b),
+                                            PastRange{job.record.from, job.record.to, job.record.fps},
+                                            overlay.needs_iterations(), overlay.needs_contacts());
+  job.frames = std::make_unique<FrameThread>(*job.source);
 }
 
 // With the first frame everything that pictures have in common is known.
-void Recorder::open(const PastPacket& first) {
+void Recorder::open(const Frame& first) {
   Job& job = *job_;
-  job.a->set_params(first.params);
-  job.a->restore(first.model, first.frame.state);
-  if (job.b) {
-    job.b->set_params(first.params_b);
-    job.b->restore(first.model_b, first.frame.b->state);
-  }
   const command::Record& r = job.record;
-  job.painter = std::make_unique<AbPainter>(context_, *job.a, job.b.get(), job.ab_view, r.width, r.height,
+  job.painter = std::make_unique<AbPainter>(context_, job.scene, first, job.ab_view, r.width, r.height,
                                             job.overlay, job.camera);
   const ViewFacts facts{r.width,
                         r.height,
@@ -112,15 +93,15 @@ void Recorder::open(const PastPacket& first) {
                         job.overlay_text,
                         camera_text(job.camera, job.camera_text),
                         job.painter->gl_renderer()};
-  const PngText common =
-      common_text(*job.a, facts, job.b.get(), job.ab_view == AbView::side ? "side" : "ghost");
+  const PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
+                                     job.ab_view == AbView::side ? "side" : "ghost");
   SinkOptions options;
   options.width = r.width;
   options.height = r.height;
   options.fps = r.fps;
   options.force = r.force;
-  options.png_text = [common, producer = job.producer.get()](int frame) {
-    return frame_text(common, frame, producer->time(frame));
+  options.png_text = [common, source = job.source.get()](int frame) {
+    return frame_text(common, frame, source->time(frame));
   };
   job.sink = std::make_unique<AsyncSink>(make_sink(r.path, options));
 }
@@ -131,14 +112,10 @@ void Recorder::deliver() {
   ++job_->written;
 }
 
-void Recorder::draw(const PastPacket& packet) {
+void Recorder::draw(const Frame& frame) {
   Job& job = *job_;
-  if (!job.painter) open(packet);
-  bool changed = false;
-  follow(*job.a, packet.model, packet.params, packet.frame.state, changed);
-  if (job.b) follow(*job.b, packet.model_b, packet.params_b, packet.frame.b->state, changed);
-  if (changed) job.painter->refresh();
-  job.painter->draw(packet.frame);
+  if (!job.painter) open(frame);
+  job.painter->draw(frame);
   ++job.drawn;
   if (job.painter->queued() > 1) deliver();
 }
@@ -154,21 +131,21 @@ std::optional<Recorder::Outcome> Recorder::work(std::chrono::milliseconds budget
   using Clock = std::chrono::steady_clock;
   Job& job = *job_;
   const auto end = Clock::now() + budget;
-  if (!job.producer) {
+  if (!job.source) {
     if (!all && !ready(job.runs)) return std::nullopt;
     begin(job.runs.get());
     if (!all)
-      return Outcome{fmt::format("recording {} frames: {}", job.producer->count(), job.record.path), false};
+      return Outcome{fmt::format("recording {} frames: {}", job.source->count(), job.record.path), false};
   }
-  while (!job.finished.valid() && !job.stopping && job.drawn < job.producer->count()) {
+  while (!job.finished.valid() && !job.stopping && job.drawn < job.source->count()) {
     if (!all && (Clock::now() >= end || (job.sink && !job.sink->has_room()))) return std::nullopt;
-    const auto packet = job.producer->next(all);
-    if (!packet && !all) return std::nullopt;
-    if (!packet) break;
-    draw(*packet);
+    const auto frame = job.frames->next(all);
+    if (!frame && !all) return std::nullopt;
+    if (!frame) break;
+    draw(*frame);
   }
   if (!job.finished.valid()) {
-    if (job.drawn == 0) job.producer->next(true);  // throws why
+    if (job.drawn == 0) job.frames->next(true);  // throws why
     if (job.drawn == 0) return Outcome{"record: stopped before the first frame; nothing was written", false};
     finish();
   }
@@ -184,7 +161,7 @@ std::optional<Recorder::Outcome> Recorder::update(std::chrono::milliseconds budg
   std::optional<Outcome> outcome;
   bool over = true;
   try {
-    const bool began = job_->producer != nullptr;
+    const bool began = job_->source != nullptr;
     outcome = work(budget, all);
     over = outcome.has_value() && (all || began);
   } catch (const std::exception& error) {
@@ -205,8 +182,7 @@ void Recorder::stop(bool keep) {
 
 Recorder::Progress Recorder::progress() const {
   if (!busy()) return {};
-  return {job_->record.path, job_->drawn, job_->producer ? job_->producer->count() : 0,
-          job_->finished.valid()};
+  return {job_->record.path, job_->drawn, job_->source ? job_->source->count() : 0, job_->finished.valid()};
 }
 
 }  // namespace pabd

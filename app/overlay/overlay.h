@@ -4,17 +4,16 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/overlay/panel_layout.h"
 #include "app/plots/canvas.h"
 #include "app/plots/figures/difference.h"
-#include "app/plots/figures/time_series.h"
+#include "app/session/frame_view.h"
 #include "render/visual/visual_scene.h"
 #include "sim/body/joint.h"
-#include "sim/solver/params.h"
-#include "sim/solver/report.h"
 
 struct ImDrawData;
 
@@ -24,20 +23,14 @@ namespace pabd {
 // returns.
 struct OverlayData {
   std::string scene_name;
-  const Params* params = nullptr;
-  double kappa = 0;                    // resolved contact κ; J
-  const StepReport* report = nullptr;  // of the last step, with records and contacts if the panels want them
-  const std::vector<StepSummary>* history = nullptr;  // oldest first
-  unsigned joint_types = 0;            // bits 1 << JointType of what the legend of joints lists
-  std::size_t joints = 0;              // how many
-  const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved; may be null
+  const FrameView* view = nullptr;     // its report has records and contacts if the panels want them
+  const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved
 
   // Of two runs beside each other. The caption is one line in larger letters, the details follow below it.
   std::string caption{};
   std::vector<std::string> details{};
-  std::string name{}, other_name{};                         // "A", "B"
-  const std::vector<StepSummary>* other_history = nullptr;  // of the other run, oldest first
-  const std::vector<DistancePoint>* distances = nullptr;    // oldest first
+  const FrameView* other = nullptr;            // the run that `view` is compared with
+  std::span<const DistancePoint> distances{};  // oldest first
 };
 
 class Overlay {

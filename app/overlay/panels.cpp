@@ -9,9 +9,11 @@
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figures/barrier.h"
 #include "app/plots/figures/convergence.h"
+#include "app/plots/figures/time_series.h"
 #include "app/plots/palette.h"
 #include "app/plots/plot_layout.h"
 #include "render/visual/build_visual.h"
+#include "render/visual/joint_glyphs.h"
 #include "render/visual/palette.h"
 #include "render/visual/srgb.h"
 
@@ -30,10 +32,15 @@ struct Row {
   std::string value;
 };
 
+std::size_t joints_of(const OverlayData& data) {
+  return data.view && data.view->model ? data.view->model->joints.size() : 0;
+}
+
 std::vector<Row> joint_rows(const OverlayData& data) {
   std::vector<Row> rows;
-  if (data.joints == 0) return rows;
-  const std::string count = fmt::format("{}", data.joints);
+  const std::size_t joints = joints_of(data);
+  if (joints == 0) return rows;
+  const std::string count = fmt::format("{}", joints);
   if (data.joint_law) {
     const BondLaw& law = *data.joint_law;
     const bool hard = law.potential == BondPotential::hard;
@@ -43,22 +50,22 @@ std::vector<Row> joint_rows(const OverlayData& data) {
   } else {
     rows.push_back({"joints", count});
   }
-  if (data.report) rows.push_back({"joint error", format_value(data.report->max_joint_error, 2) + " m"});
+  rows.push_back({"joint error", format_value(data.view->report.max_joint_error, 2) + " m"});
   return rows;
 }
 
 std::vector<Row> parameter_rows(const OverlayData& data) {
   std::vector<Row> rows;
-  if (data.params) {
-    const Params& p = *data.params;
-    const SolverMethod method = data.report ? data.report->method : p.solver.method;
-    rows.push_back({"solver", to_string(method)});
+  if (data.view) {
+    const Params& p = data.view->params;
+    const StepReport& report = data.view->report;
+    rows.push_back({"solver", to_string(report.method)});
     rows.push_back(
         {"barrier", traits_of(p.contact.barrier).least_N == 0
                         ? std::string(to_string(p.contact.barrier))
                         : fmt::format("{}, *{{N}} = {}", to_string(p.contact.barrier), p.contact.N)});
     rows.push_back({"thickness *{d̂}", format_value(p.contact.d_hat) + " m"});
-    rows.push_back({"stiffness *{κ}", format_value(data.kappa) + " " + kappa_unit(p.contact.barrier) +
+    rows.push_back({"stiffness *{κ}", format_value(data.view->kappa) + " " + kappa_unit(p.contact.barrier) +
                                           (p.contact.kappa ? "" : ", auto")});
     rows.push_back({"onset *{ε}", format_value(p.contact.onset)});
     const std::string friction = format_value(p.contact.mu_static);
@@ -66,15 +73,14 @@ std::vector<Row> parameter_rows(const OverlayData& data) {
                                          ? friction
                                          : friction + " / " + format_value(p.contact.mu_dynamic)});
     rows.push_back({"time step *{h}", format_value(p.h) + " s"});
-    rows.push_back({"iterations", data.report
-                                      ? fmt::format("{} of {}", data.report->iterations, p.solver.iterations)
-                                      : fmt::format("at most {}", p.solver.iterations)});
+    rows.push_back({"iterations", fmt::format("{} of {}", report.iterations, p.solver.iterations)});
   }
   for (Row& row : joint_rows(data)) rows.push_back(std::move(row));
-  if (data.report) {
-    rows.push_back({"contacts", fmt::format("{}", data.report->contacts)});
-    rows.push_back({"step", fmt::format("{}", data.report->step)});
-    rows.push_back({"time", fmt::format("{:.3f} s", data.report->time)});
+  if (data.view) {
+    const StepReport& report = data.view->report;
+    rows.push_back({"contacts", fmt::format("{}", report.contacts)});
+    rows.push_back({"step", fmt::format("{}", report.step)});
+    rows.push_back({"time", fmt::format("{:.3f} s", report.time)});
   }
   return rows;
 }
@@ -178,28 +184,25 @@ Plot empty_plot(const std::string& title) {
 }
 
 Plot live_plot(Panel panel, const OverlayData& data) {
-  const StepReport* report = data.report;
+  const FrameView* view = data.view;
   if (panel == Panel::barrier) {
-    if (!data.params) return empty_plot("Contact barrier");
-    return contact_barrier_plot(data.params->contact,
-                                report ? report->contact_reports : std::vector<ContactReport>{}, contact_ink);
+    if (!view) return empty_plot("Contact barrier");
+    return contact_barrier_plot(view->params.contact, view->report.contact_reports, contact_ink);
   }
   if (panel == Panel::convergence) {
-    return report ? convergence_plot(report->records, data.joints > 0)
-                  : empty_plot("Convergence of the last step");
+    return view ? convergence_plot(view->report.records, joints_of(data) > 0)
+                : empty_plot("Convergence of the last step");
   }
-  if (panel == Panel::difference) {
-    return difference_series_plot({}, {}, DifferenceQuantity::distance,
-                                  data.distances ? *data.distances : std::vector<DistancePoint>{});
-  }
-  if (!data.history) return empty_plot("Over time");
-  const auto plot_of = [&](std::span<const StepSummary> history) {
-    return time_series_plot(history, data.params ? data.params->contact.d_hat : 0, data.joints > 0);
+  if (panel == Panel::difference)
+    return difference_series_plot({}, {}, DifferenceQuantity::distance, data.distances);
+  if (!view) return empty_plot("Over time");
+  const auto plot_of = [&](const Reports& history) {
+    return time_series_plot(history, view->params.contact.d_hat, joints_of(data) > 0);
   };
-  Plot plot = plot_of(*data.history);
-  if (!data.other_history) return plot;
-  plot.title = fmt::format("Over time: {} solid, {} dashed", data.name, data.other_name);
-  for (Series& series : plot_of(*data.other_history).series) {
+  Plot plot = plot_of(view->history);
+  if (!data.other) return plot;
+  plot.title = fmt::format("Over time: {} solid, {} dashed", view->label, data.other->label);
+  for (Series& series : plot_of(data.other->history).series) {
     series.style = SeriesStyle::dashed;
     series.name.clear();
     plot.series.push_back(std::move(series));
@@ -264,7 +267,7 @@ void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& ca
         paint_legend(placed.rect, s, canvas);
         break;
       case Panel::joints:
-        paint_joint_legend(placed.rect, s, data.joint_types, canvas);
+        paint_joint_legend(placed.rect, s, joints_of(data) ? joint_types(*data.view->model) : 0, canvas);
         break;
       default:
         paint_small_plot(live_plot(placed.panel, data), placed.rect, s, canvas);

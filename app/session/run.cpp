@@ -46,12 +46,14 @@ bool equal(const std::vector<Pull>& a, const std::vector<Pull>& b) {
 
 }  // namespace
 
-Run::Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory)
+Run::Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory,
+         const std::optional<State>& start)
     : scene_(scene),
       session_(std::move(scene), threads),
       threads_(threads),
       timeline_(memory),
       next_(session_.params()) {
+  if (start) session_.set_state(*start);
   add_moment();
 }
 

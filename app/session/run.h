@@ -19,8 +19,10 @@ struct Parting {
 
 class Run {
  public:
-  // Precondition: scene is not null, threads ≥ 1. `memory`: bytes for states of the past.
-  Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory);
+  // Precondition: scene is not null, threads ≥ 1. `memory`: bytes for states of the past, or kNoPast.
+  // `start`: another state of the scene's model to begin with; throws Error(bad_input) when it does not fit.
+  Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory,
+      const std::optional<State>& start = {});
 
   // Goes on where a recording ends. Precondition: `past` is of this scene and has a moment.
   Run(std::shared_ptr<const Scene> scene, int threads, Timeline past);
@@ -33,6 +35,9 @@ class Run {
   const StepReport& report() const { return session_.report(); }  // of the step that led here
   const Params& params() const { return next_; }                  // of the next step
   double kappa() const { return resolve_kappa(model(), next_); }  // J
+
+  // Of now, with the parameters of the next step, without a history.
+  FrameView view() const { return {shared_model(), params(), kappa(), state(), report(), {}, {}}; }
 
   const Timeline& timeline() const { return timeline_; }
   std::size_t cursor() const { return cursor_; }

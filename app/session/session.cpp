@@ -23,13 +23,10 @@ Session::Session(std::shared_ptr<const Scene> scene, int threads)
 
 double Session::kappa() const { return resolve_kappa(*model_, params_); }
 
+FrameView Session::view() const { return {model_, params_, kappa(), state_, report_, {}, {}}; }
+
 const StepReport& Session::step() {
   pabd::step(*model_, params_, options_, state_, workspace_, report_);
-  if (report_.status == StepStatus::non_finite) {
-    describe_failure();
-  } else if (keep_history_ && report_.status != StepStatus::interrupted) {
-    history_.add(report_);
-  }
   return report_;
 }
 
@@ -37,7 +34,6 @@ void Session::reset() {
   model_ = {scene_, &scene_->model};
   params_ = scene_->params;
   state_ = scene_->initial;
-  history_.clear();
   describe_start();
 }
 
@@ -58,7 +54,6 @@ void Session::restore(std::shared_ptr<const Model> model, State state) {
   }
   model_ = std::move(model);
   state_ = std::move(state);
-  history_.clear();
   describe_start();
 }
 
@@ -68,14 +63,6 @@ void Session::edit(const ModelEdit& edit) {
   model_ = std::move(model);
   options_.pulls.clear();  // their numbers may have moved
   describe_start();
-}
-
-// A step that failed ends in no state: what a state has is not known of it, and not zero.
-void Session::describe_failure() {
-  for (double* x : {&report_.kinetic, &report_.potential, &report_.elastic, &report_.max_penetration,
-                    &report_.min_gap, &report_.max_joint_error})
-    *x = std::numeric_limits<double>::quiet_NaN();
-  if (report_.iterations == 0) report_.residual = std::numeric_limits<double>::quiet_NaN();
 }
 
 // What is known before the first step: energies, but no contacts.

@@ -1,13 +1,13 @@
-// One simulation that is being run: the scene it came from, what is tuned, where the bodies are now, what
-// happened so far. The command line and the window send the same commands to it. No drawing and no printing
-// in here; any number of sessions may live side by side.
+// One simulation that is being run: the scene it came from, what is tuned, where the bodies are now. The
+// command line and the window send the same commands to it. No drawing and no printing in here; any number of
+// sessions may live side by side.
 #pragma once
 
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "app/session/history.h"
+#include "app/session/frame_view.h"
 #include "app/session/model_edit.h"
 #include "sim/scene/scene.h"
 #include "sim/solver/time_step.h"
@@ -28,16 +28,14 @@ class Session {
   const Params& params() const { return params_; }
   const State& state() const { return state_; }
   const StepReport& report() const { return report_; }  // of the last step; energies only before the first
-  const History& history() const { return history_; }
-  double kappa() const;  // resolved contact stiffness; J
+  double kappa() const;                                 // resolved contact stiffness; J
+  FrameView view() const;                               // of now, without a history
 
   // What later steps put into their reports. None changes a result.
   void record_iterations(bool on) { options_.record_iterations = on; }
   void report_contacts(bool on) { options_.report_contacts = on; }
   void report_bodies(bool on) { options_.report_bodies = on; }
   void report_joints(bool on) { options_.report_joints = on; }
-  // Whether later steps enter the history. A run that nobody plots needs none.
-  void keep_history(bool on) { keep_history_ = on; }
 
   // Later steps ask it now and then and end when it says true (StepOptions::stop).
   void stop_when(std::function<bool()> stop) { options_.stop = std::move(stop); }
@@ -49,18 +47,17 @@ class Session {
   // ends (NaN); that one and a step that was stopped leave the state as it was.
   const StepReport& step();
 
-  // Back to the scene's initial state and parameters; the history is forgotten.
+  // Back to the scene's initial state and parameters.
   void reset();
 
   // Takes effect at the next step. Throws Error(bad_input) naming the parameter; the old ones stay then.
   void set_params(const Params& params);
 
-  // Continues from another state of the same model, the history is forgotten. Throws Error(bad_input) when it
-  // does not fit the model.
+  // Continues from another state of the same model. Throws Error(bad_input) when it does not fit the model.
   void set_state(State state);
 
-  // Continues with bodies or joints added or removed, and without pulls; the history is kept. Throws
-  // Error(bad_input) as apply_edit does; nothing has changed then.
+  // Continues with bodies or joints added or removed, and without pulls. Throws Error(bad_input) as
+  // apply_edit does; nothing has changed then.
   void edit(const ModelEdit& edit);
 
   // Continues from a state of `model`, as a run that is wound back does. Throws like set_state.
@@ -68,7 +65,6 @@ class Session {
 
  private:
   void describe_start();
-  void describe_failure();
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Model> model_;  // the scene's own until it is edited
@@ -77,8 +73,6 @@ class Session {
   StepOptions options_;
   StepWorkspace workspace_;
   StepReport report_;
-  History history_;
-  bool keep_history_ = true;
 };
 
 }  // namespace pabd

@@ -13,9 +13,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 namespace pabd {
 
+class Run;
 class Timeline;
 
 // Times are sums of steps, and steps are rounded where they are written: h = 0.0166667 and 60 frames a second
@@ -39,5 +41,15 @@ inline std::int64_t steps_until(double t, double h) {
 
 // The moment of B's past that belongs to moment i of A's.
 std::size_t moment_in_step(const Timeline& a, std::size_t i, const Timeline& b);
+
+// B to where A went on to, as far as B has been there already.
+void rejoin(const Run& a, Run& b);
+// And from there with new steps; `made` is called after each. False when one could not be made
+// (Run::advance).
+bool follow(const Run& a, Run& b, const std::function<void()>& made = {});
+
+// Whether the steps that led A and B to where they are end at the same time, with the same number of bodies:
+// then the two states can be compared.
+bool at_common_time(const Run& a, const Run& b);
 
 }  // namespace pabd

@@ -99,7 +99,8 @@ void Timeline::shrink() {
   const auto enough = static_cast<std::size_t>(kRoom * static_cast<double>(budget_));
   for (std::int64_t stride = 2; stride <= kLongestStride && bytes_ > enough; stride *= 2)
     drop_between(stride);
-  while (bytes_ > enough && moments_.size() > 2 * kAllKept && forget_oldest()) {
+  const std::size_t least = budget_ == kNoPast ? 1 : 2 * kAllKept;
+  while (bytes_ > enough && moments_.size() > least && forget_oldest()) {
   }
 }
 

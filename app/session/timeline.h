@@ -12,11 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "app/session/shared_list.h"
+#include "app/session/reports.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/solver/params.h"
-#include "sim/solver/report.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd {
@@ -40,8 +39,8 @@ struct Moment {
   std::string hash = {};                 // state_hash, where it came from a recording; else empty
 };
 
-// Summaries of moments, oldest first, to be looked at from any thread.
-using Reports = SharedList<StepSummary>::View;
+// The budget of a run that is never wound back: it keeps the last moment alone.
+inline constexpr std::size_t kNoPast = 0;
 
 class Timeline {
  public:
@@ -96,7 +95,7 @@ class Timeline {
   std::size_t budget_;
   std::size_t bytes_ = 0, forgotten_ = 0;
   std::deque<Moment> moments_;
-  SharedList<StepSummary> reports_;                     // those of the moments
+  ReportList reports_;                                  // those of the moments
   std::vector<std::shared_ptr<const MadeEdit>> edits_;  // of the moments that are there
   std::size_t pulled_ = 0;
   std::vector<ForgottenEdit> forgotten_edits_;

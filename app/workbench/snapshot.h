@@ -36,19 +36,13 @@ struct RunDistance {
   double time, position;  // s, m
 };
 
-// One of the simulations.
-struct RunView {
-  std::shared_ptr<const Model> model;
-  State state;
-  StepReport report;  // of the step that led here, with what was observed
-  Params params;      // of the next step
-  Params made_with;   // of the step that led here
-  double kappa = 0;   // resolved; J
+// One of the simulations. Its parameters are those of the next step, its history has all moments of the
+// timeline: also those after this one.
+struct RunView : FrameView {
+  std::size_t cursor = 0;  // which moment this is
+  Params made_with;        // parameters of the step that led here
   std::vector<std::pair<std::string, std::string>>
-      changed;  // keys that differ from the scene, with their value
-  // Summaries of all moments of the timeline, and where in it this one is.
-  Reports history;
-  std::size_t cursor = 0;
+      changed;              // keys that differ from the scene, with their value
   std::vector<Pull> pulls;  // hands on bodies in the next step
   // Of the run that the last branch left, if there is one.
   std::optional<Reports> left;

@@ -59,7 +59,7 @@ void Workbench::tell(Severity severity, const std::string& text, const std::stri
 bool Workbench::advance() {
   for (auto* run : {&a_, &b_})
     if (*run) (*run)->stop_when(options_.stop);
-  diverged_ = !a_->advance() || !follow();
+  diverged_ = !a_->advance() || (b_ && !follow(*a_, *b_));
   measure_distance();
   if (!diverged_) return true;
   playing_ = false;
@@ -73,20 +73,6 @@ bool Workbench::advance() {
            b_ ? (first ? "A: " : "B: ") : "", run.state().step + 1, run.state().time + run.params().h),
        {}, ExitCode::diverged);
   return false;
-}
-
-// B to where A is: through what it has been through already, then with new steps. False when it diverged.
-bool Workbench::follow() {
-  if (!b_) return true;
-  const std::size_t known = moment_in_step(a_->timeline(), a_->cursor(), b_->timeline());
-  while (b_->cursor() < known) {
-    if (!b_->advance()) return false;
-  }
-  const double time = a_->state().time;
-  while (b_->at_end() && is_reached(b_->state().time + b_->params().h, time, b_->params().h)) {
-    if (!b_->advance()) return false;
-  }
-  return true;
 }
 
 void Workbench::carry_out(const command::Play&) { playing_ = true; }
@@ -208,9 +194,8 @@ void Workbench::carry_out(const command::Tell& c) {
 
 // At times that both have a state of. What lies behind the present when a run takes another course is gone.
 void Workbench::measure_distance() {
-  if (!b_ || a_->state().c.size() != b_->state().c.size()) return;
+  if (!b_ || !at_common_time(*a_, *b_)) return;
   const double time = a_->state().time;
-  if (!is_common_time(time, b_->state().time, b_->timeline()[b_->cursor()].params->h)) return;
   const double end = std::min(a_->timeline().back().report.time, b_->timeline().back().report.time);
   while (!distances_.empty() && distances_.back().time > std::max(time, end))
     distances_.truncate(distances_.size() - 1);
@@ -256,14 +241,10 @@ RunView Workbench::view(const Run& run, ChangedKeys& changed) const {
   if (changed.scene != scene_serial_ || changed.params != run.params())
     changed = {scene_serial_, run.params(), differences(scene_->params, run.params())};
   RunView v;
-  v.model = run.shared_model();
-  v.state = run.state();
-  v.report = run.report();
-  v.params = run.params();
-  v.made_with = *run.timeline()[run.cursor()].params;
-  v.kappa = run.kappa();
-  v.changed = changed.keys;
+  static_cast<FrameView&>(v) = run.view();
   v.history = run.timeline().reports();
+  v.made_with = *run.timeline()[run.cursor()].params;
+  v.changed = changed.keys;
   v.cursor = run.cursor();
   if (run.pulls()) v.pulls = *run.pulls();
   if (run.left()) v.left = run.left()->reports();

@@ -158,7 +158,6 @@ class Workbench {
 
   Opened read(Source source) const;
   void open(Opened opened);
-  bool follow();
   void seek_to(std::size_t moment);
   RunView view(const Run& run, ChangedKeys& changed) const;
   void measure_distance();

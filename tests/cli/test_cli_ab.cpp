@@ -4,7 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "app/frames/frame_producer.h"
+#include "app/frames/live_source.h"
 #include "render/output/png.h"
 #include "sim/scene/tuning.h"
 #include "tests/cli/program.h"
@@ -146,33 +146,38 @@ struct Fraction {
   double value() const { return static_cast<double>(over) / under; }
 };
 
+// With a time step of h s.
+pabd::Run two_boxes(double h) {
+  const auto scene = std::make_shared<const pabd::Scene>(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
+  pabd::Run run(scene, 1, pabd::kNoPast);
+  pabd::Params params = run.params();
+  params.h = h;
+  run.set_params(params);
+  return run;
+}
+
 TEST_CASE("B is at its last step that is not after A's time, with whatever time steps") {
   const Fraction pairs[][2] = {
       {{1, 60}, {1, 60}},  {{1, 60}, {1, 240}}, {{1, 60}, {1, 100}}, {{1, 60}, {1, 20}},  {{1, 60}, {1, 7}},
       {{1, 100}, {1, 60}}, {{1, 240}, {1, 90}}, {{1, 50}, {3, 200}}, {{1, 30}, {2, 125}}, {{1, 7}, {1, 11}}};
   for (const auto& [step_a, step_b] : pairs) {
     CAPTURE(step_a.under, step_b.over, step_b.under);
-    pabd::Session a(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
-    pabd::Session b(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
-    pabd::Params params = a.params();
-    params.h = step_a.value();
-    a.set_params(params);
-    params.h = step_b.value();
-    b.set_params(params);
     constexpr int kFrames = 40;
-    pabd::FrameProducer producer(
-        a, {0, kFrames, 1 / step_a.value()}, [] { return false; }, [](int, const pabd::StepReport&) {}, &b);
+    pabd::LiveSource source(two_boxes(step_a.value()), two_boxes(step_b.value()),
+                            {0, kFrames, 1 / step_a.value()});
     std::vector<int> common, measured;
-    while (const auto packet = producer.next()) {
-      REQUIRE(packet->b);
-      const int k = packet->frame;
-      CHECK(packet->state.step == k);
+    std::size_t known = 0;
+    while (const auto frame = source.next([] { return false; })) {
+      REQUIRE(frame->b);
+      const int k = frame->number;
+      CHECK(frame->a.state.step == k);
       // ⌊k h_A / h_B⌋
       const int over = k * step_a.over * step_b.under, under = step_a.under * step_b.over;
-      CHECK(packet->b->state.step == over / under);
+      CHECK(frame->b->state.step == over / under);
       if (k > 0 && over % under == 0) common.push_back(k);
-      for (const pabd::DistancePoint& point : packet->apart) {
-        CHECK(point.time == packet->state.time);
+      for (; known < frame->apart.size(); ++known) {
+        const pabd::DistancePoint& point = frame->apart[known];
+        CHECK(point.time == frame->a.state.time);
         measured.push_back(k);
         CHECK((step_a.value() == step_b.value() ? point.position == 0 : point.position >= 0));
       }
@@ -184,16 +189,10 @@ TEST_CASE("B is at its last step that is not after A's time, with whatever time 
 TEST_CASE("steps that were rounded where they were written are in step") {
   for (const double h : {0.0166667, 0.01666666}) {
     CAPTURE(h);
-    pabd::Session a(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
-    pabd::Session b(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
-    pabd::Params params = a.params();
-    params.h = h;
-    b.set_params(params);
-    pabd::FrameProducer producer(
-        a, {0, 200, 60}, [] { return false; }, [](int, const pabd::StepReport&) {}, &b);
-    while (const auto packet = producer.next()) {
-      CHECK(packet->b->state.step == packet->frame);
-      CHECK(packet->apart.size() == (packet->frame > 0 ? 1 : 0));
+    pabd::LiveSource source(two_boxes(1.0 / 60), two_boxes(h), {0, 200, 60});
+    while (const auto frame = source.next([] { return false; })) {
+      CHECK(frame->b->state.step == frame->number);
+      CHECK(frame->apart.size() == static_cast<std::size_t>(frame->number));
     }
   }
 }

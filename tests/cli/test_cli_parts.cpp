@@ -116,30 +116,24 @@ TEST_CASE("progress says how far, how long and how well") {
   CHECK(progress_line("step", 1, 2, 7321, report, false).find("ETA 2:02 h") != std::string::npos);
 }
 
-TEST_CASE("the history is bounded") {
-  History history(10);
-  StepSummary report;
+TEST_CASE("a list of reports is bounded; a view of it stays what it was") {
+  ReportList list;
+  StepSummary step;
+  Reports early;
   for (int i = 1; i <= 1000; ++i) {
-    report.step = i;
-    history.add(report);
-    CHECK(history.reports().size() <= 20);
+    step.step = i;
+    add_report(list, step, 10);
+    CHECK(list.size() <= 20);
+    if (i == 15) early = list.view();
   }
-  CHECK(history.reports().size() >= 10);
-  CHECK(history.reports().back().step == 1000);
-  CHECK(history.reports().front().step == 1001 - static_cast<std::int64_t>(history.reports().size()));
+  CHECK(list.size() >= 10);
+  CHECK(list.back().step == 1000);
+  CHECK(list[0].step == 1001 - static_cast<std::int64_t>(list.size()));
+  REQUIRE(early.size() == 15);
+  for (int i = 0; i < 15; ++i) CHECK(early[static_cast<std::size_t>(i)].step == i + 1);
 }
 
-TEST_CASE("a session that nobody plots keeps no reports") {
-  Session session(load_scene(PABD_SCENES "/two_boxes.json"));
-  session.keep_history(false);
-  for (int i = 0; i < 50; ++i) session.step();
-  CHECK(session.history().reports().empty());
-  session.keep_history(true);
-  session.step();
-  CHECK(session.history().reports().size() == 1);
-}
-
-TEST_CASE("a step that failed reports nothing of where it ended, and enters no history") {
+TEST_CASE("a step that failed reports nothing of where it ended") {
   // The log barrier has no force for boxes that start inside each other.
   Session session(load_scene(PABD_SCENES "/two_boxes.json", {"contact.barrier=log"}));
   const double kinetic = session.report().kinetic;
@@ -149,7 +143,6 @@ TEST_CASE("a step that failed reports nothing of where it ended, and enters no h
   for (const double x :
        {r.kinetic, r.potential, r.elastic, r.max_penetration, r.min_gap, r.max_joint_error, r.residual})
     CHECK(std::isnan(x));
-  CHECK(session.history().reports().empty());
 }
 
 TEST_CASE("a session steps, is reset, tuned and set to a state") {
@@ -160,7 +153,6 @@ TEST_CASE("a session steps, is reset, tuned and set to a state") {
   CHECK(session.report().kinetic == 0);
   CHECK(session.kappa() > 0);
   for (int i = 0; i < 5; ++i) session.step();
-  CHECK(session.history().reports().size() == 5);
   CHECK(session.state().step == 5);
   const State kept = session.state();
   const std::string fifth = state_hash(kept);
@@ -168,7 +160,6 @@ TEST_CASE("a session steps, is reset, tuned and set to a state") {
   const std::string sixth = state_hash(session.state());
 
   session.set_state(kept);
-  CHECK(session.history().reports().empty());
   session.step();
   CHECK(state_hash(session.state()) == sixth);
 

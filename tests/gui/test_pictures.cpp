@@ -7,7 +7,7 @@
 
 #include "app/frames/ab_painter.h"
 #include "app/frames/frame_text.h"
-#include "app/frames/past_producer.h"
+#include "app/frames/past_source.h"
 #include "app/frames/render_pipeline.h"
 #include "app/gui/script.h"
 #include "render/output/png.h"
@@ -30,17 +30,18 @@ std::unique_ptr<GlContext> make_context() {
 void render(const std::string& out, int count, double fps, const std::string& overlay_text,
             const std::string& camera, const std::vector<std::string>& sets = {}) {
   const auto context = make_context();
-  Session session(load_scene(kScene, sets));
+  Run run(std::make_shared<const Scene>(load_scene(kScene, sets)), 1, kNoPast);
   const OverlayChoice overlay = parse_overlay(overlay_text);
-  session.record_iterations(overlay.needs_iterations());
-  session.report_contacts(overlay.needs_contacts());
+  run.observe(overlay.needs_iterations(), overlay.needs_contacts());
   const CameraOption option = parse_camera(camera);
-  AbPainter painter(*context, session, nullptr, AbView::side, 160, 90, overlay, option);
+  const Frame start = make_frame(0, run.view(), {}, {});
+  AbPainter painter(*context, run.shared_scene(), start, AbView::side, 160, 90, overlay, option);
   const FrameRange range{0, count, fps};
-  const PngText common =
-      common_text(session, {160, 90, fps, overlay_text, camera_text(option, camera), painter.gl_renderer()});
-  AsyncSink sink(make_sink(out, sink_options(session, common, range, 160, 90, 0)));
-  render_frames(session, range, painter, sink, {[] { return false; }, [](int, const StepReport&) {}});
+  const PngText common = common_text(
+      run.scene(), {160, 90, fps, overlay_text, camera_text(option, camera), painter.gl_renderer()}, start.a);
+  AsyncSink sink(make_sink(out, sink_options(start.a, common, range, 160, 90, 0)));
+  LiveSource source(std::move(run), {}, range);
+  render_frames(source, painter, sink, {[] { return false; }, [](int, const StepSummary&) {}});
 }
 
 void play(const std::string& actions, const fs::path& folder) {

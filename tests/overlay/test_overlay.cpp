@@ -34,14 +34,23 @@ void check_draw_data(const ImDrawData* data, int width, int height) {
   }
 }
 
-std::vector<StepSummary> some_history() {
-  std::vector<StepSummary> history(300);
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    history[i].time = static_cast<double>(i) / 60;
-    history[i].kinetic = std::abs(std::sin(0.1 * static_cast<double>(i)));
-    history[i].min_gap = std::numeric_limits<double>::infinity();
+Reports some_history() {
+  ReportList history;
+  for (int i = 0; i < 300; ++i) {
+    StepSummary step;
+    step.time = i / 60.0;
+    step.kinetic = std::abs(std::sin(0.1 * i));
+    step.min_gap = std::numeric_limits<double>::infinity();
+    add_report(history, step);
   }
-  return history;
+  return history.view();
+}
+
+std::shared_ptr<const Model> joined(std::size_t joints) {
+  auto model = std::make_shared<Model>();
+  model->joints.resize(joints);
+  for (std::size_t k = 0; k < joints; ++k) model->joints[k].type = static_cast<JointType>(k % 5);
+  return model;
 }
 
 }  // namespace
@@ -54,18 +63,19 @@ TEST_CASE("frames of every size, with all panels, with and without data") {
     return nullptr;
   });
   const OverlayOptions all{true, true, true, true, true, true, 4};
-  Params params;
-  StepReport report;
+  FrameView view;
+  view.model = joined(5);
+  view.kappa = 120;
+  view.history = some_history();
+  StepReport& report = view.report;
   report.step = 300;
   report.records.resize(5);
   report.records[2].energy = std::numeric_limits<double>::quiet_NaN();
   report.contact_reports.resize(2);
   report.contact_reports[0].d = 0.004;
   report.contact_reports[1].d = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<StepSummary> history = some_history();
   const BondLaw law{BondPotential::hard, 1e9, 0.01, 4};
-  const OverlayData full{
-      "сцена 一 with a very very long name that cannot fit", &params, 120, &report, &history, 31, 5, &law};
+  const OverlayData full{"сцена 一 with a very very long name that cannot fit", &view, &law};
   for (const auto& [w, h] : {std::pair{640, 360}, {1280, 720}, {2560, 1440}, {64, 64}}) {
     check_draw_data(overlay.frame(all, full, nullptr, w, h), w, h);
     check_draw_data(overlay.frame(all, {}, nullptr, w, h), w, h);
@@ -100,11 +110,11 @@ TEST_CASE("figures paint to draw data; the same figure gives the same bytes") {
 
 TEST_CASE("the parameters list the law of joints, soft or hard") {
   const FontMetrics font;
-  const Params params;
-  StepReport report;
-  report.max_joint_error = 3.21e-9;
+  FrameView view;
+  view.kappa = 120;
+  view.report.max_joint_error = 3.21e-9;
   BondLaw law{BondPotential::soft, 1.234e9, 0.02, 6};
-  OverlayData data{"s", &params, 120, &report, nullptr};
+  OverlayData data{"s", &view};
   const auto text = [&] {
     OverlayOptions options;
     options.params = true;
@@ -118,7 +128,7 @@ TEST_CASE("the parameters list the law of joints, soft or hard") {
   };
   CHECK(joint_row_count(data) == 0);
   CHECK_FALSE(has(text(), "joint"));
-  data.joints = 7;
+  view.model = joined(7);
   data.joint_law = &law;
   CHECK(joint_row_count(data) == 3);
   const std::string soft = text();

@@ -104,8 +104,24 @@ VisualScene visual_of(const StoredStep& stored, bool contacts_and_bonds) {
   return visual;
 }
 
-OverlayData overlay_of(const StoredStep& stored) {
-  return {stored.scene.name, &stored.scene.params, stored.report.kappa, &stored.report, &stored.history};
+FrameView view_of(const StoredStep& stored) {
+  FrameView view;
+  view.model = std::make_shared<const Model>(stored.scene.model);
+  view.params = stored.scene.params;
+  view.kappa = stored.report.kappa;
+  view.state = stored.scene.initial;
+  view.report = stored.report;
+  ReportList history;
+  for (const StepSummary& step : stored.history) add_report(history, step);
+  view.history = history.view();
+  return view;
+}
+
+OverlayData overlay_of(const StoredStep& stored, const FrameView& view) {
+  OverlayData data;
+  data.scene_name = stored.scene.name;
+  data.view = &view;
+  return data;
 }
 
 }  // namespace pabd

@@ -38,8 +38,10 @@ class Studio {
   Overlay overlay_;
 };
 
+FrameView view_of(const StoredStep& stored);
 VisualScene visual_of(const StoredStep& stored, bool contacts_and_bonds);
-OverlayData overlay_of(const StoredStep& stored);
+// `view` must live as long as the result.
+OverlayData overlay_of(const StoredStep& stored, const FrameView& view);
 
 // Records of a solve: E falls by half each iteration, the penetration settles at 1 mm.
 std::vector<IterationRecord> invented_records(int count, double rate);

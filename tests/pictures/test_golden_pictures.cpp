@@ -45,14 +45,17 @@ TEST_CASE("two boxes with contacts, bond points and legend") {
   const StoredStep stored("two_boxes");
   OverlayOptions panels;
   panels.legend = true;
-  check(studio.frame(visual_of(stored, true), panels, overlay_of(stored)), "two_boxes_contacts", studio);
+  const FrameView view = view_of(stored);
+  check(studio.frame(visual_of(stored, true), panels, overlay_of(stored, view)), "two_boxes_contacts",
+        studio);
 }
 
 TEST_CASE("pyramid with all overlays") {
   Studio studio(1280, 720);
   const StoredStep stored("pyramid");
-  check(studio.frame(visual_of(stored, true), parse_panels("all"), overlay_of(stored)), "pyramid_overlays",
-        studio);
+  const FrameView view = view_of(stored);
+  check(studio.frame(visual_of(stored, true), parse_panels("all"), overlay_of(stored, view)),
+        "pyramid_overlays", studio);
 }
 
 TEST_CASE("round and flat shapes") {
@@ -118,8 +121,10 @@ TEST_CASE("one joint of each type with bond points and legend") {
   build_visual(joints.model, joints.state, {}, options, scene);
   OverlayOptions panels;
   panels.joints = true;
+  FrameView view;
+  view.model = std::make_shared<const Model>(joints.model);
   OverlayData data;
-  data.joint_types = joint_types(joints.model);
+  data.view = &view;
   check(studio.frame(scene, panels, data), "joints", studio);
 }
 
@@ -131,9 +136,8 @@ TEST_CASE("a mechanism with all overlays, small") {
   for (StepSummary& report : stored.history) report.max_joint_error = 2e-9 + 1e-9 * std::sin(6 * report.time);
   stored.report.max_joint_error = stored.history.back().max_joint_error;
   const BondLaw law{BondPotential::hard, 2.5e8, 0.01, 4};
-  OverlayData data = overlay_of(stored);
-  data.joint_types = joint_types(stored.scene.model);
-  data.joints = stored.scene.model.joints.size();
+  const FrameView view = view_of(stored);
+  OverlayData data = overlay_of(stored, view);
   data.joint_law = &law;
   OverlayOptions panels = parse_panels("all");
   panels.joints = true;
