@@ -48,11 +48,7 @@ bool equal(const std::vector<Pull>& a, const std::vector<Pull>& b) {
 
 Run::Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory,
          const std::optional<State>& start)
-    : scene_(scene),
-      session_(std::move(scene), threads),
-      threads_(threads),
-      timeline_(memory),
-      next_(session_.params()) {
+    : scene_(scene), session_(std::move(scene), threads), threads_(threads), timeline_(memory) {
   if (start) session_.set_state(*start);
   add_moment();
 }
@@ -62,8 +58,8 @@ Run::Run(std::shared_ptr<const Scene> scene, int threads, Timeline past)
       session_(std::move(scene), threads),
       threads_(threads),
       timeline_(std::move(past)),
-      cursor_(timeline_.size() - 1),
-      next_(*timeline_.back().params) {
+      cursor_(timeline_.size() - 1) {
+  session_.set_params(timeline_.back().params);
   seek(cursor_);
 }
 
@@ -74,8 +70,8 @@ Run Run::fork() const {
   out.timeline_ = timeline_;
   out.cursor_ = cursor_;
   out.seek(cursor_);
-  out.next_ = next_;
-  out.newest_ = at_end() ? next_ : newest_;
+  out.session_.set_params(session_.shared_params());
+  out.newest_ = newest_;
   out.pulls_ = pulls_;
   out.left_ = left_;
   out.parting_ = parting_;
@@ -101,7 +97,6 @@ bool Run::advance() {
     seek(cursor_ + 1);
     return true;
   }
-  session_.set_params(next_);
   session_.set_pulls(listed(pulls_));
   const StepStatus status = session_.step().status;
   if (status == StepStatus::non_finite || status == StepStatus::interrupted) return false;
@@ -114,44 +109,35 @@ bool Run::advance() {
 // looked up: this one is where the session is.
 void Run::seek(std::size_t i) {
   const Moment& m = timeline_[i];
-  if (at_end()) newest_ = next_;
+  if (at_end()) newest_ = session_.shared_params();
   if (m.start || i == 0) {
+    session_.set_params(m.params);
     session_.restore(m.model, *timeline_.state(i, threads_));
   } else {
     if (i != cursor_ + 1) session_.restore(m.model, *timeline_.state(i - 1, threads_));
-    session_.set_params(*m.params);
+    session_.set_params(m.params);
     session_.set_pulls(listed(m.pulls));
     session_.step();
   }
   // The parameters of a start are only those that were in force.
   cursor_ = i;
   pulls_.reset();
-  if (at_end()) {
-    next_ = newest_;  // also those that no step was made with yet
-    shared_.reset();
-    return;
-  }
-  shared_ = timeline_[i + 1].params;
-  next_ = *shared_;
+  if (at_end()) return session_.set_params(newest_);  // also those that no step was made with yet
+  session_.set_params(timeline_[i + 1].params);
   pulls_ = timeline_[i + 1].pulls;
 }
 
 void Run::restart() {
-  const Params params = next_;
+  const std::shared_ptr<const Params> params = session_.shared_params();
   seek(0);
-  next_ = params;
-  shared_.reset();
+  session_.set_params(params);
   branch();
 }
 
 void Run::set_params(const Params& params) {
-  if (const auto error = check_params(params)) {
-    throw Error(ExitCode::bad_input, error->pointer + ": " + error->message);
-  }
-  if (next_ == params) return;
-  if (!at_end()) branch();
-  next_ = params;
-  shared_.reset();
+  if (session_.params() == params) return;
+  session_.set_params(params);
+  branch();
 }
 
 void Run::set_pulls(std::vector<Pull> pulls) {
@@ -214,10 +200,10 @@ void Run::branch() {
 }
 
 void Run::add_moment(std::shared_ptr<const MadeEdit> edit) {
-  if (!shared_) shared_ = std::make_shared<const Params>(next_);
   const bool start = timeline_.empty() || edit;
-  timeline_.add({session_.shared_model(), shared_, std::make_shared<const State>(session_.state()),
-                 session_.report().summary(), start, start ? nullptr : pulls_, std::move(edit)});
+  timeline_.add({session_.shared_model(), session_.shared_params(),
+                 std::make_shared<const State>(session_.state()), session_.report().summary(), start,
+                 start ? nullptr : pulls_, std::move(edit)});
   cursor_ = timeline_.size() - 1;
 }
 
@@ -226,7 +212,7 @@ void Run::compare() {
   const Moment& other = (*left_)[left_->at_time(state().time)];
   if (!other.state || other.report.step != state().step || other.model != shared_model()) return;
   if (!parting_->differs && !same_bits(*other.state, state())) parting_->differs = state().time;
-  if (largest_distance(*other.state, state()) > next_.contact.d_hat) parting_->parted = state().time;
+  if (largest_distance(*other.state, state()) > params().contact.d_hat) parting_->parted = state().time;
 }
 
 }  // namespace pabd

@@ -33,11 +33,11 @@ class Run {
   const std::shared_ptr<const Model>& shared_model() const { return session_.shared_model(); }
   const State& state() const { return session_.state(); }
   const StepReport& report() const { return session_.report(); }  // of the step that led here
-  const Params& params() const { return next_; }                  // of the next step
-  double kappa() const { return resolve_kappa(model(), next_); }  // J
+  const Params& params() const { return session_.params(); }      // of the next step
+  double kappa() const { return session_.kappa(); }               // J
 
   // Of now, with the parameters of the next step, without a history.
-  FrameView view() const { return {shared_model(), params(), kappa(), state(), report(), {}, {}}; }
+  FrameView view() const { return session_.view(); }
 
   const Timeline& timeline() const { return timeline_; }
   std::size_t cursor() const { return cursor_; }
@@ -97,9 +97,7 @@ class Run {
   bool iterations_ = false, contacts_ = false, bodies_ = false;
   Timeline timeline_;
   std::size_t cursor_ = 0;
-  Params next_;    // of the next step
-  Params newest_;  // the same at the end of the timeline, while the cursor is elsewhere
-  std::shared_ptr<const Params> shared_;  // the last ones that a step was made with
+  std::shared_ptr<const Params> newest_;  // of the next step at the end, while the cursor is elsewhere
   Pulls pulls_;                           // of the next step
   std::function<bool()> stop_;
   std::optional<Timeline> left_;

@@ -15,33 +15,35 @@ Session::Session(Scene scene, int threads)
 Session::Session(std::shared_ptr<const Scene> scene, int threads)
     : scene_(std::move(scene)),
       model_(scene_, &scene_->model),
-      params_(scene_->params),
+      params_(scene_, &scene_->params),
       state_(scene_->initial) {
   options_.threads = threads;
   describe_start();
 }
 
-double Session::kappa() const { return resolve_kappa(*model_, params_); }
+double Session::kappa() const { return resolve_kappa(*model_, *params_); }
 
-FrameView Session::view() const { return {model_, params_, kappa(), state_, report_, {}, {}}; }
+FrameView Session::view() const { return {model_, *params_, kappa(), state_, report_, {}, {}}; }
 
 const StepReport& Session::step() {
-  pabd::step(*model_, params_, options_, state_, workspace_, report_);
+  pabd::step(*model_, *params_, options_, state_, workspace_, report_);
   return report_;
 }
 
 void Session::reset() {
   model_ = {scene_, &scene_->model};
-  params_ = scene_->params;
+  params_ = {scene_, &scene_->params};
   state_ = scene_->initial;
   describe_start();
 }
 
-void Session::set_params(const Params& params) {
-  if (const auto error = check_params(params)) {
+void Session::set_params(const Params& params) { set_params(std::make_shared<const Params>(params)); }
+
+void Session::set_params(std::shared_ptr<const Params> params) {
+  if (const auto error = check_params(*params)) {
     throw Error(ExitCode::bad_input, error->pointer + ": " + error->message);
   }
-  params_ = params;
+  params_ = std::move(params);
 }
 
 void Session::set_state(State state) { restore(model_, std::move(state)); }
@@ -70,12 +72,12 @@ void Session::describe_start() {
   report_ = StepReport{};
   report_.step = state_.step;
   report_.time = state_.time;
-  report_.method = params_.solver.method;
+  report_.method = params_->solver.method;
   report_.status = StepStatus::converged;
   report_.kappa = kappa();
   report_.min_gap = std::numeric_limits<double>::infinity();
   report_.kinetic = kinetic_energy(*model_, state_);
-  report_.potential = potential_energy(*model_, params_, state_);
+  report_.potential = potential_energy(*model_, *params_, state_);
 }
 
 }  // namespace pabd

@@ -25,7 +25,8 @@ class Session {
   const std::shared_ptr<const Scene>& shared_scene() const { return scene_; }
   const Model& model() const { return *model_; }
   const std::shared_ptr<const Model>& shared_model() const { return model_; }
-  const Params& params() const { return params_; }
+  const Params& params() const { return *params_; }  // of the next step
+  const std::shared_ptr<const Params>& shared_params() const { return params_; }
   const State& state() const { return state_; }
   const StepReport& report() const { return report_; }  // of the last step; energies only before the first
   double kappa() const;                                 // resolved contact stiffness; J
@@ -52,6 +53,7 @@ class Session {
 
   // Takes effect at the next step. Throws Error(bad_input) naming the parameter; the old ones stay then.
   void set_params(const Params& params);
+  void set_params(std::shared_ptr<const Params> params);  // not null; shared with whoever has them
 
   // Continues from another state of the same model. Throws Error(bad_input) when it does not fit the model.
   void set_state(State state);
@@ -68,7 +70,7 @@ class Session {
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Model> model_;  // the scene's own until it is edited
-  Params params_;
+  std::shared_ptr<const Params> params_;
   State state_;
   StepOptions options_;
   StepWorkspace workspace_;

@@ -136,3 +136,25 @@ TEST_CASE("a step can be made again with another method, and nothing moves") {
   REQUIRE(run.advance());
   CHECK(same_bits(run.state(), other.state()));
 }
+
+TEST_CASE("the beginning says what it said, whatever was changed later") {
+  Run run(two_boxes(), 1, kPlenty);
+  const double potential = run.report().potential;
+  for (int i = 0; i < 5; ++i) REQUIRE(run.advance());
+  run.set_params(tuned(run.params(), {"gravity=[0,-1,0]", "solver.method=sissm"}));
+  for (int i = 0; i < 5; ++i) REQUIRE(run.advance());
+  run.seek(0);
+  CHECK(run.report().potential == potential);
+  CHECK(run.report().method == run.timeline()[0].report.method);
+  CHECK(run.params().gravity.y() == -9.81);  // of the step that was made from there
+  run.seek(5);
+  CHECK(run.params().gravity.y() == -1);
+  // A copy goes on with what was set, though no step was made with it yet.
+  run.seek(10);
+  run.set_params(tuned(run.params(), {"gravity=[0,-2,0]"}));
+  Run copy = run.fork();
+  CHECK(copy.params().gravity.y() == -2);
+  copy.seek(3);
+  copy.seek(10);
+  CHECK(copy.params().gravity.y() == -2);
+}
