@@ -2,7 +2,6 @@
 #include <sched.h>
 
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <thread>
 
 #include "sim/base/available_cpus.h"
@@ -21,7 +20,7 @@ class Machine {
   void write(const std::string& path, const std::string& text) {
     const fs::path file = folder_.path() / path;
     fs::create_directories(file.parent_path());
-    std::ofstream(file) << text;
+    write_bytes(file, text);
   }
   double quota(const std::string& cgroups, const std::string& mounts) const {
     return cgroup_quota(cgroups, mounts, folder_.path());

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/files.h"
+
 namespace pabd::test {
 
 struct Outcome {
@@ -72,8 +74,10 @@ class TempFolder {
   std::filesystem::path path_;
 };
 
-std::string read_text(const std::filesystem::path& path);
-void write_text(const std::filesystem::path& path, const std::string& text);
+inline std::string read_text(const std::filesystem::path& path) { return read_bytes(path); }
+inline void write_text(const std::filesystem::path& path, const std::string& text) {
+  write_bytes(path, text);
+}
 std::vector<std::string> lines_of(const std::string& text);
 std::size_t line_count(const std::string& text);
 

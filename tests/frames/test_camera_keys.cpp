@@ -3,10 +3,10 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 
 #include "app/frames/camera_option.h"
 #include "sim/error.h"
+#include "tests/support/files.h"
 
 using namespace pabd;
 
@@ -98,7 +98,7 @@ TEST_CASE("a camera in words is the same camera, and a file of keys is a camera 
     CHECK(back.fov == camera.fov);
   }
   const auto path = std::filesystem::temp_directory_path() / "pabd_camera_keys_test.json";
-  std::ofstream(path) << camera_keys_json(some_keys());
+  write_bytes(path, camera_keys_json(some_keys()));
   const CameraOption option = parse_camera(path.string());
   CHECK(apply_camera(option, camera, -5).eye == rounded(some_keys().keys[0].pose).eye);
   CHECK(apply_camera(option, camera, 9).fov == 60);

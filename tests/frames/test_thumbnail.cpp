@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
-#include <fstream>
 #include <optional>
 
 #include "render/output/png.h"
@@ -104,7 +103,7 @@ TEST_CASE("what is damaged, of another size, scene or version is not found, and 
   CHECK_FALSE(cache.find(kHash));
   fs::resize_file(file, 10);
   CHECK_FALSE(cache.find(kHash));
-  std::ofstream(file) << "no picture at all, but long enough to hold a header";
+  write_bytes(file, "no picture at all, but long enough to hold a header");
   CHECK_FALSE(cache.find(kHash));
 
   PngText text = {{"Software", "pabd 0.0.1 thumbnail 1"}, {"Scene hash", kHash}};
@@ -137,7 +136,7 @@ TEST_CASE("without a folder, or with one that cannot be, nothing is kept and not
   CHECK_FALSE(none.store(kHash, some_picture()));
   CHECK_FALSE(none.find(kHash));
   const TempFolder folder;
-  std::ofstream(folder.path() / "file") << "in the way";
+  write_bytes(folder.path() / "file", "in the way");
   const ThumbnailCache blocked(folder.path() / "file" / "thumbnails");
   CHECK_FALSE(blocked.store(kHash, some_picture()));
   CHECK_FALSE(blocked.find(kHash));
@@ -162,10 +161,10 @@ TEST_CASE("the oldest go when there are too many") {
   const auto now = fs::file_time_type::clock::now();
   for (std::size_t k = 0; k < ThumbnailCache::kMostFiles; ++k) {
     const fs::path file = folder.path() / (std::to_string(k) + ".png");
-    std::ofstream(file) << "x";
+    write_bytes(file, "x");
     fs::last_write_time(file, now - std::chrono::hours(1000 - static_cast<long>(k)));
   }
-  std::ofstream(folder.path() / "notes.txt") << "not a thumbnail";
+  write_bytes(folder.path() / "notes.txt", "not a thumbnail");
   REQUIRE(cache.store(kHash, some_picture()));
   CHECK_FALSE(fs::exists(folder.path() / "0.png"));
   CHECK(fs::exists(folder.path() / "1.png"));

@@ -4,12 +4,12 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <set>
 
 #include "tests/gl/render_fixture.h"
 #include "tests/gl/scenes.h"
+#include "tests/support/files.h"
 
 using namespace pabd;
 
@@ -79,8 +79,7 @@ TEST_CASE("one frame into the file named by PABD_FRAME_FILE", "[.child]") {
   REQUIRE(path != nullptr);
   RenderFixture f(320, 180);
   const Image image = render(f.renderer, rich_scene());
-  std::ofstream(path, std::ios::binary)
-      .write(reinterpret_cast<const char*>(image.rgb.data()), static_cast<std::streamsize>(image.rgb.size()));
+  write_bytes(path, {reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size()});
 }
 
 TEST_CASE("the number of the driver's threads does not show in the picture") {
@@ -93,8 +92,8 @@ TEST_CASE("the number of the driver's threads does not show in the picture") {
     const std::string command = "LP_NUM_THREADS=" + std::string(threads) + " PABD_FRAME_FILE='" +
                                 file.string() + "' '" + self.string() + "' '[.child]' > /dev/null";
     REQUIRE(std::system(command.c_str()) == 0);
-    std::ifstream in(file, std::ios::binary);
-    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};
+    const std::string text = read_bytes(file);
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
     INFO(threads << " threads");
     CHECK(bytes == expected.rgb);
   }

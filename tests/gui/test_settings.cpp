@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include "app/gui/settings.h"
 #include "sim/error.h"
@@ -81,7 +80,7 @@ TEST_CASE("settings on disk: none, written, in a place where nothing can be writ
   CHECK(read_settings(folder / "none.json").ui.dark);
   write_settings(folder / "new" / "view.json", unusual());
   CHECK(read_settings(folder / "new" / "view.json").width == 1600);
-  std::ofstream(folder / "file") << "x";
+  write_bytes(folder / "file", "x");
   CHECK_THROWS_AS(write_settings(folder / "file" / "view.json", unusual()), Error);
   REQUIRE(::setenv("XDG_CONFIG_HOME", "/somewhere", 1) == 0);
   CHECK(settings_path() == fs::path("/somewhere/pabd/view.json"));

@@ -1,7 +1,6 @@
 // The shipped scenes load, and the JSON Schema says what the reader does.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -9,6 +8,7 @@
 #include "sim/scene/parameter_docs.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/helpers.h"
+#include "tests/support/files.h"
 
 using namespace pabd;
 using namespace pabd::test;
@@ -18,11 +18,7 @@ namespace {
 
 const std::filesystem::path kAssets = PABD_ASSETS;
 
-Json schema() {
-  std::ifstream in(kAssets / "pabd-scene.schema.json");
-  REQUIRE(in);
-  return Json::parse(in);
-}
+Json schema() { return Json::parse(read_bytes(kAssets / "pabd-scene.schema.json")); }
 
 // A key is documented when it, or what it refers to, has a description (a "type" word says itself what it
 // is).
@@ -101,9 +97,7 @@ TEST_CASE("every shipped scene runs with sissm: finite, energy below the start's
 }
 
 TEST_CASE("the README of the assets lists every scene, and its example of joints is a scene", "[scene]") {
-  std::ifstream in(kAssets / "README.md");
-  REQUIRE(in);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = read_bytes(kAssets / "README.md");
   std::size_t scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kAssets / "scenes")) {
     if (entry.path().extension() != ".json") continue;

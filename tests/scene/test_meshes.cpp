@@ -1,11 +1,11 @@
 // Mesh files: three formats give the same hull, and whatever is wrong with a file is refused with its place.
 #include <bit>
-#include <fstream>
 
 #include "sim/body/mass_properties.h"
 #include "sim/scene/mesh_library.h"
 #include "sim/scene/random.h"
 #include "tests/scene/helpers.h"
+#include "tests/support/files.h"
 
 using namespace pabd;
 using namespace pabd::test;
@@ -284,7 +284,7 @@ TEST_CASE("the body sits at the centre of mass, and the hash follows the file's 
   const auto folder = std::filesystem::temp_directory_path() / "pabd_test_meshes";
   std::filesystem::create_directories(folder);
   const auto load = [&](const std::string& mesh, const std::string& name) {
-    std::ofstream(folder / name) << mesh;
+    write_bytes(folder / name, mesh);
     return parse_scene(only_body(
                            R"({ "name": "m", "position": [1, 2, 3], "mass": 5, "shape": { "type": "mesh",
       "file": ")" + name + R"(", "scale": 0.5 } }, { "shape": { "type": "mesh", "file": ")" +

@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
-#include <fstream>
 
 #include "app/session/run.h"
 #include "app/workbench/workbench.h"
@@ -204,7 +203,7 @@ TEST_CASE("recordings and states are saved and come back, and what does not fit 
 
   Workbench pyramid({}, command::Load{PABD_SCENES "/pyramid.json", {}, false});
   CHECK_THROWS_WITH(pyramid.apply(command::LoadRecording{file}), Catch::Contains("open that scene first"));
-  std::ofstream(file, std::ios::trunc) << "pabd-rec";
+  write_bytes(file, "pabd-rec");
   CHECK_THROWS_WITH(other.apply(command::LoadRecording{file}), Catch::Contains("run.pabdrec"));
   CHECK(other.run().timeline().size() == 82);
 

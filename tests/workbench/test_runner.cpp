@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "app/workbench/runner.h"
@@ -30,7 +29,7 @@ std::shared_ptr<const Snapshot> wait_for(Runner& runner, Holds holds) {
 // At a time of its own, however coarse the clock of the file system is.
 void write(const fs::path& path, const std::string& text) {
   static int times = 0;
-  std::ofstream(path, std::ios::trunc) << text;
+  write_bytes(path, text);
   fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::seconds(10 * ++times));
 }
 

@@ -2,7 +2,6 @@
 // bytes, not time.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 
 #include "app/workbench/workbench.h"
 #include "tests/support/allocations.h"
@@ -27,8 +26,8 @@ test::Allocations cost_of_snapshot(Workbench& bench) {
 TEST_CASE("a snapshot of a long run takes as many allocations and bytes as one of a short run") {
   const TempFolder folder;
   const std::string scene = (folder / "ball.json").string();
-  std::ofstream(scene) << R"({"format": "pabd-scene", "version": 1, "name": "ball", "gravity": [0, 0, 0],
-    "bodies": [{"shape": {"type": "sphere", "radius": 1}, "velocity": [1, 0, 0]}]})";
+  write_bytes(scene, R"({"format": "pabd-scene", "version": 1, "name": "ball", "gravity": [0, 0, 0],
+    "bodies": [{"shape": {"type": "sphere", "radius": 1}, "velocity": [1, 0, 0]}]})");
   Workbench bench({}, command::Load{scene, {}, false});
   bench.apply(command::Compare{{"contact.N=5"}});
   bench.apply(command::Step{200});

@@ -2,7 +2,6 @@
 // end it says so and does nothing.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 
 #include "sim/scene/tuning.h"
 #include "tests/support/temp_folder.h"
@@ -213,7 +212,7 @@ TEST_CASE("a scene that changes on disk is told of; what this program saved ther
 
   std::string text = read_scene_text(path);
   const std::string other = std::string(text).replace(text.find("two boxes"), 9, "new boxes");
-  std::ofstream(path, std::ios::trunc) << other;
+  write_bytes(path, other);
   later(30);
   CHECK(bench.look_at_file());
   CHECK(bench.snapshot().file_changed);
@@ -222,10 +221,10 @@ TEST_CASE("a scene that changes on disk is told of; what this program saved ther
   later(40);
   CHECK_FALSE(bench.look_at_file());
   CHECK_FALSE(bench.snapshot().file_changed);
-  std::ofstream(path, std::ios::trunc) << other << " ";
+  write_bytes(path, other + " ");
   later(50);
   CHECK(bench.look_at_file());
-  std::ofstream(path, std::ios::trunc) << text;  // as it was after all
+  write_bytes(path, text);  // as it was after all
   later(60);
   CHECK(bench.look_at_file());
   CHECK_FALSE(bench.snapshot().file_changed);
@@ -248,8 +247,8 @@ TEST_CASE("loading a scene's file again keeps parameters, how they were changed,
   CHECK(bench.run().model().size() == 4);
 
   const std::string text = read_scene_text(path);
-  std::ofstream(path, std::ios::trunc) << tuned_scene_text(
-      text, path, {}, tuned(bench.snapshot().scene->params, {"contact.friction.static=0.9"}));
+  write_bytes(path, tuned_scene_text(text, path, {},
+                                     tuned(bench.snapshot().scene->params, {"contact.friction.static=0.9"})));
   bench.apply(command::Reload{true});
   CHECK(bench.run().state().step == 0);
   CHECK(bench.run().model().size() == 3);
@@ -262,7 +261,7 @@ TEST_CASE("loading a scene's file again keeps parameters, how they were changed,
   bench.apply(command::Undo{});
   CHECK(bench.run().params().contact.N == 3);
   CHECK(bench.run().params().contact.mu_static == 0.9);  // what the file says now
-  std::ofstream(path, std::ios::trunc) << "{ broken";
+  write_bytes(path, "{ broken");
   CHECK_THAT(refusal(bench, command::Reload{true}), Catch::Contains("line 1"));
   CHECK(bench.comparing());
 }

@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
-#include <fstream>
 
 #include "app/workbench/command_json.h"
 #include "app/workbench/runner.h"
@@ -175,14 +174,14 @@ TEST_CASE("files: save, refuse to replace, reload, keep what is not saved") {
   const std::string newer =
       tuned_scene_text(read_scene_text(folder / "scene.json"), "scene", {},
                        tuned(bench.run().params(), {"contact.N=7", "contact.kappa=auto"}));
-  std::ofstream(folder / "scene.json") << newer;
+  write_bytes(folder / "scene.json", newer);
   fs::last_write_time(folder / "scene.json", fs::file_time_type::clock::now() + std::chrono::seconds(5));
   CHECK(bench.look_at_file());
   bench.apply(command::Reload{});
   CHECK(bench.run().params().contact.N == 7);
   CHECK(bench.run().params().contact.kappa == 42.0);
   // Broken: the scene that is open stays.
-  std::ofstream(folder / "scene.json") << "{ broken";
+  write_bytes(folder / "scene.json", "{ broken");
   CHECK_THAT(refusal(bench, command::Reload{}), Catch::Contains("line 1"));
   bench.apply(command::Step{1});
   CHECK(bench.run().state().step == 1);
