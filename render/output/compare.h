@@ -1,10 +1,9 @@
 // Image comparison in two tiers (see README of this folder for why no global score decides).
 //
-// symbol                      meaning                                                          unit
-// max_difference              largest |actual - expected| of a channel                          levels, 0 …
-// 255 tile                        16×16 pixels; the last column and row of tiles end at the border distance
-// to the surround    how far a value is outside the smallest and largest value of     levels
-//                             the 3×3 pixels around the same place in the other image
+//   max_difference   largest |actual − expected| of a channel                        levels, 0 … 255
+//   tile             16×16 pixels; the last column and row of tiles end at the border
+//   distance to      how far a value is outside the smallest and largest value of    levels
+//   the surround     the 3×3 pixels around the same place in the other image
 #pragma once
 
 #include <string>
@@ -13,11 +12,11 @@
 
 namespace pabd {
 
-// same_class:  the same renderer class. No channel off by more than 1 level, at most 0.1 % of pixels off at
-// all. cross_class: different ones. Distances to the surround, taken both ways (something added, something
-// missing): no tile
-//              with more than 3 pixels off by over 16 levels, and no tile with a mean off by over 3.5 in a
-//              channel.
+//   same_class    the same renderer class. No channel off by more than 1 level, at most 0.1 % of pixels off at
+//                 all.
+//   cross_class   different ones. Distances to the surround, taken both ways (something added, something
+//                 missing): no tile with more than 3 pixels off by over 16 levels, and no tile with a mean off
+//                 by over 3.5 in a channel.
 enum class CompareTier { same_class, cross_class };
 
 // What differs, and whether that is too much.

@@ -5,8 +5,8 @@
 //   d          (y_b − y_a)·n                                  m
 //   f_n        normal force                                   N
 //   s          glyph scale: radius of a disc                  m
-//   L          arrow length  s (3 + 2 log₁₀(1 + 9 f_n/W))     m; W a body's weight: 5 s at f_n = W, 7 s at 10
-//   W
+//   L          arrow length  s (3 + 2 log₁₀(1 + 9 f_n/W))     m; W a body's weight: 5 s at f_n = W,
+//                                                             7 s at 10 W
 #include "render/visual/contact_glyphs.h"
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 //   soft    Ψ = ½ κ s²                                     κ in N/m
 //   hard    Ψ = κ Σ_{m=1}^{⌊N/2⌋} (1/2m)(s/d̂)²ᵐ            κ in J
 //
-//   ∂Ψ/∂y_b = Ψ'(s) e/‖e‖,   weights: α_n = Ψ'' along e, α_t = max(0, Ψ'/‖e‖) across it; for l = 0 both are
-//   Ψ''.
+//   ∂Ψ/∂y_b = Ψ'(s) e/‖e‖,   weights: α_n = Ψ'' along e, α_t = max(0, Ψ'/‖e‖) across it;
+//                            for l = 0 both are Ψ''
 #pragma once
 
 #include "sim/body/joint.h"

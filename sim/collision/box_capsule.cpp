@@ -3,12 +3,12 @@
 // The capsule is its axis, the segment x(t) = p + t e, t ∈ [0, 1], swollen by its radius r. Three cases, in
 // this order:
 //   face    the segment lies over a face (or so nearly that the face is as good as any other normal): the
-//   part over
-//           the face, two contacts
+//           part over the face, two contacts
 //   apart   the segment is outside: its nearest point to the box, one contact (more along an edge:
-//   side_by_side) edge    the segment pierces the box and the shortest way out is across an edge
+//           side_by_side)
+//   edge    the segment pierces the box and the shortest way out is across an edge
 //
-//   h   half edges of the box                               m
+//   h   half edges of the box                                                    m
 //   s   separation of the segment from the box along an axis, negative inside    m
 #include <limits>
 

@@ -9,8 +9,8 @@
 // total     T + U + Ψ ≤ (T + U + Ψ)_start + W, as the minimiser of E has it. For `sissm`.
 // kinetic   T + U ≤ (T + U)_start + W + Σ min(Ψ, ½ μ (s/h)²)_start: what a step can take out of its bonds is
 //           at most the kinetic energy that closes a stretch s (a contact's d̂ − d, without its overlap) within
-//           it, μ being the reduced mass of the two bodies. For `newton`, whose stiff joints may hold far more than that
-//           where it was stopped, and would stop an ordinary collision dead if that counted.
+//           it, μ being the reduced mass of the two bodies. For `newton`, whose stiff joints may hold far more
+//           than that where it was stopped, and would stop an ordinary collision dead if that counted.
 //
 // An iteration that stops early need not keep to these: then the island goes only a part t of its way and has
 // t of the velocities, the largest t in (0, 1) found by bisection for which the bound holds. It holds for t =

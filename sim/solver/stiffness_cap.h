@@ -1,8 +1,8 @@
 // How stiff a bond may be for `sissm` (Deviation D17).
 //
-//   k        stiffness of the bond: Ψ'' at rest for joints, κ/d̂² for contacts (κ for the log barrier)     N/m
-//   c_a, c_b compliance of its two ends for motion: 1/m + ½ tr([r]ᵀ I⁻¹ [r]), 0 for what is fixed 1/kg n
-//   iterations of a step
+//   k        stiffness of the bond: Ψ'' at rest for joints, κ/d̂² for contacts (κ for the log barrier)   N/m
+//   c_a, c_b compliance of its two ends for motion: 1/m + ½ tr([r]ᵀ I⁻¹ [r]), 0 for what is fixed        1/kg
+//   n        iterations of a step
 //
 //   k ≤ γ n / (h² (c_a + c_b)),  γ = 0.1 for joints and 0.5 for contacts
 //

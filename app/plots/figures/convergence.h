@@ -4,9 +4,9 @@
 //   E        incremental potential                                                  J
 //   E_min    its least value, from a reference solve of the same step               J
 //   E_end    without a reference: the least value that one of the solves ends with  J
-//   residual largest step of a body in an iteration over d̂       1
-//   −d       penetration, before the projection onto SO(3) and after it; m
-//   joint error: largest distance between points that a joint wants together; m
+//   residual largest step of a body in an iteration over d̂                          1
+//   −d       penetration, before the projection onto SO(3) and after it             m
+//   joint error: largest distance between points that a joint wants together        m
 #pragma once
 
 #include <limits>

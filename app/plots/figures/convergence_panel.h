@@ -5,7 +5,7 @@
 //   E_end    without a minimiser: the least that a run ends with          J
 //   residual largest step of a body in an iteration over d̂                1
 //   −d       penetration, before the projection onto SO(3) and after it   m
-//   ‖A − R‖  Frobenius norm of what the projection takes away, largest over bodies; 1
+//   ‖A − R‖  Frobenius norm of what the projection takes away, largest    1
 #pragma once
 
 #include <optional>
