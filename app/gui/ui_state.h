@@ -1,4 +1,5 @@
-// Everything about the view that outlives a frame, as plain data: changed by ViewCommands only.
+// Everything about the view that outlives a frame, as plain data. Panels read it; view commands change it, and
+// so do the mouse (camera), the flight along camera keys, and what no longer fits when bodies or scenes change.
 #pragma once
 
 #include <array>
