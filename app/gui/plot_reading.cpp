@@ -26,7 +26,7 @@ void thin_line(Series& series, std::size_t most) {
     const std::size_t end = std::min(count, begin + piece);
     std::size_t picks[4] = {begin, begin, begin, end - 1};
     for (std::size_t i = begin; i < end; ++i) {
-      // Not finite (a gap without contacts) breaks the line: no extreme.
+      // Non-finite (a gap without contacts) breaks the line: no extreme.
       if (!std::isfinite(series.y[i])) continue;
       if (!(series.y[picks[1]] <= series.y[i])) picks[1] = i;
       if (!(series.y[picks[2]] >= series.y[i]) || !std::isfinite(series.y[picks[2]])) picks[2] = i;

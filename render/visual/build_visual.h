@@ -19,7 +19,7 @@ struct VisualOptions {
   double glyph_scale = 0;  // size of glyphs in m; 0: from the size of the bodies
 
   // A number a body to colour it by (value_map.h), instead of the palette; empty: the palette. Fixed bodies,
-  // values that are not finite and bodies beyond the end of the list are grey.
+  // non-finite values and bodies beyond the end of the list are grey.
   std::vector<double> values;
   ValueRange value_range;
 

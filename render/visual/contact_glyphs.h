@@ -13,7 +13,7 @@ Mat4f place_along(const Vec3& p, const Vec3& axis, double sxz, double sy);
 // bodies.
 double default_glyph_scale(const Model& model);
 
-// The disc and the arrow of one contact; scale and weight as below. Nothing for numbers that are not finite.
+// The disc and the arrow of one contact; scale and weight as below. Nothing for non-finite numbers.
 void add_contact_glyph(const ContactReport& contact, double d_hat, double scale, double weight,
                        VisualScene& out);
 

@@ -22,7 +22,7 @@ struct GlyphSize {
 //   length   between two points: a coil if soft, else a rod
 // What a type of joint leaves free is told by its traits (sim/joint/joint_traits.h).
 // `out.camera` must be set before: dots are kept within a few pixels as it sees them, and what would be too
-// small to read is left out. A joint with a number that is not finite is left out.
+// small to read is left out. A joint with a non-finite number is left out.
 void add_joint_glyphs(const Joint& joint, const Pose& i, const Pose& j, double time, const GlyphSize& size,
                       VisualScene& out);
 

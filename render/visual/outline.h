@@ -15,7 +15,7 @@ void add_outline(const Shape& shape, const Pose& pose, VisualScene& out);
 void add_ring(const Vec3& centre, double radius, VisualScene& out);
 
 // A spring from the hand (a dot) to where it holds a body (a ring), sized in pixels as `out.camera` sees it;
-// its turns do not change while it stretches. Nothing when a number is not finite.
+// its turns do not change while it stretches. Nothing when a number is non-finite.
 void add_spring(const Vec3& hand, const Vec3& body, VisualScene& out);
 
 }  // namespace pabd

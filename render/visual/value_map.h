@@ -12,7 +12,7 @@ struct ValueRange {
   double lo = 0, hi = 1;     // lo < hi; logarithmic: 0 < lo
   bool logarithmic = false;  // equal steps of colour for equal ratios
 
-  // 0 … 1; NaN for what is not finite, or a value ≤ 0 on a logarithmic range counts as its lower end. A range
+  // 0 … 1; NaN for what is non-finite, or a value ≤ 0 on a logarithmic range counts as its lower end. A range
   // that is none puts everything at 0.
   double place(double value) const;
 };

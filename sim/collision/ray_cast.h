@@ -2,7 +2,7 @@
 //
 // A hit is the first point of a shape's surface along the ray, t ≥ 0. From outside that is where the ray
 // enters; from inside (a plane is a half space) where it leaves, with n·direction > 0. For a compound it is
-// the first surface of any part. A ray whose numbers are not finite, or with no direction, hits nothing.
+// the first surface of any part. A ray with non-finite numbers, or with no direction, hits nothing.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// `descent`: Gauss–Seidel over the bodies of an island, colour by colour.
+// `descent`: block coordinate descent, one body after the other (Gauss–Seidel), colour by colour.
 #pragma once
 
 #include "sim/solver/islands.h"

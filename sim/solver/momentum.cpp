@@ -10,7 +10,7 @@
 namespace pabd {
 namespace {
 
-// Joins bodies that felt each other; marks the roots of those that something outside holds.
+// Joins bodies that felt each other; marks the roots of those that feel an external force.
 void join_groups(const Problem& p, const Islands& islands, const Iterate& it, FreeGroups& g) {
   g.parent.resize(p.model->shape.size());
   std::iota(g.parent.begin(), g.parent.end(), 0);

@@ -2,8 +2,8 @@
 //
 // A solve that stops early leaves every body with forces on it that its neighbours do not feel in the same
 // strength, and the implicit step itself takes the levers of forces at its end, which damps what turns about
-// a common centre. Bodies that nothing outside holds can only pass momentum on among themselves, so that
-// their sums over the step are known:
+// a common centre. Bodies without external forces, weight aside, only pass momentum on among themselves, so
+// that their sums over the step are known:
 //
 //   P  = Σ m v*                                     kg m/s
 //   L  = Σ (c₀ − o) × m v* + I ω*                   kg m²/s, c₀ the centres at the start of the step
@@ -17,7 +17,7 @@
 
 namespace pabd {
 
-// Bodies that felt each other in a step and that nothing outside held.
+// Bodies that felt each other in a step, and no external force but weight.
 struct FreeGroup {
   Index count = 0;
   double mass = 0;
@@ -37,8 +37,8 @@ struct FreeGroups {
   std::vector<std::pair<Index, Index>> bodies;  // and their groups
 };
 
-// The groups of bodies that felt each other in the solve and that nothing outside held: no fixed body, no
-// joint to the world, no pull; and their momentum.
+// The groups of bodies that felt each other in the solve, and no external force but weight: no fixed body,
+// no joint to the world, no pull; and their momentum.
 void find_free_groups(const Problem& p, const Islands& islands, const Iterate& it, FreeGroups& out);
 
 // Moves each as a whole by what its momentum misses, and a body that felt nothing back to its free flight.

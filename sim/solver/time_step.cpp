@@ -79,7 +79,7 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
   choose_solvers(p, m.iterate, m.islands, m.solvers.newton);
 }
 
-// Velocities that follow from the poses; the momentum of what nothing outside holds is kept.
+// Velocities that follow from the poses; the momentum of what feels no external force is kept.
 void find_motion(const Problem& p, StepMemory& m) {
   find_free_groups(p, m.islands, m.iterate, m.groups);
   balance_poses(p, m.groups, m.iterate);

@@ -19,7 +19,7 @@ struct StateDistance {
   Index body = -1;      // where position is largest; −1 without bodies
   double angle = 0;     // rad, 0 … π
 };
-// Precondition: states of one model. Not finite where a state is not.
+// Precondition: states of one model. Non-finite where a state is.
 StateDistance state_distance(const State& a, const State& b);
 
 struct DistancePoint {
