@@ -54,6 +54,7 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
   FLAGS -lqhull_r -lfmt -pthread
   HEADERS
     sim/error.h
+    sim/base/error.h
     sim/base/output_path.h
     sim/base/utf8.h
     sim/body/compound.h

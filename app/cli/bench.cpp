@@ -17,7 +17,7 @@
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
 #include "app/session/step_at_time.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/text.h"
 #include "sim/solver/step_summary.h"
 #include "sim/trace/trace.h"
@@ -58,7 +58,7 @@ std::int64_t step_count(const BenchOptions& options, const std::string& name, co
   const std::int64_t steps = steps_until(*options.time, scene.params.h);
   if (steps >= 1 && steps <= kMostSteps) return steps;
   throw Error(
-      ExitCode::bad_input,
+      ErrorKind::bad_input,
       fmt::format("--time {}: {} steps of {}; expected 1 … {}, which is {:.4g} … {:.4g} s", *options.time,
                   steps, name, kMostSteps, scene.params.h, static_cast<double>(kMostSteps) * scene.params.h));
 }
@@ -71,7 +71,7 @@ std::vector<BenchScene> open_scenes(const BenchOptions& options, InputFiles& inp
     for (const auto& file : shipped_scenes()) named.emplace_back(file.stem().string(), file);
   }
   if (named.empty()) {
-    throw Error(ExitCode::file,
+    throw Error(ErrorKind::file,
                 "no folder with shipped scenes was found; run 'cmake --install' again, or name files");
   }
   std::vector<BenchScene> scenes;

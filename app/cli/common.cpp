@@ -7,7 +7,7 @@
 #include <charconv>
 
 #include "sim/base/available_cpus.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd::cli {
 
@@ -55,7 +55,7 @@ FrameSize parse_size(const std::string& text) {
   }
   const auto fits = [](int side) { return side >= 16 && side <= 16384; };
   if (!good || !fits(size.width) || !fits(size.height)) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("--size {}: expected WIDTHxHEIGHT, each 16 … 16384, such as 1280x720", text));
   }
   return size;
@@ -63,8 +63,8 @@ FrameSize parse_size(const std::string& text) {
 
 void check_range(const std::string& option, double value, double lo, double hi, const std::string& unit) {
   if (value >= lo && value <= hi) return;
-  throw Error(ExitCode::bad_input, fmt::format("{} {}: expected {} … {}{}{}", option, value, lo, hi,
-                                               unit.empty() ? "" : " ", unit));
+  throw Error(ErrorKind::bad_input, fmt::format("{} {}: expected {} … {}{}{}", option, value, lo, hi,
+                                                unit.empty() ? "" : " ", unit));
 }
 
 }  // namespace pabd::cli

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/common.h"
+#include "app/cli/exit_code.h"
 #include "app/cli/streams.h"
 #include "render/output/compare.h"
 #include "render/output/compare_report.h"
@@ -59,7 +60,7 @@ int compare(const CompareOptions& options) {
                                             result.max_difference)
                               : fmt::format("different (tier {}): {}\n", tier_name, result.reason));
   }
-  return static_cast<int>(result.equal ? ExitCode::done : ExitCode::images_differ);
+  return result.equal ? kDone : exit_code(ErrorKind::images_differ);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ Drawing draw(const FigureOptions& options) {
     }
     default:
       throw Error(
-          ExitCode::bad_input,
+          ErrorKind::bad_input,
           fmt::format("figure {}: the supplement has figures 1 … 7; expected one of them", options.number));
   }
 }
@@ -58,8 +58,8 @@ Drawing draw(const FigureOptions& options) {
 // Size of a rendered picture.
 PictureSize rendered_size(const FigureOptions& options, PictureSize fallback) {
   if (!is_png_output(options.output)) {
-    throw Error(ExitCode::bad_input, fmt::format("-o {}: figure {} is a rendered picture; name a .png",
-                                                 options.output.output.path, options.number));
+    throw Error(ErrorKind::bad_input, fmt::format("-o {}: figure {} is a rendered picture; name a .png",
+                                                  options.output.output.path, options.number));
   }
   return output_size(options.output, fallback);
 }

@@ -10,7 +10,7 @@
 #include "app/cli/streams.h"
 #include "app/overlay/overlay.h"
 #include "render/gl/renderer.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd::cli {
 namespace {
@@ -25,7 +25,7 @@ Format format_of(const FigureOutputOptions& options) {
   if (ending == ".svg") return Format::svg;
   if (ending == ".csv") return Format::csv;
   throw Error(
-      ExitCode::bad_input,
+      ErrorKind::bad_input,
       fmt::format("-o {}: expected a name that ends in .png, .svg or .csv, or - with --format svg or csv",
                   path));
 }
@@ -83,7 +83,7 @@ void write_drawing(const Drawing& drawing, const FigureOutputOptions& options) {
     return;
   }
   if (format == Format::csv && !drawing.csv) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("-o {}: this figure is a drawing without data; name a .png or .svg",
                             options.output.path));
   }

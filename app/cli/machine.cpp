@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -13,16 +12,18 @@
 #include "app/cli/common.h"
 #include "render/gl/renderer.h"
 #include "sim/base/child_process.h"
+#include "sim/base/input_file.h"
 #include "sim/error.h"
 
 namespace pabd::cli {
 namespace {
 
 constexpr double kPatience = 10;  // seconds for another program to tell about itself
+constexpr std::size_t kMostProcBytes = std::size_t{1} << 24;
 
 // The value of "key : value" in a file of /proc; empty when absent.
 std::string proc_value(const char* file, std::string_view key) {
-  std::ifstream in(file);
+  std::istringstream in(read_if_possible(file, kMostProcBytes));
   for (std::string line; std::getline(in, line);) {
     const auto colon = line.find(':');
     if (colon == std::string::npos || !line.starts_with(key)) continue;

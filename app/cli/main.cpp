@@ -119,7 +119,7 @@ int run_program(int argc, char** argv) {
     write_stdout("pabd " PABD_VERSION "\n");
     return 0;
   } catch (const CLI::ParseError& error) {
-    return report_error(ExitCode::bad_input, usage_message(app, error));
+    return report_error(ErrorKind::bad_input, usage_message(app, error));
   }
   return action();
 }

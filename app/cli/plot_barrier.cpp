@@ -7,7 +7,7 @@
 #include "app/cli/figure_output.h"
 #include "app/cli/plot.h"
 #include "app/plots/figures/barrier.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd::cli {
 namespace {
@@ -36,7 +36,7 @@ BarrierKind parse_kind(const std::string& word) {
   for (const BarrierKind kind : kBarrierKinds) {
     if (word == to_string(kind)) return kind;
   }
-  throw Error(ExitCode::bad_input, fmt::format("--kind {}: expected one of {}", word, kind_words()));
+  throw Error(ErrorKind::bad_input, fmt::format("--kind {}: expected one of {}", word, kind_words()));
 }
 
 // The limits of the scene file hold here too.
@@ -46,7 +46,7 @@ void check_values(const BarrierCurves& curves) {
     params.contact.d_hat = 0.01;
     set(params.contact);
     if (const auto error = check_params(params)) {
-      throw Error(ExitCode::bad_input, fmt::format("{} {}: {}", option, value, error->message));
+      throw Error(ErrorKind::bad_input, fmt::format("{} {}: {}", option, value, error->message));
     }
   };
   for (const int N : curves.N) check("--N", N, [&](ContactParams& c) { c.N = N; });
@@ -57,7 +57,7 @@ void check_values(const BarrierCurves& curves) {
                             std::max<std::size_t>(curves.kappa.size(), 1);
   if (count > kMostCurves) {
     throw Error(
-        ExitCode::bad_input,
+        ErrorKind::bad_input,
         fmt::format("{} curves in one plot: expected at most {}; shorten the lists", count, kMostCurves));
   }
 }

@@ -25,7 +25,8 @@ SolverMethod parse_method(const std::string& word) {
   for (const SolverMethod method : {SolverMethod::sissm, SolverMethod::descent, SolverMethod::newton}) {
     if (word == to_string(method)) return method;
   }
-  throw Error(ExitCode::bad_input, fmt::format("--method {}: expected some of sissm, descent, newton", word));
+  throw Error(ErrorKind::bad_input,
+              fmt::format("--method {}: expected some of sissm, descent, newton", word));
 }
 
 int plot_convergence(const PlotConvergenceOptions& options) {

@@ -17,8 +17,8 @@
 #include "app/frames/frame_text.h"
 #include "app/frames/render_pipeline.h"
 #include "render/output/frame_sink.h"
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/error.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd::cli {
@@ -62,7 +62,7 @@ int frame_count(const RenderOptions& options) {
   const double frames =
       static_cast<double>(steps_until(time, 1 / options.fps)) + (is_still(options.output.path) ? 1 : 0);
   if (frames < 1) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("--time {}: shorter than one frame; give at least {:.4g} s, or --frames 1", time,
                             1 / options.fps));
   }
@@ -72,13 +72,13 @@ int frame_count(const RenderOptions& options) {
 
 void check_output(const RenderOptions& options) {
   if (options.resume && !is_frame_template(options.output.path)) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("--resume: {} is no sequence of frames; only an output with {{frame}} and "
                             ".png can be continued",
                             options.output.path));
   }
   if (options.output.path == "-" && stdout_is_terminal()) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 "-o -: raw RGB frames would go to the terminal; redirect or pipe standard output");
   }
 }
@@ -87,11 +87,11 @@ constexpr int kLeastSide = 34;  // px: two pictures of the least width, and the 
 
 void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const FrameSize& size) {
   if (options.ab.empty() && overlay.panels.difference) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 "--overlay difference: there is nothing to compare; add --ab PATCH.json");
   }
   if (!options.ab.empty() && size.width < kLeastSide) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("--size {}: --ab needs a width of {} or more", options.size, kLeastSide));
   }
 }

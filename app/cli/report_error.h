@@ -4,12 +4,12 @@
 #include <exception>
 #include <string>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd::cli {
 
-// Prints "pabd: error: …" and returns the code.
-int report_error(ExitCode code, const std::string& message);
+// Prints "pabd: error: …" and returns the exit code.
+int report_error(ErrorKind kind, const std::string& message);
 // The same for whatever was thrown. Out of memory and what the system refuses are no defects of the program.
 int report_error(const std::exception_ptr& thrown);
 

@@ -15,7 +15,7 @@
 #include "app/cli/step_statistics.h"
 #include "app/cli/streams.h"
 #include "app/frames/frame_schedule.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/solver/step_summary.h"
 #include "sim/trace/trace.h"
 
@@ -84,13 +84,13 @@ void check_options(const RunOptions& options) {
   const std::string* paths[] = {&options.trace, &options.iterations, &options.joints, &options.state};
   for (int i = 0; i < 4; ++i) {
     if (options.profile && *paths[i] == "-") {
-      throw Error(ExitCode::bad_input,
+      throw Error(ErrorKind::bad_input,
                   "--profile: its table goes to standard output; name a file in place of -");
     }
     for (int j = 0; j < i; ++j) {
       if (!paths[i]->empty() && *paths[i] == *paths[j]) {
         throw Error(
-            ExitCode::bad_input,
+            ErrorKind::bad_input,
             fmt::format(
                 "{}: named for two outputs; give each of --trace, --iterations, --joints, --state its own",
                 *paths[i]));

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/text.h"
 
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ std::string remedy(const std::string& name) {
 fs::path find_scene(const std::string& name) {
   std::error_code ignored;
   if (fs::is_directory(name, ignored)) {
-    throw Error(ExitCode::bad_input, fmt::format("{}: is a directory; name a scene file in it", name));
+    throw Error(ErrorKind::bad_input, fmt::format("{}: is a directory; name a scene file in it", name));
   }
   // A link that leads nowhere is there, too: reading it tells why.
   if (fs::exists(fs::symlink_status(name, ignored))) return name;
@@ -52,7 +52,7 @@ fs::path find_scene(const std::string& name) {
       }
     }
   }
-  throw Error(ExitCode::file,
+  throw Error(ErrorKind::file,
               fmt::format("{}: no such scene file, and no shipped scene of this name{}", name, remedy(name)));
 }
 

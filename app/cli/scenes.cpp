@@ -9,7 +9,7 @@
 #include "app/cli/common.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/scene.h"
 
 namespace pabd::cli {
@@ -39,7 +39,7 @@ int scenes(const ScenesOptions& options) {
     rows.push_back({file.stem().string(), scene.model.size(), scene.model.joints.size(), scene.description});
   }
   if (rows.empty()) {
-    throw Error(ExitCode::file,
+    throw Error(ErrorKind::file,
                 "no folder with shipped scenes was found; run 'cmake --install' again, or name files");
   }
   std::string text;

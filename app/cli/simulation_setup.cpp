@@ -51,7 +51,7 @@ Run open_run(const std::string& scene, const CommonOptions& common, const std::s
 
 Error diverged_error(const std::string& scene, const StepSummary& step) {
   return Error(
-      ExitCode::diverged,
+      ErrorKind::diverged,
       fmt::format("{}: the simulation diverged at step {} (t = {:.6g} s): the state left all bounds; try a "
                   "smaller time_step, a smaller contact.kappa, or solver.method=descent",
                   scene, step.step, step.time));

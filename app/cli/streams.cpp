@@ -5,13 +5,13 @@
 #include <unistd.h>
 
 #include "sim/base/descriptor.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd::cli {
 void write_stdout(std::string_view text) {
   const int reason = write_all(STDOUT_FILENO, text.data(), text.size());
   if (reason == 0) return;
-  throw Error(ExitCode::file,
+  throw Error(ErrorKind::file,
               fmt::format("standard output: {}; write to a file with room, or keep the reader open",
                           system_reason(reason)));
 }

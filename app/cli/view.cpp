@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/cli/backend_option.h"
+#include "app/cli/exit_code.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
@@ -12,8 +13,8 @@
 #include "app/gui/settings.h"
 #include "app/gui/viewer.h"
 #include "render/context/window.h"
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/error.h"
 
 namespace pabd::cli {
 namespace {
@@ -107,6 +108,7 @@ int view_window(const ViewOptions& options, FrameSize size) {
   WindowOptions window_options;
   window_options.width = size.width;
   window_options.height = size.height;
+  window_options.display_lost_status = exit_code(ErrorKind::no_context);
   const auto window = open_window(window_options);
   ViewerOptions setup = viewer_options(options, window->content_scale());
   setup.start = kept.ui;
@@ -164,7 +166,7 @@ int view_window(const ViewOptions& options, FrameSize size) {
   }
   keep_settings(options, viewer.ui(), width, height);
   if (window->display_lost())
-    throw Error(ExitCode::no_gl, "the display was lost; nothing that is on disk was touched");
+    throw Error(ErrorKind::no_context, "the display was lost; nothing that is on disk was touched");
   return interrupt.exit_code();
 }
 
@@ -177,7 +179,7 @@ int view(const ViewOptions& options) {
   if (options.scale != 0) check_range("--scale", options.scale, 0.5, 4);
   check_range("--memory", options.memory, 1, 1e6, "MB");
   if (options.headless && options.script.empty()) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 "--headless: nobody can press keys without a display; give --script ACTIONS.json");
   }
   return options.headless ? view_headless(options, size) : view_window(options, size);

@@ -13,8 +13,8 @@
 
 #include "render/output/png.h"
 #include "render/visual/build_visual.h"
-#include "render/visual/srgb.h"
 #include "sim/base/input_file.h"
+#include "sim/base/srgb.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -34,7 +34,8 @@ bool has_size(const fs::path& path, unsigned width, unsigned height) {
   std::array<unsigned char, 24> head{};
   std::string problem;
   const Descriptor file = open_input(path, problem);
-  if (!problem.empty() || ::read(file.get(), head.data(), head.size()) != ssize_t{head.size()}) return false;
+  if (!problem.empty() || read_some(file.get(), head.data(), head.size()) != ssize_t{head.size()})
+    return false;
   const auto number = [&](std::size_t at) {
     return (unsigned{head[at]} << 24) | (unsigned{head[at + 1]} << 16) | (unsigned{head[at + 2]} << 8) |
            unsigned{head[at + 3]};
@@ -119,9 +120,6 @@ std::optional<Image> ThumbnailCache::find(const std::string& scene_hash) const {
 bool ThumbnailCache::store(const std::string& scene_hash, const Image& thumbnail) const {
   const auto path = path_of(scene_hash);
   if (!path || thumbnail.width != kThumbnailWidth || thumbnail.height != kThumbnailHeight) return false;
-  std::error_code failure;
-  fs::create_directories(*folder_, failure);
-  if (failure) return false;
   try {
     write_png(*path, thumbnail, text_of(scene_hash));
   } catch (const Error&) {

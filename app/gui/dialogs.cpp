@@ -142,6 +142,7 @@ void Dialogs::look(const Snapshot& sim, const UiState& ui) {
       return;
     }
     refusal_ = m.text;
+    exists_ = m.code == ErrorKind::exists;
     answered_ = m.number;
     focus_ = true;
     return;
@@ -190,7 +191,7 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
   }
   ImGui::Dummy({0, f.px(2)});
   // Enter does not give up anything: that takes its own button.
-  const bool exists = q->writes && refusal_.find("exists already") != std::string::npos;
+  const bool exists = q->writes && !refusal_.empty() && exists_;
   const bool asks = q->named && !gone.empty();
   bool force = false;
   if (!asks) go = ImGui::Button(q->button) || go;

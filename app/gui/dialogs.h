@@ -29,6 +29,7 @@ class Dialogs {
   std::uint64_t scene_ = 0;     // serial of the scene then
   std::uint64_t answered_ = 0;  // message
   std::string refusal_;         // why it was refused; empty: it was not
+  bool exists_ = false;         // …: the file is there already
   bool done_ = false;           // it was carried out
   bool focus_ = false;          // the text gets the keyboard in the next frame
   bool with_ui_ = true;         // screenshot

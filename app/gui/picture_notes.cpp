@@ -10,7 +10,7 @@
 #include "app/gui/inspector_rows.h"
 #include "app/gui/widgets.h"
 #include "render/visual/camera_control.h"
-#include "render/visual/srgb.h"
+#include "sim/base/srgb.h"
 
 namespace pabd {
 namespace {

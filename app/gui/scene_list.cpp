@@ -81,14 +81,15 @@ SceneList::Found SceneList::read(const std::string& path) const {
     found.card.without_picture = false;
     found.picture = cache_.find(scene->hash);
     found.scene = std::move(scene);
-  } catch (const std::exception& error) {
-    // Patches, scripts and the like lie beside scenes.
-    found.is_scene = text.empty() || text.find("\"pabd-scene\"") != std::string::npos;
-    found.card.error = error.what();
+  } catch (const Error& error) {
     // The list says which file it is.
-    const std::string place = path + ": ";
-    if (found.card.error.starts_with(place)) found.card.error.erase(0, place.size());
+    found.card.error = error.source() == path ? error.message() : error.what();
+  } catch (const std::exception& error) {
+    found.card.error = error.what();
   }
+  // Patches, scripts and the like lie beside scenes.
+  if (!found.card.error.empty())
+    found.is_scene = text.empty() || text.find("\"pabd-scene\"") != std::string::npos;
   return found;
 }
 

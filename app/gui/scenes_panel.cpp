@@ -10,6 +10,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/scene_list.h"
 #include "app/gui/widgets.h"
+#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
@@ -45,12 +46,11 @@ void text_lines(ImDrawList& list, ImVec2 at, float width, int lines, ImU32 ink, 
     if (to == from) ++to;
     std::string line(from, to);
     if (i + 1 == lines && to < end) {
+      std::string_view left = std::string_view(from, static_cast<std::size_t>(to - from));
       line += "…";
-      while (line.size() > 3 && ImGui::CalcTextSize(line.c_str()).x > width) {
-        line.erase(line.size() - 3);
-        do line.pop_back();
-        while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xC0) == 0x80);
-        line += "…";
+      while (!left.empty() && ImGui::CalcTextSize(line.c_str()).x > width) {
+        left = without_last(left);
+        line = std::string(left) + "…";
       }
     }
     list.AddText(at, ink, line.c_str());

@@ -12,6 +12,7 @@
 #include "app/gui/script_reader.h"
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
+#include "sim/base/utf8.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -22,7 +23,7 @@ using ActionJson = nlohmann::ordered_json;
 constexpr double kFrameSeconds = 1.0 / 60;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
-  throw Error(ExitCode::bad_input, what + ": " + why);
+  throw Error(ErrorKind::bad_input, what, why);
 }
 
 // "{out}" → folder, in every text of an action.
@@ -104,19 +105,6 @@ class Player {
     }
   }
 
-  static std::string utf8(char32_t c) {
-    std::string out;
-    if (c < 0x80) {
-      out += static_cast<char>(c);
-    } else if (c < 0x800) {
-      out += {static_cast<char>(0xC0 | c >> 6), static_cast<char>(0x80 | (c & 0x3F))};
-    } else {
-      out += {static_cast<char>(0xE0 | c >> 12), static_cast<char>(0x80 | (c >> 6 & 0x3F)),
-              static_cast<char>(0x80 | (c & 0x3F))};
-    }
-    return out;
-  }
-
   void draw() {
     if (options_.before_frame) options_.before_frame();
     viewer_.draw(width_, height_, kFrameSeconds);
@@ -143,7 +131,11 @@ class Player {
   }
 
   void act(const action::Type& a) {
-    for (const char32_t c : decode_text(a.text)) viewer_.handle(TextTyped{utf8(c)});
+    for (const char32_t c : decode_text(a.text)) {
+      TextTyped typed;
+      append_character(typed.text, c);
+      viewer_.handle(typed);
+    }
     settle();
   }
 

@@ -38,7 +38,7 @@ class Script {
   std::size_t size() const { return actions_.size(); }
 
   // Carries out everything. Throws Error with file, number of the action (from 0) and why: of an expectation
-  // that failed with ExitCode::images_differ, of what was refused with bad_input, of a simulation that
+  // that failed with ErrorKind::images_differ, of what was refused with bad_input, of a simulation that
   // diverged with diverged, and so on.
   void run(Viewer& viewer, Runner& runner, const ScriptOptions& options) const;
 

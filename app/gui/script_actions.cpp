@@ -19,7 +19,7 @@ constexpr int kMostFrames = 10000;
 constexpr double kLongestWait = 3600;  // s
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
-  throw Error(ExitCode::bad_input, what + ": " + why);
+  throw Error(ErrorKind::bad_input, what, why);
 }
 
 void check_point(const std::vector<double>& numbers, const char* field, const std::string& what) {
@@ -102,7 +102,7 @@ AnyAction parse_action(ActionJson a, const std::string& what) {
   try {
     std::visit(Checker{what}, own);
   } catch (const Error& error) {
-    if (std::string_view(error.what()).starts_with(what)) throw;
+    if (error.source() == what) throw;
     refuse(what, error.what());
   }
   return own;

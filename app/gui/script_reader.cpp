@@ -13,7 +13,7 @@ namespace {
 using ActionJson = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
-  throw Error(ExitCode::bad_input, what + ": " + why);
+  throw Error(ErrorKind::bad_input, what, why);
 }
 
 }  // namespace

@@ -136,15 +136,7 @@ Settings read_settings(const fs::path& path) {
 }
 
 void write_settings(const fs::path& path, const Settings& settings) {
-  std::error_code failure;
-  fs::create_directories(path.parent_path(), failure);
-  if (failure) {
-    throw Error(ExitCode::file, fmt::format("{}: cannot be made ({}); the settings are not kept",
-                                            path.parent_path().string(), failure.message()));
-  }
-  AtomicFile file(path.string());
-  file.write(settings_json(settings));
-  file.commit();
+  write_file(path, settings_json(settings));
 }
 
 }  // namespace pabd

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/frames/camera_keys.h"
+#include "app/workbench/check_output.h"
 #include "sim/base/atomic_file.h"
 #include "sim/error.h"
 
@@ -15,14 +16,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kShare{20};  // of a frame, for a video
 
-// The scene that is open is no place for pictures and camera keys.
-void check_output(const std::string& path, bool force, const Snapshot& sim) {
-  check_writable(path, force);
-  std::error_code ignored;
-  if (std::filesystem::equivalent(path, sim.scene_path, ignored))
-    throw Error(ExitCode::bad_input, path + ": that is the scene which is open; choose another name");
-}
-
 struct Keys {
   const Snapshot& sim;
   UiState& ui;
@@ -30,10 +23,8 @@ struct Keys {
   std::string save(const command::SaveCamera& c) const {
     if (ui.camera_keys.empty())
       throw Error(ExitCode::bad_input, "save_camera: there are no camera keys; add one first");
-    check_output(c.path, c.force, sim);
-    AtomicFile file(c.path);
-    file.write(camera_keys_json({sim.scene->name, ui.camera_keys}));
-    file.commit();
+    check_output(c.path, c.force, sim.scene_path);
+    write_file(c.path, camera_keys_json({sim.scene->name, ui.camera_keys}));
     ui.keys_unsaved = false;
     return "saved " + c.path;
   }
@@ -52,11 +43,11 @@ struct Keys {
 void Studio::act(const ViewCommand& command, const Snapshot& sim, UiState& ui) {
   const Keys keys{sim, ui};
   if (const auto* shot = std::get_if<command::Screenshot>(&command)) {
-    check_output(shot->path, shot->force, sim);
+    check_output(shot->path, shot->force, sim.scene_path);
     waiting_.push_back(*shot);
     ui.dialog.clear();  // the picture is of what is behind it
   } else if (const auto* record = std::get_if<command::Record>(&command)) {
-    check_output(record->path, record->force, sim);
+    check_output(record->path, record->force, sim.scene_path);
     recorder_.start(*record, ui);
     ui.dialog.clear();
   } else if (const auto* stop = std::get_if<command::StopRecord>(&command)) {

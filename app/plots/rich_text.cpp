@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "app/plots/font_data.h"
+#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
@@ -60,50 +61,12 @@ std::vector<Piece> parse(std::string_view rich) {
   return pieces;
 }
 
-void append_utf8(std::string& out, char32_t c) {
-  if (c < 0x80) {
-    out += static_cast<char>(c);
-  } else if (c < 0x800) {
-    out += static_cast<char>(0xC0 | (c >> 6));
-    out += static_cast<char>(0x80 | (c & 0x3F));
-  } else if (c < 0x10000) {
-    out += static_cast<char>(0xE0 | (c >> 12));
-    out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
-    out += static_cast<char>(0x80 | (c & 0x3F));
-  } else {
-    out += static_cast<char>(0xF0 | (c >> 18));
-    out += static_cast<char>(0x80 | ((c >> 12) & 0x3F));
-    out += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
-    out += static_cast<char>(0x80 | (c & 0x3F));
-  }
-}
-
-// One code point from `text` at `i`, which moves on.
-char32_t next_code_point(std::string_view text, std::size_t& i) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  const unsigned char first = byte(i);
-  const int extra = first < 0x80                    ? 0
-                    : first >= 0xF0 && first < 0xF8 ? 3
-                    : first >= 0xE0 && first < 0xF0 ? 2
-                    : first >= 0xC2 && first < 0xE0 ? 1
-                                                    : -1;
-  ++i;
-  if (extra < 0) return 0xFFFD;
-  char32_t c = extra == 0 ? first : first & (0x3F >> extra);
-  for (int k = 0; k < extra; ++k) {
-    if (i >= text.size() || (byte(i) & 0xC0) != 0x80) return 0xFFFD;
-    c = (c << 6) | (byte(i) & 0x3F);
-    ++i;
-  }
-  return c <= 0x10FFFF ? c : 0xFFFD;
-}
-
 }  // namespace
 
 std::u32string decode_text(std::string_view utf8) {
   std::u32string out;
   for (std::size_t i = 0; i < utf8.size();) {
-    const char32_t c = next_code_point(utf8, i);
+    const char32_t c = next_character(utf8, i);
     if (c == 0x302 && !out.empty() && out.back() == U'd') {
       out.back() = kDHat;
     } else {
@@ -115,7 +78,7 @@ std::u32string decode_text(std::string_view utf8) {
 
 std::string ui_text(std::string_view utf8) {
   std::string out;
-  for (const char32_t c : decode_text(utf8)) append_utf8(out, c);
+  for (const char32_t c : decode_text(utf8)) append_character(out, c);
   return out;
 }
 

@@ -77,9 +77,7 @@ class ByteReader {
   ByteReader(const ByteSource& in, std::uint64_t begin, std::uint64_t end, std::string source)
       : in_(in), next_(begin), end_(end), source_(std::move(source)) {}
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ExitCode::bad_input, source_ + ": " + what);
-  }
+  [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorKind::bad_input, source_, what); }
   // What a checksum cannot explain.
   void require(bool holds, const char* what) const {
     if (!holds) fail(std::string("damaged recording: ") + what + "; use another copy of the file");

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "app/session/record_parts.h"
+#include "sim/base/hash.h"
 #include "sim/base/input_file.h"
 #include "sim/error.h"
-#include "sim/scene/hash.h"
 #include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
@@ -58,7 +58,7 @@ class FileSource : public ByteSource {
 
  private:
   [[noreturn]] void fail(const std::string& why) const {
-    throw Error(ExitCode::file, path_ + ": cannot be read: " + why);
+    throw Error(ErrorKind::file, path_, "cannot be read: " + why);
   }
 
   std::string path_;
@@ -264,9 +264,8 @@ Timeline decode(const ByteSource& bytes, const std::string& source, const std::s
   try {
     return Decoder(ByteReader(bytes, kRecordHeadBytes, end, source), scene, memory).decode();
   } catch (const Error& error) {  // of parameters and edits in it
-    const std::string what = error.what();
-    if (error.code() != ExitCode::bad_input || what.starts_with(one_line(source))) throw;
-    head.fail("damaged recording: " + what);
+    if (error.kind() != ErrorKind::bad_input || error.source() == source) throw;
+    head.fail(std::string("damaged recording: ") + error.what());
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "app/session/record_parts.h"
 #include "app/session/recording.h"
-#include "sim/scene/hash.h"
+#include "sim/base/hash.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 

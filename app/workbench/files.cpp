@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "app/session/recording.h"
+#include "app/workbench/check_output.h"
 #include "app/workbench/workbench.h"
 #include "sim/base/atomic_file.h"
-#include "sim/base/output_path.h"
 #include "sim/error.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_scene.h"
@@ -192,26 +192,11 @@ void Workbench::open(Opened opened) {
 
 // ---- saving ----
 
-bool Workbench::is_own_scene(const std::string& path) const {
-  std::error_code ignored;
-  return fs::equivalent(path, source_.path, ignored);
-}
-
-// Only a scene may take the place of the scene's own file.
-void Workbench::check_place(const std::string& path, bool force, bool scene) const {
-  if (path.empty()) throw Error(ExitCode::bad_input, "a file needs a name");
-  check_overwrite(path, path, {force, nullptr, "replace it"});
-  if (!scene && is_own_scene(path))
-    throw Error(ExitCode::bad_input, path + ": that is the scene which is open; choose another name");
-}
-
-// A scene in the place of the scene's own file is no change of it.
+// Only a scene may take the place of the scene's own file, and is no change of it then.
 void Workbench::save(const std::string& path, const std::string& text, bool force, bool scene) {
-  check_place(path, force, scene);
-  const bool own = is_own_scene(path);
-  AtomicFile file(path);
-  file.write(text);
-  file.commit();
+  check_output(path, force, scene ? "" : source_.path);
+  const bool own = same_file(path, source_.path);
+  write_file(path, text);
   if (!own) return;
   std::error_code ignored;
   source_.text = text;
@@ -253,7 +238,7 @@ void Workbench::carry_out(const command::ApplyPatch& c) {
 }
 
 void Workbench::carry_out(const command::SaveRecording& c) {
-  check_place(c.path, c.force, false);
+  check_output(c.path, c.force, source_.path);
   AtomicFile file(c.path);
   write_recording(*a_, [&](std::string_view part) { file.write(part); });
   file.commit();

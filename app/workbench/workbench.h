@@ -152,8 +152,6 @@ class Workbench {
   std::vector<std::string> at_stake() const;
   std::vector<std::string> reload_loses() const;
   void check_stake(bool force) const;
-  bool is_own_scene(const std::string& path) const;
-  void check_place(const std::string& path, bool force, bool scene) const;  // throws Error
   void save(const std::string& path, const std::string& text, bool force, bool scene = false);
 
   Opened read(Source source) const;

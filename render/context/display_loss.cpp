@@ -4,8 +4,6 @@
 
 #include <unistd.h>
 
-#include "sim/error.h"
-
 namespace pabd {
 namespace {
 
@@ -14,6 +12,7 @@ constexpr const char* kGlfw[] = {"libglfw.so.3", nullptr};
 
 // Xlib gives its first function nothing to know it by.
 std::atomic<bool> opening{false};
+std::atomic<int> status_when_lost{1};
 
 // Xlib calls two functions when a connection breaks; each would end the program. Where both return, Xlib's
 // caller goes on, and later calls do nothing. GLFW and drivers do not bear that while they open a window:
@@ -22,14 +21,15 @@ int keep_going(void*) {
   if (!opening) return 0;
   constexpr char kText[] = "pabd: error: the display was lost while the window was being opened\n";
   static_cast<void>(write(STDERR_FILENO, kText, sizeof kText - 1) < 0);
-  _exit(static_cast<int>(ExitCode::no_gl));
+  _exit(status_when_lost);
 }
 void note(void*, void* lost) { *static_cast<std::atomic<bool>*>(lost) = true; }
 
 }  // namespace
 
-DisplayLoss::DisplayLoss() : xlib_(kXlib) {
+DisplayLoss::DisplayLoss(int exit_status) : xlib_(kXlib) {
   using SetHandler = void* (*)(int (*handler)(void*));
+  status_when_lost = exit_status;
   opening = true;
   if (const auto set_handler = xlib_.find<SetHandler>("XSetIOErrorHandler")) set_handler(keep_going);
 }

@@ -9,12 +9,12 @@
 namespace pabd {
 
 // To be made before GLFW is initialised: until opened() a broken connection to the X server ends the program
-// with ExitCode::no_gl and a line. After that it sets lost(). watch() once GLFW is there. Where the window
+// with `exit_status` and a line. After that it sets lost(). watch() once GLFW is there. Where the window
 // system is another one, or Xlib is older than 1.7, it does nothing. GLFW must be shut down before this goes,
 // unless the display is lost. One at a time.
 class DisplayLoss {
  public:
-  DisplayLoss();
+  explicit DisplayLoss(int exit_status);
   ~DisplayLoss();
   DisplayLoss(const DisplayLoss&) = delete;
   DisplayLoss& operator=(const DisplayLoss&) = delete;

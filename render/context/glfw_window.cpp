@@ -13,6 +13,7 @@
 #include "render/context/display_loss.h"
 #include "render/context/glfw_keys.h"
 #include "render/context/window.h"
+#include "sim/base/utf8.h"
 #include "sim/error.h"
 
 namespace pabd {
@@ -29,22 +30,10 @@ std::string last_error() {
   return text;
 }
 
-// A character as UTF-8.
-std::string utf8_of(unsigned code) {
-  if (code > 0x10FFFF) return {};
-  const auto part = [&](int shift, unsigned head) {
-    return static_cast<char>(head | ((code >> shift) & 0x3F));
-  };
-  if (code < 0x80) return {static_cast<char>(code)};
-  if (code < 0x800) return {static_cast<char>(0xC0 | (code >> 6)), part(0, 0x80)};
-  if (code < 0x10000) return {static_cast<char>(0xE0 | (code >> 12)), part(6, 0x80), part(0, 0x80)};
-  return {static_cast<char>(0xF0 | (code >> 18)), part(12, 0x80), part(6, 0x80), part(0, 0x80)};
-}
-
 // GLFW itself, from its start to its end.
 class Glfw {
  public:
-  Glfw() {
+  explicit Glfw(int display_lost_status) : loss_(display_lost_status) {
     fix_vector_width();
     if (glfwInit() != GLFW_TRUE) throw Error(ExitCode::no_gl, "no window: " + last_error() + kRemedy);
     loss_.watch();
@@ -183,7 +172,7 @@ class GlfwWindow final : public Window {
   MouseCursor cursor_ = MouseCursor::arrow;
 };
 
-GlfwWindow::GlfwWindow(const WindowOptions& options) {
+GlfwWindow::GlfwWindow(const WindowOptions& options) : glfw_(options.display_lost_status) {
   std::string tried;
   for (const auto& [api, name] : {std::pair{GLFW_NATIVE_CONTEXT_API, "the window system's own context"},
                                   std::pair{GLFW_EGL_CONTEXT_API, "EGL"}}) {
@@ -260,7 +249,11 @@ void GlfwWindow::listen() {
     if (key == Key::super) modifiers.super = down;
     send(w, KeyChanged{key, modifiers, down, action == GLFW_REPEAT});
   });
-  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { send(w, TextTyped{utf8_of(code)}); });
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
+    TextTyped typed;
+    append_character(typed.text, code);
+    send(w, typed);
+  });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int x, int y) { send(w, WindowResized{x, y}); });
   glfwSetWindowContentScaleCallback(
       window_, [](GLFWwindow* w, float, float) { send(w, ScaleChanged{of(w).content_scale()}); });

@@ -80,8 +80,7 @@ bool hear(int fd, std::string& said) {
     const int ready = ::poll(&source, 1, 100);
     if (std::chrono::duration<double>(Clock::now() - heard).count() > kPatience) return false;
     if (ready <= 0) continue;
-    const ssize_t n = ::read(fd, part.data(), part.size());
-    if (n < 0 && errno == EINTR) continue;
+    const ssize_t n = read_some(fd, part.data(), part.size());
     if (n <= 0) return true;
     said.append(part.data(), static_cast<std::size_t>(n));
     heard = Clock::now();

@@ -59,6 +59,8 @@ struct WindowOptions {
   int width = 1280, height = 720;             // on an ordinary screen; times the scale on a dense one
   int least_width = 640, least_height = 360;  // the person cannot make it smaller
   bool visible = true;
+  // Exit status of the process if the display breaks while the window is being opened: Xlib cannot go on then.
+  int display_lost_status = 1;
 };
 
 // One at a time in a process; made, used and destroyed in the main thread, except wake().

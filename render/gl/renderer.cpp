@@ -14,7 +14,7 @@
 #include "render/gl/overlay_pass.h"
 #include "render/gl/shadow_pass.h"
 #include "render/gl/surface_pass.h"
-#include "render/visual/srgb.h"
+#include "sim/base/srgb.h"
 #include "sim/error.h"
 
 namespace pabd {

@@ -33,12 +33,6 @@ std::string compare_json(const CompareResult& result, CompareTier tier, const fs
 
 void save_failure(const fs::path& folder, const std::string& name, const Image& actual, const Image& expected,
                   const CompareResult& result, CompareTier tier) {
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem) {
-    throw Error(ExitCode::file, fmt::format("{}: the folder could not be made: {}; choose another one",
-                                            folder.string(), problem.message()));
-  }
   const fs::path base = folder / name;
   const auto part = [&base](const char* end) { return fs::path(base.string() + end); };
   const bool has_expected = !expected.rgb.empty();
@@ -47,11 +41,9 @@ void save_failure(const fs::path& folder, const std::string& name, const Image& 
     write_png(part(".expected.png"), expected);
     write_png(part(".diff.png"), difference_image(actual, expected));
   }
-  AtomicFile file(part(".json"));
-  file.write(compare_json(result, tier, part(".actual.png"),
-                          has_expected ? part(".expected.png") : fs::path(),
-                          has_expected ? part(".diff.png") : fs::path()));
-  file.commit();
+  write_file(part(".json"), compare_json(result, tier, part(".actual.png"),
+                                         has_expected ? part(".expected.png") : fs::path(),
+                                         has_expected ? part(".diff.png") : fs::path()));
 }
 
 }  // namespace pabd

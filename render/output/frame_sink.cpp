@@ -48,7 +48,7 @@ void check_sequence(const std::string& out, const SinkOptions& options) {
   const char* remedy = options.first_frame == 0
                            ? "continue after the last frame with --resume, or replace the frames with --force"
                            : "remove the frames after the gap, or replace them with --force";
-  refuse(fmt::format("{}: exists already; {}", frame_path(out, existing).string(), remedy));
+  refuse_existing(frame_path(out, existing).string(), remedy);
 }
 
 }  // namespace

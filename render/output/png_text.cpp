@@ -1,7 +1,6 @@
 // The text in a PNG file, without its picture: chunk by chunk, so that nothing is unpacked but text, and of
 // text only so much. Every checksum is checked: a file that was cut off or damaged is refused.
 #include <fmt/format.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -78,8 +77,7 @@ class ChunkReader {
     std::size_t done = 0;
     while (done < n) {
       if (at_ == held_) {
-        const ssize_t got = ::read(file_.get(), buffer_.data(), buffer_.size());
-        if (got < 0 && errno == EINTR) continue;
+        const ssize_t got = read_some(file_.get(), buffer_.data(), buffer_.size());
         if (got < 0) {
           throw Error(ExitCode::file,
                       fmt::format("{}: cannot be read: {}", path_.string(), system_reason(errno)));
@@ -122,14 +120,15 @@ class ChunkReader {
     const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, &::inflateEnd);
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
     stream.avail_in = static_cast<uInt>(packed.size());
+    std::array<char, kPart> part;
     for (int state = Z_OK; state != Z_STREAM_END;) {
-      const std::size_t had = text.size();
-      text.resize(had + std::min(kPart, budget_ + 1));
-      stream.next_out = reinterpret_cast<Bytef*>(text.data()) + had;
-      stream.avail_out = static_cast<uInt>(text.size() - had);
+      const std::size_t room = std::min(part.size(), budget_ + 1);
+      stream.next_out = reinterpret_cast<Bytef*>(part.data());
+      stream.avail_out = static_cast<uInt>(room);
       state = ::inflate(&stream, Z_NO_FLUSH);
-      text.resize(text.size() - stream.avail_out);
-      spend(text.size() - had);
+      const std::size_t got = room - stream.avail_out;
+      spend(got);
+      text.append(part.data(), got);
       if (state != Z_OK && state != Z_STREAM_END) return false;
     }
     return true;

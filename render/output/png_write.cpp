@@ -151,9 +151,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
 
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
   const std::vector<std::uint8_t> bytes = encode_png(image, text);
-  AtomicFile file(path);
-  file.write(bytes.data(), bytes.size());
-  file.commit();
+  write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace pabd

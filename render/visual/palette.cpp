@@ -1,8 +1,7 @@
 // Palette of bodies and bonds, and the colour map of contacts.
 //
 //   x   d/d̂   palette of contacts: lightness grows with x, so that the order survives in grey and for every
-//   kind
-//             of colour blindness
+//             kind of colour blindness
 #include "render/visual/palette.h"
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 #include <cmath>
 
 #include "render/visual/build_visual.h"
-#include "render/visual/srgb.h"
+#include "sim/base/srgb.h"
 
 namespace pabd {
 namespace {

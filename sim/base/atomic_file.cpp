@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "sim/base/descriptor.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace fs = std::filesystem;
@@ -49,7 +49,7 @@ std::string remedy(int reason, const fs::path& path) {
 }
 
 [[noreturn]] void fail_for(const fs::path& path, const std::string& what, int reason) {
-  throw Error(ExitCode::file,
+  throw Error(ErrorKind::file,
               fmt::format("{}: {}: {}{}", path.string(), what, system_reason(reason), remedy(reason, path)));
 }
 
@@ -60,8 +60,8 @@ std::vector<fs::path> missing_folders(const fs::path& path) {
     struct stat info;
     if (::stat(folder.c_str(), &info) == 0) {
       if (S_ISDIR(info.st_mode)) return missing;
-      throw Error(ExitCode::file, fmt::format("{}: {} is a file, not a folder; choose another folder",
-                                              path.string(), folder.string()));
+      throw Error(ErrorKind::file, fmt::format("{}: {} is a file, not a folder; choose another folder",
+                                               path.string(), folder.string()));
     }
     const int reason = errno;
     if (reason != ENOENT || folder == folder_of(folder))
@@ -106,9 +106,9 @@ void NewFolders::remove() {
 }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), folders_(path_), target_(path_) {
-  if (path_.empty()) throw Error(ExitCode::file, "an output file needs a name; none was given");
+  if (path_.empty()) throw Error(ErrorKind::file, "an output file needs a name; none was given");
   if (path_.filename().empty()) {
-    throw Error(ExitCode::file, fmt::format("{}: this names a folder; add a file name", path_.string()));
+    throw Error(ErrorKind::file, fmt::format("{}: this names a folder; add a file name", path_.string()));
   }
 
   struct stat info;
@@ -116,7 +116,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), folders_(path_),
     std::error_code ignored;
     const fs::path resolved = fs::canonical(path_, ignored);
     if (S_ISDIR(info.st_mode)) {
-      throw Error(ExitCode::file, fmt::format("{}: this is a folder; add a file name", path_.string()));
+      throw Error(ErrorKind::file, fmt::format("{}: this is a folder; add a file name", path_.string()));
     }
     if (!S_ISREG(info.st_mode)) {
       direct_ = true;
@@ -159,7 +159,7 @@ AtomicFile::~AtomicFile() {
 void AtomicFile::fail(const std::string& what, int reason) const { fail_for(path_, what, reason); }
 
 void AtomicFile::write(const void* data, std::size_t size) {
-  if (fd_ < 0) throw Error(ExitCode::defect, fmt::format("{}: written after commit", path_.string()));
+  if (fd_ < 0) throw Error(ErrorKind::defect, fmt::format("{}: written after commit", path_.string()));
   if (size == 0) return;
   if (buffer_.size() + size > buffer_size) flush();
   if (size < buffer_size) {
@@ -178,7 +178,7 @@ void AtomicFile::flush() {
 }
 
 void AtomicFile::commit() {
-  if (fd_ < 0) throw Error(ExitCode::defect, fmt::format("{}: committed twice", path_.string()));
+  if (fd_ < 0) throw Error(ErrorKind::defect, fmt::format("{}: committed twice", path_.string()));
   flush();
   // Devices and some network folders know no fsync: EINVAL, which says nothing about the data.
   if (::fsync(fd_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("could not be written", errno);
@@ -197,6 +197,12 @@ void AtomicFile::commit() {
   const int why = errno;
   ::close(folder);
   if (synced != 0 && why == EIO) fail("its folder could not be written", why);
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.write(bytes);
+  file.commit();
 }
 
 void check_creatable(const fs::path& path) { const AtomicFile probe(path); }

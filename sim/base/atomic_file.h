@@ -30,8 +30,7 @@ class AtomicFile {
  public:
   // Opens a temporary file beside `path`, whose folder is made if need be. Throws Error(file) with path,
   // reason and remedy. A link is followed, so that the file it names is replaced and not the link. A device
-  // or a pipe
-  // (/dev/stdout) cannot be replaced and is written directly.
+  // or a pipe (/dev/stdout) cannot be replaced and is written directly.
   explicit AtomicFile(std::filesystem::path path);
   ~AtomicFile();  // removes the temporary file unless committed
   AtomicFile(const AtomicFile&) = delete;
@@ -60,6 +59,9 @@ class AtomicFile {
   bool direct_ = false;  // a device or a pipe
   bool committed_ = false;
 };
+
+// The whole file at once. Throws Error(file).
+void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // Throws the Error(file) that AtomicFile(path) would throw: to learn before hours of simulating. Leaves
 // nothing.

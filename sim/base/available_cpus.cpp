@@ -22,11 +22,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostBytes = 1 << 20;
 
-// The text of a file of the system; empty when it cannot be read.
-std::string text_of(const fs::path& path) {
-  std::string text, problem;
-  return read_file(path, kMostBytes, text, problem) == ReadOutcome::done ? text : "";
-}
+std::string text_of(const fs::path& path) { return read_if_possible(path, kMostBytes); }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;

@@ -53,6 +53,13 @@ BlockSigpipe::~BlockSigpipe() {
   errno = kept;
 }
 
+ssize_t read_some(int fd, void* data, std::size_t size) {
+  ssize_t n;
+  do n = ::read(fd, data, size);
+  while (n < 0 && errno == EINTR);
+  return n;
+}
+
 int write_all(int fd, const void* data, std::size_t size) {
   // Linux writes at most this much at once; asking for more is not portable.
   constexpr std::size_t largest = std::size_t{1} << 30;

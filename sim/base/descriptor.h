@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signal.h>
+#include <sys/types.h>
 
 #include <cstddef>
 #include <string>
@@ -39,6 +40,9 @@ class BlockSigpipe {
   sigset_t previous_;
   bool was_pending_ = false;
 };
+
+// Reads once, through interruptions: the number of bytes, 0 at the end, −1 with errno.
+ssize_t read_some(int fd, void* data, std::size_t size);
 
 // Writes all bytes, through interruptions, short writes and non-blocking descriptors. Returns 0 or errno.
 int write_all(int fd, const void* data, std::size_t size);

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -39,8 +39,8 @@ std::string problem_of(int fd, const struct stat& info) {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string_view problem,
                          std::string_view expected) {
-  throw Error(ExitCode::file,
-              fmt::format("{}: cannot be read: {}; expected {}", path.string(), problem, expected));
+  throw Error(ErrorKind::file, path.string(),
+              fmt::format("cannot be read: {}; expected {}", problem, expected));
 }
 
 }  // namespace
@@ -67,8 +67,8 @@ Descriptor require_input(const std::filesystem::path& path, std::string_view exp
   return file;
 }
 
-ReadOutcome read_file(const std::filesystem::path& path, std::size_t most, std::string& bytes,
-                      std::string& problem) {
+ReadOutcome try_read_file(const std::filesystem::path& path, std::size_t most, std::string& bytes,
+                          std::string& problem) {
   bytes.clear();
   const Descriptor file = open_input(path, problem);
   if (!problem.empty()) return ReadOutcome::unreadable;
@@ -85,9 +85,8 @@ ReadOutcome read_file(const std::filesystem::path& path, std::size_t most, std::
   while (true) {  // a file of /proc says 0, and any file may grow meanwhile
     const std::size_t had = bytes.size();
     bytes.resize(had + std::min(kPart, most + 1 - had));
-    const ssize_t n = ::read(file.get(), bytes.data() + had, bytes.size() - had);
+    const ssize_t n = read_some(file.get(), bytes.data() + had, bytes.size() - had);
     bytes.resize(had + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
-    if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
       problem = system_reason(errno);
       return ReadOutcome::unreadable;
@@ -97,13 +96,21 @@ ReadOutcome read_file(const std::filesystem::path& path, std::size_t most, std::
   }
 }
 
-std::string read_file(const std::filesystem::path& path, std::size_t most, std::string_view expected) {
+std::string read_file(const std::filesystem::path& path, std::size_t most, std::string_view expected,
+                      std::string_view shorter) {
   std::string bytes, problem;
-  const ReadOutcome outcome = read_file(path, most, bytes, problem);
+  const ReadOutcome outcome = try_read_file(path, most, bytes, problem);
   if (outcome == ReadOutcome::unreadable) refuse(path, problem, expected);
-  if (outcome == ReadOutcome::too_long)
-    throw Error(ExitCode::bad_input, fmt::format("{}: {}; expected {}", path.string(), problem, expected));
+  if (outcome == ReadOutcome::too_long) {
+    throw Error(ErrorKind::bad_input, path.string(),
+                fmt::format("{}; expected {}", problem, shorter.empty() ? expected : shorter));
+  }
   return bytes;
+}
+
+std::string read_if_possible(const std::filesystem::path& path, std::size_t most) {
+  std::string bytes, problem;
+  return try_read_file(path, most, bytes, problem) == ReadOutcome::done ? bytes : "";
 }
 
 }  // namespace pabd

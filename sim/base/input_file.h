@@ -19,10 +19,13 @@ Descriptor require_input(const std::filesystem::path& path, std::string_view exp
 enum class ReadOutcome { done, unreadable, too_long };
 
 // The whole file into `bytes`, if it has at most `most`. Otherwise `problem` says why not.
-ReadOutcome read_file(const std::filesystem::path& path, std::size_t most, std::string& bytes,
-                      std::string& problem);
+ReadOutcome try_read_file(const std::filesystem::path& path, std::size_t most, std::string& bytes,
+                          std::string& problem);
 // The whole file. Throws Error(file) as require_input does, Error(bad_input) if it is longer than `most`
-// bytes.
-std::string read_file(const std::filesystem::path& path, std::size_t most, std::string_view expected);
+// bytes: then `shorter` is what was expected, if given.
+std::string read_file(const std::filesystem::path& path, std::size_t most, std::string_view expected,
+                      std::string_view shorter = {});
+// The whole file, or nothing when it cannot be read or is longer: for what the system tells about itself.
+std::string read_if_possible(const std::filesystem::path& path, std::size_t most);
 
 }  // namespace pabd

@@ -1,12 +1,11 @@
 // See output_path.h.
 #include "sim/base/output_path.h"
 
-#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 
@@ -25,17 +24,16 @@ bool InputFiles::contains(const std::filesystem::path& path) const {
 void check_overwrite(const std::string& name, const std::filesystem::path& path, const OverwriteRule& rule) {
   struct stat info;
   if (::stat(path.c_str(), &info) != 0 || (!S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode))) return;
-  if (S_ISDIR(info.st_mode))
-    throw Error(ExitCode::bad_input, fmt::format("{}: is a folder; name a file in it", name));
+  if (S_ISDIR(info.st_mode)) throw Error(ErrorKind::bad_input, name, "is a folder; name a file in it");
   if (rule.inputs && rule.inputs->contains(path)) {
-    throw Error(
-        ExitCode::bad_input,
-        fmt::format("{}: is read here, and what is read is never overwritten; choose another name", name));
+    throw Error(ErrorKind::bad_input, name,
+                "is read here, and what is read is never overwritten; choose another name");
   }
-  if (!rule.force) {
-    throw Error(ExitCode::bad_input,
-                fmt::format("{}: exists already; {}, or choose another name", name, rule.remedy));
-  }
+  if (!rule.force) refuse_existing(name, std::string(rule.remedy) + ", or choose another name");
+}
+
+void refuse_existing(const std::string& name, const std::string& remedy) {
+  throw Error(ErrorKind::exists, name, "exists already; " + remedy);
 }
 
 }  // namespace pabd

@@ -27,8 +27,12 @@ struct OverwriteRule {
   const char* remedy = "--force replaces it";  // when something exists and not `force`
 };
 
-// Throws Error(bad_input) if `path` may not be written. A device or a pipe is not replaced but written to.
-// `name` is how messages call it: the path, perhaps with its option before.
+// Throws Error(exists) if `path` is there and may not be replaced, Error(bad_input) if it may not be written
+// for another reason. A device or a pipe is not replaced but written to. `name` is how messages call it: the
+// path, perhaps with its option before.
 void check_overwrite(const std::string& name, const std::filesystem::path& path, const OverwriteRule& rule);
+
+// Throws Error(exists): "NAME: exists already; REMEDY".
+[[noreturn]] void refuse_existing(const std::string& name, const std::string& remedy);
 
 }  // namespace pabd

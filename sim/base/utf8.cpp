@@ -1,40 +1,52 @@
-// What kind of text a string holds, and any text as one line that is safe to print.
+// See utf8.h.
 #include "sim/base/utf8.h"
+
+#include <cassert>
 
 namespace pabd {
 namespace {
 
 constexpr std::size_t kLongestLine = 1 << 14;  // bytes, about
+constexpr char32_t kNoCharacter = 0xFFFD;
 
 unsigned byte_at(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
 
-// Bytes of the well-formed character at `i`; 0 when there is none.
-std::size_t character_length(std::string_view text, std::size_t i) {
-  const unsigned lead = byte_at(text, i);
-  const std::size_t length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-  if (lead >= 0xF5 || length == 0 || length > text.size() - i) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    const unsigned next = byte_at(text, i + k);
-    if ((next & 0xC0) != 0x80) return 0;
-    if (k > 1) continue;
-    const bool overlong = (lead == 0xE0 && next < 0xA0) || (lead == 0xF0 && next < 0x90);
-    const bool surrogate = lead == 0xED && next >= 0xA0;
-    const bool too_large = lead == 0xF4 && next >= 0x90;
-    if (overlong || surrogate || too_large) return 0;
-  }
-  return length;
+bool continues(unsigned byte) { return (byte & 0xC0) == 0x80; }
+
+struct Character {
+  char32_t code = kNoCharacter;
+  std::size_t size = 1;  // bytes; of what is no character, those that could have begun one
+  bool well_formed = false;
+};
+
+// Table 3-7 of the Unicode standard: which bytes may follow which.
+bool may_be_second(unsigned lead, unsigned byte) {
+  if (lead == 0xE0 && byte < 0xA0) return false;   // overlong
+  if (lead == 0xED && byte >= 0xA0) return false;  // a surrogate
+  if (lead == 0xF0 && byte < 0x90) return false;   // overlong
+  if (lead == 0xF4 && byte >= 0x90) return false;  // beyond U+10FFFF
+  return continues(byte);
 }
 
-// Steers the terminal, breaks the line or turns its direction. `length` as above, not 0.
-bool is_control(std::string_view text, std::size_t i, std::size_t length) {
-  const unsigned a = byte_at(text, i);
-  if (length == 1) return a < 0x20 || a == 0x7F;
-  const unsigned b = byte_at(text, i + 1);
-  if (length == 2) return a == 0xC2 && b < 0xA0;
-  if (length == 4 || a != 0xE2) return false;
-  const unsigned c = byte_at(text, i + 2);
-  if (b == 0x80) return c == 0x8E || c == 0x8F || (c >= 0xA8 && c <= 0xAE);
-  return b == 0x81 && c >= 0xA6 && c <= 0xA9;
+Character character_at(std::string_view text, std::size_t i) {
+  const unsigned lead = byte_at(text, i);
+  if (lead < 0x80) return {lead, 1, true};
+  if (lead < 0xC2 || lead > 0xF4) return {};
+  const std::size_t size = lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+  char32_t code = lead & (0x7Fu >> size);
+  for (std::size_t k = 1; k < size; ++k) {
+    if (i + k == text.size()) return {kNoCharacter, k};
+    const unsigned byte = byte_at(text, i + k);
+    if (!(k == 1 ? may_be_second(lead, byte) : continues(byte))) return {kNoCharacter, k};
+    code = code << 6 | (byte & 0x3F);
+  }
+  return {code, size, true};
+}
+
+// Steers the terminal, breaks the line or turns its direction.
+bool is_control(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x200E || c == 0x200F || (c >= 0x2028 && c <= 0x202E) ||
+         (c >= 0x2066 && c <= 0x2069);
 }
 
 void append_escaped(std::string& out, unsigned byte) {
@@ -52,9 +64,9 @@ void append_escaped(std::string& out, unsigned byte) {
 
 bool is_utf8_text(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = character_length(text, i);
-    if (length == 0 || text[i] == '\0') return false;
-    i += length;
+    const Character c = character_at(text, i);
+    if (!c.well_formed || c.code == 0) return false;
+    i += c.size;
   }
   return true;
 }
@@ -66,18 +78,48 @@ bool is_ascii(std::string_view text) {
   return true;
 }
 
+char32_t next_character(std::string_view text, std::size_t& i) {
+  assert(i < text.size());
+  const Character c = character_at(text, i);
+  i += c.size;
+  return c.code;
+}
+
+void append_character(std::string& text, char32_t c) {
+  if (c > 0x10FFFF || (c >= 0xD800 && c < 0xE000)) c = kNoCharacter;
+  const auto add = [&](char32_t byte) { text += static_cast<char>(byte); };
+  const auto add_rest = [&](int shift) { add(0x80 | (c >> shift & 0x3F)); };
+  if (c < 0x80) return add(c);
+  if (c < 0x800) {
+    add(0xC0 | c >> 6);
+  } else if (c < 0x10000) {
+    add(0xE0 | c >> 12);
+    add_rest(6);
+  } else {
+    add(0xF0 | c >> 18);
+    add_rest(12);
+    add_rest(6);
+  }
+  add_rest(0);
+}
+
 std::string utf8_from_latin1(std::string_view text) {
   std::string utf8;
-  for (char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      utf8 += c;
-    } else {
-      utf8 += static_cast<char>(0xC0 | (byte >> 6));
-      utf8 += static_cast<char>(0x80 | (byte & 0x3F));
-    }
-  }
+  for (std::size_t i = 0; i < text.size(); ++i) append_character(utf8, byte_at(text, i));
   return utf8;
+}
+
+std::string_view first_bytes(std::string_view text, std::size_t size) {
+  const std::size_t longest = size + 3;  // what only looks like the rest of a character ends, too
+  while (size < text.size() && size < longest && continues(byte_at(text, size))) ++size;
+  return text.substr(0, size);
+}
+
+std::string_view without_last(std::string_view text) {
+  assert(!text.empty());
+  std::size_t size = text.size() - 1;
+  while (size > 0 && continues(byte_at(text, size))) --size;
+  return text.substr(0, size);
 }
 
 std::string one_line(std::string_view text) {
@@ -86,14 +128,13 @@ std::string one_line(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     if (out.size() >= kLongestLine) return out + "...";
-    const std::size_t length = character_length(text, i);
-    if (length > 0 && !is_control(text, i, length)) {
-      out.append(text.substr(i, length));
-      i += length;
+    const Character c = character_at(text, i);
+    if (c.well_formed && !is_control(c.code)) {
+      out.append(text.substr(i, c.size));
+      i += c.size;
       continue;
     }
-    for (const std::size_t end = i + (length > 0 ? length : 1); i < end; ++i)
-      append_escaped(out, byte_at(text, i));
+    for (const std::size_t end = i + c.size; i < end; ++i) append_escaped(out, byte_at(text, i));
   }
   return out;
 }

@@ -5,6 +5,7 @@
 // told apart by counting up.
 #include "sim/body/compound.h"
 
+#include "sim/base/hash.h"
 #include "sim/collision/narrow_phase.h"
 
 namespace pabd::narrow {
@@ -13,10 +14,8 @@ namespace {
 constexpr std::uint32_t kNameBits = 0x3fffffffu;  // room above for counting up
 
 std::uint32_t part_name(std::uint32_t part, std::uint32_t feature) {
-  std::uint64_t x = (static_cast<std::uint64_t>(part) << 32 | feature) + 0x9e3779b97f4a7c15u;
-  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;  // the finaliser of splitmix64: one to one on 64 bits
-  x = (x ^ x >> 27) * 0x94d049bb133111ebu;
-  return static_cast<std::uint32_t>(x ^ x >> 31) & kNameBits;
+  const std::uint64_t both = static_cast<std::uint64_t>(part) << 32 | feature;
+  return static_cast<std::uint32_t>(mixed(both + 0x9e3779b97f4a7c15u)) & kNameBits;
 }
 
 // Contacts of one hull with a shape that is no compound.

@@ -7,7 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
+#include "sim/base/utf8.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -36,9 +37,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   bool key(string_t& value) override {
     if (stack_.back()->contains(value)) {
-      throw Error(ExitCode::bad_input,
-                  fmt::format("{}: {}/{}: the key appears twice in this object; keep one of them", source_,
-                              pointer(), printable(value)));
+      refuse(fmt::format("{}/{}: the key appears twice in this object; keep one of them", pointer(),
+                         printable(value)));
     }
     keys_.back() = value;
     return true;
@@ -47,25 +47,23 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string& last_token,
                    const Json::exception& error) override {
     if (error.id == 406) {
-      throw Error(ExitCode::bad_input,
-                  fmt::format("{}: {}: the number {} is out of range; expected a finite number", source_,
-                              place(position), printable(last_token)));
+      refuse(fmt::format("{}: the number {} is out of range; expected a finite number", place(position),
+                         printable(last_token)));
     }
     // Keep what the library says about the token, drop its error numbers and its own idea of the place.
     std::string reason = error.what();
     const std::string lead = ": syntax error ";
     if (const auto at = reason.find(lead); at != std::string::npos) reason = reason.substr(at + lead.size());
-    if (reason.size() > 160) reason = reason.substr(0, 160) + "...";
-    throw Error(ExitCode::bad_input,
-                fmt::format("{}: {}: not valid JSON: {}", source_, place(position), one_line(reason)));
+    if (reason.size() > 160) reason = std::string(first_bytes(reason, 160)) + "...";
+    refuse(fmt::format("{}: not valid JSON: {}", place(position), reason));
   }
 
  private:
+  [[noreturn]] void refuse(const std::string& why) const { throw Error(ErrorKind::bad_input, source_, why); }
+
   bool add(Json value) {
     if (++values_ > limits_.values) {
-      throw Error(ExitCode::bad_input,
-                  fmt::format("{}: more than {} values; expected a smaller file, use \"generate\"", source_,
-                              limits_.values));
+      refuse(fmt::format("more than {} values; expected a smaller file, use \"generate\"", limits_.values));
     }
     last_ = put(std::move(value));
     return true;
@@ -86,9 +84,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   bool open(Json container) {
     if (static_cast<int>(stack_.size()) >= limits_.depth) {
-      throw Error(ExitCode::bad_input,
-                  fmt::format("{}: {}: nested deeper than {} levels; expected a flatter file", source_,
-                              pointer(), limits_.depth));
+      refuse(
+          fmt::format("{}: nested deeper than {} levels; expected a flatter file", pointer(), limits_.depth));
     }
     add(std::move(container));
     stack_.push_back(last_);
@@ -121,13 +118,6 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     return fmt::format("line {}, column {}", line, 1 + (end - start));
   }
 
-  static std::string one_line(std::string text) {
-    for (char& c : text) {
-      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    }
-    return text;
-  }
-
   const std::string& text_;
   const std::string& source_;
   const DocumentLimits limits_;
@@ -142,9 +132,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
 Json parse_document(const std::string& text, const std::string& source, const DocumentLimits& limits) {
   if (text.size() > limits.bytes) {
-    throw Error(ExitCode::bad_input,
-                fmt::format("{}: longer than {} bytes; expected a smaller file, use \"generate\"", source,
-                            limits.bytes));
+    throw Error(ErrorKind::bad_input, source,
+                fmt::format("longer than {} bytes; expected a smaller file, use \"generate\"", limits.bytes));
   }
   DocumentBuilder builder(text, source, limits);
   Json::sax_parse(text, &builder);

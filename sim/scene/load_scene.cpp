@@ -11,18 +11,7 @@
 namespace pabd {
 
 std::string read_scene_text(const std::filesystem::path& file) {
-  std::string text, problem;
-  switch (read_file(file, DocumentLimits{}.bytes, text, problem)) {
-    case ReadOutcome::done:
-      break;
-    case ReadOutcome::unreadable:
-      throw Error(ExitCode::file,
-                  fmt::format("{}: cannot be read: {}; expected a scene file", file.string(), problem));
-    case ReadOutcome::too_long:
-      throw Error(ExitCode::bad_input,
-                  fmt::format("{}: {}; expected a smaller file, use \"generate\"", file.string(), problem));
-  }
-  return text;
+  return read_file(file, DocumentLimits{}.bytes, "a scene file", "a smaller file, use \"generate\"");
 }
 
 Scene load_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {

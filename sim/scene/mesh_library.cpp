@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "sim/base/hash.h"
 #include "sim/base/input_file.h"
 #include "sim/body/convex_hull.h"
 #include "sim/error.h"
-#include "sim/scene/hash.h"
 #include "sim/scene/mesh_surface.h"
 #include "sim/scene/model_builder.h"
 #include "sim/scene/text.h"
@@ -21,7 +21,7 @@ std::string read_bytes(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, unknown) && !unknown)
     refuse("the file does not exist; expected a mesh beside the scene");
   std::string bytes, problem;
-  switch (read_file(file, kMostMeshBytes, bytes, problem)) {
+  switch (try_read_file(file, kMostMeshBytes, bytes, problem)) {
     case ReadOutcome::unreadable:
       refuse("cannot be read: " + problem + "; expected a mesh");
     case ReadOutcome::too_long:

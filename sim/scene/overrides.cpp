@@ -34,7 +34,7 @@ class Override {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const {
-    throw Error(ExitCode::bad_input, fmt::format("{}: --set {}: {}", source_, printable(text_), why));
+    throw Error(ErrorKind::bad_input, source_, fmt::format("--set {}: {}", printable(text_), why));
   }
 
   void split(const std::string& path) {

@@ -63,8 +63,8 @@ void fail_at(const ReadContext& context, const std::string& pointer, std::string
                                                                   pointer[override.pointer.size()] == '/');
     if (inside) origin = " (from --set " + printable(override.text) + ")";
   }
-  throw Error(ExitCode::bad_input,
-              fmt::format("{}: {}: {}{}", context.source, pointer.empty() ? "/" : pointer, message, origin));
+  throw Error(ErrorKind::bad_input, context.source,
+              fmt::format("{}: {}{}", pointer.empty() ? "/" : pointer, message, origin));
 }
 
 std::string Range::text() const {

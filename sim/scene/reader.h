@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/hash.h"
 #include "sim/math/types.h"
 #include "sim/scene/document.h"
-#include "sim/scene/hash.h"
 
 namespace pabd {
 

@@ -36,14 +36,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string printable(std::string_view text) {
   constexpr std::size_t kLongest = 60;
-  const bool longer = text.size() > kLongest;
-  if (longer) {
-    std::size_t end = kLongest;
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80 && end < kLongest + 3)
-      ++end;  // never inside a character
-    text = text.substr(0, end);
-  }
-  return one_line(text) + (longer ? "..." : "");
+  return one_line(first_bytes(text, kLongest)) + (text.size() > kLongest ? "..." : "");
 }
 
 std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", printable(text)); }

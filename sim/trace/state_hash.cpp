@@ -1,5 +1,5 @@
 // A number that tells two states apart, bit by bit. See trace.h.
-#include "sim/scene/hash.h"
+#include "sim/base/hash.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {

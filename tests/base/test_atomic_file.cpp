@@ -60,8 +60,8 @@ TEST_CASE("a committed file is whole, and nothing else is left") {
     CHECK_FALSE(fs::exists(folder / "a.txt"));
     file.commit();
     CHECK(read_bytes(folder / "a.txt") == "begin " + text + " end");
-    CHECK(caught([&] { file.write("more"); }).code == defect);
-    CHECK(caught([&] { file.commit(); }).code == defect);
+    CHECK(caught([&] { file.write("more"); }).kind == defect);
+    CHECK(caught([&] { file.commit(); }).kind == defect);
   }
   CHECK(folder.names() == std::vector<std::string>{"a.txt"});
 }
@@ -142,19 +142,19 @@ TEST_CASE("folders that are missing are made, and go again when nothing came int
 TEST_CASE("folders that cannot be made or are none are named, with the remedy") {
   const TempFolder folder;
   const Caught long_name = caught([&] { AtomicFile file(folder / "b" / std::string(300, 'n') / "a.txt"); });
-  CHECK(long_name.code == file_error);
+  CHECK(long_name.kind == file_error);
   CHECK(folder.names().empty());
 
   write_bytes(folder / "file", "");
   const Caught below = caught([&] { AtomicFile file(folder / "file/a.txt"); });
-  CHECK(below.code == file_error);
+  CHECK(below.kind == file_error);
   CHECK(below.says("is a file, not a folder"));
   CHECK(caught([&] { AtomicFile file(folder / "file/deep/a.txt"); }).says("not a directory"));
 
   CHECK(caught([&] { AtomicFile file(folder.path()); }).says("this is a folder"));
-  CHECK(caught([&] { AtomicFile file(folder / "file" / ""); }).code == file_error);
-  CHECK(caught([] { AtomicFile file(""); }).code == file_error);
-  CHECK(caught([&] { check_creatable(folder / "file/such/a.txt"); }).code == file_error);
+  CHECK(caught([&] { AtomicFile file(folder / "file" / ""); }).kind == file_error);
+  CHECK(caught([] { AtomicFile file(""); }).kind == file_error);
+  CHECK(caught([&] { check_creatable(folder / "file/such/a.txt"); }).kind == file_error);
   CHECK_NOTHROW(check_creatable(folder / "fine"));
   CHECK(folder.names() == std::vector<std::string>{"file"});
 }
@@ -168,14 +168,14 @@ TEST_CASE("a full disk is an error, and nothing is left under either name") {
       file.write(std::string(300000, 'x'));
       file.commit();
     });
-    CHECK(large.code == file_error);
+    CHECK(large.kind == file_error);
     CHECK(large.says("file too large"));
     const Caught small = caught([&] {  // in pieces that are collected
       AtomicFile file(folder / "small");
       for (int i = 0; i < 30000; ++i) file.write("0123456789");
       file.commit();
     });
-    CHECK(small.code == file_error);
+    CHECK(small.kind == file_error);
   }
   CHECK(folder.names().empty());
 
@@ -184,7 +184,7 @@ TEST_CASE("a full disk is an error, and nothing is left under either name") {
     file.write("x");
     file.commit();
   });
-  CHECK(device.code == file_error);
+  CHECK(device.kind == file_error);
   CHECK(device.says("no space left on device; free some space"));
   CHECK(fs::is_character_file("/dev/full"));
 }

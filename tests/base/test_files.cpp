@@ -36,14 +36,14 @@ TEST_CASE("a file is read up to its limit, not a byte further") {
   }
   write_bytes(file, std::string(101, 'x'));
   const Caught error = reading(file);
-  CHECK(error.code == bad_input);
+  CHECK(error.kind == bad_input);
   CHECK(error.says("longer than 100 bytes; expected a list of things"));
   // Sparse: nothing of it is on the disk, and nothing of it is read.
   REQUIRE(::truncate(file.c_str(), off_t{1} << 40) == 0);
-  CHECK(reading(file).code == bad_input);
+  CHECK(reading(file).kind == bad_input);
   // A file whose size is only known when it is read.
   CHECK(read_file("/proc/self/status", 1 << 16, "a status").size() > 100);
-  CHECK(reading("/proc/self/status", 50).code == bad_input);
+  CHECK(reading("/proc/self/status", 50).kind == bad_input);
   // More than is read at a time, to the byte.
   std::string large;
   for (int i = 0; i < 60000; ++i) large += std::to_string(i);
@@ -71,7 +71,7 @@ TEST_CASE("what may block or never end is refused at once, by what it is") {
                                     {"none", "no such file"}}) {
     const Caught error = reading(folder / name);
     INFO(error.text);
-    CHECK(error.code == file_error);
+    CHECK(error.kind == file_error);
     CHECK(error.says(words));
     CHECK(error.says("expected a list of things"));
   }
@@ -113,16 +113,16 @@ TEST_CASE("inputs are told by what they are: links and other names lead to the s
         name[0] == '.' ? folder.path() / ".." / folder.path().filename() / "in" : folder / name;
     const Caught error = caught([&] { check_overwrite(path.string(), path, forced); });
     INFO(path);
-    CHECK(error.code == bad_input);
+    CHECK(error.kind == bad_input);
     CHECK(error.says("never overwritten"));
   }
-  CHECK(caught([&] { check_overwrite("other", folder / "other", forced); }).code == -1);
-  CHECK(caught([&] { check_overwrite("new", folder / "new", forced); }).code == -1);
-  const Caught exists = caught([&] { check_overwrite("other", folder / "other", {false, &inputs}); });
-  CHECK(exists.code == bad_input);
-  CHECK(exists.says("--force"));
+  CHECK(caught([&] { check_overwrite("other", folder / "other", forced); }).kind == std::nullopt);
+  CHECK(caught([&] { check_overwrite("new", folder / "new", forced); }).kind == std::nullopt);
+  const Caught kept = caught([&] { check_overwrite("other", folder / "other", {false, &inputs}); });
+  CHECK(kept.kind == exists);
+  CHECK(kept.says("--force"));
   CHECK(caught([&] { check_overwrite("f", folder.path(), forced); }).says("is a folder"));
-  CHECK(caught([&] { check_overwrite("null", "/dev/null", {}); }).code == -1);
+  CHECK(caught([&] { check_overwrite("null", "/dev/null", {}); }).kind == std::nullopt);
 }
 
 TEST_CASE("whoever leaves without destructors can remove what is temporary") {
@@ -135,7 +135,7 @@ TEST_CASE("whoever leaves without destructors can remove what is temporary") {
   CHECK(folder.names().size() == 2);
   remove_leftovers();
   CHECK(folder.names() == std::vector<std::string>{"kept"});
-  CHECK(caught([&] { begun.commit(); }).code == file_error);
+  CHECK(caught([&] { begun.commit(); }).kind == file_error);
 
   write_bytes(folder / "past", "x");
   { const Leftover passing(folder / "past"); }

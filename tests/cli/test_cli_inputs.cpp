@@ -230,14 +230,24 @@ TEST_CASE("a driver that is chosen by the environment and does not work: exit co
   CHECK(folder.names().empty());
 }
 
-TEST_CASE("out of memory and what the system refuses are exit code 3 and no defect") {
+TEST_CASE("every kind of error has its exit code; out of memory and what the system refuses are no defects") {
   using pabd::cli::report_error;
   CHECK(report_error(std::make_exception_ptr(std::bad_alloc())) == 3);
   CHECK(report_error(std::make_exception_ptr(std::bad_array_new_length())) == 3);
   CHECK(report_error(std::make_exception_ptr(fs::filesystem_error(
             "status", "x", std::make_error_code(std::errc::too_many_symbolic_link_levels)))) == 3);
   CHECK(report_error(std::make_exception_ptr(std::logic_error("x"))) == 1);
-  CHECK(report_error(std::make_exception_ptr(pabd::Error(pabd::ExitCode::encoder, "x"))) == 6);
+  // The table of the README.
+  using pabd::ErrorKind;
+  for (const auto& [kind, code] : {std::pair{ErrorKind::defect, 1},
+                                   {ErrorKind::bad_input, 2},
+                                   {ErrorKind::exists, 2},
+                                   {ErrorKind::file, 3},
+                                   {ErrorKind::no_context, 4},
+                                   {ErrorKind::diverged, 5},
+                                   {ErrorKind::encoder, 6},
+                                   {ErrorKind::images_differ, 7}})
+    CHECK(report_error(std::make_exception_ptr(pabd::Error(kind, "x"))) == code);
 #if !defined(__SANITIZE_ADDRESS__)  // which reserves more than any limit at its start
   const TempFolder folder;
   write_text(folder / "many.json",

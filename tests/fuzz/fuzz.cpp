@@ -16,10 +16,10 @@ void require(bool holds, const char* property) {
 void check_error(const Error& error) {
   const std::string_view what = error.what();
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  const bool fits = error.code() == ExitCode::bad_input && !what.empty() &&
+  const bool fits = error.kind() == ErrorKind::bad_input && !what.empty() &&
                     std::none_of(what.begin(), what.end(), is_control);
-  if (!fits) std::fprintf(stderr, "code %d: %s\n", static_cast<int>(error.code()), error.what());
-  require(fits, "a refusal is one line without control characters, with the code of a bad input");
+  if (!fits) std::fprintf(stderr, "kind %d: %s\n", static_cast<int>(error.kind()), error.what());
+  require(fits, "a refusal is one line without control characters, of the kind of a bad input");
 }
 
 }  // namespace pabd::fuzz

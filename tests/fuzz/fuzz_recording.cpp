@@ -2,7 +2,7 @@
 // can be wound back and written again.
 #include "app/session/byte_stream.h"
 #include "app/session/recording.h"
-#include "sim/scene/hash.h"
+#include "sim/base/hash.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/fuzz/recording_scene.h"
 

@@ -1,5 +1,6 @@
 // Helpers of the picture tests.
 #include "tests/gl/render_fixture.h"
+#include "sim/base/srgb.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -22,14 +23,9 @@ std::unique_ptr<GlContext> first_context() {
 
 }  // namespace
 
-double to_linear(int srgb_byte) {
-  const double s = srgb_byte / 255.0;
-  return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
+double to_linear(int srgb_byte) { return linear_from_srgb(srgb_byte / 255.0); }
 
-double to_srgb_byte(double linear) {
-  return 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055);
-}
+double to_srgb_byte(double linear) { return 255 * srgb_from_linear(linear); }
 
 Image render(Renderer& renderer, const VisualScene& scene, const ImDrawData* overlay) {
   Image image;

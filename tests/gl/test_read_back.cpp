@@ -3,6 +3,7 @@
 
 #include "sim/error.h"
 #include "tests/gl/render_fixture.h"
+#include "tests/support/errors.h"
 
 using namespace pabd;
 
@@ -18,14 +19,11 @@ bool is_plain(const Image& image, int r, int g, int b) {
   return true;
 }
 
-ExitCode code_of(RenderFixture& f, int width, int height, std::string& text) {
-  try {
-    f.renderer.resize(width, height);
-  } catch (const Error& error) {
-    text = error.what();
-    return error.code();
-  }
-  return ExitCode::done;
+// Empty when it went well.
+std::optional<ErrorKind> kind_of(RenderFixture& f, int width, int height, std::string& text) {
+  const Caught error = caught([&] { f.renderer.resize(width, height); });
+  if (error.kind) text = error.text;
+  return error.kind;
 }
 
 }  // namespace
@@ -98,15 +96,15 @@ TEST_CASE("rows count from the top") {
 TEST_CASE("sizes that cannot be: named, with a remedy") {
   RenderFixture f(16, 16);
   std::string text;
-  CHECK(code_of(f, 0, 16, text) == ExitCode::bad_input);
+  CHECK(kind_of(f, 0, 16, text) == ErrorKind::bad_input);
   CHECK(text.find("--size") != std::string::npos);
-  CHECK(code_of(f, 16, -3, text) == ExitCode::bad_input);
-  CHECK(code_of(f, 1000000, 16, text) == ExitCode::no_gl);
-  CHECK(code_of(f, 1000000, 16, text) == ExitCode::no_gl);  // and again
+  CHECK(kind_of(f, 16, -3, text) == ErrorKind::bad_input);
+  CHECK(kind_of(f, 1000000, 16, text) == ErrorKind::no_context);
+  CHECK(kind_of(f, 1000000, 16, text) == ErrorKind::no_context);  // and again
   CHECK(text.find("1000000x16") != std::string::npos);
   CHECK(text.find("--size") != std::string::npos);
   // And the renderer can go on with a size that is fine.
-  CHECK(code_of(f, 16, 16, text) == ExitCode::done);
+  CHECK(kind_of(f, 16, 16, text) == std::nullopt);
   f.renderer.draw_plain(nullptr, {1, 1, 1});
   f.renderer.queue_read();
   Image image;

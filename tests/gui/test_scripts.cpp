@@ -1,6 +1,7 @@
 // The whole window without a display: every script in scripts/ is carried out, what it expects of the state
 // must hold, and the frames that it writes are compared with approved pictures (tests/golden/*/NAME.png).
 #include <catch2/catch.hpp>
+#include <optional>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,7 +24,7 @@ namespace {
 std::string shipped_scene(const std::string& name) {
   if (fs::exists(name)) return name;
   const fs::path path = fs::path(PABD_SCENES) / (name + ".json");
-  if (!fs::exists(path)) throw Error(ExitCode::file, name + ": no such scene");
+  if (!fs::exists(path)) throw Error(ErrorKind::file, name + ": no such scene");
   return path.string();
 }
 
@@ -128,7 +129,7 @@ TEST_CASE("a script that is wrong is refused with its place before anything is d
 namespace {
 
 struct Ending {
-  ExitCode code = ExitCode::done;
+  std::optional<ErrorKind> kind;  // empty: it went well
   std::string text;
 };
 
@@ -138,7 +139,7 @@ Ending ending(const std::string& json, const TempFolder& folder) {
     std::string renderer;
     carry_out(Script(json, "try.json"), folder, renderer);
   } catch (const Error& error) {
-    return {error.code(), error.what()};
+    return {error.kind(), error.what()};
   }
   return {};
 }
@@ -167,18 +168,18 @@ TEST_CASE("an action that is refused ends the script, with file, number and why"
     INFO(action);
     const std::string before = R"([{"do":"wait"},)", after = R"(,{"do":"frame","path":"reached.png"}])";
     const Ending end = ending(before + action + after, folder);
-    CHECK(end.code == ExitCode::bad_input);
+    CHECK(end.kind == ErrorKind::bad_input);
     if (*why != 0) CHECK_THAT(end.text, Catch::StartsWith("try.json: action 1") && Catch::Contains(why));
     CHECK_FALSE(fs::exists(folder / "reached.png"));
   }
-  CHECK(ending(R"([{"do":"load","scene":"no_such"}])", folder).code == ExitCode::file);
-  CHECK(ending(R"([{"do":"save_patch","path":"/dev/null/x.json"}])", folder).code == ExitCode::file);
-  CHECK(ending(R"([{"do":"expect","at":"/a/stp","is":1}])", folder).code == ExitCode::bad_input);
-  CHECK(ending(R"([{"do":"expect","at":"/a/step","is":1}])", folder).code == ExitCode::images_differ);
-  CHECK(ending(R"([{"do":"expect","at":"/a/step","is":1,"may_fail":true}])", folder).code ==
-        ExitCode::images_differ);
-  CHECK(ending(R"([{"do":"hold","may_fail":true},{"do":"step","steps":3},{"do":"hold"}])", folder).code ==
-        ExitCode::done);
+  CHECK(ending(R"([{"do":"load","scene":"no_such"}])", folder).kind == ErrorKind::file);
+  CHECK(ending(R"([{"do":"save_patch","path":"/dev/null/x.json"}])", folder).kind == ErrorKind::file);
+  CHECK(ending(R"([{"do":"expect","at":"/a/stp","is":1}])", folder).kind == ErrorKind::bad_input);
+  CHECK(ending(R"([{"do":"expect","at":"/a/step","is":1}])", folder).kind == ErrorKind::images_differ);
+  CHECK(ending(R"([{"do":"expect","at":"/a/step","is":1,"may_fail":true}])", folder).kind ==
+        ErrorKind::images_differ);
+  CHECK(ending(R"([{"do":"hold","may_fail":true},{"do":"step","steps":3},{"do":"hold"}])", folder).kind ==
+        std::nullopt);
 }
 
 TEST_CASE("every name of a file is relative to the folder of the script") {

@@ -213,7 +213,7 @@ TEST_CASE("a failure is saved for people and scripts") {
   CHECK(json["diff"] == (folder / "deep/er/scene.diff.png").string());
 
   write_bytes(folder / "file", "");
-  CHECK(caught([&] { save_failure(folder / "file/below", "scene", actual, expected, result, same); }).code ==
+  CHECK(caught([&] { save_failure(folder / "file/below", "scene", actual, expected, result, same); }).kind ==
         file_error);
   // a file name that is no UTF-8 must not break the report
   CHECK_NOTHROW(nlohmann::json::parse(compare_json(result, cross, "\xff.png")));

@@ -54,7 +54,8 @@ class RecordingSink : public FrameSink {
     record_.changed.wait(lock, [this] { return !record_.closed; });
     record_.thread = std::this_thread::get_id();
     ++record_.attempts;
-    if (static_cast<int>(record_.frames.size()) == record_.fails_at) throw Error(ExitCode::file, "disk full");
+    if (static_cast<int>(record_.frames.size()) == record_.fails_at)
+      throw Error(ErrorKind::file, "disk full");
     record_.frames.push_back(image);
     record_.changed.notify_all();
   }
@@ -80,10 +81,10 @@ TEST_CASE("names of frames") {
         "{frame}/{frame}.png", ""}) {
     INFO(wrong);
     const Caught error = caught([&] { frame_path(wrong, 0); });
-    CHECK(error.code == bad_input);
+    CHECK(error.kind == bad_input);
     CHECK(error.says("{frame:04}"));
   }
-  CHECK(caught([] { frame_path("{frame}.png", -1); }).code == bad_input);
+  CHECK(caught([] { frame_path("{frame}.png", -1); }).kind == bad_input);
 }
 
 TEST_CASE("frames that exist are found, other files are not taken for frames") {
@@ -110,30 +111,30 @@ TEST_CASE("outputs that cannot be are refused before the first frame") {
   };
   for (const char* name : {"a.avi", "a", "a.PNG", "a.jpg", "", "{frame:04}.mp4", "{frame}", "a.png/"}) {
     INFO(name);
-    CHECK(make(name).code == bad_input);
+    CHECK(make(name).kind == bad_input);
   }
   CHECK(make("f%04d.png").says("write {frame} or {frame:04}"));
-  CHECK(make("{frame:4}.png").code == bad_input);
-  CHECK(make("{fram}.png").code == bad_input);
+  CHECK(make("{frame:4}.png").kind == bad_input);
+  CHECK(make("{fram}.png").kind == bad_input);
   write_bytes(folder / "file", "");
   for (const char* name : {"file/{frame:04}.png", "file/a.png", "file/a.mp4"}) {
     INFO(name);
-    CHECK(make(name).code == file_error);
+    CHECK(make(name).kind == file_error);
     CHECK(make(name).says("is a file, not a folder"));
   }
   SinkOptions options = small();
   options.width = 0;
-  CHECK(make("a.png", options).code == bad_input);
+  CHECK(make("a.png", options).kind == bad_input);
   options.width = 16385;
-  CHECK(make("a.png", options).code == bad_input);
+  CHECK(make("a.png", options).kind == bad_input);
   for (double fps : {0.0, -60.0, std::nan(""), HUGE_VAL, 1e9}) {
     options = small();
     options.fps = fps;
-    CHECK(make("a.mp4", options).code == bad_input);
+    CHECK(make("a.mp4", options).kind == bad_input);
   }
   options = small();
   options.first_frame = -1;
-  CHECK(make("{frame}.png", options).code == bad_input);
+  CHECK(make("{frame}.png", options).kind == bad_input);
   options.first_frame = 3;
   CHECK(make("a.mp4", options).says("resumed"));
   CHECK(folder.names() == std::vector<std::string>{"file"});
@@ -144,11 +145,11 @@ TEST_CASE("what exists is kept unless force") {
   for (const char* name : {"a.png", "a.mp4", "f0002.png"}) write_bytes(folder / name, "mine");
   for (const char* name : {"a.png", "a.mp4"}) {
     const Caught error = caught([&] { make_sink(folder / name, small()); });
-    CHECK(error.code == bad_input);
+    CHECK(error.kind == exists);
     CHECK(error.says("--force"));
   }
   const Caught frames = caught([&] { make_sink(folder / "f{frame:04}.png", small()); });
-  CHECK(frames.code == bad_input);
+  CHECK(frames.kind == exists);
   CHECK(frames.says("f0002.png"));
   CHECK(frames.says("--resume"));
   CHECK(frames.says("--force"));
@@ -206,10 +207,10 @@ TEST_CASE("frames of another size are a defect") {
   const TempFolder folder;
   for (const char* name : {"a.png", "{frame}.png", "a.gif"}) {
     const auto sink = make_sink(folder / name, small());
-    CHECK(caught([&] { sink->write(test_frame(21, 12, 0)); }).code == defect);
+    CHECK(caught([&] { sink->write(test_frame(21, 12, 0)); }).kind == defect);
     Image broken = frame(0);
     broken.rgb.resize(5);
-    CHECK(caught([&] { sink->write(broken); }).code == defect);
+    CHECK(caught([&] { sink->write(broken); }).kind == defect);
   }
 }
 
@@ -220,7 +221,7 @@ TEST_CASE("a disk that fills keeps the frames before and no part of the one that
   sink->write(frame(0));
   {
     const FileSizeLimit full(100);
-    CHECK(caught([&] { sink->write(frame(1)); }).code == file_error);
+    CHECK(caught([&] { sink->write(frame(1)); }).kind == file_error);
   }
   CHECK(folder.names() == std::vector<std::string>{"0.png"});
   CHECK(read_png(folder / "0.png").rgb == frame(0).rgb);
@@ -243,7 +244,7 @@ TEST_CASE("raw frames on a descriptor") {
 
   in.close();  // the reader goes away: an error, and no SIGPIPE that would end this program
   const Caught error = caught([&] { sink->write(frame(2)); });
-  CHECK(error.code == file_error);
+  CHECK(error.kind == file_error);
   CHECK(error.says("after 2 of them"));
 
   const Descriptor full(::open("/dev/full", O_WRONLY));
@@ -262,8 +263,8 @@ TEST_CASE("in the background: all frames, in order, on one other thread") {
   for (int i = 0; i < 20; ++i) CHECK(record.frames[static_cast<std::size_t>(i)].rgb == frame(i).rgb);
   CHECK(record.thread != std::this_thread::get_id());
   CHECK(sink.busy_ms() >= 0);
-  CHECK(caught([&] { sink.write(frame(0)); }).code == defect);
-  CHECK(caught([&] { sink.finish(); }).code == defect);
+  CHECK(caught([&] { sink.write(frame(0)); }).kind == defect);
+  CHECK(caught([&] { sink.finish(); }).kind == defect);
 }
 
 TEST_CASE("in the background: the ring holds three frames, then write waits") {
@@ -309,9 +310,9 @@ TEST_CASE("in the background: an error comes back, and no frame after it is writ
       error = caught([&] {
         for (int i = 0; i < 100; ++i) sink.write(frame(i));
       });
-      CHECK(caught([&] { sink.write(frame(0)); }).code == file_error);
+      CHECK(caught([&] { sink.write(frame(0)); }).kind == file_error);
     }
-    CHECK(error.code == file_error);
+    CHECK(error.kind == file_error);
     CHECK(error.text == "disk full");
     CHECK(record.frames.size() == 2);
     CHECK_FALSE(record.finished);

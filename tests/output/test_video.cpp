@@ -176,7 +176,7 @@ TEST_CASE("without ffmpeg the error says what to install, before the first frame
   const TempFolder folder;
   const Environment nothing("PATH", (folder / "empty").string());
   const Caught error = caught([&] { make_sink(folder / "a.mp4", sized(64, 48)); });
-  CHECK(error.code == encoder_error);
+  CHECK(error.kind == encoder_error);
   CHECK(error.says("ffmpeg was not found in PATH"));
   CHECK(error.says("apt-get install ffmpeg"));
   CHECK(folder.names().empty());
@@ -191,7 +191,7 @@ TEST_CASE("an ffmpeg that fails half-way is quoted, and the video is not kept") 
   const TempFolder folder;
   const SinkOptions options = sized(64, 48);
   const Caught error = caught([&] { make_video(folder / "a.mp4", options, 300); });
-  CHECK(error.code == encoder_error);
+  CHECK(error.kind == encoder_error);
   CHECK(error.says("status 3"));
   CHECK(error.says("first line; disk on fire"));
   CHECK(error.text.find('\n') == std::string::npos);
@@ -202,7 +202,7 @@ TEST_CASE("an ffmpeg that fails at the very end") {
   const FakeFfmpeg fake("cat > /dev/null\necho frame=3\necho 'no codec today' >&2\nexit 1\n");
   const TempFolder folder;
   const Caught error = caught([&] { make_video(folder / "a.mp4", sized(64, 48), 3); });
-  CHECK(error.code == encoder_error);
+  CHECK(error.kind == encoder_error);
   CHECK(error.says("no codec today"));
   CHECK(folder.names().empty());
 }
@@ -212,13 +212,13 @@ TEST_CASE("an ffmpeg that is killed, and one that closes its input and hangs") {
   {
     const FakeFfmpeg fake("head -c 1000 > /dev/null\nkill -9 $$\n");
     const Caught error = caught([&] { make_video(folder / "a.mp4", sized(64, 48), 300); });
-    CHECK(error.code == encoder_error);
+    CHECK(error.kind == encoder_error);
     CHECK(error.says("signal 9"));
   }
   {
     const FakeFfmpeg fake("exec 0<&-\nsleep 100\n");
     const Caught error = caught([&] { make_video(folder / "a.mp4", sized(64, 48), 300); });
-    CHECK(error.code == encoder_error);
+    CHECK(error.kind == encoder_error);
   }
   CHECK(folder.names().empty());
 }
@@ -228,10 +228,10 @@ TEST_CASE("an ffmpeg that says it is fine but dropped frames") {
       "cat > /dev/null\necho frame=1\necho progress=continue\necho frame=7\necho progress=end\nexit 0\n");
   const TempFolder folder;
   const Caught error = caught([&] { make_video(folder / "a.mp4", sized(64, 48), 8); });
-  CHECK(error.code == encoder_error);
+  CHECK(error.kind == encoder_error);
   CHECK(error.says("7 frames of 8"));
   const Caught empty = caught([&] { make_video(folder / "a.mp4", sized(64, 48), 7); });
-  CHECK(empty.code == encoder_error);
+  CHECK(empty.kind == encoder_error);
   CHECK(empty.says("wrote nothing"));
   CHECK(folder.names().empty());
 }
@@ -250,7 +250,7 @@ TEST_CASE("a disk that fills while ffmpeg writes") {
   {
     const FileSizeLimit full(3000);  // inherited by ffmpeg
     const Caught error = caught([&] { make_video(folder / "a.mp4", sized(320, 240), 30); });
-    CHECK(error.code == encoder_error);
+    CHECK(error.kind == encoder_error);
   }
   CHECK(folder.names().empty());
 }
@@ -278,6 +278,6 @@ TEST_CASE("a video in the background, and its error there") {
     write_frames(failing, options, 300);
     failing.finish();
   });
-  CHECK(error.code == encoder_error);
+  CHECK(error.kind == encoder_error);
   CHECK(error.says("status 9"));
 }

@@ -60,7 +60,7 @@ void fill(const fs::path& folder, const std::function<Caught(const fs::path&, lo
       INFO(part << " of " << whole << " bytes");
       const Caught error = attempt(folder / name, static_cast<long long>(part * static_cast<double>(whole)));
       INFO(error.text);
-      CHECK(error.code == encoder_error);
+      CHECK(error.kind == encoder_error);
       CHECK(error.text.find('\n') == std::string::npos);
     }
   }
@@ -112,7 +112,7 @@ TEST_CASE("whatever ffmpeg complains of fails the video, also when it ends well"
       "case \"$*\" in *framecrc*) ;; *) echo 'Error writing trailer: No space left on device' >&2 ;; esac\n"
       "exit $status\n");
   const Caught error = caught([&] { make_video(folder / "a.mp4", sized(64, 48), 5); });
-  CHECK(error.code == encoder_error);
+  CHECK(error.kind == encoder_error);
   CHECK(error.says("Error writing trailer"));
   CHECK(error.says("free some space"));
   CHECK(folder.names().empty());
@@ -124,14 +124,14 @@ TEST_CASE("a video is read back before it gets its name") {
     INFO(name);
     const fs::path file = folder / name;
     make_video(file, sized(96, 64), 12);
-    CHECK(caught([&] { check_video("v", file, {96, 64, 12}, 60); }).code == -1);
+    CHECK(caught([&] { check_video("v", file, {96, 64, 12}, 60); }).kind == std::nullopt);
     CHECK(caught([&] { check_video("v", file, {96, 64, 13}, 60); }).says("12 frames of 96x64"));
-    CHECK(caught([&] { check_video("v", file, {96, 66, 12}, 60); }).code == encoder_error);
+    CHECK(caught([&] { check_video("v", file, {96, 66, 12}, 60); }).kind == encoder_error);
     const std::string whole = read_bytes(file);
     for (const double part : {0.0, 0.3, 0.8}) {
       write_bytes(file, whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size()))));
       INFO(part);
-      CHECK(caught([&] { check_video("v", file, {96, 64, 12}, 60); }).code == encoder_error);
+      CHECK(caught([&] { check_video("v", file, {96, 64, 12}, 60); }).kind == encoder_error);
     }
   }
   // ffmpeg that says all is well and leaves something else.
@@ -140,7 +140,7 @@ TEST_CASE("a video is read back before it gets its name") {
                         "' exec ffmpeg \"$@\";; esac\ncat > /dev/null\necho frame=3\n"
                         "for last; do :; done\necho 'no video' > \"${last#file:}\"\n");
   const Caught error = caught([&] { make_video(folder / "b.mp4", sized(64, 48), 3); });
-  CHECK(error.code == encoder_error);
+  CHECK(error.kind == encoder_error);
   CHECK(error.says("cannot be read back"));
   CHECK_FALSE(fs::exists(folder / "b.mp4"));
 }
@@ -160,7 +160,7 @@ TEST_CASE("an ffmpeg that makes no progress is ended with all that it started") 
     options.encoder_timeout = 0.5;
     const Caught error = caught([&] { make_video(folder / "a.mp4", options, 20); });  // 4.6 MB
     INFO(error.text);
-    CHECK(error.code == encoder_error);
+    CHECK(error.kind == encoder_error);
     CHECK(error.says("made no progress for 0.5 s"));
     CHECK(error.says("--encoder-timeout"));
     CHECK(folder.names().empty());
@@ -172,7 +172,7 @@ TEST_CASE("a child of ffmpeg that holds its error stream is not waited for") {
   const FakeFfmpeg fake("sleep 1000 &\necho $! > \"$HERE/pids\"\ncat > /dev/null\necho frame=3\n");
   const TempFolder folder;
   const Caught error = caught([&] { make_video(folder / "a.mp4", sized(64, 48), 3); });
-  CHECK(error.code == encoder_error);
+  CHECK(error.kind == encoder_error);
   CHECK(error.says("wrote nothing"));
   CHECK(folder.names().empty());
   CHECK(all_ended(read_bytes(fake / "pids"), 1));

@@ -13,6 +13,7 @@
 
 #include "app/plots/figure.h"
 #include "app/plots/theme.h"
+#include "sim/base/srgb.h"
 
 using namespace pabd;
 
@@ -21,10 +22,7 @@ namespace {
 using Rgb = std::array<double, 3>;
 
 Rgb linear(const Color& c) {
-  const auto decode = [](std::uint8_t byte) {
-    const double v = byte / 255.0;
-    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-  };
+  const auto decode = [](std::uint8_t byte) { return linear_from_srgb(byte / 255.0); };
   return {decode(c.r), decode(c.g), decode(c.b)};
 }
 

@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "app/session/recording.h"
+#include "sim/base/hash.h"
 #include "sim/error.h"
-#include "sim/scene/hash.h"
 #include "sim/scene/tuning.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,14 +1,15 @@
-// What an action throws, for checks of code and text.
+// What an action throws, for checks of kind and text.
 #pragma once
 
+#include <optional>
 #include <string>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 
 struct Caught {
-  int code = -1;  // -1: nothing was thrown
+  std::optional<ErrorKind> kind;  // empty: nothing was thrown
   std::string text;
   bool says(const std::string& part) const { return text.find(part) != std::string::npos; }
 };
@@ -18,14 +19,15 @@ Caught caught(Action action) {
   try {
     action();
   } catch (const Error& error) {
-    return {static_cast<int>(error.code()), error.what()};
+    return {error.kind(), error.what()};
   }
   return {};
 }
 
-inline constexpr int bad_input = static_cast<int>(ExitCode::bad_input);
-inline constexpr int file_error = static_cast<int>(ExitCode::file);
-inline constexpr int encoder_error = static_cast<int>(ExitCode::encoder);
-inline constexpr int defect = static_cast<int>(ExitCode::defect);
+inline constexpr ErrorKind bad_input = ErrorKind::bad_input;
+inline constexpr ErrorKind exists = ErrorKind::exists;
+inline constexpr ErrorKind file_error = ErrorKind::file;
+inline constexpr ErrorKind encoder_error = ErrorKind::encoder;
+inline constexpr ErrorKind defect = ErrorKind::defect;
 
 }  // namespace pabd

@@ -24,12 +24,6 @@ bool updating() {
 }
 
 void update(const fs::path& path, const Image& image, const std::string& renderer) {
-  std::error_code problem;
-  fs::create_directories(path.parent_path(), problem);
-  if (problem) {
-    throw Error(ExitCode::file, fmt::format("{}: the folder could not be made: {}",
-                                            path.parent_path().string(), problem.message()));
-  }
   write_png(path, image, {{"GL_RENDERER", renderer}});
 }
 
