@@ -76,6 +76,7 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
     sim/scene/scene.h
     sim/scene/tuning.h
     sim/scene/write_scene.h
+    sim/solver/parameter_table.h
     sim/solver/params.h
     sim/solver/report.h
     sim/solver/time_step.h
