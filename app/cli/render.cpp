@@ -86,9 +86,10 @@ void check_output(const RenderOptions& options) {
 constexpr int kLeastSide = 34;  // px: two pictures of the least width, and the seam
 
 void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const FrameSize& size) {
-  if (options.ab.empty() && overlay.panels.difference) {
+  const OverlayPanel* of_two = overlay.panels.needing(&OverlayPanel::other_run);
+  if (options.ab.empty() && of_two != nullptr) {
     throw Error(ErrorKind::bad_input,
-                "--overlay difference: there is nothing to compare; add --ab PATCH.json");
+                fmt::format("--overlay {}: there is nothing to compare; add --ab PATCH.json", of_two->name));
   }
   if (!options.ab.empty() && size.width < kLeastSide) {
     throw Error(ErrorKind::bad_input,
@@ -206,12 +207,7 @@ void add_render_command(CLI::App& app, Action& action) {
       ->excludes(time);
   command->add_option("--fps", options->fps, "frames a second (default 60)")->type_name("F");
   command->add_option("--size", options->size, "pixels (default 1280x720)")->type_name("WxH");
-  command
-      ->add_option(
-          "--overlay", options->overlay,
-          "comma-separated: params; barrier, convergence, series, or plots for these three; contacts "
-          "with their legend, or the legend alone; bonds with the joints; all; with --ab also difference")
-      ->type_name("LIST");
+  command->add_option("--overlay", options->overlay, "comma-separated: " + overlay_help())->type_name("LIST");
   command
       ->add_option("--camera", options->camera,
                    "front, side, top, iso, orbit:DEGREES_A_SECOND, eye=x,y,z,target=x,y,z,fov=degrees "

@@ -51,16 +51,22 @@ OverlayChoice parse_overlay(const std::string& text) {
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, ',');) {
     const bool all = word == "all";
-    if (all) choice.panels = parse_panels("all");
-    if (all || word == "bonds") choice.bonds = true;
-    if (all || word == "contacts") choice.contacts = choice.panels.legend = true;
-    if (!all && word != "bonds" && word != "contacts" && !enable_panel(choice.panels, word)) {
+    const bool bonds = all || word == "bonds", contacts = all || word == "contacts";
+    if (bonds) choice.panels.show_with(PictureLayer::bonds);
+    if (contacts) choice.panels.show_with(PictureLayer::contacts);
+    choice.bonds = choice.bonds || bonds;
+    choice.contacts = choice.contacts || contacts;
+    if (!enable_panel(choice.panels, word) && !bonds && !contacts) {
       throw Error(ExitCode::bad_input,
                   fmt::format("--overlay {}: '{}' is unknown; expected none, all, bonds, contacts, {}", text,
                               word, panel_names()));
     }
   }
   return choice;
+}
+
+std::string overlay_help() {
+  return panel_help() + "; contacts, bonds with the joints: in the picture, with their legends; all; none";
 }
 
 FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
@@ -82,8 +88,6 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
   data_.caption = comparison.caption;
   data_.details = comparison.details;
   data_.view = &first;
-  choice_.panels.joints = choice_.bonds && !first.model->joints.empty();
-  choice_.panels.joint_rows = joint_row_count(data_);
   set_camera(first, std::max(comparison.lines, comparison.details.size()), comparison.back);
 }
 
@@ -92,8 +96,8 @@ void FramePainter::set_camera(const FrameView& first, std::size_t caption_lines,
   base_camera_ = choose_base_camera(*scene_, first, static_cast<double>(width_) / height_);
   if (camera_option_.eye || camera_option_.target || !camera_option_.keys.empty()) return;
   if (back != 1 && scene_->camera) base_camera_.eye += (back - 1) * (base_camera_.eye - base_camera_.target);
-  if (!choice_.panels.any() && caption_lines == 0) return;
-  const PanelLayout layout = layout_panels(choice_.panels, width_, height_);
+  const PanelLayout layout = layout_panels(choice_.panels, data_, width_, height_);
+  if (layout.panels.empty() && caption_lines == 0) return;
   Rect free = layout.free;
   if (caption_lines > 0) {
     const double caption = std::min(caption_height(layout.scale, caption_lines), 0.5 * free.h);

@@ -19,12 +19,16 @@ struct OverlayChoice {
   bool bonds = false;
   bool contacts = false;  // with the legend of their colours
 
-  bool needs_iterations() const { return panels.convergence; }
-  bool needs_contacts() const { return bonds || contacts || panels.barrier; }
+  bool needs_iterations() const { return panels.needing(&OverlayPanel::iterations) != nullptr; }
+  bool needs_contacts() const {
+    return bonds || contacts || panels.needing(&OverlayPanel::contacts) != nullptr;
+  }
 };
 
 // Comma-separated names of panels, "bonds", "contacts", "plots", "all" or "none". Throws Error(bad_input).
 OverlayChoice parse_overlay(const std::string& text);
+// What it takes, for help.
+std::string overlay_help();
 
 // How a picture shows that there is another run of the same scene.
 struct Comparison {

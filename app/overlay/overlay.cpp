@@ -71,7 +71,7 @@ Overlay::~Overlay() = default;
 
 const ImDrawData* Overlay::frame(const OverlayOptions& options, const OverlayData& data,
                                  const VisualScene* scene, int width, int height) {
-  const PanelLayout layout = layout_panels(options, width, height);
+  const PanelLayout layout = layout_panels(options, data, width, height);
   const double scale = std::max(0.72, std::min(width / 1280.0, height / 720.0));
   return impl_->draw(width, height, [&](Canvas& canvas) {
     if (scene) paint_labels(*scene, width, height, scale, canvas);

@@ -1,4 +1,4 @@
-// What is inside the panels, drawn on any canvas.
+// The panels of a layout and what else stands over a picture, drawn on any canvas.
 #pragma once
 
 #include "app/overlay/overlay.h"
@@ -7,9 +7,6 @@ namespace pabd {
 
 // The colour of a contact at x = d/d̂ as the picture shows it, sRGB.
 Color contact_ink(double x);
-
-// How many rows joints take among the parameters: OverlayOptions::joint_rows.
-int joint_row_count(const OverlayData& data);
 
 // Draws the laid-out panels: a translucent white box each, with its content.
 void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas);

@@ -62,7 +62,8 @@ TEST_CASE("frames of every size, with all panels, with and without data") {
     ++uploads;
     return nullptr;
   });
-  const OverlayOptions all{true, true, true, true, true, true, 4};
+  OverlayOptions all = parse_panels("all");
+  all.show(joints_overlay);
   FrameView view;
   view.model = joined(5);
   view.kappa = 120;
@@ -116,28 +117,26 @@ TEST_CASE("the parameters list the law of joints, soft or hard") {
   BondLaw law{BondPotential::soft, 1.234e9, 0.02, 6};
   OverlayData data{"s", &view};
   const auto text = [&] {
-    OverlayOptions options;
-    options.params = true;
-    options.joint_rows = joint_row_count(data);
     SvgCanvas canvas(font, 1280, 720);
-    paint_panels(layout_panels(options, 1280, 720), data, canvas);
+    paint_panels(layout_panels(parse_panels("params"), data, 1280, 720), data, canvas);
     return canvas.finish();
   };
   const auto has = [](const std::string& svg, const char* words) {
     return svg.find(words) != std::string::npos;
   };
-  CHECK(joint_row_count(data) == 0);
+  const auto rows = [&] { return params_overlay.more_height(data) / 18; };
+  CHECK(rows() == 0);
   CHECK_FALSE(has(text(), "joint"));
   view.model = joined(7);
   data.joint_law = &law;
-  CHECK(joint_row_count(data) == 3);
+  CHECK(rows() == 3);
   const std::string soft = text();
   CHECK(has(soft, "7, soft"));
   CHECK(has(soft, "1.23·10⁹ N/m"));
   CHECK(has(soft, "3.2·10⁻⁹ m"));
   CHECK_FALSE(has(soft, "joint scale"));
   law.potential = BondPotential::hard;
-  CHECK(joint_row_count(data) == 4);
+  CHECK(rows() == 4);
   const std::string hard = text();
   CHECK(has(hard, "7, hard"));
   CHECK(has(hard, "0.02 m"));

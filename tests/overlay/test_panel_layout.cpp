@@ -1,53 +1,90 @@
-// Panels never overlap, stay inside, and leave a free rectangle, for every selection and many frame sizes.
+// Panels never overlap, stay inside, and leave a free rectangle, for every selection and many frame sizes; what a table
+// says of a panel is found by names, help and places.
 #include <catch2/catch.hpp>
 
+#include "app/overlay/overlay.h"
 #include "app/overlay/panel_layout.h"
 #include "sim/error.h"
 
 using namespace pabd;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// With joints of a hard law, so that the parameters have four rows more, and every legend something to say.
+OverlayData data_with_joints() {
+  static const BondLaw law{BondPotential::hard, 1e9, 0.01, 4};
+  static const StepReport report;
+  OverlayData data;
+  data.report = &report;
+  data.joints = 5;
+  data.joint_types = 31;
+  data.joint_law = &law;
+  return data;
+}
+
+void check_layout(const OverlayOptions& options, const OverlayData& data, int width, int height) {
+  const PanelLayout layout = layout_panels(options, data, width, height);
+  REQUIRE(layout.panels.size() == options.shown().size());
+  const Rect frame{0, 0, static_cast<double>(width), static_cast<double>(height)};
+  for (std::size_t i = 0; i < layout.panels.size(); ++i) {
+    const Rect& rect = layout.panels[i].rect;
+    CHECK(rect.w > 0);
+    CHECK(rect.h > 0);
+    CHECK(frame.contains(rect));
+    CHECK_FALSE(layout.free.overlaps(rect));
+    for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(rect.overlaps(layout.panels[k].rect));
+  }
+  CHECK(frame.contains(layout.free));
+}
+
+constexpr std::pair<int, int> kSizes[] = {{640, 360},   {1280, 720}, {1920, 1080}, {2560, 1440}, {3840, 2160},
+                                          {1080, 1920}, {720, 720},  {200, 150},   {64, 64},     {3000, 400}};
+
+}  // namespace
 
 TEST_CASE("panels do not overlap and stay inside the frame") {
-  const std::pair<int, int> sizes[] = {{640, 360},   {1280, 720}, {1920, 1080}, {2560, 1440}, {3840, 2160},
-                                       {1080, 1920}, {720, 720},  {200, 150},   {64, 64},     {3000, 400}};
-  for (const auto& [width, height] : sizes) {
-    for (int bits = 1; bits < 128; ++bits) {
-      const OverlayOptions options{(bits & 1) != 0,          (bits & 2) != 0,  (bits & 4) != 0,
-                                   (bits & 8) != 0,          (bits & 16) != 0, (bits & 32) != 0,
-                                   (bits & 32) != 0 ? 4 : 0, (bits & 64) != 0};
-      const PanelLayout layout = layout_panels(options, width, height);
-      INFO(width << "x" << height << " panels " << bits);
-      REQUIRE(layout.panels.size() ==
-              static_cast<std::size_t>(__builtin_popcount(static_cast<unsigned>(bits))));
-      const Rect frame{0, 0, static_cast<double>(width), static_cast<double>(height)};
-      for (std::size_t i = 0; i < layout.panels.size(); ++i) {
-        const Rect& rect = layout.panels[i].rect;
-        CHECK(rect.w > 0);
-        CHECK(rect.h > 0);
-        CHECK(frame.contains(rect));
-        CHECK_FALSE(layout.free.overlaps(rect));
-        for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(rect.overlaps(layout.panels[k].rect));
+  const PanelTable table = overlay_panels();
+  for (const auto& [width, height] : kSizes) {
+    for (unsigned bits = 1; bits < 1u << table.size(); ++bits) {
+      OverlayOptions options;
+      for (std::size_t i = 0; i < table.size(); ++i) {
+        if ((bits >> i & 1) != 0) options.show(*table[i]);
       }
-      CHECK(frame.contains(layout.free));
+      INFO(width << "x" << height << " panels " << bits);
+      check_layout(options, data_with_joints(), width, height);
     }
   }
 }
 
 TEST_CASE("the picture stays visible: half the frame at 1280x720 and above, a quarter at 640x360") {
-  const OverlayOptions all{true, true, true, true, true, true, 4};
+  OverlayOptions all = parse_panels("all");
+  all.show(joints_overlay);
   for (const int height : {360, 720, 1080, 1440, 2160}) {
-    const PanelLayout layout = layout_panels(all, height * 16 / 9, height);
+    const PanelLayout layout = layout_panels(all, data_with_joints(), height * 16 / 9, height);
     CHECK(layout.free.w * layout.free.h > (height == 360 ? 0.25 : 0.45) * height * height * 16 / 9);
   }
-  CHECK(layout_panels({}, 1280, 720).free.w == 1280);
+  CHECK(layout_panels({}, {}, 1280, 720).free.w == 1280);
+}
+
+TEST_CASE("the legend of joints comes with bonds, where there are joints") {
+  OverlayOptions options;
+  options.show_with(PictureLayer::bonds);
+  CHECK(options.shows(joints_overlay));
+  CHECK_FALSE(options.shows(legend_overlay));
+  CHECK(layout_panels(options, data_with_joints(), 1280, 720).panels.size() == 1);
+  CHECK(layout_panels(options, {}, 1280, 720).panels.empty());
 }
 
 TEST_CASE("panel names") {
-  CHECK(parse_panels("params,plots").convergence);
-  CHECK_FALSE(parse_panels("params,plots").legend);
-  CHECK(parse_panels("all").legend);
-  CHECK_FALSE(parse_panels("none").any());
-  CHECK_FALSE(parse_panels("").any());
-  for (const char* bad : {"parms", "params,", "plots params"}) {
+  CHECK(parse_panels("params,plots").shows(convergence_overlay));
+  CHECK_FALSE(parse_panels("params,plots").shows(legend_overlay));
+  CHECK(parse_panels("all").shows(legend_overlay));
+  CHECK_FALSE(parse_panels("all").shows(difference_overlay));
+  CHECK(parse_panels("none").shown().empty());
+  CHECK(parse_panels("").shown().empty());
+  CHECK(panel_names() == "params, barrier, convergence, series, legend, difference, plots");
+  for (const char* bad : {"parms", "params,", "plots params", "joints"}) {
     try {
       parse_panels(bad);
       FAIL("accepted " << bad);
@@ -56,4 +93,38 @@ TEST_CASE("panel names") {
       CHECK(std::string(error.what()).find("convergence") != std::string::npos);
     }
   }
+}
+
+TEST_CASE("a made-up panel in a table is found by names, help, needs and places") {
+  const OverlayPanel clock = {
+      .name = "clock", .place = PanelPlace::top_left, .width = 90, .height = 30, .iterations = true};
+  const OverlayPanel spectrum = {.name = "spectrum", .width = 400, .height = 100, .other_run = true};
+  std::vector<const OverlayPanel*> all(overlay_panels().begin(), overlay_panels().end());
+  all.push_back(&clock);
+  all.push_back(&spectrum);
+  const PanelTable table = all;
+
+  CHECK(parse_panels("params,clock", table).shows(clock));
+  CHECK(parse_panels("all", table).shows(clock));
+  CHECK_FALSE(parse_panels("all,plots", table).shows(spectrum));
+  CHECK(parse_panels("clock", table).needing(&OverlayPanel::iterations) == &clock);
+  CHECK(parse_panels("clock", table).needing(&OverlayPanel::other_run) == nullptr);
+  CHECK_THROWS_WITH(parse_panels("clocks", table), Contains("difference, clock, spectrum, plots"));
+  CHECK_THROWS_WITH(parse_panels("clock"), Contains("no such panel"));
+  CHECK_THAT(panel_help(table),
+             Contains("clock, spectrum (with --ab), plots (barrier, convergence, series)"));
+
+  for (const auto& [width, height] : kSizes) {
+    INFO(width << "x" << height);
+    check_layout(parse_panels("all,spectrum", table), data_with_joints(), width, height);
+  }
+  // Below the parameters, as large as it wishes; the plots become as wide as the widest.
+  const PanelLayout layout =
+      layout_panels(parse_panels("params,clock,series,spectrum", table), {}, 1280, 720);
+  REQUIRE(layout.panels.size() == 4);
+  CHECK(layout.panels[1].panel == &clock);
+  CHECK(layout.panels[1].rect.y > layout.panels[0].rect.bottom());
+  CHECK(layout.panels[1].rect.w == 90);
+  CHECK(layout.panels[1].rect.h == Approx(30).margin(1));
+  CHECK(layout.panels[2].rect.w == 400);
 }

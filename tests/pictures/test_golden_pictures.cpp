@@ -44,7 +44,7 @@ TEST_CASE("two boxes with contacts, bond points and legend") {
   Studio studio(1280, 720);
   const StoredStep stored("two_boxes");
   OverlayOptions panels;
-  panels.legend = true;
+  panels.show(legend_overlay);
   const FrameView view = view_of(stored);
   check(studio.frame(visual_of(stored, true), panels, overlay_of(stored, view)), "two_boxes_contacts",
         studio);
@@ -120,7 +120,7 @@ TEST_CASE("one joint of each type with bond points and legend") {
   options.bonds = true;
   build_visual(joints.model, joints.state, {}, options, scene);
   OverlayOptions panels;
-  panels.joints = true;
+  panels.show(joints_overlay);
   FrameView view;
   view.model = std::make_shared<const Model>(joints.model);
   OverlayData data;
@@ -140,8 +140,7 @@ TEST_CASE("a mechanism with all overlays, small") {
   OverlayData data = overlay_of(stored, view);
   data.joint_law = &law;
   OverlayOptions panels = parse_panels("all");
-  panels.joints = true;
-  panels.joint_rows = joint_row_count(data);
+  panels.show(joints_overlay);
   VisualScene scene = visual_of(stored, true);
   scene.camera.eye += 1.4f * (scene.camera.eye - scene.camera.target);  // room for the panels
   check(studio.frame(scene, panels, data), "mechanism_overlays", studio);

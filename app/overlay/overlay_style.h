@@ -1,0 +1,36 @@
+// What panels share: colours, sizes, and plots.
+#pragma once
+
+#include <string>
+
+#include "app/overlay/overlay.h"
+#include "app/overlay/overlay_panel_table.h"
+#include "app/plots/palette.h"
+#include "app/plots/plot.h"
+#include "sim/math/types.h"
+
+namespace pabd::overlay_style {
+
+inline constexpr Color kPanel{255, 255, 255, 232};
+inline constexpr Color kRim{0, 0, 0, 26};
+// px at scale 1
+inline constexpr double kPad = 10;
+inline constexpr double kTitle = 12, kText = 10.5;
+inline constexpr double kPlotWidth = 312, kPlotHeight = 218;
+inline constexpr double kLegendWidth = 300, kLegendHeight = 50;
+
+// Linear light as the screen shows it, sRGB.
+Color screen_ink(const Vec4f& color);
+
+// A translucent white box with a rim; the radius of its corners is 5 px at scale 1.
+void paint_box(const Rect& rect, double scale, Canvas& canvas);
+
+void paint_small_plot(const Plot& plot, const Rect& rect, double scale, Canvas& canvas);
+
+// Joints of the model that is shown.
+std::size_t joints_of(const OverlayData& data);
+
+// Of a plot whose data is not there.
+Plot empty_plot(const std::string& title);
+
+}  // namespace pabd::overlay_style

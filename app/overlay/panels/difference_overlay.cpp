@@ -1,0 +1,24 @@
+// How far two runs are apart, over time.
+#include "app/overlay/overlay_style.h"
+#include "app/plots/figures/difference.h"
+
+namespace pabd {
+namespace {
+
+using namespace overlay_style;
+
+void paint(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+  paint_small_plot(difference_series_plot({}, {}, DifferenceQuantity::distance, data.distances), rect, s,
+                   canvas);
+}
+
+}  // namespace
+
+const OverlayPanel difference_overlay = {.name = "difference",
+                                         .place = PanelPlace::column,
+                                         .width = kPlotWidth,
+                                         .height = kPlotHeight,
+                                         .paint = paint,
+                                         .other_run = true};
+
+}  // namespace pabd
