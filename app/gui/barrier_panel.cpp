@@ -45,13 +45,6 @@ bool in_force(const Params& params, const Advice& advice) {
 
 class BarrierPanelView final : public GuiPanel {
  public:
-  const char* name() const override { return "barrier"; }
-  const char* title() const override { return "Barrier"; }
-  const char* help() const override {
-    return "Ψ, Ψ′ and Ψ″ against the distance d, with a marker for every contact; drag d̂ and κ";
-  }
-  Slot slot() const override { return Slot::right_top; }
-
   void draw(GuiFrame& f) override {
     const bool tall = ImGui::GetContentRegionAvail().y > f.px(kTall);
     update(f, tall);
@@ -321,6 +314,12 @@ class BarrierPanelView final : public GuiPanel {
 
 }  // namespace
 
-std::unique_ptr<GuiPanel> make_barrier_panel() { return std::make_unique<BarrierPanelView>(); }
+const WindowPanel barrier_tab = {
+    .name = "barrier",
+    .title = "Barrier",
+    .help = "Ψ, Ψ′ and Ψ″ against the distance d, with a marker for every contact; drag d̂ and κ",
+    .slot = Slot::right_top,
+    .make = make_panel<BarrierPanelView>,
+    .contacts = true};
 
 }  // namespace pabd

@@ -43,11 +43,6 @@ void wrapped(const GuiFrame& f, const std::string& text) {
 
 class ComparePanel final : public GuiPanel {
  public:
-  const char* name() const override { return "compare"; }
-  const char* title() const override { return "A/B"; }
-  const char* help() const override { return "Two parameter sets on the same scene, in step"; }
-  Slot slot() const override { return Slot::right_top; }
-
   void draw(GuiFrame& f) override {
     if (!f.sim.b) {
       offer(f);
@@ -198,7 +193,12 @@ class ComparePanel final : public GuiPanel {
 
 }  // namespace
 
-std::unique_ptr<GuiPanel> make_compare_panel() { return std::make_unique<ComparePanel>(); }
+const WindowPanel compare_tab = {.name = "compare",
+                                 .title = "A/B",
+                                 .help = "Two parameter sets on the same scene, in step",
+                                 .slot = Slot::right_top,
+                                 .make = make_panel<ComparePanel>,
+                                 .contacts = true};
 
 void draw_compare_labels(GuiFrame& f, const GuiLayout& layout) {
   if (!f.sim.b) return;

@@ -25,13 +25,6 @@ std::size_t shown(const UiState& ui) {
 
 class ConvergencePanel final : public GuiPanel {
  public:
-  const char* name() const override { return "convergence"; }
-  const char* title() const override { return "Convergence"; }
-  const char* help() const override {
-    return "Energy, residual, penetration and joint error of every iteration of the step";
-  }
-  Slot slot() const override { return Slot::right_bottom; }
-
   void draw(GuiFrame& f) override {
     controls(f);
     status(f);
@@ -141,6 +134,12 @@ class ConvergencePanel final : public GuiPanel {
 
 }  // namespace
 
-std::unique_ptr<GuiPanel> make_convergence_panel() { return std::make_unique<ConvergencePanel>(); }
+const WindowPanel convergence_tab = {
+    .name = "convergence",
+    .title = "Convergence",
+    .help = "Energy, residual, penetration and joint error of every iteration of the step",
+    .slot = Slot::right_bottom,
+    .make = make_panel<ConvergencePanel>,
+    .iterations = true};
 
 }  // namespace pabd

@@ -21,9 +21,8 @@ GuiLayout layout_gui(const UiState& ui, int width, int height, double unit, bool
   } else {
     const double grow = std::clamp(w / unit / 1280, 1.0, kWide);
     const double toolbar = std::round(kToolbar * unit), timeline = std::round(kTimeline * unit);
-    const auto index = [](Slot slot) { return static_cast<std::size_t>(slot); };
-    double left = ui.open[index(Slot::left)] ? std::round(kLeft * grow * unit) : 0;
-    const bool top = ui.open[index(Slot::right_top)], bottom = ui.open[index(Slot::right_bottom)];
+    double left = ui.open[Slot::left] ? std::round(kLeft * grow * unit) : 0;
+    const bool top = ui.open[Slot::right_top], bottom = ui.open[Slot::right_bottom];
     double right = top || bottom ? std::round(kRight * grow * unit) : 0;
     if (w - left - right < kLeastView * unit && left > 0 && right > 0) right = 0;
     if (w - left - right < 0.5 * kLeastView * unit) left = std::min(left, w);
@@ -31,11 +30,11 @@ GuiLayout layout_gui(const UiState& ui, int width, int height, double unit, bool
     out.toolbar = {0, 0, w, toolbar};
     out.timeline = {0, h - timeline, w, timeline};
     out.view = {left, toolbar, std::max(0.0, w - left - right), middle};
-    out.slots[index(Slot::left)] = {0, toolbar, left, left > 0 ? middle : 0};
+    out.slots[Slot::left] = {0, toolbar, left, left > 0 ? middle : 0};
     if (right > 0) {
       const double split = top && bottom ? std::round(0.58 * middle) : top ? middle : 0;
-      if (top) out.slots[index(Slot::right_top)] = {w - right, toolbar, right, split};
-      if (bottom) out.slots[index(Slot::right_bottom)] = {w - right, toolbar + split, right, middle - split};
+      if (top) out.slots[Slot::right_top] = {w - right, toolbar, right, split};
+      if (bottom) out.slots[Slot::right_bottom] = {w - right, toolbar + split, right, middle - split};
     }
   }
   out.views[0] = out.view;

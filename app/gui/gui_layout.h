@@ -11,8 +11,8 @@ namespace pabd {
 
 struct GuiLayout {
   Rect toolbar, timeline, view;
-  std::array<Rect, kSlots> slots;  // empty (w = 0) when not shown
-  std::array<Rect, 2> views;       // parts of `view` for A and B side by side; the first is all of it else
+  BySlot<Rect> slots;         // empty (w = 0) when not shown
+  std::array<Rect, 2> views;  // parts of `view` for A and B side by side; the first is all of it else
 };
 
 // `unit`: pixels of a pixel of an ordinary screen. `two`: a second simulation is shown beside the first.

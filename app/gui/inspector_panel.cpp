@@ -94,13 +94,6 @@ class NameList {
 
 class InspectorPanel final : public GuiPanel {
  public:
-  const char* name() const override { return "inspector"; }
-  const char* title() const override { return "Inspector"; }
-  const char* help() const override {
-    return "The numbers of a body, joint or contact; double-click one in the picture";
-  }
-  Slot slot() const override { return Slot::left; }
-
   void draw(GuiFrame& f) override {
     const RunView& run = f.sim.a;
     const Selection& s = f.ui.selection;
@@ -272,6 +265,11 @@ class InspectorPanel final : public GuiPanel {
 
 }  // namespace
 
-std::unique_ptr<GuiPanel> make_inspector_panel() { return std::make_unique<InspectorPanel>(); }
+const WindowPanel inspector_tab = {
+    .name = "inspector",
+    .title = "Inspector",
+    .help = "The numbers of a body, joint or contact; double-click one in the picture",
+    .slot = Slot::left,
+    .make = make_panel<InspectorPanel>};
 
 }  // namespace pabd

@@ -48,15 +48,17 @@ struct GuiFrame {
   float px(double ordinary) const { return static_cast<float>(ordinary * unit); }
 };
 
+// One of the window's panels at work; what it is called and where it goes is in its WindowPanel.
 class GuiPanel {
  public:
   virtual ~GuiPanel() = default;
-  virtual const char* name() const = 0;   // "barrier": in commands and settings
-  virtual const char* title() const = 0;  // of its tab, UTF-8
-  virtual const char* help() const = 0;   // one line under the mouse
-  virtual Slot slot() const = 0;
   // Fills the current ImGui window, whose content region is the panel's.
   virtual void draw(GuiFrame& frame) = 0;
 };
+
+template <class P>
+std::unique_ptr<GuiPanel> make_panel() {
+  return std::make_unique<P>();
+}
 
 }  // namespace pabd

@@ -1,36 +1,13 @@
-// Makers of the panels, in the order of their tabs.
+// Parts of the window that are no panels. Each fills the ImGui window that is open.
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <vector>
 
 #include "app/gui/gui_layout.h"
 #include "app/gui/panel.h"
 
 namespace pabd {
 
-std::unique_ptr<GuiPanel> make_parameters_panel();
-std::unique_ptr<GuiPanel> make_inspector_panel();
-std::unique_ptr<GuiPanel> make_scenes_panel();
-std::unique_ptr<GuiPanel> make_barrier_panel();
-std::unique_ptr<GuiPanel> make_convergence_panel();
-std::unique_ptr<GuiPanel> make_series_panel();
-std::unique_ptr<GuiPanel> make_compare_panel();
-
-inline std::vector<std::unique_ptr<GuiPanel>> make_panels() {
-  std::vector<std::unique_ptr<GuiPanel>> out;
-  out.push_back(make_parameters_panel());
-  out.push_back(make_inspector_panel());
-  out.push_back(make_scenes_panel());
-  out.push_back(make_barrier_panel());
-  out.push_back(make_convergence_panel());
-  out.push_back(make_series_panel());
-  out.push_back(make_compare_panel());
-  return out;
-}
-
-// Parts of the window that are no panels. Each fills the ImGui window that is open.
 void draw_toolbar(GuiFrame& frame);
 class TimelineBar {
  public:

@@ -21,11 +21,6 @@ bool is_changed(const RunView& run, const std::string& key) {
 
 class ParametersPanel final : public GuiPanel {
  public:
-  const char* name() const override { return "parameters"; }
-  const char* title() const override { return "Parameters"; }
-  const char* help() const override { return "What can be tuned while the simulation runs"; }
-  Slot slot() const override { return Slot::left; }
-
   void draw(GuiFrame& f) override {
     if (f.sim.b) {
       side_button(f, Side::a, "A");
@@ -239,6 +234,10 @@ class ParametersPanel final : public GuiPanel {
 
 }  // namespace
 
-std::unique_ptr<GuiPanel> make_parameters_panel() { return std::make_unique<ParametersPanel>(); }
+const WindowPanel parameters_tab = {.name = "parameters",
+                                    .title = "Parameters",
+                                    .help = "What can be tuned while the simulation runs",
+                                    .slot = Slot::left,
+                                    .make = make_panel<ParametersPanel>};
 
 }  // namespace pabd

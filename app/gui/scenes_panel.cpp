@@ -62,11 +62,6 @@ void text_lines(ImDrawList& list, ImVec2 at, float width, int lines, ImU32 ink, 
 
 class ScenesPanel : public GuiPanel {
  public:
-  const char* name() const override { return "scenes"; }
-  const char* title() const override { return "Scenes"; }
-  const char* help() const override { return "Other scenes to open, each with its picture"; }
-  Slot slot() const override { return Slot::left; }
-
   void draw(GuiFrame& f) override {
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##search", "search", &wanted_);
@@ -152,6 +147,10 @@ class ScenesPanel : public GuiPanel {
 
 }  // namespace
 
-std::unique_ptr<GuiPanel> make_scenes_panel() { return std::make_unique<ScenesPanel>(); }
+const WindowPanel scenes_tab = {.name = "scenes",
+                                .title = "Scenes",
+                                .help = "Other scenes to open, each with its picture",
+                                .slot = Slot::left,
+                                .make = make_panel<ScenesPanel>};
 
 }  // namespace pabd

@@ -227,9 +227,9 @@ class Player {
 
   Image part_of(const Image& image, const std::string& part) const {
     const GuiLayout& layout = viewer_.layout();
-    if (part == "left") return cut(image, layout.slots[0]);
-    if (part == "right_top") return cut(image, layout.slots[1]);
-    if (part == "right_bottom") return cut(image, layout.slots[2]);
+    for (const Slot slot : kSlots) {
+      if (part == slot_name(slot)) return cut(image, layout.slots[slot]);
+    }
     if (part == "picture") return cut(image, layout.view);
     if (part == "toolbar") return cut(image, layout.toolbar);
     if (part == "timeline") return cut(image, layout.timeline);

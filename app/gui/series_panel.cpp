@@ -53,13 +53,6 @@ std::vector<TimeMark> kappa_marks(const Reports& history) {
 
 class SeriesPanel final : public GuiPanel {
  public:
-  const char* name() const override { return "series"; }
-  const char* title() const override { return "Over time"; }
-  const char* help() const override {
-    return "Penetration, energies and errors over time; a click goes to that step";
-  }
-  Slot slot() const override { return Slot::right_bottom; }
-
   void draw(GuiFrame& f) override {
     const std::size_t now = shown(f.ui);
     if (const auto i =
@@ -157,6 +150,11 @@ class SeriesPanel final : public GuiPanel {
 
 }  // namespace
 
-std::unique_ptr<GuiPanel> make_series_panel() { return std::make_unique<SeriesPanel>(); }
+const WindowPanel series_tab = {
+    .name = "series",
+    .title = "Over time",
+    .help = "Penetration, energies and errors over time; a click goes to that step",
+    .slot = Slot::right_bottom,
+    .make = make_panel<SeriesPanel>};
 
 }  // namespace pabd

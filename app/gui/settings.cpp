@@ -67,12 +67,14 @@ std::string settings_json(const Settings& settings) {
   const UiState& ui = settings.ui;
   // A window that was too small or too large to be asked for again.
   const auto side = [](int pixels) { return pixels >= kLeastSide && pixels <= kLargestSide ? pixels : 0; };
+  Json shown = Json::array();
+  for (const Slot slot : kSlots) shown.push_back(ui.shown[slot]->name);
   const Json json = {{"format", "pabd-view-settings"},
                      {"version", 1},
                      {"dark", ui.dark},
                      {"scale", ui.scale},
-                     {"shown", ui.shown},
-                     {"open", ui.open},
+                     {"shown", shown},
+                     {"open", ui.open.of},
                      {"contacts", ui.contacts},
                      {"bonds", ui.bonds},
                      {"color", to_string(ui.color)},
@@ -110,12 +112,13 @@ Settings parse_settings(const std::string& text, const std::string& source) {
     return true;
   };
   const auto is_text = [](const Json& j) { return j.is_string(); };
-  if (list("open", kSlots, kSlots, [](const Json& j) { return j.is_boolean(); }))
-    ui.open = json["open"].get<std::array<bool, kSlots>>();
-  if (list("shown", kSlots, kSlots, is_text)) {
-    for (std::size_t i = 0; i < kSlots; ++i) {
-      const auto name = json["shown"][i].get<std::string>();
-      if (static_cast<std::size_t>(slot_of_panel(name)) == i) ui.shown[i] = name;
+  constexpr std::size_t kCount = std::size(kSlots);
+  if (list("open", kCount, kCount, [](const Json& j) { return j.is_boolean(); }))
+    ui.open.of = json["open"].get<std::array<bool, kCount>>();
+  if (list("shown", kCount, kCount, is_text)) {
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const WindowPanel& panel = find_panel(json["shown"][i].get<std::string>());
+      if (panel.slot == kSlots[i]) ui.shown[panel.slot] = &panel;
     }
   }
   if (list("recent", 0, kMostRecent, is_text)) ui.recent = json["recent"].get<std::vector<std::string>>();

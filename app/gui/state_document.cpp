@@ -70,7 +70,8 @@ Json run_json(const RunView& run) {
 
 Json state_document(const Snapshot& sim, const UiState& ui) {
   static constexpr const char* kKinds[] = {"none", "body", "joint", "contact"};
-  Json camera_keys = Json::array();
+  Json panels = Json::array(), camera_keys = Json::array();
+  for (const Slot slot : kSlots) panels.push_back(ui.shown[slot]->name);
   for (const CameraKey& key : ui.camera_keys)
     camera_keys.push_back({{"time", key.time}, {"eye", vec(key.pose.eye)}});
   Json held = Json::array();
@@ -100,8 +101,8 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
             {"scale", ui.scale},
             {"help", ui.help},
             {"hidden", ui.hidden},
-            {"panels", {ui.shown[0], ui.shown[1], ui.shown[2]}},
-            {"open", {ui.open[0], ui.open[1], ui.open[2]}},
+            {"panels", std::move(panels)},
+            {"open", ui.open.of},
             {"eye", vec(ui.camera.eye)},
             {"target", vec(ui.camera.target)},
             {"fov", ui.camera.fov},

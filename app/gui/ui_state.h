@@ -2,21 +2,17 @@
 // so do the mouse (camera), the flight along camera keys, and what no longer fits when bodies or scenes change.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/gui/view_command.h"
+#include "app/gui/window_panel.h"
 #include "render/visual/camera_path.h"
 #include "sim/math/types.h"
 
 namespace pabd {
-
-// Places for panels; each shows one of its panels.
-enum class Slot : std::uint8_t { left, right_top, right_bottom };
-inline constexpr int kSlots = 3;
 
 // Words for what panels plot, in the order of their lists.
 inline constexpr std::string_view kConvergenceViews[] = {
@@ -49,8 +45,8 @@ struct UiState {
   bool dark = true;
   double scale = 1;  // chosen by the person, times the screen's
   bool help = false, hidden = false, costs = false;
-  std::array<std::string, kSlots> shown{"parameters", "barrier", "convergence"};
-  std::array<bool, kSlots> open{true, true, true};
+  BySlot<const WindowPanel*> shown{&parameters_tab, &barrier_tab, &convergence_tab};
+  BySlot<bool> open{true, true, true};
 
   CameraPose camera;
   std::vector<CameraKey> camera_keys;  // in order of time
@@ -69,6 +65,11 @@ struct UiState {
   std::string dialog_text;          // what it starts with; empty: something that fits
   std::vector<std::string> recent;  // scenes that were open, newest first
   bool quit = false;
+
+  // Whether that panel is to be seen.
+  bool shows(const WindowPanel& panel) const {
+    return !hidden && open[panel.slot] && shown[panel.slot] == &panel;
+  }
 };
 
 }  // namespace pabd

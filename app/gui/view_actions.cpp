@@ -19,15 +19,6 @@ namespace {
 
 constexpr double kStepBack = 1.4;  // between cut-off sides and small bodies
 
-struct PanelPlace {
-  std::string_view name;
-  Slot slot;
-};
-constexpr PanelPlace kPanels[] = {
-    {"parameters", Slot::left},   {"inspector", Slot::left},           {"scenes", Slot::left},
-    {"barrier", Slot::right_top}, {"convergence", Slot::right_bottom}, {"series", Slot::right_bottom},
-    {"compare", Slot::right_top}};
-
 // The one of `words` that is meant. Throws Error(bad_input) with the list.
 std::size_t one(const std::string& word, std::span<const std::string_view> words, const char* what) {
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -62,9 +53,9 @@ struct Actor {
   UiState& ui;
 
   void operator()(const command::Panel& c) const {
-    const auto slot = static_cast<std::size_t>(slot_of_panel(c.panel));
-    if (c.on) ui.shown[slot] = c.panel;
-    ui.open[slot] = c.on;
+    const WindowPanel& panel = find_panel(c.panel);
+    if (c.on) ui.shown[panel.slot] = &panel;
+    ui.open[panel.slot] = c.on;
   }
   void operator()(const command::Theme& c) const { ui.dark = c.dark; }
   void operator()(const command::Scale& c) const {
@@ -115,7 +106,7 @@ struct Actor {
     }
     ui.selection = selection;
     ui.joining.reset();
-    if (selection.kind != Selection::Kind::none) ui.shown[static_cast<std::size_t>(Slot::left)] = "inspector";
+    if (selection.kind != Selection::Kind::none) ui.shown[inspector_tab.slot] = &inspector_tab;
   }
   void operator()(const command::Join& c) const {
     std::vector<std::string_view> types{""};
@@ -258,12 +249,6 @@ struct Actor {
 
 void apply_view_command(const ViewCommand& command, const Snapshot& sim, const Viewport& port, UiState& ui) {
   std::visit(Actor{sim, port, ui}, command);
-}
-
-Slot slot_of_panel(const std::string& name) {
-  std::string_view names[std::size(kPanels)];
-  for (std::size_t i = 0; i < std::size(kPanels); ++i) names[i] = kPanels[i].name;
-  return kPanels[one(name, names, "panel")].slot;
 }
 
 const char* to_string(ColorQuantity quantity) {

@@ -11,9 +11,6 @@ namespace pabd {
 // need more than the state and are left to the caller. `port` is the picture's.
 void apply_view_command(const ViewCommand& command, const Snapshot& sim, const Viewport& port, UiState& ui);
 
-// The slot of a panel by name. Throws Error(bad_input).
-Slot slot_of_panel(const std::string& name);
-
 const char* to_string(ColorQuantity quantity);
 
 // 'pabd render …' that makes a video of what is seen: scene, parameters, camera.

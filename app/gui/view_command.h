@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/gui/window_panel.h"
 #include "app/workbench/command.h"
 #include "sim/body/joint.h"
 
@@ -19,8 +20,8 @@ struct Panel {
   std::string panel;
   bool on = true;
   void fields(auto&& f) {
-    f(need("panel", "parameters, inspector, scenes, barrier, convergence, series or compare", R"("series")"),
-      panel);
+    static const std::string names = panel_words();
+    f(need("panel", names.c_str(), R"("series")"), panel);
     f(kOn, on);
   }
 };

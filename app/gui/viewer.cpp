@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "app/gui/dialogs.h"
 #include "app/gui/frame_costs.h"
@@ -79,7 +80,7 @@ struct Viewer::Impl {
   double plain_composing = 0;  // s that a frame without a new picture took
   FrameCosts costs;
   GuiLayout layout;
-  std::vector<std::unique_ptr<GuiPanel>> panels = make_panels();
+  std::map<const WindowPanel*, std::unique_ptr<GuiPanel>> panels;
   TimelineBar timeline;
   MessageList messages;
   Dialogs dialogs;
@@ -108,6 +109,7 @@ struct Viewer::Impl {
     io.ClipboardUserData = this;
     io.GetClipboardTextFn = [](void* self) { return static_cast<Impl*>(self)->clipboard_text(); };
     io.SetClipboardTextFn = [](void* self, const char* text) { static_cast<Impl*>(self)->copy(text); };
+    for (const WindowPanel* panel : window_panels()) panels.emplace(panel, panel->make());
     layout = layout_gui(ui, width, height, unit(), false);
     observe();
   }
@@ -161,9 +163,12 @@ struct Viewer::Impl {
   // Only what somebody looks at is recorded.
   void observe() {
     command::Observe want;
-    const bool bottom = ui.open[2] && !ui.hidden, top = ui.open[1] && !ui.hidden;
-    want.iterations = bottom && ui.shown[2] == "convergence";
-    want.contacts = ui.contacts || ui.bonds || top;
+    const auto seen = [&](bool WindowPanel::*need) {
+      return std::any_of(panels.begin(), panels.end(),
+                         [&](const auto& panel) { return panel.first->*need && ui.shows(*panel.first); });
+    };
+    want.iterations = seen(&WindowPanel::iterations);
+    want.contacts = ui.contacts || ui.bonds || seen(&WindowPanel::contacts);
     want.bodies = ui.color != ColorQuantity::body || ui.selection.kind == Selection::Kind::body;
     want.contacts = want.contacts || ui.selection.kind != Selection::Kind::none;
     if (want.iterations == observed.iterations && want.contacts == observed.contacts &&
@@ -218,26 +223,20 @@ struct Viewer::Impl {
   }
 
   void draw_slot(GuiFrame& frame, Slot slot) {
-    const Rect& rect = layout.slots[static_cast<std::size_t>(slot)];
+    const Rect& rect = layout.slots[slot];
     if (rect.w <= 0 || rect.h <= 0) return;
     const std::string id = fmt::format("##slot{}", static_cast<int>(slot));
     begin_fixed(id.c_str(), rect);
-    std::string& shown = ui.shown[static_cast<std::size_t>(slot)];
-    GuiPanel* current = nullptr;
-    for (const auto& panel : panels) {
-      if (panel->slot() != slot) continue;
-      if (current == nullptr || shown == panel->name()) current = panel.get();
-    }
+    const WindowPanel* const current = ui.shown[slot];
     bool first = true;
-    for (const auto& panel : panels) {
-      if (panel->slot() != slot) continue;
+    for (const WindowPanel* panel : panels_of(slot)) {
       if (!first) ImGui::SameLine(0, frame.px(2));
       first = false;
-      if (toggle_button(frame, panel->title(), panel.get() == current, panel->help()))
-        frame.out.send(ViewCommand(command::Panel{panel->name(), true}));
+      if (toggle_button(frame, panel->title, panel == current, panel->help))
+        frame.out.send(ViewCommand(command::Panel{panel->name, true}));
     }
     ImGui::BeginChild("##content");
-    if (current) current->draw(frame);
+    panels.at(current)->draw(frame);
     ImGui::EndChild();
     // A line between the panel and the picture.
     const float x = static_cast<float>(slot == Slot::left ? rect.right() - frame.px(1) : rect.x);
@@ -252,7 +251,7 @@ struct Viewer::Impl {
       begin_fixed("##toolbar", layout.toolbar, ImGuiWindowFlags_NoScrollbar);
       draw_toolbar(frame);
       ImGui::End();
-      for (const Slot slot : {Slot::left, Slot::right_top, Slot::right_bottom}) draw_slot(frame, slot);
+      for (const Slot slot : kSlots) draw_slot(frame, slot);
       begin_fixed("##timeline", layout.timeline, ImGuiWindowFlags_NoScrollbar);
       timeline.draw(frame);
       ImGui::End();
@@ -310,7 +309,7 @@ struct Viewer::Impl {
 
   // Pictures of scenes are made while somebody looks at them.
   void list_scenes() {
-    const bool shown = !ui.hidden && ui.open[0] && ui.shown[0] == "scenes";
+    const bool shown = ui.shows(scenes_tab);
     if (shown && !scenes_shown) scenes.look(sim->scene_path, ui.recent, renderer);
     if (shown) scenes.update(renderer);
     scenes_shown = shown;

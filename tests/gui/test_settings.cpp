@@ -16,7 +16,7 @@ Settings unusual() {
   Settings s;
   s.ui.dark = false;
   s.ui.scale = 1.75;
-  s.ui.shown = {"scenes", "barrier", "series"};
+  s.ui.shown = {&scenes_tab, &barrier_tab, &series_tab};
   s.ui.open = {true, false, true};
   s.ui.contacts = false;
   s.ui.color = ColorQuantity::speed;
