@@ -202,6 +202,11 @@ TEST_CASE("app's parts keep apart") {
   CHECK(violations("app/frames/", {"app/cli/", "app/gui/", "app/workbench/", "CLI/"}) == List{});
 }
 
+TEST_CASE("units of what plots show stand in one table") {
+  CHECK(mentions("app/plots/figures/", {" [m]\"", " [J]\"", " [N]\"", " [s]\"", " [ms]\"", " [1]\"",
+                                        " [1/m]\"", " [N/m]\""}) == std::vector<std::string>{});
+}
+
 TEST_CASE("files are short and headers say what they are") {
   for (const Source& source : sources()) {
     CAPTURE(source.path, source.lines);

@@ -8,6 +8,7 @@
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/palette.h"
+#include "app/plots/quantities.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd {
@@ -148,9 +149,9 @@ Figure barrier_figure(const BarrierCurves& in) {
   Plot value, slope;
   value.title = energy ? "Potential Ψ(d) = κ B_{N}(d)" : "Barrier B_{N}(d)";
   slope.title = energy ? "Slope Ψ′(d), minus the normal force" : "Derivative B_{N}′(d)";
-  value.x.label = slope.x.label = "d [m]";
-  value.y.label = energy ? "Ψ [J]" : "B_{N} [1]";
-  slope.y.label = energy ? "Ψ′ [N]" : "B_{N}′ [1/m]";
+  value.x.label = slope.x.label = quantities::gap.axis;
+  value.y.label = energy ? quantities::potential.axis : quantities::barrier.axis;
+  slope.y.label = energy ? quantities::force.axis : quantities::barrier_slope.axis;
   const double lo = kLeft * largest, hi = kRight * largest;
   limit_range(value.y, curves, lo, false);
   limit_range(slope.y, curves, lo, true);
@@ -159,8 +160,8 @@ Figure barrier_figure(const BarrierCurves& in) {
     v.name = s.name = curve.name;
     v.style = s.style = curve.style;
     if (traits_of(curve.barrier.kind).per_area) {
-      v.quantity = energy ? "κ B/d̂² [J]" : "B/d̂² [1]";
-      s.quantity = energy ? "κ B′/d̂² [N]" : "B′/d̂² [1/m]";
+      v.quantity = energy ? quantities::log_potential.axis : quantities::log_barrier.axis;
+      s.quantity = energy ? quantities::log_force.axis : quantities::log_barrier_slope.axis;
     }
     add_curve(curve, lo, hi, in.samples, &v, &s);
     value.series.push_back(std::move(v));
@@ -187,9 +188,9 @@ Figure figure1() {
   Plot left, right;
   left.title = "Barrier B_{N}(d)";
   right.title = "Derivative B_{3}′(d)";
-  left.x.label = right.x.label = "d [m]";
-  left.y.label = "B_{N} [1]";
-  right.y.label = "B_{3}′ [1/m]";
+  left.x.label = right.x.label = quantities::gap.axis;
+  left.y.label = quantities::barrier.axis;
+  right.y.label = axis_of_order(quantities::barrier_slope, 3);
   left.y.lo = -0.15;
   left.y.hi = 4;
   const double lo = kLeft * d_hat, hi = kRight * d_hat;
@@ -244,12 +245,15 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
   for (const ContactReport& report : contacts) {
     if (std::isfinite(report.d)) lo = std::min(lo, report.d - 0.1 * d_hat);
   }
-  plot.x.label = "d [m]";
+  plot.x.label = quantities::gap.axis;
   plot.x.lo = lo;
   plot.x.hi = 1.15 * d_hat;
-  const std::string order = traits.least_N > 0 ? fmt::format("_{{{}}}", contact.N) : "";
-  plot.y.label = traits.per_area ? "B/d̂² [1]" : "B" + order + " [1]";
-  plot.y_right.label = traits.per_area ? "B′/d̂² [1/m]" : "B" + order + "′ [1/m]";
+  const auto label = [&](const Quantity& of_order, const Quantity& per_area) -> std::string {
+    if (traits.per_area) return per_area.axis;
+    return traits.least_N > 0 ? axis_of_order(of_order, contact.N) : axis_without_order(of_order);
+  };
+  plot.y.label = label(quantities::barrier, quantities::log_barrier);
+  plot.y_right.label = label(quantities::barrier_slope, quantities::log_barrier_slope);
   limit_range(plot.y, {curve}, lo, false);
   limit_range(plot.y_right, {curve}, lo, true);
   Series value, slope, value_marks, slope_marks;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/plots/axis_ticks.h"
+#include "app/plots/quantities.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd {
@@ -73,13 +74,14 @@ std::string label_of(const BarrierPanelOptions& options) {
   const bool energy = options.energy;
   switch (options.quantity) {
     case BarrierQuantity::value:
-      return energy ? "Ψ [J]" : "B_{N} [1]";
+      return energy ? quantities::potential.axis : quantities::barrier.axis;
     case BarrierQuantity::slope:
-      return std::string(options.log_y ? "−" : "") + (energy ? "Ψ′ [N]" : "B_{N}′ [1/m]");
+      return std::string(options.log_y ? "−" : "") +
+             (energy ? quantities::force.axis : quantities::barrier_slope.axis);
     case BarrierQuantity::curvature:
       break;
   }
-  return energy ? "Ψ″ [N/m]" : "B_{N}″ [1/m²]";
+  return energy ? quantities::curvature.axis : quantities::barrier_curvature.axis;
 }
 
 // Samples over [lo, hi], and both sides of d̂ and of the onset's end, where derivatives jump.
@@ -157,7 +159,7 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
   const PlotRange y = options.y.value_or(fitted_range(current, x.lo, scale, options));
   Plot& plot = panel.plot;
   plot.title = options.energy ? "Contact potential" : "Contact barrier";
-  plot.x = {"d [m]", false, x.lo, x.hi};
+  plot.x = {quantities::gap.axis, false, x.lo, x.hi};
   plot.y = {label_of(options), options.log_y, y.lo, y.hi};
 
   for (const Barrier& curve : curves) {
@@ -248,7 +250,7 @@ ContactHistogram contact_histogram(const ContactParams& contact, const std::vect
     bars.marker_colors.push_back(color(k == 0 ? -1 : at));
   }
   Plot& plot = out.plot;
-  plot.x = {"d/d̂ [1]; left of 0: overlap", false, -0.1, 1.0};
+  plot.x = {std::string(quantities::relative_gap.axis) + "; left of 0: overlap", false, -0.1, 1.0};
   plot.y = {"contacts", false, 0, 0, 0, true};
   plot.y.hi = std::max(4.0, 1.4 * *std::max_element(counts.begin(), counts.end()));
   plot.title = "No contacts";

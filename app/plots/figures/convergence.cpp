@@ -8,6 +8,7 @@
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/palette.h"
+#include "app/plots/quantities.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd {
@@ -95,10 +96,11 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   const bool reached = reference && !(least < minimiser->energy - kReached * std::abs(least));
   if (reached) least = minimiser->energy;
 
-  Plot energy = iteration_plot("Energy gap", reached ? "E − E_{min} [J]" : "E − E_{end} [J]", true);
-  Plot residual = iteration_plot("Residual", "largest step / d̂ [1]", true);
-  Plot depth = iteration_plot("Deepest contact", "penetration −d [m]", false);
-  Plot joint = iteration_plot("Joints", "largest error [m]", true);
+  Plot energy =
+      iteration_plot("Energy gap", reached ? quantities::above_least.axis : quantities::above_end.axis, true);
+  Plot residual = iteration_plot("Residual", quantities::step_size.axis, true);
+  Plot depth = iteration_plot("Deepest contact", quantities::depth.axis, false);
+  Plot joint = iteration_plot("Joints", quantities::joint_error.axis, true);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const MethodRun& run = runs[i];
     const int color = static_cast<int>(i);
@@ -137,15 +139,17 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
 
 Plot convergence_plot(const std::vector<IterationRecord>& records, bool joints) {
   Plot plot = iteration_plot("Convergence of the last step", "", true);
-  plot.series.push_back(iteration_series("E − E_{end} [J]", records, energy_gap(ending_energy(records)), 0));
+  plot.series.push_back(
+      iteration_series(quantities::above_end.axis, records, energy_gap(ending_energy(records)), 0));
   plot.series.push_back(iteration_series(
-      "residual [1]", records, [](const IterationRecord& r) { return r.residual; }, 2));
+      quantities::residual.axis, records, [](const IterationRecord& r) { return r.residual; }, 2));
   plot.series.push_back(iteration_series(
-      "depth before [m]", records, [](const IterationRecord& r) { return r.max_penetration_before; }, 1,
-      SeriesStyle::dashed));
+      quantities::depth_before.axis, records,
+      [](const IterationRecord& r) { return r.max_penetration_before; }, 1, SeriesStyle::dashed));
   plot.series.push_back(iteration_series(
-      "after [m]", records, [](const IterationRecord& r) { return r.max_penetration_after; }, 1));
-  if (joints) plot.series.push_back(iteration_series("joints [m]", records, joint_error, 3));
+      quantities::depth_after.axis, records, [](const IterationRecord& r) { return r.max_penetration_after; },
+      1));
+  if (joints) plot.series.push_back(iteration_series(quantities::joints.axis, records, joint_error, 3));
   return plot;
 }
 
@@ -196,7 +200,7 @@ std::vector<IterationRecord> sissm_iterates(const Model& model, Params params, c
 
 Figure figure7(const Model& model, const Params& params, const State& state, int iterations, int threads) {
   const Minimiser minimiser = find_minimiser(model, params, state, 20000, threads);
-  Plot plot = iteration_plot("", "penetration −d [m]", false);
+  Plot plot = iteration_plot("", quantities::depth.axis, false);
   for (const auto& [projection, color] :
        {std::pair{Projection::polar, 1}, std::pair{Projection::weighted, 0}}) {
     const auto records = sissm_iterates(model, params, state, projection, iterations, threads);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/plots/quantities.h"
+
 namespace pabd {
 namespace {
 
@@ -17,19 +19,20 @@ struct Look {
 Look look_of(ConvergenceQuantity quantity) {
   switch (quantity) {
     case ConvergenceQuantity::energy_gap:
-      return {"Energy above its end", "E − E_{end} [J]", true, "no iterations recorded"};
+      return {"Energy above its end", quantities::above_end.axis, true, "no iterations recorded"};
     case ConvergenceQuantity::energy:
-      return {"Incremental potential", "E [J]", false, "no iterations recorded"};
+      return {"Incremental potential", quantities::incremental.axis, false, "no iterations recorded"};
     case ConvergenceQuantity::residual:
-      return {"Residual", "largest step / d̂ [1]", true, "no iterations recorded"};
+      return {"Residual", quantities::step_size.axis, true, "no iterations recorded"};
     case ConvergenceQuantity::penetration:
-      return {"Deepest contact", "penetration −d [m]", false, "no contacts in this step"};
+      return {"Deepest contact", quantities::depth.axis, false, "no contacts in this step"};
     case ConvergenceQuantity::joint_error:
-      return {"Joints", "largest error [m]", true, "no joints, or no error"};
+      return {"Joints", quantities::joint_error.axis, true, "no joints, or no error"};
     case ConvergenceQuantity::projection_change:
       break;
   }
-  return {"What the projection changes", "‖A − R‖ [1]", true, "this solver keeps its bodies rigid"};
+  return {"What the projection changes", quantities::projection_change.axis, true,
+          "this solver keeps its bodies rigid"};
 }
 
 double value_of(const IterationRecord& r, ConvergenceQuantity quantity, double least) {
@@ -100,7 +103,7 @@ Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity q
   const double least = least_energy(runs, minimiser);
   if (quantity == ConvergenceQuantity::energy_gap && minimiser && least == minimiser->energy) {
     plot.title = "Energy above its minimum";
-    plot.y.label = "E − E_{min} [J]";
+    plot.y.label = quantities::above_least.axis;
   }
   // Held ones first: the present one lies on top.
   for (std::size_t k = runs.size(); k-- > 0;) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/plots/quantities.h"
 #include "sim/math/so3.h"
 
 namespace pabd {
@@ -50,8 +51,8 @@ Series difference(std::span<const StepSummary> a, std::span<const StepSummary> b
 Plot distance_plot(std::span<const DistancePoint> distances) {
   Plot plot;
   plot.title = "Distance of A and B";
-  plot.x.label = "time [s]";
-  plot.y.label = "position [m]";
+  plot.x.label = quantities::time.axis;
+  plot.y.label = quantities::position.axis;
   plot.y_right.label = "angle [°]";
   plot.y.log = plot.y_right.log = true;
   plot.none = distances.empty() ? "no common time of A and B yet" : "A and B are the same";
@@ -114,23 +115,23 @@ Plot difference_series_plot(std::span<const StepSummary> a, std::span<const Step
   using R = const StepSummary&;
   if (quantity == DifferenceQuantity::distance) return distance_plot(distances);
   Plot plot;
-  plot.x.label = "time [s]";
+  plot.x.label = quantities::time.axis;
   plot.none = "no common time of A and B";
   std::vector<Curve> curves;
   switch (quantity) {
     case DifferenceQuantity::gap:
       plot.title = "Smallest gap, B − A";
-      plot.y.label = "Δd [m]";
+      plot.y.label = quantities::gap_change.axis;
       curves = {{"", 0, [](R r) { return r.min_gap; }}};
       break;
     case DifferenceQuantity::penetration:
       plot.title = "Largest penetration, B − A";
-      plot.y.label = "Δ max(0, −d) [m]";
+      plot.y.label = quantities::overlap_change.axis;
       curves = {{"", 1, [](R r) { return r.max_penetration; }}};
       break;
     case DifferenceQuantity::energies:
       plot.title = "Energy, B − A";
-      plot.y.label = "ΔE [J]";
+      plot.y.label = quantities::energy_change.axis;
       curves = {{"kinetic", 0, [](R r) { return r.kinetic; }},
                 {"potential", 2, [](R r) { return r.potential; }},
                 {"elastic", 3, [](R r) { return r.elastic; }},
@@ -138,7 +139,7 @@ Plot difference_series_plot(std::span<const StepSummary> a, std::span<const Step
       break;
     case DifferenceQuantity::joint_error:
       plot.title = "Joint error, B − A";
-      plot.y.label = "Δ error [m]";
+      plot.y.label = quantities::error_change.axis;
       curves = {{"", 3, [](R r) { return r.max_joint_error; }}};
       break;
     default:

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/plots/quantities.h"
+
 namespace pabd {
 namespace {
 
@@ -20,13 +22,13 @@ struct Look {
 Look look_of(TimeQuantity quantity) {
   switch (quantity) {
     case TimeQuantity::gap:
-      return {"Smallest gap", "d [m]", false, false, "no contacts so far"};
+      return {"Smallest gap", quantities::gap.axis, false, false, "no contacts so far"};
     case TimeQuantity::penetration:
-      return {"Largest penetration", "max(0, −d) [m]", false, false, "no steps so far"};
+      return {"Largest penetration", quantities::overlap.axis, false, false, "no steps so far"};
     case TimeQuantity::energies:
-      return {"Energy", "energy [J]", false, false, "no steps so far"};
+      return {"Energy", quantities::energy.axis, false, false, "no steps so far"};
     case TimeQuantity::joint_error:
-      return {"Joints", "largest error [m]", true, false, "no joints, or no error"};
+      return {"Joints", quantities::joint_error.axis, true, false, "no joints, or no error"};
     case TimeQuantity::contacts:
       return {"Contacts", "contacts with d < d̂", false, true, "no steps so far"};
     case TimeQuantity::iterations:
@@ -34,7 +36,7 @@ Look look_of(TimeQuantity quantity) {
     case TimeQuantity::milliseconds:
       break;
   }
-  return {"Time a step takes", "wall clock [ms]", false, false, "no steps so far"};
+  return {"Time a step takes", quantities::wall_clock.axis, false, false, "no steps so far"};
 }
 
 struct Curve {
@@ -135,7 +137,7 @@ Plot time_panel(std::span<const StepSummary> reports, TimeQuantity quantity,
   const Look look = look_of(quantity);
   Plot plot;
   plot.title = look.title;
-  plot.x.label = "time [s]";
+  plot.x.label = quantities::time.axis;
   plot.y.label = look.label;
   plot.y.log = look.log;
   plot.y.integer = look.integer;

@@ -1,6 +1,8 @@
 // Penetration, joint error and energies against time.
 #include "app/plots/figures/time_series.h"
 
+#include "app/plots/quantities.h"
+
 #include <algorithm>
 
 namespace pabd {
@@ -32,15 +34,15 @@ Figure time_series_figure(std::span<const StepSummary> history) {
   figure.title = "Contacts and energy over time";
   Plot gap, energy;
   gap.title = "Contacts";
-  gap.x.label = energy.x.label = "time [s]";
-  gap.y.label = "distance [m]";
+  gap.x.label = energy.x.label = quantities::time.axis;
+  gap.y.label = quantities::distance.axis;
   gap.series.push_back(time_series(
       "largest penetration", history, [](const StepSummary& p) { return p.max_penetration; }, 1));
   gap.series.push_back(time_series(
       "smallest gap d", history, [](const StepSummary& p) { return p.min_gap; }, 0));
   const double zero = history.empty() ? 0 : history.front().potential;
   energy.title = "Energy";
-  energy.y.label = "energy [J]";
+  energy.y.label = quantities::energy.axis;
   energy.series.push_back(time_series(
       "kinetic", history, [](const StepSummary& p) { return p.kinetic; }, 0));
   energy.series.push_back(time_series(
@@ -58,8 +60,8 @@ Figure time_series_figure(std::span<const StepSummary> history) {
                   [](const StepSummary& p) { return p.max_joint_error > 0; })) {
     Plot joints;
     joints.title = "Joints";
-    joints.x.label = "time [s]";
-    joints.y.label = "largest error [m]";
+    joints.x.label = quantities::time.axis;
+    joints.y.label = quantities::joint_error.axis;
     joints.y.log = true;
     joints.series.push_back(time_series("joint error", history, joint_error, 3));
     figure.plots.push_back(std::move(joints));
@@ -71,11 +73,11 @@ Figure time_series_figure(std::span<const StepSummary> history) {
 Plot time_series_plot(std::span<const StepSummary> history, double d_hat, bool joints) {
   Plot plot;
   plot.title = "Over time";
-  plot.x.label = "time [s]";
-  plot.y.label = joints ? "length [m]" : "penetration [m]";
+  plot.x.label = quantities::time.axis;
+  plot.y.label = joints ? quantities::length.axis : quantities::penetration.axis;
   plot.y.log = joints;
   plot.y.min_span = 0.1 * d_hat;
-  plot.y_right.label = "energy [J]";
+  plot.y_right.label = quantities::energy.axis;
   plot.y_right.min_span = 1e-9;
   plot.series.push_back(time_series(
       "penetration", history, [](const StepSummary& p) { return p.max_penetration; }, 1));
