@@ -15,6 +15,26 @@ int default_threads(const CpuLimits& limits) { return std::min(usable_cpus(limit
 
 int CommonOptions::thread_count() const { return threads > 0 ? threads : default_threads(cpu_limits()); }
 
+void set_up_program(CLI::App& app, Action& action) {
+  app.name("pabd");
+  app.description("Projective affine body dynamics: simulate, render without a display, plot, compare.");
+  app.set_version_flag("--version", "pabd " PABD_VERSION, "print the version and leave");
+  app.require_subcommand(1);
+  app.footer(
+      "Examples:\n"
+      "  pabd render pyramid -o pyramid.mp4 --time 5\n"
+      "  pabd view two_boxes\n"
+      "  pabd run pyramid --time 10 --trace steps.csv\n"
+      "  pabd bench pyramid bridge --steps 100\n"
+      "  pabd plot barrier -o barrier.svg --N 1,2,3,8\n"
+      "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder,\n"
+      "            7 images differ or an expectation failed, 129/130/143 interrupted.\n");
+
+#define PABD_ADD(name) add_##name##_command(app, action);
+  PABD_COMMANDS(PABD_ADD)
+#undef PABD_ADD
+}
+
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
                       const std::vector<std::string>& examples, CommonOptions& common) {
   CLI::App* command = app.add_subcommand(name, description);

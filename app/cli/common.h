@@ -52,15 +52,25 @@ FrameSize parse_size(const std::string& text);
 // Throws Error(bad_input) "OPTION: …" unless lo ≤ value ≤ hi (false for NaN).
 void check_range(const std::string& option, double value, double lo, double hi, const std::string& unit = "");
 
-// One a file. Each adds its subcommand to `app`.
-void add_run_command(CLI::App& app, Action& action);
-void add_render_command(CLI::App& app, Action& action);
-void add_plot_command(CLI::App& app, Action& action);
-void add_figure_command(CLI::App& app, Action& action);
-void add_compare_command(CLI::App& app, Action& action);
-void add_scenes_command(CLI::App& app, Action& action);
-void add_bench_command(CLI::App& app, Action& action);
-void add_doctor_command(CLI::App& app, Action& action);
-void add_view_command(CLI::App& app, Action& action);
+// Every subcommand, in the order of the help: one a file, and a line here. add_NAME_command adds it to `app`.
+// clang-format off
+#define PABD_COMMANDS(X) \
+  X(render) \
+  X(run) \
+  X(plot) \
+  X(figure) \
+  X(compare) \
+  X(scenes) \
+  X(bench) \
+  X(doctor) \
+  X(view) \
+  X(man)
+// clang-format on
+#define PABD_DECLARE(name) void add_##name##_command(CLI::App& app, Action& action);
+PABD_COMMANDS(PABD_DECLARE)
+#undef PABD_DECLARE
+
+// The program with its options and every subcommand; the chosen one leaves its work in `action`.
+void set_up_program(CLI::App& app, Action& action);
 
 }  // namespace pabd::cli

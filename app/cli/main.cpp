@@ -35,7 +35,8 @@ const CLI::App* innermost(const CLI::App& app) {
 
 std::vector<std::string> subcommands(const CLI::App& command) {
   std::vector<std::string> names;
-  for (const CLI::App* choice : command.get_subcommands([](const CLI::App*) { return true; }))
+  for (const CLI::App* choice :
+       command.get_subcommands([](const CLI::App* each) { return !each->get_group().empty(); }))
     names.push_back(choice->get_name());
   return names;
 }
@@ -82,29 +83,9 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 int run_program(int argc, char** argv) {
-  CLI::App app("Projective affine body dynamics: simulate, render without a display, plot, compare.", "pabd");
-  app.set_version_flag("--version", "pabd " PABD_VERSION, "print the version and leave");
-  app.require_subcommand(1);
-  app.footer(
-      "Examples:\n"
-      "  pabd render pyramid -o pyramid.mp4 --time 5\n"
-      "  pabd view two_boxes\n"
-      "  pabd run pyramid --time 10 --trace steps.csv\n"
-      "  pabd bench pyramid bridge --steps 100\n"
-      "  pabd plot barrier -o barrier.svg --N 1,2,3,8\n"
-      "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder,\n"
-      "            7 images differ or an expectation failed, 129/130/143 interrupted.\n");
-
+  CLI::App app;
   Action action;
-  add_render_command(app, action);
-  add_run_command(app, action);
-  add_plot_command(app, action);
-  add_figure_command(app, action);
-  add_compare_command(app, action);
-  add_scenes_command(app, action);
-  add_bench_command(app, action);
-  add_doctor_command(app, action);
-  add_view_command(app, action);
+  set_up_program(app, action);
 
   try {
     app.parse(argc, argv);

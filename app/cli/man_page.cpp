@@ -1,0 +1,157 @@
+// See man_page.h.
+#include "app/cli/man_page.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "app/plots/rich_text.h"
+
+namespace pabd::cli {
+namespace {
+
+// "pabd plot barrier": the words that start a command.
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : between) + word;
+  return out;
+}
+
+std::vector<const CLI::App*> in_sight(const CLI::App& command) {
+  return command.get_subcommands([](const CLI::App* each) { return !each->get_group().empty(); });
+}
+
+// "-o, --out OUT", or in short "-o OUT"; "SCENE".
+std::string signature(const CLI::Option& option, bool in_short = false) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back("\\fB\\-" + troff(name) + "\\fR");
+  for (const std::string& name : option.get_lnames()) names.push_back("\\fB\\-\\-" + troff(name) + "\\fR");
+  if (names.empty()) return "\\fI" + troff(option.get_single_name()) + "\\fR";
+  if (in_short) names.resize(1);
+  std::string type = option.get_type_size() == 0 ? "" : option.get_type_name();
+  type = type.substr(0, type.find(':'));  // what is allowed is for the description to say
+  return joined(names, ", ") + (type.empty() ? "" : " \\fI" + troff(type) + "\\fR");
+}
+
+std::string entry(const std::string& term, const std::string& words) {
+  return ".TP\n" + term + "\n" + troff(words) + "\n";
+}
+
+std::string options_section(const CLI::App& command, const char* title, bool positional) {
+  std::string out;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional() != positional || option->get_group().empty()) continue;
+    out += entry(signature(*option), option->get_description());
+  }
+  return out.empty() ? out : fmt::format(".SH {}\n{}", title, out);
+}
+
+std::string synopsis(const CLI::App& command, const std::string& path) {
+  std::string out = ".B " + troff(path) + "\n";
+  if (!in_sight(command).empty()) return out + "\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n";
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional() || !option->get_required()) continue;
+    out += signature(*option, true) + "\n";
+  }
+  out += "[\\fIOPTIONS\\fR]\n";
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional()) continue;
+    out += option->get_required() ? signature(*option) : "[" + signature(*option) + "]";
+    out += "\n";
+  }
+  return out;
+}
+
+// What stands below the options: "Examples:" and lines of two blanks, then perhaps "Exit codes: …".
+std::string footer_sections(const std::string& footer) {
+  std::string out;
+  bool listing = false;
+  const auto end_listing = [&] {
+    if (listing) out += ".fi\n.RE\n";
+    listing = false;
+  };
+  std::istringstream lines(footer);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("Example")) {
+      out += ".SH EXAMPLES\n.RS\n.nf\n";
+      listing = true;
+    } else if (line.starts_with("Exit codes: ")) {
+      end_listing();
+      out += ".SH EXIT STATUS\n" + troff(line.substr(line.find(' ', 5) + 1)) + "\n";
+    } else {
+      const std::size_t first = line.find_first_not_of(' ');
+      if (first != line.npos) out += troff(line.substr(first)) + "\n";
+    }
+  }
+  end_listing();
+  return out;
+}
+
+ManPage page_of(const CLI::App& command, const std::vector<std::string>& words,
+                const std::vector<std::string>& see_also) {
+  const std::string name = joined(words, "-");
+  ManPage page;
+  page.file = name + ".1";
+  page.text = fmt::format(".TH {} 1 \"\" \"pabd {}\" \"pabd\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}",
+                          troff(name), PABD_VERSION, troff(name), troff(command.get_description()),
+                          synopsis(command, joined(words, " ")));
+  std::string commands;
+  for (const CLI::App* each : in_sight(command))
+    commands += entry("\\fB" + troff(each->get_name()) + "\\fR", each->get_description());
+  if (!commands.empty()) page.text += ".SH COMMANDS\n" + commands;
+  page.text += options_section(command, "ARGUMENTS", true) + options_section(command, "OPTIONS", false) +
+               footer_sections(command.get_footer());
+  page.text += ".SH SEE ALSO\n";
+  for (std::size_t i = 0; i < see_also.size(); ++i)
+    page.text += ".BR " + troff(see_also[i]) + " (1)" + (i + 1 < see_also.size() ? " ,\n" : "\n");
+  return page;
+}
+
+// The page of a command, then those of the commands below it. `above`: the page of what it belongs to.
+void add_pages(const CLI::App& command, std::vector<std::string> words, const std::string& above,
+               std::vector<ManPage>& out) {
+  std::vector<std::string> others;
+  if (!above.empty()) others.push_back(above);
+  for (const CLI::App* each : in_sight(command))
+    others.push_back(joined(words, "-") + "-" + each->get_name());
+  out.push_back(page_of(command, words, others));
+  for (const CLI::App* each : in_sight(command)) {
+    std::vector<std::string> longer = words;
+    longer.push_back(each->get_name());
+    add_pages(*each, longer, joined(words, "-"), out);
+  }
+}
+
+}  // namespace
+
+std::string troff(std::string_view text) {
+  std::string out = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
+  for (const char32_t c : decode_text(text)) {
+    if (c == kDHat) {
+      out += "d\\[u0302]";
+    } else if (c == '\\') {
+      out += "\\e";
+    } else if (c == '-') {
+      out += "\\-";
+    } else if (c == '\'') {
+      out += "\\(aq";
+    } else if (c == '^') {
+      out += "\\(ha";
+    } else if (c == '~') {
+      out += "\\(ti";
+    } else if (c < 0x80) {
+      out += static_cast<char>(c);
+    } else {
+      out += fmt::format("\\[u{:04X}]", static_cast<unsigned>(c));
+    }
+  }
+  return out;
+}
+
+std::vector<ManPage> man_pages(const CLI::App& program) {
+  std::vector<ManPage> out;
+  add_pages(program, {program.get_name()}, "", out);
+  return out;
+}
+
+}  // namespace pabd::cli
