@@ -1,7 +1,8 @@
-// What the README tells a newcomer to type is typed here, line by line, in an empty folder.
+// What the README and the reference of the commands tell a newcomer to type is typed here, line by line, in an empty folder.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <regex>
+#include <set>
 
 #include "tests/cli/program.h"
 
@@ -48,18 +49,19 @@ std::string shortened(std::string line) {
 
 }  // namespace
 
-TEST_CASE("every line of the README runs as it stands, one after the other, in an empty folder") {
+TEST_CASE("every line of the reference runs as it stands, one after the other, in an empty folder") {
   const TempFolder folder;
   write_text(folder / "nothing.json", R"([{"do": "pause"}])");
   Setting setting;
   setting.folder = folder.path();
   bool found = false;
   int ran = 0;
-  for (const std::string& line : set_apart(read_text(kSource / "README.md"))) {
+  const std::string all = read_text(kSource / "README.md") + read_text(kSource / "app/cli/README.md");
+  for (const std::string& line : set_apart(all)) {
     CAPTURE(line);
     const std::string word = line.substr(0, line.find(' '));
-    if (line.find("→") != line.npos) continue;  // a drawing
-    if (word.starts_with("scripts/")) {         // builds, and runs this test
+    if (line.find("→") != line.npos || line.find(" = ") != line.npos) continue;  // a drawing, an equation
+    if (word.starts_with("scripts/")) {                                          // builds, and runs this test
       const auto mode = fs::status(kSource / word).permissions();
       CHECK((mode & fs::perms::owner_exec) != fs::perms::none);
       continue;
@@ -88,6 +90,22 @@ TEST_CASE("every line of the README runs as it stands, one after the other, in a
     ++ran;
   }
   CHECK(ran > 25);
+}
+
+TEST_CASE("the reference shows every command that the help lists, and only such") {
+  const std::string reference = read_text(kSource / "app/cli/README.md");
+  std::set<std::string> shown, listed;
+  const std::regex line("\n    pabd (\\w+)");
+  for (std::sregex_iterator at(reference.begin(), reference.end(), line), end; at != end; ++at)
+    shown.insert((*at)[1]);
+  const std::string help = run_pabd({"--help"}).out;
+  const std::string list =
+      help.substr(help.find("Subcommands:"), help.find("Examples:") - help.find("Subcommands:"));
+  const std::regex entry("\n  (\\w+) ");
+  for (std::sregex_iterator at(list.begin(), list.end(), entry), end; at != end; ++at)
+    listed.insert((*at)[1]);
+  CHECK(listed.size() > 8);
+  CHECK(shown == listed);
 }
 
 TEST_CASE("the READMEs know every shipped scene, and how many there are") {

@@ -229,8 +229,8 @@ TEST_CASE("the doctor tells how many threads a command takes, and the help where
   CHECK(run_pabd({"run", "--help"}).out.find("the CPUs that this process may use") != std::string::npos);
 }
 
-TEST_CASE("the scene in the README runs") {
-  const std::string readme = read_text(PABD_SCENES "/../../README.md");
+TEST_CASE("the scene in the reference runs") {
+  const std::string readme = read_text(PABD_SCENES "/../../app/cli/README.md");
   const std::string fence = "```json\n";
   const auto begin = readme.find(fence) + fence.size();
   const std::string scene = readme.substr(begin, readme.find("```", begin) - begin);
