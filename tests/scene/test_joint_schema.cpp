@@ -46,8 +46,10 @@ TEST_CASE("the schema says of joints what their traits give", "[scene]") {
   std::string expected = written;
   replace_between(expected, "\"joints\": {", "\"items\": ", ",\n      \"maxItems\"",
                   printed(joint_schema_list(), 6));
-  const std::string first = std::string("    \"") + to_string(kJointTypes.front()) + "\": {";
-  replace_between(expected, "\"$defs\"", first, "    \"drive\": {", definitions.substr(first.size()));
+  definitions.insert(0, "\n");
+  definitions.pop_back();
+  const std::string first = std::string("\n    \"") + to_string(kJointTypes.front()) + "\": {";
+  replace_between(expected, "\"$defs\"", first, "\n    \"drive\": {", definitions.substr(first.size()));
   if (written != expected) std::ofstream("pabd-scene.schema.json") << expected;
   INFO(
       "what it should be is in pabd-scene.schema.json of this folder: look at the change, copy it to assets");
