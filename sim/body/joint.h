@@ -38,7 +38,8 @@ inline constexpr Index kWorld = -1;  // instead of a body number
   X(hinge)                  \
   X(slider)                 \
   X(fixed)                  \
-  X(distance)
+  X(distance)               \
+  X(universal)
 
 enum class JointType : std::uint8_t {
 #define PABD_TYPE(name) name,
