@@ -39,7 +39,8 @@ inline constexpr Index kWorld = -1;  // instead of a body number
   X(slider)                 \
   X(fixed)                  \
   X(distance)               \
-  X(universal)
+  X(universal)              \
+  X(cylindrical)
 
 enum class JointType : std::uint8_t {
 #define PABD_TYPE(name) name,

@@ -2,13 +2,12 @@
 // projection of i's anchor: y'_j = y_j + λ n_j. Because λ is re-projected with every pose, the bonds feel
 // nothing along the axis. A driven λ is a number instead, and the bonds hold along the axis as well; past a
 // limit one more bond does, at the anchor. The twist is held as a hinge's angle is.
-#include "sim/joint/expand.h"
+#include "sim/joint/slider.h"
 
 namespace pabd {
-namespace {
 
-void expand_slider(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
-                   BondList& out) {
+void slide_along_axis(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
+                      BondList& out) {
   const Vec3 n = fj.F.col(0);
   const double offset = joint_offset(fi, fj);
   std::optional<double> driven;
@@ -29,6 +28,8 @@ void expand_slider(const Joint& joint, const PlacedFrame& fi, const PlacedFrame&
     if (passed) hold_angle(joint, fi, fj, *passed, joint.limit_scale, shift, !driven, out);
   }
 }
+
+namespace {
 
 constexpr JointMeasure kMeasures[] = {{.of = JointMeasure::Of::angle,
                                        .words = "angle φ",
@@ -51,7 +52,7 @@ const JointTraits joints::slider{
         "axis.",
     .translations = 1,
     .rotations = 0,
-    .expand = expand_slider,
+    .expand = slide_along_axis,
     .measures = kMeasures,
     .axes = 1};
 

@@ -8,6 +8,7 @@
 #include "sim/body/state.h"
 #include "sim/joint/attach.h"
 #include "sim/joint/auto_kappa.h"
+#include "sim/joint/joint_traits.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd::testing {
@@ -52,6 +53,7 @@ inline Joint make_joint(const World& world, JointType type, Index i, Index j, co
   joint.i = i;
   joint.j = j;
   joint.arm = 0.25;
+  joint.twist = traits_of(type).twist;
   attach(world.state, anchor, frame_about(axis), joint);
   return joint;
 }
