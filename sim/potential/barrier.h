@@ -22,7 +22,8 @@ inline constexpr int kMaxOrder = 32;
 #define PABD_BARRIERS(X) \
   X(log)                 \
   X(polynomial)          \
-  X(even)
+  X(even)                \
+  X(quadratic)
 
 enum class BarrierKind : std::uint8_t {
 #define PABD_KIND(name) name,

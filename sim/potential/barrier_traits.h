@@ -5,6 +5,7 @@
 #include "sim/potential/log_barrier.h"
 #include "sim/potential/polynomial_barrier.h"
 #include "sim/potential/power_sum.h"
+#include "sim/potential/quadratic_barrier.h"
 
 namespace pabd {
 

@@ -21,6 +21,8 @@ std::vector<Barrier> all_barriers() {
   }
   out.push_back({BarrierKind::polynomial, 1, kThickness, 7.0, 0.0});
   out.push_back({BarrierKind::log, 3, kThickness, 7.0, 0.2});
+  for (const double onset : {0.0, 0.2, 0.7})
+    out.push_back({BarrierKind::quadratic, 3, kThickness, 7.0, onset});
   return out;
 }
 
@@ -69,6 +71,30 @@ TEST_CASE("the log barrier is S(4) and infinite on contact") {
     CHECK(evaluate(b, bad).value == INFINITY);
     CHECK(evaluate(b, bad).first == -INFINITY);
   }
+}
+
+TEST_CASE("the quadratic barrier is ½u² past its onset up to a line, and C² at both ends of the onset") {
+  for (const double onset : {0.1, 0.2, 0.9}) {
+    const Barrier b{BarrierKind::quadratic, 3, kThickness, 2.5, onset};
+    // ½u² − ½εu + ε²/6, to negative d.
+    for (const double u : {0.95, 1.0, 1.4, 3.0}) {
+      const double d = kThickness * (1 - u);
+      CHECK(evaluate(b, d).value ==
+            Approx(2.5 * (0.5 * u * u - 0.5 * onset * u + onset * onset / 6)).epsilon(1e-13));
+      CHECK(evaluate(b, d).second == Approx(2.5 / (kThickness * kThickness)).epsilon(1e-13));
+    }
+    // Nothing jumps at d̂ or at d̂ (1 − ε): neither value nor slope nor curvature.
+    for (const double at : {kThickness, kThickness * (1 - onset)}) {
+      const double aside = 1e-9 * kThickness;
+      const BarrierValue in = evaluate(b, at - aside), out = evaluate(b, at + aside);
+      CHECK(std::abs(in.value - out.value) < 1e-7 * b.kappa);
+      CHECK(std::abs(in.first - out.first) < 1e-7 * b.kappa / kThickness);
+      CHECK(std::abs(in.second - out.second) < 1e-7 * b.kappa / (kThickness * kThickness));
+    }
+  }
+  // Without an onset it is the penalty ½u².
+  const Barrier plain{BarrierKind::quadratic, 3, kThickness, 2.5, 0};
+  CHECK(evaluate(plain, 0.4 * kThickness).value == Approx(2.5 * 0.18).epsilon(1e-14));
 }
 
 TEST_CASE("derivatives agree with central differences") {

@@ -57,6 +57,20 @@ TEST_CASE("a sphere rests on a plane at the gap where −Ψ'(d) = m g, to 1e-6")
   }
 }
 
+TEST_CASE("a sphere rests on the quadratic barrier where its closed form says, past the onset and within it") {
+  const double force = 20 * 9.81, onset = 0.2;
+  for (const double kappa : {5.0, 100.0}) {
+    World world;
+    world.params.contact.barrier = BarrierKind::quadratic;
+    world.params.contact.kappa = kappa;
+    world.params.contact.onset = onset;
+    const double d_hat = world.params.contact.d_hat, load = force * d_hat / kappa;
+    const double u = load > onset / 2 ? load + onset / 2 : std::sqrt(2 * onset * load);
+    CHECK((u > onset) == (kappa == 5.0));
+    CHECK(resting_gap(world) == Approx(d_hat * (1 - u)).epsilon(1e-6));
+  }
+}
+
 // The affine step moves the lower face of a cube by h² f (1/m + r²/J) = 4 h² f/m, J = m r²/3; the projection
 // takes three of the four parts back. At rest the global step carries the weight where the affine face is, so
 // the projected one sits deeper: −4 Ψ'(d) = m g + 4 α · 3 g h², α the weight of the split.
