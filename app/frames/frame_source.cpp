@@ -14,8 +14,8 @@ constexpr std::size_t kMostDistances = 40000;
 
 Frame make_frame(int number, FrameView a, std::optional<FrameView> b, const DistanceList& apart) {
   if (b) {
-    a.label = "A";
-    b->label = "B";
+    a.label = std::string("A");
+    b->label = std::string("B");
   }
   return {number, std::move(a), std::move(b), apart.view()};
 }
