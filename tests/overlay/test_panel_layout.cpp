@@ -14,11 +14,15 @@ namespace {
 // With joints of a hard law, so that the parameters have four rows more, and every legend something to say.
 OverlayData data_with_joints() {
   static const BondLaw law{BondPotential::hard, 1e9, 0.01, 4};
-  static const StepReport report;
+  static const FrameView view = [] {
+    auto model = std::make_shared<Model>();
+    for (const JointType type : kJointTypes) model->joints.emplace_back().type = type;
+    FrameView out;
+    out.model = std::move(model);
+    return out;
+  }();
   OverlayData data;
-  data.report = &report;
-  data.joints = 5;
-  data.joint_types = 31;
+  data.view = &view;
   data.joint_law = &law;
   return data;
 }
