@@ -281,8 +281,7 @@ TEST_CASE("the schema says of parameters what their table says", "[scene]") {
 }
 
 TEST_CASE("the reference of parameters is their table", "[scene]") {
-  std::ifstream in(kAssets / "README.md");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string text = read_bytes(kAssets / "README.md");
   INFO("assets/README.md should hold\n" << parameter_reference());
   CHECK(text.find("\n" + parameter_reference() + "\n") != std::string::npos);
 }

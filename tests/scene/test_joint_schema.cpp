@@ -1,20 +1,13 @@
 // The JSON Schema has of joints, word for word, what their traits give.
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "sim/scene/joint_schema.h"
+#include "tests/support/files.h"
 
 using namespace pabd;
 
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream out;
-  out << std::ifstream(path).rdbuf();
-  return out.str();
-}
 
 // As it stands in the file, `indent` deep, without the indent of its first line.
 std::string printed(const OrderedJson& value, int indent) {
@@ -38,7 +31,7 @@ void replace_between(std::string& text, const std::string& after, const std::str
 }  // namespace
 
 TEST_CASE("the schema says of joints what their traits give", "[scene]") {
-  const std::string written = text_of(std::filesystem::path(PABD_ASSETS) / "pabd-scene.schema.json");
+  const std::string written = read_bytes(std::filesystem::path(PABD_ASSETS) / "pabd-scene.schema.json");
   REQUIRE(written.find("\"$defs\"") != std::string::npos);
   std::string definitions;
   for (const JointType type : kJointTypes)
@@ -50,7 +43,7 @@ TEST_CASE("the schema says of joints what their traits give", "[scene]") {
   definitions.pop_back();
   const std::string first = std::string("\n    \"") + to_string(kJointTypes.front()) + "\": {";
   replace_between(expected, "\"$defs\"", first, "\n    \"drive\": {", definitions.substr(first.size()));
-  if (written != expected) std::ofstream("pabd-scene.schema.json") << expected;
+  if (written != expected) write_bytes("pabd-scene.schema.json", expected);
   INFO(
       "what it should be is in pabd-scene.schema.json of this folder: look at the change, copy it to assets");
   CHECK((written == expected));

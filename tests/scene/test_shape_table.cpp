@@ -1,6 +1,5 @@
 // Every shape of the table that is given by its sizes: read, refused, written and read again, generated, and
 // offered by the schema.
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -8,6 +7,7 @@
 #include "sim/body/shape_kind.h"
 #include "sim/scene/write_scene.h"
 #include "tests/scene/helpers.h"
+#include "tests/support/files.h"
 
 using namespace pabd;
 using namespace pabd::test;
@@ -97,8 +97,8 @@ TEST_CASE("piles and chains are made of every shape that may be a rod; links tou
 }
 
 TEST_CASE("the schema offers the shapes of the program", "[scene]") {
-  std::ifstream in(std::filesystem::path(PABD_ASSETS) / "pabd-scene.schema.json");
-  const Json defs = Json::parse(in)["$defs"];
+  const Json defs =
+      Json::parse(read_bytes(std::filesystem::path(PABD_ASSETS) / "pabd-scene.schema.json"))["$defs"];
   std::set<std::string> all, generated{"box", "sphere"}, offered;
   for (const ShapeKind* kind : shape_kinds()) {
     all.insert(std::string(kind->name));
