@@ -53,7 +53,6 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
   LINKS PkgConfig::QHULL Threads::Threads fmt::fmt
   FLAGS -lqhull_r -lfmt -pthread
   HEADERS
-    sim/error.h
     sim/base/error.h
     sim/base/output_path.h
     sim/base/utf8.h
@@ -100,7 +99,7 @@ pabd_public_library(output ABOUT "images, videos, comparison of images"
   FLAGS -lpng -lz -ldeflate -lfmt -pthread
   HEADERS
     render/output/async_sink.h
-    render/output/compare.h
+    render/output/compare_images.h
     render/output/frame_sink.h
     render/output/image.h
     render/output/png.h)

@@ -38,7 +38,7 @@ bool is_png_output(const FigureOutputOptions& options);
 // The size asked for, or else `fallback`.
 PictureSize output_size(const FigureOutputOptions& options, PictureSize fallback);
 
-// Throws Error(file), Error(no_gl), Error(bad_input).
+// Throws Error(file), Error(no_context), Error(bad_input).
 void write_drawing(const Drawing& drawing, const FigureOutputOptions& options);
 
 }  // namespace pabd::cli

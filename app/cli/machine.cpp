@@ -12,8 +12,8 @@
 #include "app/cli/common.h"
 #include "render/gl/renderer.h"
 #include "sim/base/child_process.h"
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/error.h"
 
 namespace pabd::cli {
 namespace {

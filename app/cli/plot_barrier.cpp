@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "app/cli/figure_output.h"
-#include "app/cli/plot.h"
-#include "app/plots/figures/barrier.h"
+#include "app/cli/plot_command.h"
+#include "app/plots/figures/barrier_curves.h"
 #include "sim/base/error.h"
 
 namespace pabd::cli {

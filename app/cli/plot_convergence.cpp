@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/cli/figure_output.h"
-#include "app/cli/plot.h"
+#include "app/cli/plot_command.h"
 #include "app/cli/simulation_setup.h"
 #include "app/plots/figures/convergence.h"
 

@@ -5,8 +5,8 @@
 
 #include "app/cli/common.h"
 #include "app/session/run.h"
+#include "sim/base/error.h"
 #include "sim/base/output_path.h"
-#include "sim/error.h"
 
 namespace pabd::cli {
 

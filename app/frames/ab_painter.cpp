@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/overlay/parameter_words.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -39,7 +39,7 @@ void paste(const Image& from, int left, Image& to) {
 AbView parse_ab_view(const std::string& text) {
   if (text == "side") return AbView::side;
   if (text == "ghost") return AbView::ghost;
-  throw Error(ExitCode::bad_input, fmt::format("--ab-view {}: expected side or ghost", text));
+  throw Error(ErrorKind::bad_input, fmt::format("--ab-view {}: expected side or ghost", text));
 }
 
 AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first,

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/error.h"
 #include "sim/scene/document.h"
 
 namespace pabd {
@@ -22,7 +22,7 @@ constexpr std::size_t kMostKeys = 10000;
 constexpr std::size_t kMostBytes = std::size_t{4} << 20;
 
 [[noreturn]] void refuse(const std::string& source, const std::string& place, const std::string& expected) {
-  throw Error(ExitCode::bad_input, fmt::format("{}: {}: expected {}", source, place, expected));
+  throw Error(ErrorKind::bad_input, fmt::format("{}: {}: expected {}", source, place, expected));
 }
 
 OrderedJson vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "app/frames/camera_keys.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/math/types.h"
 
 namespace pabd {
 namespace {
 
 [[noreturn]] void fail(const std::string& text, const std::string& why) {
-  throw Error(ExitCode::bad_input,
+  throw Error(ErrorKind::bad_input,
               fmt::format("--camera {}: {}; expected front, side, top, iso, orbit:DEGREES_A_SECOND, "
                           "eye=x,y,z,target=x,y,z,fov=degrees, or a file of camera keys (.json)",
                           text, why));
@@ -147,7 +147,7 @@ Camera apply_camera(const CameraOption& option, const Camera& base, double time)
   if (option.fov) camera.fov = *option.fov;
   if (option.up) camera.up = *option.up;
   if ((camera.eye - camera.target).norm() < 1e-6f) {
-    throw Error(ExitCode::bad_input, "--camera: the eye lies in the target; name both eye=… and target=…");
+    throw Error(ErrorKind::bad_input, "--camera: the eye lies in the target; name both eye=… and target=…");
   }
   return camera;
 }

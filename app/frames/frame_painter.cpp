@@ -7,8 +7,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/overlay/panels.h"
-#include "sim/error.h"
+#include "app/overlay/overlay_panels.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -57,7 +57,7 @@ OverlayChoice parse_overlay(const std::string& text) {
     choice.bonds = choice.bonds || bonds;
     choice.contacts = choice.contacts || contacts;
     if (!enable_panel(choice.panels, word) && !bonds && !contacts) {
-      throw Error(ExitCode::bad_input,
+      throw Error(ErrorKind::bad_input,
                   fmt::format("--overlay {}: '{}' is unknown; expected none, all, bonds, contacts, {}", text,
                               word, panel_names()));
     }

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/output/frame_sink.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 
@@ -87,7 +87,7 @@ int find_resume_frame(const std::string& out, int frames, const PngText& common)
       const auto entry = found.find(key);
       if (entry == found.end() || entry->second != value) {
         throw Error(
-            ExitCode::bad_input,
+            ErrorKind::bad_input,
             fmt::format(
                 "--resume: {} comes from another run (its chunk '{}' is '{}', here it is '{}'); use the "
                 "same command line, or --force without --resume to start over",

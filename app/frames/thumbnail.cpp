@@ -13,9 +13,9 @@
 
 #include "render/output/png.h"
 #include "render/visual/build_visual.h"
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/srgb.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace {

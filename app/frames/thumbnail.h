@@ -14,7 +14,7 @@ inline constexpr int kThumbnailWidth = 256, kThumbnailHeight = 144;  // pixels
 
 // The scene at its start, seen by its own camera or the one that frames it, drawn twice as large and averaged
 // in linear light. Takes the renderer's view `view` (what was in it is lost) and leaves the frame alone. The
-// renderer's context must be current. Throws Error(no_gl).
+// renderer's context must be current. Throws Error(no_context).
 Image draw_thumbnail(Renderer& renderer, const Scene& scene, int view = Renderer::kViews - 1);
 
 // Half as wide and high; every pixel the mean of four in linear light. Odd last rows and columns are dropped.

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "app/plots/figures/barrier_panel.h"
+#include "app/plots/figures/barrier_plots.h"
 #include "app/plots/plot_layout.h"
 #include "app/workbench/command.h"
 

@@ -12,7 +12,7 @@
 #include "app/gui/widgets.h"
 #include "app/overlay/font_atlas.h"
 #include "app/overlay/imgui_canvas.h"
-#include "app/overlay/panels.h"
+#include "app/overlay/overlay_panels.h"
 #include "app/plots/axis_ticks.h"
 #include "app/session/contact_advice.h"
 #include "sim/scene/tuning.h"

@@ -8,7 +8,7 @@
 
 #include "app/gui/widgets.h"
 #include "app/overlay/imgui_canvas.h"
-#include "app/overlay/panels.h"
+#include "app/overlay/overlay_panels.h"
 #include "app/plots/axis_ticks.h"
 
 namespace pabd {

@@ -7,7 +7,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
 #include "app/plots/axis_ticks.h"
-#include "app/plots/figures/convergence_panel.h"
+#include "app/plots/figures/convergence_plots.h"
 
 namespace pabd {
 namespace {

@@ -142,7 +142,7 @@ void Dialogs::look(const Snapshot& sim, const UiState& ui) {
       return;
     }
     refusal_ = m.text;
-    exists_ = m.code == ErrorKind::exists;
+    exists_ = m.kind == ErrorKind::exists;
     answered_ = m.number;
     focus_ = true;
     return;

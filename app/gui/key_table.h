@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gui/panel.h"
-#include "render/context/keys.h"
+#include "render/context/keyboard.h"
 
 namespace pabd {
 

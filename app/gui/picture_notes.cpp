@@ -17,14 +17,14 @@ namespace {
 
 ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
 
-// Text on a plate; `anchor`: part of its size that is left of and above `at`.
-void note(const GuiFrame& f, ImVec2 at, const std::string& text, ImVec2 anchor) {
+// Text on a plate; `align`: part of its size that is left of and above `at`.
+void note(const GuiFrame& f, ImVec2 at, const std::string& text, ImVec2 align) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const std::string shown = ui_text(text);
   const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
   const ImVec2 pad(f.px(7), f.px(4));
-  const ImVec2 lo(std::round(at.x - anchor.x * (size.x + 2 * pad.x)),
-                  std::round(at.y - anchor.y * (size.y + 2 * pad.y)));
+  const ImVec2 lo(std::round(at.x - align.x * (size.x + 2 * pad.x)),
+                  std::round(at.y - align.y * (size.y + 2 * pad.y)));
   list.AddRectFilled(lo, lo + size + pad + pad, packed(f.theme().legend), f.px(4));
   list.AddText(lo + pad, packed(f.theme().text), shown.c_str());
 }

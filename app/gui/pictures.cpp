@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "app/frames/frame_text.h"
+#include "sim/base/error.h"
 #include "sim/base/output_path.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -49,11 +49,6 @@ std::string overlay_words(const UiState& ui) {
   return out.empty() ? "none" : out;
 }
 
-void check_writable(const std::string& path, bool force) {
-  if (path.empty()) throw Error(ExitCode::bad_input, "a file needs a name");
-  check_overwrite(path, path, {force, nullptr, "replace it"});
-}
-
 void save_window(const std::string& path, const Snapshot& sim, const UiState& ui, Renderer& renderer) {
   Image image;
   renderer.queue_read();
@@ -67,8 +62,8 @@ void save_scene_picture(const std::string& path, const Snapshot& sim, const UiSt
                         int height, GlContext& context) {
   const auto fits = [](int side) { return side >= kLeastSide && side <= kLargestSide; };
   if (!fits(width) || !fits(height)) {
-    throw Error(ExitCode::bad_input, fmt::format("screenshot: {} × {} pixels: expected {} to {} a side",
-                                                 width, height, kLeastSide, kLargestSide));
+    throw Error(ErrorKind::bad_input, fmt::format("screenshot: {} × {} pixels: expected {} to {} a side",
+                                                  width, height, kLeastSide, kLargestSide));
   }
   const ViewFacts facts = facts_of(sim, ui, width, height, "");
   const Frame frame = frame_of(sim);

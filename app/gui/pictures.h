@@ -19,9 +19,6 @@ namespace pabd {
 // As for `pabd render --overlay` and `--camera`, of what the view shows.
 std::string overlay_words(const UiState& ui);
 
-// Throws Error when that file must not be written: no name, or one that exists (without `force`).
-void check_writable(const std::string& path, bool force);
-
 // The frame that was composed last, into a file.
 void save_window(const std::string& path, const Snapshot& sim, const UiState& ui, Renderer& renderer);
 

@@ -8,7 +8,8 @@
 #include "app/frames/frame_text.h"
 #include "app/frames/frame_thread.h"
 #include "app/gui/pictures.h"
-#include "sim/error.h"
+#include "app/workbench/check_output.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 
@@ -36,7 +37,7 @@ namespace {
 
 void check(const char* what, double value, double lo, double hi) {
   if (value >= lo && value <= hi) return;
-  throw Error(ExitCode::bad_input,
+  throw Error(ErrorKind::bad_input,
               fmt::format("record: {}: expected {:g} to {:g}, got {:g}", what, lo, hi, value));
 }
 
@@ -48,14 +49,14 @@ bool ready(const std::future<T>& future) {
 }  // namespace
 
 void Recorder::start(const command::Record& record, const UiState& ui) {
-  if (busy()) throw Error(ExitCode::bad_input, "record: one video is being made; stop it first");
+  if (busy()) throw Error(ErrorKind::bad_input, "record: one video is being made; stop it first");
   check("fps", record.fps, 0.01, 1000);
   check("width", record.width, 16, 16384);
   check("height", record.height, 16, 16384);
   check("from", record.from, -1, 1e9);
   check("to", record.to, -1, 1e9);
-  if (record.path == "-") throw Error(ExitCode::bad_input, "record: expected the name of a file");
-  check_writable(record.path, record.force);
+  if (record.path == "-") throw Error(ErrorKind::bad_input, "record: expected the name of a file");
+  check_output(record.path, record.force);
   std::unique_ptr<Job, JobDeleter> job(new Job);
   job->record = record;
   job->overlay_text = record.overlay.empty() ? overlay_words(ui) : record.overlay;
@@ -172,7 +173,7 @@ std::optional<Recorder::Outcome> Recorder::update(std::chrono::milliseconds budg
 }
 
 void Recorder::stop(bool keep) {
-  if (!busy()) throw Error(ExitCode::bad_input, "stop_record: nothing is being recorded");
+  if (!busy()) throw Error(ErrorKind::bad_input, "stop_record: nothing is being recorded");
   if (keep && job_->drawn > 0) {
     job_->stopping = true;
   } else {

@@ -12,8 +12,8 @@
 #include "app/gui/script_reader.h"
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
+#include "sim/base/error.h"
 #include "sim/base/utf8.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -54,7 +54,7 @@ class Player {
       std::visit([this](auto& x) { take(x); }, a);
       fail_on_error();
     } catch (const Error& error) {
-      if (!may_fail || error.code() == ExitCode::images_differ) throw;
+      if (!may_fail || error.kind() == ErrorKind::images_differ) throw;
     }
     seen_ = newest();
   }
@@ -101,7 +101,7 @@ class Player {
   void fail_on_error() const {
     if (may_fail_) return;
     for (const Message& m : viewer_.snapshot().messages) {
-      if (m.number > seen_ && m.severity == Severity::error) throw Error(m.code, *what_ + ": " + m.text);
+      if (m.number > seen_ && m.severity == Severity::error) throw Error(m.kind, *what_ + ": " + m.text);
     }
   }
 
@@ -296,8 +296,8 @@ class Player {
         wanted[field.name] = value;
       }
     });
-    throw Error(ExitCode::images_differ, fmt::format("{}: expected {}, but {} is {}", *what_, wanted.dump(),
-                                                     a.at, shown(value_at(a.at))));
+    throw Error(ErrorKind::images_differ, fmt::format("{}: expected {}, but {} is {}", *what_, wanted.dump(),
+                                                      a.at, shown(value_at(a.at))));
   }
 
   Viewer& viewer_;

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "app/workbench/command_json.h"
-#include "render/context/keys.h"
-#include "sim/error.h"
+#include "render/context/keyboard.h"
+#include "sim/base/error.h"
 #include "sim/scene/text.h"
 
 namespace pabd {

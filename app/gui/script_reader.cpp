@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/gui/script_actions.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/document.h"
 
 namespace pabd {

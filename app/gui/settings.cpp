@@ -10,8 +10,8 @@
 
 #include "app/gui/view_actions.h"
 #include "sim/base/atomic_file.h"
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -24,7 +24,7 @@ constexpr int kLeastSide = 320, kLargestSide = 8192;  // pixels
 constexpr std::uintmax_t kMostBytes = 100'000;
 
 [[noreturn]] void refuse(const std::string& source, const std::string& place, const std::string& expected) {
-  throw Error(ExitCode::bad_input,
+  throw Error(ErrorKind::bad_input,
               fmt::format("{}: {}: expected {}; the settings were not used", source, place, expected));
 }
 
@@ -89,7 +89,8 @@ Settings parse_settings(const std::string& text, const std::string& source) {
   try {
     json = Json::parse(text);
   } catch (const Json::exception& error) {
-    throw Error(ExitCode::bad_input, fmt::format("{}: {}; the settings were not used", source, error.what()));
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{}: {}; the settings were not used", source, error.what()));
   }
   if (!json.is_object() || !json.contains("format") || json["format"] != "pabd-view-settings")
     refuse(source, "/format", "\"pabd-view-settings\"");

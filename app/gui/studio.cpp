@@ -9,7 +9,7 @@
 #include "app/frames/camera_keys.h"
 #include "app/workbench/check_output.h"
 #include "sim/base/atomic_file.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -22,7 +22,7 @@ struct Keys {
 
   std::string save(const command::SaveCamera& c) const {
     if (ui.camera_keys.empty())
-      throw Error(ExitCode::bad_input, "save_camera: there are no camera keys; add one first");
+      throw Error(ErrorKind::bad_input, "save_camera: there are no camera keys; add one first");
     check_output(c.path, c.force, sim.scene_path);
     write_file(c.path, camera_keys_json({sim.scene->name, ui.camera_keys}));
     ui.keys_unsaved = false;

@@ -11,7 +11,7 @@
 #include "app/gui/pictures.h"
 #include "app/gui/scene_view.h"
 #include "render/visual/bounds.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -24,7 +24,7 @@ std::size_t one(const std::string& word, std::span<const std::string_view> words
   for (std::size_t i = 0; i < words.size(); ++i) {
     if (word == words[i]) return i;
   }
-  throw Error(ExitCode::bad_input,
+  throw Error(ErrorKind::bad_input,
               fmt::format("{}: {} is not one of {}", what, in_quotes(word), one_of(words)));
 }
 
@@ -41,7 +41,7 @@ std::string quoted(const std::string& word) {
 Vec3 point(const std::vector<double>& v, const char* command, const char* what) {
   if (v.size() != 3 ||
       !std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x) && std::abs(x) <= 1e6; })) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("{}: \"{}\": expected three numbers up to 1e6, in metres", command, what));
   }
   return {v[0], v[1], v[2]};
@@ -60,7 +60,7 @@ struct Actor {
   void operator()(const command::Theme& c) const { ui.dark = c.dark; }
   void operator()(const command::Scale& c) const {
     if (!(c.factor >= 0.5 && c.factor <= 4))
-      throw Error(ExitCode::bad_input, fmt::format("scale: expected 0.5 to 4, got {}", c.factor));
+      throw Error(ErrorKind::bad_input, fmt::format("scale: expected 0.5 to 4, got {}", c.factor));
     ui.scale = c.factor;
   }
   void operator()(const command::Help& c) const { ui.help = c.on; }
@@ -70,10 +70,10 @@ struct Actor {
     pose.eye = point(c.eye, "look", "eye");
     pose.target = point(c.target, "look", "target");
     if (!(pose.distance() > 1e-6))
-      throw Error(ExitCode::bad_input, "look: the eye is in the target; expected two different points");
+      throw Error(ErrorKind::bad_input, "look: the eye is in the target; expected two different points");
     if (c.fov != 0) {
       if (!(c.fov >= 1 && c.fov <= 170))
-        throw Error(ExitCode::bad_input,
+        throw Error(ErrorKind::bad_input,
                     fmt::format("look: \"fov\": expected 1 to 170 degrees, got {}", c.fov));
       pose.fov = c.fov;
     }
@@ -113,7 +113,7 @@ struct Actor {
     for (const JointType type : kJointTypes) types.emplace_back(to_string(type));
     if (one(c.type, types, "join") == 0) return ui.joining.reset();
     if (ui.selection.kind != Selection::Kind::body)
-      throw Error(ExitCode::bad_input, "join: select the first body, by a double-click on it");
+      throw Error(ErrorKind::bad_input, "join: select the first body, by a double-click on it");
     ui.joining = Joining{c.type, ui.selection.index, ui.selection.at};
   }
   void operator()(const command::ColorBy& c) const {
@@ -177,7 +177,7 @@ struct Actor {
   void operator()(const command::DropCameraKey& c) const {
     const auto count = std::ssize(ui.camera_keys);
     if (c.index < 0 || c.index >= count)
-      throw Error(ExitCode::bad_input, fmt::format("drop_camera_key: expected a number below {}", count));
+      throw Error(ErrorKind::bad_input, fmt::format("drop_camera_key: expected a number below {}", count));
     ui.camera_keys.erase(ui.camera_keys.begin() + c.index);
     ui.keys_unsaved = !ui.camera_keys.empty();
   }
@@ -209,7 +209,7 @@ struct Actor {
         !item.empty() && item.size() <= 9 && item.find_first_not_of("0123456789") == item.npos;
     if (digits && std::stoul(item) < count) return static_cast<Index>(std::stoul(item));
     throw Error(
-        ExitCode::bad_input,
+        ErrorKind::bad_input,
         fmt::format("select: there is no {}; expected a name, or a number below {}", in_quotes(item), count));
   }
 

@@ -13,19 +13,19 @@
 #include "app/gui/dialogs.h"
 #include "app/gui/frame_costs.h"
 #include "app/gui/gui_theme.h"
-#include "app/gui/hands.h"
 #include "app/gui/imgui_input.h"
 #include "app/gui/key_table.h"
 #include "app/gui/live_picture.h"
 #include "app/gui/panels.h"
 #include "app/gui/pick.h"
+#include "app/gui/picture_mouse.h"
 #include "app/gui/picture_notes.h"
 #include "app/gui/scene_list.h"
 #include "app/gui/scene_view.h"
 #include "app/gui/studio.h"
 #include "app/gui/view_actions.h"
 #include "app/gui/widgets.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -74,7 +74,7 @@ struct Viewer::Impl {
   std::uint64_t scene_serial = 0;
   std::string followed;  // file of the scene that the camera was set for
   ImGuiInput input;
-  Hands hands;
+  PictureMouse mouse;
   SceneView view;
   LivePicture live;
   double plain_composing = 0;  // s that a frame without a new picture took
@@ -139,7 +139,7 @@ struct Viewer::Impl {
       act(c);
     } catch (const Error& error) {
       const std::string name = std::visit([](const auto& x) { return std::string(x.name); }, c);
-      runner.send(command::Tell{error.what(), true, name, error.code()});
+      runner.send(command::Tell{error.what(), true, name, error.kind()});
     }
   }
 
@@ -183,10 +183,10 @@ struct Viewer::Impl {
     if (!key || ImGui::GetIO().WantTextInput) return;
     if (!ui.dialog.empty()) return;
     if (key->key == Key::escape && key->pressed && close_popup()) return;
-    if (key->key == Key::space ? !hands.plays(*key) : !key->pressed) return;
-    if (hands.pulling() && key->key == Key::escape) return;  // ends the pull only
+    if (key->key == Key::space ? !mouse.plays(*key) : !key->pressed) return;
+    if (mouse.pulling() && key->key == Key::escape) return;  // ends the pull only
     Modifiers modifiers = key->modifiers;
-    if (hands.pulling()) modifiers.ctrl = false;  // held for the pull
+    if (mouse.pulling()) modifiers.ctrl = false;  // held for the pull
     for (const KeyBinding& binding : key_table()) {
       if (binding.chord.key == key->key && binding.chord.modifiers == modifiers) binding.act(*sim, ui, out);
     }
@@ -206,7 +206,7 @@ struct Viewer::Impl {
       const bool in_picture = layout.view.contains(Point{static_cast<double>(io.MousePos.x),
                                                          static_cast<double>(io.MousePos.y)}) &&
                               !io.WantCaptureMouse;
-      hands.handle(event, in_picture, layout, frame, ui.camera);
+      mouse.handle(event, in_picture, layout, frame, ui.camera);
       if (std::holds_alternative<CloseRequested>(event)) frame.out.send(ViewCommand(command::Quit{}));
       if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
         if (!dropped->paths.empty()) open_scene(*sim, dropped->paths.back(), frame.out);
@@ -338,7 +338,7 @@ struct Viewer::Impl {
     }
     io.FontDefault = font;
     ImGui::NewFrame();
-    hands.select(layout, frame);
+    mouse.select(layout, frame);
     draw_picture_notes(frame, layout);
     draw_interface(frame, seconds);
     ImGui::Render();

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -22,7 +22,7 @@ const WindowPanel& find_panel(std::string_view name, WindowPanelTable table) {
     if (name == panel->name) return *panel;
     names.push_back(panel->name);
   }
-  throw Error(ExitCode::bad_input,
+  throw Error(ErrorKind::bad_input,
               fmt::format("panel: {} is not one of {}", in_quotes(std::string(name)), one_of(names)));
 }
 

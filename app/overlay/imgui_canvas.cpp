@@ -123,9 +123,9 @@ void ImGuiCanvas::fill_circle(const Point& center, double radius, Color color) {
 void ImGuiCanvas::text(const Point& at, std::string_view rich, const TextStyle& style) {
   const TextLayout layout = layout_text(font(), rich, style.size);
   if (layout.runs.empty()) return;
-  const double start = style.x == AnchorX::left     ? 0
-                       : style.x == AnchorX::center ? -0.5 * layout.width
-                                                    : -layout.width;
+  const double start = style.x == AlignX::left     ? 0
+                       : style.x == AlignX::center ? -0.5 * layout.width
+                                                   : -layout.width;
   const double down = baseline_offset(style.y, style.size);
   // The baseline on a whole pixel: horizontal strokes stay sharp.
   const Point origin = style.vertical ? Point{std::round(at.x + down), at.y - start}

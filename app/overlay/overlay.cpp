@@ -7,7 +7,7 @@
 
 #include "app/overlay/font_atlas.h"
 #include "app/overlay/imgui_canvas.h"
-#include "app/overlay/panels.h"
+#include "app/overlay/overlay_panels.h"
 
 namespace pabd {
 namespace {

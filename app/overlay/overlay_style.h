@@ -5,8 +5,8 @@
 
 #include "app/overlay/overlay.h"
 #include "app/overlay/overlay_panel_table.h"
-#include "app/plots/palette.h"
 #include "app/plots/plot.h"
+#include "app/plots/plot_palette.h"
 #include "sim/math/types.h"
 
 namespace pabd::overlay_style {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -91,7 +91,7 @@ OverlayOptions parse_panels(const std::string& list, PanelTable table) {
     const std::size_t end = std::min(list.find(',', i), list.size());
     const std::string name = list.substr(i, end - i);
     if (!enable_panel(options, name)) {
-      throw Error(ExitCode::bad_input,
+      throw Error(ErrorKind::bad_input,
                   fmt::format("overlay '{}': no such panel; expected some of {}, or all, none", name,
                               panel_names(table)));
     }

@@ -50,15 +50,15 @@ void Canvas::arrow(const Point& a, const Point& b, const Stroke& stroke, double 
   fill_polygon(tip, stroke.color);
 }
 
-double baseline_offset(AnchorY anchor, double size) {
-  switch (anchor) {
-    case AnchorY::top:
+double baseline_offset(AlignY align, double size) {
+  switch (align) {
+    case AlignY::top:
       return FontMetrics::cap * size;
-    case AnchorY::middle:
+    case AlignY::middle:
       return 0.5 * FontMetrics::cap * size;
-    case AnchorY::baseline:
+    case AlignY::baseline:
       return 0;
-    case AnchorY::bottom:
+    case AlignY::bottom:
       return -FontMetrics::descent * size;
   }
   return 0;

@@ -38,8 +38,8 @@ struct Stroke {
   double dash_off = 0;
 };
 
-enum class AnchorX { left, center, right };
-enum class AnchorY {
+enum class AlignX { left, center, right };
+enum class AlignY {
   top,
   middle,
   baseline,
@@ -49,9 +49,9 @@ enum class AnchorY {
 struct TextStyle {
   double size = 12;  // em
   Color color{};
-  AnchorX x = AnchorX::left;
-  AnchorY y = AnchorY::baseline;
-  bool vertical = false;  // reads upwards: turned by 90° about the anchor
+  AlignX x = AlignX::left;
+  AlignY y = AlignY::baseline;
+  bool vertical = false;  // reads upwards: turned by 90° about its place
   double halo = 0;        // width of a rim that keeps text readable over lines
   Color halo_color{255, 255, 255, 255};
 };
@@ -86,8 +86,8 @@ class Canvas {
 // Anything that can be painted into a width × height picture.
 using Picture = std::function<void(Canvas& canvas, double width, double height)>;
 
-// Distance from the anchor down to the baseline, px.
-double baseline_offset(AnchorY anchor, double size);
+// Distance from the place of a text down to the baseline, px.
+double baseline_offset(AlignY align, double size);
 
 // Cuts a polyline into its dashes; calls `emit` with each.
 void dash_polyline(std::span<const Point> points, double on, double off,

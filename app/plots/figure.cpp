@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/plots/palette.h"
+#include "app/plots/plot_palette.h"
 
 namespace pabd {
 namespace {
@@ -86,7 +86,7 @@ void paint_figure(const Figure& figure, double width, double height, Canvas& can
   const PlotStyle& style = layout.style;
   if (!figure.title.empty()) {
     canvas.text({0.5 * width, layout.title.y}, figure.title,
-                {1.15 * style.title, theme.text, AnchorX::center, AnchorY::top});
+                {1.15 * style.title, theme.text, AlignX::center, AlignY::top});
   }
   for (std::size_t i = 0; i < figure.plots.size(); ++i) {
     paint_plot(figure.plots[i], layout_plot(figure.plots[i], layout.cells[i], style, canvas.font()), style,
@@ -94,7 +94,7 @@ void paint_figure(const Figure& figure, double width, double height, Canvas& can
   }
   double y = layout.caption.y;
   for (const std::string& line : layout.caption_lines) {
-    canvas.text({0.5 * width, y}, line, {style.tick, theme.muted, AnchorX::center, AnchorY::top});
+    canvas.text({0.5 * width, y}, line, {style.tick, theme.muted, AlignX::center, AlignY::top});
     y += FontMetrics::line * style.tick;
   }
 }

@@ -57,8 +57,8 @@ void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool r
   const double edge = right ? in.right() : in.x;
   const double out = right ? 1 : -1;
   const bool tinted = !(color == style.theme.axis);
-  TextStyle text{style.tick, tinted ? color : style.theme.text, right ? AnchorX::left : AnchorX::right,
-                 AnchorY::middle};
+  TextStyle text{style.tick, tinted ? color : style.theme.text, right ? AlignX::left : AlignX::right,
+                 AlignY::middle};
   for (const Tick& tick : axis.ticks) {
     const double y = in.bottom() - axis.unit(tick.value) * in.h;
     const double length = style.tick_length * (tick.major ? 1 : 0.55);
@@ -69,30 +69,30 @@ void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool r
   canvas.vertical(edge, in.y, in.bottom(), color, style.grid);
 
   const double above = in.y - FontMetrics::cap * style.tick;
-  text.y = AnchorY::baseline;
+  text.y = AlignY::baseline;
   if (style.compact) {
     const std::string head = axis.factor.empty() ? label
                              : label.empty()     ? axis.factor
                                                  : label + "  " + axis.factor;
     text.size = style.label;
-    text.x = right ? AnchorX::right : AnchorX::left;
+    text.x = right ? AlignX::right : AlignX::left;
     canvas.text({right ? layout.area.right() : layout.area.x, above}, head, text);
     return;
   }
-  text.x = right ? AnchorX::right : AnchorX::left;
+  text.x = right ? AlignX::right : AlignX::left;
   if (!axis.factor.empty()) canvas.text({edge, above}, axis.factor, text);
   if (label.empty()) return;
   text.size = style.label;
   text.vertical = true;
-  text.x = AnchorX::center;
-  text.y = right ? AnchorY::bottom : AnchorY::top;
+  text.x = AlignX::center;
+  text.y = right ? AlignY::bottom : AlignY::top;
   canvas.text({right ? layout.area.right() : layout.area.x, in.y + 0.5 * in.h}, label, text);
 }
 
 void paint_horizontal_axis(const Plot& plot, const PlotLayout& layout, const PlotStyle& style,
                            Canvas& canvas) {
   const Rect& in = layout.inner;
-  TextStyle text{style.tick, style.theme.text, AnchorX::center, AnchorY::top};
+  TextStyle text{style.tick, style.theme.text, AlignX::center, AlignY::top};
   for (const Tick& tick : layout.x.ticks) {
     const double x = in.x + layout.x.unit(tick.value) * in.w;
     canvas.vertical(x, in.bottom(), in.bottom() + style.tick_length * (tick.major ? 1 : 0.55),
@@ -106,7 +106,7 @@ void paint_horizontal_axis(const Plot& plot, const PlotLayout& layout, const Plo
   if (!plot.x.label.empty()) canvas.text({in.x + 0.5 * in.w, below}, plot.x.label, text);
   if (!layout.x.factor.empty()) {
     text.size = style.tick;
-    text.x = AnchorX::right;
+    text.x = AlignX::right;
     canvas.text({in.right(), below}, layout.x.factor, text);
   }
 }
@@ -181,7 +181,7 @@ void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) 
     }
     const double gap = (style.compact ? 0.4 : 0.6) * style.tick;
     canvas.text({entry.at.x + legend.sample + gap, entry.at.y}, entry.name,
-                {style.tick, style.theme.text, AnchorX::left, AnchorY::middle});
+                {style.tick, style.theme.text, AlignX::left, AlignY::middle});
   }
 }
 
@@ -190,14 +190,14 @@ void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) 
 void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
   const Rect& in = layout.inner;
   if (!plot.title.empty()) {
-    const TextStyle title{style.title, style.theme.text, style.compact ? AnchorX::left : AnchorX::center,
-                          AnchorY::top};
+    const TextStyle title{style.title, style.theme.text, style.compact ? AlignX::left : AlignX::center,
+                          AlignY::top};
     canvas.text({style.compact ? layout.area.x : in.x + 0.5 * in.w, layout.area.y}, plot.title, title);
   }
   if (layout.empty) {
     canvas.stroke_rect(in, style.theme.grid, style.grid);
     canvas.text({in.x + 0.5 * in.w, in.y + 0.5 * in.h}, plot.none,
-                {style.label, style.theme.muted, AnchorX::center, AnchorY::middle});
+                {style.label, style.theme.muted, AlignX::center, AlignY::middle});
     return;
   }
   paint_grid(layout, style, canvas);
@@ -218,7 +218,7 @@ void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& sty
   paint_legend(layout.legend, style, canvas);
   for (const PlotTag& tag : layout.tags) {
     TextStyle text{style.tick, tag.color};
-    text.y = AnchorY::top;
+    text.y = AlignY::top;
     text.halo = 0.16 * style.tick;
     text.halo_color = style.theme.paper;
     canvas.text({tag.box.x, tag.box.y}, tag.text, text);

@@ -101,21 +101,21 @@ void SvgCanvas::text(const Point& at, std::string_view rich, const TextStyle& st
   const TextLayout layout = layout_text(font(), rich, style.size);
   if (layout.runs.empty()) return;
   const double down = baseline_offset(style.y, style.size);
-  const char* anchor = style.x == AnchorX::left ? "start" : style.x == AnchorX::center ? "middle" : "end";
+  const char* align = style.x == AlignX::left ? "start" : style.x == AlignX::center ? "middle" : "end";
   body_ += "<text xml:space=\"preserve\"";
   if (style.vertical) {
     body_ += fmt::format(" transform=\"translate({} {}) rotate(-90)\"", number(at.x + down), number(at.y));
   } else {
     body_ += fmt::format(" x=\"{}\" y=\"{}\"", number(at.x), number(at.y + down));
   }
-  body_ += fmt::format(" font-size=\"{}\" text-anchor=\"{}\"", number(style.size), anchor) +
+  body_ += fmt::format(" font-size=\"{}\" text-anchor=\"{}\"", number(style.size), align) +
            paint("fill", style.color);
   if (style.halo > 0) {
     body_ += fmt::format("{} stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
                          paint("stroke", style.halo_color), number(2 * style.halo));
   }
   body_ += '>';
-  // Runs are placed relative to each other, so the anchor holds even where another font steps in.
+  // Runs are placed relative to each other, so its place holds even where another font steps in.
   double pen = 0, baseline = 0;
   for (const TextRun& run : layout.runs) {
     const double dx = run.x - pen, dy = run.y - baseline;

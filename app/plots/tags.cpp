@@ -9,7 +9,7 @@ namespace pabd {
 namespace {
 
 // What the series' tag points at; NaN when that is not shown.
-Point anchor_of(const Series& series, const PlotLayout& layout) {
+Point end_of(const Series& series, const PlotLayout& layout) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (series.style == SeriesStyle::level_x) {
     return series.x.empty() ? Point{nan, nan} : Point{layout.map(series.x[0], layout.y.lo).x, layout.inner.y};
@@ -80,7 +80,7 @@ void place_tags(const Plot& plot, const PlotStyle& style, const FontMetrics& fon
   for (std::size_t s = 0; s < plot.series.size(); ++s) {
     const Series& series = plot.series[s];
     if (series.tag.empty()) continue;
-    const Point at = anchor_of(series, layout);
+    const Point at = end_of(series, layout);
     if (!in.inset(-1).contains(at)) continue;
     const double width = text_width(font, series.tag, style.tick);
     const std::vector<Rect> places = candidates(series, at, width, height, in, style);

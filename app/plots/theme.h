@@ -8,8 +8,8 @@
 
 #include <array>
 
-#include "app/plots/palette.h"
 #include "app/plots/plot.h"
+#include "app/plots/plot_palette.h"
 
 namespace pabd {
 

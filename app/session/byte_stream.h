@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/math/types.h"
 
 namespace pabd {

@@ -325,7 +325,7 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
   add(past_onset(params, report));
   const bool by_body =
       std::any_of(report.islands.begin(), report.islands.end(), [](const IslandReport& island) {
-        return island.patches > 0 && island.solver == SolverMethod::descent;
+        return island.manifolds > 0 && island.solver == SolverMethod::descent;
       });
   if (by_body && force_jumps(contact) && report.contacts > 0) {
     advice.push_back(

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "sim/base/error.h"
 #include "sim/body/mass_properties.h"
 #include "sim/body/shape_kind.h"
-#include "sim/error.h"
 #include "sim/joint/attach.h"
 #include "sim/joint/joint_traits.h"
 #include "sim/potential/barrier.h"
@@ -18,7 +18,7 @@
 namespace pabd {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ExitCode::bad_input, message); }
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, message); }
 
 void require(bool holds, const char* what, const std::string& expected) {
   if (!holds) refuse(fmt::format("{}: expected {}", what, expected));
@@ -141,16 +141,16 @@ void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& stat
     a = moved(a);
     b = moved(b);
   }
-  const auto first = [](const FrictionAnchor& anchor) { return static_cast<Index>(anchor.pair >> 32); };
-  const auto second = [](const FrictionAnchor& anchor) {
-    return static_cast<Index>(anchor.pair & 0xffffffffu);
+  const auto first = [](const ContactMemory& contact) { return static_cast<Index>(contact.pair >> 32); };
+  const auto second = [](const ContactMemory& contact) {
+    return static_cast<Index>(contact.pair & 0xffffffffu);
   };
-  std::erase_if(state.anchors, [&](const FrictionAnchor& anchor) {
-    return first(anchor) == gone || second(anchor) == gone;
+  std::erase_if(state.contacts, [&](const ContactMemory& contact) {
+    return first(contact) == gone || second(contact) == gone;
   });
-  for (FrictionAnchor& anchor : state.anchors) {
-    const auto a = static_cast<std::uint64_t>(moved(first(anchor)));
-    anchor.pair = a << 32 | static_cast<std::uint64_t>(moved(second(anchor)));
+  for (ContactMemory& contact : state.contacts) {
+    const auto a = static_cast<std::uint64_t>(moved(first(contact)));
+    contact.pair = a << 32 | static_cast<std::uint64_t>(moved(second(contact)));
   }
   erase_at(model.name, gone);
   erase_at(model.shape, gone);

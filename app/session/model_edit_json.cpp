@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "app/session/model_edit.h"
+#include "sim/base/error.h"
 #include "sim/body/shape_kind.h"
-#include "sim/error.h"
 #include "sim/joint/joint_traits.h"
 #include "sim/potential/barrier.h"
 #include "sim/scene/keys.h"

@@ -6,7 +6,7 @@
 namespace pabd {
 namespace {
 
-constexpr std::size_t kBodyBytes = 18 * 8, kAnchorBytes = 8 + 4 + 3 * 8 + 1;
+constexpr std::size_t kBodyBytes = 18 * 8, kMemoryBytes = 8 + 4 + 3 * 8 + 1;
 
 }  // namespace
 
@@ -20,8 +20,8 @@ void write_state(const State& s, ByteWriter& out) {
     out.matrix(s.v[i]);
     out.matrix(s.omega[i]);
   }
-  out.u32(s.anchors.size());
-  for (const FrictionAnchor& a : s.anchors) {
+  out.u32(s.contacts.size());
+  for (const ContactMemory& a : s.contacts) {
     out.u64(a.pair);
     out.u32(a.feature);
     out.matrix(a.stretch);
@@ -62,18 +62,18 @@ State read_state(ByteReader& in, Index bodies) {
     const Mat3 off = s.R[i].transpose() * s.R[i] - Mat3::Identity();
     in.require(off.cwiseAbs().maxCoeff() < 1e-6 && s.R[i].determinant() > 0, "an orientation is no rotation");
   }
-  s.anchors.resize(in.count(kAnchorBytes));
-  const auto order = [](const FrictionAnchor& a) { return std::pair(a.pair, a.feature); };
-  for (std::size_t k = 0; k < s.anchors.size(); ++k) {
-    FrictionAnchor& a = s.anchors[k];
+  s.contacts.resize(in.count(kMemoryBytes));
+  const auto order = [](const ContactMemory& a) { return std::pair(a.pair, a.feature); };
+  for (std::size_t k = 0; k < s.contacts.size(); ++k) {
+    ContactMemory& a = s.contacts[k];
     a.pair = in.u64();
     a.feature = in.u32();
     in.matrix(a.stretch);
     const std::uint8_t flags = in.u8();
-    in.require(flags <= kAnchorFlags, "a contact has a flag that is none");
+    in.require(flags <= kMemoryFlags, "a contact has a flag that is none");
     set_flags(flags, a);
     in.require(a.pair >> 32 < n && (a.pair & 0xffffffffu) < n, "a contact is of a body that is none");
-    in.require(k == 0 || order(s.anchors[k - 1]) < order(a), "contacts are out of order");
+    in.require(k == 0 || order(s.contacts[k - 1]) < order(a), "contacts are out of order");
   }
   s.joint_force.resize(in.count(sizeof(Vec3)));
   for (Vec3& force : s.joint_force) in.matrix(force);

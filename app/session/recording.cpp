@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "app/session/record_parts.h"
+#include "sim/base/error.h"
 #include "sim/base/hash.h"
 #include "sim/base/input_file.h"
-#include "sim/error.h"
 #include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -15,13 +15,13 @@ constexpr double kStiffest = 1e18;  // N/m
 
 void check_pull(const Pull& pull, const Model& model) {
   if (pull.body < 0 || pull.body >= model.size()) {
-    throw Error(ExitCode::bad_input, fmt::format("pull: there is no body {}; expected a number below {}",
-                                                 pull.body, model.size()));
+    throw Error(ErrorKind::bad_input, fmt::format("pull: there is no body {}; expected a number below {}",
+                                                  pull.body, model.size()));
   }
   const auto i = static_cast<std::size_t>(pull.body);
   if (model.fixed[i]) {
     throw Error(
-        ExitCode::bad_input,
+        ErrorKind::bad_input,
         fmt::format("pull: {} is fixed and cannot be pulled; choose a body that moves", model.name[i]));
   }
   const bool fits =
@@ -29,7 +29,7 @@ void check_pull(const Pull& pull, const Model& model) {
       pull.target.cwiseAbs().maxCoeff() <= kFarthest && pull.kappa > 0 && pull.kappa <= kStiffest;
   if (!fits) {
     throw Error(
-        ExitCode::bad_input,
+        ErrorKind::bad_input,
         fmt::format("pull: expected places up to {:g} m from the origin and a stiffness from 0 to {:g} "
                     "N/m",
                     kFarthest, kStiffest));

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/solver/step_summary.h"
 
 namespace pabd {
@@ -41,7 +41,7 @@ void Session::set_params(const Params& params) { set_params(std::make_shared<con
 
 void Session::set_params(std::shared_ptr<const Params> params) {
   if (const auto error = check_params(*params)) {
-    throw Error(ExitCode::bad_input, error->pointer + ": " + error->message);
+    throw Error(ErrorKind::bad_input, error->pointer + ": " + error->message);
   }
   params_ = std::move(params);
 }
@@ -50,9 +50,9 @@ void Session::set_state(State state) { restore(model_, std::move(state)); }
 
 void Session::restore(std::shared_ptr<const Model> model, State state) {
   if (state.size() != model->size()) {
-    throw Error(ExitCode::bad_input, "the state has " + std::to_string(state.size()) +
-                                         " bodies, the scene has " + std::to_string(model->size()) +
-                                         "; use a state of this scene");
+    throw Error(ErrorKind::bad_input, "the state has " + std::to_string(state.size()) +
+                                          " bodies, the scene has " + std::to_string(model->size()) +
+                                          "; use a state of this scene");
   }
   model_ = std::move(model);
   state_ = std::move(state);

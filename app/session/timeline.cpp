@@ -17,7 +17,7 @@ constexpr double kRoom = 0.8;  // part of the budget that is filled after droppi
 
 std::size_t state_bytes(const State& state) {
   return sizeof(State) + state.c.size() * (3 * sizeof(Vec3) + sizeof(Mat3)) +
-         state.anchors.size() * sizeof(FrictionAnchor) + state.joint_force.size() * sizeof(Vec3);
+         state.contacts.size() * sizeof(ContactMemory) + state.joint_force.size() * sizeof(Vec3);
 }
 
 double largest_distance(const State& a, const State& b) {

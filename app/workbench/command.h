@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd {
@@ -195,8 +195,8 @@ struct Tell {
   static constexpr const char* name = "tell";
   std::string text;
   bool error = false;
-  std::string about = {};               // not in scripts: what it answers
-  ExitCode code = ExitCode::bad_input;  // not in scripts: of an error
+  std::string about = {};                 // not in scripts: what it answers
+  ErrorKind kind = ErrorKind::bad_input;  // not in scripts: of an error
   void fields(auto&& f) {
     f(need("text", "what is said", R"("half way")"), text);
     f(may("error", "as something that went wrong", "false"), error);

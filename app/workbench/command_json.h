@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/workbench/command.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
 
@@ -25,7 +25,7 @@ namespace command_json {
 
 [[noreturn]] inline void refuse(const std::string& what, const std::string& field,
                                 const std::string& expected) {
-  throw Error(ExitCode::bad_input, fmt::format("{}: \"{}\": expected {}", what, field, expected));
+  throw Error(ErrorKind::bad_input, fmt::format("{}: \"{}\": expected {}", what, field, expected));
 }
 
 // Reads the fields that a command names; a field that is not required keeps its default.
@@ -47,7 +47,7 @@ class Reader {
   void check_unknown() const {
     for (const auto& [key, value] : json_.items()) {
       if (key == "do" || std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-      throw Error(ExitCode::bad_input,
+      throw Error(ErrorKind::bad_input,
                   fmt::format("{}: it has no {}{}", what_, in_quotes(key), did_you_mean(key, known_)));
     }
   }

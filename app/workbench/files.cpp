@@ -7,7 +7,7 @@
 #include "app/workbench/check_output.h"
 #include "app/workbench/workbench.h"
 #include "sim/base/atomic_file.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_scene.h"
 
@@ -86,7 +86,7 @@ std::vector<std::string> Workbench::reload_loses() const {
 
 void Workbench::check_stake(bool force) const {
   if (force || at_stake().empty()) return;
-  throw Error(ExitCode::bad_input,
+  throw Error(ErrorKind::bad_input,
               fmt::format("not saved: {}; save what is needed, or load all the same", listed(at_stake())));
 }
 
@@ -101,11 +101,11 @@ void Workbench::carry_out(const command::Load& c) {
 }
 
 void Workbench::carry_out(const command::Reload& c) {
-  if (source_.path.empty()) throw Error(ExitCode::bad_input, "this scene has no file to load again");
+  if (source_.path.empty()) throw Error(ErrorKind::bad_input, "this scene has no file to load again");
   if (const auto loses = reload_loses(); !c.force && !loses.empty()) {
-    throw Error(ExitCode::bad_input, fmt::format("{}: loading it again gives up {}; save what is needed, or "
-                                                 "load it all the same",
-                                                 source_.path, listed(loses)));
+    throw Error(ErrorKind::bad_input, fmt::format("{}: loading it again gives up {}; save what is needed, or "
+                                                  "load it all the same",
+                                                  source_.path, listed(loses)));
   }
   // Everything is made before anything is given up.
   Opened opened = read(source_);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -163,7 +163,7 @@ void Runner::carry_out(const Command& command) {
     workbench_->apply(command);
   } catch (const Error& error) {
     workbench_->tell(Severity::error, error.what(),
-                     std::visit([](const auto& c) { return std::string(c.name); }, command), error.code());
+                     std::visit([](const auto& c) { return std::string(c.name); }, command), error.kind());
   }
 }
 

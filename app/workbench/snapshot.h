@@ -9,7 +9,7 @@
 
 #include "app/session/run.h"
 #include "app/workbench/command.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/scene.h"
 
 namespace pabd {
@@ -21,8 +21,8 @@ struct Message {
   std::uint64_t number = 0;  // rises
   Severity severity = Severity::note;
   std::string text;
-  std::string about = {};               // name of the command that it answers; empty: of none
-  ExitCode code = ExitCode::bad_input;  // of an error
+  std::string about = {};                 // name of the command that it answers; empty: of none
+  ErrorKind kind = ErrorKind::bad_input;  // of an error
 };
 
 struct HeldCurve {

@@ -2,7 +2,7 @@
 #include "app/workbench/workbench.h"
 
 #include "app/workbench/command_json.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/session/step_at_time.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {
@@ -47,12 +47,12 @@ const Run& Workbench::run(Side side) const { return side == Side::b && b_ ? *b_ 
 
 Run& Workbench::run_of(Side side) {
   if (side == Side::a) return *a_;
-  if (!b_) throw Error(ExitCode::bad_input, "there is no second simulation; start one with 'compare'");
+  if (!b_) throw Error(ErrorKind::bad_input, "there is no second simulation; start one with 'compare'");
   return *b_;
 }
 
-void Workbench::tell(Severity severity, const std::string& text, const std::string& about, ExitCode code) {
-  messages_.push_back({++message_number_, severity, text, about.empty() ? about_ : about, code});
+void Workbench::tell(Severity severity, const std::string& text, const std::string& about, ErrorKind kind) {
+  messages_.push_back({++message_number_, severity, text, about.empty() ? about_ : about, kind});
   if (messages_.size() > kMostMessages) messages_.erase(messages_.begin());
 }
 
@@ -71,7 +71,7 @@ bool Workbench::advance() {
            "{}diverged at step {} (t = {:.4g} s): the state was no longer finite. Go back, and try a smaller "
            "time_step, a smaller contact.kappa, or solver.method descent",
            b_ ? (first ? "A: " : "B: ") : "", run.state().step + 1, run.state().time + run.params().h),
-       {}, ExitCode::diverged);
+       {}, ErrorKind::diverged);
   return false;
 }
 
@@ -81,7 +81,7 @@ void Workbench::carry_out(const command::Pause&) { playing_ = false; }
 void Workbench::carry_out(const command::Step& c) {
   playing_ = false;
   if (std::abs(static_cast<double>(c.steps)) > kMostSteps) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("step: expected at most {} steps, got {}", kMostSteps, c.steps));
   }
   if (c.steps < 0) {
@@ -95,7 +95,7 @@ void Workbench::carry_out(const command::Step& c) {
 
 void Workbench::carry_out(const command::Seek& c) {
   playing_ = false;
-  if (!std::isfinite(c.time)) throw Error(ExitCode::bad_input, "seek: expected a time in seconds");
+  if (!std::isfinite(c.time)) throw Error(ErrorKind::bad_input, "seek: expected a time in seconds");
   seek_to(a_->timeline().at_time(c.time));
 }
 
@@ -109,7 +109,7 @@ void Workbench::seek_to(std::size_t i) {
 void Workbench::carry_out(const command::Speed& c) {
   if (!(c.factor >= 0 && c.factor <= 1000)) {
     throw Error(
-        ExitCode::bad_input,
+        ErrorKind::bad_input,
         fmt::format("speed: expected 0 (as fast as it goes) to 1000 times real time, got {}", c.factor));
   }
   speed_ = c.factor;
@@ -155,7 +155,7 @@ void Workbench::carry_out(const command::Hold& c) {
       c.method.empty() ? a_->report().records : std::vector<IterationRecord>{};
   if (records.empty()) records = a_->records_with(method);
   if (records.empty())
-    throw Error(ExitCode::bad_input, "no step with contacts or joints led here: there is nothing to hold");
+    throw Error(ErrorKind::bad_input, "no step with contacts or joints led here: there is nothing to hold");
   if (held_.size() >= kMostHeld) {
     keep_held("oldest held curve");
     held_.erase(held_.begin());
@@ -189,7 +189,7 @@ void Workbench::carry_out(const command::Observe& c) {
 }
 
 void Workbench::carry_out(const command::Tell& c) {
-  tell(c.error ? Severity::error : Severity::note, c.text, c.about, c.code);
+  tell(c.error ? Severity::error : Severity::note, c.text, c.about, c.kind);
 }
 
 // At times that both have a state of. What lies behind the present when a run takes another course is gone.

@@ -45,7 +45,7 @@ class Workbench {
 
   // `about`: the command that it answers.
   void tell(Severity severity, const std::string& text, const std::string& about = {},
-            ExitCode code = ExitCode::bad_input);
+            ErrorKind kind = ErrorKind::bad_input);
 
   // All but real_time_factor.
   Snapshot snapshot();

@@ -12,7 +12,7 @@ class GlContext {
  public:
   virtual ~GlContext() = default;
   // Makes it current in the calling thread. It may be current in one thread at a time: call release() in the
-  // old thread before. Throws Error(no_gl).
+  // old thread before. Throws Error(no_context).
   virtual void make_current() = 0;
   virtual void release() = 0;
   virtual void* proc_address(const char* name) = 0;                  // null when the driver does not know it
@@ -31,9 +31,9 @@ struct ContextAttempt {
 };
 
 // Tries EGL device list (hardware first), EGL surfaceless, OSMesa in this order (or only the named ones) for
-// GL 3.3 core or better. The context is current on return. Fills `attempts`. Throws Error(no_gl) with every
-// attempt and the variable, package or container flag that helps. The candidates are tried in a child process
-// first, so that a driver that crashes is one that does not work; once a process for each backend.
+// GL 3.3 core or better. The context is current on return. Fills `attempts`. Throws Error(no_context) with
+// every attempt and the variable, package or container flag that helps. The candidates are tried in a child
+// process first, so that a driver that crashes is one that does not work; once a process for each backend.
 std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts);
 
 // What helps when variables of the environment choose a driver that cannot do what is needed: "… try 'unset

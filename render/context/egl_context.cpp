@@ -8,7 +8,7 @@
 
 #include "render/context/candidate.h"
 #include "render/context/egl_library.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 #ifndef EGL_PLATFORM_SURFACELESS_MESA
 #define EGL_PLATFORM_SURFACELESS_MESA 0x31DD
@@ -66,7 +66,7 @@ class EglContext final : public GlContext {
   }
 
   void make_current() override {
-    if (!bind()) throw Error(ExitCode::no_gl, name_ + ": " + egl_->describe_error("eglMakeCurrent"));
+    if (!bind()) throw Error(ErrorKind::no_context, name_ + ": " + egl_->describe_error("eglMakeCurrent"));
   }
 
   void release() override {

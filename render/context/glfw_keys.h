@@ -1,7 +1,7 @@
 // GLFW's numbers of keys as our names.
 #pragma once
 
-#include "render/context/keys.h"
+#include "render/context/keyboard.h"
 
 namespace pabd {
 

@@ -13,8 +13,8 @@
 #include "render/context/display_loss.h"
 #include "render/context/glfw_keys.h"
 #include "render/context/window.h"
+#include "sim/base/error.h"
 #include "sim/base/utf8.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -35,7 +35,7 @@ class Glfw {
  public:
   explicit Glfw(int display_lost_status) : loss_(display_lost_status) {
     fix_vector_width();
-    if (glfwInit() != GLFW_TRUE) throw Error(ExitCode::no_gl, "no window: " + last_error() + kRemedy);
+    if (glfwInit() != GLFW_TRUE) throw Error(ErrorKind::no_context, "no window: " + last_error() + kRemedy);
     loss_.watch();
   }
   ~Glfw() {
@@ -60,7 +60,7 @@ class GlfwContext final : public GlContext {
     if (glfw_.lost()) return;
     glfwMakeContextCurrent(window_);
     if (glfwGetCurrentContext() != window_)
-      throw Error(ExitCode::no_gl, "the window's GL context cannot be made current: " + last_error());
+      throw Error(ErrorKind::no_context, "the window's GL context cannot be made current: " + last_error());
   }
   void release() override {
     if (!glfw_.lost() && glfwGetCurrentContext() == window_) glfwMakeContextCurrent(nullptr);
@@ -184,7 +184,7 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : glfw_(options.display_los
     tried += fmt::format(" {}: {};", name, failure);
   }
   throw Error(
-      ExitCode::no_gl,
+      ErrorKind::no_context,
       fmt::format(
           "no window with OpenGL {}.{} core could be opened:{} install a driver with 'apt-get install "
           "libgl1-mesa-dri libglx-mesa0', or give --headless to draw without a window",

@@ -9,7 +9,7 @@
 
 #include "render/context/candidate.h"
 #include "render/context/probe.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -126,7 +126,7 @@ std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<
       }
     }
   }
-  throw Error(ExitCode::no_gl, explain(attempts));
+  throw Error(ErrorKind::no_context, explain(attempts));
 }
 
 std::vector<std::unique_ptr<GlContext>> create_every_headless_context(Backend backend,

@@ -5,7 +5,7 @@
 
 #include "render/context/candidate.h"
 #include "render/context/shared_library.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -69,7 +69,7 @@ class OsMesaContext final : public GlContext {
   }
 
   void make_current() override {
-    if (!bind()) throw Error(ExitCode::no_gl, "OSMesa: OSMesaMakeCurrent failed");
+    if (!bind()) throw Error(ErrorKind::no_context, "OSMesa: OSMesaMakeCurrent failed");
   }
 
   void release() override {

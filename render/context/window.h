@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render/context/context.h"
-#include "render/context/keys.h"
+#include "render/context/keyboard.h"
 
 namespace pabd {
 
@@ -59,7 +59,8 @@ struct WindowOptions {
   int width = 1280, height = 720;             // on an ordinary screen; times the scale on a dense one
   int least_width = 640, least_height = 360;  // the person cannot make it smaller
   bool visible = true;
-  // Exit status of the process if the display breaks while the window is being opened: Xlib cannot go on then.
+  // Exit status of the process if the display breaks while the window is being opened: Xlib cannot go on
+  // then.
   int display_lost_status = 1;
 };
 
@@ -98,7 +99,7 @@ class Window {
   virtual void set_clipboard(const std::string& text) = 0;
 };
 
-// Throws Error(no_gl) with what was tried and the remedy when there is no display, when the driver lacks
+// Throws Error(no_context) with what was tried and the remedy when there is no display, when the driver lacks
 // OpenGL 3.3 core, or when the program was built without a window.
 std::unique_ptr<Window> open_window(const WindowOptions& options);
 

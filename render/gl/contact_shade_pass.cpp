@@ -6,7 +6,7 @@
 #include "render/gl/contact_shade_pass.h"
 
 #include "render/gl/shader_files.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 
@@ -38,7 +38,7 @@ ContactShadePass::ContactShadePass(const GlFunctions& gl)
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, maps_[i].id(), 0);
     if (i == 0) gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
     if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-      throw Error(ExitCode::no_gl,
+      throw Error(ErrorKind::no_context,
                   gl.string(GL_RENDERER) + " refuses a one-channel framebuffer; " + driver_remedy());
     }
   }

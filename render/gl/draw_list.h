@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "render/gl/mesh.h"
+#include "render/gl/gpu_mesh.h"
 #include "render/visual/visual_scene.h"
 
 namespace pabd {

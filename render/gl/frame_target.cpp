@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "render/gl/encode_pass.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -55,14 +55,15 @@ void FrameTarget::resize(int width, int height, int samples) {
 void FrameTarget::allocate() {
   if (width_ < 1 || height_ < 1) {
     throw Error(
-        ExitCode::bad_input,
+        ErrorKind::bad_input,
         fmt::format("frame size {}x{}: expected at least 1x1; give --size WIDTHxHEIGHT", width_, height_));
   }
   const GLint limit = std::min(gl_.integer(GL_MAX_RENDERBUFFER_SIZE), gl_.integer(GL_MAX_TEXTURE_SIZE));
   const auto refuse = [&](const std::string& reason, const std::string& remedy = "choose a smaller --size") {
-    throw Error(ExitCode::no_gl, fmt::format("{} cannot draw frames of {}x{} pixels with {} sample{}: {}; {}",
-                                             gl_.string(GL_RENDERER), width_, height_, samples_,
-                                             samples_ == 1 ? "" : "s", reason, remedy));
+    throw Error(
+        ErrorKind::no_context,
+        fmt::format("{} cannot draw frames of {}x{} pixels with {} sample{}: {}; {}", gl_.string(GL_RENDERER),
+                    width_, height_, samples_, samples_ == 1 ? "" : "s", reason, remedy));
   };
   if (width_ > limit || height_ > limit) refuse(fmt::format("the largest side is {}", limit));
   const GLint most = std::min(gl_.integer(GL_MAX_SAMPLES), gl_.integer(GL_MAX_COLOR_TEXTURE_SAMPLES));
@@ -139,7 +140,7 @@ void FrameTarget::blit_to(const FrameTarget& other, const PixelRect& rect) const
 
 void FrameTarget::queue_read() {
   if (queued_ == 2) {
-    throw Error(ExitCode::defect, "a third frame was queued for reading; fetch() the oldest one first");
+    throw Error(ErrorKind::defect, "a third frame was queued for reading; fetch() the oldest one first");
   }
   Slot& slot = slots_[(oldest_ + queued_) % 2];
   slot.width = width_;
@@ -167,7 +168,7 @@ bool FrameTarget::fetch(Image& out) {
   if (pixels == nullptr) {
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl_.check("reading the frame back");
-    throw Error(ExitCode::no_gl, "the driver does not hand out the frame; " + driver_remedy());
+    throw Error(ErrorKind::no_context, "the driver does not hand out the frame; " + driver_remedy());
   }
   out.resize(slot.width, slot.height);
   const auto width = static_cast<std::size_t>(slot.width);

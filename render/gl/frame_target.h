@@ -21,7 +21,7 @@ struct PixelRect {
 
 class FrameTarget {
  public:
-  // `samples`: kSamples or 1. Throws Error(bad_input) for a size below 1, Error(no_gl) when the driver
+  // `samples`: kSamples or 1. Throws Error(bad_input) for a size below 1, Error(no_context) when the driver
   // refuses it.
   FrameTarget(const GlFunctions& gl, int width, int height, int samples = kSamples);
 
@@ -34,7 +34,7 @@ class FrameTarget {
   void resolve(const EncodePass& encode) const;
   void bind_resolved() const;  // sRGB bytes: what resolve() left; no depth
   void blit_to_default(int width, int height) const;
-  // Copies the resolved frame into a rectangle of another one, stretched if need be. Bytes stay as they are.
+  // Copies the resolved frame into a rectangle of another one, scaled if need be. Bytes stay as they are.
   void blit_to(const FrameTarget& other, const PixelRect& rect) const;
 
   // See Renderer.

@@ -1,7 +1,7 @@
 // Looking up the GL entry points, and errors in words.
 #include "render/gl/gl_functions.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 
@@ -9,7 +9,7 @@ GlFunctions::GlFunctions(GlContext& context) {
 #define PABD_LOAD(entry, type)                                                                \
   entry = reinterpret_cast<PFNGL##type##PROC>(context.proc_address("gl" #entry));             \
   if (entry == nullptr) {                                                                     \
-    throw Error(ExitCode::no_gl,                                                              \
+    throw Error(ErrorKind::no_context,                                                        \
                 context.name() + ": the driver lacks gl" #entry +                             \
                     " of OpenGL 3.3; update Mesa or the GPU driver, or: " + driver_remedy()); \
   }
@@ -33,9 +33,9 @@ void GlFunctions::check(const char* doing) const {
   if (error == GL_NO_ERROR) return;
   for (int i = 0; i < 16 && GetError() != GL_NO_ERROR; ++i) {
   }
-  throw Error(ExitCode::no_gl, std::string(doing) + " failed with " + gl_error_name(error) + " (" +
-                                   string(GL_RENDERER) + ", " + string(GL_VERSION) +
-                                   "); try a smaller --size, or: " + driver_remedy());
+  throw Error(ErrorKind::no_context, std::string(doing) + " failed with " + gl_error_name(error) + " (" +
+                                         string(GL_RENDERER) + ", " + string(GL_VERSION) +
+                                         "); try a smaller --size, or: " + driver_remedy());
 }
 
 const char* gl_error_name(GLenum error) {

@@ -44,7 +44,7 @@
 namespace pabd {
 
 struct GlFunctions {
-  // Throws Error(no_gl) naming the first function that the driver lacks.
+  // Throws Error(no_context) naming the first function that the driver lacks.
   explicit GlFunctions(GlContext& context);
 
 #define PABD_DECLARE(entry, type) PFNGL##type##PROC entry = nullptr;
@@ -54,7 +54,7 @@ struct GlFunctions {
   std::string string(GLenum name) const;  // glGetString, never null
   GLint integer(GLenum name) const;
 
-  // Throws Error(no_gl) with the error's name if one is pending. `doing` says what was being done.
+  // Throws Error(no_context) with the error's name if one is pending. `doing` says what was being done.
   void check(const char* doing) const;
 };
 

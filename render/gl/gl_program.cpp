@@ -7,7 +7,7 @@
 
 #include "render/gl/frame_block.h"
 #include "render/gl/shader_log.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -40,8 +40,9 @@ GLuint compile(const GlFunctions& gl, const char* name, GLenum stage,
   std::string log(2048, ' ');
   gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
   gl.DeleteShader(shader);
-  throw Error(ExitCode::no_gl, std::string("shader '") + name + "' was refused by " + gl.string(GL_RENDERER) +
-                                   ": " + with_file_names(log, lines) + "; " + driver_remedy());
+  throw Error(ErrorKind::no_context, std::string("shader '") + name + "' was refused by " +
+                                         gl.string(GL_RENDERER) + ": " + with_file_names(log, lines) + "; " +
+                                         driver_remedy());
 }
 
 }  // namespace
@@ -69,17 +70,17 @@ GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_l
     std::string log(2048, ' ');
     gl.GetProgramInfoLog(id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
     gl.DeleteProgram(id_);
-    throw Error(ExitCode::no_gl, std::string("shader '") + name + "' does not link on " +
-                                     gl.string(GL_RENDERER) + ": " + with_file_names(log, {}) + "; " +
-                                     driver_remedy());
+    throw Error(ErrorKind::no_context, std::string("shader '") + name + "' does not link on " +
+                                           gl.string(GL_RENDERER) + ": " + with_file_names(log, {}) + "; " +
+                                           driver_remedy());
   }
   const GLuint block = gl.GetUniformBlockIndex(id_, "Frame");
   if (block == GL_INVALID_INDEX) return;
   const std::string mismatch = block_mismatch(gl, id_, frame_members());
   if (!mismatch.empty()) {
     gl.DeleteProgram(id_);
-    throw Error(ExitCode::no_gl, std::string("shader '") + name + "' on " + gl.string(GL_RENDERER) + ": " +
-                                     mismatch + "; " + driver_remedy());
+    throw Error(ErrorKind::no_context, std::string("shader '") + name + "' on " + gl.string(GL_RENDERER) +
+                                           ": " + mismatch + "; " + driver_remedy());
   }
   gl.UniformBlockBinding(id_, block, kFrameBinding);
 }

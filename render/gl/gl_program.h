@@ -16,9 +16,9 @@ struct ShaderPart {
 
 class GlProgram {
  public:
-  // Each source is the concatenation of its parts, after "#version 330 core". Throws Error(no_gl) with `name`
-  // and the driver's words, in which lines are those of the parts' files; also where the driver lays out the
-  // block Frame in another way than FrameUniforms.
+  // Each source is the concatenation of its parts, after "#version 330 core". Throws Error(no_context) with
+  // `name` and the driver's words, in which lines are those of the parts' files; also where the driver lays
+  // out the block Frame in another way than FrameUniforms.
   GlProgram(const GlFunctions& gl, const char* name, std::initializer_list<ShaderPart> vertex,
             std::initializer_list<ShaderPart> fragment);
   ~GlProgram();

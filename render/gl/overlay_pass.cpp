@@ -10,7 +10,7 @@
 #include <string>
 
 #include "render/gl/shader_files.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -70,9 +70,9 @@ void* OverlayPass::upload_font_atlas(const unsigned char* rgba, int width, int h
 void* OverlayPass::upload_texture(const unsigned char* rgb, int width, int height) {
   const GLint limit = gl_.integer(GL_MAX_TEXTURE_SIZE);
   if (width < 1 || height < 1 || width > limit || height > limit) {
-    throw Error(ExitCode::bad_input, "a texture of " + std::to_string(width) + "x" + std::to_string(height) +
-                                         " pixels: expected sides from 1 to " + std::to_string(limit) +
-                                         "; use a smaller picture");
+    throw Error(ErrorKind::bad_input, "a texture of " + std::to_string(width) + "x" + std::to_string(height) +
+                                          " pixels: expected sides from 1 to " + std::to_string(limit) +
+                                          "; use a smaller picture");
   }
   GlTexture texture(gl_);
   load(gl_, texture, GL_RGB, rgb, width, height);
@@ -84,7 +84,7 @@ void* OverlayPass::upload_texture(const unsigned char* rgb, int width, int heigh
 
 void OverlayPass::free_texture(void* id) {
   if (textures_.erase(name_of(id)) == 0)
-    throw Error(ExitCode::defect, "a texture was freed that is not there; free each id once");
+    throw Error(ErrorKind::defect, "a texture was freed that is not there; free each id once");
 }
 
 bool OverlayPass::knows(void* id) const {
@@ -96,7 +96,7 @@ void OverlayPass::draw(const ImDrawData& data, int width, int height) const {
   for (int l = 0; l < data.CmdListsCount; ++l) {
     for (const ImDrawCmd& command : data.CmdLists[l]->CmdBuffer) {
       if (command.UserCallback == nullptr && command.ElemCount > 0 && !knows(command.GetTexID())) {
-        throw Error(ExitCode::defect,
+        throw Error(ErrorKind::defect,
                     "the overlay names a texture that is not there; upload it before the frame "
                     "and free it after");
       }

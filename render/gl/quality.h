@@ -20,7 +20,7 @@ struct RenderQuality {
 };
 
 // Chooses how much smaller than its place a live picture is drawn, so that it takes no longer than a budget
-// on whatever machine it is. Stretching it costs a tenth of what drawing it does. Never swings between two
+// on whatever machine it is. Scaling it costs a tenth of what drawing it does. Never swings between two
 // sizes while the scene stays the same.
 class LiveScale {
  public:

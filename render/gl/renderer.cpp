@@ -14,8 +14,8 @@
 #include "render/gl/overlay_pass.h"
 #include "render/gl/shadow_pass.h"
 #include "render/gl/surface_pass.h"
+#include "sim/base/error.h"
 #include "sim/base/srgb.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -53,8 +53,8 @@ struct Renderer::Impl {
 
   std::optional<FrameTarget>& view(int number) {
     if (number < 0 || number >= kViews) {
-      throw Error(ExitCode::defect, "view " + std::to_string(number) + " of the renderer: expected 0 to " +
-                                        std::to_string(kViews - 1));
+      throw Error(ErrorKind::defect, "view " + std::to_string(number) + " of the renderer: expected 0 to " +
+                                         std::to_string(kViews - 1));
     }
     return views[static_cast<std::size_t>(number)];
   }
@@ -186,7 +186,7 @@ void Renderer::draw_view(int view, const VisualScene& scene, int width, int heig
 void Renderer::read_view(int view, Image& out) {
   std::optional<FrameTarget>& target = impl_->view(view);
   if (!target) {
-    throw Error(ExitCode::defect,
+    throw Error(ErrorKind::defect,
                 "view " + std::to_string(view) + " of the renderer was read before anything was drawn in it");
   }
   target->queue_read();

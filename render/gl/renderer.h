@@ -32,7 +32,7 @@ struct PassTimes {
   double resolve = 0;
 };
 
-// Where a view appears in a window: pixels from its top left corner. A view of another size is stretched.
+// Where a view appears in a window: pixels from its top left corner. A view of another size is scaled.
 struct ViewPlace {
   int view = 0;
   int x = 0, y = 0;
@@ -44,8 +44,8 @@ class Renderer {
  public:
   static constexpr int kViews = 3;  // a scene, another beside it, and one for pictures on the side
 
-  // The context must outlive the renderer and be current in every call. Throws Error(no_gl) if a shader or
-  // the framebuffer is refused, with the driver's words.
+  // The context must outlive the renderer and be current in every call. Throws Error(no_context) if a shader
+  // or the framebuffer is refused, with the driver's words.
   Renderer(GlContext& context, int width, int height);
   ~Renderer();
 

@@ -2,7 +2,7 @@
 #include "render/gl/shadow_pass.h"
 
 #include "render/gl/shader_files.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 
@@ -24,7 +24,7 @@ ShadowPass::ShadowPass(const GlFunctions& gl)
   gl.DrawBuffer(GL_NONE);
   gl.ReadBuffer(GL_NONE);
   if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Error(ExitCode::no_gl,
+    throw Error(ErrorKind::no_context,
                 gl.string(GL_RENDERER) + " refuses a depth-only framebuffer; " + driver_remedy());
   }
 }

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <utility>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -35,7 +35,7 @@ AsyncSink::~AsyncSink() {
 
 void AsyncSink::write(const Image& frame) {
   std::unique_lock lock(mutex_);
-  if (ending_) throw Error(ExitCode::defect, "a frame was written after the end of the output");
+  if (ending_) throw Error(ErrorKind::defect, "a frame was written after the end of the output");
   const auto start = clock::now();
   changed_.wait(lock, [this] { return count_ < ring_.size() || failure_; });
   waiting_ms_ += ms_since(start);
@@ -58,7 +58,7 @@ bool AsyncSink::has_room() const {
 void AsyncSink::finish() {
   {
     const std::lock_guard lock(mutex_);
-    if (ending_) throw Error(ExitCode::defect, "the output was ended twice");
+    if (ending_) throw Error(ErrorKind::defect, "the output was ended twice");
     ending_ = true;
   }
   changed_.notify_all();

@@ -7,7 +7,7 @@
 
 #include "render/output/png.h"
 #include "sim/base/atomic_file.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "render/output/compare.h"
+#include "render/output/compare_images.h"
 
 namespace pabd {
 

@@ -14,7 +14,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -24,7 +24,7 @@ constexpr int kLastReads = 1000;         // of what ffmpeg left in the pipes, ea
 constexpr double kVersionPatience = 10;  // s
 
 [[noreturn]] void fail_system(const std::string& name, int reason) {
-  throw Error(ExitCode::encoder,
+  throw Error(ErrorKind::encoder,
               fmt::format("{}: ffmpeg could not be started: {}", name, system_reason(reason)));
 }
 
@@ -81,7 +81,7 @@ EncoderProcess::EncoderProcess(EncoderSetup setup) : setup_(std::move(setup)) {
   command.insert(command.end(), setup_.arguments.begin(), setup_.arguments.end());
   const int reason = child_.start(command);
   if (reason == ENOENT) {
-    throw Error(ExitCode::encoder,
+    throw Error(ErrorKind::encoder,
                 fmt::format("{}: ffmpeg was not found in PATH; install it: apt-get install ffmpeg, "
                             "or write PNG files: frames/{{frame:04}}.png",
                             setup_.name));
@@ -170,7 +170,7 @@ void EncoderProcess::give_up() {
   end_and_hear();
   const std::string said = joined(tail_.text());
   throw Error(
-      ExitCode::encoder,
+      ErrorKind::encoder,
       fmt::format("{}: ffmpeg made no progress for {:g} s and was ended{}; if it only needs longer, give "
                   "it more with --encoder-timeout, or write PNG files: frames/{{frame:04}}.png",
                   setup_.name, setup_.patience, said.empty() ? "" : ": " + said));
@@ -185,8 +185,8 @@ void EncoderProcess::fail(const std::string& what) {
   } else if (said.find("No space left") != std::string::npos) {
     remedy = "; free some space or choose another disk";
   }
-  throw Error(ExitCode::encoder, fmt::format("{}: {} ({}): {}{}", setup_.name, what, child_.ending(),
-                                             said.empty() ? "it gave no reason" : said, remedy));
+  throw Error(ErrorKind::encoder, fmt::format("{}: {} ({}): {}{}", setup_.name, what, child_.ending(),
+                                              said.empty() ? "it gave no reason" : said, remedy));
 }
 
 std::string ffmpeg_version() {

@@ -8,13 +8,13 @@
 #include <cstddef>
 
 #include "render/output/sinks.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ExitCode::bad_input, message); }
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, message); }
 
 void check_options(const std::string& out, const SinkOptions& options) {
   const auto fits = [](int side) { return side >= 1 && side <= png_largest_side; };
@@ -57,7 +57,7 @@ void check_frame_size(const Image& frame, const SinkOptions& options) {
   const std::size_t bytes =
       static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height) * 3;
   if (frame.width == options.width && frame.height == options.height && frame.rgb.size() == bytes) return;
-  throw Error(ExitCode::defect,
+  throw Error(ErrorKind::defect,
               fmt::format("a frame of {}x{} pixels with {} bytes was written; expected {}x{}", frame.width,
                           frame.height, frame.rgb.size(), options.width, options.height));
 }

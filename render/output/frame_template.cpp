@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "render/output/frame_sink.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace fs = std::filesystem;
@@ -22,7 +22,7 @@ struct FrameTemplate {
 };
 
 [[noreturn]] void refuse(const std::string& out, const char* problem) {
-  throw Error(ExitCode::bad_input, fmt::format("{}: {}; {}", out, problem, remedy));
+  throw Error(ErrorKind::bad_input, fmt::format("{}: {}; {}", out, problem, remedy));
 }
 
 FrameTemplate parse(const std::string& out) {
@@ -69,7 +69,7 @@ bool is_frame_template(const std::string& out) { return out.find("{frame") != st
 fs::path frame_path(const std::string& out, int number) {
   const FrameTemplate form = parse(out);
   if (number < 0)
-    throw Error(ExitCode::bad_input, fmt::format("{}: frame {}: numbers start at 0", out, number));
+    throw Error(ErrorKind::bad_input, fmt::format("{}: frame {}: numbers start at 0", out, number));
   return form.folder / fmt::format("{}{:0{}}{}", form.before, number, form.digits, form.after);
 }
 

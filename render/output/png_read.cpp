@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "render/output/png.h"
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace fs = std::filesystem;
@@ -65,14 +65,14 @@ class Reader {
     const std::size_t got = std::fread(signature, 1, sizeof signature, file_.get());
     if (std::ferror(file_.get())) fail_file(errno);
     if (got < sizeof signature || png_sig_cmp(signature, 0, sizeof signature) != 0) {
-      throw Error(ExitCode::bad_input,
+      throw Error(ErrorKind::bad_input,
                   fmt::format("{}: this is not a PNG file; expected one", path.string()));
     }
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder_, on_error, on_warning);
     if (png_) info_ = png_create_info_struct(png_);
     if (!info_) {
       png_destroy_read_struct(&png_, &info_, nullptr);
-      throw Error(ExitCode::file, fmt::format("{}: out of memory while opening", path.string()));
+      throw Error(ErrorKind::file, fmt::format("{}: out of memory while opening", path.string()));
     }
   }
   ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
@@ -121,14 +121,15 @@ class Reader {
 
   [[noreturn]] void fail() const {
     if (decoder_.reason != 0) fail_file(decoder_.reason);
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("{}: this PNG file is damaged or larger than {} pixels a side: {}",
                             path_.string(), png_largest_side, decoder_.message));
   }
 
  private:
   [[noreturn]] void fail_file(int reason) const {
-    throw Error(ExitCode::file, fmt::format("{}: cannot be read: {}", path_.string(), system_reason(reason)));
+    throw Error(ErrorKind::file,
+                fmt::format("{}: cannot be read: {}", path_.string(), system_reason(reason)));
   }
 
   fs::path path_;
@@ -146,7 +147,7 @@ Image read_png(const fs::path& path) {
   std::error_code unknown;
   const auto file_bytes = fs::file_size(path, unknown);
   if (!unknown && reader.stored_bytes() > best_compression * static_cast<double>(file_bytes)) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("{}: this PNG file is damaged: {}x{} pixels do not fit into {} bytes",
                             path.string(), reader.width(), reader.height(), file_bytes));
   }

@@ -3,7 +3,7 @@
 
 #include "render/output/sinks.h"
 #include "sim/base/atomic_file.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -50,7 +50,8 @@ class LastPngSink : public FrameSink {
   }
 
   void finish() override {
-    if (last_.rgb.empty()) throw Error(ExitCode::file, fmt::format("{}: there was no frame to write", path_));
+    if (last_.rgb.empty())
+      throw Error(ErrorKind::file, fmt::format("{}: there was no frame to write", path_));
     write_png(path_, last_, text_of(options_, next_ - 1));
   }
 

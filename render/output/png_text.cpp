@@ -12,9 +12,9 @@
 #include <string_view>
 
 #include "render/output/png.h"
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/utf8.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -58,14 +58,14 @@ class ChunkReader {
 
  private:
   [[noreturn]] void damaged(const std::string& how) const {
-    throw Error(ExitCode::bad_input, fmt::format("{}: this PNG file is damaged: {}", path_.string(), how));
+    throw Error(ErrorKind::bad_input, fmt::format("{}: this PNG file is damaged: {}", path_.string(), how));
   }
 
   void check_signature() {
     static constexpr std::array<unsigned char, 8> expected = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
     std::array<unsigned char, 8> found{};
     if (try_take(found.data(), found.size()) != found.size() || found != expected)
-      throw Error(ExitCode::bad_input,
+      throw Error(ErrorKind::bad_input,
                   fmt::format("{}: this is not a PNG file; expected one", path_.string()));
   }
 
@@ -79,7 +79,7 @@ class ChunkReader {
       if (at_ == held_) {
         const ssize_t got = read_some(file_.get(), buffer_.data(), buffer_.size());
         if (got < 0) {
-          throw Error(ExitCode::file,
+          throw Error(ErrorKind::file,
                       fmt::format("{}: cannot be read: {}", path_.string(), system_reason(errno)));
         }
         if (got == 0) return done;
@@ -107,8 +107,8 @@ class ChunkReader {
 
   void spend(std::size_t bytes) {
     if (bytes > budget_) {
-      throw Error(ExitCode::bad_input, fmt::format("{}: this PNG file holds more than {} bytes of text",
-                                                   path_.string(), kMostText));
+      throw Error(ErrorKind::bad_input, fmt::format("{}: this PNG file holds more than {} bytes of text",
+                                                    path_.string(), kMostText));
     }
     budget_ -= bytes;
   }

@@ -14,8 +14,8 @@
 
 #include "render/output/png.h"
 #include "sim/base/atomic_file.h"
+#include "sim/base/error.h"
 #include "sim/base/utf8.h"
-#include "sim/error.h"
 
 namespace {
 
@@ -67,18 +67,18 @@ void check(const Image& image, const PngText& text) {
   const std::size_t wanted =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
   if (!sides_fit || image.rgb.size() != wanted) {
-    throw Error(ExitCode::file,
+    throw Error(ErrorKind::file,
                 fmt::format("an image of {}x{} pixels with {} bytes cannot be a PNG; expected 1 to {} "
                             "pixels a side and 3 bytes a pixel",
                             image.width, image.height, image.rgb.size(), png_largest_side));
   }
   for (const auto& [key, value] : text) {
     if (!is_keyword(key)) {
-      throw Error(ExitCode::file,
+      throw Error(ErrorKind::file,
                   fmt::format("PNG text keyword \"{}\": expected 1 to 79 printable ASCII characters", key));
     }
     if (!is_utf8_text(value)) {
-      throw Error(ExitCode::file, fmt::format("PNG text \"{}\": expected UTF-8 without zero bytes", key));
+      throw Error(ErrorKind::file, fmt::format("PNG text \"{}\": expected UTF-8 without zero bytes", key));
     }
   }
 }
@@ -127,7 +127,7 @@ Picture plain_png(const Image& image) {
   picture.memory.reset(stbi_write_png_to_mem(image.rgb.data(), 0, image.width, image.height, 3, &size));
   picture.size = static_cast<std::size_t>(size);
   if (!picture.memory) {
-    throw Error(ExitCode::file,
+    throw Error(ErrorKind::file,
                 fmt::format("a frame of {}x{} pixels could not be encoded as PNG: out of memory", image.width,
                             image.height));
   }

@@ -5,7 +5,7 @@
 
 #include "render/output/sinks.h"
 #include "sim/base/descriptor.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -20,14 +20,14 @@ class RawSink : public FrameSink {
     const BlockSigpipe no_signal;
     const int reason = write_all(descriptor_, frame.rgb.data(), frame.rgb.size());
     if (reason == EPIPE) {
-      throw Error(ExitCode::file,
+      throw Error(ErrorKind::file,
                   fmt::format("{}: the program that reads the frames ended after {} of them; expected it "
                               "to read to the end",
                               name_, frames_));
     }
     if (reason != 0) {
-      throw Error(ExitCode::file, fmt::format("{}: frame {} could not be written: {}", name_, frames_,
-                                              system_reason(reason)));
+      throw Error(ErrorKind::file, fmt::format("{}: frame {} could not be written: {}", name_, frames_,
+                                               system_reason(reason)));
     }
     ++frames_;
   }

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "render/output/compare.h"
+#include "render/output/compare_images.h"
 
 namespace pabd {
 namespace {

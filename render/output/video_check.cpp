@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "sim/base/child_process.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 
@@ -25,7 +25,7 @@ void check_video(const std::string& name, const std::filesystem::path& file, con
                 });
   const auto refuse = [&](const std::string& what) {
     throw Error(
-        ExitCode::encoder,
+        ErrorKind::encoder,
         fmt::format("{}: ffmpeg ended well, but what it wrote {}; the video was not kept: is the disk "
                     "full?",
                     name, what));

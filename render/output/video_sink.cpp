@@ -13,7 +13,7 @@
 #include "render/output/sinks.h"
 #include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -118,11 +118,11 @@ class VideoSink : public FrameSink {
   }
 
   void finish() override {
-    if (sent_ == 0) throw Error(ExitCode::encoder, fmt::format("{}: there was no frame to encode", path_));
+    if (sent_ == 0) throw Error(ErrorKind::encoder, fmt::format("{}: there was no frame to encode", path_));
     const long encoded = encoder_->finish();
     if (encoded != sent_) {
       throw Error(
-          ExitCode::encoder,
+          ErrorKind::encoder,
           fmt::format(
               "{}: ffmpeg ended well but reported {} frames of {}; the video was not kept, write it again",
               path_, encoded, sent_));
@@ -130,7 +130,7 @@ class VideoSink : public FrameSink {
     std::error_code unknown;
     const auto bytes = std::filesystem::file_size(file_->temporary(), unknown);
     if (!unknown && bytes == 0 && std::filesystem::is_regular_file(file_->temporary(), unknown)) {
-      throw Error(ExitCode::encoder, fmt::format("{}: ffmpeg ended well but wrote nothing", path_));
+      throw Error(ErrorKind::encoder, fmt::format("{}: ffmpeg ended well but wrote nothing", path_));
     }
     if (std::filesystem::is_regular_file(file_->temporary(), unknown))
       check_video(path_, file_->temporary(), {width_, height_, sent_}, options_.encoder_timeout);

@@ -87,7 +87,7 @@ struct JointPainter {
     add_line(out, fi.y - 1.5 * joint.arm * n, fi.y + 1.5 * joint.arm * n, {color, 2.2});
   }
 
-  // An angle about the anchor of i, with a zero mark, a hand and, if there are any, limits.
+  // An angle about the anchor of i, with a zero mark, a pointer and, if there are any, limits.
   void dial(const JointMeasure& measure, const JointRange* limits) const {
     const double radius = std::min(0.8 * joint.arm, kLargestDial * px);
     if (radius < (limits ? kLeastDial : 2 * kLeastDial) * px) return;  // many free hinges would be a thicket

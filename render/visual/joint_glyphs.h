@@ -16,7 +16,7 @@ struct GlyphSize {
 // Adds what is to be seen of `joint` between bodies at poses i and j (identity for the world) at `time` (s).
 //   bond     y_i a dark dot, y_j a light disc with a rim in the colour of the joint's type: a bullseye where
 //            the two meet, a line between them where they do not
-//   angle    its axis, the present angle as a hand, limits as an arc
+//   angle    its axis, the present angle as a pointer, limits as an arc
 //   offset   its line, the present offset as a bar from the anchor of i to that of j, limits as stops
 //   nothing  free: the three axes along which it holds; one point where that would be small
 //   length   between two points: a coil if soft, else a rod

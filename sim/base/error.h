@@ -15,20 +15,19 @@ namespace pabd {
 
 // What went wrong, for whoever decides by it: the command line makes an exit code of it.
 enum class ErrorKind {
-  bad_input,           // what was given does not fit: a scene, a value, an option, an action
-  exists,              // bad input, in that an output is there already and was not to be replaced
-  file,                // a file cannot be read or written
-  no_context,          // there is no GL context, or it cannot do what is needed
-  no_gl = no_context,  // an older name
-  diverged,            // the simulation is no longer finite
-  encoder,             // the video encoder failed
-  images_differ,       // pictures differ, or an expectation failed
-  defect,              // of the program: a precondition does not hold
+  bad_input,      // what was given does not fit: a scene, a value, an option, an action
+  exists,         // bad input, in that an output is there already and was not to be replaced
+  file,           // a file cannot be read or written
+  no_context,     // there is no GL context, or it cannot do what is needed
+  diverged,       // the simulation is no longer finite
+  encoder,        // the video encoder failed
+  images_differ,  // pictures differ, or an expectation failed
+  defect,         // of the program: a precondition does not hold
 };
 
-// what(): one line, "source: message", with the place (file, JSON pointer or line), what was expected, and the
-// remedy. Text of inputs in it is escaped here, for every message alike: wherever it is shown, it does nothing
-// but be read. Who decides asks kind() and source(); nobody searches the text.
+// what(): one line, "source: message", with the place (file, JSON pointer or line), what was expected, and
+// the remedy. Text of inputs in it is escaped here, for every message alike: wherever it is shown, it does
+// nothing but be read. Who decides asks kind() and source(); nobody searches the text.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(one_line(message)), kind_(kind) {}
@@ -40,7 +39,6 @@ class Error : public std::runtime_error {
         message_at_(one_line(source_ + ":").size() + 1) {}
 
   ErrorKind kind() const { return kind_; }
-  ErrorKind code() const { return kind_; }  // an older name
   // Empty when the message has none of its own.
   const std::string& source() const { return source_; }
   // what() without the source.

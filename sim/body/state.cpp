@@ -21,7 +21,7 @@ bool same_list(const std::vector<Matrix>& a, const std::vector<Matrix>& b) {
 }
 
 // Every member is named, so that one more does not compile until it is compared as well.
-bool same_anchor(const FrictionAnchor& a, const FrictionAnchor& b) {
+bool same_memory(const ContactMemory& a, const ContactMemory& b) {
   const auto& [pair, feature, stretch, recovers, sliding, restless] = a;
   return pair == b.pair && feature == b.feature && same_entries(stretch, b.stretch) &&
          recovers == b.recovers && sliding == b.sliding && restless == b.restless;
@@ -30,10 +30,10 @@ bool same_anchor(const FrictionAnchor& a, const FrictionAnchor& b) {
 }  // namespace
 
 bool same_bits(const State& a, const State& b) {
-  const auto& [time, step, c, R, v, omega, anchors, joint_force] = a;
+  const auto& [time, step, c, R, v, omega, contacts, joint_force] = a;
   return same(time, b.time) && step == b.step && same_list(c, b.c) && same_list(R, b.R) &&
          same_list(v, b.v) && same_list(omega, b.omega) && same_list(joint_force, b.joint_force) &&
-         std::equal(anchors.begin(), anchors.end(), b.anchors.begin(), b.anchors.end(), same_anchor);
+         std::equal(contacts.begin(), contacts.end(), b.contacts.begin(), b.contacts.end(), same_memory);
 }
 
 }  // namespace pabd

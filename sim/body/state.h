@@ -15,7 +15,7 @@ struct Pose {
 };
 
 // What a touching contact carries from one step to the next (see bond/contact_bond.h).
-struct FrictionAnchor {
+struct ContactMemory {
   std::uint64_t pair;  // (min body << 32) | max body: the two bodies in order of number
   std::uint32_t
       feature;   // which contact of the pair; top bit: the body with the higher number owns the normal
@@ -27,14 +27,14 @@ struct FrictionAnchor {
 };
 
 // The three of them as bits 0 (sliding), 1 (recovers) and 2 (restless).
-inline constexpr unsigned kAnchorFlags = 7;
-inline unsigned flags_of(const FrictionAnchor& anchor) {
-  return (anchor.sliding ? 1u : 0u) | (anchor.recovers ? 2u : 0u) | (anchor.restless ? 4u : 0u);
+inline constexpr unsigned kMemoryFlags = 7;
+inline unsigned flags_of(const ContactMemory& contact) {
+  return (contact.sliding ? 1u : 0u) | (contact.recovers ? 2u : 0u) | (contact.restless ? 4u : 0u);
 }
-inline void set_flags(unsigned flags, FrictionAnchor& anchor) {
-  anchor.sliding = (flags & 1) != 0;
-  anchor.recovers = (flags & 2) != 0;
-  anchor.restless = (flags & 4) != 0;
+inline void set_flags(unsigned flags, ContactMemory& contact) {
+  contact.sliding = (flags & 1) != 0;
+  contact.recovers = (flags & 2) != 0;
+  contact.restless = (flags & 4) != 0;
 }
 
 // Where all bodies are, how they move, and what a step remembers of the one before.
@@ -45,7 +45,7 @@ struct State {
   std::vector<Mat3> R;                  // rotation, body to world
   std::vector<Vec3> v;                  // velocity of the centre of mass; m/s
   std::vector<Vec3> omega;              // angular velocity, world; rad/s
-  std::vector<FrictionAnchor> anchors;  // sorted by (pair, feature)
+  std::vector<ContactMemory> contacts;  // sorted by (pair, feature)
   std::vector<Vec3> joint_force;        // of each joint on its body j in the last step; N. Empty before the
                                         // first step; zero where the solver does not know it
 

@@ -32,7 +32,7 @@
 // plane.) Deviation D4: Coulomb sliding as well as sticking. Deviation D6: `stretch` is carried from step to
 // step, so that a body at rest on a slope does not creep.
 //
-// Up to four points of one pair of bodies form a patch and are evaluated side by side.
+// Up to four points of one pair of bodies form a manifold and are evaluated side by side.
 #pragma once
 
 #include "sim/body/state.h"
@@ -58,21 +58,21 @@ inline Roll roll_since_prediction(const Mat3& star, const Mat3& R) {
   return {(rolled / angle) * turn, (1 - past2) * (1 - past2)};
 }
 
-// What a separate patch needs to know of its bodies beside their poses.
+// What a separate manifold needs to know of its bodies beside their poses.
 struct Rolling {
   const Roll *a, *b;  // at the current iterate
   double radius_a, radius_b;
 };
 
-struct ContactPatch {
+struct ContactManifold {
   Index a, b;
   int count;      // points in use, 1 … kLanes; the others are far away and feel nothing
   bool turns;     // a is flat: its plane turns with it. Else n, stretch and rolled are in the world frame
   bool separate;  // a or b is round: normal points and surface points differ
-  const Rolling* rolling;         // of a separate patch
-  std::uint32_t feature[kLanes];  // see FrictionAnchor
+  const Rolling* rolling;         // of a separate manifold
+  std::uint32_t feature[kLanes];  // see ContactMemory
   Vec3x n, stretch;               // frame of a, or world
-  Vec3x rolled;                   // part of the slip that the step starts with; separate patches
+  Vec3x rolled;                   // part of the slip that the step starts with; separate manifolds
   Vec3x normal_a;                 // frame of a
   Vec3x normal_b;                 // frame of b
   Lanes gap = lanes(1e30);        // d where the normal points coincide
@@ -88,15 +88,15 @@ struct ContactPatch {
   Lanes least_along = lanes(0.02);           // least share: grows each time that the slip turns back
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
-  bool recalled = false, restless = false;   // it has a past, and FrictionAnchor::restless
+  bool recalled = false, restless = false;   // it has a past, and ContactMemory::restless
   bool felt = false;                         // it pushed or held in some iterate of this step
   bool off = false;                          // its friction broke the law in the last iterate of `newton`
   double share = 1;                          // of the law's stiffness, see stiffness_cap.h
 };
 
-inline double smallest_start_d(const ContactPatch& patch) {
-  double d = patch.start_d[0];
-  for (int k = 1; k < patch.count; ++k) d = d < patch.start_d[k] ? d : patch.start_d[k];
+inline double smallest_start_d(const ContactManifold& manifold) {
+  double d = manifold.start_d[0];
+  for (int k = 1; k < manifold.count; ++k) d = d < manifold.start_d[k] ? d : manifold.start_d[k];
   return d;
 }
 
@@ -107,7 +107,7 @@ struct ContactLaw {
   double mu_static, mu_dynamic;
 };
 
-// The law of a patch that has `share` of the stiffness.
+// The law of a manifold that has `share` of the stiffness.
 inline ContactLaw scaled(ContactLaw law, double share) {
   law.barrier.kappa *= share;
   law.k_t *= share;
@@ -135,7 +135,7 @@ struct ContactPlanes {
   Vec3x n, normal_y, offset;  // offset: from a's normal points to b's
   Lanes along;                // of it along n
 };
-[[gnu::always_inline]] inline ContactPlanes contact_planes(const ContactPatch& p, const Pose& a,
+[[gnu::always_inline]] inline ContactPlanes contact_planes(const ContactManifold& p, const Pose& a,
                                                            const Pose& b) {
   ContactPlanes at;
   at.n = p.turns ? rotate(a.R, p.n) : p.n;
@@ -147,7 +147,7 @@ struct ContactPlanes {
 
 // Always inlined: sixteen vector registers' worth of results would go through memory otherwise, and loads
 // that follow such stores wait for them (measured: 40 % of a step).
-[[gnu::always_inline]] inline ContactState contact_state(const ContactPatch& p, const Pose& a,
+[[gnu::always_inline]] inline ContactState contact_state(const ContactManifold& p, const Pose& a,
                                                          const Pose& b) {
   const ContactPlanes at = contact_planes(p, a, b);
   ContactState s;
@@ -168,13 +168,13 @@ struct ContactPlanes {
   return s;
 }
 
-// Levers of the normal force and of friction from the centre of one end of the patch; world.
+// Levers of the normal force and of friction from the centre of one end of the manifold; world.
 struct ContactLevers {
   Vec3x normal, surface;
 };
 
 // Of body a. The plane of a flat owner is pushed where b's point is; a round one at its own normal point.
-inline ContactLevers levers_on_a(const ContactPatch& p, const ContactState& s, const Pose& a) {
+inline ContactLevers levers_on_a(const ContactManifold& p, const ContactState& s, const Pose& a) {
   return {p.turns ? s.normal_y : rotate(a.R, p.normal_a), s.y + lanes(s.short_a) * s.n};
 }
 inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pose& b) {
@@ -182,7 +182,7 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   return {s.normal_y + back, s.y + lanes(s.short_b) * s.n + back};
 }
 
-// Ψ, Ψ' and the tangent split's weight for a patch.
+// Ψ, Ψ' and the tangent split's weight for a manifold.
 [[gnu::noinline]] inline ContactForce force_point_by_point(const Barrier& b, Lanes d) {
   ContactForce f;
   for (int k = 0; k < kLanes; ++k) {
@@ -207,8 +207,8 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   return f;
 }
 
-// The same of a patch, whose barrier may be another one while overlap recovers.
-[[gnu::always_inline]] inline ContactForce normal_force(const Barrier& b, const ContactPatch& p, Lanes d) {
+// The same of a manifold, whose barrier may be another one while overlap recovers.
+[[gnu::always_inline]] inline ContactForce normal_force(const Barrier& b, const ContactManifold& p, Lanes d) {
   ContactForce f = normal_force(b, d + p.shift);
   f.value *= p.scale;
   f.first *= p.scale;
@@ -216,8 +216,8 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   return f;
 }
 
-// Is every point too far to push, and is none held by friction? Then the patch has no energy and no force.
-[[gnu::always_inline]] inline bool feels_nothing(const Barrier& b, const ContactPatch& p, Lanes d) {
+// Is every point too far to push, and is none held by friction? Then the manifold has no energy and no force.
+[[gnu::always_inline]] inline bool feels_nothing(const Barrier& b, const ContactManifold& p, Lanes d) {
   const LaneMask far = (d + p.shift >= b.d_hat) & (p.limit <= 0);
   return (far[0] & far[1] & far[2] & far[3]) != 0;
 }
@@ -236,8 +236,8 @@ inline Lanes friction_weight(const ContactLaw& law, Lanes limit, Lanes u) {
 
 inline Lanes length(const Vec3x& v) { return sqrt(dot(v, v)); }
 
-// E of the patch, every point by itself.
-inline Lanes contact_energy(const ContactLaw& law, const ContactPatch& p, const ContactState& s) {
+// E of the manifold, every point by itself.
+inline Lanes contact_energy(const ContactLaw& law, const ContactManifold& p, const ContactState& s) {
   if (feels_nothing(law.barrier, p, s.d)) return lanes(0);
   return normal_force(law.barrier, p, s.d).value + friction_energy(law, p.limit, length(s.u));
 }
@@ -245,7 +245,7 @@ inline Lanes contact_energy(const ContactLaw& law, const ContactPatch& p, const 
 // Moves the bounds towards μ f_n of the current iterate. Each goes its own share of the way: half of the last
 // share where it swings back, half as much again where it goes on. (Forces answer to bounds; a whole way each
 // time may swing for ever.)
-inline void move_limit(ContactPatch& p, const ContactForce& f) {
+inline void move_limit(ContactManifold& p, const ContactForce& f) {
   const Lanes change = -p.mu * f.first - p.limit;
   p.gain = select(change * p.last_change < 0, 0.5 * p.gain, smaller(lanes(1), 1.5 * p.gain));
   p.limit += p.gain * change;
@@ -256,7 +256,7 @@ inline void move_limit(ContactPatch& p, const ContactForce& f) {
 // with the majoriser converges slowly where the slip is short, without it the slip turns back and forth at
 // the threshold of sticking. So the share of α_t along u falls while the slip keeps its direction, and less
 // so each time that it has turned back.
-inline void ease_slip(const ContactLaw& law, ContactPatch& p, const Vec3x& u) {
+inline void ease_slip(const ContactLaw& law, ContactManifold& p, const Vec3x& u) {
   const Lanes along = dot(u, p.last_u), straight = 0.9 * length(u) * length(p.last_u);
   const LaneMask steady = (along > straight) & (law.k_t * length(u) > p.limit);
   p.least_along = select(along < 0, smaller(lanes(1), 4 * p.least_along), p.least_along);
@@ -265,13 +265,13 @@ inline void ease_slip(const ContactLaw& law, ContactPatch& p, const Vec3x& u) {
 }
 
 // Is a slip still held back by the majoriser, so that small moves do not mean the end?
-inline bool is_held_back(const ContactLaw& law, const ContactPatch& p, const Vec3x& u) {
+inline bool is_held_back(const ContactLaw& law, const ContactManifold& p, const Vec3x& u) {
   const LaneMask slides = (law.k_t * length(u) > p.limit) & (p.limit > 0);
   return sum(select(slides & (p.along > p.least_along), lanes(1), lanes(0))) > 0;
 }
 
 // Coulomb's law: how far the friction force min(k_t ‖u‖, limit) is from min(k_t ‖u‖, μ f_n); N.
-inline Lanes friction_error(const ContactLaw& law, const ContactPatch& p, const ContactForce& f, Lanes u) {
+inline Lanes friction_error(const ContactLaw& law, const ContactManifold& p, const ContactForce& f, Lanes u) {
   const Lanes pull = law.k_t * u;
   const Lanes error = smaller(pull, p.limit) - smaller(pull, -p.mu * f.first);
   return larger(error, -error);

@@ -1,5 +1,5 @@
 // Capsule against capsule: the nearest points of the two axes; where these run side by side, both ends of the
-// stretch that they share, and between them only where that is nearer.
+// part that they share, and between them only where that is nearer.
 //
 //   u, v     axes of a and b                                         unit
 //   s, t     places on the axes, |s| ≤ half_a, |t| ≤ half_b           m
@@ -14,7 +14,7 @@ constexpr double kParallelSine = 0.01;  // below this angle the ends say it all
 
 enum Feature : std::uint32_t { kLowEnd = 0, kHighEnd = 1, kCrossing = 2 };
 
-// Both ends of the common stretch. Returns the smaller d, in reach or not; kNone where there is no stretch.
+// Both ends of the common part. Returns the smaller d, in reach or not; kNone where there is no part.
 double add_ends(const Placed<Capsule>& a, const Placed<Capsule>& b, double reach, Contacts& out) {
   const double r_a = a.shape.radius, r_b = b.shape.radius;
   const EdgeLine on_a{a.c, a.R.col(1), 0.5 * a.shape.length}, on_b{b.c, b.R.col(1), 0.5 * b.shape.length};

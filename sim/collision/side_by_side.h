@@ -1,4 +1,4 @@
-// Contacts of two edges, or axes of capsules, that run nearly side by side: at both ends of the stretch that
+// Contacts of two edges, or axes of capsules, that run nearly side by side: at both ends of the part that
 // they share, each with its own distance and normal, so that nothing jumps while the angle between them goes
 // through zero. Where they cross so much that a place between is clearly nearer, there as well. Internal.
 //
@@ -36,9 +36,9 @@ inline bool runs_along(const Vec3& u, const Vec3& v) {
   return u.cross(v).squaredNorm() < kAlongSine * kAlongSine;
 }
 
-// Returns how many there are: 0 when the lines do not run side by side, share no stretch or touch.
+// Returns how many there are: 0 when the lines do not run side by side, share no part or touch.
 //   slack     a place between the ends counts when it is nearer than both by more than this; m
-//   shortest  stretch that counts; m
+//   shortest  part that counts; m
 inline int side_by_side(const EdgeLine& a, const EdgeLine& b, double slack, double shortest,
                         SidePlace (&out)[3]) {
   const Vec3 &u = a.direction, &v = b.direction, w = b.middle - a.middle;

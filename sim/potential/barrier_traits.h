@@ -9,7 +9,7 @@
 
 namespace pabd {
 
-// A kind whose B is a function of u, for one distance or a patch of them.
+// A kind whose B is a function of u, for one distance or four of them.
 template <class Kind>
 concept HasSum = requires(const Barrier& b) {
   Kind::sum(b, 1.0);

@@ -1,8 +1,8 @@
 // Scene file → Scene, in the order: text, document, overrides, reader. See scene.h.
 #include <fmt/format.h>
 
+#include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/error.h"
 #include "sim/scene/mesh_library.h"
 #include "sim/scene/overrides.h"
 #include "sim/scene/read_scene.h"

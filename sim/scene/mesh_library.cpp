@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "sim/base/error.h"
 #include "sim/base/hash.h"
 #include "sim/base/input_file.h"
 #include "sim/body/convex_hull.h"
-#include "sim/error.h"
 #include "sim/scene/mesh_surface.h"
 #include "sim/scene/model_builder.h"
 #include "sim/scene/text.h"
@@ -14,7 +14,7 @@
 namespace pabd {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) { throw Error(ExitCode::bad_input, message); }
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, message); }
 
 std::string read_bytes(const std::filesystem::path& file) {
   std::error_code unknown;

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -26,7 +26,7 @@ bool parse(std::string_view word, Number& out) {
 }  // namespace
 
 void refuse_mesh(const char* unit, std::uint64_t place, const std::string& message) {
-  throw Error(ExitCode::bad_input, fmt::format("{} {}: {}", unit, place, message));
+  throw Error(ErrorKind::bad_input, fmt::format("{} {}: {}", unit, place, message));
 }
 
 void limit_points(std::uint64_t count, const char* unit, std::uint64_t place) {

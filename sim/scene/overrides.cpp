@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/text.h"
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "sim/base/error.h"
 #include "sim/body/shape_kind.h"
-#include "sim/error.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/text.h"
 

@@ -9,7 +9,7 @@ namespace pabd {
 
 // Appends the entries of `list`: bodies by number, below `count`. They must come in rising order of bodies
 // and feature.
-void read_anchors(const Node& list, Index count, std::vector<FrictionAnchor>& out);
+void read_memory_of_contacts(const Node& list, Index count, std::vector<ContactMemory>& out);
 
 // Appends the force of each of so many joints; N.
 void read_joint_forces(const Node& list, std::size_t joints, std::vector<Vec3>& out);

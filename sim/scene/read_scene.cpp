@@ -30,16 +30,16 @@ void read_bodies(const ObjectReader& scene, MeshLibrary& meshes, ModelBuilder& o
 }
 
 // Only a scene that was saved in mid-run has them.
-void read_friction_anchors(const ObjectReader& scene, ModelBuilder& out) {
+void read_contact_memory(const ObjectReader& scene, ModelBuilder& out) {
   const auto list = scene.find("friction_anchors");
   if (!list) return;
-  read_anchors(*list, out.model.size(), out.state.anchors);
-  for (const FrictionAnchor& anchor : out.state.anchors) {
-    scene.record("friction_anchors", static_cast<double>(anchor.pair >> 32));
-    scene.record("friction_anchors", static_cast<double>(anchor.pair & 0xffffffffu));
-    scene.record("friction_anchors", static_cast<double>(anchor.feature));
-    scene.record("friction_anchors", anchor.stretch);
-    scene.record("friction_anchors", static_cast<double>(flags_of(anchor)));
+  read_memory_of_contacts(*list, out.model.size(), out.state.contacts);
+  for (const ContactMemory& contact : out.state.contacts) {
+    scene.record("friction_anchors", static_cast<double>(contact.pair >> 32));
+    scene.record("friction_anchors", static_cast<double>(contact.pair & 0xffffffffu));
+    scene.record("friction_anchors", static_cast<double>(contact.feature));
+    scene.record("friction_anchors", contact.stretch);
+    scene.record("friction_anchors", static_cast<double>(flags_of(contact)));
   }
 }
 
@@ -107,7 +107,7 @@ Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes
   read_joints(in, names, builder);
   builder.finish_joints(scene.params.gravity, generated);
   if (builder.model.size() == 0) in.fail("the scene has no bodies; expected \"bodies\" or \"generate\"");
-  read_friction_anchors(in, builder);
+  read_contact_memory(in, builder);
   read_forces_of_joints(in, builder);
   scene.camera = read_camera(in);
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/overrides.h"
 #include "sim/scene/read_params.h"
@@ -74,7 +74,7 @@ const ParameterRow* tunable(std::string_view key, ParameterTable table) {
   if (whole && kind_of(*whole) == ParameterKind::vector) return nullptr;
   std::vector<std::string_view> keys;
   for (const ParameterRow& row : table) keys.emplace_back(row.key);
-  throw Error(ExitCode::bad_input,
+  throw Error(ErrorKind::bad_input,
               fmt::format("{}: no parameter that can be tuned{}", printable(key), did_you_mean(key, keys)));
 }
 

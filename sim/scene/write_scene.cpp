@@ -5,7 +5,7 @@
 
 #include <unordered_set>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_joint.h"
@@ -16,7 +16,7 @@ namespace {
 OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) {
   OrderedJson out{{"name", model.name[i]}, {"shape", json_of(model.shape[i])}};
   if (out["shape"].is_null()) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("the shape of {} comes from a mesh file, which cannot be written into a scene; "
                             "remove the body, or save only the parameters",
                             in_quotes(model.name[i])));
@@ -50,13 +50,13 @@ std::vector<std::string> joint_names(const Model& model) {
   return names;
 }
 
-OrderedJson json_of_anchor(const FrictionAnchor& anchor) {
-  OrderedJson out{{"bodies", OrderedJson::array({anchor.pair >> 32, anchor.pair & 0xffffffffu})},
-                  {"feature", anchor.feature},
-                  {"stretch", json_of(anchor.stretch)}};
-  if (anchor.sliding) out["sliding"] = true;
-  if (anchor.restless) out["restless"] = true;
-  if (anchor.recovers) out["recovers"] = true;
+OrderedJson json_of_memory(const ContactMemory& contact) {
+  OrderedJson out{{"bodies", OrderedJson::array({contact.pair >> 32, contact.pair & 0xffffffffu})},
+                  {"feature", contact.feature},
+                  {"stretch", json_of(contact.stretch)}};
+  if (contact.sliding) out["sliding"] = true;
+  if (contact.restless) out["restless"] = true;
+  if (contact.recovers) out["recovers"] = true;
   return out;
 }
 
@@ -75,7 +75,7 @@ void check_loads(const std::string& text, ParameterTable table) {
   try {
     parse_scene(text, "the scene as it would be saved", {}, {}, table);
   } catch (const Error& error) {
-    throw Error(error.code(), std::string("not saved: ") + error.what());
+    throw Error(error.kind(), std::string("not saved: ") + error.what());
   }
 }
 
@@ -98,9 +98,9 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
       return json_of_joint(model, state, model.joints[k], names[k], joint_law);
     });
   }
-  if (!state.anchors.empty()) {
-    out += list("friction_anchors", state.anchors.size(),
-                [&](std::size_t k) { return json_of_anchor(state.anchors[k]); });
+  if (!state.contacts.empty()) {
+    out += list("friction_anchors", state.contacts.size(),
+                [&](std::size_t k) { return json_of_memory(state.contacts[k]); });
   }
   if (!state.joint_force.empty()) {
     out += list("joint_forces", state.joint_force.size(),

@@ -8,12 +8,12 @@ namespace {
 
 // Half of each contact's energy for each of its two bodies: the sum over bodies is that of the contacts.
 void share_contacts(const Problem& p, const Iterate& it, std::vector<BodyReport>& out) {
-  for (const ContactPatch& patch : it.patch) {
-    const ContactState s = state_of(it, patch);
-    const Lanes energy = contact_energy(p.law_of(patch), patch, s);
-    for (int k = 0; k < patch.count; ++k) {
+  for (const ContactManifold& manifold : it.manifold) {
+    const ContactState s = state_of(it, manifold);
+    const Lanes energy = contact_energy(p.law_of(manifold), manifold, s);
+    for (int k = 0; k < manifold.count; ++k) {
       if (s.d[k] >= p.law.barrier.d_hat) continue;
-      for (const Index i : {patch.a, patch.b}) {
+      for (const Index i : {manifold.a, manifold.b}) {
         ++out[i].contacts;
         out[i].contact_energy += 0.5 * energy[k];
       }

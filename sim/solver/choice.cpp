@@ -9,9 +9,9 @@ namespace {
 constexpr double kMostProducts = 1e8;  // of 6×6 blocks in a factorisation: some seconds
 
 // What a factorisation of a pile may cost before `descent` is the better choice, in products of 6×6 blocks
-// per contact patch, and at all (measured, see tests/bench/README.md). A pile at rest converges in one to
+// per contact manifold, and at all (measured, see tests/bench/README.md). A pile at rest converges in one to
 // three iterations; where contacts come and go, `newton` hands over after a few (solve.cpp).
-constexpr double kProductsAPatch = 60, kMostPileProducts = 6e4;
+constexpr double kProductsAManifold = 60, kMostPileProducts = 6e4;
 constexpr std::size_t kMostPileBodies = 5000;  // above, it is not even looked at
 
 NewtonSystem& system_of(std::size_t island, NewtonSystems& systems) {
@@ -25,9 +25,9 @@ bool is_restless(const Problem& p, const Iterate& it, const Island& island) {
   constexpr std::int64_t kTries = 8;
   if (p.start->step % kTries == 0) return false;
   std::size_t recalled = 0, restless = 0;
-  for (const Index k : island.patches) {
-    recalled += it.patch[k].recalled ? 1 : 0;
-    restless += it.patch[k].restless ? 1 : 0;
+  for (const Index k : island.manifolds) {
+    recalled += it.manifold[k].recalled ? 1 : 0;
+    restless += it.manifold[k].restless ? 1 : 0;
   }
   return 2 * restless > recalled;
 }
@@ -35,9 +35,9 @@ bool is_restless(const Problem& p, const Iterate& it, const Island& island) {
 bool takes_newton(const Problem& p, const Iterate& it, const Island& island, NewtonSystem& system) {
   if (island.jointed || p.params->solver.method == SolverMethod::newton)
     return find_structure(p, island, it, kMostProducts, system);
-  if (island.patches.empty() || island.bodies.size() > kMostPileBodies || is_restless(p, it, island))
+  if (island.manifolds.empty() || island.bodies.size() > kMostPileBodies || is_restless(p, it, island))
     return false;
-  const double most = kProductsAPatch * static_cast<double>(island.patches.size());
+  const double most = kProductsAManifold * static_cast<double>(island.manifolds.size());
   return find_structure(p, island, it, std::min(most, kMostPileProducts), system);
 }
 

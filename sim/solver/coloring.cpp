@@ -14,7 +14,7 @@ Index free_color(const Problem& p, const std::vector<Index>& color, Index body) 
     if (color[other] < 64) used |= std::uint64_t{1} << color[other];
     beyond = std::max(beyond, color[other] + 1);
   };
-  for (const PatchEnd& end : p.ends[body]) avoid(end.other);
+  for (const ManifoldEnd& end : p.ends[body]) avoid(end.other);
   for (const Index k : p.joints_at[body]) {
     const auto [i, j] = p.joint_ends[k];
     avoid(i == body ? j : i);

@@ -54,63 +54,64 @@ auto sort_key(const ContactPoint& p) {
   return std::make_tuple(pair_key(p.a, p.b), owned_feature(p.a, p.b, p.feature));
 }
 
-ContactPatch empty_patch(const Model& model, Index a, Index b) {
-  ContactPatch patch{};
-  patch.a = a;
-  patch.b = b;
-  patch.turns = rolling_radius(model.shape[a]) == 0;
-  patch.separate = !patch.turns || rolling_radius(model.shape[b]) > 0;
-  return patch;
+ContactManifold empty_manifold(const Model& model, Index a, Index b) {
+  ContactManifold manifold{};
+  manifold.a = a;
+  manifold.b = b;
+  manifold.turns = rolling_radius(model.shape[a]) == 0;
+  manifold.separate = !manifold.turns || rolling_radius(model.shape[b]) > 0;
+  return manifold;
 }
 
 // Puts the point into the next lane, in the frames of the bodies.
-void add_point(const Problem& problem, const ContactPoint& p, const Detection& from, ContactPatch& patch) {
+void add_point(const Problem& problem, const ContactPoint& p, const Detection& from,
+               ContactManifold& manifold) {
   const Model& model = *problem.model;
   const State& start = *problem.start;
   const std::vector<Vec3>& turns = problem.flight->turn;
-  const int k = patch.count++;
+  const int k = manifold.count++;
   const auto in_a = [&](const Vec3& y) -> Vec3 { return from.R[p.a].transpose() * (y - from.c[p.a]); };
   const auto in_b = [&](const Vec3& y) -> Vec3 { return from.R[p.b].transpose() * (y - from.c[p.b]); };
   const double radius_a = rolling_radius(model.shape[p.a]), radius_b = rolling_radius(model.shape[p.b]);
-  const Vec3 n = patch.turns ? Vec3(from.R[p.a].transpose() * p.n) : p.n;
+  const Vec3 n = manifold.turns ? Vec3(from.R[p.a].transpose() * p.n) : p.n;
   const Vec3 normal_b = in_b(p.y_b + radius_b * p.n);
   // From the centre of a to the normal point of b at the start of the step.
   const Vec3 at_start = start.c[p.b] + start.R[p.b] * normal_b - start.c[p.a];
-  patch.feature[k] = owned_feature(p.a, p.b, p.feature);
-  set_lane(patch.n, k, n);
-  set_lane(patch.normal_b, k, normal_b);
-  if (patch.turns) {
+  manifold.feature[k] = owned_feature(p.a, p.b, p.feature);
+  set_lane(manifold.n, k, n);
+  set_lane(manifold.normal_b, k, normal_b);
+  if (manifold.turns) {
     const Vec3 normal_a = start.R[p.a].transpose() * at_start;
     const Mat3 half_way = exp_so3(0.5 * turns[p.a]) * start.R[p.a];
     const Vec3 turn = half_way.transpose() * (turns[p.b] - turns[p.a]);
-    set_lane(patch.normal_a, k, normal_a);
-    set_lane(patch.rolled, k, radius_b * n.cross(turn));
-    patch.gap[k] = n.dot(normal_a - in_a(p.y_a)) - radius_b;
+    set_lane(manifold.normal_a, k, normal_a);
+    set_lane(manifold.rolled, k, radius_b * n.cross(turn));
+    manifold.gap[k] = n.dot(normal_a - in_a(p.y_a)) - radius_b;
   } else {
     const Vec3 normal_a = in_a(p.y_a - radius_a * p.n);
     const Vec3 moved = at_start - start.R[p.a] * normal_a;
     const Vec3 turn = radius_b * turns[p.b] + radius_a * turns[p.a];
-    set_lane(patch.normal_a, k, normal_a);
-    set_lane(patch.rolled, k, n.cross(turn) - (moved - n * n.dot(moved)));
-    patch.gap[k] = -radius_a - radius_b;
+    set_lane(manifold.normal_a, k, normal_a);
+    set_lane(manifold.rolled, k, n.cross(turn) - (moved - n * n.dot(moved)));
+    manifold.gap[k] = -radius_a - radius_b;
   }
 }
 
-// What the slip of the separate patches is measured from.
+// What the slip of the separate manifolds is measured from.
 void set_rolling(Problem& p, Iterate& it) {
   const Model& model = *p.model;
   it.rolling.clear();
   it.roll.assign(model.shape.size(), {});
   p.rolls.assign(model.shape.size(), 0);
-  for (const ContactPatch& patch : it.patch) {
-    if (!patch.separate) continue;
-    p.rolls[patch.a] = p.rolls[patch.b] = 1;
-    it.rolling.push_back({&it.roll[patch.a], &it.roll[patch.b], rolling_radius(model.shape[patch.a]),
-                          rolling_radius(model.shape[patch.b])});
+  for (const ContactManifold& manifold : it.manifold) {
+    if (!manifold.separate) continue;
+    p.rolls[manifold.a] = p.rolls[manifold.b] = 1;
+    it.rolling.push_back({&it.roll[manifold.a], &it.roll[manifold.b], rolling_radius(model.shape[manifold.a]),
+                          rolling_radius(model.shape[manifold.b])});
   }
   const Rolling* next = it.rolling.data();
-  for (ContactPatch& patch : it.patch) {
-    if (patch.separate) patch.rolling = next++;
+  for (ContactManifold& manifold : it.manifold) {
+    if (manifold.separate) manifold.rolling = next++;
   }
 }
 
@@ -126,7 +127,7 @@ void sort_points(std::vector<ContactPoint>& points) {
   }
 }
 
-// Cuts the points into patches: patch k begins with point first[k], and first ends with their number.
+// Cuts the points into manifolds: manifold k begins with point first[k], and first ends with their number.
 void cut(const std::vector<ContactPoint>& points, std::vector<std::size_t>& first) {
   first.clear();
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -137,17 +138,19 @@ void cut(const std::vector<ContactPoint>& points, std::vector<std::size_t>& firs
   first.push_back(points.size());
 }
 
-void make_patches(const Problem& p, const Workers& workers, Detection& from, std::vector<ContactPatch>& out) {
+void make_manifolds(const Problem& p, const Workers& workers, Detection& from,
+                    std::vector<ContactManifold>& out) {
   sort_points(from.points);
   cut(from.points, from.first_point);
   out.resize(from.first_point.size() - 1);
   workers.for_each(out.size(), [&](std::size_t k) {
     const ContactPoint* point = from.points.data() + from.first_point[k];
     const ContactPoint* end = from.points.data() + from.first_point[k + 1];
-    ContactPatch& patch = out[k];
-    patch = empty_patch(*p.model, point->a, point->b);
-    for (; point != end; ++point) add_point(p, *point, from, patch);
-    patch.start_d = patch.gap + contact_planes(patch, p.start_pose(patch.a), p.start_pose(patch.b)).along;
+    ContactManifold& manifold = out[k];
+    manifold = empty_manifold(*p.model, point->a, point->b);
+    for (; point != end; ++point) add_point(p, *point, from, manifold);
+    manifold.start_d =
+        manifold.gap + contact_planes(manifold, p.start_pose(manifold.a), p.start_pose(manifold.b)).along;
   });
 }
 
@@ -168,9 +171,9 @@ void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterat
   memory.collision.stop = workers.stop;
   detect(*p.model, memory.c, memory.R, memory.reach, p.model->no_collide, workers.threads, memory.collision,
          memory.points);
-  make_patches(p, workers, memory, it.patch);
+  make_manifolds(p, workers, memory, it.manifold);
   set_rolling(p, it);
-  recall_friction(p.start->anchors, p.law, it.patch);
+  recall_friction(p.start->contacts, p.law, it.manifold);
 }
 
 void first_iterate(const Problem& p, Iterate& it) {
@@ -185,9 +188,9 @@ void first_iterate(const Problem& p, Iterate& it) {
     return;
   }
   const Vec3 fall = p.params->h * p.params->h * p.params->gravity;
-  for (const ContactPatch& patch : it.patch) {
-    if (smallest_start_d(patch) >= p.law.barrier.d_hat) continue;
-    for (const Index i : {patch.a, patch.b}) {
+  for (const ContactManifold& manifold : it.manifold) {
+    if (smallest_start_d(manifold) >= p.law.barrier.d_hat) continue;
+    for (const Index i : {manifold.a, manifold.b}) {
       if (p.movable(i)) it.pose[i].c = p.flight->star[i].c - fall;
     }
   }

@@ -1,4 +1,4 @@
-// From predicted poses to contact patches: detection, and where the iteration starts.
+// From predicted poses to contact manifolds: detection, and where the iteration starts.
 #pragma once
 
 #include "sim/collision/detect.h"
@@ -13,13 +13,13 @@ struct Detection {
   std::vector<Mat3> R;
   std::vector<double> reach;  // m
   std::vector<ContactPoint> points;
-  std::vector<std::size_t> first_point;  // of each patch, and their number
+  std::vector<std::size_t> first_point;  // of each manifold, and their number
 };
 
 // The law of all contacts of a step.
 ContactLaw contact_law(const Model& model, const Params& params);
 
-// Fills the patches of the iterate, sorted by pair and feature, with what friction remembers, and
+// Fills the manifolds of the iterate, sorted by pair and feature, with what friction remembers, and
 // Problem::rolls. Precondition: p.model, params, start, flight and law are set.
 void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterate& it);
 

@@ -1,14 +1,14 @@
 // `descent`: block coordinate descent, a block being the six coordinates of a body. For each body, with all
-// others frozen, minimise a quadratic model of E (method notes §5.2): in the tangent space (tangent_model.h) or
-// by the weighted projection. A step that does not lower the body's true energy is halved until it does.
+// others frozen, minimise a quadratic model of E (method notes §5.2): in the tangent space (tangent_model.h)
+// or by the weighted projection. A step that does not lower the body's true energy is halved until it does.
 //
 // What moves little costs little:
 //   quiet    a body that moved by less than the mean of all bodies when it was last relaxed, as did its
 //            neighbours, waits until the others are no worse. Before a solve may call itself converged, one
 //            sweep relaxes every body. With `tolerance` 0 no body waits.
 //   small    a step that shortens from sweep to sweep, is short against d̂, reaches no other contact and is
-//            not stretched is taken without asking for the energy: there the model is good enough.
-//   stretch  a body that keeps moving the same way goes farther, up to half as far again (over-relaxation):
+//            not lengthened is taken without asking for the energy: there the model is good enough.
+//   longer   a body that keeps moving the same way goes farther, up to half as far again (over-relaxation):
 //            the load of a stack travels faster.
 #include "sim/solver/descent.h"
 
@@ -25,12 +25,12 @@ namespace {
 // Energy of body i and its bonds at a trial pose.
 double local_energy(const Problem& p, const Iterate& it, Index i, const Inertia& in, const Pose& trial) {
   Lanes energy = lanes(0);
-  for (const PatchEnd& end : p.ends[i]) {
-    const ContactPatch& patch = it.patch[end.patch];
+  for (const ManifoldEnd& end : p.ends[i]) {
+    const ContactManifold& manifold = it.manifold[end.manifold];
     const Pose& other = it.pose[end.other];
     const ContactState state =
-        end.is_a ? contact_state(patch, trial, other) : contact_state(patch, other, trial);
-    energy += contact_energy(p.law, patch, state);
+        end.is_a ? contact_state(manifold, trial, other) : contact_state(manifold, other, trial);
+    energy += contact_energy(p.law, manifold, state);
   }
   return inertia_energy(in, trial) + sum(energy) + joint_energy(p, it, i, trial);
 }
@@ -76,21 +76,21 @@ bool is_small(const Barrier& barrier, double moved, double room) {
 }
 
 // How much farther than its step the body should go.
-double stretch(const LocalStep& step, double radius, bool first_sweep, LastStep& last) {
+double over_relaxation(const LocalStep& step, double radius, bool first_sweep, LastStep& last) {
   constexpr double kMore = 0.2, kMost = 1.5, kSameWay = 0.5;
   const double r2 = radius * radius;
   const double squared = step.dc.squaredNorm() + r2 * step.dw.squaredNorm();
   if (first_sweep) {
-    last.stretch = 1;
+    last.factor = 1;
   } else {
     const double product = step.dc.dot(last.dc) + r2 * step.dw.dot(last.dw);
     const bool same_way = product > kSameWay * std::sqrt(squared * last.squared);
-    last.stretch = same_way ? std::min(kMost, last.stretch + kMore) : 1;
+    last.factor = same_way ? std::min(kMost, last.factor + kMore) : 1;
   }
   last.dc = step.dc;
   last.dw = step.dw;
   last.squared = squared;
-  return last.stretch;
+  return last.factor;
 }
 
 void relax_body(const Problem& p, Index i, const DescentSweep& sweep, LastStep& remembered, Iterate& it) {
@@ -101,11 +101,11 @@ void relax_body(const Problem& p, Index i, const DescentSweep& sweep, LastStep& 
   LocalStep step = weighted ? weighted_step(p, it, i, in) : tangent_step(p, i, in, sweep.move_limits, it);
   const double last = it.moved[i];
   it.moved[i] = (step.dc.norm() + radius * step.dw.norm()) / barrier.d_hat;
-  const double stretched = stretch(step, radius, sweep.first, remembered);
-  step.dc *= stretched;
-  step.dw *= stretched;
+  const double factor = over_relaxation(step, radius, sweep.first, remembered);
+  step.dc *= factor;
+  step.dw *= factor;
   Pose trial = moved_by(it.pose[i], step);
-  if (step.definite && stretched == 1 && it.moved[i] < last && is_small(barrier, it.moved[i], step.room) &&
+  if (step.definite && factor == 1 && it.moved[i] < last && is_small(barrier, it.moved[i], step.room) &&
       p.joints_at[i].empty()) {
     it.pose[i] = trial;
     set_roll(p, i, trial.R, it);
@@ -119,7 +119,7 @@ void relax_body(const Problem& p, Index i, const DescentSweep& sweep, LastStep& 
       it.pose[i] = trial;
       return;
     }
-    const double shorter = attempt == 0 && stretched > 1 ? 1 / stretched : 0.5;
+    const double shorter = attempt == 0 && factor > 1 ? 1 / factor : 0.5;
     step.dc *= shorter;
     step.dw *= shorter;
     trial = moved_by(it.pose[i], step);
@@ -131,7 +131,7 @@ bool is_quiet(const Problem& p, const Iterate& it, Index i, double bound) {
   if (!(it.moved[i] < bound) || !p.joints_at[i].empty()) return false;
   const auto ends = p.ends[i];
   return std::all_of(ends.begin(), ends.end(),
-                     [&](const PatchEnd& end) { return it.moved[end.other] < bound; });
+                     [&](const ManifoldEnd& end) { return it.moved[end.other] < bound; });
 }
 
 // Moves below it are quiet. A body moves by at most d̂ here, so that one that flies about does not silence

@@ -6,11 +6,11 @@
 
 namespace pabd {
 
-// Last step of a body, before it was stretched.
+// Last step of a body, before it was lengthened.
 struct LastStep {
   Vec3 dc, dw;
   double squared;  // ‖dc‖² + (radius ‖dw‖)²; m²
-  double stretch;
+  double factor;
 };
 
 // What a body remembers from sweep to sweep of a solve; one entry a body.

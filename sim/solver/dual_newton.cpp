@@ -128,9 +128,9 @@ Vec6 step_of(std::span<const DualSystem::End> ends, const DualSystem::Compliance
 }
 
 bool feels_contact(const Problem& p, const Island& island, const Iterate& it) {
-  return std::any_of(island.patches.begin(), island.patches.end(), [&](Index k) {
-    const ContactPatch& patch = it.patch[k];
-    return pushes(p.law, patch, it.pose[patch.a], it.pose[patch.b]);
+  return std::any_of(island.manifolds.begin(), island.manifolds.end(), [&](Index k) {
+    const ContactManifold& manifold = it.manifold[k];
+    return pushes(p.law, manifold, it.pose[manifold.a], it.pose[manifold.b]);
   });
 }
 

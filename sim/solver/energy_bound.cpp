@@ -34,14 +34,14 @@ double closing_energy(const Problem& p, Index i, Index j, double s) {
   return 0.5 * speed * speed / (inverse_mass(i) + inverse_mass(j));
 }
 
-// What the bonds of a patch, of a joint, hold at the iterate and can give back in a step; J.
-double given_back(const Problem& p, const Iterate& it, const ContactPatch& patch) {
-  const ContactState s = state_of(it, patch);
-  const Lanes energy = contact_energy(p.law_of(patch), patch, s);
+// What the bonds of a manifold, of a joint, hold at the iterate and can give back in a step; J.
+double given_back(const Problem& p, const Iterate& it, const ContactManifold& manifold) {
+  const ContactState s = state_of(it, manifold);
+  const Lanes energy = contact_energy(p.law_of(manifold), manifold, s);
   double sum = 0;
-  for (int k = 0; k < patch.count; ++k) {
+  for (int k = 0; k < manifold.count; ++k) {
     const double stretch = std::clamp(p.law.barrier.d_hat - s.d[k], 0.0, p.law.barrier.d_hat);
-    sum += std::min(energy[k], closing_energy(p, patch.a, patch.b, stretch));
+    sum += std::min(energy[k], closing_energy(p, manifold.a, manifold.b, stretch));
   }
   return sum;
 }
@@ -59,8 +59,8 @@ double given_back(const Problem& p, const Iterate& it, Index k) {
 
 double contact_energies(const Problem& p, const Island& island, const Iterate& it) {
   double energy = 0;
-  for (const Index k : island.patches)
-    energy += sum(contact_energy(p.law_of(it.patch[k]), it.patch[k], state_of(it, it.patch[k])));
+  for (const Index k : island.manifolds)
+    energy += sum(contact_energy(p.law_of(it.manifold[k]), it.manifold[k], state_of(it, it.manifold[k])));
   return energy;
 }
 
@@ -73,7 +73,7 @@ double energy_at_start(const Problem& p, const Island& island, EnergyBound bound
     energy += kinetic_energy(*p.model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
   }
   if (bound == EnergyBound::kinetic) {
-    for (const Index k : island.patches) energy += given_back(p, it, it.patch[k]);
+    for (const Index k : island.manifolds) energy += given_back(p, it, it.manifold[k]);
     for (const Index k : island.joints) energy += given_back(p, it, k);
     return energy;
   }

@@ -7,53 +7,55 @@
 namespace pabd {
 namespace {
 
-// Calls visit(first, last) for each run of patches of one pair of bodies; `patch(k)` is the k-th of `count`.
-template <class PatchAt, class Visit>
-void each_pair(std::size_t count, const PatchAt& patch, const Visit& visit) {
+// Calls visit(first, last) for each run of manifolds of one pair of bodies; `manifold(k)` is the k-th of
+// `count`.
+template <class ManifoldAt, class Visit>
+void each_pair(std::size_t count, const ManifoldAt& manifold, const Visit& visit) {
   for (std::size_t first = 0, last = 0; first != count; first = last) {
-    const std::uint64_t key = pair_key(patch(first).a, patch(first).b);
-    while (last != count && pair_key(patch(last).a, patch(last).b) == key) ++last;
+    const std::uint64_t key = pair_key(manifold(first).a, manifold(first).b);
+    while (last != count && pair_key(manifold(last).a, manifold(last).b) == key) ++last;
     visit(first, last);
   }
 }
 
 // Is friction between two bodies used up? A loaded corner of a box carries more than another: while one still
 // holds, so does the box.
-template <class PatchAt>
-bool used_up(const Problem& p, const Iterate& it, const PatchAt& patch, std::size_t first, std::size_t last) {
+template <class ManifoldAt>
+bool used_up(const Problem& p, const Iterate& it, const ManifoldAt& manifold, std::size_t first,
+             std::size_t last) {
   constexpr double kReserve = 1e-3;
   double bound = 0, used = 0;
   for (std::size_t k = first; k != last; ++k) {
-    const Lanes limit = larger(patch(k).limit, lanes(0));
+    const Lanes limit = larger(manifold(k).limit, lanes(0));
     bound += sum(limit);
-    used += sum(smaller(p.law_of(patch(k)).k_t * length(state_of(it, patch(k)).u), limit));
+    used += sum(smaller(p.law_of(manifold(k)).k_t * length(state_of(it, manifold(k)).u), limit));
   }
   return bound > 0 && used >= (1 - kReserve) * bound;
 }
 
 // Do both bodies hardly move any more? Before, the forces of a full step of `newton` say nothing: they may be
 // a thousand times those of the solution.
-bool calm(const Iterate& it, const ContactPatch& patch) {
+bool calm(const Iterate& it, const ContactManifold& manifold) {
   constexpr double kCalm = 0.01;  // d̂ in the last iteration
-  return it.moved[patch.a] < kCalm && it.moved[patch.b] < kCalm;
+  return it.moved[manifold.a] < kCalm && it.moved[manifold.b] < kCalm;
 }
 
-// Weight of the lighter movable body of a patch; N.
-double lighter_weight(const Problem& p, const ContactPatch& patch) {
+// Weight of the lighter movable body of a manifold; N.
+double lighter_weight(const Problem& p, const ContactManifold& manifold) {
   double mass = std::numeric_limits<double>::infinity();
-  for (const Index i : {patch.a, patch.b}) {
+  for (const Index i : {manifold.a, manifold.b}) {
     if (p.movable(i)) mass = std::min(mass, p.model->mass[i]);
   }
   return mass * weight_per_mass(*p.params);
 }
 
-double friction_error(const Problem& p, const ContactPatch& patch, const ContactForce& f, Lanes u) {
-  if (patch.mu == 0) return 0;
-  const double least = kLeastLoad * lighter_weight(p, patch);
+double friction_error(const Problem& p, const ContactManifold& manifold, const ContactForce& f, Lanes u) {
+  if (manifold.mu == 0) return 0;
+  const double least = kLeastLoad * lighter_weight(p, manifold);
   const Lanes error =
-      friction_error(p.law_of(patch), patch, f, u) / (patch.mu * larger(-f.first, lanes(least)));
+      friction_error(p.law_of(manifold), manifold, f, u) / (manifold.mu * larger(-f.first, lanes(least)));
   double worst = 0;
-  for (int k = 0; k < patch.count; ++k) {
+  for (int k = 0; k < manifold.count; ++k) {
     if (!(error[k] <= worst)) worst = error[k];  // NaN too
   }
   return worst;
@@ -61,27 +63,27 @@ double friction_error(const Problem& p, const ContactPatch& patch, const Contact
 
 }  // namespace
 
-void recall_friction(const std::vector<FrictionAnchor>& anchors, const ContactLaw& law,
-                     std::vector<ContactPatch>& patches) {
-  auto next = anchors.begin();
-  const auto at = [&](std::size_t k) -> ContactPatch& { return patches[k]; };
-  each_pair(patches.size(), at, [&](std::size_t first, std::size_t last) {
+void recall_friction(const std::vector<ContactMemory>& contacts, const ContactLaw& law,
+                     std::vector<ContactManifold>& manifolds) {
+  auto next = contacts.begin();
+  const auto at = [&](std::size_t k) -> ContactManifold& { return manifolds[k]; };
+  each_pair(manifolds.size(), at, [&](std::size_t first, std::size_t last) {
     const std::uint64_t pair = pair_key(at(first).a, at(first).b);
-    while (next != anchors.end() && next->pair < pair) ++next;
-    const bool recalled = next != anchors.end() && next->pair == pair;
+    while (next != contacts.end() && next->pair < pair) ++next;
+    const bool recalled = next != contacts.end() && next->pair == pair;
     const bool slides = recalled && next->sliding, restless = recalled && next->restless;
     for (std::size_t j = first; j != last; ++j) {
-      ContactPatch& patch = at(j);
-      patch.slides = slides;
-      patch.recalled = recalled;
-      patch.restless = restless;
-      patch.mu = slides ? law.mu_dynamic : law.mu_static;
-      for (int k = 0; k < patch.count; ++k) {
-        const auto key = std::make_tuple(pair, patch.feature[k]);
-        while (next != anchors.end() && std::make_tuple(next->pair, next->feature) < key) ++next;
-        if (next == anchors.end() || std::make_tuple(next->pair, next->feature) != key) continue;
-        const Vec3 n = lane(patch.n, k);
-        set_lane(patch.stretch, k, next->stretch - n * n.dot(next->stretch));
+      ContactManifold& manifold = at(j);
+      manifold.slides = slides;
+      manifold.recalled = recalled;
+      manifold.restless = restless;
+      manifold.mu = slides ? law.mu_dynamic : law.mu_static;
+      for (int k = 0; k < manifold.count; ++k) {
+        const auto key = std::make_tuple(pair, manifold.feature[k]);
+        while (next != contacts.end() && std::make_tuple(next->pair, next->feature) < key) ++next;
+        if (next == contacts.end() || std::make_tuple(next->pair, next->feature) != key) continue;
+        const Vec3 n = lane(manifold.n, k);
+        set_lane(manifold.stretch, k, next->stretch - n * n.dot(next->stretch));
       }
     }
   });
@@ -89,40 +91,42 @@ void recall_friction(const std::vector<FrictionAnchor>& anchors, const ContactLa
 
 void start_friction(const Problem& p, const Workers& workers, Iterate& it) {
   if (p.law.mu_static == 0) return;
-  workers.for_each(it.patch.size(), [&](std::size_t j) {
-    ContactPatch& patch = it.patch[j];
-    const Barrier& barrier = p.law_of(patch).barrier;
+  workers.for_each(it.manifold.size(), [&](std::size_t j) {
+    ContactManifold& manifold = it.manifold[j];
+    const Barrier& barrier = p.law_of(manifold).barrier;
     // One that parts before the first iterate holds nothing back.
-    const LaneMask pushes = normal_force(barrier, patch, state_of(it, patch).d).first < 0;
-    patch.limit = select(pushes, -patch.mu * normal_force(barrier, patch, patch.start_d).first, lanes(0));
+    const LaneMask pushes = normal_force(barrier, manifold, state_of(it, manifold).d).first < 0;
+    manifold.limit =
+        select(pushes, -manifold.mu * normal_force(barrier, manifold, manifold.start_d).first, lanes(0));
   });
 }
 
 bool move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it) {
   if (p.law.mu_static == 0) return false;
   const bool newton = island.solver == SolverMethod::newton;
-  workers.for_each(island.patches.size(), [&](std::size_t j) {
-    ContactPatch& patch = it.patch[island.patches[j]];
-    patch.off = false;
-    const ContactState state = state_of(it, patch);
-    const ContactLaw law = p.law_of(patch);
-    if (newton) ease_slip(law, patch, state.u);
-    if (newton && island.jointed && !calm(it, patch)) return;
-    const ContactForce f = normal_force(law.barrier, patch, state.d);
-    patch.off = newton && friction_error(p, patch, f, length(state.u)) > kFrictionTolerance;
-    move_limit(patch, f);
+  workers.for_each(island.manifolds.size(), [&](std::size_t j) {
+    ContactManifold& manifold = it.manifold[island.manifolds[j]];
+    manifold.off = false;
+    const ContactState state = state_of(it, manifold);
+    const ContactLaw law = p.law_of(manifold);
+    if (newton) ease_slip(law, manifold, state.u);
+    if (newton && island.jointed && !calm(it, manifold)) return;
+    const ContactForce f = normal_force(law.barrier, manifold, state.d);
+    manifold.off = newton && friction_error(p, manifold, f, length(state.u)) > kFrictionTolerance;
+    move_limit(manifold, f);
   });
-  return std::any_of(island.patches.begin(), island.patches.end(), [&](Index k) { return it.patch[k].off; });
+  return std::any_of(island.manifolds.begin(), island.manifolds.end(),
+                     [&](Index k) { return it.manifold[k].off; });
 }
 
 double largest_friction_error(const Problem& p, const Island& island, const Iterate& it) {
   if (p.law.mu_static == 0) return 0;
   double worst = 0;
-  for (const Index k : island.patches) {
-    const ContactPatch& patch = it.patch[k];
-    const ContactState state = state_of(it, patch);
-    const ContactForce f = normal_force(p.law_of(patch).barrier, patch, state.d);
-    const double error = friction_error(p, patch, f, length(state.u));
+  for (const Index k : island.manifolds) {
+    const ContactManifold& manifold = it.manifold[k];
+    const ContactState state = state_of(it, manifold);
+    const ContactForce f = normal_force(p.law_of(manifold).barrier, manifold, state.d);
+    const double error = friction_error(p, manifold, f, length(state.u));
     if (!(error <= worst)) worst = error;
   }
   return worst;
@@ -130,45 +134,45 @@ double largest_friction_error(const Problem& p, const Island& island, const Iter
 
 bool holds_back(const Problem& p, const Island& island, const Iterate& it) {
   if (p.law.mu_static == 0 || island.solver != SolverMethod::newton) return false;
-  return std::any_of(island.patches.begin(), island.patches.end(), [&](Index k) {
-    const ContactPatch& patch = it.patch[k];
-    return is_held_back(p.law_of(patch), patch, state_of(it, patch).u);
+  return std::any_of(island.manifolds.begin(), island.manifolds.end(), [&](Index k) {
+    const ContactManifold& manifold = it.manifold[k];
+    return is_held_back(p.law_of(manifold), manifold, state_of(it, manifold).u);
   });
 }
 
 bool let_go(const Problem& p, const Island& island, Iterate& it) {
   if (p.law.mu_static == p.law.mu_dynamic) return false;
   bool any = false;
-  const auto at = [&](std::size_t k) -> ContactPatch& { return it.patch[island.patches[k]]; };
-  each_pair(island.patches.size(), at, [&](std::size_t first, std::size_t last) {
+  const auto at = [&](std::size_t k) -> ContactManifold& { return it.manifold[island.manifolds[k]]; };
+  each_pair(island.manifolds.size(), at, [&](std::size_t first, std::size_t last) {
     if (at(first).slides || !used_up(p, it, at, first, last)) return;
     for (std::size_t k = first; k != last; ++k) {
-      ContactPatch& patch = at(k);
-      patch.slides = true;
-      patch.limit *= p.law.mu_dynamic / patch.mu;
-      patch.mu = p.law.mu_dynamic;
+      ContactManifold& manifold = at(k);
+      manifold.slides = true;
+      manifold.limit *= p.law.mu_dynamic / manifold.mu;
+      manifold.mu = p.law.mu_dynamic;
     }
     any = true;
   });
   return any;
 }
 
-void store_friction(const Problem& p, Iterate& it, std::vector<FrictionAnchor>& anchors) {
-  anchors.clear();
-  const auto at = [&](std::size_t k) -> ContactPatch& { return it.patch[k]; };
-  each_pair(it.patch.size(), at, [&](std::size_t first, std::size_t last) {
+void store_friction(const Problem& p, Iterate& it, std::vector<ContactMemory>& contacts) {
+  contacts.clear();
+  const auto at = [&](std::size_t k) -> ContactManifold& { return it.manifold[k]; };
+  each_pair(it.manifold.size(), at, [&](std::size_t first, std::size_t last) {
     const bool slides = used_up(p, it, at, first, last);
     for (std::size_t j = first; j != last; ++j) {
-      const ContactPatch& patch = at(j);
-      const ContactState s = state_of(it, patch);
-      const ContactLaw law = p.law_of(patch);
-      const Lanes kept = friction_weight(law, patch.limit, length(s.u)) / law.k_t;  // 1 while it sticks
-      for (int k = 0; k < patch.count; ++k) {
-        if (!(patch.limit[k] > 0) && !patch.recovers) continue;
+      const ContactManifold& manifold = at(j);
+      const ContactState s = state_of(it, manifold);
+      const ContactLaw law = p.law_of(manifold);
+      const Lanes kept = friction_weight(law, manifold.limit, length(s.u)) / law.k_t;  // 1 while it sticks
+      for (int k = 0; k < manifold.count; ++k) {
+        if (!(manifold.limit[k] > 0) && !manifold.recovers) continue;
         const Vec3 u = lane(s.u, k);
-        anchors.push_back({pair_key(patch.a, patch.b), patch.feature[k],
-                           kept[k] * (patch.turns ? Vec3(it.pose[patch.a].R.transpose() * u) : u),
-                           patch.recovers, slides, patch.restless});
+        contacts.push_back({pair_key(manifold.a, manifold.b), manifold.feature[k],
+                            kept[k] * (manifold.turns ? Vec3(it.pose[manifold.a].R.transpose() * u) : u),
+                            manifold.recovers, slides, manifold.restless});
       }
     }
   });

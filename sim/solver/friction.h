@@ -1,5 +1,5 @@
-// Friction from step to step and from iterate to iterate: anchors (Deviation D6), bounds and who slides
-// (Deviation D12).
+// Friction from step to step and from iterate to iterate: what contacts remember (Deviation D6), bounds and
+// who slides (Deviation D12).
 //
 //   start of a step    bounds are μ f_n where the step starts: they lag by a step
 //   each iteration     bounds go towards μ f_n of the iterate; where `newton` takes full steps only between
@@ -31,22 +31,22 @@ inline std::uint64_t pair_key(Index a, Index b) {
   const auto [lo, hi] = std::minmax(a, b);
   return static_cast<std::uint64_t>(lo) << 32 | static_cast<std::uint32_t>(hi);
 }
-// The top bit tells which body owns the normal: an anchor is lost when the owner changes, its frame being
-// another.
+// The top bit tells which body owns the normal: what a contact remembers is lost when the owner changes, its
+// frame being another.
 inline std::uint32_t owned_feature(Index a, Index b, std::uint32_t feature) {
   return (feature & 0x7fffffffu) | (a > b ? 0x80000000u : 0u);
 }
 
-// Gives the patches the stretch that the last step left, and all contacts of a pair of bodies dynamic
+// Gives the manifolds the stretch that the last step left, and all contacts of a pair of bodies dynamic
 // friction if the pair slid. Both lists are sorted.
-void recall_friction(const std::vector<FrictionAnchor>& anchors, const ContactLaw& law,
-                     std::vector<ContactPatch>& patches);
+void recall_friction(const std::vector<ContactMemory>& contacts, const ContactLaw& law,
+                     std::vector<ContactManifold>& manifolds);
 
 // First bounds: μ f_n at the start of the step, 0 where the first iterate no longer presses.
 void start_friction(const Problem& p, const Workers& workers, Iterate& it);
 
-// Moves the bounds of an island's patches. True if a friction force of `newton` was off beyond the tolerance:
-// the E that is minimised changes.
+// Moves the bounds of an island's manifolds. True if a friction force of `newton` was off beyond the
+// tolerance: the E that is minimised changes.
 bool move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it);
 
 // Largest error of a friction force at the iterate, as a part of μ f_n.
@@ -60,6 +60,6 @@ bool holds_back(const Problem& p, const Island& island, const Iterate& it);
 bool let_go(const Problem& p, const Island& island, Iterate& it);
 
 // Remembers the stretch of every loaded contact, and whether its pair of bodies slides, for the next step.
-void store_friction(const Problem& p, Iterate& it, std::vector<FrictionAnchor>& anchors);
+void store_friction(const Problem& p, Iterate& it, std::vector<ContactMemory>& contacts);
 
 }  // namespace pabd

@@ -13,7 +13,7 @@ void join_bodies(const Problem& p, const Iterate& it, std::vector<Index>& parent
   const auto join = [&](Index a, Index b) {
     if (p.movable(a) && p.movable(b)) parent[root(parent, a)] = root(parent, b);
   };
-  for (const ContactPatch& patch : it.patch) join(patch.a, patch.b);
+  for (const ContactManifold& manifold : it.manifold) join(manifold.a, manifold.b);
   for (std::size_t k = 0; k < p.joints.model.size(); ++k) join(p.joint_ends[k].first, p.joint_ends[k].second);
 }
 
@@ -42,9 +42,9 @@ void split_into_islands(const Problem& p, const Iterate& it, Islands& out) {
   out.bodies.fill(count, [&](const auto& visit) {
     for (const Index i : out.solved) visit(out.of[i], i);
   });
-  out.patches.fill(count, [&](const auto& visit) {
-    for (std::size_t k = 0; k < it.patch.size(); ++k)
-      visit(of(it.patch[k].a, it.patch[k].b), static_cast<Index>(k));
+  out.manifolds.fill(count, [&](const auto& visit) {
+    for (std::size_t k = 0; k < it.manifold.size(); ++k)
+      visit(of(it.manifold[k].a, it.manifold[k].b), static_cast<Index>(k));
   });
   out.joints.fill(count, [&](const auto& visit) {
     for (std::size_t k = 0; k < p.joint_ends.size(); ++k) {
@@ -62,7 +62,7 @@ void split_into_islands(const Problem& p, const Iterate& it, Islands& out) {
     const auto number = static_cast<Index>(k);
     Island island;
     island.bodies = out.bodies[number];
-    island.patches = out.patches[number];
+    island.manifolds = out.manifolds[number];
     island.joints = out.joints[number];
     island.row = out.row;
     island.jointed =

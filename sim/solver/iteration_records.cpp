@@ -14,17 +14,17 @@ namespace {
 double incremental_potential(const Problem& p, const Island& island, const Iterate& it) {
   double energy = 0;
   for (const Index i : island.bodies) energy += inertia_energy(p.inertia(i), it.pose[i]);
-  for (const Index k : island.patches)
-    energy += sum(contact_energy(p.law_of(it.patch[k]), it.patch[k], state_of(it, it.patch[k])));
+  for (const Index k : island.manifolds)
+    energy += sum(contact_energy(p.law_of(it.manifold[k]), it.manifold[k], state_of(it, it.manifold[k])));
   for (const Index k : island.joints) energy += energy_of_joint(p, it, k);
   return energy;
 }
 
 double smallest_gap(const Island& island, const Iterate& it) {
   double gap = std::numeric_limits<double>::infinity();
-  for (const Index j : island.patches) {
-    const ContactState s = state_of(it, it.patch[j]);
-    for (int k = 0; k < it.patch[j].count; ++k) gap = smaller(gap, s.d[k]);
+  for (const Index j : island.manifolds) {
+    const ContactState s = state_of(it, it.manifold[j]);
+    for (int k = 0; k < it.manifold[j].count; ++k) gap = smaller(gap, s.d[k]);
   }
   return gap;
 }

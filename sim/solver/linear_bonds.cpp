@@ -11,24 +11,25 @@ Vec6 wrench(const Vec3& force, const Vec3& torque) {
 
 }  // namespace
 
-bool pushes(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b) {
-  const ContactState state = contact_state(patch, a, b);
-  const Lanes alpha_n = normal_force(law.barrier, patch, state.d).alpha_n;
-  return !(sum(alpha_n) + sum(friction_weight(law, patch.limit, length(state.u))) <= 0);
+bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a, const Pose& b) {
+  const ContactState state = contact_state(manifold, a, b);
+  const Lanes alpha_n = normal_force(law.barrier, manifold, state.d).alpha_n;
+  return !(sum(alpha_n) + sum(friction_weight(law, manifold.limit, length(state.u))) <= 0);
 }
 
-LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b) {
-  LinearPatch out;
-  const ContactState state = contact_state(patch, a, b);
-  const ContactForce f = normal_force(law.barrier, patch, state.d);
+LinearManifold linearize(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
+                         const Pose& b) {
+  LinearManifold out;
+  const ContactState state = contact_state(manifold, a, b);
+  const ContactForce f = normal_force(law.barrier, manifold, state.d);
   const Lanes u = length(state.u);
-  const Lanes alpha_t = friction_weight(law, patch.limit, u);
-  out.energy = sum(f.value + friction_energy(law, patch.limit, u));
+  const Lanes alpha_t = friction_weight(law, manifold.limit, u);
+  out.energy = sum(f.value + friction_energy(law, manifold.limit, u));
   out.active = !(sum(f.alpha_n) + sum(alpha_t) <= 0);  // what is no number must not be passed over
   if (!out.active) return out;
   out.back = a.c - b.c;
 
-  const ContactLevers on_a = levers_on_a(patch, state, a), on_b = levers_on_b(state, a, b);
+  const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);
   const Vec3x push = f.first * state.n, drag = alpha_t * state.u;
   const Vec3 force = sum(push + drag);
   out.g_a = -wrench(force, sum(cross(on_a.normal, push) + cross(on_a.surface, drag)));
@@ -37,7 +38,7 @@ LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Po
   // Rows of H: Σ α_t (J_sᵀ J_s) at the surface points, and rank one along the normals.
   const Vec3x& r = on_a.surface;
   const Vec3x n = state.n, arm = cross(on_a.normal, n);
-  const Vec3x slip_arm = patch.separate ? cross(r, n) : arm;
+  const Vec3x slip_arm = manifold.separate ? cross(r, n) : arm;
   const Vec3x tr = alpha_t * r;
   Mat6& H = out.H;
   H.topLeftCorner<3, 3>() = sum(alpha_t) * Mat3::Identity();
@@ -52,7 +53,7 @@ LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Po
     for (int k = c; k < 6; ++k) H(k, c) += sum(normal * row[k] - tangent * slip[k]);
   }
   // Sliding contacts: less along the slip.
-  const Lanes less = select(law.k_t * u > patch.limit, (1 - patch.along) * alpha_t, lanes(0));
+  const Lanes less = select(law.k_t * u > manifold.limit, (1 - manifold.along) * alpha_t, lanes(0));
   if (sum(less) > 0) {
     const Vec3x t = (1 / select(u > 0, u, lanes(1))) * state.u, t_arm = cross(r, t);
     const Lanes along[6] = {t.x, t.y, t.z, t_arm.x, t_arm.y, t_arm.z};

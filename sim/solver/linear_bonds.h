@@ -1,5 +1,5 @@
-// The bonds of joints, and contact patches, as `newton` sees them: energy, gradient and weight at the current
-// iterate.
+// The bonds of joints, and contact manifolds, as `newton` sees them: energy, gradient and weight at the
+// current iterate.
 #pragma once
 
 #include "sim/math/block_cholesky.h"
@@ -34,17 +34,18 @@ void each_joint_bond(const Problem& p, const Island& island, const Iterate& it, 
   }
 }
 
-// A patch: with J = [1, −[r]] at its points seen from a, H = Σ Jᵀ (α_t 1 + (α_n − α_t) n nᵀ) J. Both bodies
-// share the points, so that b's part follows from H by the shift `back` of the centre.
-struct LinearPatch {
+// A manifold: with J = [1, −[r]] at its points seen from a, H = Σ Jᵀ (α_t 1 + (α_n − α_t) n nᵀ) J. Both
+// bodies share the points, so that b's part follows from H by the shift `back` of the centre.
+struct LinearManifold {
   bool active;    // else nothing pushes, and H and the gradients are not set
   double energy;  // J
   Vec6 g_a, g_b;  // (N, N m)
   Mat6 H;
   Vec3 back;  // from c_b to c_a; m
 };
-// Does it push or hold at these poses? LinearPatch::active says the same.
-bool pushes(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b);
-LinearPatch linearize(const ContactLaw& law, const ContactPatch& patch, const Pose& a, const Pose& b);
+// Does it push or hold at these poses? LinearManifold::active says the same.
+bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a, const Pose& b);
+LinearManifold linearize(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
+                         const Pose& b);
 
 }  // namespace pabd

@@ -21,8 +21,8 @@ void join_groups(const Problem& p, const Islands& islands, const Iterate& it, Fr
     if (moves_a && !moves_b) g.held[a] = 1;
     if (moves_b && !moves_a) g.held[b] = 1;
   };
-  for (const ContactPatch& patch : it.patch) {
-    if (patch.felt) join(patch.a, patch.b);
+  for (const ContactManifold& manifold : it.manifold) {
+    if (manifold.felt) join(manifold.a, manifold.b);
   }
   for (const auto& [i, j] : p.joint_ends) join(i, j);
   for (const Index i : islands.solved) {

@@ -90,13 +90,13 @@ double assemble(const Problem& p, const Island& island, bool geometric, NewtonSy
     energy += bond.energy;
     add_bond(bond, pull, island.row[bond.a], island.row[bond.b], system);
   });
-  for (const Index k : island.patches) {
-    ContactPatch& patch = it.patch[k];
-    const Index a = island.row[patch.a], b = island.row[patch.b];
-    const LinearPatch linear = linearize(p.law, patch, it.pose[patch.a], it.pose[patch.b]);
+  for (const Index k : island.manifolds) {
+    ContactManifold& manifold = it.manifold[k];
+    const Index a = island.row[manifold.a], b = island.row[manifold.b];
+    const LinearManifold linear = linearize(p.law, manifold, it.pose[manifold.a], it.pose[manifold.b]);
     energy += linear.energy;
     if (!linear.active) continue;
-    patch.felt = true;
+    manifold.felt = true;
     if (a >= 0) {
       system.matrix.diagonal(a).add(linear.H);
       system.motion.g[a] += linear.g_a;
@@ -114,8 +114,8 @@ double energy_of(const Problem& p, const Island& island, const Iterate& it) {
   double energy = 0;
   for (const Index i : island.bodies) energy += inertia_energy(p.inertia(i), it.pose[i]);
   each_joint_bond(p, island, it, [&](const LinearBond& bond) { energy += bond.energy; });
-  for (const Index k : island.patches)
-    energy += sum(contact_energy(p.law, it.patch[k], state_of(it, it.patch[k])));
+  for (const Index k : island.manifolds)
+    energy += sum(contact_energy(p.law, it.manifold[k], state_of(it, it.manifold[k])));
   return energy;
 }
 
@@ -252,7 +252,7 @@ bool find_body_structure(const Problem& p, const Island& island, const Iterate& 
     if (a >= 0 && b >= 0 && a != b) system.pairs.emplace_back(std::min(a, b), std::max(a, b));
   };
   for (const Index k : island.joints) couple(it.slot(p.joint_ends[k].first), it.slot(p.joint_ends[k].second));
-  for (const Index k : island.patches) couple(it.slot(it.patch[k].a), it.slot(it.patch[k].b));
+  for (const Index k : island.manifolds) couple(it.slot(it.manifold[k].a), it.slot(it.manifold[k].b));
   if (!std::is_sorted(system.pairs.begin(), system.pairs.end()))
     std::sort(system.pairs.begin(), system.pairs.end());
   system.pairs.erase(std::unique(system.pairs.begin(), system.pairs.end()), system.pairs.end());

@@ -1,6 +1,6 @@
 // The table of parameters: one row says everything about one of them. The scene reader and writer, --set,
-// checks, patches, sliders, captions, the JSON Schema and the reference in assets/README.md are read off it. A
-// new parameter is a member of a struct in params.h and a row in parameter_table.cpp.
+// checks, manifolds, sliders, captions, the JSON Schema and the reference in assets/README.md are read off
+// it. A new parameter is a member of a struct in params.h and a row in parameter_table.cpp.
 //
 // What is read off the table takes it as an argument, so that another table can be given.
 #pragma once
@@ -75,8 +75,8 @@ ParameterValue value_of(const ParameterRow& row, const Params& params);
 // Does not check the range. Throws std::bad_variant_access for a value of another type than the member's.
 void set_value(const ParameterRow& row, Params& params, const ParameterValue& value);
 
-// For a slider: the value as a number, empty for "auto" and what is no number; and a number as a value, to the
-// nearest whole one where it must be. as_value throws std::logic_error when the row takes no number.
+// For a slider: the value as a number, empty for "auto" and what is no number; and a number as a value, to
+// the nearest whole one where it must be. as_value throws std::logic_error when the row takes no number.
 std::optional<double> as_number(const ParameterValue& value);
 ParameterValue as_value(const ParameterRow& row, double number);
 

@@ -14,13 +14,13 @@ bool stays(const List& now, List& last) {
   return false;
 }
 
-bool patches_stay(const Iterate& it, BodyPairs& last) {
-  const auto same = [](const ContactPatch& patch, const std::pair<Index, Index>& pair) {
-    return patch.a == pair.first && patch.b == pair.second;
+bool manifolds_stay(const Iterate& it, BodyPairs& last) {
+  const auto same = [](const ContactManifold& manifold, const std::pair<Index, Index>& pair) {
+    return manifold.a == pair.first && manifold.b == pair.second;
   };
-  if (std::equal(it.patch.begin(), it.patch.end(), last.begin(), last.end(), same)) return true;
+  if (std::equal(it.manifold.begin(), it.manifold.end(), last.begin(), last.end(), same)) return true;
   last.clear();
-  for (const ContactPatch& patch : it.patch) last.emplace_back(patch.a, patch.b);
+  for (const ContactManifold& manifold : it.manifold) last.emplace_back(manifold.a, manifold.b);
   return false;
 }
 
@@ -35,15 +35,15 @@ bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
   same = stays(p.joints.model.size(), last.model_joints) && same;
   same = stays(p.model->fixed, last.fixed) && same;
   same = stays(p.joint_ends, last.joints) && same;
-  same = patches_stay(it, last.patches) && same;
+  same = manifolds_stay(it, last.manifolds) && same;
   if (same) return false;
   p.ends.fill(bodies, [&](const auto& visit) {
-    for (std::size_t k = 0; k < it.patch.size(); ++k) {
-      const ContactPatch& patch = it.patch[k];
+    for (std::size_t k = 0; k < it.manifold.size(); ++k) {
+      const ContactManifold& manifold = it.manifold[k];
       const auto number = static_cast<Index>(k);
-      const bool a = p.movable(patch.a), b = p.movable(patch.b);
-      if (a) visit(patch.a, PatchEnd{number, patch.b, true, true});
-      if (b) visit(patch.b, PatchEnd{number, patch.a, false, !a});
+      const bool a = p.movable(manifold.a), b = p.movable(manifold.b);
+      if (a) visit(manifold.a, ManifoldEnd{number, manifold.b, true, true});
+      if (b) visit(manifold.b, ManifoldEnd{number, manifold.a, false, !a});
     }
   });
   p.joints_at.fill(bodies, [&](const auto& visit) {

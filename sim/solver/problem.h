@@ -1,16 +1,17 @@
-// What a step minimises, and the iterate that its solvers move. Plain arrays, numbered as bodies, patches and
-// joints are: nothing in them points into a solver, so that one on another device can take them as they are.
+// What a step minimises, and the iterate that its solvers move. Plain arrays, numbered as bodies, manifolds
+// and joints are: nothing in them points into a solver, so that one on another device can take them as they
+// are.
 //
 //   array          one entry per    layout
 //   flight.star    body             c (3), R (3×3 by columns)                        predicted poses Q*
 //   iterate.pose   body, and the    the same                                         the world is the last
 //                  world
-//   iterate.patch  pair and four    bond/contact_bond.h, four points side by side    sorted by pair
-//                  of its points
+//   iterate.       pair and four    bond/contact_bond.h, four points side by side    sorted by pair
+//   manifold       of its points
 //   iterate.       joint of the     force on its body j (3)                          world; N
 //   joint_force    model
 //   joints         joint            body/joint.h; those of the model, then the pulls
-//   ends           body             patches that end there: row i of a RowList
+//   ends           body             manifolds that end there: row i of a RowList
 //   joints_at      body             joints that end there
 //   joint_ends     joint            its bodies; a joint itself takes some hundred bytes
 #pragma once
@@ -52,9 +53,9 @@ struct RowList {
   }
 };
 
-// One end of a contact patch, in the list of its body.
-struct PatchEnd {
-  Index patch;
+// One end of a contact manifold, in the list of its body.
+struct ManifoldEnd {
+  Index manifold;
   Index other;  // body at the other end
   bool is_a;
   bool owner;  // of the two ends that move, the one that moves the friction bound
@@ -82,10 +83,10 @@ struct Problem {
   ContactLaw law{};
   StepJoints joints;
   std::vector<double> joint_share;  // of the stiffness of each joint, see stiffness_cap.h
-  RowList<PatchEnd> ends;
+  RowList<ManifoldEnd> ends;
   RowList<Index> joints_at;
   BodyPairs joint_ends;
-  std::vector<std::uint8_t> rolls;  // per body: has it a patch whose slip follows its roll?
+  std::vector<std::uint8_t> rolls;  // per body: has it a manifold whose slip follows its roll?
 
   bool movable(Index i) const { return i != kWorld && !model->fixed[static_cast<std::size_t>(i)]; }
   Pose start_pose(Index i) const { return {start->c[i], start->R[i]}; }
@@ -94,8 +95,8 @@ struct Problem {
     return {model->mass[i], model->J[i], flight->star[i], 1 / (params->h * params->h)};
   }
 
-  // Laws of a contact patch and of a joint in this step: `sissm` caps their stiffness.
-  ContactLaw law_of(const ContactPatch& patch) const { return scaled(law, patch.share); }
+  // Laws of a contact manifold and of a joint in this step: `sissm` caps their stiffness.
+  ContactLaw law_of(const ContactManifold& manifold) const { return scaled(law, manifold.share); }
   BondLaw law_of(Index joint) const {
     BondLaw out = joints[joint].law;
     out.kappa *= joint_share[static_cast<std::size_t>(joint)];
@@ -108,8 +109,8 @@ struct Iterate {
   std::vector<Pose> pose;
   std::vector<double> moved;      // per body: way in the last iteration over d̂
   std::vector<Vec3> joint_force;  // of each joint of the model on its body j, as far as the solver knows; N
-  std::vector<ContactPatch> patch;
-  std::vector<Rolling> rolling;  // of the separate patches
+  std::vector<ContactManifold> manifold;
+  std::vector<Rolling> rolling;  // of the separate manifolds
   std::vector<Roll> roll;        // per body, at its pose; kept where Problem::rolls
 
   // Index of a body's pose.
@@ -120,10 +121,10 @@ struct Iterate {
 struct BondGraph {
   std::size_t bodies = 0, model_joints = 0;
   std::vector<std::uint8_t> fixed;
-  BodyPairs joints, patches;
+  BodyPairs joints, manifolds;
 };
 
-// Fills p.joint_ends, p.ends and p.joints_at from the joints and patches. False: `last`, the graph of the
+// Fills p.joint_ends, p.ends and p.joints_at from the joints and manifolds. False: `last`, the graph of the
 // call before, is still that of the problem, and so are all that follows from it.
 bool list_bonds(Problem& p, const Iterate& it, BondGraph& last);
 
@@ -132,8 +133,8 @@ inline void set_roll(const Problem& p, Index i, const Mat3& R, Iterate& it) {
   if (p.rolls[i]) it.roll[i] = roll_since_prediction(p.flight->star[i].R, R);
 }
 
-[[gnu::always_inline]] inline ContactState state_of(const Iterate& it, const ContactPatch& patch) {
-  return contact_state(patch, it.pose[patch.a], it.pose[patch.b]);
+[[gnu::always_inline]] inline ContactState state_of(const Iterate& it, const ContactManifold& manifold) {
+  return contact_state(manifold, it.pose[manifold.a], it.pose[manifold.b]);
 }
 
 }  // namespace pabd

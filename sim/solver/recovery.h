@@ -16,11 +16,11 @@
 
 namespace pabd {
 
-// Finds the pairs that recover, by depth and by what the last step left in the start's anchors, and sets
-// their contacts up. Precondition: the patches are those of the step, sorted by pair.
+// Finds the pairs that recover, by depth and by what the last step left in the start's memory of contacts,
+// and sets their contacts up. Precondition: the manifolds are those of the step, sorted by pair.
 void start_recovery(const Problem& p, Iterate& it);
 
-// Keeps ContactPatch::recovers where the recovery goes on after the step.
+// Keeps ContactManifold::recovers where the recovery goes on after the step.
 void finish_recovery(const Problem& p, Iterate& it);
 
 }  // namespace pabd

@@ -60,7 +60,7 @@ struct JointReport {
 // One island of bodies that hang together, as it was solved.
 struct IslandReport {
   Index first_body;  // its lowest
-  Index bodies, patches, joints;
+  Index bodies, manifolds, joints;
   SolverMethod solver;  // sissm, descent or newton
   StepStatus status;
   int iterations;
@@ -70,7 +70,7 @@ struct IslandReport {
 
 // Wall clock; ms. The first four add up to the total of a step that was made.
 struct PhaseTimes {
-  double detect = 0;      // contact points: broad and narrow phase, patches
+  double detect = 0;      // contact points: broad and narrow phase, manifolds
   double set_up = 0;      // free flight, islands, colours, friction, first iterate
   double solve = 0;       // the iterations
   double velocities = 0;  // velocities, momentum, energies, reports

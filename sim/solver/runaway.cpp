@@ -18,9 +18,9 @@ bool is_lost(const Vec3& x, double d_hat) {
 
 double widest_opening(const Problem& p, const Iterate& it) {
   double widest = largest_joint_error(p, it);
-  for (const ContactPatch& patch : it.patch) {
-    const ContactState state = state_of(it, patch);
-    for (int k = 0; k < patch.count; ++k) widest = std::max(widest, std::abs(state.d[k]));
+  for (const ContactManifold& manifold : it.manifold) {
+    const ContactState state = state_of(it, manifold);
+    for (int k = 0; k < manifold.count; ++k) widest = std::max(widest, std::abs(state.d[k]));
   }
   return widest;
 }

@@ -52,22 +52,23 @@ void global_and_local_step(const Problem& p, Index i, const Iterate& it, SissmMe
   moved = (dc.norm() + p.flight->radius[i] * (R - pose.R).norm()) / p.law.barrier.d_hat;
 }
 
-// Smallest d of a patch when the bodies are affine: distance of b's points to the deformed plane of a, whose
-// normal is A⁻ᵀ n.
-double affine_distance(const Problem& p, const Iterate& it, const SissmMemory& m, const ContactPatch& patch) {
+// Smallest d of a manifold when the bodies are affine: distance of b's points to the deformed plane of a,
+// whose normal is A⁻ᵀ n.
+double affine_distance(const Problem& p, const Iterate& it, const SissmMemory& m,
+                       const ContactManifold& manifold) {
   const auto A = [&](Index i) -> const Mat3& { return p.movable(i) ? m.A[i] : it.pose[i].R; };
   const auto c = [&](Index i) -> const Vec3& { return p.movable(i) ? m.c[i] : it.pose[i].c; };
-  const Mat3 cofactor = A(patch.a).inverse().transpose();
+  const Mat3 cofactor = A(manifold.a).inverse().transpose();
   double smallest = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < patch.count; ++k) {
-    const Vec3 n = lane(patch.n, k);
-    const Vec3 plane = lane(patch.normal_a, k);
-    const Vec3 y_b = c(patch.b) + A(patch.b) * lane(patch.normal_b, k);
-    if (patch.turns) {  // the gap is part of the deformed body
-      const Vec3 y_a = c(patch.a) + A(patch.a) * (plane - patch.gap[k] * n);
+  for (int k = 0; k < manifold.count; ++k) {
+    const Vec3 n = lane(manifold.n, k);
+    const Vec3 plane = lane(manifold.normal_a, k);
+    const Vec3 y_b = c(manifold.b) + A(manifold.b) * lane(manifold.normal_b, k);
+    if (manifold.turns) {  // the gap is part of the deformed body
+      const Vec3 y_a = c(manifold.a) + A(manifold.a) * (plane - manifold.gap[k] * n);
       smallest = smaller(smallest, (cofactor * n).normalized().dot(y_b - y_a));
     } else {
-      smallest = smaller(smallest, patch.gap[k] + n.dot(y_b - c(patch.a) - A(patch.a) * plane));
+      smallest = smaller(smallest, manifold.gap[k] + n.dot(y_b - c(manifold.a) - A(manifold.a) * plane));
     }
   }
   return smallest;
@@ -83,8 +84,8 @@ void sissm_iteration(const Problem& p, const Island& island, const Workers& work
   });
   if (before) {
     *before = std::numeric_limits<double>::infinity();
-    for (const Index k : island.patches)
-      *before = smaller(*before, affine_distance(p, it, memory, it.patch[k]));
+    for (const Index k : island.manifolds)
+      *before = smaller(*before, affine_distance(p, it, memory, it.manifold[k]));
   }
   for (const Index i : island.bodies) {
     it.pose[i] = memory.next[i];

@@ -23,7 +23,7 @@ bool sweeps_limits(const Problem& p, const Island& island) {
   return island.solver == SolverMethod::descent && p.params->solver.projection != Projection::weighted;
 }
 
-// Do the solver's iterations mark the patches that push? Jacobi's threads share patches, and do not.
+// Do the solver's iterations mark the manifolds that push? Jacobi's threads share manifolds, and do not.
 bool marks_felt(const Problem& p, const Island& island) {
   return island.solver != SolverMethod::sissm && p.params->solver.projection != Projection::weighted;
 }
@@ -52,7 +52,7 @@ bool friction_settled(const Task& t, Iterate& it) {
 }
 
 void start(const Task& t, Iterate& it) {
-  for (const Index k : t.island.patches) it.patch[k].felt = !marks_felt(t.p, t.island);
+  for (const Index k : t.island.manifolds) it.manifold[k].felt = !marks_felt(t.p, t.island);
   if (t.newton()) start_newton(t.p, t.island, it, *t.system);
   if (t.records) t.records->assign(1, record(t.p, t.island, it));
 }
@@ -121,7 +121,7 @@ double next_move(const Task& t, double before, double now) {
 void remember_outcome(const Task& t, const IslandReport& out, Iterate& it) {
   if (out.solver == SolverMethod::newton) tell_forces(t.p, t.island, *t.system, it);
   if (t.p.params->solver.method != SolverMethod::automatic || t.island.jointed) return;
-  for (const Index k : t.island.patches) it.patch[k].restless = out.solver == SolverMethod::descent;
+  for (const Index k : t.island.manifolds) it.manifold[k].restless = out.solver == SolverMethod::descent;
 }
 
 // Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the cap.
@@ -192,7 +192,7 @@ void prepare(const Problem& p, const Islands& islands, bool record, SolverMemory
     const Island& island = islands.list[k];
     report.islands[k] = {island.bodies.front(),
                          static_cast<Index>(island.bodies.size()),
-                         static_cast<Index>(island.patches.size()),
+                         static_cast<Index>(island.manifolds.size()),
                          static_cast<Index>(island.joints.size()),
                          island.solver,
                          StepStatus::iteration_limit,

@@ -31,9 +31,9 @@ namespace {
 
 // How far friction is above μ f_n, as a part of it. Contacts that carry less than `least` count as if they
 // carried that; N.
-Lanes friction_excess(const ContactPatch& patch, Lanes friction, const ContactForce& f, double least) {
-  if (patch.mu == 0) return lanes(0);
-  return friction / (patch.mu * larger(-f.first, lanes(least))) - 1;
+Lanes friction_excess(const ContactManifold& manifold, Lanes friction, const ContactForce& f, double least) {
+  if (manifold.mu == 0) return lanes(0);
+  return friction / (manifold.mu * larger(-f.first, lanes(least))) - 1;
 }
 
 }  // namespace
@@ -45,24 +45,24 @@ void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports, 
   report.contacts = 0;
   report.min_gap = std::numeric_limits<double>::infinity();
   report.contact_reports.clear();
-  for (const ContactPatch& patch : it.patch) {
-    const ContactState s = state_of(it, patch);
-    const ContactLaw law = p.law_of(patch);
-    const ContactForce f = normal_force(law.barrier, patch, s.d);
-    const Lanes energy = f.value + friction_energy(law, patch.limit, length(s.u));
-    const Lanes alpha_t = friction_weight(law, patch.limit, length(s.u));
-    const Lanes excess = friction_excess(patch, alpha_t * length(s.u), f, least);
-    for (int k = 0; k < patch.count; ++k) {
+  for (const ContactManifold& manifold : it.manifold) {
+    const ContactState s = state_of(it, manifold);
+    const ContactLaw law = p.law_of(manifold);
+    const ContactForce f = normal_force(law.barrier, manifold, s.d);
+    const Lanes energy = f.value + friction_energy(law, manifold.limit, length(s.u));
+    const Lanes alpha_t = friction_weight(law, manifold.limit, length(s.u));
+    const Lanes excess = friction_excess(manifold, alpha_t * length(s.u), f, least);
+    for (int k = 0; k < manifold.count; ++k) {
       report.min_gap = smaller(report.min_gap, s.d[k]);
       report.friction_excess = larger(report.friction_excess, excess[k]);
       if (s.d[k] >= p.law.barrier.d_hat) continue;
       report.elastic += energy[k];
       ++report.contacts;
       if (!with_reports) continue;
-      const Vec3 n = lane(s.n, k), u = lane(s.u, k), y_b = it.pose[patch.a].c + lane(s.y, k);
-      const bool sticking = patch.limit[k] > 0 && law.k_t * u.norm() <= patch.limit[k];
-      report.contact_reports.push_back({patch.a, patch.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k],
-                                        -alpha_t[k] * u, sticking, patch.mu});
+      const Vec3 n = lane(s.n, k), u = lane(s.u, k), y_b = it.pose[manifold.a].c + lane(s.y, k);
+      const bool sticking = manifold.limit[k] > 0 && law.k_t * u.norm() <= manifold.limit[k];
+      report.contact_reports.push_back({manifold.a, manifold.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k],
+                                        -alpha_t[k] * u, sticking, manifold.mu});
     }
   }
   report.max_penetration = larger(0, -report.min_gap);

@@ -53,10 +53,10 @@ int cap_stiffness(Problem& p, Iterate& it) {
   const Barrier& barrier = p.law.barrier;
   const double unit = area_of_kappa(barrier.kind, barrier.d_hat);
   const auto inverse_mass = [&](Index i) { return p.movable(i) ? 1 / p.model->mass[i] : 0.0; };
-  for (ContactPatch& patch : it.patch) {
-    const double c = inverse_mass(patch.a) + inverse_mass(patch.b);
-    patch.share = share(barrier.kappa / unit, kContacts * followed / c);
-    if (patch.share < 1) capped += patch.count;
+  for (ContactManifold& manifold : it.manifold) {
+    const double c = inverse_mass(manifold.a) + inverse_mass(manifold.b);
+    manifold.share = share(barrier.kappa / unit, kContacts * followed / c);
+    if (manifold.share < 1) capped += manifold.count;
   }
   return capped;
 }

@@ -19,8 +19,8 @@
 
 namespace pabd {
 
-// Fills p.joint_share and the share of each patch: 1, or the part of the stiffness that is left. Returns the
-// number of joints and contact points that are capped. Only the weighted projection of `sissm` caps any.
+// Fills p.joint_share and the share of each manifold: 1, or the part of the stiffness that is left. Returns
+// the number of joints and contact points that are capped. Only the weighted projection of `sissm` caps any.
 int cap_stiffness(Problem& p, Iterate& it);
 
 }  // namespace pabd

@@ -33,12 +33,12 @@ void add_outer(Vec3x& diagonal, Vec3x& off, Lanes weight, const Vec3x& v) {
 }
 
 // `side`: +1 for the body of the point, −1 for the body of the plane.
-[[gnu::always_inline]] inline void add_patch(const ContactLaw& law, const ContactPatch& patch,
-                                             const ContactState& state, const ContactForce& f,
-                                             const ContactLevers& r, double side, ContactSums& sums) {
+[[gnu::always_inline]] inline void add_manifold(const ContactLaw& law, const ContactManifold& manifold,
+                                                const ContactState& state, const ContactForce& f,
+                                                const ContactLevers& r, double side, ContactSums& sums) {
   const Lanes u = length(state.u);
-  const Lanes alpha_t = friction_weight(law, patch.limit, u);
-  sums.energy += f.value + friction_energy(law, patch.limit, u);
+  const Lanes alpha_t = friction_weight(law, manifold.limit, u);
+  sums.energy += f.value + friction_energy(law, manifold.limit, u);
   const Vec3x arm = cross(r.normal, state.n);
   const Vec3x friction = (side * alpha_t) * state.u;
   const Lanes push = side * f.first;
@@ -108,22 +108,23 @@ TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool mo
   const Pose& pose = it.pose[i];
   ContactSums c;
   Lanes room = lanes(std::numeric_limits<double>::infinity());
-  for (const PatchEnd& end : p.ends[i]) {
-    ContactPatch& patch = it.patch[end.patch];
+  for (const ManifoldEnd& end : p.ends[i]) {
+    ContactManifold& manifold = it.manifold[end.manifold];
     const Pose& other = it.pose[end.other];
     const ContactState state =
-        end.is_a ? contact_state(patch, pose, other) : contact_state(patch, other, pose);
+        end.is_a ? contact_state(manifold, pose, other) : contact_state(manifold, other, pose);
     const Lanes beyond = state.d - p.law.barrier.d_hat;
     room = select(beyond < 0, room, smaller(room, beyond));
-    if (feels_nothing(p.law.barrier, patch, state.d)) {
-      if (move_limits && end.owner) move_limit(patch, {lanes(0), lanes(0), lanes(0)});
+    if (feels_nothing(p.law.barrier, manifold, state.d)) {
+      if (move_limits && end.owner) move_limit(manifold, {lanes(0), lanes(0), lanes(0)});
       continue;
     }
-    const ContactForce force = normal_force(p.law.barrier, patch, state.d);
-    if (move_limits && end.owner) move_limit(patch, force);
-    patch.felt = true;
-    const ContactLevers levers = end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, other, pose);
-    add_patch(p.law, patch, state, force, levers, end.is_a ? -1 : 1, c);
+    const ContactForce force = normal_force(p.law.barrier, manifold, state.d);
+    if (move_limits && end.owner) move_limit(manifold, force);
+    manifold.felt = true;
+    const ContactLevers levers =
+        end.is_a ? levers_on_a(manifold, state, pose) : levers_on_b(state, other, pose);
+    add_manifold(p.law, manifold, state, force, levers, end.is_a ? -1 : 1, c);
   }
   TangentModel q = add_up(c, in, pose);
   q.room = std::min(std::min(room[0], room[1]), std::min(room[2], room[3]));

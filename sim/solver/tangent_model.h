@@ -21,7 +21,7 @@ struct TangentModel {
   double room;    // way of a point to where a contact that does not push now would; m
 };
 
-// Of body i at the iterate. `move_limits`: first moves the friction bounds of the patches whose owner
+// Of body i at the iterate. `move_limits`: first moves the friction bounds of the manifolds whose owner
 // the body is to μ f_n of the current iterate.
 TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool move_limits, Iterate& it);
 

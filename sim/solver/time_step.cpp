@@ -53,9 +53,9 @@ bool all_finite(const std::vector<Pose>& pose, const std::vector<Vec3>& v, const
 // The log barrier has no force for a pair that overlaps: such a start is reported, not solved.
 bool is_feasible(const Problem& p, const Iterate& it) {
   if (!is_feasible_only(p.law.barrier.kind)) return true;
-  for (const ContactPatch& patch : it.patch) {
-    const ContactState s = state_of(it, patch);
-    for (int k = 0; k < patch.count; ++k) {
+  for (const ContactManifold& manifold : it.manifold) {
+    const ContactState s = state_of(it, manifold);
+    for (int k = 0; k < manifold.count; ++k) {
       if (!(s.d[k] > 0)) return false;
     }
   }
@@ -116,7 +116,7 @@ void take_over(const Problem& p, StepMemory& m, const StepReport& report, State&
   }
   state.v.swap(m.velocities.v);
   state.omega.swap(m.velocities.omega);
-  store_friction(p, m.iterate, state.anchors);
+  store_friction(p, m.iterate, state.contacts);
   state.joint_force.swap(m.iterate.joint_force);
   state.step = report.step;
   state.time = report.time;

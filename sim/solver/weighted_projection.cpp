@@ -53,27 +53,28 @@ AffineModel affine_model(const Problem& p, const Iterate& it, Index i, const Ine
   q.H_A = in.inv_h2 * in.J;
   q.b_c = q.h_c * (in.star.c - pose.c);
   q.b_A = in.inv_h2 * in.star.R * in.J;
-  for (const PatchEnd& end : p.ends[i]) {
-    const ContactPatch& patch = it.patch[end.patch];
-    const ContactState state = state_of(it, patch);
-    const ContactLaw law = p.law_of(patch);
+  for (const ManifoldEnd& end : p.ends[i]) {
+    const ContactManifold& manifold = it.manifold[end.manifold];
+    const ContactState state = state_of(it, manifold);
+    const ContactLaw law = p.law_of(manifold);
     const double factor = p.movable(end.other) ? coupled : 1.0;
-    const ContactForce f = normal_force(law.barrier, patch, state.d);
-    const Lanes alpha_t = friction_weight(law, patch.limit, length(state.u));
+    const ContactForce f = normal_force(law.barrier, manifold, state.d);
+    const Lanes alpha_t = friction_weight(law, manifold.limit, length(state.u));
     Lanes alpha_n = f.alpha_n;
     if (weights != WeightKind::tangent)
-      alpha_n = patch.scale * binomial_weights(law.barrier, state.d + patch.shift, f.alpha_n);
+      alpha_n = manifold.scale * binomial_weights(law.barrier, state.d + manifold.shift, f.alpha_n);
     if (weights == WeightKind::majorising) alpha_n = larger(alpha_n, f.alpha_n);
     const ContactLevers levers =
-        end.is_a ? levers_on_a(patch, state, pose) : levers_on_b(state, it.pose[patch.a], pose);
+        end.is_a ? levers_on_a(manifold, state, pose) : levers_on_b(state, it.pose[manifold.a], pose);
     const Lanes side = lanes(end.is_a ? 1 : -1);
     const Vec3x push = (side * f.first) * state.n;
     const Vec3x friction = (side * alpha_t) * state.u;
-    if (patch.separate) {
-      add_points(pose.R, patch.count, levers.normal, factor * alpha_n, push, q);
-      add_points(pose.R, patch.count, levers.surface, factor * alpha_t, friction, q);
+    if (manifold.separate) {
+      add_points(pose.R, manifold.count, levers.normal, factor * alpha_n, push, q);
+      add_points(pose.R, manifold.count, levers.surface, factor * alpha_t, friction, q);
     } else {
-      add_points(pose.R, patch.count, levers.surface, factor * larger(alpha_n, alpha_t), push + friction, q);
+      add_points(pose.R, manifold.count, levers.surface, factor * larger(alpha_n, alpha_t), push + friction,
+                 q);
     }
   }
   add_joint_points(p, it, i, coupled, q);

@@ -24,12 +24,12 @@ std::string state_hash(const State& state) {
     add(hash, state.v[i]);
     add(hash, state.omega[i]);
   }
-  hash.add_word(state.anchors.size());
-  for (const FrictionAnchor& anchor : state.anchors) {
-    hash.add_word(anchor.pair);
-    hash.add_word(anchor.feature);
-    add(hash, anchor.stretch);
-    hash.add_word(flags_of(anchor));
+  hash.add_word(state.contacts.size());
+  for (const ContactMemory& contact : state.contacts) {
+    hash.add_word(contact.pair);
+    hash.add_word(contact.feature);
+    add(hash, contact.stretch);
+    hash.add_word(flags_of(contact));
   }
   for (const Vec3& force : state.joint_force) add(hash, force);
   return hash.hex();

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/read_memory.h"
 #include "sim/scene/reader.h"
 #include "sim/scene/text.h"
@@ -101,7 +101,8 @@ State state_from_json(const Model& model, const std::string& text, const std::st
   state.v.reserve(count);
   state.omega.reserve(count);
   for (std::size_t i = 0; i < count; ++i) read_body(bodies.element(i), model, i, state);
-  if (const auto anchors = in.find("anchors")) read_anchors(*anchors, model.size(), state.anchors);
+  if (const auto anchors = in.find("anchors"))
+    read_memory_of_contacts(*anchors, model.size(), state.contacts);
 
   if (const auto forces = in.find("joint_forces"))
     read_joint_forces(*forces, model.joints.size(), state.joint_force);

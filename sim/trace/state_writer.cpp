@@ -26,14 +26,14 @@ class StateWriter {
     }
     text("\n  ],\n  \"anchors\": [");
     bool first = true;
-    for (const FrictionAnchor& anchor : state.anchors) {
+    for (const ContactMemory& contact : state.contacts) {
       fmt::format_to(std::back_inserter(out_),
                      "{}    {{ \"bodies\": [{}, {}], \"feature\": {}, \"stretch\": ", first ? "\n" : ",\n",
-                     anchor.pair >> 32, anchor.pair & 0xffffffffu, anchor.feature);
-      numbers(anchor.stretch);
-      if (anchor.sliding) text(", \"sliding\": true");
-      if (anchor.restless) text(", \"restless\": true");
-      text(anchor.recovers ? ", \"recovers\": true }" : " }");
+                     contact.pair >> 32, contact.pair & 0xffffffffu, contact.feature);
+      numbers(contact.stretch);
+      if (contact.sliding) text(", \"sliding\": true");
+      if (contact.restless) text(", \"restless\": true");
+      text(contact.recovers ? ", \"recovers\": true }" : " }");
       first = false;
     }
     text(first ? "]" : "\n  ]");

@@ -11,8 +11,8 @@
 
 namespace pabd {
 
-// 16 hex digits over time, step, poses, velocities and friction anchors, bit by bit: equal states, equal
-// hash.
+// 16 hex digits over time, step, poses, velocities and what friction remembers, bit by bit: equal states,
+// equal hash.
 std::string state_hash(const State& state);
 
 // CSV: the line of column names, and a row for each step, iteration or joint.

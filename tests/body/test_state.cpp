@@ -18,7 +18,7 @@ State some_state() {
   state.v = {{7, 8, 9}, {0, 0, 0}};
   state.omega = {{0, 1, 0}, {2, 0, 0}};
   state.joint_force = {{0, -0.0, 1}};
-  state.anchors = {{3, 4, {0, 1, 2}, false, false}, {3, 5, {0, 1, 2}, false, true}};
+  state.contacts = {{3, 4, {0, 1, 2}, false, false}, {3, 5, {0, 1, 2}, false, true}};
   return state;
 }
 
@@ -35,13 +35,13 @@ TEST_CASE("states differ where any number does that the next step depends on") {
       [](State& s) { s.v[0].z() = std::nextafter(9.0, 10); },
       [](State& s) { s.v[1].x() = std::numeric_limits<double>::denorm_min(); },
       [](State& s) { s.omega[1].x() = 3; },
-      [](State& s) { s.anchors[0].pair = 2; },
-      [](State& s) { s.anchors[0].feature = 3; },
-      [](State& s) { s.anchors[1].stretch.y() = std::nextafter(1.0, 2); },
-      [](State& s) { s.anchors[1].sliding = false; },
-      [](State& s) { s.anchors[1].restless = true; },
-      [](State& s) { s.anchors[0].recovers = true; },
-      [](State& s) { s.anchors.pop_back(); },
+      [](State& s) { s.contacts[0].pair = 2; },
+      [](State& s) { s.contacts[0].feature = 3; },
+      [](State& s) { s.contacts[1].stretch.y() = std::nextafter(1.0, 2); },
+      [](State& s) { s.contacts[1].sliding = false; },
+      [](State& s) { s.contacts[1].restless = true; },
+      [](State& s) { s.contacts[0].recovers = true; },
+      [](State& s) { s.contacts.pop_back(); },
       [](State& s) { s.joint_force[0].z() = std::nextafter(1.0, 2); },
       [](State& s) { s.joint_force.clear(); },
   };

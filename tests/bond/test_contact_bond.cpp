@@ -20,8 +20,8 @@ const Pose kA{Vec3(0.2, -0.1, 0.4), exp_so3(Vec3(0.3, -0.8, 0.5))};
 const Pose kB{Vec3(0.25, 0.95, 0.3), exp_so3(Vec3(-0.6, 0.2, 0.9))};
 
 // Flat bodies: two points at different gaps, one that sticks and one that slides.
-ContactPatch flat_patch() {
-  ContactPatch p{};
+ContactManifold flat_patch() {
+  ContactManifold p{};
   p.a = 0;
   p.b = 1;
   p.count = 2;
@@ -43,7 +43,7 @@ ContactPatch flat_patch() {
   return p;
 }
 
-double energy_at(const ContactLaw& law, const ContactPatch& p, const Pose& a, const Pose& b) {
+double energy_at(const ContactLaw& law, const ContactManifold& p, const Pose& a, const Pose& b) {
   const Lanes energy = contact_energy(law, p, contact_state(p, a, b));
   return energy[0] + energy[1];
 }
@@ -71,7 +71,7 @@ Slopes slopes_of(const Energy& energy) {
 }  // namespace
 
 TEST_CASE("the gap is the distance of b's point from a's plane, the stretch what it has slipped along it") {
-  const ContactPatch p = flat_patch();
+  const ContactManifold p = flat_patch();
   const ContactState s = contact_state(p, kA, kB);
   CHECK(s.d[0] == Approx(0.013).epsilon(1e-12));
   CHECK(s.d[1] == Approx(0.006).epsilon(1e-12));
@@ -83,7 +83,7 @@ TEST_CASE("the gap is the distance of b's point from a's plane, the stretch what
 TEST_CASE("force and moment of a contact between flat bodies are the slopes of its energy") {
   for (const BarrierKind kind : {BarrierKind::polynomial, BarrierKind::even, BarrierKind::log}) {
     const ContactLaw law = law_with(kind);
-    const ContactPatch p = flat_patch();
+    const ContactManifold p = flat_patch();
     const ContactState s = contact_state(p, kA, kB);
     const ContactForce f = normal_force(law.barrier, p, s.d);
     const Lanes weight = friction_weight(law, p.limit, length(s.u));

@@ -10,7 +10,7 @@
 #include "app/frames/camera_option.h"
 #include "app/frames/frame_schedule.h"
 #include "app/session/session.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/trace/trace.h"
 
 using namespace pabd;

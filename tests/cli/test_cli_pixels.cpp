@@ -2,7 +2,7 @@
 // (before AVX2) a few pixels may be off by a level, as within a class of renderers.
 #include <catch2/catch.hpp>
 
-#include "render/output/compare.h"
+#include "render/output/compare_images.h"
 #include "render/output/png.h"
 #include "tests/cli/program.h"
 

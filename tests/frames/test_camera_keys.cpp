@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/frames/camera_option.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/support/files.h"
 
 using namespace pabd;

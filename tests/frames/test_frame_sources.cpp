@@ -8,7 +8,7 @@
 #include "app/frames/past_source.h"
 #include "app/session/recording.h"
 #include "app/session/step_at_time.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 

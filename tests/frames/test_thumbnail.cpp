@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "render/output/png.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/support/golden.h"
 #include "tests/support/temp_folder.h"
 

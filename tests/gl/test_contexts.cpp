@@ -7,8 +7,8 @@
 #include <iterator>
 #include <set>
 
+#include "tests/gl/drawn_scenes.h"
 #include "tests/gl/render_fixture.h"
-#include "tests/gl/scenes.h"
 #include "tests/support/files.h"
 
 using namespace pabd;

@@ -1,5 +1,5 @@
 // Meshes of the primitives: closed, facing outwards, on the true surface, with the right volume.
-#include "render/gl/mesh.h"
+#include "render/gl/gpu_mesh.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -4,7 +4,7 @@
 
 #include "render/context/context.h"
 #include "render/context/shared_library.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 using namespace pabd;
 
@@ -21,7 +21,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("EGL without a driver: Error(no_gl), one line with every attempt and the remedies") {
+TEST_CASE("EGL without a driver: Error(no_context), one line with every attempt and the remedies") {
   std::vector<ContextAttempt> attempts;
   try {
     create_headless_context(Backend::egl, attempts);
@@ -29,7 +29,7 @@ TEST_CASE("EGL without a driver: Error(no_gl), one line with every attempt and t
   } catch (const Error& error) {
     const std::string text = error.what();
     WARN(text);
-    CHECK(error.code() == ExitCode::no_gl);
+    CHECK(error.kind() == ErrorKind::no_context);
     CHECK(contains(text, "OpenGL 3.3"));
     CHECK(contains(text, "EGL device"));
     CHECK(contains(text, "EGL surfaceless"));
@@ -53,7 +53,7 @@ TEST_CASE("without EGL drivers the automatic choice falls back to OSMesa or expl
     CHECK(attempts.back().failure.empty());
     CHECK(attempts.size() >= 3);
   } catch (const Error& error) {
-    CHECK(error.code() == ExitCode::no_gl);
+    CHECK(error.kind() == ErrorKind::no_context);
     CHECK(contains(error.what(), "OSMesa"));
   }
 }

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "render/gl/lighting.h"
+#include "tests/gl/drawn_scenes.h"
 #include "tests/gl/render_fixture.h"
-#include "tests/gl/scenes.h"
 
 using namespace pabd;
 

@@ -3,7 +3,7 @@
 
 #include "render/gl/frame_block.h"
 #include "render/gl/shader_log.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/gl/render_fixture.h"
 
 using namespace pabd;

@@ -1,7 +1,7 @@
 // Frames come back in order, whole, and in their own size.
 #include <catch2/catch.hpp>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/gl/render_fixture.h"
 #include "tests/support/errors.h"
 

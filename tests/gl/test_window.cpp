@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 using namespace pabd;
 
@@ -35,7 +35,7 @@ std::string refusal(const std::string& chord) {
   try {
     parse_key_chord(chord);
   } catch (const Error& error) {
-    CHECK(error.code() == ExitCode::bad_input);
+    CHECK(error.kind() == ErrorKind::bad_input);
     return error.what();
   }
   return {};
@@ -86,7 +86,7 @@ TEST_CASE("without a display no window opens, and the message says what helps") 
   } catch (const Error& error) {
     const std::string text = error.what();
     CAPTURE(text);
-    CHECK(error.code() == ExitCode::no_gl);
+    CHECK(error.kind() == ErrorKind::no_context);
     CHECK(text.find("no window") != std::string::npos);
     CHECK(text.find("--headless") != std::string::npos);
     CHECK(text.find('\n') == std::string::npos);

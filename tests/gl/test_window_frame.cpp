@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/gl/render_fixture.h"
 
 using namespace pabd;

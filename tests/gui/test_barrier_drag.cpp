@@ -5,7 +5,7 @@
 #include "app/gui/barrier_drag.h"
 #include "app/gui/contact_strip.h"
 #include "app/gui/plot_reading.h"
-#include "app/overlay/panels.h"
+#include "app/overlay/overlay_panels.h"
 
 using namespace pabd;
 

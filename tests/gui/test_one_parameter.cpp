@@ -11,7 +11,7 @@
 #include "app/gui/significant.h"
 #include "app/overlay/parameter_words.h"
 #include "app/plots/rich_text.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/parameter_docs.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_scene.h"

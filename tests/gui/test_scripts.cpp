@@ -12,7 +12,7 @@
 #include "app/gui/script_actions.h"
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/support/golden.h"
 #include "tests/support/temp_folder.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "app/gui/settings.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/support/temp_folder.h"
 
 using namespace pabd;

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "app/gui/panel.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 using namespace pabd;
 using Catch::Matchers::Contains;

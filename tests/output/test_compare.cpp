@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "render/output/compare.h"
+#include "render/output/compare_images.h"
 #include "render/output/compare_report.h"
 #include "render/output/png.h"
 #include "tests/support/errors.h"

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "app/overlay/overlay.h"
-#include "app/overlay/panels.h"
+#include "app/overlay/overlay_panels.h"
 #include "app/plots/figure.h"
-#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/barrier_curves.h"
 #include "app/plots/svg_canvas.h"
 
 using namespace pabd;

@@ -1,10 +1,10 @@
-// Panels never overlap, stay inside, and leave a free rectangle, for every selection and many frame sizes; what a table
-// says of a panel is found by names, help and places.
+// Panels never overlap, stay inside, and leave a free rectangle, for every selection and many frame sizes;
+// what a table says of a panel is found by names, help and places.
 #include <catch2/catch.hpp>
 
 #include "app/overlay/overlay.h"
 #include "app/overlay/panel_layout.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 using namespace pabd;
 using Catch::Matchers::Contains;
@@ -93,7 +93,7 @@ TEST_CASE("panel names") {
       parse_panels(bad);
       FAIL("accepted " << bad);
     } catch (const Error& error) {
-      CHECK(error.code() == ExitCode::bad_input);
+      CHECK(error.kind() == ErrorKind::bad_input);
       CHECK(std::string(error.what()).find("convergence") != std::string::npos);
     }
   }

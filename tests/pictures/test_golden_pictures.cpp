@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "app/overlay/figure2.h"
-#include "app/overlay/panels.h"
+#include "app/overlay/overlay_panels.h"
 #include "app/plots/figure.h"
-#include "app/plots/figures/barrier.h"
-#include "app/plots/figures/barrier_panel.h"
+#include "app/plots/figures/barrier_curves.h"
+#include "app/plots/figures/barrier_plots.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"
-#include "app/plots/figures/convergence_panel.h"
+#include "app/plots/figures/convergence_plots.h"
 #include "app/plots/figures/difference.h"
 #include "app/plots/figures/slider_joint.h"
 #include "app/plots/figures/spherical_joint.h"
@@ -20,7 +20,7 @@
 #include "render/visual/joint_glyphs.h"
 #include "render/visual/outline.h"
 #include "tests/pictures/joint_scene.h"
-#include "tests/pictures/studio.h"
+#include "tests/pictures/picture_studio.h"
 #include "tests/support/golden.h"
 
 using namespace pabd;

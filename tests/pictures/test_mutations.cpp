@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
-#include "render/output/compare.h"
-#include "tests/pictures/studio.h"
+#include "render/output/compare_images.h"
+#include "tests/pictures/picture_studio.h"
 
 using namespace pabd;
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "app/plots/figure.h"
-#include "app/plots/figures/barrier_panel.h"
+#include "app/plots/figures/barrier_plots.h"
 #include "app/plots/plot_pick.h"
 
 using namespace pabd;

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "app/plots/figure.h"
-#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/barrier_curves.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"
 #include "app/plots/figures/slider_joint.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/plots/figures/convergence_panel.h"
+#include "app/plots/figures/convergence_plots.h"
 #include "app/plots/figures/difference.h"
 #include "app/plots/figures/time_panel.h"
 #include "app/plots/plot_layout.h"

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/plots/figure.h"
-#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/barrier_curves.h"
 #include "app/plots/figures/contact_pair.h"
 
 using namespace pabd;

@@ -7,7 +7,7 @@
 #include "sim/scene/keys.h"
 #include "sim/scene/parameter_docs.h"
 #include "sim/solver/time_step.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 #include "tests/support/files.h"
 
 using namespace pabd;

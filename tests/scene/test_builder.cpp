@@ -1,4 +1,5 @@
-// A scene built in C++ is the one that a file with the same entries gives, and is refused with the same words.
+// A scene built in C++ is the one that a file with the same entries gives, and is refused with the same
+// words.
 #include "sim/scene/builder.h"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 #include "sim/body/shape_kind.h"
 #include "sim/scene/document.h"
 #include "sim/solver/time_step.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;
@@ -49,7 +50,7 @@ std::string refusal(SceneBuilder& builder) {
   try {
     builder.build();
   } catch (const Error& error) {
-    CHECK(error.code() == ExitCode::bad_input);
+    CHECK(error.kind() == ErrorKind::bad_input);
     return error.what();
   }
   return "accepted";

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "sim/scene/random.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;
@@ -50,7 +50,7 @@ bool refused(const std::string& text, const std::vector<std::string>& overrides 
     }
     return false;
   } catch (const Error& error) {
-    REQUIRE(error.code() == ExitCode::bad_input);
+    REQUIRE(error.kind() == ErrorKind::bad_input);
     REQUIRE(std::string(error.what()).find('\n') == std::string::npos);
     return true;
   }

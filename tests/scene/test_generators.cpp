@@ -3,7 +3,7 @@
 #include <set>
 #include <variant>
 
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;

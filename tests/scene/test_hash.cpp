@@ -1,7 +1,7 @@
 // The hash of a scene: a fingerprint of what it says, not of how it is written.
 #include <set>
 
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;

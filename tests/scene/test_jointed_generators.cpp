@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "sim/joint/expand.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;

@@ -4,7 +4,7 @@
 #include "sim/body/mass_properties.h"
 #include "sim/scene/mesh_library.h"
 #include "sim/scene/random.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 #include "tests/support/files.h"
 
 using namespace pabd;
@@ -132,7 +132,7 @@ std::string refusal(const std::string& bytes, const char* ending, double scale =
     REQUIRE(hull.data->second_moment.allFinite());
     return {};
   } catch (const Error& error) {
-    REQUIRE(error.code() == ExitCode::bad_input);
+    REQUIRE(error.kind() == ErrorKind::bad_input);
     const std::string message = error.what();
     REQUIRE(message.find('\n') == std::string::npos);
     return message;

@@ -1,6 +1,6 @@
 // What scenes say that were saved in mid-run: joints away from their zero, and what contacts remember.
 #include "sim/joint/expand.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;
@@ -49,25 +49,25 @@ TEST_CASE("anchors and frames of a joint stand where the file says, away from ze
     CHECK(parse(with_joint(R"("type": ")" + std::string(type) + "\", " + kPlace)).model.joints.size() == 1);
 }
 
-TEST_CASE("friction anchors arrive in the state and count in the hash", "[scene]") {
+TEST_CASE("what friction remembers arrives in the state and counts in the hash", "[scene]") {
   const std::string text = scene_with(R"("friction_anchors": [
     { "bodies": [0, 1], "feature": 7, "stretch": [0.001, 0, 0] },
     { "bodies": [1, 2], "feature": 4294967295, "stretch": [0, 0, 0.002], "sliding": true } ])");
   const Scene scene = parse(text);
-  REQUIRE(scene.initial.anchors.size() == 2);
-  CHECK(scene.initial.anchors[0].pair == 1);
-  CHECK(scene.initial.anchors[0].feature == 7);
-  CHECK(scene.initial.anchors[0].stretch == Vec3(0.001, 0, 0));
-  CHECK_FALSE(scene.initial.anchors[0].sliding);
-  CHECK(scene.initial.anchors[1].pair == ((std::uint64_t{1} << 32) | 2));
-  CHECK(scene.initial.anchors[1].feature == 0xffffffffu);
-  CHECK(scene.initial.anchors[1].sliding);
+  REQUIRE(scene.initial.contacts.size() == 2);
+  CHECK(scene.initial.contacts[0].pair == 1);
+  CHECK(scene.initial.contacts[0].feature == 7);
+  CHECK(scene.initial.contacts[0].stretch == Vec3(0.001, 0, 0));
+  CHECK_FALSE(scene.initial.contacts[0].sliding);
+  CHECK(scene.initial.contacts[1].pair == ((std::uint64_t{1} << 32) | 2));
+  CHECK(scene.initial.contacts[1].feature == 0xffffffffu);
+  CHECK(scene.initial.contacts[1].sliding);
   for (const char* change : {"friction_anchors.0.feature=8", "friction_anchors.0.stretch.1=1",
                              "friction_anchors.0.sliding=true", "friction_anchors.0.bodies.1=2"})
     CHECK(parse(text, {change}).hash != scene.hash);
 }
 
-TEST_CASE("joint forces arrive in the state and count in the hash", "[scene]") {
+TEST_CASE("joint forces arrive in the state and counts in the hash", "[scene]") {
   const std::string text = scene_with(R"("joint_forces": [[1, 2, 3]],
     "joints": [ { "type": "spherical", "bodies": ["a", "b"], "anchor": [1, 1, 0] } ])");
   const Scene scene = parse(text);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "sim/scene/keys.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;

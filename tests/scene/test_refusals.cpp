@@ -1,6 +1,6 @@
 // Every kind of bad scene is refused with the place and the expectation.
 #include "sim/scene/document.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;
@@ -36,7 +36,7 @@ TEST_CASE("documents have a largest size", "[scene]") {
       parse_document(text, "test.json", limits);
       return std::string("accepted");
     } catch (const Error& error) {
-      CHECK(error.code() == ExitCode::bad_input);
+      CHECK(error.kind() == ErrorKind::bad_input);
       return std::string(error.what());
     }
   };
@@ -265,7 +265,7 @@ TEST_CASE("a file that cannot be read is an error of its own", "[scene]") {
       load_scene(file);
       FAIL_CHECK("read " << file);
     } catch (const Error& error) {
-      CHECK(error.code() == ExitCode::file);
+      CHECK(error.kind() == ErrorKind::file);
       CHECK_THAT(error.what(), Catch::StartsWith(file.string() + ": cannot be read: "));
     }
   }

@@ -6,7 +6,7 @@
 #include "sim/body/mass_properties.h"
 #include "sim/body/shape_kind.h"
 #include "sim/scene/write_scene.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 #include "tests/support/files.h"
 
 using namespace pabd;

@@ -1,7 +1,7 @@
 // Parameters as text: what is written reads back to the same bits, and what does not fit is refused.
 #include <catch2/catch.hpp>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/tuning.h"
 
@@ -17,7 +17,7 @@ std::string message(const std::function<void()>& action) {
   try {
     action();
   } catch (const Error& error) {
-    CHECK(error.code() == ExitCode::bad_input);
+    CHECK(error.kind() == ErrorKind::bad_input);
     return error.what();
   }
   return "";

@@ -1,7 +1,7 @@
 // What a scene says arrives in the model, the state and the parameters; defaults are the documented ones.
 #include <variant>
 
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;

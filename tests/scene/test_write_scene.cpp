@@ -5,7 +5,7 @@
 
 #include "app/session/session.h"
 #include "app/session/timeline.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/write_scene.h"
 
 using namespace pabd;
@@ -127,7 +127,7 @@ TEST_CASE("a state that no scene file can hold is refused in one line") {
       saved(session);
       FAIL_CHECK("accepted; expected a refusal about " << part);
     } catch (const Error& error) {
-      CHECK(error.code() == ExitCode::bad_input);
+      CHECK(error.kind() == ErrorKind::bad_input);
       CHECK_THAT(error.what(), Catch::Contains(part));
       CHECK(std::string(error.what()).find('\n') == std::string::npos);
     }

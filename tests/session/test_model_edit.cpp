@@ -6,7 +6,7 @@
 
 #include "app/session/session.h"
 #include "app/session/timeline.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 using namespace pabd;
 
@@ -38,7 +38,7 @@ void check_refused(Session& session, const ModelEdit& edit, const std::string& p
     session.edit(edit);
     FAIL_CHECK("accepted; expected a refusal about " << part);
   } catch (const Error& error) {
-    CHECK(error.code() == ExitCode::bad_input);
+    CHECK(error.kind() == ErrorKind::bad_input);
     CHECK_THAT(error.what(), Catch::Contains(part));
     CHECK(std::string(error.what()).find('\n') == std::string::npos);
   }
@@ -77,7 +77,7 @@ TEST_CASE("a body removed in the middle: the others go on as in a scene that nev
   CHECK(with.report().contacts > without.report().contacts);
   with.edit(RemoveBody{2});
   CHECK(with.model().name == without.model().name);
-  CHECK(same_bits(with.state(), without.state()));  // friction anchors too
+  CHECK(same_bits(with.state(), without.state()));  // what friction remembers too
   run(with, 40);
   run(without, 40);
   CHECK(same_bits(with.state(), without.state()));

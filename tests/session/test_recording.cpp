@@ -5,8 +5,8 @@
 #include <fstream>
 
 #include "app/session/recording.h"
+#include "sim/base/error.h"
 #include "sim/base/hash.h"
-#include "sim/error.h"
 #include "sim/scene/tuning.h"
 #include "tests/support/temp_folder.h"
 
@@ -52,7 +52,7 @@ std::string refusal(const std::string& bytes, const std::shared_ptr<const Scene>
   try {
     decode_recording(bytes, "r.rec", scene, kPlenty);
   } catch (const Error& error) {
-    CHECK(error.code() == ExitCode::bad_input);
+    CHECK(error.kind() == ErrorKind::bad_input);
     return error.what();
   }
   return "";

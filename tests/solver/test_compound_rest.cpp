@@ -68,7 +68,7 @@ TEST_CASE("an L comes to rest; its contacts carry the weight below its centre of
 }
 
 TEST_CASE("an L sticks to a slope below the friction angle") {
-  // tan 20° = 0.36 < μ = 0.5. Named contacts keep their anchors: it does not creep.
+  // tan 20° = 0.36 < μ = 0.5. Named contacts are remembered: it does not creep.
   World world;
   const double slope = 20 * kPi / 180;
   const Vec3 n(std::sin(slope), std::cos(slope), 0);

@@ -85,7 +85,7 @@ TEST_CASE("sticking and sliding contacts: the same bits for every number of thre
         load_scene(PABD_SCENES "/incline.json", {"gravity=[" + std::to_string(-9 * slope) + ",-9,0.5]"});
     for (const SolverMethod method : {SolverMethod::descent, SolverMethod::newton, SolverMethod::sissm}) {
       const Outcome alone = run(scene, method, 1, 20);
-      REQUIRE_FALSE(alone.end.anchors.empty());
+      REQUIRE_FALSE(alone.end.contacts.empty());
       for (const int threads : {2, 3, 8}) CHECK(same_bits(run(scene, method, threads, 20).end, alone.end));
     }
   }

@@ -92,7 +92,7 @@ TEST_CASE("the report names every island, its bodies, its solver and how its sol
   REQUIRE(last.islands.size() == 2);
   CHECK(last.islands[0].first_body == 1);
   CHECK(last.islands[0].bodies == 3);
-  CHECK(last.islands[0].patches == 3);
+  CHECK(last.islands[0].manifolds == 3);
   CHECK(last.islands[0].joints == 0);
   CHECK(last.islands[1].first_body == rod);
   CHECK(last.islands[1].bodies == 1);

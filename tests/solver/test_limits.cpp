@@ -23,7 +23,7 @@ bool same_bytes(const State& a, const State& b) {
     return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
   };
   return equal(a.c, b.c) && equal(a.R, b.R) && equal(a.v, b.v) && equal(a.omega, b.omega) &&
-         a.step == b.step && a.time == b.time && a.anchors.size() == b.anchors.size();
+         a.step == b.step && a.time == b.time && a.contacts.size() == b.contacts.size();
 }
 
 }  // namespace

@@ -104,7 +104,13 @@ TEST_CASE("sim knows nothing of drawing, printing or the program") {
   CHECK(violations("sim/", kPrinting) == List{});
   CHECK(mentions("sim/", {"printf(", "puts(", "std::cout", "std::cerr", "fmt::print"}) == List{});
   CHECK(violations("sim/", {"render/", "app/", "tests/", "stb", "CLI/"}) == List{});
-  // What reads, writes and escapes is there once.
+  // Errors have kinds; numbers of the process are the command line's.
+  for (const char* folder : {"sim/", "render/", "app/session/", "app/workbench/", "app/plots/",
+                             "app/overlay/", "app/frames/", "app/gui/"})
+    CHECK(mentions(folder, {"Exit"
+                            "Code",
+                            "exit_code("}) == List{});
+  // What reads, writes and escapes is in sim/base, once.
   CHECK(mentions("app/", {"std::ifstream", "std::ofstream", "fopen("}) == List{});
   CHECK(mentions("sim/", {"std::ifstream", "std::ofstream", "fopen("}) ==
         List{"sim/body/hull_triangles.cpp: fopen("});

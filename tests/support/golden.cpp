@@ -10,7 +10,7 @@
 
 #include "render/output/compare_report.h"
 #include "render/output/png.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace fs = std::filesystem;

@@ -5,7 +5,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "render/output/compare.h"
+#include "render/output/compare_images.h"
 #include "render/output/image.h"
 
 namespace pabd {

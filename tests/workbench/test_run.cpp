@@ -50,7 +50,7 @@ TEST_CASE("a small budget drops states, not the past") {
   const auto scene = two_boxes();
   Session session(scene);
   for (int i = 0; i < 100; ++i) session.step();
-  const std::size_t one = state_bytes(session.state());  // with friction anchors
+  const std::size_t one = state_bytes(session.state());  // with what friction remembers
   Run tight(scene, 1, 200 * one), wide(scene, 1, kPlenty);
   for (int i = 0; i < 500; ++i) {
     REQUIRE(tight.advance());

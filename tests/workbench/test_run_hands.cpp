@@ -5,7 +5,7 @@
 
 #include "app/session/run.h"
 #include "app/workbench/workbench.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 #include "tests/support/temp_folder.h"
 

@@ -5,7 +5,7 @@
 
 #include "sim/scene/tuning.h"
 #include "tests/support/temp_folder.h"
-#include "tests/workbench/helpers.h"
+#include "tests/workbench/workbench_helpers.h"
 
 using namespace pabd;
 using test::open;

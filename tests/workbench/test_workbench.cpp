@@ -7,7 +7,7 @@
 #include "app/workbench/runner.h"
 #include "sim/scene/tuning.h"
 #include "tests/support/temp_folder.h"
-#include "tests/workbench/helpers.h"
+#include "tests/workbench/workbench_helpers.h"
 
 using namespace pabd;
 using test::open;

@@ -1,7 +1,7 @@
 // The barrier with every contact of the last step on it.
+#include "app/overlay/overlay_panels.h"
 #include "app/overlay/overlay_style.h"
-#include "app/overlay/panels.h"
-#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/barrier_curves.h"
 
 namespace pabd {
 namespace {

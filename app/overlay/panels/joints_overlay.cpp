@@ -15,7 +15,7 @@ using namespace overlay_style;
 // The points, and below them the types that the scene has.
 void paint_joint_legend(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
   const Rect in = rect.inset(kPad * s);
-  const TextStyle text{kText * s, ink::text, AnchorX::left, AnchorY::middle};
+  const TextStyle text{kText * s, ink::text, AlignX::left, AlignY::middle};
   double x = in.x, y = in.y + 0.22 * in.h;
   const auto name = [&](const char* words, double gap) {
     canvas.text({x, y}, words, text);

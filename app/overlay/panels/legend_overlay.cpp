@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/overlay/overlay_panels.h"
 #include "app/overlay/overlay_style.h"
-#include "app/overlay/panels.h"
 #include "app/plots/axis_ticks.h"
 #include "app/plots/rich_text.h"
 
@@ -14,7 +14,7 @@ using namespace overlay_style;
 
 void paint_legend(const Rect& rect, double s, const OverlayData&, Canvas& canvas) {
   const Rect in = rect.inset(kPad * s);
-  const TextStyle text{kText * s, ink::text, AnchorX::left, AnchorY::middle};
+  const TextStyle text{kText * s, ink::text, AlignX::left, AlignY::middle};
   constexpr double lo = -0.5, hi = 1;
   const std::string name = "contact *{d}/*{d̂}";
   const double bar_left = in.x + text_width(canvas.font(), name, kText * s) + 12 * s;
@@ -29,7 +29,7 @@ void paint_legend(const Rect& rect, double s, const OverlayData&, Canvas& canvas
     const double x = bar.x + bar.w * (v - lo) / (hi - lo);
     canvas.vertical(std::clamp(x, bar.x, bar.right() - 1), bar.bottom(), bar.bottom() + 3 * s, ink::axis, s);
     canvas.text({x, bar.bottom() + 6 * s}, v == 0 ? "0" : format_value(v),
-                {kText * s, ink::text, AnchorX::center, AnchorY::top});
+                {kText * s, ink::text, AlignX::center, AlignY::top});
   }
 }
 

@@ -87,7 +87,7 @@ void paint_params(const Rect& rect, double s, const OverlayData& data, Canvas& c
   const Rect in = rect.inset(kPad * s);
   const std::string title = data.scene_name.empty() ? "parameters" : data.scene_name;
   canvas.text({in.x, in.y}, shortened(canvas.font(), title, kTitle * s, in.w),
-              {kTitle * s, ink::text, AnchorX::left, AnchorY::top});
+              {kTitle * s, ink::text, AlignX::left, AlignY::top});
   const std::vector<Row> rows = parameter_rows(data);
   const double top = in.y + 1.9 * kTitle * s;
   const double pitch = (in.bottom() - top) / std::max<double>(1, static_cast<double>(rows.size()) - 0.27);
@@ -95,7 +95,7 @@ void paint_params(const Rect& rect, double s, const OverlayData& data, Canvas& c
   for (const Row& row : rows) {
     const double baseline = y + FontMetrics::cap * kText * s;
     canvas.text({in.x, baseline}, row.name, {kText * s, ink::muted});
-    canvas.text({in.right(), baseline}, row.value, {kText * s, ink::text, AnchorX::right});
+    canvas.text({in.right(), baseline}, row.value, {kText * s, ink::text, AlignX::right});
     y += std::min(pitch, 1.75 * kText * s);
   }
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/plots/figures/drawing_board.h"
-#include "app/plots/palette.h"
+#include "app/plots/plot_palette.h"
 
 namespace pabd {
 namespace {
@@ -72,14 +72,14 @@ void paint_half(const ContactPair& pair, bool tangential, const Rect& area, doub
   panel.polygon(body, ink::body_i, ink::edge_i, 2);
   panel.polygon(other, ink::body_j, ink::edge_j, 2);
 
-  panel.label(pair.y_i - 0.62 * pair.size_i.y() * n, "body *{i}", 0, 0, ink::edge_i, AnchorX::center);
+  panel.label(pair.y_i - 0.62 * pair.size_i.y() * n, "body *{i}", 0, 0, ink::edge_i, AlignX::center);
   panel.label(0.25 * (other[0] + other[1] + other[2] + other[3]), "body *{j}", 0, 0, ink::edge_j,
-              AnchorX::center);
+              AlignX::center);
 
   // d̂ at the left end of the face.
   const Vec2 foot = pair.y_i - 0.40 * pair.size_i.x() * t;
   panel.dimension(foot, foot + pair.d_hat * n, ink::edge_i);
-  panel.label(foot + 0.5 * pair.d_hat * n, "*{d̂}", -12, 0, ink::edge_i, AnchorX::right);
+  panel.label(foot + 0.5 * pair.d_hat * n, "*{d̂}", -12, 0, ink::edge_i, AlignX::right);
 
   const Color strong = palette_color(1);
   if (!tangential) {
@@ -87,10 +87,10 @@ void paint_half(const ContactPair& pair, bool tangential, const Rect& area, doub
     panel.right_angle(at.normal, -n, (pair.y_j - at.normal).normalized());
     panel.arrow(pair.y_i, tip, ink::text, 1.8, 13);
     panel.line(pair.y_i, at.normal, strong, 4);
-    panel.label(0.5 * (pair.y_i + at.normal), "*{d}", -13, 2, strong, AnchorX::right);
+    panel.label(0.5 * (pair.y_i + at.normal), "*{d}", -13, 2, strong, AlignX::right);
     panel.dot(at.normal, strong, true);
-    panel.label(at.normal, "*{y}_{j}^{⊥}", -16, 4, ink::text, AnchorX::right);
-    panel.label(tip, "*{n}_{i}", -12, -6, ink::text, AnchorX::right);
+    panel.label(at.normal, "*{y}_{j}^{⊥}", -16, 4, ink::text, AlignX::right);
+    panel.label(tip, "*{n}_{i}", -12, -6, ink::text, AlignX::right);
   } else {
     const Vec2 u = (at.tangential - pair.y_i).norm() > 0 ? (at.tangential - pair.y_i).normalized() : t;
     panel.line(pair.y_i - 0.44 * pair.size_i.x() * u, pair.y_i + 0.44 * pair.size_i.x() * u, ink::muted, 1.4,
@@ -101,10 +101,10 @@ void paint_half(const ContactPair& pair, bool tangential, const Rect& area, doub
     panel.line(pair.y_i, at.tangential, strong, 4);
     panel.dot(at.tangential, strong, true);
     panel.label(at.tangential, "*{y}_{j}^{∥}", 6, -22);
-    panel.label(tip, "*{n}_{i}", -12, -6, ink::text, AnchorX::right);
+    panel.label(tip, "*{n}_{i}", -12, -6, ink::text, AlignX::right);
   }
   panel.dot(pair.y_i, ink::edge_i);
-  panel.label(pair.y_i, "*{y}_{i}", -6, -21, ink::text, AnchorX::right);
+  panel.label(pair.y_i, "*{y}_{i}", -6, -21, ink::text, AlignX::right);
   panel.dot(pair.y_j, ink::edge_j);
   panel.label(pair.y_j, "*{y}_{j}", 17, -5);
   canvas.pop_clip();
@@ -129,7 +129,7 @@ void paint_contact_pair(const ContactPair& pair, double width, double height, Ca
     const Rect area{margin + k * (w + margin), margin, w, h};
     paint_half(pair, k == 1, area, unit, canvas);
     canvas.text({area.x + 0.5 * w, area.bottom() + 0.55 * text}, captions[k],
-                {19 * unit, ink::text, AnchorX::center, AnchorY::middle});
+                {19 * unit, ink::text, AlignX::center, AlignY::middle});
   }
 }
 

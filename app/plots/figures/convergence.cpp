@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/plots/axis_ticks.h"
-#include "app/plots/palette.h"
+#include "app/plots/plot_palette.h"
 #include "app/plots/quantities.h"
 #include "sim/solver/time_step.h"
 

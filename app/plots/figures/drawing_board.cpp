@@ -89,9 +89,9 @@ void DrawingBoard::right_angle(const Vec2& p, const Vec2& u, const Vec2& v) cons
 }
 
 void DrawingBoard::label(const Vec2& p, std::string_view text, double dx, double dy, Color color,
-                         AnchorX anchor) const {
+                         AlignX align) const {
   const Point at = map(p);
-  TextStyle style{21 * unit_, color, anchor, AnchorY::middle};
+  TextStyle style{21 * unit_, color, align, AlignY::middle};
   style.halo = 2.5 * unit_;
   canvas_.text({at.x + dx * unit_, at.y - dy * unit_}, text, style);
 }

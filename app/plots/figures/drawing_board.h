@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/plots/canvas.h"
-#include "app/plots/palette.h"
+#include "app/plots/plot_palette.h"
 
 namespace pabd {
 
@@ -58,7 +58,7 @@ class DrawingBoard {
   void right_angle(const Vec2& p, const Vec2& u, const Vec2& v) const;
   // Text beside p, moved by (dx, dy) in units, y up.
   void label(const Vec2& p, std::string_view text, double dx, double dy, Color color = ink::text,
-             AnchorX anchor = AnchorX::left) const;
+             AlignX align = AlignX::left) const;
 
  private:
   Canvas& canvas_;

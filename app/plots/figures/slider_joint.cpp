@@ -25,8 +25,8 @@ void paint_points(const SliderJoint& joint, const DrawingBoard& board) {
   board.polygon(box(joint.y_j0 + 1.62 * a * n * 1.55, n, 4.55 * a, 0.30 * a, 0.30 * a), ink::body_j,
                 ink::edge_j, 2);
   board.polygon(box(joint.y_i0, m, 1.42 * a, 0.30 * a, 0.80 * a), ink::body_i, ink::edge_i, 2);
-  board.label(joint.y_i0 + 0.55 * a * turn_left(m), "body *{i}", 0, 0, ink::edge_i, AnchorX::center);
-  board.label(joint.y_j0 - 1.62 * a * n, "body *{j}", 0, -78, ink::edge_j, AnchorX::center);
+  board.label(joint.y_i0 + 0.55 * a * turn_left(m), "body *{i}", 0, 0, ink::edge_i, AlignX::center);
+  board.label(joint.y_j0 - 1.62 * a * n, "body *{j}", 0, -78, ink::edge_j, AlignX::center);
 
   const double tail = 6.75 * a;
   board.line(joint.y_j0 - 1.75 * a * n, joint.y_j0 + tail * n, ink::edge_j, 1.4, true);
@@ -42,7 +42,7 @@ void paint_points(const SliderJoint& joint, const DrawingBoard& board) {
     board.line(p, p - (drop + board.metres(8)) * up, ink::muted, 1.2);
   }
   board.dimension(joint.y_j0 - drop * up, at.p_j0 - drop * up, ink::text);
-  board.label(0.5 * (joint.y_j0 + at.p_j0) - drop * up, "*{λ}", 0, -20, ink::text, AnchorX::center);
+  board.label(0.5 * (joint.y_j0 + at.p_j0) - drop * up, "*{λ}", 0, -20, ink::text, AlignX::center);
 
   board.line(at.y_i1, at.p_j1, strong, 4);
   board.line(at.y_i2, at.p_j2, strong, 4);
@@ -56,14 +56,14 @@ void paint_points(const SliderJoint& joint, const DrawingBoard& board) {
   board.dot(joint.y_i0, ink::edge_i, true);
   board.dot(at.y_i1, ink::edge_i);
   board.dot(at.y_i2, ink::edge_i);
-  board.label(at.y_j1, "*{y}_{j1}", 0, 26, ink::text, AnchorX::center);
-  board.label(joint.y_j0, "*{y}_{j0}", 0, 26, ink::text, AnchorX::center);
-  board.label(at.y_j2, "*{y}_{j2}", 0, 26, ink::text, AnchorX::center);
-  board.label(at.p_j1, "*{y}′_{j1}", 0, -25, ink::text, AnchorX::center);
+  board.label(at.y_j1, "*{y}_{j1}", 0, 26, ink::text, AlignX::center);
+  board.label(joint.y_j0, "*{y}_{j0}", 0, 26, ink::text, AlignX::center);
+  board.label(at.y_j2, "*{y}_{j2}", 0, 26, ink::text, AlignX::center);
+  board.label(at.p_j1, "*{y}′_{j1}", 0, -25, ink::text, AlignX::center);
   board.label(at.p_j0, "*{y}′_{j0}", 14, -24);
-  board.label(at.p_j2, "*{y}′_{j2}", 0, -25, ink::text, AnchorX::center);
-  board.label(at.y_i1, "*{y}_{i1}", -14, 12, ink::text, AnchorX::right);
-  board.label(joint.y_i0, "*{y}_{i0}", -6, 26, ink::text, AnchorX::center);
+  board.label(at.p_j2, "*{y}′_{j2}", 0, -25, ink::text, AlignX::center);
+  board.label(at.y_i1, "*{y}_{i1}", -14, 12, ink::text, AlignX::right);
+  board.label(joint.y_i0, "*{y}_{i0}", -6, 26, ink::text, AlignX::center);
   board.label(at.y_i2, "*{y}_{i2}", 14, -12);
 }
 
@@ -100,7 +100,7 @@ void paint_slider_joint(const SliderJoint& joint, double width, double height, C
       "*{C}_{1} = ‖*{y}′_{i1} − *{y}′_{j1}‖ = 0,   *{C}_{2} = ‖*{y}′_{i2} − *{y}′_{j2}‖ = 0"};
   for (int row = 0; row < 2; ++row) {
     canvas.text({0.5 * width, area.bottom() + (0.36 + 0.34 * row) * text}, rows[row],
-                {19 * unit, ink::text, AnchorX::center, AnchorY::middle});
+                {19 * unit, ink::text, AlignX::center, AlignY::middle});
   }
 }
 

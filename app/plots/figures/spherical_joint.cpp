@@ -26,9 +26,8 @@ void paint_side(const SphericalJoint& joint, bool both, const Rect& area, double
   board.polygon(round_bar(o, o + 1.12 * e_j, thick), ink::body_j, ink::edge_j, 2);
   const double half = thick / board.metres(1);  // of the bars, in units
   board.label(o + 0.6 * arm_i, "body *{i}", both ? half + 12 : 0, 0, ink::edge_i,
-              both ? AnchorX::left : AnchorX::center);
-  board.label(o + 0.66 * e_j, "body *{j}", both ? 0 : 4, both ? 0 : -0.5 * half, ink::edge_j,
-              AnchorX::center);
+              both ? AlignX::left : AlignX::center);
+  board.label(o + 0.66 * e_j, "body *{j}", both ? 0 : 4, both ? 0 : -0.5 * half, ink::edge_j, AlignX::center);
 
   const Color strong = palette_color(1);
   const Vec2 sides[][2] = {{at.y_i1, at.y_j1}, {at.y_i2, at.y_j2}};
@@ -40,16 +39,16 @@ void paint_side(const SphericalJoint& joint, bool both, const Rect& area, double
   if (!both) {
     const double from = std::atan2(e_j.y(), e_j.x());
     board.arrow(o, o + e_j, ink::edge_j, 1.8, 13);
-    board.label(o + 0.86 * e_j, "*{R}_{j} *{r}_{1}", -4, half + 24, ink::edge_j, AnchorX::center);
+    board.label(o + 0.86 * e_j, "*{R}_{j} *{r}_{1}", -4, half + 24, ink::edge_j, AlignX::center);
     board.arc_arrow(o, 0.42 * reach, from, from + joint.theta, ink::text, 1.8, 12);
     board.label(o + 0.42 * reach * turned(joint.angle_j + 0.45 * joint.theta, joint.r_1.normalized()), "*{θ}",
                 12, 6);
-    board.label(o + 0.5 * (at.y_i1 - o), "*{R}_{i} *{r}_{1}", -14, 0, ink::edge_i, AnchorX::right);
+    board.label(o + 0.5 * (at.y_i1 - o), "*{R}_{i} *{r}_{1}", -14, 0, ink::edge_i, AlignX::right);
     board.label(o + 0.66 * (at.y_j1 - o), "*{R}(*{θ}) *{R}_{j} *{r}_{1}", 16, -2, ink::edge_j);
-    board.label(0.5 * (at.y_i1 + at.y_j1), "*{C}_{1}", 4, 22, strong, AnchorX::center);
+    board.label(0.5 * (at.y_i1 + at.y_j1), "*{C}_{1}", 4, 22, strong, AlignX::center);
   } else {
-    board.label(0.5 * (at.y_i1 + at.y_j1), "*{C}_{1}", 4, 22, strong, AnchorX::center);
-    board.label(0.5 * (at.y_i2 + at.y_j2), "*{C}_{2}", -6, -24, strong, AnchorX::center);
+    board.label(0.5 * (at.y_i1 + at.y_j1), "*{C}_{1}", 4, 22, strong, AlignX::center);
+    board.label(0.5 * (at.y_i2 + at.y_j2), "*{C}_{2}", -6, -24, strong, AlignX::center);
     // Equal distances: the same mark on both sides.
     for (const double side : {0.5, -0.5}) {
       const Vec2 middle = o + side * (at.y_j1 - o);
@@ -62,14 +61,14 @@ void paint_side(const SphericalJoint& joint, bool both, const Rect& area, double
     board.dot(at.y_i2, ink::edge_i);
     board.dot(at.y_j2, ink::edge_j);
     board.label(at.y_i2, "*{y}_{i2}", 16, -10);
-    board.label(at.y_j2, "*{y}_{j2}", -16, -10, ink::text, AnchorX::right);
+    board.label(at.y_j2, "*{y}_{j2}", -16, -10, ink::text, AlignX::right);
   }
   board.dot(at.y_i1, ink::edge_i);
   board.dot(at.y_j1, ink::edge_j);
-  board.label(at.y_i1, "*{y}_{i1}", -14, 12, ink::text, AnchorX::right);
+  board.label(at.y_i1, "*{y}_{i1}", -14, 12, ink::text, AlignX::right);
   board.label(at.y_j1, "*{y}_{j1}", 15, 10);
   board.joined_dots(o);
-  board.label(o, "*{y}_{i0} = *{y}_{j0}", -half - 12, 0, ink::text, AnchorX::right);
+  board.label(o, "*{y}_{i0} = *{y}_{j0}", -half - 12, 0, ink::text, AlignX::right);
   canvas.pop_clip();
 }
 
@@ -95,7 +94,7 @@ void paint_spherical_joint(const SphericalJoint& joint, double width, double hei
     paint_side(joint, k == 1, area, unit, canvas);
     for (int row = 0; row < 2; ++row) {
       canvas.text({area.x + 0.5 * w, area.bottom() + (0.36 + 0.34 * row) * text}, captions[k][row],
-                  {19 * unit, ink::text, AnchorX::center, AnchorY::middle});
+                  {19 * unit, ink::text, AlignX::center, AlignY::middle});
     }
   }
 }

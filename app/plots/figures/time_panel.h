@@ -1,11 +1,11 @@
 // One quantity of a run against time, with the present moment and what happened on the way: a panel in which
 // a click goes to a step. And the same for two runs, or for what differs between them.
 //
-//   gap          smallest d over contacts          m
-//   penetration  max(0, −d)                        m
-//   energies     kinetic, potential from its first value, elastic, total   J
+//   gap          smallest d over contacts                                      m
+//   penetration  max(0, −d)                                                    m
+//   energies     kinetic, potential from its first value, elastic, total       J
 //   joint error  largest distance between points that a joint wants together   m
-//   time         per step, wall clock              ms
+//   time         per step, wall clock                                          ms
 #pragma once
 
 #include <optional>

@@ -1,9 +1,9 @@
 // Penetration, joint error and energies against time. Histories are oldest first.
 //
-//   max_penetration  max(0, −d) over contacts    m
-//   min_gap          smallest d                  m
+//   max_penetration  max(0, −d) over contacts                                  m
+//   min_gap          smallest d                                                m
 //   joint_error      between points that a joint wants together, the largest   m
-//   kinetic, potential, elastic                  J
+//   kinetic, potential, elastic                                                J
 #pragma once
 
 #include <span>

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/bench/peers/scenes.h"
+#include "tests/bench/peers/peer_scenes.h"
 
 namespace pabd::peers {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/scene/scene.h"
-#include "tests/bench/peers/scenes.h"
+#include "tests/bench/peers/peer_scenes.h"
 
 namespace pabd::peers {
 

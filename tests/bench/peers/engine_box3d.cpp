@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
+#include "sim/base/error.h"
 #include "sim/body/compound.h"
 #include "sim/body/mass_properties.h"
-#include "sim/error.h"
 #include "tests/bench/peers/engine.h"
 
 namespace pabd::peers {
@@ -76,7 +76,7 @@ class ShapeMaker {
     const auto count = static_cast<int>(points.size());
     b3HullData* made = count <= B3_MAX_HULL_VERTICES ? b3CreateHull(points.data(), count, count) : nullptr;
     if (!made) {
-      throw Error(ExitCode::bad_input,
+      throw Error(ErrorKind::bad_input,
                   "Box3D adapter: expected hulls that Box3D takes, of 128 vertices or "
                   "fewer");
     }
@@ -204,7 +204,7 @@ class Box3dEngine : public Engine {
       attach(joint, def.base);
       b3CreateRevoluteJoint(world_, &def);
     } else {
-      throw Error(ExitCode::bad_input, "Box3D adapter: expected spherical joints and hinges without limits");
+      throw Error(ErrorKind::bad_input, "Box3D adapter: expected spherical joints and hinges without limits");
     }
   }
 

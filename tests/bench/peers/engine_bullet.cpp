@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "sim/base/error.h"
 #include "sim/body/mass_properties.h"
-#include "sim/error.h"
 #include "tests/bench/peers/engine.h"
 
 namespace pabd::peers {
@@ -26,7 +26,7 @@ std::unique_ptr<btCollisionShape> make_shape(const Shape& shape) {
   if (const Plane* plane = std::get_if<Plane>(&shape))
     return std::make_unique<btStaticPlaneShape>(to_bullet(plane->normal),
                                                 static_cast<btScalar>(plane->offset));
-  throw Error(ExitCode::bad_input, "Bullet adapter: expected boxes, spheres and planes");
+  throw Error(ErrorKind::bad_input, "Bullet adapter: expected boxes, spheres and planes");
 }
 
 btTransform make_frame(const Mat3& R, const Vec3& origin) {
@@ -48,7 +48,7 @@ std::unique_ptr<btTypedConstraint> make_joint(const Joint& joint, btRigidBody& a
     return std::make_unique<btPoint2PointConstraint>(a, b, to_bullet(joint.on_i.r), to_bullet(joint.on_j.r));
   if (plain && joint.type == JointType::hinge)
     return std::make_unique<btHingeConstraint>(a, b, hinge_frame(joint.on_i), hinge_frame(joint.on_j));
-  throw Error(ExitCode::bad_input, "Bullet adapter: expected spherical joints and hinges without limits");
+  throw Error(ErrorKind::bad_input, "Bullet adapter: expected spherical joints and hinges without limits");
 }
 
 class BulletEngine : public Engine {

@@ -6,8 +6,8 @@
 // contacts of an island, for scenes where that is not out of reach.
 #include <ode/ode.h>
 
+#include "sim/base/error.h"
 #include "sim/body/mass_properties.h"
-#include "sim/error.h"
 #include "tests/bench/peers/engine.h"
 
 namespace pabd::peers {
@@ -30,7 +30,7 @@ dGeomID make_geom(const Shape& shape, dSpaceID space) {
   if (const Sphere* sphere = std::get_if<Sphere>(&shape)) return dCreateSphere(space, sphere->radius);
   if (const Plane* plane = std::get_if<Plane>(&shape))
     return dCreatePlane(space, plane->normal.x(), plane->normal.y(), plane->normal.z(), plane->offset);
-  throw Error(ExitCode::bad_input, "ODE adapter: expected boxes, spheres and planes");
+  throw Error(ErrorKind::bad_input, "ODE adapter: expected boxes, spheres and planes");
 }
 
 // The library's start and end belong to the process; one engine after the other may live in between.
@@ -137,7 +137,7 @@ class OdeEngine : public Engine {
       dJointSetHingeAnchor(id, place.x(), place.y(), place.z());
       dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
     } else {
-      throw Error(ExitCode::bad_input, "ODE adapter: expected spherical joints and hinges without limits");
+      throw Error(ErrorKind::bad_input, "ODE adapter: expected spherical joints and hinges without limits");
     }
   }
 

@@ -8,7 +8,7 @@
 #include <exception>
 #include <string>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "tests/bench/peers/measure.h"
 
 namespace {
@@ -83,13 +83,13 @@ int run(int count, char** arguments) {
   }
   const int threads = count > 2 ? number(second) : 1;
   if (first.empty() || count > 3 || threads < 1 || threads > engine_threads()) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("expected: SCENE [THREADS from 1 to {}], --list, --threads, --kind SCENE, "
                             "--head contacts or --head joints",
                             engine_threads()));
   }
   if (!engine_takes(scene_engines(first))) {
-    throw Error(ExitCode::bad_input, "scene '" + first + "': expected one of those that --list prints");
+    throw Error(ErrorKind::bad_input, "scene '" + first + "': expected one of those that --list prints");
   }
   fmt::print("{}", row(first, peer_scene(first), threads));
   return std::fflush(stdout) == 0 ? 0 : 1;

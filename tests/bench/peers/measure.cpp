@@ -6,7 +6,7 @@
 #include <ctime>
 #include <fstream>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/solver/step_summary.h"
 
 namespace pabd::peers {
@@ -30,7 +30,7 @@ double peak_memory_mib() {
   for (std::string line; std::getline(status, line);) {
     if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
   }
-  throw Error(ExitCode::file, "/proc/self/status: expected a line VmHWM; run on Linux");
+  throw Error(ErrorKind::file, "/proc/self/status: expected a line VmHWM; run on Linux");
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "tests/bench/peers/engine.h"
+#include "tests/bench/peers/peer_scenes.h"
 #include "tests/bench/peers/rulers.h"
-#include "tests/bench/peers/scenes.h"
 
 namespace pabd::peers {
 

@@ -2,7 +2,7 @@
 // on the face of each of the two hubs. 100 × 100 hubs have 29,800 bodies and 39,600 joints.
 #include <fmt/format.h>
 
-#include "tests/bench/peers/scenes.h"
+#include "tests/bench/peers/peer_scenes.h"
 
 namespace pabd::peers {
 

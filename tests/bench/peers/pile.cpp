@@ -2,7 +2,7 @@
 // it stays deep instead of spreading.
 #include <fmt/format.h>
 
-#include "tests/bench/peers/scenes.h"
+#include "tests/bench/peers/peer_scenes.h"
 
 namespace pabd::peers {
 

@@ -157,7 +157,7 @@ TEST_CASE("the ruler reads nothing but poses") {
     state.step = 420;
     state.v.back() = {30, -40, 50};
     state.omega.back() = {-6, 7, 8};
-    state.anchors.push_back({1, 0, Vec3(1, 2, 3)});
+    state.contacts.push_back({1, 0, Vec3(1, 2, 3)});
     const Depth moving = measure(known.world.model, state);
     CHECK(moving.max == at_rest.max);
     CHECK(moving.sum == at_rest.sum);

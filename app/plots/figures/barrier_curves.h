@@ -28,8 +28,9 @@ struct BarrierCurves {
   int samples = 600;
 };
 
-// Value left, derivative right, a curve for every combination (log: for every d̂ and κ). The values must be in
-// the range that check_params asks for; N is ignored for log. More than a palette of curves repeats colours.
+// Value left, derivative right, a curve for every combination (log: for every d̂ and κ). The values must be
+// in the range that check_params asks for; N is ignored for log. More than a palette of curves repeats
+// colours.
 Figure barrier_figure(const BarrierCurves& curves);
 
 // Figure 1: B_N for several N and the log barrier left; B_3' for several d̂ right. Printed formula (ε = 0).

@@ -6,10 +6,10 @@
 #include "app/cli/common.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/streams.h"
-#include "render/output/compare.h"
+#include "render/output/compare_images.h"
 #include "render/output/compare_report.h"
 #include "render/output/png.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd::cli {
 namespace {

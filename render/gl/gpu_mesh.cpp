@@ -1,5 +1,5 @@
 // Triangle meshes of the primitives.
-#include "render/gl/mesh.h"
+#include "render/gl/gpu_mesh.h"
 
 #include <cmath>
 

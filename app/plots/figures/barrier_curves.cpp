@@ -1,5 +1,5 @@
 // Barrier curves against the distance.
-#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/barrier_curves.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/plots/axis_ticks.h"
-#include "app/plots/palette.h"
+#include "app/plots/plot_palette.h"
 #include "app/plots/quantities.h"
 #include "sim/solver/parameter_table.h"
 

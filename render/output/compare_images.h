@@ -12,10 +12,12 @@
 
 namespace pabd {
 
-//   same_class    the same renderer class. No channel off by more than 1 level, at most 0.1 % of pixels off at
+//   same_class    the same renderer class. No channel off by more than 1 level, at most 0.1 % of pixels off
+// at
 //                 all.
 //   cross_class   different ones. Distances to the surround, taken both ways (something added, something
-//                 missing): no tile with more than 3 pixels off by over 16 levels, and no tile with a mean off
+//                 missing): no tile with more than 3 pixels off by over 16 levels, and no tile with a mean
+// off
 //                 by over 3.5 in a channel.
 enum class CompareTier { same_class, cross_class };
 

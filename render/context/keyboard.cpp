@@ -1,10 +1,10 @@
 // Names of keys.
-#include "render/context/keys.h"
+#include "render/context/keyboard.h"
 
 #include <algorithm>
 #include <array>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -60,7 +60,7 @@ Key parse_key(std::string_view text) {
   const std::size_t at = find(kNames, text);
   if (at > 0 && at < kNames.size()) return static_cast<Key>(at);
   throw Error(
-      ExitCode::bad_input,
+      ErrorKind::bad_input,
       "key '" + std::string(text) +
           "' is unknown; expected a letter, a digit, F1 to F12, a sign such as '/', left, right, up, down, "
           "home, end, page_up, page_down, insert, delete, backspace, space, enter, escape, tab, ctrl, "
@@ -78,7 +78,7 @@ KeyChord parse_key_chord(std::string_view text) {
                        : same(word, "super") ? &m.super
                                              : nullptr;
     if (flag == nullptr || *flag) {
-      throw Error(ExitCode::bad_input,
+      throw Error(ErrorKind::bad_input,
                   "modifier '" + std::string(word) +
                       "' before a '+': expected ctrl, shift, alt or super, each once, as in "
                       "'ctrl+shift+s'");
@@ -93,7 +93,7 @@ KeyChord parse_key_chord(std::string_view text) {
 MouseButton parse_mouse_button(std::string_view text) {
   const std::size_t at = find(kButtons, text);
   if (at < kButtons.size()) return static_cast<MouseButton>(at);
-  throw Error(ExitCode::bad_input,
+  throw Error(ErrorKind::bad_input,
               "mouse button '" + std::string(text) + "' is unknown; expected left, right or middle");
 }
 

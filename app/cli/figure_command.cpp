@@ -10,7 +10,7 @@
 #include "app/overlay/figure2.h"
 #include "app/overlay/figure6.h"
 #include "app/overlay/overlay.h"
-#include "app/plots/figures/barrier.h"
+#include "app/plots/figures/barrier_curves.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"
 #include "app/plots/figures/slider_joint.h"

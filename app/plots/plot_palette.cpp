@@ -1,5 +1,5 @@
 // Colours of plots and diagrams.
-#include "app/plots/palette.h"
+#include "app/plots/plot_palette.h"
 
 namespace pabd {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/workbench/workbench.h"
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd::test {
 

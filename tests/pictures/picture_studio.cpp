@@ -1,4 +1,4 @@
-#include "tests/pictures/studio.h"
+#include "tests/pictures/picture_studio.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // pabd plot: the family of plot commands.
-#include "app/cli/plot.h"
+#include "app/cli/plot_command.h"
 
 namespace pabd::cli {
 

@@ -1,7 +1,7 @@
 // Lists of meshes in scene files: one body of several parts.
 #include "sim/body/compound.h"
 #include "sim/scene/mesh_library.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;

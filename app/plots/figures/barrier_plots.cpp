@@ -1,5 +1,5 @@
 // The barrier panel's plot, its handles, and the histogram of d/d̂.
-#include "app/plots/figures/barrier_panel.h"
+#include "app/plots/figures/barrier_plots.h"
 
 #include <fmt/format.h>
 

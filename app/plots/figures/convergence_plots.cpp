@@ -1,5 +1,5 @@
 // The convergence panel's plot.
-#include "app/plots/figures/convergence_panel.h"
+#include "app/plots/figures/convergence_plots.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Joints in scene files: what a file says arrives in the model, and bad joints are refused.
 #include "sim/joint/auto_kappa.h"
-#include "tests/scene/helpers.h"
+#include "tests/scene/scene_helpers.h"
 
 using namespace pabd;
 using namespace pabd::test;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "app/workbench/workbench.h"
+#include "sim/base/error.h"
 #include "sim/collision/ray_cast.h"
-#include "sim/error.h"
 
 namespace pabd {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kMostSpeed = 1e4;                    // of a ball; m/s
 
 Vec3 three(const std::vector<double>& v, const char* what) {
   if (v.size() != 3 || !std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2])) {
-    throw Error(ExitCode::bad_input, fmt::format("\"{}\": expected three numbers", what));
+    throw Error(ErrorKind::bad_input, fmt::format("\"{}\": expected three numbers", what));
   }
   return {v[0], v[1], v[2]};
 }
@@ -117,16 +117,16 @@ void Workbench::carry_out(const command::Shoot& c) {
   ball.position = three(c.from, "from");
   const Vec3 direction = three(c.direction, "direction");
   if (!(direction.stableNorm() > 1e-9))
-    throw Error(ExitCode::bad_input, "shoot: \"direction\": expected a vector that is not zero");
+    throw Error(ErrorKind::bad_input, "shoot: \"direction\": expected a vector that is not zero");
   if (!(std::abs(c.speed) <= kMostSpeed)) {
-    throw Error(ExitCode::bad_input,
+    throw Error(ErrorKind::bad_input,
                 fmt::format("shoot: \"speed\": expected up to {:g} m/s, got {:g}", kMostSpeed, c.speed));
   }
   ball.velocity = c.speed * direction.stableNormalized();
   const auto hit = ray_cast(a_->model(), a_->state(), {ball.position, direction});
   if (hit && hit->normal.dot(direction) > 0) {
-    throw Error(ExitCode::bad_input, fmt::format("a ball cannot start inside {}; look from outside",
-                                                 a_->model().name[static_cast<std::size_t>(hit->body)]));
+    throw Error(ErrorKind::bad_input, fmt::format("a ball cannot start inside {}; look from outside",
+                                                  a_->model().name[static_cast<std::size_t>(hit->body)]));
   }
   edit_here(ball, "ball");
 }

@@ -1,5 +1,5 @@
-// See hands.h.
-#include "app/gui/hands.h"
+// See picture_mouse.h.
+#include "app/gui/picture_mouse.h"
 
 #include <fmt/format.h>
 
@@ -49,8 +49,8 @@ AddJoint joint_between(const Joining& first, const RunView& run, const Selection
 
 }  // namespace
 
-void Hands::handle(const WindowEvent& event, bool in_picture, const GuiLayout& layout, GuiFrame& f,
-                   CameraPose& camera) {
+void PictureMouse::handle(const WindowEvent& event, bool in_picture, const GuiLayout& layout, GuiFrame& f,
+                          CameraPose& camera) {
   const Rect& place = layout.views[0];
   if (const auto* moved = std::get_if<MouseMoved>(&event)) {
     if (held_ >= 0 && !grip_) drag(moved->x - x_, moved->y - y_, place, camera);
@@ -83,7 +83,8 @@ void Hands::handle(const WindowEvent& event, bool in_picture, const GuiLayout& l
   }
 }
 
-void Hands::press(const MouseClicked& click, const GuiLayout& layout, GuiFrame& f, const CameraPose& camera) {
+void PictureMouse::press(const MouseClicked& click, const GuiLayout& layout, GuiFrame& f,
+                         const CameraPose& camera) {
   const bool left = click.button == MouseButton::left;
   held_ = static_cast<int>(click.button);
   shift_ = click.modifiers.shift;
@@ -95,7 +96,7 @@ void Hands::press(const MouseClicked& click, const GuiLayout& layout, GuiFrame& 
   }
 }
 
-bool Hands::grab(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera) {
+bool PictureMouse::grab(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera) {
   const Place at = place_at(layout, f, x_, y_);
   const auto hit = pick_body(at.run, camera, {at.rect.w, at.rect.h}, x_ - at.rect.x, y_ - at.rect.y);
   if (!hit) return false;
@@ -111,7 +112,7 @@ bool Hands::grab(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera)
   return true;
 }
 
-void Hands::pull(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera) {
+void PictureMouse::pull(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera) {
   const RunView& run = grip_->side == Side::b && f.sim.b ? *f.sim.b : f.sim.a;
   if (run.model != grip_->model) return let_go(f.out);  // the body may have another number now
   const Rect& rect = layout.views[grip_->side == Side::b ? 1 : 0];
@@ -121,20 +122,20 @@ void Hands::pull(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera)
   f.out.send(Command(command::Pull{static_cast<int>(grip_->body), listed(grip_->r), listed(target), 0}));
 }
 
-void Hands::let_go(Outbox& out) {
+void PictureMouse::let_go(Outbox& out) {
   if (!grip_) return;
   grip_.reset();
   out.send(Command(command::Release{}));
 }
 
-void Hands::shoot(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera) {
+void PictureMouse::shoot(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera) {
   const Place at = place_at(layout, f, x_, y_);
   f.out.send(Command(aim(at.run, camera, {at.rect.w, at.rect.h}, x_ - at.rect.x, y_ - at.rect.y)));
   if (!f.sim.playing) tell(f, "paused: the ball flies when time goes on");
   shot_ = true;
 }
 
-bool Hands::plays(const KeyChanged& space) {
+bool PictureMouse::plays(const KeyChanged& space) {
   if (space.repeated) return false;
   if (space.pressed) {
     space_ = true;
@@ -146,7 +147,7 @@ bool Hands::plays(const KeyChanged& space) {
   return plays;
 }
 
-void Hands::select(const GuiLayout& layout, GuiFrame& f) const {
+void PictureMouse::select(const GuiLayout& layout, GuiFrame& f) const {
   const ImGuiIO& io = ImGui::GetIO();
   const double x = static_cast<double>(io.MousePos.x), y = static_cast<double>(io.MousePos.y);
   if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) || io.WantCaptureMouse || io.KeyCtrl || space_ ||
@@ -173,7 +174,7 @@ void Hands::select(const GuiLayout& layout, GuiFrame& f) const {
   f.out.send(ViewCommand(std::move(select)));
 }
 
-void Hands::drag(double dx, double dy, const Rect& place, CameraPose& camera) const {
+void PictureMouse::drag(double dx, double dy, const Rect& place, CameraPose& camera) const {
   const Viewport port{place.w, place.h};
   if (held_ == static_cast<int>(MouseButton::middle) || shift_) {
     camera = pan(camera, port, dx, dy);

@@ -1,5 +1,5 @@
 // Image comparison in two tiers.
-#include "render/output/compare.h"
+#include "render/output/compare_images.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/scene.h"
 
 namespace pabd::test {
@@ -41,7 +41,7 @@ inline void check_refused(const std::string& text, const std::vector<std::string
     parse(text, overrides);
   } catch (const Error& error) {
     const std::string message = error.what();
-    CHECK(error.code() == ExitCode::bad_input);
+    CHECK(error.kind() == ErrorKind::bad_input);
     CHECK_THAT(message, Catch::StartsWith("test.json: "));
     CHECK(message.find('\n') == std::string::npos);
     for (const std::string& part : parts) CHECK_THAT(message, Catch::Contains(part));

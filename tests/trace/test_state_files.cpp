@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 #include "sim/scene/random.h"
 #include "sim/scene/scene.h"
 #include "sim/trace/trace.h"
@@ -40,8 +40,8 @@ Example example() {
     e.state.R[i](0, 1) += 1e-13 * random.symmetric();  // no longer what any quaternion gives
   }
   e.state.v[1] = Vec3(-0.0, 1e-310, 1e300);
-  e.state.anchors.push_back({(std::uint64_t{0} << 32) | 3, 7, Vec3(1e-9, -0.0, 2.0 / 3)});
-  e.state.anchors.push_back({(std::uint64_t{2} << 32) | 5, 0xffffffffu, Vec3(0, 0.1, 0), true, true});
+  e.state.contacts.push_back({(std::uint64_t{0} << 32) | 3, 7, Vec3(1e-9, -0.0, 2.0 / 3)});
+  e.state.contacts.push_back({(std::uint64_t{2} << 32) | 5, 0xffffffffu, Vec3(0, 0.1, 0), true, true});
   e.state.joint_force = {Vec3(1.0 / 3, -0.0, 1e9), Vec3(0, 2e-300, 0)};
   return e;
 }
@@ -52,7 +52,7 @@ void check_refused(const Example& e, const Json& json, const std::vector<std::st
     state_from_json(e.model, json.dump(), "end.json");
     FAIL_CHECK("accepted");
   } catch (const Error& error) {
-    CHECK(error.code() == ExitCode::bad_input);
+    CHECK(error.kind() == ErrorKind::bad_input);
     CHECK_THAT(error.what(), Catch::StartsWith("end.json: "));
     for (const std::string& part : parts) CHECK_THAT(error.what(), Catch::Contains(part));
   }
@@ -68,13 +68,13 @@ TEST_CASE("a state file gives the same bits back", "[trace]") {
   CHECK(std::signbit(back.v[1].x()));
   CHECK(back.v[1] == e.state.v[1]);
   CHECK(back.R[7] == e.state.R[7]);
-  REQUIRE(back.anchors.size() == 2);
-  CHECK(back.anchors[1].feature == 0xffffffffu);
-  CHECK_FALSE(back.anchors[0].sliding);
-  CHECK(back.anchors[1].sliding);
-  CHECK_FALSE(back.anchors[0].recovers);
-  CHECK(back.anchors[1].recovers);
-  CHECK(back.anchors[1].pair == e.state.anchors[1].pair);
+  REQUIRE(back.contacts.size() == 2);
+  CHECK(back.contacts[1].feature == 0xffffffffu);
+  CHECK_FALSE(back.contacts[0].sliding);
+  CHECK(back.contacts[1].sliding);
+  CHECK_FALSE(back.contacts[0].recovers);
+  CHECK(back.contacts[1].recovers);
+  CHECK(back.contacts[1].pair == e.state.contacts[1].pair);
   CHECK(state_to_json(e.model, back) == text);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("a state written by hand needs only the readable keys", "[trace]") {
   }
   const State s = state_from_json(e.model, json.dump(), "end.json");
   CHECK(s.step == 0);
-  CHECK(s.anchors.empty());
+  CHECK(s.contacts.empty());
   CHECK((s.R[9] - e.state.R[9]).norm() < 1e-12);
   CHECK((s.omega[9] - e.state.omega[9]).norm() < 1e-12);
 }
@@ -130,12 +130,12 @@ TEST_CASE("every number of a state enters its hash", "[trace]") {
     }
     for (int k = 0; k < 9; ++k) changed([&](State& s) { next(s.R[i].data()[k]); });
   }
-  changed([&](State& s) { s.anchors[0].feature ^= 1; });
-  changed([&](State& s) { s.anchors[0].pair ^= 1; });
-  changed([&](State& s) { s.anchors[0].sliding = true; });
-  changed([&](State& s) { s.anchors[0].restless = true; });
-  changed([&](State& s) { next(s.anchors[0].stretch[2]); });
-  changed([&](State& s) { s.anchors.pop_back(); });
+  changed([&](State& s) { s.contacts[0].feature ^= 1; });
+  changed([&](State& s) { s.contacts[0].pair ^= 1; });
+  changed([&](State& s) { s.contacts[0].sliding = true; });
+  changed([&](State& s) { s.contacts[0].restless = true; });
+  changed([&](State& s) { next(s.contacts[0].stretch[2]); });
+  changed([&](State& s) { s.contacts.pop_back(); });
   for (int k = 0; k < 3; ++k) changed([&](State& s) { next(s.joint_force[1][k]); });
   changed([&](State& s) { s.joint_force.clear(); });
   changed([&](State& s) { std::swap(s.v[3], s.v[4]); });

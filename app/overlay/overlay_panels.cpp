@@ -1,5 +1,5 @@
 // Draws the panels of a layout, and what else stands over a picture.
-#include "app/overlay/panels.h"
+#include "app/overlay/overlay_panels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,10 +38,10 @@ void paint_caption(const PanelLayout& layout, const OverlayData& data, Canvas& c
   const Rect box{std::round(middle - 0.5 * width - kPad * s), std::round(free.y + kPad * s),
                  std::round(width + 2 * kPad * s), std::round(height + 2 * kPad * s)};
   paint_box(box, s, canvas);
-  canvas.text({middle, box.y + kPad * s}, data.caption, {letter, ink::text, AnchorX::center, AnchorY::top});
+  canvas.text({middle, box.y + kPad * s}, data.caption, {letter, ink::text, AlignX::center, AlignY::top});
   double y = box.y + kPad * s + FontMetrics::cap * letter + (pitch - FontMetrics::cap * text);
   for (const std::string& line : lines) {
-    canvas.text({middle, y}, line, {text, ink::text, AnchorX::center, AnchorY::top});
+    canvas.text({middle, y}, line, {text, ink::text, AlignX::center, AlignY::top});
     y += pitch;
   }
 }
@@ -76,7 +76,7 @@ void paint_labels(const VisualScene& scene, int width, int height, double scale,
     const double y = 0.5 * height * (1 - static_cast<double>(p.y() / p.w()));
     if (x < -width || x > 2.0 * width || y < -height || y > 2.0 * height) continue;
     canvas.text({x, y}, label.text,
-                {static_cast<double>(label.size) * scale, ink::text, AnchorX::center, AnchorY::middle, false,
+                {static_cast<double>(label.size) * scale, ink::text, AlignX::center, AlignY::middle, false,
                  2 * scale});
   }
 }

@@ -10,7 +10,7 @@
 
 namespace pabd {
 
-class Hands {
+class PictureMouse {
  public:
   // Events of this frame. `in_picture`: the pointer is over the picture and over no panel.
   void handle(const WindowEvent& event, bool in_picture, const GuiLayout& layout, GuiFrame& frame,

@@ -1,6 +1,6 @@
-#include "tests/bench/peers/scenes.h"
+#include "tests/bench/peers/peer_scenes.h"
 
-#include "sim/error.h"
+#include "sim/base/error.h"
 
 namespace pabd::peers {
 
@@ -67,7 +67,7 @@ const Entry& find(const std::string& name) {
   for (const Entry& entry : kEntries) {
     if (name == entry.name) return entry;
   }
-  throw Error(ExitCode::bad_input, "scene '" + name + "': expected one of those that --list prints");
+  throw Error(ErrorKind::bad_input, "scene '" + name + "': expected one of those that --list prints");
 }
 
 SceneKind kind(const Entry& entry) {
