@@ -67,9 +67,8 @@ constexpr ParameterRow kRows[] = {
 
     {.key = "contact.barrier",
      .label = "barrier",
-     .help =
-         "Which potential Ψ keeps bodies apart: the polynomial sum S(5), its even part, the log barrier "
-         "S(4), or a quadratic penalty",
+     .help = "Which potential Ψ keeps bodies apart: the polynomial sum S(5), its even part, the log barrier "
+             "S(4), or a quadratic penalty",
      .member = &ContactParams::barrier},
     {.key = "contact.N",
      .label = "order N",
