@@ -1,6 +1,6 @@
 // The text chunks of every PNG: where the picture came from, so that it can be made again.
 //
-//   Software      "pabd 0.1.0"
+//   Software      "pabd 0.2.0"
 //   Scene         name of the scene
 //   Scene hash    16 hex digits over the resolved scene
 //   Parameters    JSON: what --set can tune, with the stiffness that "auto" came to

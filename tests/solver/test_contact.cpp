@@ -57,7 +57,8 @@ TEST_CASE("a sphere rests on a plane at the gap where −Ψ'(d) = m g, to 1e-6")
   }
 }
 
-TEST_CASE("a sphere rests on the quadratic barrier where its closed form says, past the onset and within it") {
+TEST_CASE(
+    "a sphere rests on the quadratic barrier where its closed form says, past the onset and within it") {
   const double force = 20 * 9.81, onset = 0.2;
   for (const double kappa : {5.0, 100.0}) {
     World world;
