@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A box with half edges a, b, c:
 //
 //   V = 8abc,  ∫ r rᵀ dV = V/3 diag(a², b², c²)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A capsule of radius r with a straight part L along y: a cylinder of volume V_c and two half balls of volume
 // V_s together.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mass properties of several hulls together (the parallel axis theorem for second moments).
 //
 //   V_k, c_k, S_k   volume, centre of mass and second moment of part k      m³, m, m⁵

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Several convex polyhedra as one rigid body. Origin at the common centre of mass; the axes of all parts are
 // those of the body.
 #pragma once

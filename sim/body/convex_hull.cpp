@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Points → hull: scaled to extent 1, checked for flatness, handed to the library, merged, scaled back.
 #include "sim/body/convex_hull.h"
 

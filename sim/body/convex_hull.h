@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Convex hull of points, with coplanar triangles merged into faces and exact mass properties.
 #pragma once
 

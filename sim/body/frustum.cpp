@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See frustum.h.
 //
 //   ρ(y)    radius of the side, r_low − s (y − low), s = (r_low − r_high)/(high − low)        m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A convex polyhedron: what a mesh becomes. Origin at the centre of mass of the solid.
 #pragma once
 

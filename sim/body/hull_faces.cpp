@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Triangles of a hull → faces with several corners, and the checks that they make a convex polyhedron.
 //
 //   n, o   plane of a face, n·x = o        unit, m

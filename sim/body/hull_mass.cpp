@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Volume, centre of mass and second moment of a polyhedron: the sum over tetrahedra from a common point to
 // the triangles of its faces.
 //

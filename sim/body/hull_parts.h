@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The steps of make_hull. Internal to sim/body.
 #pragma once
 

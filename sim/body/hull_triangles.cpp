@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Convex hull by the qhull library, which nothing outside this file knows.
 #include <csetjmp>
 #include <cstdio>

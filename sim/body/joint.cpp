@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/body/joint.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Joints of the supplement's section 2: what joins two bodies, or a body and the world, as plain constant
 // data. What a type is, its equations and its words, is told by a file of its own (sim/joint/joint_traits.h).
 //

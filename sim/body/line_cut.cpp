@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See line_cut.h.
 //
 //   tube   t = −b ± √((r² − ‖o − b u‖²)/‖u‖²), of o and u without their parts along y; b = o·u/‖u‖²

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a straight line cuts out of a solid, in the frame of the solid:
 //
 //   x(t) = o + t u        ‖u‖ = 1                                              m

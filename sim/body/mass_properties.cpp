@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See mass_properties.h: the closed forms stand with each kind of shape.
 #include "sim/body/mass_properties.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mass and second moment of the solid shapes, exact.
 //
 //   m      mass                                   kg      scalar

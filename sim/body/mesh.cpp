@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What meshes become: a convex hull, or a compound of several. Mass properties are summed when they are made
 // (hull_mass.cpp, compound.cpp).
 #include "sim/body/compound.h"

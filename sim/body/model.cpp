@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Questions about a whole model.
 #include "sim/body/model.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The constant part of a simulation: what the bodies are. Built and validated once, then never changed.
 #pragma once
 

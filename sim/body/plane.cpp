@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A half space: without volume, end or centre. A ray meets it in the world, whatever pose it has.
 #include "sim/body/shape_kind.h"
 

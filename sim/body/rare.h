@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A value that most objects do not have: std::optional<T> in the size of a pointer, with T out of line.
 #pragma once
 

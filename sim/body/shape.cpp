@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See shape.h: each kind of shape answers for itself.
 #include "sim/body/shape.h"
 

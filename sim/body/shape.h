@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes of bodies, in the body frame (origin at the centre of mass). Metres.
 #pragma once
 

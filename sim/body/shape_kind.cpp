@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The table of shapes. See shape_kind.h.
 #include "sim/body/shape_kind.h"
 

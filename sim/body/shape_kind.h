@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What there is to know of each kind of shape, once: a row of functions and words. One file a kind (box.cpp,
 // capsule.cpp, …) and one line of the table in shape_kind.cpp. Scene files, messages, generators, collision,
 // drawing, inspector and body maker ask the row.

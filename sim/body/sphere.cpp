@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ball of radius r:  V = 4/3 πr³,  ∫ r rᵀ dV = V r²/5 · 1
 #include "sim/body/shape_kind.h"
 

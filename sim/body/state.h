@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The changing part of a simulation: plain arrays, one entry a body, plus the friction memory of the
 // contacts.
 #pragma once
