@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # cmake --build … --target docs: pages of the public headers, opening with the architecture on one page. Not a part of
 # the build: Doxygen is looked for, and missed only by who asks for the pages.
 find_program(PABD_DOXYGEN doxygen DOC "makes the pages of target docs")

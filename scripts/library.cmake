@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What others link: pabd::sim, pabd::visual, pabd::output and pabd::render, in this build and, installed, for
 # find_package(pabd) and pkg-config.
 #

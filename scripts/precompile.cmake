@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Headers that nearly every file reads, compiled once for each set of flags: for what is optimised, for the command line
 # and the window (app/cli, app/gui), and with Catch2 for the tests.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // --backend: where OpenGL comes from.
 #pragma once
 

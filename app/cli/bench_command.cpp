@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd bench: the shipped scenes, or others, one after the other, as a table to paste into a report.
 #include <fmt/chrono.h>
 #include <fmt/format.h>

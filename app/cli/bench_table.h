@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What 'pabd bench' measured, as a Markdown table to paste into a report, and as JSON.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every subcommand shares: options, and how a chosen command is carried out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd compare: are two pictures the same, up to what renderers may differ in?
 #include <fmt/format.h>
 

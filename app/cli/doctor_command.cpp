@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd doctor: what this machine offers, and what helps where something is missing.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the program tells whoever started it. Nothing else knows these numbers; scripts of users rely on them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd figure: the figures of the paper's supplement.
 #include <fmt/format.h>
 

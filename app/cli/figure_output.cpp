@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writing plots.
 #include "app/cli/figure_output.h"
 

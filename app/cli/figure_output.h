@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where plots go: .svg and .csv are written directly, .png is drawn through OpenGL.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The flag that the signal handler sets.
 #include "app/cli/interrupt.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // SIGINT, SIGTERM and SIGHUP: the first asks the run to end at the next whole frame or step. What comes
 // within a second after it is the same request ('timeout' and terminals send it twice); what comes later ends
 // the program at once. Nothing temporary is left behind either way.

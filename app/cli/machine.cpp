@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Asking the machine.
 #include "app/cli/machine.h"
 

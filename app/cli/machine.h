@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What this machine offers, for 'pabd doctor' and above a benchmark.
 #pragma once
 

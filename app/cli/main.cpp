@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The program: which subcommands there are, and what becomes of what they throw.
 #include <fmt/format.h>
 

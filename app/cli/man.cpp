@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd man: the manual pages, for whoever builds and installs the program. Not in the help.
 #include <filesystem>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See man_page.h.
 #include "app/cli/man_page.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Manual pages from the texts of --help.
 #pragma once
 

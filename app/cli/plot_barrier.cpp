@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd plot barrier: B_N and B_N' against d, for lists of N, d̂, κ and kinds.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd plot: the family of plot commands.
 #include "app/cli/plot_command.h"
 

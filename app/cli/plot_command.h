@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The commands below 'pabd plot', one a file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd plot convergence: how each solver converges within one step.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Progress on standard error.
 #include "app/cli/progress.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far a run is, on standard error: a bar that is redrawn on a terminal, a line every two seconds
 // elsewhere.
 #pragma once

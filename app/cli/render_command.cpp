@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd render: simulate and draw without a display; video, PNG frames or raw RGB.
 #include <fmt/format.h>
 

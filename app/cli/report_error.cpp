@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See report_error.h.
 #include "app/cli/report_error.h"
 

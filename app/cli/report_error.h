@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What becomes of what the program throws: one line on standard error, and an exit code.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd run: simulate without any GL, and write what happened.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes by name.
 #include "app/cli/scene_lookup.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where scenes are found: a file as named, or a shipped scene by its name alone.
 #pragma once
 

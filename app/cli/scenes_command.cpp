@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd scenes: what is shipped, a line each, or one of them as it is.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the command line to a session.
 #include "app/cli/simulation_setup.h"
 

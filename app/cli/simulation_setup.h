@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From the command line to a session.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See step_statistics.h.
 #include "app/cli/step_statistics.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the steps of a run have in common: where their time went, and how many there were of each kind.
 #pragma once
 

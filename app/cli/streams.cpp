@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checked text output.
 #include "app/cli/streams.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text to standard output, standard error and files; every write is checked.
 #pragma once
 

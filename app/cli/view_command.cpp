@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd view: the interactive window, and the same without a display for scripts.
 #include <fmt/format.h>
 

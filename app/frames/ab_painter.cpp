@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two runs in one picture.
 #include "app/frames/ab_painter.h"
 

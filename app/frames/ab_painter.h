@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures of one run, or of two beside each other: A as the scene says, B with a patch.
 //
 //   side    A on the left half, B on the right; each half is a picture of its own, with its own panels

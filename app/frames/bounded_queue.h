@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A queue of fixed capacity between two threads of the render pipeline. A full queue holds the producer back,
 // so that a fast stage does not fill the memory with frames that a slow one has not reached yet.
 #pragma once

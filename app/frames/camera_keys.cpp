@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See camera_keys.h.
 #include "app/frames/camera_keys.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Key frames of a camera as a file, which the window writes and `pabd render --camera` takes:
 //
 //   {"format": "pabd-camera", "version": 1, "scene": "pyramid",

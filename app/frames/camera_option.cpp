@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parsing and applying --camera.
 #include "app/frames/camera_option.h"
 

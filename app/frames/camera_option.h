@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // --camera: where the picture is taken from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See frame_painter.h.
 #include "app/frames/frame_painter.h"
 

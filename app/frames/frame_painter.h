@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Turns what a frame shows of a run into pixels.
 #pragma once
 

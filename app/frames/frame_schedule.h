@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which step a frame shows.
 //
 //   h      time step                  s

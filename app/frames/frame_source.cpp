@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See frame_source.h.
 #include "app/frames/frame_source.h"
 

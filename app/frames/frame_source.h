@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where pictures come from. A run as it is made, the past of one, a recording, each alone or with a second
 // run beside it: all hand out the same frames, by one rule of which step belongs to which time
 // (frame_schedule.h, app/session/step_at_time.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text chunks, and finding the last whole frame by them.
 #include "app/frames/frame_text.h"
 

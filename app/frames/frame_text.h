@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The text chunks of every PNG: where the picture came from, so that it can be made again.
 //
 //   Software      "pabd 0.2.0"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See frame_thread.h.
 #include "app/frames/frame_thread.h"
 

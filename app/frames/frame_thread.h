@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The thread that makes frames: it asks a source for them and keeps a few ready, so that whoever draws never
 // waits for a simulation that has time to be ahead.
 #pragma once

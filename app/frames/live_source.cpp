@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See live_source.h.
 #include "app/frames/live_source.h"
 

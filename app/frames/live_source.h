@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames of a run, or of two in step, that are simulated as they are asked for.
 #pragma once
 

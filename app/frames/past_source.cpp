@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See past_source.h.
 #include "app/frames/past_source.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames of a run that was made already, in this process or in a recording: it is wound through its past.
 // They are the frames that LiveSource simulates.
 #pragma once

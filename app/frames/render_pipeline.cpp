@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The middle stage, and what ties the three together.
 #include "app/frames/render_pipeline.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The render pipeline: three stages that overlap.
 //
 //     simulating (FrameThread) → drawing (the caller's thread, which has the GL context)

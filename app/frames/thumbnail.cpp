@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small pictures of scenes, and a folder of them.
 #include "app/frames/thumbnail.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small pictures of scenes for a list to choose from, and where they are kept between runs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See barrier_drag.h.
 #include "app/gui/barrier_drag.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Taking hold of d̂ and κ on the barrier plot.
 //
 //   d̂   contact thickness: the upright line                      m

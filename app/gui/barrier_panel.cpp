@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The barrier that contacts see, to read and to tune on: curves, every contact at its d, how the contacts are
 // spread over d/d̂, what the numbers say and what would help.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See body_colors.h.
 #include "app/gui/body_colors.h"
 

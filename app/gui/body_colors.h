@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A number a body to colour it by, and what the colours mean.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See body_maker.h.
 #include "app/gui/body_maker.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The form that makes a body where the view looks. Part of the inspector.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera's views and key frames, as a menu of the toolbar; the marks of the keys on the timeline.
 #include <fmt/format.h>
 

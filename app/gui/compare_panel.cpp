@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two parameter sets on one scene: what differs, how far the two are apart, and how they are shown.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See contact_strip.h.
 #include "app/gui/contact_strip.h"
 

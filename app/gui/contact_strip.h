@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How contacts are spread over d/d̂, as a low strip of bars along the distance axis of a plot: where there is
 // no room for a plot of its own.
 #pragma once

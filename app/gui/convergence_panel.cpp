@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the solver converged within the step that led to the present state, and what others make of that step.
 #include <fmt/format.h>
 

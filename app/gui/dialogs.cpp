@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See dialogs.h.
 #include "app/gui/dialogs.h"
 

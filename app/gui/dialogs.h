@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The dialogs that ask for a file name, or before something is gone. What is typed is only sent when it is
 // confirmed; an error stays in the dialog.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Over the picture, at the top: the scene's file is another one than what is open. Nothing happens until a
 // person says what.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See frame_costs.h.
 //
 //   x̄ ← x̄ + a (x − x̄), a = 0.1     about the mean of the last ten frames

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a frame of the window costs, part by part: milliseconds, smoothed so that they can be read.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See gui_layout.h.
 #include "app/gui/gui_layout.h"
 

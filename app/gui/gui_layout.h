@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where everything of the window goes. Nothing overlaps: columns that leave the picture too little room are
 // not shown.
 #pragma once

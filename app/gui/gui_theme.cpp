@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See gui_theme.h.
 #include "app/gui/gui_theme.h"
 

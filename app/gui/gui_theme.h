@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Colours and sizes of Dear ImGui's widgets, after the inks of the plots.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Over everything: the table of keys.
 #include "app/gui/key_table.h"
 #include "app/gui/panels.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See imgui_input.h.
 #include "app/gui/imgui_input.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Window events as Dear ImGui takes them.
 #pragma once
 

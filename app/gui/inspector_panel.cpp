@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is selected, by its numbers; without a selection the list of bodies and joints.
 #include <fmt/format.h>
 #include <imgui.h>

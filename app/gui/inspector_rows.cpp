@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See inspector_rows.h.
 //
 //   f          force of a contact on body b: f_n n + friction; on a the opposite    N

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The numbers of a body, a joint or a contact, as rows of text: shown and copied from the same list.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See key_table.h.
 #include "app/gui/key_table.h"
 

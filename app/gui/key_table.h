@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one table of keys: what a key does and what the help says about it.
 #pragma once
 

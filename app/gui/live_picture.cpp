@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See live_picture.h.
 #include "app/gui/live_picture.h"
 

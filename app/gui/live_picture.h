@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the picture of the scene is drawn in this frame, if at all: as well as it can be at rest; smaller,
 // plainer and not in every frame while it moves, so that the window stays quick on a machine without a GPU.
 // Plots and numbers wait for the picture: all of them show one moment.

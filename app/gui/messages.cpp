@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Over the picture, bottom left: the latest note, warning or error, where a person looks anyway. Notes go by
 // themselves, the others stay until they are dismissed or something else happened.
 #include <algorithm>

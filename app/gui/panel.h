@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A panel of the window: reads, draws, and sends commands. Each has a file of its own.
 #pragma once
 

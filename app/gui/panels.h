@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parts of the window that are no panels. Each fills the ImGui window that is open.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See parameter_rows.h.
 #include "app/gui/parameter_rows.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the parameters panel arranges the table of parameters (sim/solver/parameter_table.h).
 #pragma once
 

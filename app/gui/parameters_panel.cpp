@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything that can be tuned while it runs: a slider and a field for the exact value each, what differs
 // from the scene marked, with a way back.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See pick.h. A shot falls on its way: with distance D, flight time T and gravity g it starts with
 // v = D/T − ½ g T, which meets the place whatever T is.
 #include "app/gui/pick.h"

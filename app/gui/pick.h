@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is under the pointer in the picture, and what stays selected while bodies come and go.
 #pragma once
 

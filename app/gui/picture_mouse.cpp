@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See picture_mouse.h.
 #include "app/gui/picture_mouse.h"
 

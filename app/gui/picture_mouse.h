@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The mouse in the picture: turning, moving and coming nearer; pulling bodies, shooting balls, selecting.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See picture_notes.h.
 #include "app/gui/picture_notes.h"
 

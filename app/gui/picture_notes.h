@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is written over the picture: what colours mean, how hard a hand pulls, what a double-click will do.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Single pictures: see pictures.h.
 #include "app/gui/pictures.h"
 

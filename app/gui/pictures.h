@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures and videos of what the window shows, drawn as `pabd render` draws.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See plot_reading.h.
 #include "app/gui/plot_reading.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reading plots of panels: long curves made short, and what is under the pointer.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Videos of the past: see pictures.h.
 //
 //   Runner (a copy of the runs) → PastSource (FrameThread) → AbPainter (here) → AsyncSink (a thread) → file

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // While a video is made: how far it is, over the picture at the top, and how to end it. The fields that its
 // dialog asks for.
 #include <fmt/format.h>

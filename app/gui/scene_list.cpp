@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See scene_list.h.
 #include "app/gui/scene_list.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scenes that a person can choose from: shipped ones, those in the folder of the open one, recent ones;
 // each with a small picture of its start. Files are read in a thread of its own, pictures are drawn by the
 // window's thread, one a frame at most: nothing waits for a large scene.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See scene_view.h.
 #include "app/gui/scene_view.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The picture in the middle: what a snapshot and the view's settings look like. Drawn again only when one of
 // them changed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes to open: a picture, a name, a line about it, and how many bodies it has.
 #include <fmt/format.h>
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See script.h.
 #include "app/gui/script.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A script of actions: commands of the simulation and of the view, events as a person makes them, frames to
 // write, and what is expected of the state then. A JSON list, or an object with "actions":
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reading and listing the actions of scripts: see script_actions.h.
 #include "app/gui/script_actions.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a script does beside sending commands: events as a person makes them, frames, expectations. The same
 // form as app/workbench/command.h.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See script_reader.h.
 #include "app/gui/script_reader.h"
 

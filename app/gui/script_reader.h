@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The actions of a script file, read and checked before anything is played. Knows no window.
 #pragma once
 

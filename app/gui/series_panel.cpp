@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Quantities over time, what happened on the way, and the present moment; a click or a drag goes to a step.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the window remembers between runs: how it looks, not what is simulated.
 #pragma once
 

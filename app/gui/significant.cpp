@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See significant.h.
 #include "app/gui/significant.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers as a hand means them: a slider's place has more digits than anybody wants to see.
 #pragma once
 

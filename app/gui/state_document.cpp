@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The state of the tool as JSON: what scripts expect things of.
 //
 //   /scene/name, /scene/hash, /scene/bodies, /scene/joints

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See studio.h.
 #include "app/gui/studio.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What leaves the window as files: pictures, videos, camera keys. Between the commands that ask for them and
 // the frame that they need.
 #pragma once

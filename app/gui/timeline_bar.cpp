@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The bar along the bottom: play, step, speed, and every moment of the past to go back to.
 #include <fmt/format.h>
 

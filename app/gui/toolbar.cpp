@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The bar along the top: the scene, what the picture shows, and how fast everything goes.
 #include <fmt/format.h>
 

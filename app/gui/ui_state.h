@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything about the view that outlives a frame, as plain data. Panels read it; view commands change it, and
 // so do the mouse (camera), the flight along camera keys, and what no longer fits when bodies or scenes change.
 #pragma once

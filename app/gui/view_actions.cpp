@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See view_actions.h.
 #include "app/gui/view_actions.h"
 

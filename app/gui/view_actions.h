@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What view commands do to the state of the view.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a person does to the view: panels, camera, colours, pictures. None of it changes a simulation. The
 // same form as app/workbench/command.h.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A frame, in the order in which it comes about: see viewer.h.
 #include "app/gui/viewer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The window's content: takes events, draws a frame, sends commands to the simulation. Where the frame is
 // shown, on a screen or in a file, is the caller's business.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See widgets.h.
 #include "app/gui/widgets.h"
 

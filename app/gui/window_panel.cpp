@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See window_panel.h.
 #include "app/gui/window_panel.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What kinds of panels the window has: their names, places, and what they need. A new one is its file and a line
 // here; tabs, commands, settings, their help and what the simulation records for a panel are read off the table.
 #pragma once

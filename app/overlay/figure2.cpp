@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 2 of the supplement. The machines are drawn part by part; their bond points come from real joints.
 //
 //   λ   offset of the carriage along the rail    m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 2 of the supplement: the three lower pairs slider, hinge and spherical joint.
 #pragma once
 

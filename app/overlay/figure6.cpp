@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 6 of the supplement.
 #include "app/overlay/figure6.h"
 

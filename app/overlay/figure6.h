@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 6 of the supplement: the two boxes and the contact pair whose penetration figure 7 follows.
 #pragma once
 

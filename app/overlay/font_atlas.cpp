@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The glyphs of the embedded font as Dear ImGui fonts.
 #include "app/overlay/font_atlas.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The glyphs of the embedded font as Dear ImGui fonts, one for every text size in use, and "d̂" as a glyph of
 // its own.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Paints into a Dear ImGui draw list.
 #include "app/overlay/imgui_canvas.h"
 

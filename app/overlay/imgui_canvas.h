@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Paints into a Dear ImGui draw list: anti-aliased triangles, glyph by glyph text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Owns the ImGui context and turns what is painted into draw data.
 #include "app/overlay/overlay.h"
 

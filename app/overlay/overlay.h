@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draws panels and labels over a frame, and whole figures, as Dear ImGui draw data. No window and no GL in
 // here: the data is for Renderer::draw and Renderer::draw_plain, the font atlas goes through a callback.
 #pragma once

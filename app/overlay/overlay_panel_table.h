@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every panel, in the order of help and of places. A new one is its file in panels/ and a line here.
 #pragma once
 

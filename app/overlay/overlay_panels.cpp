@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draws the panels of a layout, and what else stands over a picture.
 #include "app/overlay/overlay_panels.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The panels of a layout and what else stands over a picture, drawn on any canvas.
 #pragma once
 

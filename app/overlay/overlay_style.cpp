@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What panels share.
 #include "app/overlay/overlay_style.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What panels share: colours, sizes, and plots.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which panels are shown.
 #include "app/overlay/panel_choice.h"
 

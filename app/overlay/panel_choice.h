@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which panels are shown.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the panels are.
 #include "app/overlay/panel_layout.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where the panels are: some top left, legends bottom left, plots in a column at the right. Panels never overlap and
 // stay inside the frame.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parameters in words.
 #include "app/overlay/parameter_words.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parameters in words, as captions and marks show them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ranges, ticks and number formats of axes.
 #include "app/plots/axis_ticks.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Drawing helpers that every painter shares.
 #include "app/plots/canvas.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a painter can draw. Plots and diagrams are drawn through this interface only, so that SVG files and
 // frames show the same picture. Units: pixels, x to the right, y down.
 #pragma once

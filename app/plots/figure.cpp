@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A figure laid out and painted; CSV.
 #include "app/plots/figure.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A figure laid out and painted, and written as SVG or CSV.
 #pragma once
 

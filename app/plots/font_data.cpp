@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Takes the font file into the read-only data of the program. The assembler's .incbin reads 760 kB in no
 // time; a generated C array would take seconds. PABD_FONT_FILE comes from CMakeLists.txt.
 #include "app/plots/font_data.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one font of the program, DejaVu Sans, embedded at build time so that the program runs where it is not
 // installed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The legend of a plot.
 #include "app/plots/legend.h"
 

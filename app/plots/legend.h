@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The legend of a plot: its entries, and the place where it hides the least.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draws a laid-out plot on a canvas.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A plot as data: what is drawn, not how. Painters: ImGui draw list, SVG, CSV.
 // Texts are rich text (rich_text.h): "B_{N}" has a subscript.
 #pragma once

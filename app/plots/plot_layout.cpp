@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where everything of a plot goes.
 #include "app/plots/plot_layout.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where everything of a plot goes, in pixels: computed once from the data and the sizes of the texts, then
 // painted by any canvas.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Colours of plots and diagrams.
 #include "app/plots/plot_palette.h"
 

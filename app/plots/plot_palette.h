@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Colours of plots and diagrams: told apart by people with any of the common colour vision deficiencies
 // (after the Okabe–Ito set, muted), all dark enough for white paper.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Finds the data under the pointer.
 #include "app/plots/plot_pick.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What of a plot is under the pointer: for read-outs while hovering and for clicks.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What plots show, once: words or symbol, unit, and the label of an axis that has it.
 #pragma once
 

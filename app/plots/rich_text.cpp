@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text with sub- and superscripts: parsing, measuring, breaking.
 #include "app/plots/rich_text.h"
 

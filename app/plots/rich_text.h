@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text with sub- and superscripts, and its measures. Both painters place the same runs, so a plot is laid out
 // once.
 //

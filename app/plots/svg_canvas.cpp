@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Paints into an SVG document.
 #include "app/plots/svg_canvas.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Places short texts beside what they name.
 #include "app/plots/tags.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The short texts beside reference lines and markers.
 #pragma once
 

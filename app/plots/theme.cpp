@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The two sets of inks.
 #include "app/plots/theme.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The inks of a plot: light ones for paper and for panels over a picture, dark ones for dark windows. Both
 // have the same hues in the same order, so that a curve keeps its colour name.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers and texts as bytes, little endian, in a stream of any length; reading checks everything. Internal
 // to the recording.
 #pragma once

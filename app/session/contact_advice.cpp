@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Read-outs and warnings about contacts.
 #include "app/session/contact_advice.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the numbers of a step say about the contact parameters, and which single change would help.
 //
 //   m g     weight of a body                                              N

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One simulation at one moment, and all that pictures, panels, plots and files see of it: a value. Nobody
 // changes it once it is made, so that any thread may keep it while the simulation goes on.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See model_edit.h.
 #include "app/session/model_edit.h"
 

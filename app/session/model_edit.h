@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edits of a simulation that is under way: bodies and joints that come and go. An edit is plain data, so that
 // it can be sent, kept and written to a file.
 #pragma once

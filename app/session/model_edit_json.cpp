@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edits as JSON objects, the form they have in script files. See model_edit.h.
 #include <fmt/format.h>
 

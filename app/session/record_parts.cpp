@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See record_parts.h.
 #include "app/session/record_parts.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // States and reports as bytes: parts of a recording. Reading checks everything.
 #pragma once
 

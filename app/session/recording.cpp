@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See recording.h: reading.
 #include "app/session/recording.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run as a file: what every step was made with, what it said, and its exact state every so many steps;
 // everything between is computed again when it is wanted, to the same bits.
 //

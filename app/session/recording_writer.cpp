@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See recording.h: writing. The size and the tables come first in the file, so everything is gone through
 // twice: to count, then to write. Nothing is held but the part that is being written.
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the past of a run keeps of its steps: their summaries, oldest first.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A simulation that can be wound back: a session, its timeline, and a place in it. What is changed in the
 // past starts a new branch; the future that it leaves is kept for comparison. Edits and pulls are part of the
 // past: it is replayed and computed again with them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Commands of a session.
 #include "app/session/session.h"
 

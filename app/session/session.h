@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One simulation that is being run: the scene it came from, what is tuned, where the bodies are now. The
 // command line and the window send the same commands to it. No drawing and no printing in here; any number of
 // sessions may live side by side.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A list that grows at its end, and that others, in threads of their own, may look at as it is now: a view
 // costs the same however long the list is, and stays what it is whatever happens to the list.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See step_at_time.h.
 #include "app/session/step_at_time.h"
 

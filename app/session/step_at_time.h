@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which step belongs to a time: the one rule for the frames of a run, for going back to a time, and for a
 // second run B beside the first one, A (window, videos and `pabd render --ab` alike).
 //

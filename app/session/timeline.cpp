@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See timeline.h.
 #include "app/session/timeline.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The past of a run: every step with what it was made with, and its state, within a memory budget.
 //
 // When the budget is used up, every second state of the older part is dropped, then every fourth and so on;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See check_output.h.
 #include "app/workbench/check_output.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // May a file be written from the window or a script? One rule for all that they save.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything a person can do, as data. Panels and keys send commands, script files hold them, and both go the
 // same way. In a script a command is an object whose "do" is its name: {"do": "set", "key": "contact.kappa",
 // "value": 50}.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Commands as JSON objects, the form they have in script files: {"do": "set", "key": "contact.kappa", …}.
 // Internal to those who read or write such files.
 #pragma once

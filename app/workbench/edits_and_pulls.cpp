@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edits and pulls, the same in both simulations: see workbench.h.
 #include <fmt/format.h>
 

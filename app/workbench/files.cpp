@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes, patches and recordings on disk, and what is not on disk yet: see workbench.h.
 #include <fmt/format.h>
 

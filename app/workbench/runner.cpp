@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See runner.h.
 #include "app/workbench/runner.h"
 

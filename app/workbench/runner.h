@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The Workbench in a thread of its own: commands go in, snapshots come out, and nobody waits for a slow step.
 //
 //   UI thread                         simulation's thread

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the Workbench shows of itself: a copy that other threads may keep as long as they like.
 #pragma once
 

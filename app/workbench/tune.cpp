@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parameters: see workbench.h.
 #include "app/workbench/workbench.h"
 

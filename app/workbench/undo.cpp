@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Undo and redo: see workbench.h.
 //
 // A change at the end of the timeline is undone in place. One that gives something up (a change in the past

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Time and comparison: see workbench.h. Parameters, undo and files are in files of their own.
 #include "app/workbench/workbench.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The desk of the tool: one or two runs of a scene, what is undone and redone, what is held for comparison.
 // Carries out commands and makes steps; knows no threads, no clock and no drawing.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One place a headless context may come from, as create_headless_context tries them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A GL context, wherever it comes from: a window (window.h) or none.
 #pragma once
 

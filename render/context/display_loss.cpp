@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A display that goes away. Xlib and GLFW's access to it are looked up at run time: no X headers, and GLFW
 // may have been built for another window system.
 #include "render/context/display_loss.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A display that goes away: Xlib ends the program then, unless it is asked not to.
 #pragma once
 

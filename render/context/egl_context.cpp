@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Headless contexts from EGL: one a device of EGL_EXT_device_enumeration, and EGL_MESA_platform_surfaceless.
 //
 // The default display, X11, Wayland and GBM are not tried: without a display server or device files they all

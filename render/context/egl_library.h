@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The EGL functions in use, looked up at run time.
 #pragma once
 

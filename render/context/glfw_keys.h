@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // GLFW's numbers of keys as our names.
 #pragma once
 

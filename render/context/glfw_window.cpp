@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A window of GLFW with an OpenGL 3.3 core context.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one place that knows every headless candidate and their order.
 #include <fmt/format.h>
 

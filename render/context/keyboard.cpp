@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Names of keys.
 #include "render/context/keyboard.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Keys, modifiers and mouse buttons by names of our own: the window sends them, tables of keys and scripts
 // name them. No window system in here.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // For programs that are built without GLFW: asking for a window says so.
 #include "render/context/window.h"
 #include "sim/base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Headless context from OSMesa: Mesa's software renderer without any display system.
 #include <GL/osmesa.h>
 

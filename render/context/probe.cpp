@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See probe.h. The child tells of each candidate before it tries it, so that the last one told of is the one
 // that crashed; then another child tries the rest.
 #include "render/context/probe.h"

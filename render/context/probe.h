@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contexts tried in a child process first: a driver may crash, or never answer, when it is asked for one.
 #pragma once
 

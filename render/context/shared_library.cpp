@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A library opened at run time.
 #include "render/context/shared_library.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A library opened at run time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A window on the screen: a GL context to draw with, and what the person in front of it does.
 //
 // All lengths are in pixels of the framebuffer, from its top left corner; content_scale() says how many of

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The gradient behind everything: one triangle at the far plane.
 #include "render/gl/background_pass.h"
 

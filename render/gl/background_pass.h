@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The gradient behind everything.
 #pragma once
 

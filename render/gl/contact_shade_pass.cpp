@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The soft darkness where bodies come close to the floor.
 //
 //   h        height of a caster above the floor                       m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The soft darkness where bodies come close to the floor, which makes them stand instead of float.
 #pragma once
 

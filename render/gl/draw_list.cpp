@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sorting instances into batches.
 #include "render/gl/draw_list.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Instances in the order they are drawn, cut into batches of one mesh each. Plain numbers, no GL.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Writes the texts of shaders as C++: cmake -DOUT=shader_files.cpp -DFILES="a.glsl;b.glsl" -P embed_shaders.cmake
 
 set(text "// Made from render/gl/shaders by embed_shaders.cmake.\n#include \"render/gl/shader_files.h\"\n\n")

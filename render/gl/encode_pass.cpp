@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Averages in linear light, then the transfer function of sRGB (IEC 61966-2-1) in a shader of our own. A
 // framebuffer in sRGB would leave it to the driver, and software GL takes the processor's approximate square
 // root for it: the same frame is off by one level in half of its pixels between makers of processors then.

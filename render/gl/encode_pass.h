@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The samples of a frame in linear light to its pixels in sRGB.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See frame_block.h.
 #include "render/gl/frame_block.h"
 

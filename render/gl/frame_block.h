@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The uniform block "Frame": one list of its members, from which both its C++ struct and its GLSL text come.
 #pragma once
 

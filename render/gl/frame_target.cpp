@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The framebuffers of a frame and reading them back.
 #include "render/gl/frame_target.h"
 

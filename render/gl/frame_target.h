@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The framebuffers of a frame: linear light with several samples a pixel to draw into, sRGB bytes to keep,
 // and two pixel buffers to read them back.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera, light and shadow volume of a frame.
 #include "render/gl/frame_uniforms.h"
 

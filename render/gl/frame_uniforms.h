@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every pass needs to know of a frame: camera, light, shadow map.
 //
 //   L            world to shadow texels: x, y in texels, z along the light in texels too

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Looking up the GL entry points, and errors in words.
 #include "render/gl/gl_functions.h"
 

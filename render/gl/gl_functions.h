@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The GL 3.3 core entry points in use, looked up through the context. A table instead of a loader library:
 // the same code reaches EGL, OSMesa and a window.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // GL objects that delete themselves. The context must be current when they are made and when they go.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compiling and linking shaders.
 #include "render/gl/gl_program.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A vertex and a fragment shader, linked.
 #pragma once
 

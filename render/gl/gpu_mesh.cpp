@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Triangle meshes of the primitives.
 #include "render/gl/gpu_mesh.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Triangle meshes of the primitives, at several levels of detail. Plain numbers, no GL.
 #pragma once
 

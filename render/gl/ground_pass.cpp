@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Fixed planes as a studio floor.
 //
 //   R        radius of the scene                                  m

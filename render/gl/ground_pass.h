@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Fixed planes as a studio floor: a grid that fades into the background, and the shadows that fall on it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes on the GPU and the one instance buffer of a frame.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the scene is lit: one sun, a sky above and light thrown back from the floor. Linear-light RGB.
 //
 //   displayed = albedo · (ambient(n) + sun · max(n·l, 0) · visibility) + highlight

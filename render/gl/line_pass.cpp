@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines as quads that face the camera, with edges softened over a pixel.
 #include "render/gl/line_pass.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lines as quads that face the camera: GL_LINES differ from driver to driver, triangles do not.
 #pragma once
 

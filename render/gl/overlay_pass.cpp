@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one pass that draws Dear ImGui's lists.
 #include "render/gl/overlay_pass.h"
 

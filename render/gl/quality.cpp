@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The size of live pictures.
 //
 //   s          scale in use, s' the next larger one

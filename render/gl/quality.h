@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How much work a picture is worth.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The conductor: which pass comes after which.
 #include "render/gl/renderer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draws a VisualScene and an overlay into an off-screen frame of GL 3.3 core, and reads it back; or puts a
 // window together from pictures of scenes and an interface.
 #pragma once

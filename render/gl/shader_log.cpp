@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See shader_log.h.
 #include "render/gl/shader_log.h"
 

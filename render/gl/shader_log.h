@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a driver says of a shader, with the names of its files.
 #pragma once
 

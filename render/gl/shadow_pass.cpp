@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Depth of the casters as the light sees them. Read by sun_visibility() in shaders/lighting.glsl.
 #include "render/gl/shadow_pass.h"
 

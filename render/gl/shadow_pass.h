@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Depth of the casters as the light sees them.
 #pragma once
 

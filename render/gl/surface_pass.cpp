@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies and glyphs.
 //
 //   a      albedo (instance colour)           l   towards the sun

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies and glyphs: instances, lit or flat, opaque or transparent.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A FrameSink that writes in the background.
 #include "render/output/async_sink.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A FrameSink that writes in the background, so that encoding overlaps simulating and drawing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Image comparison in two tiers.
 #include "render/output/compare_images.h"
 

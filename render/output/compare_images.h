@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Image comparison in two tiers (see README of this folder for why no global score decides).
 //
 //   max_difference   largest |actual − expected| of a channel                        levels, 0 … 255

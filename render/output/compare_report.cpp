@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a comparison found, for scripts and for people.
 #include "render/output/compare_report.h"
 

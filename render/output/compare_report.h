@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a comparison found, for scripts and for people.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ffmpeg program, fed through a pipe.
 #include "render/output/encoder_process.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ffmpeg program, fed through a pipe.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Chooses and checks where frames go, before the first one is made.
 #include "render/output/frame_sink.h"
 

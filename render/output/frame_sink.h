@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Where finished frames go: numbered PNG files, one PNG (the last frame), a video, or raw RGB on a
 // descriptor.
 #pragma once

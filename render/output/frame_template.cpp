@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Names of numbered frames: one "{frame}" or "{frame:0W}" in a file name.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // An RGB image in memory.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PNG files with text chunks, written atomically; PNG files read back.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PNG files read back, through libpng. A file is hostile until it is read: sides and chunk sizes are limited
 // before anything is allocated, and a picture that its file is too short for is refused.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames as PNG files: a numbered file each, or one file with the last frame.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The text in a PNG file, without its picture: chunk by chunk, so that nothing is unpacked but text, and of
 // text only so much. Every checksum is checked: a file that was cut off or damaged is refused.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PNG files with text chunks. stb_image_write makes the picture, libdeflate compresses it and counts its
 // checksums; the chunks around the picture are added here.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames as raw RGB bytes on a descriptor, for a program behind a pipe.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which renderers give the same pixels, told from GL_RENDERER.
 #include <array>
 #include <cctype>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The kinds of FrameSink, each in its own file. make_sink() checks names and options first.
 #pragma once
 

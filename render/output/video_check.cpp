@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See video_check.h. The format "framecrc" prints the size of the picture, then a line a frame.
 #include "render/output/video_check.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Is a video what it should be? Asked before it gets its name.
 #pragma once
 

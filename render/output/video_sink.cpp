@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames as a video: mp4 (H.264), webm (VP9) or gif, encoded by the ffmpeg program.
 //
 // The same frames give the same bytes on every machine with the same ffmpeg: no dates, no program names, a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sphere around what is to be seen.
 #include "render/visual/bounds.h"
 

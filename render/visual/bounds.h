@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The sphere around what is to be seen: for the camera, the shadow map and the depth range.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies as instances of primitives; contacts and bonds as glyphs.
 //
 //   c, R       pose of a body                             State

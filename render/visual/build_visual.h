@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Turns a simulation state into things to see.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera matrices, and the camera that frames a scene.
 //
 //   e, t, u    eye, target, up direction                        Camera::eye, target, up   m, m, -

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Moving a camera by hand.
 //
 //   e, t       eye, target                                     m

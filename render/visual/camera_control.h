@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Moving a camera by hand: pure functions from a camera to a camera, and between pixels and the world.
 //
 // In double precision, so that what is under the pointer stays under it through thousands of small moves;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A camera that goes through key frames: a monotone cubic in time for each of its numbers.
 //
 //   v      t (3), ln ‖e − t‖, α, ε, fov                       what is interpolated; see camera_control.cpp

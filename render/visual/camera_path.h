@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A camera that goes through key frames.
 #pragma once
 

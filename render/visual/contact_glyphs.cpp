@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Glyphs of contacts and bonds.
 //
 //   y_a, y_b   the two points of a contact                    m

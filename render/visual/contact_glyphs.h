@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Glyphs of contacts and bonds: discs, arrows, point pairs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Glyphs of joints. What is held where comes from expand(): the picture shows the bonds that the solver has.
 //
 //   y_i, y_j   the two points of a bond                    m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Glyphs of joints: the two points of every bond, axes, angles, offsets, springs.
 #pragma once
 

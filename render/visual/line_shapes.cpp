@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Curves made of lines: arcs in pieces of equal angle, coils in pieces of a turn.
 #include "render/visual/line_shapes.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Curves made of lines.
 #pragma once
 

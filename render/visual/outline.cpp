@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Outlines of convex bodies in perspective.
 //
 //   e          eye                                                                        m

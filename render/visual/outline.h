@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is selected: outlines that stand out on every colour, and a spring for the hand that pulls.
 #pragma once
 

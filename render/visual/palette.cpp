@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Palette of bodies and bonds, and the colour map of contacts.
 //
 //   x   d/d̂   palette of contacts: lightness grows with x, so that the order survives in grey and for every

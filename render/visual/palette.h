@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The colours of the picture. Muted and few, so that the coloured contacts carry the eye. All linear-light
 // RGB.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The map of values: a straight spiral in OKLab (Ottosson 2020), where distance is what the eye calls
 // difference.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Colours for a number a body: how deformed, how fast, how much energy.
 #pragma once
 

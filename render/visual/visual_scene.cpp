@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Emptying a visual scene without giving its memory back.
 #include "render/visual/visual_scene.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is to be seen, without GL: a flat list of things with colours. Built from const simulation data by
 // build_visual.h, drawn by render/gl. Metres, y up, right-handed; colours are linear-light RGB in 0 … 1.
 #pragma once

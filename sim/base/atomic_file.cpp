@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A file that appears under its name only when it is whole.
 #include "sim/base/atomic_file.h"
 

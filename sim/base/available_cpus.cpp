@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See available_cpus.h. The formats are those of proc(5) and of the kernel's cgroup-v1 and cgroup-v2
 // documents.
 #include "sim/base/available_cpus.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How many CPUs this process may use. Of those that the machine has it may be kept to some (taskset, a
 // cpuset), and a control group may give it less time than these have (a container with a limit).
 #pragma once

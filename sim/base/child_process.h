@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Another program, started without a shell, in a process group of its own.
 #pragma once
 

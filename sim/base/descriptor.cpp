@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Checked reading and writing of POSIX descriptors.
 #include "sim/base/descriptor.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The one exception of the project. Thrown only at boundaries (files, GL context, encoder), never for
 // physics.
 #pragma once

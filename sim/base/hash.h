@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // 64-bit hash over words, numbers and text, the same on every platform (no byte order, no std::hash).
 //
 // FNV-1a taken a word at a time, with a shift that carries the high bits down (plain FNV only moves bits up).

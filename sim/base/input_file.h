@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files that are read: opened so that nothing blocks or never ends, and read to a limit.
 #pragma once
 

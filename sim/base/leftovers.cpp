@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See leftovers.h. A handler has no argument to pass state through and may neither lock nor allocate: this
 // table in static storage is what it can look at.
 #include "sim/base/leftovers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What must not outlive the program: temporary files and the programs that it started. Objects register them;
 // whoever has to leave without running destructors, such as a signal's handler, removes them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // May a file be written? Nothing that exists is replaced unasked, and nothing that is read ever.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The transfer function of sRGB (IEC 61966-2-1): linear light to the numbers of a screen and back, both from 0
 // to 1. The shader of render/gl's encode pass has the same in GLSL.
 #pragma once

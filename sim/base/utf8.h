@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text as UTF-8: what kind of text a string holds, its characters, and any text as one line that is safe to
 // print.
 #pragma once

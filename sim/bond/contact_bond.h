@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The contact bond S(17) with friction S§3: energy, force and stiffness of contact points.
 //
 // A contact joins a point of body b to a plane of body a. Two displacements of b as seen from a decide

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/bond/point_bond.h"
 
 #include <algorithm>

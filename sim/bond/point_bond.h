@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The bond between two points: soft S(1, 2), or hard and bilateral (the even part of S(5) without its bound
 // at d̂).
 //

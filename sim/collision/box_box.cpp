@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Box against box: separating axes, then a face manifold, an edge pair, or a corner.
 //
 // Fifteen directions can separate two boxes: three face normals each and nine products of edges. The largest

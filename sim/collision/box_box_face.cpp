@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Face contacts of two boxes.
 //
 // In the frame of the reference box, with (x, y) the two directions along its face and z the height above it,

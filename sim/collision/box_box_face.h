@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Face contacts of two boxes: the incident face, clipped against the sides of the reference face.
 #pragma once
 

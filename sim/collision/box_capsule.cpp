@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Capsule against box, in the frame of the box. The box owns the normal.
 //
 // The capsule is its axis, the segment x(t) = p + t e, t ∈ [0, 1], swollen by its radius r. Three cases, in

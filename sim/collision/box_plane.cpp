@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Box above a plane: every corner within reach. The feature is the corner: bit k set where coordinate k is
 // positive.
 #include "sim/collision/narrow_phase.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sphere against box, in the frame of the box. The box owns the normal.
 //
 //   p   centre of the sphere     m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hierarchical hash grid (see broad_phase.h). Every loop runs in the order of body numbers or of cells, which
 // are numbered by their first body, so the result does not depend on anything but the input.
 #include "sim/collision/broad_phase.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Broad phase: which bounds overlap.
 //
 // A hierarchy of uniform grids. Bodies are put into levels by size, each level a grid whose cells are as wide

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Capsule against capsule: the nearest points of the two axes; where these run side by side, both ends of the
 // part that they share, and between them only where that is nearer.
 //

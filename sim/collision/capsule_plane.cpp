@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Capsule above a plane: one contact under each end of its axis, on the cap of the lower end and on the side
 // of the cylinder at the upper one. The feature is the end (0 at −y, 1 at +y of the body frame).
 #include "sim/collision/narrow_phase.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Capsule against sphere: two spheres, one about the point of the capsule's axis nearest to the other's
 // centre.
 #include "sim/collision/narrow_phase.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A compound against anything: each of its parts as a hull of its own.
 //
 // A part's contacts are named by hashing their feature with the numbers of the parts, because one hull's

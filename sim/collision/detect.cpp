@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contact detection: bounds → pairs → contact points.
 //
 // Pairs are sorted before the narrow phase runs over them in order, so the contacts come out sorted as well;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Discrete collision detection: contact points between bodies at given poses.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Capsule against hull, in the frame of the hull, which owns the normal. As box_capsule: the axis of the
 // capsule, the segment x(t) = p + t e, t ∈ [0, 1], meets the hull
 //   over a face    two contacts (or nearly so: a face is preferred)

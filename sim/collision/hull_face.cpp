@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Face contacts of two hulls: box_box_face for faces of any number of corners.
 //
 // In the frame of the reference face, (x, y) along it and z above it, the corners of the incident face are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Face contacts of two hulls: the incident face, clipped against the sides of the reference face. Internal.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hull against hull or box: separating directions, then a face manifold, an edge pair, or a corner, in the
 // same order and with the same preferences as box_box.
 //

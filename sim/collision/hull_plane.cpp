@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hull above a plane: its vertices within reach, a well-spread few of them. The feature is the vertex.
 #include "sim/collision/narrow_phase.h"
 #include "sim/collision/spread.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sphere against hull, in the frame of the hull, which owns the normal. A centre inside leaves by the nearest
 // face.
 #include "sim/collision/hull_view.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes as hulls, moved hulls, and the distance of a point.
 #include "sim/collision/hull_view.h"
 

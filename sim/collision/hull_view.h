@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A convex polyhedron as the narrow phase sees it: a hull, or a box made to look like one. Internal.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contact points of one pair of shapes: one function and one file a pair of shapes.
 //
 //   y_b      a material point on the surface of the incident body b        m, world

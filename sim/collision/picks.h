@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The corners of a clipped face that become contacts, one a name: the first, unless a later one is clearly
 // deeper. Internal.
 #pragma once

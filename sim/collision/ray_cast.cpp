@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ray in the frame of each shape, which says where it is met first. See ray_cast.h.
 #include "sim/collision/ray_cast.h"
 

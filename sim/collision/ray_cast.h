@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a ray meets first: picking with the pointer, shooting, measuring.
 //
 // A hit is the first point of a shape's surface along the ray, t ≥ 0. From outside that is where the ray

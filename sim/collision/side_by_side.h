@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contacts of two edges, or axes of capsules, that run nearly side by side: at both ends of the part that
 // they share, each with its own distance and normal, so that nothing jumps while the angle between them goes
 // through zero. Where they cross so much that a place between is clearly nearer, there as well. Internal.

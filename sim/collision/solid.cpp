@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A solid of the table against anything: the polyhedron that stands for it. That of a round one is turned
 // about its axis until one of its corners points at what it touches: there it is exact, and its contacts lie
 // symmetrically about that place, so that nothing resists rolling.

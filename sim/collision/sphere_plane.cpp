@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sphere above a plane {x : n·x = o}: d = n·c − o − r.
 #include "sim/collision/narrow_phase.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sphere against sphere: d = ‖c_b − c_a‖ − r_a − r_b along the line of centres.
 #include "sim/collision/narrow_phase.h"
 

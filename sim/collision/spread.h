@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Choosing a few contact points of many. Internal.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/joint/attach.h"
 
 #include <Eigen/Geometry>

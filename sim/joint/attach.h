@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From a place in the world at the start pose to the frames of a joint on its two bodies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/joint/auto_kappa.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The stiffness "auto" of joints.
 #pragma once
 

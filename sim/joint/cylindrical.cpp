@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cylindrical joint: a slider S(14–16) whose twist is free. j moves along a common axis and turns about it.
 #include "sim/joint/slider.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Distance joint S(1): ‖y_i − y_j‖ = l. Soft it is a spring.
 #include "sim/joint/expand.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/joint/expand.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A joint as point bonds at given poses, and the parts that types of joints share. The bonds depend on the
 // poses: the points of a slider are re-projected S(15), a limit adds its bonds where it is passed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Fixed joint: a ball S(7) and, for each of the three rotations, points on both sides of the anchor S(8–10).
 #include "sim/joint/expand.h"
 

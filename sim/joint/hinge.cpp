@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hinge joint: two balls on the axis S(11), ‖y_i1 − y_j1‖ = 0 and ‖y_i2 − y_j2‖ = 0, at ± arm from the
 // anchor. A driven angle, or one that has passed a limit, is held by points beside the axis S(12, 13).
 #include "sim/joint/expand.h"

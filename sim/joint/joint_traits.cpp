@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/joint/joint_traits.h"
 
 namespace pabd {

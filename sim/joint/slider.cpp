@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Slider joint S(14–16): two pairs of points on the axis, those of j moved along it by λ, the offset of the
 // projection of i's anchor: y'_j = y_j + λ n_j. Because λ is re-projected with every pose, the bonds feel
 // nothing along the axis. A driven λ is a number instead, and the bonds hold along the axis as well; past a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What joints that move along an axis share.
 #pragma once
 

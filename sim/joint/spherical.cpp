@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Spherical joint S(7): ‖y_i0 − y_j0‖ = 0. With a prescribed relative rotation R(θ), points at ± arm along up
 // to three directions e of the joint's frame: those of j, y_j0 ± F_j e, meet those of i, y_i0 ± F_i R(θ) e
 // (S(8–10), one on each side). One direction leaves j free to turn about it, two or three hold everything.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Universal joint: a ball S(7), and two axes that stay square to each other, n on i and e on j. The points at
 // ± arm on them are √2 arm apart exactly where they do: ‖a n − a e‖² = 2a² (1 − n·e). So two distance bonds S(1),
 // from y_i + a n to y_j + a e and from y_i − a n to y_j − a e, hold the rotation about n × e. Their forces are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/math/block_cholesky.h"
 
 #include <algorithm>

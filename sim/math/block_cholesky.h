@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cholesky factorisation A = L D Lᵀ of a sparse symmetric positive definite matrix of N×N blocks, N = 3 or 6.
 //
 //   analyze        elimination order and fill (elimination.h)

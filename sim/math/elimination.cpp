@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/math/elimination.h"
 
 #include <Eigen/OrderingMethods>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The symbolic part of a sparse Cholesky factorisation: in which order the rows of a graph are eliminated,
 // and which blocks of L fill.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Maximum and minimum that are NaN where one of the two is: std::max(x, NaN) is x, which hides a failure.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Floating point as a step wants it, while an object of this class lives: denormal numbers are zero, both as
 // operands and as results, rounding is to nearest and nothing traps. What the thread had before comes back
 // afterwards.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Four numbers side by side: the points of a contact manifold are evaluated together. GCC and Clang vector
 // extensions, so that every machine gets its own instructions and the same results.
 #pragma once

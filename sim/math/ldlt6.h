@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // H x = b for a symmetric positive definite 6×6 matrix: H = L D Lᵀ with everything unrolled, three times as
 // fast as the general routine and as accurate (no pivots are needed for a positive definite matrix).
 //

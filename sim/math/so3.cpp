@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/math/so3.h"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rotation group SO(3): exponential, logarithm, and the nearest rotation to a 3×3 matrix.
 //
 //   w       rotation vector: axis times angle, right-hand rule     rad    3

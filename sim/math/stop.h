@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whether long work is still wanted. Asked between pieces of work, from any thread; empty: it is.
 #pragma once
 

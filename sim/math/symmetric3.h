@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Symmetric 3×3 matrices.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/math/team.h"
 
 #include <algorithm>

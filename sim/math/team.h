@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A team of threads for loops over independent items. The result does not depend on the number of threads,
 // nor on which thread does what: every item writes only its own entries, and sums are made afterwards in
 // order.

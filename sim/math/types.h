@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Short names for the fixed-size matrices of the method, and the one index type.
 #pragma once
 

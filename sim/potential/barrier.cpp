@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/potential/barrier.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contact potentials Ψ(d) = κ B(d): the IPC log barrier S(4), the polynomial barrier S(5), and its even part.
 //
 //   d        signed distance                                   m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // All barriers, where what they are must be known when the code is compiled: the loops over contacts.
 #pragma once
 

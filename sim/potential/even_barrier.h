@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The even part of S(5): Σ_{m=1}^{⌊N/2⌋} u²ᵐ/(2m) (Erratum E3).
 #pragma once
 

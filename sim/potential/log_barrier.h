@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The barrier of IPC, S(4): B = −(d − d̂)² ln(d/d̂).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The polynomial barrier S(5): Σ_{n=1}^N uⁿ/n, the n = 1 term with its onset ramp (Erratum E2: every u > 0;
 // Deviation D2).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // B as a function of u = 1 − d/d̂, with two derivatives with respect to u, for one distance or for four of
 // them (T = double or Lanes); and what barriers share of it.
 #pragma once

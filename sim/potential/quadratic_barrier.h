@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The quadratic penalty, made C²: the stiffness B″ grows from 0 to 1 over the onset, and stays.
 //
 //   u < ε    B = u³/(6ε)               B′ = u²/(2ε)      B″ = u/ε

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See builder.h. Entries are kept as the values that a scene file would have.
 #include "sim/scene/builder.h"
 

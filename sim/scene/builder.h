@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene built in C++: what a scene file says, as types. The entries below are those of a file, with the same
 // keys, units (SI, angles in degrees), defaults and ranges; build() hands them to the reader of files, so that
 // each check and each message is there once. assets/pabd-scene.schema.json says what every key means.

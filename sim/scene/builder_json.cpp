@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See builder_json.h. One line a key; what is empty is left out.
 #include "sim/scene/builder_json.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Entries of a SceneBuilder as the values of a scene file. Internal to sim/scene.
 #pragma once
 

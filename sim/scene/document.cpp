@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See document.h. The parser calls back for each value (it does not recurse), and the document is built here.
 #include "sim/scene/document.h"
 

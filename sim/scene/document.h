@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text → JSON document, with everything refused that a JSON library lets through: duplicate keys, deep
 // nesting, numbers that overflow, huge files. Internal to sim/scene and sim/trace.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Generators of bricks laid level on level: stack, wall, pyramid. See generators.h.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Generator of a chain: links one behind the other along a line, each joined to the next. See generators.h.
 #include <fmt/format.h>
 

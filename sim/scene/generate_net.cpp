@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Generator of a net: rows and columns of bodies, each joined to its four neighbours. See generators.h.
 #include <fmt/format.h>
 

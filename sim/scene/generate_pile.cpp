@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Generator of a pile: bodies on a jittered grid, randomly turned, in layers above the ground, ready to fall.
 // See generators.h.
 #include <fmt/format.h>

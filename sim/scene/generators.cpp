@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Picks the generator of each entry of "generate". See generators.h.
 #include "sim/scene/generators.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Generators: a few lines in a file that stand for many bodies. One function each. Internal to sim/scene.
 //
 // Bodies start at rest and apart: by default bricks leave 0.95 d̂ between levels (a contact that already

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See joint_schema.h.
 #include "sim/scene/joint_schema.h"
 

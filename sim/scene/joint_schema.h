@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The definitions of joints in the JSON Schema of scene files, as their traits give them.
 #pragma once
 

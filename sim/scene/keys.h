@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every key of a scene file, as data: the reader refuses others, messages suggest from them, the JSON Schema
 // in assets/ is tested against them, and the command line lists them for --set.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scene file → Scene, in the order: text, document, overrides, reader. See scene.h.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See mesh_library.h. In the order: file, surface, closed, scaled, hull.
 #include "sim/scene/mesh_library.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mesh files of a scene → hulls, each file read once. Internal to sim/scene.
 #pragma once
 

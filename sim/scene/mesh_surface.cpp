@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the three readers share.
 #include "sim/scene/mesh_surface.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Faces as they stand in a mesh file, and the readers of the three formats. Internal to sim/scene.
 //
 // A reader throws Error(bad_input) with a message that begins with the line or byte; it knows no file names.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See model_builder.h.
 #include "sim/scene/model_builder.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Collects bodies and joints into a Model and a State, and refuses what no simulation can hold: duplicate
 // names, masses and places out of bounds, too many bodies. Internal to sim/scene.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See overrides.h.
 #include "sim/scene/overrides.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `--set contact.kappa=50`: changes a scene document before it is read, so that an override passes the same
 // checks as the file. Internal to sim/scene.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See parameter_docs.h.
 #include "sim/scene/parameter_docs.h"
 

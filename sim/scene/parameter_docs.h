@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is written about parameters, from their table: the part of the JSON Schema that is theirs, and the
 // reference in assets/README.md. Tests compare both files with these.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See read_body.h.
 #include "sim/scene/read_body.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One entry of "bodies". Internal to sim/scene.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Limits and drives of joints. See read_joint.h.
 #include <fmt/format.h>
 

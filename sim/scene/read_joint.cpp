@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One entry of "joints" after the other. See read_joint.h.
 #include "sim/scene/read_joint.h"
 

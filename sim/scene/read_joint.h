@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The entries of "joints" and their defaults. Internal to sim/scene.
 #pragma once
 

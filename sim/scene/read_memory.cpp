@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See read_memory.h.
 #include "sim/scene/read_memory.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a step remembers of the one before, as state files and scenes hold it: of touching contacts, and of
 // joints. Internal to sim/scene and sim/trace.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Wavefront OBJ: points and faces. Everything about looks and structure is skipped; curves are refused, as
 // are words that no OBJ file has.
 #include <fmt/format.h>

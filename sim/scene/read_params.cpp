@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See read_params.h. Ranges are checked by check_params (sim/solver), which the window uses as well; here only
 // types, whole numbers and words are.
 #include "sim/scene/read_params.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The tunable part of a scene: gravity, time step, solver and contact. Internal to sim/scene.
 #pragma once
 

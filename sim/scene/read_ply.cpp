@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PLY, text and binary: x, y, z of "vertex" and the list "vertex_indices" (or "vertex_index") of "face".
 // Other elements and properties are read over.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Document → Scene, in the order: format, parameters, bodies, generators, joints. See read_scene.h.
 #include "sim/scene/read_scene.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene's document, wherever it is from: a file, or a SceneBuilder. Internal to sim/scene.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // STL, text and binary. Normals and colours in the file are not used.
 //
 // Binary: 80 bytes of anything, the number of triangles (32 bits, low byte first), then 50 bytes a triangle.

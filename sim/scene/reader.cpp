@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See reader.h.
 #include "sim/scene/reader.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Walks a JSON document and refuses whatever does not fit, naming the JSON pointer, what was expected and
 // what was found. Internal to sim/scene and sim/trace.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene file, validated and expanded: everything a run needs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See text.h. Edit distance: insertions, deletions, replacements, and swaps of neighbours.
 #include "sim/scene/text.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Words in messages: quoting text that came from a file, and guessing what a misspelt word was meant to be.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See tuning.h. Everything goes through the reader of scene files, which checks it.
 #include "sim/scene/tuning.h"
 

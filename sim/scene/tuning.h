@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Tunable parameters as text: one key changed, a patch applied, two sets compared. Keys, values and messages
 // are those of scene files and of --set, so that what was tuned by hand can be written down and repeated.
 //

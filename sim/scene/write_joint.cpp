@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See write_joint.h. Every frame is written where it stands, so that angles and offsets keep their zero; only
 // the keys of drives are shifted, in time.
 #include "sim/scene/write_joint.h"

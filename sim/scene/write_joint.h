@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One joint as an entry of "joints". Internal to sim/scene.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See write_scene.h.
 #include "sim/scene/write_scene.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A simulation that is under way as a scene file that loads again.
 #pragma once
 

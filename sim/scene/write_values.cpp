@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See write_values.h.
 #include "sim/scene/write_values.h"
 

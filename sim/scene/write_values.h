@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Values of a model as the JSON of scene files: SI units, angles in degrees. Internal to those who write it.
 #pragma once
 

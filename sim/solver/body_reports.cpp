@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See body_reports.h.
 #include "sim/solver/body_reports.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What every body did in a step, for colours and inspectors.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which solver each island gets.
 #pragma once
 

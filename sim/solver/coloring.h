@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Greedy colouring of the bodies of an island by the bonds that join them.
 #pragma once
 

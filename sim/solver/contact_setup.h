@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From predicted poses to contact manifolds: detection, and where the iteration starts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `descent`: block coordinate descent, one body after the other (Gauss–Seidel), colour by colour.
 #pragma once
 

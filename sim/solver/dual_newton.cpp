@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See dual_newton.h.
 #include "sim/solver/dual_newton.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `newton` for what only ball joints hold together: chains, nets, cloths of plates. The same step, found from
 // the forces of the joints instead of the moves of the bodies, in 3×3 blocks instead of 6×6 ones.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/solver/energy_bound.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What keeps steps that were not solved to the end from making energy (Deviation D18). For each island of
 // bodies that hang together
 //

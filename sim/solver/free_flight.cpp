@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/solver/free_flight.h"
 
 #include "sim/body/mass_properties.h"

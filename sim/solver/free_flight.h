@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The predicted pose Q* = [c*, R*] of method notes §1: what a body does when nothing touches it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Friction from step to step and from iterate to iterate: what contacts remember (Deviation D6), bounds and
 // who slides (Deviation D12).
 //

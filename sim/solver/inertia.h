@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The inertia part of the incremental potential E for one body, and its derivatives on SE(3).
 //
 //   E_in = 1/(2h²) tr[(Q − Q*) M (Q − Q*)ᵀ],  M = diag(m, J)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See island_step.h.
 #include "sim/solver/island_step.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the two forms of `newton` share: a step of all bodies of an island, and the best iterate so far.
 #pragma once
 

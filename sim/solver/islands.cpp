@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See islands.h.
 #include "sim/solver/islands.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Which bodies hang together through contacts and joints.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What each iteration of a solve did, for the plots of convergence.
 #pragma once
 

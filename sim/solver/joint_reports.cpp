@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See joint_reports.h.
 #include "sim/solver/joint_reports.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reactions of the joints at the end of a step.
 #pragma once
 

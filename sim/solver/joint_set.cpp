@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/solver/joint_set.h"
 
 #include "sim/math/extremes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The joints of a step, those of the model and the pulls: energies, and derivatives for the solvers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The stiffness "auto" of contacts.
 #include <algorithm>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The bonds of joints, and contact manifolds, as `newton` sees them: energy, gradient and weight at the
 // current iterate.
 #pragma once

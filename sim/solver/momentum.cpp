@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See momentum.h.
 #include "sim/solver/momentum.h"
 

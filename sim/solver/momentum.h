@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Momentum of what hangs together, to rounding, however far a solve came.
 //
 // A solve that stops early leaves every body with forces on it that its neighbours do not feel in the same

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `newton`: all bodies of its islands at once, in the tangent space of SE(3) (method notes §5.3).
 //
 //   unknowns   δ = (δc, δω) of each body, R ← cayley(δω) R

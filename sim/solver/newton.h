@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `newton`: all bodies of an island at once. The linear system, and its iterations.
 #pragma once
 

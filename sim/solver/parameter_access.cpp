@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is read off a row. See parameter_table.h.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The rows. See parameter_table.h; their order is that of scene files and of what enters a scene's hash.
 #include "sim/solver/parameter_table.h"
 

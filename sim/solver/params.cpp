@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/solver/params.h"
 
 #include <fmt/format.h>

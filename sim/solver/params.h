@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything a person tunes while a simulation runs. It may change between any two steps without rebuilding
 // the model. What each one means, its unit and its range: parameter_table.cpp, which has a row for each.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See problem.h.
 #include "sim/solver/problem.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a step minimises, and the iterate that its solvers move. Plain arrays, numbered as bodies, manifolds
 // and joints are: nothing in them points into a solver, so that one on another device can take them as they
 // are.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies that overlap deeply, or that a scene puts closer than they can rest, come apart slowly
 // (contact.recovery_speed).
 //

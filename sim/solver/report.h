@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What one time step tells about itself. Plain data: written to CSV, plotted, drawn.
 #pragma once
 

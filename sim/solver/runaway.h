@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // States beyond any sense, which are no result of a step, finite or not.
 //
 //   L     width of the scene: the box around the bodies that have bonds, and the widest opening of a bond,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `sissm`: the supplement's iteration. Global step: every body's affine model is minimised with all others
 // where the last iteration left them (Jacobi). Local step: a rigid pose from it, by one of two projections.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `sissm`: the supplement's Jacobi iteration with its projection.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See solve.h.
 #include "sim/solver/solve.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Solves the islands of a step, side by side: each has its own line search, watchdog and convergence.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The memory of a step, which the next one reuses: a warm step allocates nothing. Nothing here influences a
 // result from one step to the next.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers that a step reports about the state it ends in.
 #pragma once
 

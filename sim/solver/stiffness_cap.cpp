@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/solver/stiffness_cap.h"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How stiff a bond may be for `sissm` (Deviation D17).
 //
 //   k        stiffness of the bond: Ψ'' at rest for joints, κ/d̂² for contacts (κ for the log barrier)   N/m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/solver/tangent_model.h"
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The quadratic model of one body in the tangent space of SE(3), all others frozen (Deviation D5): unknowns
 // (δc, δω) with R ← cayley(δω) R.
 //

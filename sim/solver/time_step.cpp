@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One time step, in the order of the algorithm.
 
 #include "sim/solver/time_step.h"

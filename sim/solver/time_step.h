@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One time step: the only thing that moves bodies.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See velocities.h.
 #include "sim/solver/velocities.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Velocities at the end of a step.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "sim/solver/weighted_projection.h"
 
 #include "sim/solver/joint_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The quadratic model of one body as an affine body, and its minimisers: the global step of the supplement
 // and the weighted projection (Deviation D1). Positions are relative to the body's current c, so that nothing
 // is lost far from the origin.

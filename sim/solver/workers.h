@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Who works on a step, and until when.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The CSV files of a run. Numbers have as many digits as it takes to read back the same bits. See
 // trace.h.
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A number that tells two states apart, bit by bit. See trace.h.
 #include "sim/base/hash.h"
 #include "sim/trace/trace.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // JSON → State, checked against the model it is for. See state_writer.cpp for what is in the file.
 #include <fmt/format.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // State → JSON. See README.md for the file and trace.h for the contract.
 //
 // A quaternion and degrees are what people read, but neither gives the same bits back. So each body also has

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Records of a run, and the files written from them (formats: README of this folder).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files appear whole or not at all.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Programs that are started: when they end, or are ended, so does all that they started.
 #include <catch2/catch.hpp>
 #include <chrono>

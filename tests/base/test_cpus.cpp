@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How many CPUs a process may use: quotas in folders as Linux shows them, affinity, and what is rounded up.
 #include <sched.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Files that are read: never without end, never waiting for nobody. Files that are written: never over those.
 #include <fcntl.h>
 #include <sys/socket.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The transfer function of sRGB against numbers of the standard.
 #include "sim/base/srgb.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Text of inputs on one line that does nothing to a terminal.
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Time of one warm `detect` on one thread: a heap of turned cubes, a flat brick wall, and a long row that
 // never meets.
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames per second of the pyramid at 1280×720, split by phase: draw (GL finished), read back, encode.
 
 #include <benchmark/benchmark.h>

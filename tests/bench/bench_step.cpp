@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Time of one step of shipped scenes, split by phase. Counters are ms a step; args: threads, settled (0: the
 // first second of the scene, 1: after 5 s).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Several hulls as one body: mass properties against the closed forms of boxes, bounds, radii.
 #include <catch2/catch.hpp>
 #include <cmath>

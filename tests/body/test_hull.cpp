@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hulls: their faces, and mass properties against closed forms and against integration of another kind.
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mass and second moment against textbook inertia tensors and against numerical quadrature.
 //
 //   The textbook gives the inertia tensor I about the centre of mass; J follows from J = ½ tr(I) 1 − I.

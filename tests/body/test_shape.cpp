@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bounds and radii of shapes against points sampled on their surfaces.
 #include <catch2/catch.hpp>
 #include <random>

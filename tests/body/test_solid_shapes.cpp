@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Shapes that the table alone describes: mass and inertia against textbooks and quadrature, bounds against
 // points of the surface, and the polyhedron that contacts see.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // When two states are the same to the last bit.
 #include <catch2/catch.hpp>
 #include <functional>

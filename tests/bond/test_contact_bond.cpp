@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contact bonds: gap and stretch against plane geometry, forces and moments on both bodies against finite
 // differences of the energy.
 

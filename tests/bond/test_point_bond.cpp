@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bonds between points: energy against the closed form, force and weight against finite differences of it.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Running the program under test.
 #include "tests/cli/program.h"
 

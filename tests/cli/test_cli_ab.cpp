@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd render --ab: two parameter sets of one scene in step.
 #include <catch2/catch.hpp>
 #include <cmath>

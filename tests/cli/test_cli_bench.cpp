@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd bench: a table with a row a scene, the same as JSON. Times are whatever they are.
 #include <catch2/catch.hpp>
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What goes wrong outside: bad scenes, files, no GL, no encoder. The exit code tells which, one line tells
 // where and what helps, and nothing that is not whole has a final name.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inputs that are no files, without end, too long, or full of what a terminal would obey; outputs that are
 // inputs.
 #include <sys/stat.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd run --joints: a row a joint and step.
 #include <catch2/catch.hpp>
 #include <sstream>

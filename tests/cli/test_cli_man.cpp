@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The manual pages say what --help says, of every command, in troff that groff takes without a warning.
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parts of the command line that can be tested without running it: schedule, camera, queue, progress; and the
 // session.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same pixels from every processor: software GL is made to believe in others. Without fused multiply-add
 // (before AVX2) a few pixels may be off by a level, as within a class of renderers.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd plot, figure and compare.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd run --profile: where the time of the steps went. Times differ from run to run; that they add up does
 // not.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the README and the reference of the commands tell a newcomer to type is typed here, line by line, in an empty folder.
 #include <catch2/catch.hpp>
 #include <filesystem>

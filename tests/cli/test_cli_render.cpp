@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd render: frames, their text chunks, videos, resuming, interrupting.
 #include <catch2/catch.hpp>
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // pabd run: what it writes, and that a run can be repeated, split and tuned.
 #include <catch2/catch.hpp>
 #include <csignal>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Signals, and an encoder that stands still: what was done is published, what is temporary goes, and nothing
 // that was started goes on.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the program is asked: help, version, wrong command lines.
 #include <sched.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Brute force, with no thought for speed and no code of the library but its types.
 #include "tests/collision/reference.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Independent answers to compare the contact points with, and random placements.
 #pragma once
 

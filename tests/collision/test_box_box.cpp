@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Box manifolds that can be worked out by hand.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The grid finds exactly the pairs that comparing all with all finds.
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compounds: the contacts of their parts, under names of their own.
 #include <catch2/catch.hpp>
 #include <set>

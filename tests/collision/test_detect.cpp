@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whole scenes: order, threads, fixed bodies, skipped pairs, warm calls without allocation.
 #include <atomic>
 #include <catch2/catch.hpp>

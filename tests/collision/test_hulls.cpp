@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hulls against the boxes they look like, large manifolds, and degenerate placements.
 #include <catch2/catch.hpp>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every pair of solid shapes in random poses: the contact points against a brute-force signed distance.
 //
 // Tolerances. Faces are preferred to edges within 0.02 |s| + 1e-3 · smallest half edge (`preference`), so a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rays against every shape in closed form, from outside and inside, and rays that hit nothing.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Spheres, capsules and planes against closed forms, and degenerate placements.
 #include <catch2/catch.hpp>
 

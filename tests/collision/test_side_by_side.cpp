@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edges and axes that run side by side: contacts at both ends of what they share, and nothing jumps while the
 // angle between them goes through zero.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cylinders and cones against closed forms: contacts on planes, balls and each other, and rays.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Installs the build into an empty folder, and uses what is there as a stranger would: by find_package(), by
 # pkg-config, and by the program. Run by ctest with BUILD, SOURCE, WORK, COMPILER, LIBRARIES (a folder) and VERSION.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Three crates drop on a plate that hangs by a hinge: built, stepped for a second, drawn to the file that is named.
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The simulation alone, compiled with what pkg-config says: a ball falls for a second.
 #include <cstdio>
 

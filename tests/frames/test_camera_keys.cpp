@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera keys as a file: every bit comes back, and what is no such file is refused with its place.
 #include "app/frames/camera_keys.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sources of frames: a run as it is made, its past and a recording of it hand out the same frames, and none
 // changes any more once it is handed out.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Thumbnails: the picture, and a cache that never stands in the way.
 #include "app/frames/thumbnail.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the targets share: each defines `fuzz`, which libFuzzer calls with bytes of its making.
 //
 // A reader may take them or throw the project's error: in one line, in UTF-8 without control characters, with

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Key frames of a camera: what is taken is written and read again, and gives finite poses between its keys.
 #include "app/frames/camera_keys.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A mesh in memory: the hull of what is taken is a solid with its centre of mass inside.
 #pragma once
 

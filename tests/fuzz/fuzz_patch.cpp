@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Changed parameters: a merge patch, or a "key=value" of --set in the first line of an input. What is taken
 // can be written as a patch that leads there.
 #include "sim/scene/tuning.h"

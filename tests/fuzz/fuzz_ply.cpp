@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A mesh of an PLY file.
 #include "tests/fuzz/fuzz_mesh.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A PNG file: its picture and its texts. Checksums of chunks are set right as well, so that what is behind
 // them is reached.
 #include <sys/mman.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A recording, with a head and a checksum that fit it, as somebody makes them who means harm: what is taken
 // can be wound back and written again.
 #include "app/session/byte_stream.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene file: what is taken fits together and is finite.
 #include "sim/scene/scene.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A script of actions, read and checked, not played.
 #include "app/gui/script_reader.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A state file, for a scene of two bodies: what is taken is written and read again to the same bits.
 #include "sim/scene/scene.h"
 #include "sim/trace/trace.h"

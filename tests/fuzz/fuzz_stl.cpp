@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A mesh of an STL file.
 #include "tests/fuzz/fuzz_mesh.h"
 

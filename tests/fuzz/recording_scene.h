@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scene that the recordings of the fuzzer and its seeds belong to.
 #pragma once
 

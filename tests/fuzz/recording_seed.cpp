@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Writes what a recording holds between its head and its checksum, for the fuzzer to start from: steps,
 // changed parameters, a hand, bodies and a joint that come and go.
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Scenes put together by hand, for tests and for looking at.
 #pragma once
 

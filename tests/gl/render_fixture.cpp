@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Helpers of the picture tests.
 #include "tests/gl/render_fixture.h"
 #include "sim/base/srgb.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A renderer on the first context of this machine, and ways to look at what it drew.
 #pragma once
 

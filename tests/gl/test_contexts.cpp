@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every context that this machine offers draws the same bytes.
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Sorting of instances into batches.
 #include "render/gl/draw_list.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Meshes of the primitives: closed, facing outwards, on the true surface, with the right volume.
 #include "render/gl/gpu_mesh.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A machine without GL drivers, played with libglvnd's own variable: readable reasons, no crash.
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The overlay lands on exact pixels, is clipped, and is blended as sRGB.
 #include <imgui.h>
 

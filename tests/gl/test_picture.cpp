@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pixels against theory: coverage, sRGB, background, shadow, transparency, glyphs behind bodies, lines.
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Drivers that crash, leave or say no when they are asked for a context: found out in a child process.
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Programs: errors name files and lines, and the uniform block lies in memory as the driver reads it.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The size of live pictures follows what they cost, and settles.
 #include "render/gl/quality.h"
 

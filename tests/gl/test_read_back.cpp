@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames come back in order, whole, and in their own size.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Names of keys, and what is said when there is no display. Windows on a real display are tested with the
 // program.
 #include "render/context/window.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A window's frame: views at their places, the interface over them, pictures in it. Whole bytes are compared:
 // nothing on the way may change a colour.
 #include <imgui.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
 # The window on a real display (Xvfb) with real keys and a real mouse: real_window.sh PROGRAM. Prints what failed.
 # Nothing waits for a time: the program says what state it is in ("print" in its script), and only then comes the
 # next event. A limit of minutes is there for what never happens.

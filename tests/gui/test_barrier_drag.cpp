@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Dragging d̂ and κ on the barrier plot: the pointer's place in data units is the value that is sent, to 1e-9
 // of it, and one drag is one step of undo.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // When the picture of the scene is drawn, and how well: by a made-up clock.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A parameter is one row of a table: a made-up row is found wherever parameters are.
 #include <algorithm>
 #include <catch2/catch.hpp>

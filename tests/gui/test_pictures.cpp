@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Videos and pictures from the window are, byte for byte, what the render pipeline makes of the same run with
 // the same camera.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole window without a display: every script in scripts/ is carried out, what it expects of the state
 // must hold, and the frames that it writes are compared with approved pictures (tests/golden/*/NAME.png).
 #include <catch2/catch.hpp>

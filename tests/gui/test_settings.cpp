@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the window remembers comes back as it was; a file that somebody spoiled is refused whole.
 #include <catch2/catch.hpp>
 #include <cstdlib>

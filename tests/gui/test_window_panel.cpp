@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a table says of a panel is found by its tab's slot, by commands and by their help.
 #include <catch2/catch.hpp>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The cylindrical joint: it slides along its axis and spins about it as if nothing were there, and holds the rest.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Prescribed rotations of spherical joints S(8–10), and angles beyond their limits.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reactions of joints against statics.
 
 #include <catch2/catch.hpp>

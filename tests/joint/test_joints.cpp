@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Joints against closed forms: pendulum, chain, hinge, slider, drives and limits.
 
 #include <Eigen/Dense>

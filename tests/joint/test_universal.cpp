@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The universal joint: what it leaves free, what it holds, and Hooke's relation between two shafts.
 
 #include <Eigen/Dense>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The block Cholesky factorisation against a dense solve, and its work on chains.
 
 #include "sim/math/block_cholesky.h"

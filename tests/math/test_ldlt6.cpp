@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The unrolled 6×6 solver against Eigen's, and the sums of lanes against one at a time.
 
 #include "sim/math/ldlt6.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // SO(3) against identities and an independent SVD.
 
 #include <Eigen/Dense>

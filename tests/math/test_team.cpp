@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The team of threads: every item exactly once, whatever the number of threads, the length of the loop, or
 // what is thrown in it.
 

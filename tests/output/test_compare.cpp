@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The comparison against pictures that differ as pictures of a simulation do when something is wrong.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The helper that other tests compare their pictures with.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // PNG files: what goes in comes out, and hostile files are refused.
 #include <catch2/catch.hpp>
 

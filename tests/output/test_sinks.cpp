@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Frames to numbered files, to one file, to a descriptor, and in the background.
 #include <catch2/catch.hpp>
 

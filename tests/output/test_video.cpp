@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Videos through ffmpeg, and what happens when ffmpeg fails.
 #include <catch2/catch.hpp>
 

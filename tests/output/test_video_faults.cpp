@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Videos on a disk that is full, and through an ffmpeg that stands still: an error, and nothing is left.
 #include <sys/mount.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 2 shows the bond points of its three joints, and fits any frame.
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 6 marks the deepest pair.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The atlas holds every glyph the texts use, and a d̂ that is a d with a hat.
 #include <imgui.h>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Draw data of frames and figures, without GL.
 #include <imgui.h>
 #include <catch2/catch.hpp>

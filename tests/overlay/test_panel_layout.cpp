@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Panels never overlap, stay inside, and leave a free rectangle, for every selection and many frame sizes;
 // what a table says of a panel is found by names, help and places.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What differs between two parameter sets, in words.
 #include "app/overlay/parameter_words.h"
 

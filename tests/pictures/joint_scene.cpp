@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/pictures/joint_scene.h"
 
 #include "sim/body/mass_properties.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies with one joint of each type, in a pose where the picture shows everything: angles and offsets away
 // from zero, a limit reached, a bond that is pulled apart.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/pictures/picture_studio.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures of stored states: what is drawn does not depend on the solver, so that a change of it does not
 // break them. Contacts come from the geometry at the state, curves from formulas.
 #pragma once

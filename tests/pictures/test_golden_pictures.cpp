@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Approved pictures, in tests/golden/<renderer class>. PABD_UPDATE_GOLDEN=1 approves what is drawn now: look
 // at it first.
 

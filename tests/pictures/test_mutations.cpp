@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The comparison against real pictures: each small mistake in a frame must be seen. This guards the limits of
 // the comparison itself, so it stays even when every picture is fine.
 

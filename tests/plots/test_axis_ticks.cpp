@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ticks, ranges and number formats against values worked out by hand.
 #include <catch2/catch.hpp>
 #include <cmath>

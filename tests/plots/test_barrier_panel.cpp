@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The barrier panel: curves against closed forms, markers, handles, the histogram, and bars as a style.
 #include <catch2/catch.hpp>
 #include <cmath>

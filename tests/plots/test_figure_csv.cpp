@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A figure as CSV reads back to the very same numbers.
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure data against closed forms.
 #include <catch2/catch.hpp>
 #include <cmath>

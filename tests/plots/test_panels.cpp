@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Convergence, time and difference panels: which number stands where.
 #include <algorithm>
 #include <catch2/catch.hpp>

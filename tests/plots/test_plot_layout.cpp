@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Known data at known pixels; nothing sticks out; thinning keeps the extremes; the legend keeps off the
 // curves.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // From pixels back to data, and what is under the pointer.
 #include <catch2/catch.hpp>
 #include <cmath>

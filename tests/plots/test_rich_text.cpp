@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Markup, widths, and the one glyph for "d̂".
 #include <catch2/catch.hpp>
 

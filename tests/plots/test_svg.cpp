@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The SVG is well-formed XML and holds the texts.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Themes: contrast as WCAG 2.1 defines it, colours for people with a colour vision deficiency, and that every
 // ink of a plot comes from its theme.
 //

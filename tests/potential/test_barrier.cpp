@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Barriers against sums written out term by term, finite differences, and the split of S(6).
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small scenes as text, and a check that one is refused in the right words.
 #pragma once
 

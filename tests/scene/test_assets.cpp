@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The shipped scenes load, and the JSON Schema says what the reader does.
 #include <algorithm>
 #include <cmath>

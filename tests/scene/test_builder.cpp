@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A scene built in C++ is the one that a file with the same entries gives, and is refused with the same
 // words.
 #include "sim/scene/builder.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Damaged scenes: whatever is cut off or changed, the reader either accepts it or throws its own error.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Generators: how many bodies, where, and that nothing overlaps at the start.
 #include <algorithm>
 #include <set>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The hash of a scene: a fingerprint of what it says, not of how it is written.
 #include <set>
 

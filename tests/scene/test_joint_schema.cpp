@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The JSON Schema has of joints, word for word, what their traits give.
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The generators with joints: chain and net.
 #include <cmath>
 #include <variant>

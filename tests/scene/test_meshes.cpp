@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Mesh files: three formats give the same hull, and whatever is wrong with a file is refused with its place.
 #include <bit>
 

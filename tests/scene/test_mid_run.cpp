@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What scenes say that were saved in mid-run: joints away from their zero, and what contacts remember.
 #include "sim/joint/expand.h"
 #include "tests/scene/scene_helpers.h"

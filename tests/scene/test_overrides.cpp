@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // --set: what it changes, what it makes, and how it refuses.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lists of meshes in scene files: one body of several parts.
 #include "sim/body/compound.h"
 #include "sim/scene/mesh_library.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Joints in scene files: what a file says arrives in the model, and bad joints are refused.
 #include "sim/joint/auto_kappa.h"
 #include "tests/scene/scene_helpers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every kind of bad scene is refused with the place and the expectation.
 #include "sim/scene/document.h"
 #include "tests/scene/scene_helpers.h"

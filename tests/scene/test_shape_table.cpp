@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every shape of the table that is given by its sizes: read, refused, written and read again, generated, and
 // offered by the schema.
 #include <nlohmann/json.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Parameters as text: what is written reads back to the same bits, and what does not fit is refused.
 #include <catch2/catch.hpp>
 

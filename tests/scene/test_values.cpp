@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a scene says arrives in the model, the state and the parameters; defaults are the documented ones.
 #include <variant>
 

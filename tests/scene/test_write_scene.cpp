@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run saved as a scene in the middle and loaded again goes on as the run does.
 
 #include <catch2/catch.hpp>

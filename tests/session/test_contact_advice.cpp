@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Read-outs against closed forms, and every warning: it comes, its suggestion is valid, and taking it in a
 // running simulation makes the warning go.
 #include "app/session/contact_advice.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies and joints that come and go while a simulation runs.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A recording is the run again, bit by bit, and nothing that is wrong with the file gets past the reader.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What sim/accuracy.md tells of damping, bounces and overlap.
 
 #include <catch2/catch.hpp>

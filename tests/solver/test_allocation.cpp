@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A step that is warm takes no memory from the system, whatever the number of iterations.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a step reports about every body: islands, shares of the contact energy, the affine part.
 
 #include <catch2/catch.hpp>

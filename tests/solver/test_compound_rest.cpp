@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Compounds in motion: an L rests with the right force, pieces of a box behave as the box, a bowl holds a
 // ball.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Contact forces against statics and conservation laws.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Coulomb's law ‖f_t‖ ≤ μ f_n: what lets go when, and how fast it may be taken along.
 
 #include <catch2/catch.hpp>

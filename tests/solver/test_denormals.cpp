@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Denormal numbers are zero within a step, in every thread, and nowhere else.
 
 #include <catch2/catch.hpp>

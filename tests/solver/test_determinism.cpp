@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The same bits for every number of threads: every loop that is shared runs on all of them here, also in
 // scenes that are too small to be worth it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `newton` from the forces of the joints: the same steps as from the moves of the bodies, and what the joints
 // remember from step to step.
 

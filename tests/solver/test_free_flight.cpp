@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies that nothing touches, against the discrete solution and conservation laws.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A crate on a slope: it sticks below the friction angle and slides above it with Coulomb's acceleration.
 
 #include <catch2/catch.hpp>

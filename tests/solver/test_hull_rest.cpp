@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hulls in motion: they come to rest under their weight, hull cubes do as boxes do, and a spinning one keeps
 // its angular momentum.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Islands are independent: what happens in one leaves the bits of all others alone.
 
 #include <catch2/catch.hpp>

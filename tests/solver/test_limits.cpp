@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a step may cost: it can be stopped, and a crowd at one point stays bearable.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies that nothing outside holds keep their momentum in every step, converged or not.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `newton` and `auto`: the same minimum as the other solvers, which solver an island gets, and a double
 // pendulum against its equations of motion.
 

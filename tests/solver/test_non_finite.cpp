@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Numbers that are none, put in on purpose: the step says non_finite, changes nothing, and claims nothing.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every parameter has limits, and a message that names the place.
 
 #include <catch2/catch.hpp>

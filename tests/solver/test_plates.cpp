@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Two plates that lean on each other, edge on edge: an A-frame stands at the friction that statics says.
 //
 // Thickness T, height H, tilt θ. Both carry their weight on the inner bottom edge; at the top they push each

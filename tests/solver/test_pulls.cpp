@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pulling a body while a simulation runs: a soft spring of a step that is no part of the model.
 
 #include <catch2/catch.hpp>

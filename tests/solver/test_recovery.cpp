@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Deep overlap comes apart at contact.recovery_speed, and nothing else is touched by it.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // No floating-point surprises: whatever the stiffness, the masses, the time step and the order of the
 // barrier, a step stays finite, says `iteration_limit` where it did not solve, and never moves a body out of
 // sight.

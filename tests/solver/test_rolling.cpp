@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Balls and capsules that roll, at any turn a step, against closed forms.
 //
 // A round body of mass m and moment I about its axis of rolling, radius r: with k = I/(m r²), 2/5 for a ball,

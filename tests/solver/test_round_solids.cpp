@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Cylinders and cones in motion against statics and closed forms: they stand, tip, slide, roll, and make no
 // energy.
 //

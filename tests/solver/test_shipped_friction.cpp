@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Coulomb's law ‖f_t‖ ≤ μ f_n in every step that says it converged: all shipped scenes, every solver.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // `sissm` with its own projection: the minimum of E where it converges, and never more energy than it may
 // have where it does not.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What each solver promises about one step.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Stacks stay where they are.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The weighted projection is the exact minimiser of the body's quadratic model over SE(3).
 
 #include "sim/solver/weighted_projection.h"

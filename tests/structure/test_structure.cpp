@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The layers of the project hold: who may include whom, how long a file may be, and that every test runs.
 //
 // Sources are read as text. A rule names a folder and what no include line in it may begin with.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // See allocations.h.
 #include "tests/support/allocations.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How much memory a thread has taken, for programs that allocations.cpp is part of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What an action throws, for checks of kind and text.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A shell script that is called ffmpeg and found first.
 #pragma once
 

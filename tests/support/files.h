@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Whole files of tests, without what is tested.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Preloaded into a program: a disk with room for PABD_DISK_BYTES bytes. What is written to regular files
 // beyond that fails as on a full disk. With PABD_DISK_BROKEN set, fsync fails.
 #include <dlfcn.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures against approved ones.
 #include "tests/support/golden.h"
 

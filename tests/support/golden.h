@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Pictures against approved ones (baselines) in tests/golden/<renderer class>/<name>.png.
 #pragma once
 

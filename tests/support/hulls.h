@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hulls from corners, for the physics tests.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small picture of boxes, shadows and lines, computed ray by ray on the CPU.
 #include "tests/support/picture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A small picture of boxes, shadows and lines, computed ray by ray on the CPU: something for the comparison
 // to look at that is like what the renderer draws and needs no GL.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Do programs still run?
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Small worlds built in code, and a runner: shared by the physics tests and the benchmarks.
 #pragma once
 

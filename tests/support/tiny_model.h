@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A model put together body by body, for tests that need no physics.
 #pragma once
 

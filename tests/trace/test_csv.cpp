@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The CSV files: exactly the agreed columns, numbers that read back to the same bits.
 #include <catch2/catch.hpp>
 #include <cstdlib>

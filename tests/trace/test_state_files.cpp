@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // State files: the same bits come back, and a file that does not fit is refused.
 #include <catch2/catch.hpp>
 #include <cmath>

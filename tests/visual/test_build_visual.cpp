@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Instances and glyphs of a tiny model: how many, where, how large.
 #include "render/visual/build_visual.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Camera matrices against closed forms; the framing camera against what it promises.
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Moving the camera by hand does what the hand means: numbers, not pictures. Lengths in m, places in pixels.
 #include "render/visual/camera_control.h"
 

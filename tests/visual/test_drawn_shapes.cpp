@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Drawing and outline of every shape that is given by its sizes, against rays: what is drawn lies on its
 // surface, and the outline is where rays from the eye begin to miss it.
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hulls as meshes: one mesh for equal hulls, closed and facing outwards, at the pose of the body.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Glyphs of joints: what is where, in numbers. The camera looks along −z from (0, 0, 10) with 720 px over
 // 2 · 10 · tan(22.5°) m, so that a pixel at z = 0 spans 0.01151 m.
 #include "render/visual/joint_glyphs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Colours: order of the contact map, difference between neighbouring bodies, sRGB decoding.
 #include "render/visual/palette.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Colours by value, outlines of what is selected, ghosts and springs: numbers of the visual scene.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A run that is wound back: the past is what it was, to the last bit, also where its states were dropped.
 #include <catch2/catch.hpp>
 

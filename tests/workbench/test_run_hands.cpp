@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edits and pulls are part of the past: wound back, thinned out and replayed they give the same bits.
 #include <catch2/catch.hpp>
 

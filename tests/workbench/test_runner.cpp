@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The simulation's thread: scenes that change on disk, and copies of its runs.
 #include <catch2/catch.hpp>
 #include <chrono>

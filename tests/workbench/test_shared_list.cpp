@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A list whose views stay what they are.
 #include <catch2/catch.hpp>
 

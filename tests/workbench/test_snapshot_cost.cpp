@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A published snapshot costs the same however long the run is: what is counted are allocations and their
 // bytes, not time.
 #include <catch2/catch.hpp>

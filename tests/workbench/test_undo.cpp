@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What a person made does not go without being asked for: it comes back with undo, or a command that would
 // end it says so and does nothing.
 #include <catch2/catch.hpp>

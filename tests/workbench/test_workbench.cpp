@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Commands on a workbench and on its thread, by what they leave behind.
 #include <catch2/catch.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A workbench with a scene, and what it says to a command that it refuses.
 #pragma once
 

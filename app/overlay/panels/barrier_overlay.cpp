@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The barrier with every contact of the last step on it.
 #include "app/overlay/overlay_panels.h"
 #include "app/overlay/overlay_style.h"

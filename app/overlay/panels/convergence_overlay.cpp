@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the last step converged.
 #include "app/overlay/overlay_style.h"
 #include "app/plots/figures/convergence.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far two runs are apart, over time.
 #include "app/overlay/overlay_style.h"
 #include "app/plots/figures/difference.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the glyphs of bonds and joints mean.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the colours of contacts mean.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The parameters of the run, as many of the joints' as the scene has, and what the last step counted.
 #include <fmt/format.h>
 

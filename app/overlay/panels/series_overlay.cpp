@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Gap, energy and errors over time; of two runs, both.
 #include <fmt/format.h>
 

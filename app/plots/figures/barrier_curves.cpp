@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Barrier curves against the distance.
 #include "app/plots/figures/barrier_curves.h"
 

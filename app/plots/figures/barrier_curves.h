@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Barrier curves against the distance: figure 1 of the supplement, `pabd plot barrier`, and the live panel.
 //
 //   d      signed distance                          m

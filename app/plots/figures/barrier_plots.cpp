@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The barrier panel's plot, its handles, and the histogram of d/d̂.
 #include "app/plots/figures/barrier_plots.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The barrier that contacts see, as a plot to tune on: curves of several variants, every contact at its d,
 // and where d̂ and κ can be taken hold of. And how the contacts are spread over d/d̂.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 5 of the supplement: one contact pair in the plane.
 #include "app/plots/figures/contact_pair.h"
 

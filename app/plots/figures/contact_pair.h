@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 5 of the supplement: one contact pair in the plane, drawn to scale from its geometry.
 //
 //   y_i, y_j  the two contact points                                  m

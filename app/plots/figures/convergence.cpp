@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a solver converges within one step.
 #include "app/plots/figures/convergence.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How a solver converges within one step: `pabd plot convergence`, the live panel, and figure 7 of the
 // supplement.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The convergence panel's plot.
 #include "app/plots/figures/convergence_plots.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One quantity of the iterations of a step, for several solves beside each other: the convergence panel.
 //
 //   E        incremental potential                                        J

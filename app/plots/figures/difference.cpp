@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Distances of states, differences of time series.
 #include "app/plots/figures/difference.h"
 

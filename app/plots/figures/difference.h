@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How far two runs of one scene are apart: A, and B with other parameters.
 //
 //   t        time of A's steps; B is interpolated linearly between its own steps    s

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The pens of diagrams.
 #include "app/plots/figures/drawing_board.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A piece of a picture with coordinates of its own, and the pens that diagrams are drawn with.
 #pragma once
 

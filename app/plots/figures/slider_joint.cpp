@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 4 of the supplement: the points of a slider joint.
 #include "app/plots/figures/slider_joint.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 4 of the supplement: the points of a slider joint, in the plane.
 //
 //   y_i1, y_i2     two points of body i, and y_i0 the middle between them               m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 3 of the supplement: the points of a spherical joint.
 #include "app/plots/figures/spherical_joint.h"
 

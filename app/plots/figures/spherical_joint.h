@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Figure 3 of the supplement: the points of a spherical joint whose angle is held, in the plane.
 //
 //   y_i0, y_j0   the anchor on each body; one point: C_0 = ‖y_i0 − y_j0‖ = 0, S(7)      m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The time panel's plot.
 #include "app/plots/figures/time_panel.h"
 

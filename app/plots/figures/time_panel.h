@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // One quantity of a run against time, with the present moment and what happened on the way: a panel in which
 // a click goes to a step. And the same for two runs, or for what differs between them.
 //

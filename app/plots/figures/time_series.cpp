@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Penetration, joint error and energies against time.
 #include "app/plots/figures/time_series.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Penetration, joint error and energies against time. Histories are oldest first.
 //
 //   max_penetration  max(0, −d) over contacts                                  m

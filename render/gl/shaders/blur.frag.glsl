@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A Gaussian along one axis: fifteen taps over ±3 σ.
 in vec2 uv;
 uniform sampler2D map;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The whole map.
 out vec2 uv;
 void main() {

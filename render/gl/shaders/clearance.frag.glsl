@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // exp(−h/λ) of the height h above the floor.
 in float height;
 out vec4 fragment;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A caster as the floor sees it: in the plane of the floor map, higher is farther.
 out float height;
 void main() {

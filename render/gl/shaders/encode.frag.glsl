@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The transfer function of sRGB (IEC 61966-2-1). Needs mean(at).
 out vec4 fragment;
 void main() {

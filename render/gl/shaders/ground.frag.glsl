@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A studio floor with its grid. SHADOWED: shadows may fall here; LIVE: in a hurry.
 in vec3 world;
 uniform vec4 normal;  // w: offset

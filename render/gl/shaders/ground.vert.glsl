@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A quad in the plane of a floor.
 layout(location = 0) in vec3 position;
 out vec3 world;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Attributes of an instance, and what they make of positions and normals: see instance_drawer.h.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

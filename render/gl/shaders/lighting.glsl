@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // How the scene is lit, for fragments: background(y), ambient(n), sun_visibility(p, n), floor_shade(p), near_floor(p, n).
 // Needs the block Frame; shadow_map is on unit 0, floor_map on unit 1. The colours are those of lighting.h.
 uniform sampler2D shadow_map;

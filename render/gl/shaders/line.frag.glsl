@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Edges softened over a pixel.
 flat in vec4 color;
 flat in float half_width;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A line as a quad that faces the camera: four corners an instance.
 layout(location = 0) in vec3 a;
 layout(location = 1) in vec3 b;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Linear light of a pixel of four samples.
 uniform sampler2DMS light;
 vec3 mean(ivec2 at) {

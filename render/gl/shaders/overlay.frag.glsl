@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The colour of the vertex, times the texture: bytes, without decoding.
 in vec2 at;
 in vec4 tint;

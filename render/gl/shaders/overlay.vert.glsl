@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Dear ImGui's vertices, in pixels.
 layout(location = 0) in vec2 position;
 layout(location = 1) in vec2 uv;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies and glyphs: see surface_pass.cpp. CUBE: soft edges; GLYPH: no shadow falls here; LIVE: in a hurry.
 in vec3 world;
 in vec3 world_n;

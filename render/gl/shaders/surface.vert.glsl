@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bodies and glyphs. CUBE: with what softened edges need.
 out vec3 world;
 out vec3 world_n;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A bridge of planks that hang between two points of the world, each hinged to the next.
 //
 //   θ_k     slope of plank k                                             rad

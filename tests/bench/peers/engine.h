@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What the benchmark asks of an engine. Each program of this folder links exactly one implementation, so that
 // the peak memory of its process is that engine's alone.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Box3D: its defaults, 4 sub-steps of its soft step, its own threads. Not default: no sleeping. The friction
 // coefficient of a pair is the root of the product of the two bodies', so each body gets the scene's. Joints:
 // spherical and revolute as they are; what they join does not collide.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Bullet: btDiscreteDynamicsWorld as its "hello world" sets it up (dynamic AABB trees, sequential impulses,
 // 10 iterations). Not default: no sleeping. The friction coefficient of a pair is the product of the two
 // bodies' coefficients, so each body gets the root. Joints: btPoint2PointConstraint and btHingeConstraint as

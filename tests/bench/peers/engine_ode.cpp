@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // ODE: dWorldQuickStep (20 iterations, the world's own ERP and CFM), hash space, up to 8 contacts a pair. The
 // contact mode dContactApprox1 makes `mu` a coefficient of friction; without it ODE takes it as a force in N.
 // Joints: dJointTypeBall and dJointTypeHinge as they are; what they join does not collide.

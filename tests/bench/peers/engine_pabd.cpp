@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // This project, with the defaults of a scene file that says nothing about the solver.
 #include "sim/solver/time_step.h"
 #include "tests/bench/peers/engine.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // bench_peers_ENGINE SCENE [THREADS]: one row of a table, in Markdown, on stdout. --list names the scenes
 // that this engine takes, --threads the most threads that it can use, --kind SCENE whether it shows contacts
 // or joints, --head KIND prints a table's head.

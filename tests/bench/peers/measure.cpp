@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/bench/peers/measure.h"
 
 #include <algorithm>

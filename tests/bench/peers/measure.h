@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Runs one engine on one scene and measures it.
 //
 // Two runs: the first is timed and nothing else, and gives the peak memory; the second reads contacts and

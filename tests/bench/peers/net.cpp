@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A net of hubs and rods that hangs from its four corners: a rod between neighbours, with a spherical joint
 // on the face of each of the two hubs. 100 × 100 hubs have 29,800 bodies and 39,600 joints.
 #include <fmt/format.h>

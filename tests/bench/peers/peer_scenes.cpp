@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/bench/peers/peer_scenes.h"
 
 #include "sim/base/error.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The scenes in which the engines are compared: one description for all of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A pile that falls into a box without lid: the ground and four fixed walls around the bodies' grid, so that
 // it stays deep instead of spreading.
 #include <fmt/format.h>

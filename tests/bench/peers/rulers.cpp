@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #include "tests/bench/peers/rulers.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Yardsticks that are the same for every engine: they read nothing but its poses and velocities.
 #pragma once
 

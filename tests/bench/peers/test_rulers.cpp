@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The ruler for overlap gives what geometry says, for poses as any engine hands them over: it must not favour
 // the one whose collision code it borrows.
 #include <catch2/catch.hpp>
