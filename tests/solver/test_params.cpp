@@ -12,9 +12,12 @@ using namespace pabd;
 
 namespace {
 
+// Is only asked what it converts to.
 struct Anything {
   template <class Type>
-  operator Type() const;
+  operator Type() const {
+    throw this;
+  }
 };
 
 // How many members an aggregate has: as many as it can be made of.
