@@ -13,6 +13,7 @@
 #include "app/cli/report_error.h"
 #include "sim/base/utf8.h"
 #include "tests/cli/program.h"
+#include "tests/support/sanitized.h"
 
 namespace fs = std::filesystem;
 using namespace pabd::test;
@@ -249,7 +250,7 @@ TEST_CASE("every kind of error has its exit code; out of memory and what the sys
                                    {ErrorKind::encoder, 6},
                                    {ErrorKind::images_differ, 7}})
     CHECK(report_error(std::make_exception_ptr(pabd::Error(kind, "x"))) == code);
-#if !defined(__SANITIZE_ADDRESS__)  // which reserves more than any limit at its start
+#if !defined(PABD_SANITIZED)  // which reserves more than any limit at its start
   const TempFolder folder;
   write_text(folder / "many.json",
              R"({ "format": "pabd-scene", "version": 1, "name": "many",

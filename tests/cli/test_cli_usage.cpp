@@ -131,7 +131,7 @@ TEST_CASE("values out of range are refused, naming the option") {
     const Outcome outcome = run_pabd(command);
     CAPTURE(outcome.err);
     CHECK(outcome.exit_code == 2);
-    CHECK(is_error_line(outcome.err, {word, "expected"}) | is_error_line(outcome.err, {word, ";"}));
+    CHECK((is_error_line(outcome.err, {word, "expected"}) || is_error_line(outcome.err, {word, ";"})));
   }
   CHECK(folder.names().empty());
 }

@@ -8,13 +8,14 @@
 #include <set>
 
 #include "tests/collision/reference.h"
+#include "tests/support/sanitized.h"
 
 namespace {
 std::atomic<long> allocations{0};
 }
 
 // The sanitizer brings its own, and would find this one paired with its own nothrow variant.
-#ifndef __SANITIZE_ADDRESS__
+#ifndef PABD_SANITIZED
 void* operator new(std::size_t size) {
   ++allocations;
   if (void* p = std::malloc(size ? size : 1)) return p;

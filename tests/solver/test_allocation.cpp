@@ -6,9 +6,10 @@
 #include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
 #include "tests/support/allocations.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scenario.h"
 
-#ifndef __SANITIZE_ADDRESS__  // nothing is counted there
+#ifndef PABD_SANITIZED  // nothing is counted there
 
 using namespace pabd;
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // See allocations.h.
 #include "tests/support/allocations.h"
+#include "tests/support/sanitized.h"
 
-#ifndef __SANITIZE_ADDRESS__
+#ifndef PABD_SANITIZED
 
 #include <cstdlib>
 #include <new>

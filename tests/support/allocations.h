@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "tests/support/sanitized.h"
+
 namespace pabd::test {
 
 struct Allocations {
@@ -11,7 +13,7 @@ struct Allocations {
 };
 
 // Of this thread since it began. Not under a sanitizer, which brings its own operator new.
-#ifndef __SANITIZE_ADDRESS__
+#ifndef PABD_SANITIZED
 Allocations allocations();
 #endif
 

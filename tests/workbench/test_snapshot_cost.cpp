@@ -6,9 +6,10 @@
 
 #include "app/workbench/workbench.h"
 #include "tests/support/allocations.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/temp_folder.h"
 
-#ifndef __SANITIZE_ADDRESS__  // nothing is counted there
+#ifndef PABD_SANITIZED  // nothing is counted there
 
 using namespace pabd;
 
