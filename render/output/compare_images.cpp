@@ -98,6 +98,23 @@ Tile measure_tile(const std::vector<std::int16_t>& forward, const std::vector<st
   return tile;
 }
 
+// Levels by which channels are off, in one direction and in the other, over all tiles.
+void find_worst_tile(const std::vector<std::int16_t>& forward, const std::vector<std::int16_t>& backward,
+                     const Image& size, CompareResult& result) {
+  double badness = -1;
+  for (int y : tile_starts(size.height)) {
+    for (int x : tile_starts(size.width)) {
+      const Tile tile = measure_tile(forward, backward, size.width, size.height, x, y);
+      result.worst_tile_pixels = std::max(result.worst_tile_pixels, tile.pixels);
+      result.worst_tile_mean = std::max(result.worst_tile_mean, tile.mean);
+      if (tile.badness() <= badness) continue;
+      badness = tile.badness();
+      result.worst_tile_x = x;
+      result.worst_tile_y = y;
+    }
+  }
+}
+
 void compare_across(const Image& actual, const Image& expected, CompareResult& result) {
   const Surround around_expected = surround(expected), around_actual = surround(actual);
   const std::size_t size = actual.rgb.size();
@@ -116,18 +133,7 @@ void compare_across(const Image& actual, const Image& expected, CompareResult& r
   }
   result.differing = static_cast<double>(over) / (static_cast<double>(size) / 3);
 
-  double badness = -1;
-  for (int y : tile_starts(actual.height)) {
-    for (int x : tile_starts(actual.width)) {
-      const Tile tile = measure_tile(forward, backward, actual.width, actual.height, x, y);
-      result.worst_tile_pixels = std::max(result.worst_tile_pixels, tile.pixels);
-      result.worst_tile_mean = std::max(result.worst_tile_mean, tile.mean);
-      if (tile.badness() <= badness) continue;
-      badness = tile.badness();
-      result.worst_tile_x = x;
-      result.worst_tile_y = y;
-    }
-  }
+  find_worst_tile(forward, backward, actual, result);
   result.equal = result.worst_tile_pixels <= cross_pixels && result.worst_tile_mean <= cross_mean;
   if (result.equal) return;
   result.reason = fmt::format(
@@ -151,18 +157,7 @@ void compare_same(const Image& actual, const Image& expected, CompareResult& res
   }
   result.differing = static_cast<double>(over) / (static_cast<double>(actual.rgb.size()) / 3);
   // Tiles decide nothing here; they say where to look.
-  double badness = -1;
-  for (int y : tile_starts(actual.height)) {
-    for (int x : tile_starts(actual.width)) {
-      const Tile tile = measure_tile(difference, difference, actual.width, actual.height, x, y);
-      result.worst_tile_pixels = std::max(result.worst_tile_pixels, tile.pixels);
-      result.worst_tile_mean = std::max(result.worst_tile_mean, tile.mean);
-      if (tile.badness() <= badness) continue;
-      badness = tile.badness();
-      result.worst_tile_x = x;
-      result.worst_tile_y = y;
-    }
-  }
+  find_worst_tile(difference, difference, actual, result);
   result.equal = result.max_difference <= same_levels && result.differing <= same_part;
   if (result.equal) return;
   result.reason = fmt::format(

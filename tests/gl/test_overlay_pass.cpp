@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/gl/imgui_frame.h"
 #include "tests/gl/render_fixture.h"
 
 using namespace pabd;
@@ -12,26 +13,6 @@ namespace {
 
 constexpr int kWidth = 80;
 constexpr int kHeight = 60;
-
-struct ImGuiFixture {
-  explicit ImGuiFixture(Renderer& renderer) : context(ImGui::CreateContext()) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {kWidth, kHeight};
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    io.Fonts->TexID = renderer.upload_font_atlas(pixels, width, height);
-    ImGui::NewFrame();
-  }
-  ~ImGuiFixture() { ImGui::DestroyContext(context); }
-  ImDrawList& list() { return *ImGui::GetForegroundDrawList(); }
-  const ImDrawData* finish() {
-    ImGui::Render();
-    return ImGui::GetDrawData();
-  }
-  ImGuiContext* context;
-};
 
 Image draw_plain(Renderer& renderer, const ImDrawData* data, const Vec3f& background) {
   Image image;
@@ -45,7 +26,7 @@ Image draw_plain(Renderer& renderer, const ImDrawData* data, const Vec3f& backgr
 
 TEST_CASE("a rectangle covers exactly its pixels") {
   RenderFixture f(kWidth, kHeight);
-  ImGuiFixture imgui(f.renderer);
+  ImGuiFrame imgui(f.renderer, kWidth, kHeight);
   imgui.list().AddRectFilled({10, 20}, {30, 50}, IM_COL32(255, 0, 0, 255));
   const Image image = draw_plain(f.renderer, imgui.finish(), {0, 0, 0});
   keep_image("overlay", image);
@@ -62,7 +43,7 @@ TEST_CASE("a rectangle covers exactly its pixels") {
 
 TEST_CASE("clip rectangles cut at exact pixels") {
   RenderFixture f(kWidth, kHeight);
-  ImGuiFixture imgui(f.renderer);
+  ImGuiFrame imgui(f.renderer, kWidth, kHeight);
   imgui.list().PushClipRect({15, 5}, {40, 25});
   imgui.list().AddRectFilled({0, 0}, {kWidth, kHeight}, IM_COL32(0, 255, 0, 255));
   imgui.list().PopClipRect();
@@ -80,7 +61,7 @@ TEST_CASE("clip rectangles cut at exact pixels") {
 
 TEST_CASE("half transparent white over black is level 128, and plain colours pass unchanged") {
   RenderFixture f(kWidth, kHeight);
-  ImGuiFixture imgui(f.renderer);
+  ImGuiFrame imgui(f.renderer, kWidth, kHeight);
   imgui.list().AddRectFilled({0, 0}, {10, 10}, IM_COL32(255, 255, 255, 128));
   imgui.list().AddRectFilled({20, 0}, {30, 10}, IM_COL32(37, 91, 200, 255));
   const Image image = draw_plain(f.renderer, imgui.finish(), {0, 0, 0});
@@ -97,7 +78,7 @@ TEST_CASE("the overlay lies over the scene and leaves the rest of it alone") {
   scene.camera = front_camera(5);
   scene.instances[0].push_back(flat_instance({0, 0, 0}, {1, 1, 1}, {0, 0, 1, 1}));
   const Image without = render(f.renderer, scene);
-  ImGuiFixture imgui(f.renderer);
+  ImGuiFrame imgui(f.renderer, kWidth, kHeight);
   imgui.list().AddRectFilled({35, 25}, {45, 35}, IM_COL32(255, 200, 0, 255));
   const Image with = render(f.renderer, scene, imgui.finish());
   int wrong = 0;
@@ -114,7 +95,7 @@ TEST_CASE("the overlay lies over the scene and leaves the rest of it alone") {
 
 TEST_CASE("text leaves ink where it is drawn") {
   RenderFixture f(kWidth, kHeight);
-  ImGuiFixture imgui(f.renderer);
+  ImGuiFrame imgui(f.renderer, kWidth, kHeight);
   imgui.list().AddText({10, 10}, IM_COL32(255, 255, 255, 255), "HHHH");
   const Image image = draw_plain(f.renderer, imgui.finish(), {0, 0, 0});
   int ink = 0;

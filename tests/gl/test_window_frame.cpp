@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "sim/base/error.h"
+#include "tests/gl/imgui_frame.h"
 #include "tests/gl/render_fixture.h"
 
 using namespace pabd;
@@ -15,33 +16,6 @@ namespace {
 
 constexpr int kWidth = 120;
 constexpr int kHeight = 80;
-
-// An ImGui frame whose only text is none, drawn over a window of kWidth × kHeight.
-class Interface {
- public:
-  explicit Interface(Renderer& renderer) : context_(ImGui::CreateContext()) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.DisplaySize = {kWidth, kHeight};
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    io.Fonts->TexID = renderer.upload_font_atlas(pixels, width, height);
-    ImGui::NewFrame();
-  }
-  ~Interface() { ImGui::DestroyContext(context_); }
-  Interface(const Interface&) = delete;
-  Interface& operator=(const Interface&) = delete;
-
-  const ImDrawData* paint(const std::function<void(ImDrawList&)>& with) {
-    with(*ImGui::GetForegroundDrawList());
-    ImGui::Render();
-    return ImGui::GetDrawData();
-  }
-
- private:
-  ImGuiContext* context_;
-};
 
 VisualScene lit_ball(const Vec4f& color) {
   VisualScene scene;
@@ -209,13 +183,12 @@ TEST_CASE("the interface lies over the views, pictures in it keep their bytes") 
   void* const other_id = f.renderer.upload_texture(other);
   REQUIRE(id != other_id);
 
-  Interface interface(f.renderer);
-  const ImDrawData* const data = interface.paint([&](ImDrawList& list) {
-    list.AddRectFilled({0, 0}, {20, 10}, IM_COL32(10, 20, 30, 255));
-    list.AddImage(id, {40, 30}, {56, 39});
-    list.AddImage(other_id, {60, 30}, {76, 39});
-    list.AddRectFilled({100, 0}, {110, 10}, IM_COL32(200, 100, 50, 255));
-  });
+  ImGuiFrame imgui(f.renderer, kWidth, kHeight);
+  imgui.list().AddRectFilled({0, 0}, {20, 10}, IM_COL32(10, 20, 30, 255));
+  imgui.list().AddImage(id, {40, 30}, {56, 39});
+  imgui.list().AddImage(other_id, {60, 30}, {76, 39});
+  imgui.list().AddRectFilled({100, 0}, {110, 10}, IM_COL32(200, 100, 50, 255));
+  const ImDrawData* const data = imgui.finish();
   f.renderer.draw_view(0, lit_ball({0.6f, 0.1f, 0.1f, 1}), kWidth, kHeight);
   const ViewPlace place[] = {{0, 0, 0, kWidth, kHeight}};
   f.renderer.compose(kWidth, kHeight, place, {0, 0, 0}, data);
