@@ -73,7 +73,7 @@ LivePicture::Plan LivePicture::plan(const Snapshot& sim, const UiState& ui, doub
 
 void LivePicture::took(const Plan& plan, double ms) {
   last_ms_ = ms;
-  if (plan.quality.samples == RenderQuality::live().samples) scale_.took(ms);
+  if (plan.quality.level == Quality::draft) scale_.took(ms);
 }
 
 }  // namespace pabd

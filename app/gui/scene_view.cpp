@@ -46,7 +46,7 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
 bool SceneView::same(const Key& a, const Key& b) {
   return a.serial == b.serial && same_camera(a.camera, b.camera) && a.width == b.width &&
          a.height == b.height && a.contacts == b.contacts && a.bonds == b.bonds && a.side == b.side &&
-         a.color == b.color && a.selection == b.selection && a.dark == b.dark && a.samples == b.samples;
+         a.color == b.color && a.selection == b.selection && a.dark == b.dark && a.quality == b.quality;
 }
 
 bool SceneView::draw(const Snapshot& sim, const UiState& ui, const GuiLayout& layout,
@@ -56,8 +56,8 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const GuiLayout& la
   };
   const int width = pixels(layout.views[0].w), height = pixels(layout.views[0].h);
   const bool two = sim.b && ui.side_by_side;
-  const Key key{sim.serial, rounded(ui.camera), width,        height,  ui.contacts,    ui.bonds,
-                two,        ui.color,           ui.selection, ui.dark, quality.samples};
+  const Key key{sim.serial, rounded(ui.camera), width,        height,  ui.contacts,  ui.bonds,
+                two,        ui.color,           ui.selection, ui.dark, quality.level};
   if (same(key, key_)) return false;
   key_ = key;
   build(sim, Side::a, ui, visual_[0]);

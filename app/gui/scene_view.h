@@ -29,7 +29,7 @@ class SceneView {
     ColorQuantity color = ColorQuantity::body;
     Selection selection;
     bool dark = false;
-    int samples = 0;
+    Quality quality = Quality::good;
   };
   static bool same(const Key& a, const Key& b);
 

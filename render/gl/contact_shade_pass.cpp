@@ -64,7 +64,7 @@ void ContactShadePass::draw(const DrawList& list, const InstanceDrawer& drawer,
   gl_.BindVertexArray(array_.id());
   gl_.ActiveTexture(GL_TEXTURE1);
   blur_.use();
-  const float tap = floor.blur * 3.0f / 7.0f;
+  const float tap = 0.6f * floor.blur;
   for (int i = 0; i < 2; ++i) {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[1 - i].id());
     gl_.BindTexture(GL_TEXTURE_2D, maps_[i].id());

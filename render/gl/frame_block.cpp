@@ -15,7 +15,7 @@ std::span<const BlockMember> frame_members() {
 
 ShaderPart frame_block() {
 #define PABD_LINE(type, name) "  " #type " " #name ";\n"
-  static const std::string text = fmt::format("#define SHADOW_SIZE {}.0\n", kShadowSize) +
+  static const std::string text = fmt::format("#define RANGE_CELL {}\n", kRangeCell) +
                                   "layout(std140) uniform Frame {\n" PABD_FRAME_BLOCK(PABD_LINE) "} frame;\n";
 #undef PABD_LINE
   return {"frame_block.h", text.c_str()};

@@ -32,14 +32,15 @@
   X(vec4, background_bottom) \
   X(vec4, floor_color)       \
   X(vec4, floor_shade)       \
-  X(vec4, shadow_bounds)
+  X(vec4, shadow_bounds)     \
+  X(vec4, shadow_size)
 // clang-format on
 
 namespace pabd {
 
 inline constexpr unsigned kFrameBinding = 0;
-inline constexpr int kShadowSize = 512;    // texels; the filter is six wide, so that fewer are softer
-inline constexpr int kFloorMapSize = 192;  // texels
+inline constexpr int kRangeCell = 8;       // texels of the shadow map in a cell of its ranges, either way
+inline constexpr int kFloorMapSize = 128;  // texels
 
 namespace glsl {
 using mat4 = float[16];

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "render/gl/encode_pass.h"
+#include "render/gl/smooth_outlines.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -96,10 +97,12 @@ void FrameTarget::allocate() {
   gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_->id());
   GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) {
-    gl_.BindRenderbuffer(GL_RENDERBUFFER, color_->id());
-    gl_.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width_, height_);
+    gl_.BindTexture(GL_TEXTURE_2D, color_->id());
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
-    gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_->id());
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_->id(), 0);
     status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   }
   const GLenum error = gl_.GetError();
@@ -120,6 +123,18 @@ void FrameTarget::bind_resolved() const {
 void FrameTarget::resolve(const EncodePass& encode) const {
   bind_resolved();
   encode.draw(*light_, samples_);
+}
+
+void FrameTarget::resolve_here(OutlineSmoother& smoother, bool smooth) {
+  const std::size_t values = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4;
+  tagged_.resize(values);
+  smooth_.resize(values);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_SHORT, tagged_.data());
+  smoother.encode(tagged_.data(), width_, height_, smooth, smooth_.data());
+  gl_.BindTexture(GL_TEXTURE_2D, color_->id());
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, smooth_.data());
 }
 
 void FrameTarget::blit_to_default(int width, int height) const {

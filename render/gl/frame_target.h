@@ -3,7 +3,9 @@
 // and two pixel buffers to read them back.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render/gl/gl_objects.h"
 #include "render/output/image.h"
@@ -11,6 +13,7 @@
 namespace pabd {
 
 class EncodePass;
+class OutlineSmoother;
 
 inline constexpr int kSamples = 4;  // what software GL offers; more is an error there
 
@@ -24,15 +27,19 @@ class FrameTarget {
  public:
   // `samples`: kSamples or 1. Throws Error(bad_input) for a size below 1, Error(no_context) when the driver
   // refuses it.
-  FrameTarget(const GlFunctions& gl, int width, int height, int samples = kSamples);
+  FrameTarget(const GlFunctions& gl, int width, int height, int samples);
 
   // Frames already queued keep their own size.
-  void resize(int width, int height, int samples = kSamples);
+  void resize(int width, int height, int samples);
   int width() const { return width_; }
   int height() const { return height_; }
+  int samples() const { return samples_; }
 
   void bind_for_drawing() const;  // linear light, 16 bits a channel, with a depth buffer
   void resolve(const EncodePass& encode) const;
+  // The same by the processor, for one sample a pixel. `smooth`: there are tags in the alpha channel, see
+  // OutlineSmoother.
+  void resolve_here(OutlineSmoother& smoother, bool smooth);
   void bind_resolved() const;  // sRGB bytes: what resolve() left; no depth
   void blit_to_default(int width, int height) const;
   // Copies the resolved frame into a rectangle of another one, scaled if need be. Bytes stay as they are.
@@ -60,8 +67,10 @@ class FrameTarget {
   int samples_;
   GlFramebuffer drawn_;
   GlFramebuffer resolved_;
-  std::optional<GlTexture> light_;
-  std::optional<GlRenderbuffer> depth_, color_;
+  std::optional<GlTexture> light_, color_;
+  std::optional<GlRenderbuffer> depth_;
+  std::vector<std::uint16_t> tagged_;
+  std::vector<std::uint8_t> smooth_;
   Slot slots_[2];
   int oldest_ = 0;
   int queued_ = 0;

@@ -66,7 +66,7 @@ Vec3f towards_light(const VisualScene& scene) {
   return length > 1e-12f && std::isfinite(length) ? Vec3f(-scene.light_direction / length) : Vec3f(0, 1, 0);
 }
 
-ShadowVolume fit_shadow(const VisualScene& scene) {
+ShadowVolume fit_shadow(const VisualScene& scene, int texels) {
   const Eigen::Matrix3f axes = light_axes(towards_light(scene));
   const Vec3f far_away = Vec3f::Constant(std::numeric_limits<float>::max());
   Vec3f lo = far_away;
@@ -79,12 +79,13 @@ ShadowVolume fit_shadow(const VisualScene& scene) {
     hi = hi.cwiseMax((p.array() + r).matrix());
   });
   ShadowVolume v;
+  v.texels = texels;
   if (!(lo.array() <= hi.array()).all()) return v;  // no caster: bounds are empty
 
   const float extent = std::max({hi.x() - lo.x(), hi.y() - lo.y(), 1e-6f});
   // Grows in steps of a quarter octave; the origin moves by whole texels.
   const float step = std::exp2(std::ceil(4 * std::log2(extent)) / 4);
-  v.texel = step / static_cast<float>(kShadowSize - 2 * kBorder - 2);
+  v.texel = step / static_cast<float>(texels - 2 * kBorder - 2);
   const auto snap = [&](float x) { return std::floor(x / v.texel) - kBorder; };
   const Vec3f origin(snap(lo.x()), snap(lo.y()), lo.z() / v.texel - 2);
   v.depth_range = kDepthRoom * ((hi.z() - lo.z()) / v.texel + 4);
@@ -174,6 +175,8 @@ FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shado
   store(u.background_bottom, lighting::kBackgroundBottom);
   store(u.floor_color, lighting::kFloor);
   std::copy(shadow.bounds, shadow.bounds + 4, u.shadow_bounds);
+  u.shadow_size[0] = static_cast<float>(shadow.texels);
+  u.shadow_size[1] = 1.0f / static_cast<float>(shadow.texels);
   return u;
 }
 

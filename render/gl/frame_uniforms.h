@@ -15,6 +15,7 @@ struct ShadowVolume {
   Mat4f world_to_shadow = Mat4f::Identity();  // texels
   float depth_range = 1;                      // texels
   float texel = 1;                            // m
+  int texels = 512;                           // of a side of the map
   float bounds[4] = {0, 0, 0, 0};
 };
 
@@ -31,8 +32,8 @@ FloorVolume fit_floor(const VisualScene& scene);
 void plane_axes(const Vec3f& n, Vec3f& u, Vec3f& v);
 
 // Fits the shadow map around the shadow-casting instances of the scene. Steps of size and place are quantised
-// so that shadows do not shimmer while the scene moves.
-ShadowVolume fit_shadow(const VisualScene& scene);
+// so that shadows do not shimmer while the scene moves. `texels`: of a side of the map.
+ShadowVolume fit_shadow(const VisualScene& scene, int texels);
 
 // The direction towards the light, unit; straight up when the scene gives none.
 Vec3f towards_light(const VisualScene& scene);

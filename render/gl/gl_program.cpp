@@ -89,10 +89,12 @@ GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_l
 GlProgram::~GlProgram() { gl_.DeleteProgram(id_); }
 
 void bind_maps(const GlFunctions& gl, const GlProgram& program) {
-  const GLint shadow = program.uniform("shadow_map");
-  if (shadow >= 0) gl.Uniform1i(shadow, 0);
-  const GLint floor = program.uniform("floor_map");
-  if (floor >= 0) gl.Uniform1i(floor, 1);
+  constexpr std::pair<const char*, GLint> kUnits[] = {
+      {"shadow_map", 0}, {"floor_map", 1}, {"shadow_range", 3}};
+  for (const auto& [name, unit] : kUnits) {
+    const GLint place = program.uniform(name);
+    if (place >= 0) gl.Uniform1i(place, unit);
+  }
 }
 
 }  // namespace pabd

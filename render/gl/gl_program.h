@@ -35,7 +35,7 @@ class GlProgram {
   GLuint id_ = 0;
 };
 
-// Tells a program with shaders/lighting.glsl the texture units of its maps. The program must be in use.
+// Tells a program with shaders/lighting.glsl or sun_visibility.glsl the texture units of its maps. The program must be in use.
 void bind_maps(const GlFunctions& gl, const GlProgram& program);
 
 }  // namespace pabd

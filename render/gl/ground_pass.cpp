@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -21,13 +22,18 @@
 namespace pabd {
 namespace {
 
-constexpr float kExtent = 12.0f;  // half width of the quad, in R
+constexpr float kExtent = 9.0f;  // half width of the quad, in R
 
 }  // namespace
 
-GroundPass::Program::Program(const GlFunctions& gl, const char* name, const char* defines)
+GroundPass::Program::Program(const GlFunctions& gl, const char* name, const std::string& defines)
     : program(gl, name, {frame_block(), shaders::ground_vert},
-              {{"defines", defines}, frame_block(), shaders::lighting, shaders::ground_frag}),
+              {{"defines", defines.c_str()},
+               frame_block(),
+               shaders::shadow_depths,
+               shaders::lighting,
+               shaders::sun_visibility,
+               shaders::ground_frag}),
       normal(program.uniform("normal")),
       axis_u(program.uniform("axis_u")),
       axis_v(program.uniform("axis_v")),
@@ -36,30 +42,29 @@ GroundPass::Program::Program(const GlFunctions& gl, const char* name, const char
   bind_maps(gl, program);
 }
 
-GroundPass::GroundPass(const GlFunctions& gl)
-    : gl_(gl),
-      soft_{{gl, "shadowed ground", "#define SHADOWED\n"}, {gl, "open ground", "\n"}},
-      plain_{{gl, "shadowed ground in a hurry", "#define SHADOWED\n#define LIVE\n"},
-             {gl, "open ground in a hurry", "#define LIVE\n"}},
-      array_(gl),
-      vertices_(gl) {
+GroundPass::Pair::Pair(const GlFunctions& gl, const char* defines)
+    : shadowed(gl, "shadowed ground", std::string("#define SHADOWED\n") + defines),
+      open(gl, "open ground", defines) {}
+
+GroundPass::GroundPass(const GlFunctions& gl) : gl_(gl), programs_(gl), array_(gl), vertices_(gl) {
   gl.BindVertexArray(array_.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), nullptr);
   gl.EnableVertexAttribArray(0);
 }
 
-void GroundPass::draw(const VisualScene& scene, const ShadowVolume& shadow, bool soft) const {
+void GroundPass::draw(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor,
+                      Quality quality) {
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_CULL_FACE);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
-  for (const Ground& ground : scene.grounds) draw_one(scene, shadow, ground, soft ? soft_ : plain_);
+  for (const Ground& ground : scene.grounds) draw_one(scene, shadow, floor, ground, programs_.of(quality));
   gl_.Enable(GL_CULL_FACE);
 }
 
-void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, const Ground& ground,
-                          const Pair& programs) const {
+void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor,
+                          const Ground& ground, const Pair& programs) const {
   const Vec3f n = ground.normal.normalized();
   if (!n.allFinite() || !std::isfinite(ground.offset)) return;
   // Seen from below it would only hide the scene.
@@ -75,22 +80,35 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
   const float t = std::clamp((part - 0.45f) / 0.5f, 0.0f, 1.0f);
   const float fine_weight = 1 - t * t * (3 - 2 * t);
 
+  const auto at = [&](float a, float b) -> Vec3f { return below + a * axis_u + b * axis_v; };
+  const auto corners = [&](const Eigen::AlignedBox2f& box) {
+    const Eigen::Vector2f lo = box.min(), hi = box.max();
+    return std::array{at(lo.x(), lo.y()), at(hi.x(), lo.y()), at(hi.x(), hi.y()), at(lo.x(), hi.y())};
+  };
+  const Eigen::Vector2f far_corner = Eigen::Vector2f::Constant(kExtent * radius);
+  const Eigen::AlignedBox2f outer(-far_corner, far_corner);
   // Where shadows can fall: the rectangle of the casters, carried along the light onto the plane.
-  std::vector<Vec3f> outer, inner;
-  const float e = kExtent * radius;
-  for (const auto& [a, b] : {std::pair{-1.0f, -1.0f}, {1.0f, -1.0f}, {1.0f, 1.0f}, {-1.0f, 1.0f}}) {
-    outer.push_back(below + e * (a * axis_u + b * axis_v));
-  }
-  const Mat4f from_shadow = shadow.world_to_shadow.inverse();
+  Eigen::AlignedBox2f inner;
+  const auto reach = [&](const Vec3f& p) {
+    inner.extend(Eigen::Vector2f((p - below).dot(axis_u), (p - below).dot(axis_v)));
+  };
+  const bool casters = shadow.bounds[2] > shadow.bounds[0];
   const Vec3f light = towards_light(scene);
   const float facing = n.dot(light);
-  bool fits = shadow.bounds[2] > shadow.bounds[0] && facing > 0.05f;
-  for (const auto& [i, j] : {std::pair{0, 1}, {2, 1}, {2, 3}, {0, 3}}) {
-    if (!fits) break;
-    const Vec3f p = (from_shadow * Vec4f(shadow.bounds[i], shadow.bounds[j], 0, 1)).head<3>();
-    const Vec3f q = p - light * ((n.dot(p) - ground.offset) / facing);
-    fits = std::abs((q - below).dot(axis_u)) < e && std::abs((q - below).dot(axis_v)) < e;
-    inner.push_back(q);
+  bool fits = casters && facing > 0.05f;
+  if (fits) {
+    const Mat4f from_shadow = shadow.world_to_shadow.inverse();
+    for (const auto& [i, j] : {std::pair{0, 1}, {2, 1}, {2, 3}, {0, 3}}) {
+      const Vec3f p = (from_shadow * Vec4f(shadow.bounds[i], shadow.bounds[j], 0, 1)).head<3>();
+      reach(p - light * ((n.dot(p) - ground.offset) / facing));
+    }
+    // And where bodies may darken it.
+    if (floor.exists && &ground == &scene.grounds.front()) {
+      const Mat4f from_map = floor.world_to_map.inverse();
+      reach((from_map * Vec4f(0, 0, 0, 1)).head<3>());
+      reach((from_map * Vec4f(1, 1, 0, 1)).head<3>());
+    }
+    fits = outer.contains(inner);
   }
 
   const auto set_uniforms = [&](const Program& p) {
@@ -102,10 +120,10 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
   };
 
   std::vector<Vec3f> triangles;
-  const auto quad = [&](const std::vector<Vec3f>& q) {
+  const auto quad = [&](const Eigen::AlignedBox2f& box) {
+    const auto q = corners(box);
     triangles.insert(triangles.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
   };
-  const bool casters = shadow.bounds[2] > shadow.bounds[0];
   if (fits) quad(inner);
   quad(outer);
 

@@ -5,6 +5,7 @@
 #include "render/gl/frame_uniforms.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/gl_program.h"
+#include "render/gl/per_quality.h"
 
 namespace pabd {
 
@@ -12,25 +13,24 @@ class GroundPass {
  public:
   explicit GroundPass(const GlFunctions& gl);
 
-  // `soft`: RenderQuality::soft_light.
-  void draw(const VisualScene& scene, const ShadowVolume& shadow, bool soft) const;
+  void draw(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor, Quality quality);
 
  private:
   struct Program {
-    Program(const GlFunctions& gl, const char* name, const char* defines);
+    Program(const GlFunctions& gl, const char* name, const std::string& defines);
     GlProgram program;
     GLint normal, axis_u, axis_v, grid;
   };
   struct Pair {
-    Program shadowed;  // inside the rectangle where shadows can fall
+    Pair(const GlFunctions& gl, const char* defines);
+    Program shadowed;  // inside the rectangle where shadows can fall, or bodies darken the floor
     Program open;      // outside it: most of the floor, and much cheaper
   };
-  void draw_one(const VisualScene& scene, const ShadowVolume& shadow, const Ground& ground,
-                const Pair& programs) const;
+  void draw_one(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor,
+                const Ground& ground, const Pair& programs) const;
 
   const GlFunctions& gl_;
-  Pair soft_;
-  Pair plain_;
+  PerQuality<Pair> programs_;
   GlVertexArray array_;
   GlBuffer vertices_;
 };

@@ -50,7 +50,7 @@ void LinePass::draw(const std::vector<Line>& lines) {
   if (total == 0) return;
 
   gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // alpha is a tag
   gl_.Disable(GL_CULL_FACE);
   gl_.DepthMask(GL_FALSE);
   gl_.BindVertexArray(array_.id());

@@ -14,6 +14,7 @@
 #include "render/gl/line_pass.h"
 #include "render/gl/overlay_pass.h"
 #include "render/gl/shadow_pass.h"
+#include "render/gl/smooth_outlines.h"
 #include "render/gl/surface_pass.h"
 #include "sim/base/error.h"
 #include "sim/base/srgb.h"
@@ -27,13 +28,19 @@ double milliseconds(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+// Whether the processor draws.
+bool is_software(const std::string& renderer) {
+  return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
+}
+
 }  // namespace
 
 struct Renderer::Impl {
   Impl(GlContext& c, int width, int height)
       : context(c),
         gl(c),
-        target(gl, width, height),
+        software(is_software(gl.string(GL_RENDERER))),
+        target(gl, width, height, RenderQuality{}.samples(software)),
         drawer(gl),
         shadow_pass(gl),
         contact_shade_pass(gl),
@@ -44,13 +51,10 @@ struct Renderer::Impl {
         encode_pass(gl),
         overlay_pass(gl),
         uniforms(gl) {
-    const std::string renderer = gl.string(GL_RENDERER);
-    software =
-        renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos;
     gl.check("setting up the renderer");
   }
 
-  void draw_scene(const VisualScene& scene, const RenderQuality& quality, const FrameTarget& into);
+  void draw_scene(const VisualScene& scene, const RenderQuality& quality, FrameTarget& into);
 
   std::optional<FrameTarget>& view(int number) {
     if (number < 0 || number >= kViews) {
@@ -85,6 +89,7 @@ struct Renderer::Impl {
 
   GlContext& context;
   GlFunctions gl;
+  bool software;
   FrameTarget target;
   std::array<std::optional<FrameTarget>, kViews> views;
   InstanceDrawer drawer;
@@ -96,20 +101,20 @@ struct Renderer::Impl {
   LinePass line_pass;
   EncodePass encode_pass;
   OverlayPass overlay_pass;
+  OutlineSmoother smoother;
   GlBuffer uniforms;
   DrawList list;
   FrameTimes times;
   double queue_time = 0;
   bool measuring = false;
   PassTimes passes;
-  bool software = false;
 };
 
 Renderer::Renderer(GlContext& context, int width, int height)
     : impl_(std::make_unique<Impl>(context, width, height)) {}
 Renderer::~Renderer() = default;
 
-void Renderer::resize(int width, int height) { impl_->target.resize(width, height); }
+void Renderer::resize(int width, int height) { impl_->target.resize(width, height, impl_->target.samples()); }
 
 void* Renderer::upload_font_atlas(const unsigned char* rgba, int width, int height) {
   return impl_->overlay_pass.upload_font_atlas(rgba, width, height);
@@ -121,8 +126,7 @@ void* Renderer::upload_texture(const Image& image) {
 
 void Renderer::free_texture(void* id) { impl_->overlay_pass.free_texture(id); }
 
-void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& quality,
-                                const FrameTarget& into) {
+void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& quality, FrameTarget& into) {
   auto start = Clock::now();
   const auto lap = [&](double& time) {
     if (!measuring) return;
@@ -130,8 +134,8 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
     time = milliseconds(start);
     start = Clock::now();
   };
-  const ShadowVolume shadow = fit_shadow(scene);
-  const FloorVolume floor = quality.soft_light ? fit_floor(scene) : FloorVolume{};
+  const ShadowVolume shadow = fit_shadow(scene, quality.shadow_texels());
+  const FloorVolume floor = quality.soft_light() ? fit_floor(scene) : FloorVolume{};
   const FrameUniforms frame = frame_uniforms(scene, shadow, floor, into.width(), into.height());
   list.build(scene, into.height(), shadow.texel, quality.tolerance);
   drawer.upload(list);
@@ -139,7 +143,7 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
   lap(passes.prepare);
 
-  shadow_pass.draw(list, drawer);
+  shadow_pass.draw(list, drawer, quality.shadow_texels(), quality.level != Quality::draft);
   lap(passes.shadow);
   contact_shade_pass.draw(list, drawer, floor);
   lap(passes.contact_shade);
@@ -149,24 +153,31 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   gl.Enable(GL_CULL_FACE);
   gl.DepthMask(GL_TRUE);
   gl.Clear(GL_DEPTH_BUFFER_BIT);  // the background covers whatever colour is left
-  shadow_pass.bind_map();
+  shadow_pass.bind_maps();
   contact_shade_pass.bind_map();
-  surface_pass.draw_bodies(list, drawer, quality.soft_light);
+  surface_pass.draw_bodies(list, drawer, quality.level);
   lap(passes.bodies);
-  ground_pass.draw(scene, shadow, quality.soft_light);
+  ground_pass.draw(scene, shadow, floor, quality.level);
   background_pass.draw();
   lap(passes.ground);
-  surface_pass.draw_glyphs(list, drawer);
-  surface_pass.draw_transparent(list, drawer, quality.soft_light);
+  surface_pass.draw_glyphs(list, drawer, quality.level);
+  surface_pass.draw_transparent(list, drawer, quality.level);
   line_pass.draw(scene.lines);
   lap(passes.glyphs);
-  into.resolve(encode_pass);
+  // Tables are faster than software GL's arithmetic.
+  if (software && into.samples() == 1) {
+    into.resolve_here(smoother, quality.smooth_outlines());
+  } else {
+    into.resolve(encode_pass);
+  }
   lap(passes.resolve);
 }
 
-void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay) {
+void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay, const RenderQuality& quality) {
   const auto start = Clock::now();
-  impl_->draw_scene(scene, {}, impl_->target);
+  FrameTarget& target = impl_->target;
+  target.resize(target.width(), target.height(), quality.samples(impl_->software));
+  impl_->draw_scene(scene, quality, target);
   impl_->draw_overlay(overlay);
   impl_->end_frame(start);
 }
@@ -176,9 +187,9 @@ void Renderer::draw_view(int view, const VisualScene& scene, int width, int heig
   const auto start = Clock::now();
   std::optional<FrameTarget>& target = impl_->view(view);
   if (!target) {
-    target.emplace(impl_->gl, width, height, quality.samples);
+    target.emplace(impl_->gl, width, height, quality.samples(impl_->software));
   } else {
-    target->resize(width, height, quality.samples);
+    target->resize(width, height, quality.samples(impl_->software));
   }
   impl_->draw_scene(scene, quality, *target);
   impl_->end_frame(start);
@@ -198,7 +209,7 @@ void Renderer::compose(int width, int height, std::span<const ViewPlace> places,
                        const ImDrawData* interface) {
   const auto start = Clock::now();
   Impl& r = *impl_;
-  r.target.resize(width, height);
+  r.target.resize(width, height, r.target.samples());
   r.clear(background);
   for (const ViewPlace& place : places) {
     const std::optional<FrameTarget>& view = r.view(place.view);

@@ -62,7 +62,7 @@ class Renderer {
   void free_texture(void* id);
 
   // Draws one frame. `overlay` may be null. Pixel (0,0) of the overlay is the top left corner.
-  void draw(const VisualScene& scene, const ImDrawData* overlay);
+  void draw(const VisualScene& scene, const ImDrawData* overlay, const RenderQuality& quality = {});
   // Only the overlay, over a plain background (linear RGB): plots.
   void draw_plain(const ImDrawData* overlay, const Vec3f& background);
 

@@ -1,38 +1,65 @@
 // SPDX-License-Identifier: MIT
-// Depth of the casters as the light sees them. Read by sun_visibility() in shaders/lighting.glsl.
+// Depth of the casters as the light sees them. Read by sun_visibility().
 #include "render/gl/shadow_pass.h"
 
 #include "render/gl/shader_files.h"
 #include "sim/base/error.h"
 
 namespace pabd {
+namespace {
+
+void plain_texture(const GlFunctions& gl, const GlTexture& texture, GLint format, int side, GLenum channels) {
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, format, side, side, 0, channels, GL_FLOAT, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+}  // namespace
 
 ShadowPass::ShadowPass(const GlFunctions& gl)
     : gl_(gl),
       program_(gl, "shadow", {frame_block(), shaders::instance, shaders::shadow_vert},
                {shaders::shadow_frag}),
+      range_program_(gl, "shadow range", {shaders::corner, shaders::encode_vert},
+                     {frame_block(), shaders::shadow_depths, shaders::shadow_range_frag}),
+      array_(gl),
       map_(gl),
-      framebuffer_(gl) {
-  gl.BindTexture(GL_TEXTURE_2D, map_.id());
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kShadowSize, kShadowSize, 0, GL_DEPTH_COMPONENT,
-                GL_FLOAT, nullptr);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map_.id(), 0);
-  gl.DrawBuffer(GL_NONE);
-  gl.ReadBuffer(GL_NONE);
-  if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw Error(ErrorKind::no_context,
-                gl.string(GL_RENDERER) + " refuses a depth-only framebuffer; " + driver_remedy());
-  }
+      range_(gl),
+      framebuffer_(gl),
+      range_framebuffer_(gl) {
+  range_program_.use();
+  pabd::bind_maps(gl, range_program_);
 }
 
-void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer) const {
+void ShadowPass::allocate(int texels) {
+  if (texels == texels_) return;
+  const auto check = [&](const char* kind) {
+    if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+    throw Error(ErrorKind::no_context,
+                gl_.string(GL_RENDERER) + " refuses a " + kind + " framebuffer; " + driver_remedy());
+  };
+  texels_ = 0;
+  gl_.ActiveTexture(GL_TEXTURE0);
+  plain_texture(gl_, map_, GL_DEPTH_COMPONENT32F, texels, GL_DEPTH_COMPONENT);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl_.Viewport(0, 0, kShadowSize, kShadowSize);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map_.id(), 0);
+  gl_.DrawBuffer(GL_NONE);
+  gl_.ReadBuffer(GL_NONE);
+  check("depth-only");
+  plain_texture(gl_, range_, GL_RG32F, texels / kRangeCell, GL_RG);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, range_framebuffer_.id());
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, range_.id(), 0);
+  check("two-channel");
+  texels_ = texels;
+}
+
+void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int texels, bool with_range) {
+  allocate(texels);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl_.Viewport(0, 0, texels, texels);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
@@ -42,11 +69,25 @@ void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer) const 
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   program_.use();
   drawer.draw(list, list.casters);
-}
+  if (!with_range) return;
 
-void ShadowPass::bind_map() const {
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, range_framebuffer_.id());
+  gl_.Viewport(0, 0, texels / kRangeCell, texels / kRangeCell);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Disable(GL_CULL_FACE);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, map_.id());
+  gl_.BindVertexArray(array_.id());
+  range_program_.use();
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_.Enable(GL_CULL_FACE);
+}
+
+void ShadowPass::bind_maps() const {
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, map_.id());
+  gl_.ActiveTexture(GL_TEXTURE3);
+  gl_.BindTexture(GL_TEXTURE_2D, range_.id());
 }
 
 }  // namespace pabd

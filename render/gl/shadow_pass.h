@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depth of the casters as the light sees them.
+// Depth of the casters as the light sees them, and its range in every neighbourhood.
 #pragma once
 
 #include "render/gl/frame_uniforms.h"
@@ -12,16 +12,20 @@ class ShadowPass {
  public:
   explicit ShadowPass(const GlFunctions& gl);
 
-  // Draws the casters into the map.
-  void draw(const DrawList& list, const InstanceDrawer& drawer) const;
-  // Makes the map the texture of unit 0, where every lit program reads it.
-  void bind_map() const;
+  // Draws the casters into a map of texels². `with_range`: for kernels of more than two texels.
+  void draw(const DrawList& list, const InstanceDrawer& drawer, int texels, bool with_range);
+  // Makes map and range the textures of units 0 and 3, where lit programs read them.
+  void bind_maps() const;
 
  private:
+  void allocate(int texels);
+
   const GlFunctions& gl_;
-  GlProgram program_;
-  GlTexture map_;
-  GlFramebuffer framebuffer_;
+  GlProgram program_, range_program_;
+  GlVertexArray array_;
+  GlTexture map_, range_;
+  GlFramebuffer framebuffer_, range_framebuffer_;
+  int texels_ = 0;
 };
 
 }  // namespace pabd

@@ -20,58 +20,76 @@ namespace {
 constexpr float kGhost = 0.5f;  // opacity of a glyph behind a body
 
 bool is_cube(Primitive primitive) { return primitive == Primitive::cube; }
-bool is_round(Primitive primitive) { return primitive != Primitive::cube; }
+bool is_mesh(Primitive primitive) { return primitive == Primitive::mesh; }
+bool is_round(Primitive primitive) { return !is_cube(primitive) && !is_mesh(primitive); }
 bool is_disc(Primitive primitive) { return primitive == Primitive::disc; }
 bool is_solid(Primitive primitive) { return primitive != Primitive::disc; }
 
 }  // namespace
 
-SurfacePass::Program::Program(const GlFunctions& gl, const char* name, const char* defines)
-    : program(gl, name, {{"defines", defines}, frame_block(), shaders::instance, shaders::surface_vert},
-              {{"defines", defines}, frame_block(), shaders::lighting, shaders::surface_frag}),
-      opacity(program.uniform("opacity")) {
+SurfacePass::Program::Program(const GlFunctions& gl, const char* name, const std::string& defines)
+    : program(gl, name,
+              {{"defines", defines.c_str()}, frame_block(), shaders::instance, shaders::surface_vert},
+              {{"defines", defines.c_str()},
+               frame_block(),
+               shaders::shadow_depths,
+               shaders::lighting,
+               shaders::sun_visibility,
+               shaders::surface_frag}),
+      opacity(program.uniform("opacity")),
+      faceted(program.uniform("faceted")) {
   program.use();
   gl.Uniform1f(opacity, 1);
   bind_maps(gl, program);
 }
 
-SurfacePass::SurfacePass(const GlFunctions& gl)
-    : gl_(gl),
-      soft_{{gl, "cubes", "#define CUBE\n"}, {gl, "round bodies", "\n"}},
-      plain_{{gl, "cubes in a hurry", "#define CUBE\n#define LIVE\n"},
-             {gl, "round bodies in a hurry", "#define LIVE\n"}},
-      glyphs_(gl, "glyphs", "#define GLYPH\n") {}
+SurfacePass::Programs::Programs(const GlFunctions& gl, const char* defines)
+    : cubes(gl, "cubes", std::string("#define CUBE\n") + defines),
+      round(gl, "round bodies", defines),
+      glyphs(gl, "glyphs", std::string("#define GLYPH\n") + defines) {}
+
+SurfacePass::SurfacePass(const GlFunctions& gl) : gl_(gl), programs_(gl) {}
 
 void SurfacePass::draw_lit(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer,
-                           bool soft) const {
-  const Lit& lit = soft ? soft_ : plain_;
+                           const Programs& programs) const {
   const auto begin = list.batches.begin() + static_cast<std::ptrdiff_t>(range.begin);
   const auto end = list.batches.begin() + static_cast<std::ptrdiff_t>(range.end);
-  if (std::any_of(begin, end, [](const Batch& b) { return is_cube(b.primitive); })) {
-    lit.cubes.program.use();
-    drawer.draw(list, range, is_cube);
-  }
-  if (std::any_of(begin, end, [](const Batch& b) { return is_round(b.primitive); })) {
-    lit.round.program.use();
-    drawer.draw(list, range, is_round);
+  const auto draw = [&](const Program& program, bool (*kind)(Primitive)) {
+    if (std::none_of(begin, end, [&](const Batch& b) { return kind(b.primitive); })) return;
+    program.program.use();
+    if (program.faceted >= 0) gl_.Uniform1i(program.faceted, kind == is_mesh);
+    drawer.draw(list, range, kind);
+  };
+  draw(programs.cubes, is_cube);
+  draw(programs.round, is_round);
+  draw(programs.round, is_mesh);
+}
+
+// Opacity is the alpha of the only colour that a shader gives, or of the second: then the first one's is its tag.
+void SurfacePass::blend(Quality quality) const {
+  gl_.Enable(GL_BLEND);
+  if (quality == Quality::good) {
+    gl_.BlendFuncSeparate(GL_SRC1_ALPHA, GL_ONE_MINUS_SRC1_ALPHA, GL_ONE, GL_ZERO);
+  } else {
+    gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   }
 }
 
-void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer, bool soft) const {
+void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer, Quality quality) {
   gl_.Disable(GL_BLEND);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_TRUE);
-  draw_lit(list, list.bodies, drawer, soft);
+  draw_lit(list, list.bodies, drawer, programs_.of(quality));
 }
 
-void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer) const {
+void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer, Quality quality) {
   if (list.glyphs.begin == list.glyphs.end) return;
-  gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  const Program& glyphs = programs_.of(quality).glyphs;
+  blend(quality);
   gl_.DepthFunc(GL_GREATER);
   gl_.DepthMask(GL_FALSE);
   const auto draw = [&](float opacity) {
-    gl_.Uniform1f(glyphs_.opacity, opacity);
+    gl_.Uniform1f(glyphs.opacity, opacity);
     // Discs lie in the very surfaces that they mark: a little nearer, so that they win.
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
     gl_.PolygonOffset(-1, -4);
@@ -79,7 +97,7 @@ void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
     drawer.draw(list, list.glyphs, is_solid);
   };
-  glyphs_.program.use();
+  glyphs.program.use();
   draw(kGhost);
   gl_.Disable(GL_BLEND);
   gl_.DepthFunc(GL_LESS);
@@ -87,14 +105,14 @@ void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer
   draw(1);
 }
 
-void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& drawer, bool soft) const {
-  gl_.Enable(GL_BLEND);
-  gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& drawer, Quality quality) {
+  const Programs& programs = programs_.of(quality);
+  blend(quality);
   gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_FALSE);
   // Batch by batch: the order of the list is the order of depth.
   for (std::size_t i = list.transparent.begin; i < list.transparent.end; ++i) {
-    draw_lit(list, {i, i + 1}, drawer, soft);
+    draw_lit(list, {i, i + 1}, drawer, programs);
   }
   gl_.Disable(GL_BLEND);
   gl_.DepthMask(GL_TRUE);

@@ -4,6 +4,7 @@
 
 #include "render/gl/gl_program.h"
 #include "render/gl/instance_drawer.h"
+#include "render/gl/per_quality.h"
 
 namespace pabd {
 
@@ -11,29 +12,29 @@ class SurfacePass {
  public:
   explicit SurfacePass(const GlFunctions& gl);
 
-  // `soft`: RenderQuality::soft_light.
-  void draw_bodies(const DrawList& list, const InstanceDrawer& drawer, bool soft) const;
+  void draw_bodies(const DrawList& list, const InstanceDrawer& drawer, Quality quality);
   // After every opaque body: glyphs that bodies hide, faintly; then those in sight.
-  void draw_glyphs(const DrawList& list, const InstanceDrawer& drawer) const;
+  void draw_glyphs(const DrawList& list, const InstanceDrawer& drawer, Quality quality);
   // Last of the surfaces: writes no depth.
-  void draw_transparent(const DrawList& list, const InstanceDrawer& drawer, bool soft) const;
+  void draw_transparent(const DrawList& list, const InstanceDrawer& drawer, Quality quality);
 
  private:
   // One program a kind of surface: cubes have edges to show, the others are round, glyphs receive no shadow.
   struct Program {
-    Program(const GlFunctions& gl, const char* name, const char* defines);
+    Program(const GlFunctions& gl, const char* name, const std::string& defines);
     GlProgram program;
-    GLint opacity;
+    GLint opacity, faceted;
   };
-  struct Lit {
-    Program cubes, round;
+  struct Programs {
+    Programs(const GlFunctions& gl, const char* defines);
+    Program cubes, round, glyphs;
   };
-  void draw_lit(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer, bool soft) const;
+  void draw_lit(const DrawList& list, const BatchRange& range, const InstanceDrawer& drawer,
+                const Programs& programs) const;
+  void blend(Quality quality) const;
 
   const GlFunctions& gl_;
-  Lit soft_;
-  Lit plain_;
-  Program glyphs_;
+  PerQuality<Programs> programs_;
 };
 
 }  // namespace pabd

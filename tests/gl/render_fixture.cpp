@@ -28,9 +28,9 @@ double to_linear(int srgb_byte) { return linear_from_srgb(srgb_byte / 255.0); }
 
 double to_srgb_byte(double linear) { return 255 * srgb_from_linear(linear); }
 
-Image render(Renderer& renderer, const VisualScene& scene, const ImDrawData* overlay) {
+Image render(Renderer& renderer, const VisualScene& scene, const ImDrawData* overlay, Quality quality) {
   Image image;
-  renderer.draw(scene, overlay);
+  renderer.draw(scene, overlay, {quality});
   renderer.queue_read();
   renderer.fetch(image);
   return image;

@@ -23,7 +23,8 @@ double to_linear(int srgb_byte);     // 0 … 255 to 0 … 1
 double to_srgb_byte(double linear);  // 0 … 1 to 0 … 255, not rounded
 
 // One frame, read back at once.
-Image render(Renderer& renderer, const VisualScene& scene, const ImDrawData* overlay = nullptr);
+Image render(Renderer& renderer, const VisualScene& scene, const ImDrawData* overlay = nullptr,
+             Quality quality = Quality::good);
 
 // A context and a renderer on it.
 struct RenderFixture {

@@ -79,9 +79,9 @@ TEST_CASE("a red flat cube covers its projected area to 1 % and is exactly red")
   VisualScene scene;
   scene.camera = front_camera(10);
   scene.instances[0].push_back(flat_instance({0, 0, 0}, {1, 1, 1}, {1, 0, 0, 1}));
-  const Image image = render(f.renderer, scene);
+  const Image image = render(f.renderer, scene, nullptr, Quality::best);
   // Coverage of a pixel from its green channel, which red takes away (background is not red).
-  const Image empty = render(f.renderer, {});
+  const Image empty = render(f.renderer, {}, nullptr, Quality::best);
   double area = 0;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
@@ -97,15 +97,15 @@ TEST_CASE("a red flat cube covers its projected area to 1 % and is exactly red")
   CHECK(p.b == 0);
 }
 
-TEST_CASE("edges are smoothed by four samples in linear light") {
+TEST_CASE("at best quality edges are smoothed by four samples in linear light") {
   RenderFixture f(64, 64);
   VisualScene scene;
   scene.camera = front_camera(5);
   scene.instances[0].push_back(flat_instance({0, 0, 0}, {1, 1, 1}, {1, 0, 0, 1}));
   scene.instances[0][0].transform.block<3, 3>(0, 0) =
       Eigen::AngleAxisf(0.3f, Vec3f(0, 0, 1)).toRotationMatrix();
-  const Image image = render(f.renderer, scene);
-  const Image empty = render(f.renderer, {});
+  const Image image = render(f.renderer, scene, nullptr, Quality::best);
+  const Image empty = render(f.renderer, {}, nullptr, Quality::best);
   int edge = 0, off = 0;
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {

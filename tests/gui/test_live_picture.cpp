@@ -11,18 +11,18 @@ TEST_CASE("at rest the picture is as good as it can be, in motion plain and seld
   Snapshot sim;
   UiState ui;
   ui.camera.eye.x() += 1;
-  CHECK(live.plan(sim, ui, 0).quality.samples == RenderQuality::live().samples);
+  CHECK(live.plan(sim, ui, 0).quality.level == Quality::draft);
   const auto rest = live.plan(sim, ui, 1);
   CHECK(rest.draw);
   CHECK(rest.scale == 1);
-  CHECK(rest.quality.samples == RenderQuality{}.samples);
+  CHECK(rest.quality.level == Quality::good);
 
   // Pictures of 40 ms in frames that take 10 ms else: at most three tenths of the time go into them.
   sim.playing = true;
   double now = 2, drawing = 0;
   for (const double start = now; now < start + 5;) {
     const auto plan = live.plan(sim, ui, now);
-    CHECK(plan.quality.samples == RenderQuality::live().samples);
+    CHECK(plan.quality.level == Quality::draft);
     CHECK(plan.scale >= 0.5);
     now += 0.01;
     if (!plan.draw) continue;
@@ -35,8 +35,8 @@ TEST_CASE("at rest the picture is as good as it can be, in motion plain and seld
 
   // Paused: plain for a moment, then good again.
   sim.playing = false;
-  CHECK(live.plan(sim, ui, now + 0.1).quality.samples == RenderQuality::live().samples);
-  CHECK(live.plan(sim, ui, now + 0.5).quality.samples == RenderQuality{}.samples);
+  CHECK(live.plan(sim, ui, now + 0.1).quality.level == Quality::draft);
+  CHECK(live.plan(sim, ui, now + 0.5).quality.level == Quality::good);
 
   // Quick pictures are drawn in every frame.
   sim.playing = true;

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
 // The gradient behind everything.
 out vec4 fragment;
-void main() { fragment = vec4(background(gl_FragCoord.y), 1.0); }
+void main() { fragment = vec4(background(gl_FragCoord.y), 0.0); }

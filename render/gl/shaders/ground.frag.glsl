@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A studio floor with its grid. SHADOWED: shadows may fall here; LIVE: in a hurry.
+// A studio floor with its grid. SHADOWED: shadows may fall here, or bodies be near; LIVE: in a hurry.
 in vec3 world;
 uniform vec4 normal;  // w: offset
 uniform vec4 axis_u;  // xyz: unit; w: of the point below the scene's centre
@@ -28,22 +28,16 @@ void main() {
   float coarse = lines(at, pixel, 10.0 * grid.x, 0.03 * grid.x);
   float line = max(0.30 * fine, 0.42 * coarse) * near;
 
-  float facing = max(dot(n, frame.light.xyz), 0.0);
-  vec3 sky = ambient(n), sunlight = frame.sun.rgb * facing;
-#ifdef LIVE
 #ifdef SHADOWED
-  vec3 shade = mix(sky / (sky + sunlight), vec3(1.0), sun_visibility(world, n));
+  vec3 sky = ambient(n), sunlight = frame.sun.rgb * max(dot(n, frame.light.xyz), 0.0);
+  vec3 lit = sunlight * sun_visibility(world, n);
+#ifndef LIVE
+  sky *= 1.0 - 0.8 * floor_shade(world) * grid.z;
+#endif
+  vec3 shade = (sky + lit) / (ambient(n) + sunlight);
 #else
   float shade = 1.0;
 #endif
-#else
-#ifdef SHADOWED
-  vec3 lit = sunlight * sun_visibility(world, n);
-#else
-  vec3 lit = sunlight;
-#endif
-  vec3 shade = (sky * (1.0 - 0.8 * floor_shade(world) * grid.z) + lit) / (sky + sunlight);
-#endif
   vec3 color = frame.floor_color.rgb * shade * (1.0 - line);
-  fragment = vec4(mix(color, background(gl_FragCoord.y), smoothstep(1.5, 9.0, r)), 1.0);
+  fragment = vec4(mix(color, background(gl_FragCoord.y), smoothstep(1.5, 9.0, r)), 0.0);
 }

@@ -13,7 +13,13 @@ flat in vec3 axis_y;
 flat in vec3 axis_z;
 #endif
 uniform float opacity;
+#ifdef TAGGED
+flat in float tag;
+layout(location = 0, index = 0) out vec4 fragment;
+layout(location = 0, index = 1) out vec4 cover;  // its alpha is the opacity
+#else
 out vec4 fragment;
+#endif
 void main() {
   vec3 n = normalize(world_n);
   vec3 bent = n;
@@ -36,19 +42,22 @@ void main() {
   float sunlit = sun_visibility(world, n) * smoothstep(0.0, 0.12, dot(n, l));
 #endif
   vec3 h = normalize(l + normalize(frame.eye.xyz - world));
+  float to_eight = max(dot(bent, h), 0.0);
+  to_eight *= to_eight;
+  to_eight *= to_eight;
+  to_eight *= to_eight;
+  float to_sixteen = to_eight * to_eight;
+  float highlight = 0.10 * to_sixteen * to_sixteen * to_eight;  // to the 40th
 #ifdef LIVE
-  float shine = max(dot(bent, h), 0.0);
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  shine *= shine;
-  float highlight = 0.10 * shine;
   vec3 around = ambient(bent);
 #else
-  float highlight = 0.10 * pow(max(dot(bent, h), 0.0), 40.0);
   vec3 around = ambient(bent) * near_floor(world, n);
 #endif
   vec3 lit = color.rgb * edge * (around + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
+#ifdef TAGGED
+  fragment = vec4(mix(color.rgb, lit, shaded), tag);
+  cover = vec4(color.a * opacity);
+#else
   fragment = vec4(mix(color.rgb, lit, shaded), color.a * opacity);
+#endif
 }

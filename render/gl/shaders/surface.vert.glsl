@@ -1,9 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Bodies and glyphs. CUBE: with what softened edges need.
+// Bodies and glyphs. CUBE: with what softened edges need; TAGGED: with what tells things apart (mean_smoothed).
 out vec3 world;
 out vec3 world_n;
 flat out vec4 color;
 flat out float shaded;
+#ifdef TAGGED
+uniform bool faceted;  // every flat face is a thing of its own, as those of cubes and the caps of cylinders are
+flat out float tag;
+
+// A number that hardly two bodies side by side share, nor two faces of one.
+float tag_of(vec3 place, vec3 n) {
+  uvec3 p = floatBitsToUint(place);
+  uint h = p.x * 0x8da6b343u ^ p.y * 0xd8163841u ^ p.z * 0xcb1ab31fu;
+#ifndef CUBE
+  if (faceted || abs(n.y) > 0.999)
+#endif
+  {
+    uvec3 q = uvec3(ivec3(round(n * 32.0)) + 64);
+    h ^= (q.x * 73u + q.y) * 151u + q.z;
+  }
+  h ^= h >> 15;
+  h *= 0x2c1b3c6du;
+  return float(1u + (h >> 17)) / 65535.0;  // 0 is the floor and what is behind it
+}
+#endif
 #ifdef CUBE
 out vec3 local;
 flat out vec3 face;
@@ -17,6 +37,9 @@ void main() {
   world_n = world_normal(normal);
   color = instance_color;
   shaded = instance_shaded;
+#ifdef TAGGED
+  tag = tag_of(vec3(row_x.w, row_y.w, row_z.w), normal);
+#endif
 #ifdef CUBE
   local = position;
   face = abs(normal);
