@@ -16,6 +16,7 @@
 #include "render/output/async_sink.h"
 #include "render/output/sinks.h"
 #include "sim/base/descriptor.h"
+#include "sim/base/input_file.h"
 #include "tests/support/errors.h"
 #include "tests/support/file_size_limit.h"
 #include "tests/support/picture.h"
@@ -164,10 +165,11 @@ TEST_CASE("what exists is kept unless force") {
   CHECK(read_png(folder / "a.png").rgb == frame(1).rgb);
   const auto many = make_sink(folder / "f{frame:04}.png", options);
   for (int i = 0; i < 3; ++i) many->write(frame(i));
+  many->finish();
   CHECK(read_png(folder / "f0002.png").rgb == frame(2).rgb);
 }
 
-TEST_CASE("a sequence has a whole file a frame, at once, with its text; it can be resumed") {
+TEST_CASE("a sequence has a whole file a frame, in their order, with its text; it can be resumed") {
   const TempFolder folder;
   SinkOptions options = small();
   options.png_text = [](int number) { return PngText{{"frame", std::to_string(number)}}; };
@@ -175,12 +177,10 @@ TEST_CASE("a sequence has a whole file a frame, at once, with its text; it can b
   {
     const auto sink = make_sink(form, options);
     CHECK(folder.names().empty());
-    for (int i = 0; i < 3; ++i) {
-      sink->write(frame(i));
-      CHECK(read_png(frame_path(form, i)).rgb == frame(i).rgb);
-    }
+    for (int i = 0; i < 3; ++i) sink->write(frame(i));
     // not finished: as after Ctrl-C
   }
+  for (int i = 0; i < 3; ++i) CHECK(read_png(frame_path(form, i)).rgb == frame(i).rgb);
   options.first_frame = first_missing_frame(form);
   CHECK(options.first_frame == 3);
   const auto sink = make_sink(form, options);
@@ -189,6 +189,20 @@ TEST_CASE("a sequence has a whole file a frame, at once, with its text; it can b
   CHECK(folder.names() == std::vector<std::string>{"f00.png", "f01.png", "f02.png", "f03.png"});
   for (int i = 0; i < 4; ++i)
     CHECK(read_png_text(frame_path(form, i)) == PngText{{"frame", std::to_string(i)}});
+}
+
+TEST_CASE("many frames encoded side by side are those that one after the other gives, byte by byte") {
+  const TempFolder folder;
+  SinkOptions options = small();
+  options.png_text = [](int number) { return PngText{{"frame", std::to_string(number)}}; };
+  const std::string form = folder / "f{frame}.png";
+  const auto sink = make_sink(form, options);
+  for (int i = 0; i < 100; ++i) sink->write(frame(i));
+  sink->finish();
+  for (int i = 0; i < 100; ++i) {
+    const std::vector<std::uint8_t> alone = encode_png(frame(i), {{"frame", std::to_string(i)}});
+    CHECK(read_file(frame_path(form, i), 1 << 20, "a PNG file") == std::string(alone.begin(), alone.end()));
+  }
 }
 
 TEST_CASE("one file gets the last frame, at the end") {
@@ -218,11 +232,21 @@ TEST_CASE("frames of another size are a defect") {
 TEST_CASE("a disk that fills keeps the frames before and no part of the one that failed") {
   const TempFolder folder;
   const std::string form = folder / "{frame}.png";
-  const auto sink = make_sink(form, small());
-  sink->write(frame(0));
+  {
+    const auto first = make_sink(form, small());
+    first->write(frame(0));
+    first->finish();
+  }
+  SinkOptions options = small();
+  options.first_frame = 1;
+  const auto sink = make_sink(form, options);
   {
     const FileSizeLimit full(100);
-    CHECK(caught([&] { sink->write(frame(1)); }).kind == file_error);
+    const auto write_all = [&] {
+      for (int i = 1; i < 80; ++i) sink->write(frame(i));  // more than are encoded side by side
+      sink->finish();
+    };
+    CHECK(caught(write_all).kind == file_error);
   }
   CHECK(folder.names() == std::vector<std::string>{"0.png"});
   CHECK(read_png(folder / "0.png").rgb == frame(0).rgb);
