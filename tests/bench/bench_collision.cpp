@@ -6,6 +6,7 @@
 #include <random>
 
 #include "sim/collision/detect.h"
+#include "tests/support/draws.h"
 
 using namespace pabd;
 
@@ -54,8 +55,10 @@ void heap(benchmark::State& state) {
   for (std::int64_t i = 0; i < side * side * side; ++i) {
     const auto x = static_cast<double>(i % side), y = static_cast<double>(i / side % side),
                z = static_cast<double>(i / (side * side));
-    const Vec3 shift(shake(generator), shake(generator), shake(generator));
-    const Quat turn(normal(generator), normal(generator), normal(generator), normal(generator));
+    const Vec3 shift = testing::draw_vector([&] { return shake(generator); });
+    const double w = normal(generator);
+    const Vec3 u = testing::draw_vector([&] { return normal(generator); });
+    const Quat turn(w, u.x(), u.y(), u.z());
     bodies.add(Box{Vec3::Constant(0.5)}, 1.15 * Vec3(x, y + 0.5, z) + shift,
                turn.normalized().toRotationMatrix());
   }

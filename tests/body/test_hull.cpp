@@ -7,6 +7,7 @@
 
 #include "sim/body/convex_hull.h"
 #include "sim/body/mass_properties.h"
+#include "tests/support/draws.h"
 
 using namespace pabd;
 
@@ -90,7 +91,8 @@ TEST_CASE("random hulls are convex polyhedra that hold their points, with moment
     std::vector<Vec3> points;
     const int count = 4 + trial;
     for (int k = 0; k < count; ++k) {
-      points.emplace_back(normal(generator), 0.5 * normal(generator), 2 * normal(generator));
+      const Vec3 u = testing::draw_vector([&] { return normal(generator); });
+      points.push_back(u.cwiseProduct(Vec3(1, 0.5, 2)));
     }
     const auto hull = hull_of(points);
     REQUIRE(hull->vertices.size() + hull->faces.size() == hull->edges.size() + 2);
@@ -112,7 +114,7 @@ TEST_CASE("random hulls are convex polyhedra that hold their points, with moment
     Vec3 first = Vec3::Zero();
     Mat3 second = Mat3::Zero();
     for (int k = 0; k < kSamples; ++k) {
-      const Vec3 u(unit(generator), unit(generator), unit(generator));
+      const Vec3 u = testing::draw_vector([&] { return unit(generator); });
       const Vec3 x = lo + (hi - lo).cwiseProduct(u);
       if (!inside(*hull, x)) continue;
       ++hits;
@@ -162,7 +164,7 @@ TEST_CASE("what is not a solid is refused in words") {
   std::mt19937 generator(6);
   std::normal_distribution<double> normal;
   for (int k = 0; k < 2000; ++k) {
-    const Vec3 u(normal(generator), normal(generator), normal(generator));
+    const Vec3 u = testing::draw_vector([&] { return normal(generator); });
     flat.push_back(u - u.dot(Vec3::Ones()) / 3 * Vec3::Ones());
     line.push_back(u.x() * Vec3(1, 2, 3));
     ball.push_back(u.normalized());

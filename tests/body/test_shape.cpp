@@ -4,6 +4,7 @@
 #include <random>
 
 #include "sim/body/shape.h"
+#include "tests/support/draws.h"
 
 using namespace pabd;
 
@@ -14,10 +15,11 @@ std::mt19937 generator(12345);
 double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(generator); }
 Vec3 random_direction() {
   std::normal_distribution<double> normal;
-  return Vec3(normal(generator), normal(generator), normal(generator)).normalized();
+  return testing::draw_vector([&] { return normal(generator); }).normalized();
 }
 Mat3 random_rotation() {
-  return Eigen::AngleAxisd(uniform(-kPi, kPi), random_direction()).toRotationMatrix();
+  const double angle = uniform(-kPi, kPi);
+  return Eigen::AngleAxisd(angle, random_direction()).toRotationMatrix();
 }
 
 // Furthest point of a shape along u in the body frame, by enumeration of what the shape is made of.
@@ -43,7 +45,7 @@ const Shape kShapes[] = {Box{{0.2, 0.5, 0.9}}, Sphere{0.4}, Capsule{0.3, 1.1}, C
 TEST_CASE("bounds are tight under random rotations") {
   for (int trial = 0; trial < 200; ++trial) {
     const Mat3 R = random_rotation();
-    const Vec3 c(uniform(-5, 5), uniform(-5, 5), uniform(-5, 5));
+    const Vec3 c = testing::draw_vector([] { return uniform(-5, 5); });
     for (const Shape& shape : kShapes) {
       const Aabb aabb = bounds(shape, c, R);
       for (int k = 0; k < 3; ++k) {

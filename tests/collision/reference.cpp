@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/body/convex_hull.h"
+#include "tests/support/draws.h"
 
 namespace reference {
 
@@ -31,13 +32,27 @@ std::vector<ContactPoint> Setup::contacts(int threads, const std::vector<IndexPa
 
 Vec3 Random::direction() {
   std::normal_distribution<double> normal;
-  return Vec3(normal(generator_), normal(generator_), normal(generator_)).normalized();
+  return testing::draw_vector([&] { return normal(generator_); }).normalized();
+}
+
+Vec3 Random::within(double lo, double hi) {
+  return testing::draw_vector([&] { return uniform(lo, hi); });
+}
+
+Vec3 Random::offset(double nearest, double far) {
+  const double length = uniform(nearest, far);
+  return length * direction();
 }
 
 Mat3 Random::rotation() {
   std::normal_distribution<double> normal;
-  const Quat q(normal(generator_), normal(generator_), normal(generator_), normal(generator_));
-  return q.normalized().toRotationMatrix();
+  const double w = normal(generator_), x = normal(generator_), y = normal(generator_), z = normal(generator_);
+  return Quat(w, x, y, z).normalized().toRotationMatrix();
+}
+
+Mat3 Random::turn(double most) {
+  const double angle = uniform(0, most);
+  return Eigen::AngleAxisd(angle, direction()).toRotationMatrix();
 }
 
 Shape hull_of_box(const Vec3& half) {

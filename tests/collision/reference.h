@@ -23,12 +23,16 @@ struct Setup {
   std::vector<ContactPoint> contacts(int threads = 1, const std::vector<IndexPair>& skip = {}) const;
 };
 
+// A caller that draws twice does so in two statements (tests/support/draws.h says why).
 class Random {
  public:
   explicit Random(unsigned seed) : generator_(seed) {}
   double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(generator_); }
   Vec3 direction();
+  Vec3 within(double lo, double hi);        // x, y and z from lo to hi
+  Vec3 offset(double nearest, double far);  // any direction, that long
   Mat3 rotation();
+  Mat3 turn(double most);  // about any direction, by up to that angle
 
  private:
   std::mt19937 generator_;

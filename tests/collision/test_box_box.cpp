@@ -63,7 +63,7 @@ TEST_CASE("four contacts keep their names while a resting cube twists, slides an
   Random random(3);
   for (int trial = 0; trial < 400; ++trial) {
     const double size = std::pow(10.0, random.uniform(-15, -3));
-    const Vec3 shift(random.uniform(-size, size), 0, random.uniform(-size, size));
+    const Vec3 shift = random.within(-size, size).cwiseProduct(Vec3(1, 0, 1));
     const auto contacts = stack(0.005, turn(size, random.direction()), shift).contacts();
     INFO("disturbance " << size);
     REQUIRE(contacts.size() == 4);
@@ -143,16 +143,15 @@ TEST_CASE("overlapping boxes always have a contact that says so") {
   Random random(77);
   for (int trial = 0; trial < 20000; ++trial) {
     Setup setup;
-    const auto side = [&] { return std::exp(random.uniform(std::log(0.05), std::log(2.0))); };
-    const Vec3 half_a(side(), side(), side()), half_b(side(), side(), side());
-    setup.add(Box{half_a}, Vec3::Zero(), random.rotation(), 0.01);
-    setup.add(Box{half_b}, random.uniform(0, half_a.norm() + half_b.norm()) * random.direction(),
-              random.rotation(), 0.01);
+    const Vec3 half_a = random.within(std::log(0.05), std::log(2.0)).array().exp(),
+               half_b = random.within(std::log(0.05), std::log(2.0)).array().exp();
+    const Mat3 R_a = random.rotation(), R_b = random.rotation();
+    setup.add(Box{half_a}, Vec3::Zero(), R_a, 0.01);
+    setup.add(Box{half_b}, random.offset(0, half_a.norm() + half_b.norm()), R_b, 0.01);
     // A point of b inside a proves the overlap; corners and points along the edges are tried.
     bool inside = false;
     for (int k = 0; k < 200 && !inside; ++k) {
-      Vec3 x(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-      x = setup.c[1] + setup.R[1] * half_b.cwiseProduct(x);
+      const Vec3 x = setup.c[1] + setup.R[1] * half_b.cwiseProduct(random.within(-1, 1));
       inside = surface_distance(setup.model.shape[0], setup.c[0], setup.R[0], x) < 0;
     }
     if (!inside) continue;

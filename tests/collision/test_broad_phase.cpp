@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "tests/collision/reference.h"
+#include "tests/support/draws.h"
 
 using namespace reference;
 
@@ -59,8 +60,8 @@ TEST_CASE("random bodies of one size, of many sizes, spread flat and spread wide
         if (spread.largest == 0) return 0.0;
         return std::exp(random.uniform(std::log(spread.smallest), std::log(spread.largest)));
       };
-      const Vec3 where(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-      bodies.add(where.cwiseProduct(spread.room), Vec3(side(), side(), side()), i % 7 == 0);
+      const Vec3 where = random.within(-1, 1), half = testing::draw_vector(side);
+      bodies.add(where.cwiseProduct(spread.room), half, i % 7 == 0);
     }
     const auto expected = all_pairs(bodies.boxes, bodies.fixed);
     INFO("half edges " << spread.smallest << " to " << spread.largest << ", pairs " << expected.size());
@@ -84,8 +85,8 @@ TEST_CASE("one large body under many small ones") {
   bodies.add(Vec3(0, -10, 0), Vec3(100, 10, 100), true);
   Random random(2);
   for (int i = 0; i < 400; ++i) {
-    bodies.add(Vec3(random.uniform(-9, 9), random.uniform(0, 1.5), random.uniform(-9, 9)),
-               Vec3::Constant(0.4));
+    const Vec3 where = random.within(-9, 9);
+    bodies.add({where.x(), std::abs(where.y()) / 6, where.z()}, Vec3::Constant(0.4));
   }
   CHECK(found(bodies) == all_pairs(bodies.boxes, bodies.fixed));
 }

@@ -67,7 +67,7 @@ TEST_CASE("the smallest distance is that of the nearest part, for every other sh
   int met = 0;
   for (int trial = 0; trial < 400; ++trial) {
     const Shape& other = others[static_cast<std::size_t>(trial) % others.size()];
-    const Vec3 c = random.uniform(0.2, 1.0) * random.direction(), at(3, -1, 2);
+    const Vec3 c = random.offset(0.2, 1), at(3, -1, 2);
     const Mat3 R_a = random.rotation(), R_b = random.rotation();
     Setup setup, turned;
     setup.add(compound, at, R_a);
@@ -101,7 +101,8 @@ TEST_CASE(
   for (int trial = 0; trial < 200; ++trial) {
     Setup setup;
     setup.add(jack(), Vec3(1, 1, 1), random.rotation());
-    setup.add(jack(), Vec3(1, 1, 1) + random.uniform(0.3, 1.0) * random.direction(), random.rotation());
+    const Vec3 offset = random.offset(0.3, 1);
+    setup.add(jack(), Vec3(1, 1, 1) + offset, random.rotation());
     const auto contacts = setup.contacts();
     check_names(contacts);
     met += contacts.empty() ? 0 : 1;

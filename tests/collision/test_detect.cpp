@@ -40,8 +40,9 @@ Setup heap(int bodies, unsigned seed) {
     const Shape shape = i % 3 == 0   ? Shape(Box{{size, 0.4, 0.5}})
                         : i % 3 == 1 ? Shape(Sphere{size})
                                      : Shape(Capsule{0.3, size});
-    const Vec3 where(random.uniform(-3, 3), random.uniform(0, 3), random.uniform(-3, 3));
-    setup.add(shape, where, random.rotation(), random.uniform(0, 0.05), i % 11 == 0);
+    const Vec3 where = random.within(-1.5, 1.5).cwiseProduct(Vec3(2, 1, 2)) + Vec3(0, 1.5, 0);
+    const Mat3 R = random.rotation();
+    setup.add(shape, where, R, random.uniform(0, 0.05), i % 11 == 0);
   }
   return setup;
 }

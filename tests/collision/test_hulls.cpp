@@ -43,13 +43,11 @@ TEST_CASE("boxes as hulls have the contacts of boxes, in random poses") {
   Random random(31);
   int compared = 0, equal = 0;
   for (int trial = 0; compared < 3000; ++trial) {
-    const Vec3 half_a(random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), random.uniform(0.2, 0.8));
-    const Vec3 half_b(random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), random.uniform(0.2, 0.8));
+    const Vec3 half_a = random.within(0.2, 0.8), half_b = random.within(0.2, 0.8);
     // Every third pair is nearly parallel, as in stacks.
     const Mat3 R_a = random.rotation();
-    const Mat3 R_b =
-        trial % 3 == 0 ? Mat3(R_a * turn(random.uniform(0, 0.01), random.direction())) : random.rotation();
-    const Vec3 offset = random.uniform(0.3, half_a.norm() + half_b.norm()) * random.direction();
+    const Mat3 R_b = trial % 3 == 0 ? Mat3(R_a * random.turn(0.01)) : random.rotation();
+    const Vec3 offset = random.offset(0.3, half_a.norm() + half_b.norm());
     const auto contacts = [&](const Shape& a, const Shape& b) {
       Setup setup;
       setup.add(a, Vec3(1, 2, 3), R_a, 0.02);
@@ -76,10 +74,10 @@ TEST_CASE("box hulls meet planes, spheres and capsules as boxes do") {
   Random random(32);
   int found = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    const Vec3 half(random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), random.uniform(0.2, 0.8));
+    const Vec3 half = random.within(0.2, 0.8);
     const Mat3 R_a = random.rotation(), R_b = random.rotation();
     const Shape others[] = {Sphere{0.3}, Plane{Vec3::UnitY(), 0.1}};
-    const Vec3 offset = random.uniform(0.1, 1.5) * random.direction();
+    const Vec3 offset = random.offset(0.1, 1.5);
     const Shape hull = hull_of_box(half);
     for (const Shape& other : others) {
       const auto contacts = [&](const Shape& a) {
@@ -136,7 +134,8 @@ TEST_CASE("four contacts of two stacked hull cubes keep their names through smal
   for (int trial = 0; trial < 400; ++trial) {
     const double size = std::pow(10.0, random.uniform(-15, -3));
     std::set<std::uint32_t> names;
-    for (const auto& p : stack(turn(size, random.direction()), Vec3(random.uniform(-size, size), 0, 0))) {
+    const Vec3 shift(random.uniform(-size, size), 0, 0);
+    for (const auto& p : stack(turn(size, random.direction()), shift)) {
       REQUIRE(p.a == 0);
       names.insert(p.feature);
     }

@@ -55,9 +55,10 @@ Setup place(const PairCase& pair, Random& random) {
   Setup setup;
   const double near = 0.7 * (inner_radius(pair.a) + inner_radius(pair.b));
   const double far = bounding_radius(pair.a) + bounding_radius(pair.b) + 0.1;
-  setup.add(pair.a, Vec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)),
-            random.rotation());
-  setup.add(pair.b, setup.c[0] + random.uniform(near, far) * random.direction(), random.rotation());
+  const Vec3 centre = random.within(-2, 2), offset = random.offset(near, far);
+  const Mat3 R_a = random.rotation(), R_b = random.rotation();
+  setup.add(pair.a, centre, R_a);
+  setup.add(pair.b, centre + offset, R_b);
   return setup;
 }
 
@@ -123,7 +124,7 @@ TEST_CASE("contacts move along with a rigid motion of both bodies, and keep thei
         const Setup setup = place(pair, random);
         const auto before = setup.contacts();
         const Mat3 T = random.rotation();
-        const Vec3 shift(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+        const Vec3 shift = random.within(-3, 3);
         Setup moved = setup;
         for (std::size_t i = 0; i < 2; ++i) {
           moved.c[i] = T * setup.c[i] + shift;

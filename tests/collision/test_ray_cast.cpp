@@ -110,7 +110,8 @@ TEST_CASE("ray and hull: the box it was made of, in random poses") {
     const Mat3 R = random.rotation();
     const Vec3 c = 2 * random.direction();
     const Vec3 origin = 3 * random.direction();
-    const Ray ray{origin, random.uniform(0.2, 4) * (c + random.direction() - origin)};
+    const double speed = random.uniform(0.2, 4);
+    const Ray ray{origin, speed * (c + random.direction() - origin)};
     const auto one = ray_cast(hull, c, R, ray), other = ray_cast(box, c, R, ray);
     REQUIRE(one.has_value() == other.has_value());
     if (!one) continue;

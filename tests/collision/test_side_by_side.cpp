@@ -142,9 +142,9 @@ TEST_CASE("edges nearly side by side: on the surfaces, outward, at the brute-for
     int two = 0;
     for (int trial = 0; trial < 150; ++trial) {
       const double gap = random.uniform(0.001, 0.01), most = trial % 2 == 0 ? 0.3 : 0.01;
-      const Setup setup =
-          stacked(pair, gap, random.uniform(-0.3, 0.3), turn(random.uniform(0, most), random.direction()),
-                  0.5 * gap * random.direction());
+      const double along = random.uniform(-0.3, 0.3);
+      const Mat3 turned = random.turn(most);
+      const Setup setup = stacked(pair, gap, along, turned, 0.5 * gap * random.direction());
       const double s = signed_distance(setup, 0, 1);
       const auto contacts = setup.contacts();
       INFO(pair.name << ", trial " << trial << ", signed distance " << s);

@@ -56,7 +56,7 @@ TEST_CASE("a round solid above a plane: its lowest point, however it is turned a
     for (int k = 0; k < 300; ++k) {
       Setup setup;
       setup.add(Plane{Vec3::UnitY(), 0}, Vec3::Zero(), Mat3::Identity(), 0.05, true);
-      const Mat3 R = random.rotation() * about_y(random.uniform(-3, 3));
+      const Mat3 turned = random.rotation(), R = turned * about_y(random.uniform(-3, 3));
       double lowest = 0;  // of the rims, in closed form
       for (const double y : {solid.low, solid.high}) {
         const double up = R(1, 1);
@@ -98,7 +98,7 @@ TEST_CASE("a ball beside, above and off the rim of a cylinder: the closed form")
   Random random(5);
   int near = 0;
   for (int k = 0; k < 2000; ++k) {
-    const Vec3 p = 1.3 * random.uniform(0.3, 1) * random.direction();
+    const Vec3 p = 1.3 * random.offset(0.3, 1);
     const double d = from_cylinder(p) - 0.1;
     if (d < -0.09 || d > 0.09) continue;
     Setup setup;
@@ -174,7 +174,7 @@ TEST_CASE("ray and round solids: the first point on the surface, and none before
     int hits = 0, misses = 0;
     for (int k = 0; k < 3000; ++k) {
       const Vec3 o = 3 * random.direction();
-      const Vec3 u = (random.uniform(0, 1.2) * random.direction() - o).normalized();
+      const Vec3 u = (random.offset(0, 1.2) - o).normalized();
       const auto hit = ray_cast(solid.shape, Vec3::Zero(), Mat3::Identity(), {o, u});
       double least = 1e300;  // of how far it is outside, before the hit
       const double end = hit ? hit->t - 1e-9 : 6;

@@ -166,6 +166,9 @@ TEST_CASE("a slider's number is the decimal that would be written") {
       CHECK(significant(x, digits) == std::strtod(text, nullptr));
     }
   };
-  for (int k = 0; k < 2000; ++k) check(mantissa(random) * std::pow(10, exponent(random)));
+  for (int k = 0; k < 2000; ++k) {
+    const double m = mantissa(random);
+    check(m * std::pow(10, exponent(random)));
+  }
   for (const double x : {0.0, 1.0, 999.6, 9.999e-5, 1e9, 123456789.0, 1.0 / 60}) check(x);
 }

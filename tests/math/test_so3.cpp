@@ -6,6 +6,7 @@
 #include <random>
 
 #include "sim/math/so3.h"
+#include "tests/support/draws.h"
 
 using namespace pabd;
 
@@ -35,8 +36,8 @@ TEST_CASE("a short turn is the exponential, both ways") {
   std::uniform_real_distribution<double> number(-1, 1);
   for (const double angle : {0.0, 1e-300, 1e-9, 1e-3, 0.3, 1.0}) {
     for (int k = 0; k < 20; ++k) {
-      const Vec3 axis = Vec3(number(random), number(random), number(random)).normalized();
-      const Vec3 x(number(random), number(random), number(random));
+      const auto draw = [&] { return number(random); };
+      const Vec3 axis = testing::draw_vector(draw).normalized(), x = testing::draw_vector(draw);
       const Mat3 R = exp_so3(angle * axis);
       const ShortTurn turn(angle * axis);
       CHECK((turn.turn(x) - R * x).norm() < 1e-15);

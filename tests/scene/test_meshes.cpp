@@ -268,9 +268,11 @@ TEST_CASE("changed, lost and doubled bytes of every format give a hull or a refu
         case 2:
           bytes.erase(at, 1 + random.bits() % 4);
           break;
-        case 3:
-          bytes.insert(at, bytes.substr(random.bits() % bytes.size(), random.bits() % 20));
+        case 3: {
+          const std::size_t from = random.bits() % bytes.size();
+          bytes.insert(at, bytes.substr(from, random.bits() % 20));
           break;
+        }
         default:
           bytes.resize(at);
           break;

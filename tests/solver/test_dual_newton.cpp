@@ -6,6 +6,7 @@
 #include <random>
 
 #include "sim/math/so3.h"
+#include "tests/support/draws.h"
 #include "tests/support/scenario.h"
 
 using namespace pabd;
@@ -20,7 +21,7 @@ World random_tree(unsigned seed, int bodies, double kappa, bool hangs) {
   World world;
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> number(-1, 1);
-  const auto vector = [&] { return Vec3(number(random), number(random), number(random)); };
+  const auto vector = [&] { return testing::draw_vector([&] { return number(random); }); };
   world.params.solver.method = SolverMethod::newton;
   world.params.solver.iterations = 60;
   world.params.solver.tolerance = 1e-9;
@@ -32,8 +33,9 @@ World random_tree(unsigned seed, int bodies, double kappa, bool hangs) {
   };
   for (int k = 0; k < bodies; ++k) {
     const Vec3 half = 0.2 * (Vec3::Constant(1.2) + vector().cwiseAbs());
-    const Index j = world.add(Box{half}, 1 + 5 * std::abs(number(random)),
-                              Vec3(1.5 * k, 0, 0) + 0.3 * vector(), exp_so3(vector()));
+    const double mass = 1 + 5 * std::abs(number(random));
+    const Vec3 c = Vec3(1.5 * k, 0, 0) + 0.3 * vector();
+    const Index j = world.add(Box{half}, mass, c, exp_so3(vector()));
     world.state.omega.back() = 2 * vector();
     if (k == 0 && !hangs) continue;
     const Index i = k == 0 ? kWorld : static_cast<Index>(random() % static_cast<unsigned>(k));

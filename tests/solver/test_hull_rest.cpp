@@ -5,6 +5,7 @@
 #include <random>
 
 #include "sim/math/so3.h"
+#include "tests/support/draws.h"
 #include "tests/support/hulls.h"
 #include "tests/support/scenario.h"
 
@@ -19,7 +20,7 @@ Hull rock(int corners, unsigned seed) {
   std::normal_distribution<double> normal;
   std::vector<Vec3> points;
   for (int k = 0; k < corners; ++k) {
-    points.push_back(0.5 * Vec3(normal(generator), normal(generator), normal(generator)).normalized());
+    points.push_back(0.5 * testing::draw_vector([&] { return normal(generator); }).normalized());
   }
   return hull_of(points);
 }

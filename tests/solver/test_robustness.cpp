@@ -29,7 +29,8 @@ World tangle(int count, double ratio, double spacing) {
   Rng rng;
   world.add_ground();
   for (int k = 0; k < count; ++k) {
-    const Vec3 c(rng(-1, 1), 0.4 + spacing * k, rng(-1, 1));
+    const double x = rng(-1, 1), z = rng(-1, 1);
+    const Vec3 c(x, 0.4 + spacing * k, z);
     const double mass = k % 2 == 0 ? 10 : 10 * ratio;
     const Mat3 R = any_rotation(rng);
     if (k % 3 == 0) world.add(Box{{0.4, 0.3, 0.5}}, mass, c, R);

@@ -24,7 +24,8 @@ World heap(int count, double mu) {
   std::mt19937 rng(5);
   const auto uniform = [&](double lo, double hi) { return lo + (hi - lo) * (rng() / 4294967296.0); };
   for (int k = 0; k < count; ++k) {
-    const Vec3 c(uniform(-2, 2), 0.6 + 0.35 * k, uniform(-2, 2));
+    const double x = uniform(-2, 2), z = uniform(-2, 2);
+    const Vec3 c(x, 0.6 + 0.35 * k, z);
     const Mat3 R = exp_so3({uniform(-3, 3), uniform(-3, 3), uniform(-3, 3)});
     switch (k % 3) {
       case 0:

@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "tests/support/draws.h"
+
 using namespace pabd;
 
 namespace {
@@ -25,7 +27,9 @@ double energy(const AffineModel& q, const Vec3& dc, const Mat3& R) {
 TEST_CASE("no rigid pose has less energy than the weighted projection") {
   std::mt19937 rng(3);
   std::normal_distribution<double> normal;
-  const auto vector = [&](double scale) { return Vec3(scale * Vec3(normal(rng), normal(rng), normal(rng))); };
+  const auto vector = [&](double scale) {
+    return Vec3(scale * testing::draw_vector([&] { return normal(rng); }));
+  };
   for (int k = 0; k < 50; ++k) {
     AffineModel q{5, Vec3::Zero(), Mat3(Vec3(1, 2, 3).asDiagonal()), vector(3), Mat3::Zero()};
     q.b_A = exp_so3(vector(1)) * q.H_A;
@@ -43,7 +47,9 @@ TEST_CASE("no rigid pose has less energy than the weighted projection") {
     const double best = energy(q, dc, R);
     for (int trial = 0; trial < 200; ++trial) {
       const double reach = trial % 2 ? 1.0 : 1e-3;
-      CHECK(energy(q, dc + vector(reach), exp_so3(vector(reach)) * R) >= best - 1e-12 * std::abs(best));
+      const Vec3 moved = dc + vector(reach);
+      const Mat3 turned = exp_so3(vector(reach)) * R;
+      CHECK(energy(q, moved, turned) >= best - 1e-12 * std::abs(best));
     }
   }
 }

@@ -8,6 +8,7 @@
 #include "render/visual/outline.h"
 #include "sim/body/shape_kind.h"
 #include "sim/collision/ray_cast.h"
+#include "tests/support/draws.h"
 #include "tests/support/tiny_model.h"
 
 using namespace pabd;
@@ -25,7 +26,7 @@ const Pose kPose{{0.3, 0.2, -0.1}, Eigen::AngleAxisd(0.8, Vec3(1, 2, 0.5).normal
 
 Vec3 random_direction(std::mt19937& generator) {
   std::normal_distribution<double> normal;
-  return Vec3(normal(generator), normal(generator), normal(generator)).normalized();
+  return testing::draw_vector([&] { return normal(generator); }).normalized();
 }
 
 // Points of the surface of a primitive.
