@@ -7,8 +7,10 @@
 //           the lower body's face to the other's, unless clearly worse (see `preference`)
 //   edge    the nearest points of the two edges; along edges that run side by side, at both ends
 //           (side_by_side)
-//   corner  apart, and nearer to each other than the face contacts say: the corner of one box nearest to the
-//           other box, or the edges through it where they run side by side
+//   corner  apart: the corner of one box nearest to the other box, or the edges through it where they run
+//           side by side
+// The nearest or deepest place of the preferred face may lie beside it, as that face is not quite the best;
+// what then is best, another face, an edge pair or a corner, is sure to have it.
 //
 //   C = R_aᵀ R_b, t = R_aᵀ (c_b − c_a), all in the frame of a;   h, g  half edges of a and b (m)
 #include "sim/collision/box_box_face.h"
@@ -172,35 +174,35 @@ struct ChosenFace {
   std::size_t start;
 };
 
-// The boxes are apart, and neither the chosen face nor an edge pair says how far: the nearest points are a
-// corner of one and its foot on the other. If that is on the other box's face, `rival` with what separates,
-// it is a face contact after all; if edges run side by side there, contacts along them. Either says all there
-// is to say and replaces what the chosen face said.
+// The boxes are apart, and the chosen face does not say how far: the nearest points are a corner of one and
+// its foot on the other, or lie within the edges of `edge`, which then has the largest separation there is. If
+// the other box's face, `rival`, with what separates says it, it is a face contact after all; if edges run side
+// by side there, contacts along them. Either says all there is to say and replaces what the chosen face said.
 void add_apart(const Placed<Box>& a, const Placed<Box>& b, const Relative& r, const ChosenFace& chosen,
-               const Best& rival, double reach, Contacts& out) {
+               const Best& rival, const Best& edge, double reach, Contacts& out) {
   const NearestCorner on_b = nearest_corner(a, b), on_a = nearest_corner(b, a);
-  const bool corner_of_b = on_b.distance2 <= on_a.distance2;
+  const bool corner_of_b = on_b.distance2 <= on_a.distance2 * (1 + 1e-9);  // two corners: that of b
   const NearestCorner& c = corner_of_b ? on_b : on_a;
   const double d = std::sqrt(c.distance2);
   const double smallest = std::min(a.shape.half.minCoeff(), b.shape.half.minCoeff());
+  const std::size_t faces = out.size();
+  const auto replaces_faces = [&] { replace(out, chosen.start, faces); };
+  const double bound = rival.separation + preference(rival.separation, smallest);
+  if (corner_of_b == chosen.of_b && d < std::min(chosen.d, reach) && d <= bound) {
+    if (add_face(a, b, r, !chosen.of_b, rival, reach, out) <= bound) return replaces_faces();
+    out.resize(faces);
+  }
+  if (edge.j >= 0 && edge.separation < d - 1e-9 * smallest && add_edge_contact(a, b, r, edge, reach, out)) {
+    if (out.size() > faces + 1) replaces_faces();
+    return;
+  }
   if (!(d < std::min(chosen.d, reach)) || !(d > 1e-12 * smallest)) return;
   const Placed<Box>&owner = corner_of_b ? a : b, &other = corner_of_b ? b : a;
   const Vec3 n = owner.R * ((c.corner - c.foot) / d);
-  const std::size_t faces = out.size();
-  const double bound = rival.separation + preference(rival.separation, smallest);
-  bool told = false;
-  if (corner_of_b == chosen.of_b && d <= bound) {
-    told = add_face(a, b, r, !chosen.of_b, rival, reach, out) <= bound;
-    if (!told) out.resize(faces);
-  }
   const Vec3 from_a = a.R.transpose() * (corner_of_b ? n : Vec3(-n));
-  if (told || add_parallel_edges(a, b, r, from_a, d, reach, out)) {
-    out.erase(out.begin() + static_cast<std::ptrdiff_t>(chosen.start),
-              out.begin() + static_cast<std::ptrdiff_t>(faces));
-  } else {
-    add_contact(out, owner.number, other.number, owner.c + owner.R * c.corner, n, d,
-                kCornerFeature | (corner_of_b ? 8u : 0u) | c.number);
-  }
+  if (add_parallel_edges(a, b, r, from_a, d, reach, out)) return replaces_faces();
+  add_contact(out, owner.number, other.number, owner.c + owner.R * c.corner, n, d,
+              kCornerFeature | (corner_of_b ? 8u : 0u) | c.number);
 }
 
 }  // namespace
@@ -241,20 +243,26 @@ void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts&
       if (s > face && s > edge.separation) edge = {s, i, j};
     }
   }
-  const bool have_edge = edge.j >= 0;
-  if (have_edge && edge.separation > face + preference(face, smallest) &&
-      add_edge_contact(a, b, r, edge, reach, out)) {
-    return;
-  }
+  const double bound = face + preference(face, smallest);
+  const bool clearly_edge = edge.separation > bound;
+  if (clearly_edge && add_edge_contact(a, b, r, edge, reach, out)) return;
+  if (clearly_edge) edge.j = -1;  // its places are beyond the ends
   const std::size_t start = out.size();
-  const double d = add_face(a, b, r, b_owns, b_owns ? face_b : face_a, reach, out);
-  if (d <= face + preference(face, smallest)) return;
+  // Of boxes that are apart, though not across a face, what is below one lies beyond the box.
+  const bool beyond = clearly_edge && edge.separation > 0 && face <= 0;
+  const double d = beyond ? kNone : add_face(a, b, r, b_owns, b_owns ? face_b : face_a, reach, out);
+  if (d <= bound) return;
   // The deepest or nearest part is not over that face.
   const Best& rival = b_owns ? face_a : face_b;
-  if (face > 0) {
-    add_apart(a, b, r, {b_owns, d, start}, rival, reach, out);
-  } else if (!(have_edge && add_edge_contact(a, b, r, edge, reach, out)) && d == kNone) {
-    add_face(a, b, r, !b_owns, rival, reach, out);
+  if (std::max(face, edge.separation) > 0)
+    return add_apart(a, b, r, {b_owns, d, start}, rival, edge, reach, out);
+  if (edge.j >= 0 && add_edge_contact(a, b, r, edge, reach, out)) return;
+  if (d < kNone && !(rival.separation > face)) return;
+  const std::size_t faces = out.size();
+  if (add_face(a, b, r, !b_owns, rival, reach, out) < d) {
+    replace(out, start, faces);
+  } else {
+    out.resize(faces);
   }
 }
 

@@ -143,7 +143,8 @@ double add_face(const Query& q, int axis, double sign, bool pierces) {
   return lowest;
 }
 
-// Where the segment, `gap` away at its nearest, runs side by side with an edge. False where it does not.
+// Where the segment, `gap` away at its nearest, runs side by side with an edge. False where it does not, or
+// not where it is nearest.
 bool add_along_edge(const Query& q, const Vec3& gap) {
   const Vec3& h = q.box.shape.half;
   const double radius = q.capsule.shape.radius;
@@ -158,16 +159,21 @@ bool add_along_edge(const Query& q, const Vec3& gap) {
   }
   const EdgeLine segment{q.segment.at(0.5), q.u, 0.5 * q.capsule.shape.length};
   SidePlace place[3];
-  const double slack = 0.5 * preference(gap.norm() - radius, h.minCoeff());
-  const int count = side_by_side(edge, segment, slack, 0, place);
+  const double nearest = gap.norm() - radius, slack = preference(nearest, h.minCoeff());
+  const int count = side_by_side(edge, segment, 0.5 * slack, 0, place);
   const std::uint32_t feature = kEdgeLineBase + 4 * edge_number(axis, gap);
+  double d[3], lowest = kNone;
+  for (int n = 0; n < count; ++n) {
+    d[n] = distance_to_capsule(place[n], segment, radius);
+    lowest = std::min(lowest, d[n]);
+  }
+  if (!(lowest <= nearest + slack)) return false;
   for (int n = 0; n < count; ++n) {
     const SidePlace& p = place[n];
-    const double d = distance_to_capsule(p, segment, radius);
     constexpr std::uint32_t kFeature[] = {2, 0, 1};
-    q.add(p.y - (p.distance - d) * p.n, p.n, d, feature + kFeature[p.where]);
+    q.add(p.y - (p.distance - d[n]) * p.n, p.n, d[n], feature + kFeature[p.where]);
   }
-  return count > 0;
+  return true;
 }
 
 // Segment outside the box, nearest at t.
@@ -234,17 +240,19 @@ void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double 
   const double distance = (x - x.cwiseMax(-h).cwiseMin(h)).norm();
   if (distance > 1e-9 * h.minCoeff()) {
     if (!(distance - capsule.shape.radius < reach)) return;
-    const double slack = preference(distance, h.minCoeff()), d = distance - capsule.shape.radius;
-    const double by_face = distance - face_separation <= slack ? add_face(q, face, face_sign, false) : kNone;
+    const double d = distance - capsule.shape.radius, slack = preference(d, h.minCoeff());
+    const bool nearly_over = distance - face_separation <= preference(distance, h.minCoeff());
+    const double by_face = nearly_over ? add_face(q, face, face_sign, false) : kNone;
     if (by_face > d + slack) add_nearest(q, t);
     return;
   }
   const EdgeAxis edge = best_edge(q.segment, h);
-  if (edge.separation > face_separation + preference(face_separation, h.minCoeff())) {
-    add_pierced_edge(q, edge);
-  } else {
-    add_face(q, face, face_sign, true);
+  const double bound = face_separation + preference(face_separation, h.minCoeff());
+  if (!(edge.separation > bound)) {
+    const double by_face = add_face(q, face, face_sign, true);
+    if (by_face <= bound - capsule.shape.radius || !(edge.separation > face_separation)) return;
   }
+  add_pierced_edge(q, edge);
 }
 
 }  // namespace pabd::narrow

@@ -37,7 +37,7 @@ struct Query {
 // Cuts [low, high] to where m·(x + t e) ≤ bound.
 bool cut(const Vec3& m, double bound, const Vec3& x, const Vec3& e, double& low, double& high) {
   const double start = m.dot(x) - bound, slope = m.dot(e);
-  if (std::abs(slope) < 1e-14 * e.norm()) return start <= 0;
+  if (!(std::abs(slope) > 1e-14 * e.norm())) return start <= 0;
   const double t = -start / slope;
   if (slope > 0) {
     high = std::min(high, t);
@@ -131,7 +131,7 @@ Nearest nearest_to(const Query& q) {
   return best;
 }
 
-// Where the segment runs side by side with the edge. False where it does not.
+// Where the segment runs side by side with the edge. False where it does not, or not where it is nearest.
 bool add_along_edge(const Query& q, int number, double distance) {
   const HullEdge& edge = q.view.edges[static_cast<std::size_t>(number)];
   const Vec3 &a = q.from(edge), &b = q.to(edge);
@@ -141,16 +141,21 @@ bool add_along_edge(const Query& q, int number, double distance) {
   const EdgeLine line{0.5 * (a + b), u, 0.5 * length, {A.cross(u), u.cross(B)}};
   const EdgeLine segment{q.at(0.5), q.u, 0.5 * q.capsule.shape.length};
   SidePlace place[3];
-  const double slack = 0.5 * preference(distance - q.radius, q.view.inner_radius);
-  const int count = side_by_side(line, segment, slack, 0, place);
+  const double nearest = distance - q.radius, slack = preference(nearest, q.view.inner_radius);
+  const int count = side_by_side(line, segment, 0.5 * slack, 0, place);
+  double d[3], lowest = kNone;
+  for (int k = 0; k < count; ++k) {
+    d[k] = distance_to_capsule(place[k], segment, q.radius);
+    lowest = std::min(lowest, d[k]);
+  }
+  if (!(lowest <= nearest + slack)) return false;
   for (int k = 0; k < count; ++k) {
     const SidePlace& p = place[k];
-    const double d = distance_to_capsule(p, segment, q.radius);
     constexpr std::uint32_t kFeature[] = {2, 0, 1};
-    q.add(p.y - (p.distance - d) * p.n, p.n, d,
+    q.add(p.y - (p.distance - d[k]) * p.n, p.n, d[k],
           kEdgeLine + 4 * static_cast<std::uint32_t>(number) + kFeature[p.where]);
   }
-  return count > 0;
+  return true;
 }
 
 // The nearest point may be a corner, and the edge to follow any that meets there.
@@ -233,7 +238,7 @@ void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, doub
   const double size = q.view.inner_radius;
   if (!pierces(q)) {
     const Nearest nearest = nearest_to(q);
-    if (nearest.distance > 1e-9 * size) {
+    if (nearest.distance > kOnSurface * size) {
       const double d = nearest.distance - radius;
       if (!(d < reach)) return;
       const double slack = preference(d, size);
@@ -243,11 +248,12 @@ void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, doub
     }
   }
   const EdgeAxis edge = best_edge(q);
-  if (edge.edge >= 0 && edge.separation > by_face + preference(by_face, size)) {
-    add_pierced_edge(q, edge);
-  } else {
-    add_face(q, face, true);
+  const double bound = by_face + preference(by_face, size);
+  if (!(edge.separation > bound)) {
+    const double lowest = add_face(q, face, true);
+    if (lowest <= bound - radius || !(edge.separation > by_face)) return;
   }
+  add_pierced_edge(q, edge);
 }
 
 }  // namespace pabd::narrow

@@ -130,24 +130,40 @@ std::uint32_t name_of(const Faces& f, const Corner& p, int line_in) {
          hull_feature(HullFeature::crossing, 0, f.edge(edge) << 10 | f.reference_edge(side));
 }
 
-// The face of the incident hull that looks most nearly against n. Ties go to the lower one, clearly.
-const HullFace& facing(const HullView& hull, const Vec3& n) {
-  const HullFace* best = &hull.faces[0];
-  double lowest = n.dot(best->normal);
-  for (const HullFace& face : hull.faces) {
-    const double c = n.dot(face.normal);
-    if (c >= lowest - 1e-6) continue;
-    best = &face;
+// Of the faces that count. Ties go to the lower one, clearly.
+template <class Counts>
+int most_against(const HullView& hull, const Vec3& n, const Counts& counts) {
+  int best = 0;
+  double lowest = kNone;
+  for (std::size_t f = 0; f < hull.faces.size(); ++f) {
+    const double c = n.dot(hull.faces[f].normal);
+    if (c >= lowest - 1e-6 || !counts(hull.faces[f])) continue;
+    best = static_cast<int>(f);
     lowest = c;
   }
-  return *best;
+  return best;
 }
 
 }  // namespace
 
-double add_hull_face(const HullFaceQuery& q, int face, double reach, Contacts& out) {
+int facing(const HullView& hull, const Vec3& n) {
+  return most_against(hull, n, [](const HullFace&) { return true; });
+}
+
+int facing_with_lowest(const HullView& hull, const Vec3& n) {
+  std::size_t lowest = 0;
+  for (std::size_t v = 1; v < hull.vertices.size(); ++v) {
+    if (n.dot(hull.vertices[v]) < n.dot(hull.vertices[lowest])) lowest = v;
+  }
+  return most_against(hull, n, [&](const HullFace& face) {
+    const auto loop = hull.loop.subspan(face.first, face.count);
+    return std::find(loop.begin(), loop.end(), lowest) != loop.end();
+  });
+}
+
+double add_hull_face(const HullFaceQuery& q, int face, int incident_face, double reach, Contacts& out) {
   const HullFace& top = q.reference.faces[static_cast<std::size_t>(face)];
-  const HullFace& bottom = facing(q.incident, top.normal);
+  const HullFace& bottom = q.incident.faces[static_cast<std::size_t>(incident_face)];
   const Frame frame(q.reference, top);
   Faces f{q.reference, q.incident, top, bottom, {}, {}, 0};
   double shortest2 = kNone;

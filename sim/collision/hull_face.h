@@ -31,8 +31,12 @@ struct HullFaceQuery {
   Index reference_number, incident_number;
 };
 
-// Appends at most eight contacts for that face of the reference. Returns the smallest d over the face, in
-// reach or not; kNone when nothing of the incident face is over it.
-double add_hull_face(const HullFaceQuery& q, int face, double reach, Contacts& out);
+// The face that looks most nearly against n, of all and of those with the vertex that is lowest along n.
+int facing(const HullView& hull, const Vec3& n);
+int facing_with_lowest(const HullView& hull, const Vec3& n);
+
+// Appends at most eight contacts for that face of the reference and that one of the incident hull. Returns the
+// smallest d over the face, in reach or not; kNone when nothing of the incident face is over it.
+double add_hull_face(const HullFaceQuery& q, int face, int incident_face, double reach, Contacts& out);
 
 }  // namespace pabd::narrow

@@ -177,12 +177,30 @@ bool add_side_contacts_at(const Meeting& m, bool corner_of_b, std::size_t corner
   return false;
 }
 
-double add_face(const Meeting& m, bool b_owns, int face) {
-  if (!b_owns) {
-    return add_hull_face({m.a.view, m.b_in_a, m.a.c, m.a.R, m.a.number, m.b.number}, face, m.reach, m.out);
-  }
+// Contacts of that face of a or b. The face of the other hull that looks most nearly against it is taken, but
+// where that has not got the lowest corner and is above `bound`, one that has.
+double add_face(const Meeting& m, bool b_owns, const BestFace& best, double bound) {
+  const auto add = [&](const HullView& reference, const HullView& incident, const Side& owner, Index other) {
+    const HullFaceQuery query{reference, incident, owner.c, owner.R, owner.number, other};
+    const std::size_t start = m.out.size();
+    const Vec3& n = reference.faces[static_cast<std::size_t>(best.face)].normal;
+    const int first = facing(incident, n);
+    const double d = add_hull_face(query, best.face, first, m.reach, m.out);
+    if (d <= bound) return d;
+    const int second = facing_with_lowest(incident, n);
+    if (second == first) return d;
+    const std::size_t middle = m.out.size();
+    const double d_second = add_hull_face(query, best.face, second, m.reach, m.out);
+    if (d_second < d) {
+      replace(m.out, start, middle);
+    } else {
+      m.out.resize(middle);
+    }
+    return std::min(d, d_second);
+  };
+  if (!b_owns) return add(m.a.view, m.b_in_a, m.a, m.b.number);
   const MovedHull a_in_b(m.a.view, m.C.transpose(), -(m.C.transpose() * m.t));
-  return add_hull_face({m.b.view, a_in_b.view, m.b.c, m.b.R, m.b.number, m.a.number}, face, m.reach, m.out);
+  return add(m.b.view, a_in_b.view, m.b, m.a.number);
 }
 
 struct NearestPoints {
@@ -193,7 +211,7 @@ struct NearestPoints {
 NearestPoints nearest_points(const Meeting& m, double limit) {
   const NearestCorner on_b = nearest_corner(m.a.view, m.b_in_a, limit);
   const NearestCorner on_a = nearest_corner(m.b_in_a, m.a.view, std::min(limit, on_b.distance));
-  const bool corner_of_b = on_b.distance <= on_a.distance;
+  const bool corner_of_b = on_b.distance <= on_a.distance * (1 + 1e-9);  // two corners: that of b
   return {corner_of_b ? on_b : on_a, corner_of_b};
 }
 
@@ -204,27 +222,28 @@ void add_corner_contact(const Meeting& m, const NearestPoints& c) {
               hull_feature(HullFeature::corner, 0, (c.corner_of_b ? 1024u : 0u) | c.at.number));
 }
 
-// The hulls are apart, nearer than `limit`, and neither the chosen face nor an edge pair says how far: the
-// nearest points are a corner of one and its foot on the other. If that is on the other hull's face, `rival`
-// with what separates, it is a face contact after all; if edges run side by side there, contacts along them.
-// Either says all there is to say and replaces what the chosen face said from `start` on.
-void add_apart(const Meeting& m, double limit, bool b_owns, const BestFace& rival, std::size_t start) {
+// The hulls are apart, nearer than `limit`, and the chosen face does not say how far: the nearest points are a
+// corner of one and its foot on the other, or lie within the edges of `edge`, which then has the largest
+// separation there is. If the other hull's face, `rival`, with what separates says it, it is a face contact
+// after all; if edges run side by side there, contacts along them. Either says all there is to say and replaces
+// what the chosen face said from `start` on.
+void add_apart(const Meeting& m, double limit, bool b_owns, const BestFace& rival, const BestEdge& edge,
+               std::size_t start) {
   const NearestPoints c = nearest_points(m, limit);
   const double smallest = std::min(m.a.view.inner_radius, m.b_in_a.inner_radius);
-  if (!(c.at.distance < limit) || !(c.at.distance > 1e-12 * smallest)) return;
   const std::size_t faces = m.out.size();
   const double bound = rival.separation + preference(rival.separation, smallest);
-  bool told = false;
-  if (c.corner_of_b == b_owns && c.at.distance <= bound) {
-    told = add_face(m, !b_owns, rival.face) <= bound;
-    if (!told) m.out.resize(faces);
+  if (c.corner_of_b == b_owns && c.at.distance < limit && c.at.distance <= bound) {
+    if (add_face(m, !b_owns, rival, kNone) <= bound) return replace(m.out, start, faces);
+    m.out.resize(faces);
   }
-  if (told || add_side_contacts_at(m, c.corner_of_b, c.at.number, c.at.distance)) {
-    m.out.erase(m.out.begin() + static_cast<std::ptrdiff_t>(start),
-                m.out.begin() + static_cast<std::ptrdiff_t>(faces));
-  } else {
-    add_corner_contact(m, c);
+  if (edge.g >= 0 && edge.separation < c.at.distance - 1e-9 * smallest && add_edge_contact(m, edge)) {
+    if (m.out.size() > faces + 1) replace(m.out, start, faces);
+    return;
   }
+  if (!(c.at.distance < limit) || !(c.at.distance > 1e-12 * smallest)) return;
+  if (add_side_contacts_at(m, c.corner_of_b, c.at.number, c.at.distance)) return replace(m.out, start, faces);
+  add_corner_contact(m, c);
 }
 
 void meet(const Side& a, const Side& b, double reach, Contacts& out) {
@@ -241,18 +260,28 @@ void meet(const Side& a, const Side& b, double reach, Contacts& out) {
   const bool b_owns = face_b.separation > face_a.separation + preference(face_a.separation, smallest);
   const double face = b_owns ? face_b.separation : face_a.separation;
 
-  const BestEdge edge = best_edge(a.view, moved.view, face, reach);
+  BestEdge edge = best_edge(a.view, moved.view, face, reach);
   if (!(edge.separation < reach)) return;
-  const bool have_edge = edge.g >= 0;
-  if (have_edge && edge.separation > face + preference(face, smallest) && add_edge_contact(m, edge)) return;
+  const double bound = face + preference(face, smallest);
+  const bool clearly_edge = edge.separation > bound, apart = edge.separation > 0;
+  if (clearly_edge && add_edge_contact(m, edge)) return;
+  if (clearly_edge) edge.g = -1;  // its places are beyond the ends
   const std::size_t start = out.size();
-  const double d = add_face(m, b_owns, b_owns ? face_b.face : face_a.face);
-  if (d <= face + preference(face, smallest)) return;
+  // Of hulls that are apart, though not across a face, what is below one lies beyond the hull.
+  const bool beyond = clearly_edge && apart && face <= 0;
+  const double d = beyond ? kNone : add_face(m, b_owns, b_owns ? face_b : face_a, apart ? kNone : bound);
+  if (d <= bound) return;
   // The deepest or nearest part is not over that face.
-  if (face > 0) {
-    add_apart(m, std::min(d, reach), b_owns, b_owns ? face_a : face_b, start);
-  } else if (!(have_edge && add_edge_contact(m, edge)) && d == kNone) {
-    add_face(m, !b_owns, b_owns ? face_a.face : face_b.face);
+  const BestFace& rival = b_owns ? face_a : face_b;
+  if (apart) return add_apart(m, std::min(d, reach), b_owns, rival, edge, start);
+  if (edge.g >= 0 && add_edge_contact(m, edge)) return;
+  if (d < kNone && !(rival.separation > face)) return;
+  const std::size_t middle = m.out.size();
+  const double rival_bound = rival.separation + preference(rival.separation, smallest);
+  if (add_face(m, !b_owns, rival, rival_bound) < d) {
+    replace(m.out, start, middle);
+  } else {
+    m.out.resize(middle);
   }
 }
 

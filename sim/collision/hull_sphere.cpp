@@ -17,7 +17,7 @@ void hull_sphere(const Placed<Hull>& hull, const Placed<Sphere>& sphere, double 
   if (distance > 1e-9 * view.inner_radius) {
     Vec3 foot = p;
     const double gap = nearest_point(view, p, kNone, foot);
-    if (gap > 1e-9 * view.inner_radius) {
+    if (gap > kOnSurface * view.inner_radius) {
       n = (p - foot) / gap;
       distance = gap;
     }

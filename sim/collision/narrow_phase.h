@@ -58,6 +58,12 @@ inline void add_contact(Contacts& out, Index a, Index b, const Vec3& y_b, const 
   out.push_back({a, b, y_b - d * n, y_b, n, d, feature});
 }
 
+// What came from `middle` on replaces what came from `start` on.
+inline void replace(Contacts& out, std::size_t start, std::size_t middle) {
+  out.erase(out.begin() + static_cast<std::ptrdiff_t>(start),
+            out.begin() + static_cast<std::ptrdiff_t>(middle));
+}
+
 // Two round things: spheres of radius r_a and r_b about p_a and p_b. `fallback` is the unit normal for p_a =
 // p_b.
 inline void add_round_contact(Contacts& out, Index a, Index b, const Vec3& p_a, double r_a, const Vec3& p_b,

@@ -81,12 +81,14 @@ inline int side_by_side(const EdgeLine& a, const EdgeLine& b, double slack, doub
   return count;
 }
 
-// From y_a on the line a along n to the surface of a capsule about b: the side of its cylinder, or its cap at
-// an end that looks towards a.
+// From y_a on the line a along n to the surface of a capsule about b. The way goes on from there to the place
+// on b, through the side of its cylinder or, where that leads past the end of it, through the cap.
 inline double distance_to_capsule(const SidePlace& p, const EdgeLine& b, double radius) {
-  const double slope = p.n.dot(b.direction);
-  if ((p.t >= b.half && slope < 0) || (p.t <= -b.half && slope > 0)) return p.distance - radius;
-  return p.distance - radius / std::sqrt(1 - slope * slope);
+  const double slope = std::abs(p.n.dot(b.direction)), cosine2 = 1 - slope * slope;
+  const double to_end = p.n.dot(b.direction) < 0 ? b.half - p.t : b.half + p.t;
+  const double to_side = radius / std::sqrt(cosine2);
+  if (slope * to_side <= to_end) return p.distance - to_side;
+  return p.distance - (to_end * slope + std::sqrt(radius * radius - to_end * to_end * cosine2));
 }
 
 }  // namespace pabd::narrow
