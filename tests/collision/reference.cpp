@@ -180,14 +180,16 @@ void look_from_points_to_lines(const std::vector<Vec3>& points, const std::vecto
 
 }  // namespace
 
-double signed_distance(const Setup& setup, Index a, Index b) {
+double signed_distance(const Setup& setup, Index a, Index b, double enough) {
   const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
   const Core core_a = core(setup.model.shape[i], setup.c[i], setup.R[i]);
   const Core core_b = core(setup.model.shape[j], setup.c[j], setup.R[j]);
   const auto lines_a = chords(core_a.points), lines_b = chords(core_b.points);
+  const double radii = core_a.radius + core_b.radius;
   BestGap best{core_a.points, core_b.points};
   for (const Vec3& x : core_a.points)  // apart: point and point
     for (const Vec3& y : core_b.points) best.look_along(y - x);
+  if (best.value - radii > enough) return best.value - radii;
   look_from_points_to_lines(core_a.points, core_b.points, best);  // point and edge
   look_from_points_to_lines(core_b.points, core_a.points, best);
   for (const auto* lines : {&lines_a, &lines_b})  // a face
@@ -195,7 +197,7 @@ double signed_distance(const Setup& setup, Index a, Index b) {
       for (std::size_t m = 0; m < k; ++m) best.look_along((*lines)[k].cross((*lines)[m]));
   for (const Vec3& u : lines_a)  // two edges
     for (const Vec3& v : lines_b) best.look_along(u.cross(v));
-  return best.value - core_a.radius - core_b.radius;
+  return best.value - radii;
 }
 
 }  // namespace reference

@@ -2,6 +2,7 @@
 // Independent answers to compare the contact points with, and random placements.
 #pragma once
 
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -50,7 +51,8 @@ double surface_distance(const Shape& shape, const Vec3& c, const Mat3& R, const 
 
 // Signed distance of two convex bodies, max over unit n of (min over b of n·x − max over a of n·x): their gap
 // when they are apart, minus the shortest way out when they overlap. The best n joins two features, corners,
-// edges or faces, and all such directions are tried: exact to rounding.
-double signed_distance(const Setup& setup, Index a, Index b);
+// edges or faces, and all such directions are tried: exact to rounding. Tries no more once it is above `enough`.
+double signed_distance(const Setup& setup, Index a, Index b,
+                       double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace reference
