@@ -17,6 +17,7 @@ double sample_length(const PlotStyle& style) { return (style.compact ? 1.6 : 2.2
 int covered(const Rect& box, const Plot& plot, const PlotLayout& layout) {
   int count = 0;
   for (const Series& series : plot.series) {
+    if (series.style == SeriesStyle::strip) continue;
     if (series.style == SeriesStyle::level || series.style == SeriesStyle::level_x) {
       const bool across = series.style == SeriesStyle::level;
       if ((across ? series.y : series.x).empty()) continue;
@@ -57,6 +58,21 @@ int covered(const Rect& box, const Plot& plot, const PlotLayout& layout) {
   return count;
 }
 
+std::vector<LegendEntry> entries_of(const Plot& plot, const std::vector<Color>& colors,
+                                    const PlotStyle& style) {
+  std::vector<LegendEntry> entries;
+  for (const PlotKey& key : plot.keys) {
+    entries.push_back({key.name, SeriesStyle::line, key.dash, style.theme.color(key.color), 1, {}});
+  }
+  if (!entries.empty()) return entries;
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& series = plot.series[i];
+    if (series.name.empty() || !is_drawn(series, plot)) continue;
+    entries.push_back({series.name, series.style, series.dash, colors[i], series.weight, {}});
+  }
+  return entries;
+}
+
 }  // namespace
 
 Legend legend_column(const Plot& plot, const std::vector<Color>& colors, const PlotStyle& style,
@@ -65,12 +81,10 @@ Legend legend_column(const Plot& plot, const std::vector<Color>& colors, const P
   legend.sample = sample_length(style);
   const double pad = 0.6 * style.tick;
   double width = 0, y = pad;
-  for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    const Series& series = plot.series[i];
-    if (series.name.empty() || !is_drawn(series, plot)) continue;
-    legend.entries.push_back(
-        {series.name, series.style, colors[i], series.weight, {pad, y + 0.5 * row_height(style)}});
-    width = std::max(width, text_width(font, series.name, style.tick));
+  legend.entries = entries_of(plot, colors, style);
+  for (LegendEntry& entry : legend.entries) {
+    entry.at = {pad, y + 0.5 * row_height(style)};
+    width = std::max(width, text_width(font, entry.name, style.tick));
     y += row_height(style);
   }
   if (legend.entries.empty()) return legend;
@@ -86,7 +100,7 @@ Legend legend_rows(const Plot& plot, const std::vector<Color>& colors, double wi
   Point drawn, named;  // where the next entry goes
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
-    if (series.name.empty()) continue;
+    if (series.name.empty() || series.style == SeriesStyle::strip) continue;
     const double entry = legend.sample + 0.4 * style.tick + text_width(font, series.name, style.tick);
     const auto place = [&](Point& next) {
       if (next.x > 0 && next.x + entry > width) next = {0, next.y + row_height(style)};
@@ -98,7 +112,8 @@ Legend legend_rows(const Plot& plot, const std::vector<Color>& colors, double wi
     // Room for all: the axes stay where they are when a curve comes and goes from frame to frame.
     legend.box = {0, 0, width, named.y + row_height(style)};
     if (!is_drawn(series, plot)) continue;
-    legend.entries.push_back({series.name, series.style, colors[i], series.weight, place(drawn)});
+    legend.entries.push_back(
+        {series.name, series.style, series.dash, colors[i], series.weight, place(drawn)});
   }
   return legend;
 }

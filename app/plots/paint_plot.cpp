@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/plots/crowd.h"
 #include "app/plots/plot_layout.h"
 
 namespace pabd {
 namespace {
 
-Stroke series_stroke(SeriesStyle style, Color color, double width) {
-  Stroke stroke{color, width, 0, 0};
-  if (style == SeriesStyle::dashed) {
-    stroke.dash_on = 3.2 * width;
-    stroke.dash_off = 2.2 * width;
-  }
+Stroke series_stroke(SeriesStyle style, int dash, Color color, double width) {
+  static constexpr double kPatterns[kDashes][2] = {{0, 0}, {3.2, 2.2}, {1.1, 1.7}, {7.5, 2.4}};
+  const double* pattern = kPatterns[style == SeriesStyle::dashed ? 1 : std::clamp(dash, 0, kDashes - 1)];
+  Stroke stroke{color, width, pattern[0] * width, pattern[1] * width};
   if (style == SeriesStyle::level || style == SeriesStyle::level_x) {
     stroke.width = 0.7 * width;
     stroke.dash_on = 1.2 * width;
@@ -33,7 +32,7 @@ void paint_grid(const PlotLayout& layout, const PlotStyle& style, Canvas& canvas
     const Color color = major ? style.theme.grid : style.theme.minor_grid;
     for (const Tick& tick : layout.x.ticks) {
       if (tick.major == major)
-        canvas.vertical(in.x + layout.x.unit(tick.value) * in.w, in.y, in.bottom(), color, style.grid);
+        canvas.vertical(in.x + layout.x.unit(tick.value) * in.w, in.y, layout.foot(), color, style.grid);
     }
     for (const Tick& tick : layout.y.ticks) {
       if (tick.major == major) {
@@ -48,13 +47,29 @@ void paint_grid(const PlotLayout& layout, const PlotStyle& style, Canvas& canvas
                       style.grid);
   }
   if (!layout.x.log && layout.x.lo < 0 && layout.x.hi > 0) {
-    canvas.vertical(in.x + layout.x.unit(0) * in.w, in.y, in.bottom(), style.theme.zero_line, style.grid);
+    canvas.vertical(in.x + layout.x.unit(0) * in.w, in.y, layout.foot(), style.theme.zero_line, style.grid);
   }
 }
 
-void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool right, Color color,
+// Short samples of the curves of an axis: at most one a colour, from x on to the right, or upwards from y.
+double paint_chips(const std::vector<Color>& chips, const Point& at, bool upright, const PlotStyle& style,
+                   Canvas& canvas) {
+  const double length = 0.9 * style.tick, pitch = 1.15 * style.tick;
+  double way = 0;
+  for (const Color& color : chips) {
+    const Point ends[] = {upright ? Point{at.x, at.y - way} : Point{at.x + way, at.y},
+                          upright ? Point{at.x, at.y - way - length} : Point{at.x + way + length, at.y}};
+    canvas.polyline(ends, {color, 1.4 * style.line, 0, 0});
+    way += pitch;
+  }
+  return way;
+}
+
+void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool right,
                          const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
   const Rect& in = layout.inner;
+  const Color color = right ? layout.right_ink : layout.left_ink;
+  const std::vector<Color>& chips = right ? layout.right_chips : layout.left_chips;
   const double edge = right ? in.right() : in.x;
   const double out = right ? 1 : -1;
   const bool tinted = !(color == style.theme.axis);
@@ -77,7 +92,12 @@ void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool r
                                                  : label + "  " + axis.factor;
     text.size = style.label;
     text.x = right ? AlignX::right : AlignX::left;
-    canvas.text({right ? layout.area.right() : layout.area.x, above}, head, text);
+    const double middle = above - 0.5 * FontMetrics::cap * style.label;
+    const double all = 1.15 * style.tick * static_cast<double>(chips.size());
+    const double start =
+        right ? layout.area.right() - text_width(canvas.font(), head, style.label) - all : layout.area.x;
+    paint_chips(chips, {start, middle}, false, style, canvas);
+    canvas.text({right ? layout.area.right() : layout.area.x + all, above}, head, text);
     return;
   }
   text.x = right ? AlignX::right : AlignX::left;
@@ -87,22 +107,27 @@ void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool r
   text.vertical = true;
   text.x = AlignX::center;
   text.y = right ? AlignY::bottom : AlignY::top;
-  canvas.text({right ? layout.area.right() : layout.area.x, in.y + 0.5 * in.h}, label, text);
+  const double x = right ? layout.area.right() : layout.area.x;
+  canvas.text({x, in.y + 0.5 * in.h}, label, text);
+  const double end = in.y + 0.5 * in.h - 0.5 * text_width(canvas.font(), label, style.label);
+  const double along = x + (right ? -0.5 : 0.5) * FontMetrics::cap * style.label;
+  paint_chips(chips, {along, end - 0.5 * style.tick}, true, style, canvas);
 }
 
 void paint_horizontal_axis(const Plot& plot, const PlotLayout& layout, const PlotStyle& style,
                            Canvas& canvas) {
   const Rect& in = layout.inner;
   TextStyle text{style.tick, style.theme.text, AlignX::center, AlignY::top};
+  const double foot = layout.foot();
   for (const Tick& tick : layout.x.ticks) {
     const double x = in.x + layout.x.unit(tick.value) * in.w;
-    canvas.vertical(x, in.bottom(), in.bottom() + style.tick_length * (tick.major ? 1 : 0.55),
-                    style.theme.axis, style.grid);
-    if (tick.major) canvas.text({x, in.bottom() + style.tick_length + style.gap}, tick.label, text);
+    canvas.vertical(x, foot, foot + style.tick_length * (tick.major ? 1 : 0.55), style.theme.axis,
+                    style.grid);
+    if (tick.major) canvas.text({x, foot + style.tick_length + style.gap}, tick.label, text);
   }
-  canvas.horizontal(in.x, in.right() + 1, in.bottom(), style.theme.axis, style.grid);
+  canvas.horizontal(in.x, in.right() + 1, foot, style.theme.axis, style.grid);
   const double below =
-      in.bottom() + style.tick_length + style.gap + FontMetrics::cap * style.tick + 0.55 * style.label;
+      foot + style.tick_length + style.gap + FontMetrics::cap * style.tick + 0.55 * style.label;
   text.size = style.label;
   if (!plot.x.label.empty()) canvas.text({in.x + 0.5 * in.w, below}, plot.x.label, text);
   if (!layout.x.factor.empty()) {
@@ -112,10 +137,27 @@ void paint_horizontal_axis(const Plot& plot, const PlotLayout& layout, const Plo
   }
 }
 
+void paint_strip(const Series& series, Color color, const PlotLayout& layout, const PlotStyle& style,
+                 Canvas& canvas) {
+  const Rect& band = layout.strip;
+  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    const Rect bar = strip_bar(layout, series, i);
+    if (bar.w > 0) canvas.fill_rect(bar, i < series.marker_colors.size() ? series.marker_colors[i] : color);
+  }
+  TextStyle text{style.tick, style.theme.muted, AlignX::left, AlignY::top};
+  text.halo = 0.16 * style.tick;
+  text.halo_color = style.theme.paper;
+  canvas.text({band.x + style.gap, band.y + 0.2 * style.tick}, series.name, text);
+}
+
 void paint_series(const Series& series, Color color, const PlotLayout& layout, const PlotStyle& style,
                   Canvas& canvas) {
   const Rect& in = layout.inner;
-  const Stroke stroke = series_stroke(series.style, color, style.line * series.weight);
+  const Stroke stroke = series_stroke(series.style, series.dash, color, style.line * series.weight);
+  if (series.style == SeriesStyle::strip) {
+    paint_strip(series, color, layout, style, canvas);
+    return;
+  }
   if (series.style == SeriesStyle::bars) {
     for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
       const Rect bar = bar_rect(layout, series, i);
@@ -138,26 +180,29 @@ void paint_series(const Series& series, Color color, const PlotLayout& layout, c
     return;
   }
   if (series.style == SeriesStyle::markers) {
-    const std::size_t count = std::min(series.x.size(), series.y.size());
     const double radius = style.marker * series.weight;
-    for (std::size_t i = 0; series.crowd && i < count; ++i) {
-      const Point p = layout.map(series.x[i], series.y[i], series.right_axis);
-      if (in.inset(-1).contains(p)) canvas.fill_circle(p, 1.35 * radius, style.theme.rim);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      const Point p = layout.map(series.x[i], series.y[i], series.right_axis);
-      if (!in.inset(-1).contains(p)) continue;
-      if (series.crowd) {
-        canvas.fill_circle(p, radius, i < series.marker_colors.size() ? series.marker_colors[i] : color);
-        continue;
+    const auto color_of = [&](std::size_t i) {
+      return i < series.marker_colors.size() ? series.marker_colors[i] : color;
+    };
+    if (series.crowd) {
+      for (const CrowdMarker& marker : thin_crowd(layout, series, kCrowdSpacing * radius)) {
+        const double r = radius * crowd_size(marker.count);
+        canvas.fill_circle(marker.at, r + 0.25 * radius, style.theme.rim);
+        canvas.fill_circle(marker.at, r, color_of(marker.index));
       }
-      paint_marker(p, radius, i < series.marker_colors.size() ? series.marker_colors[i] : color, style,
-                   canvas);
+      return;
+    }
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      const Point p = layout.map(series.x[i], series.y[i], series.right_axis);
+      if (in.inset(-1).contains(p)) paint_marker(p, radius, color_of(i), style, canvas);
     }
     return;
   }
-  for (const std::vector<Point>& run : pixel_runs(layout, series)) {
-    if (run.size() == 1) {
+  const std::vector<std::vector<Point>> runs = pixel_runs(layout, series);
+  for (const std::vector<Point>& run : runs) {
+    if (run.size() == 1 && runs.size() == 1) {
+      paint_marker(run[0], style.marker, color, style, canvas);  // its value stands beside it: tags
+    } else if (run.size() == 1) {
       canvas.fill_circle(run[0], 0.8 * style.line, color);  // a value between two breaks would not be seen
     } else {
       canvas.polyline(run, stroke);
@@ -178,7 +223,7 @@ void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) 
                    canvas);
     } else {
       const Point ends[] = {entry.at, {entry.at.x + legend.sample, entry.at.y}};
-      canvas.polyline(ends, series_stroke(entry.style, entry.color, style.line * entry.weight));
+      canvas.polyline(ends, series_stroke(entry.style, entry.dash, entry.color, style.line * entry.weight));
     }
     const double gap = (style.compact ? 0.4 : 0.6) * style.tick;
     canvas.text({entry.at.x + legend.sample + gap, entry.at.y}, entry.name,
@@ -190,6 +235,11 @@ void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) 
 
 void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
   const Rect& in = layout.inner;
+  double below = layout.area.bottom() - 0.12 * style.tick;
+  for (std::size_t k = layout.caption.size(); k-- > 0; below -= FontMetrics::line * kCaption * style.tick) {
+    canvas.text({layout.area.x, below}, layout.caption[k],
+                {kCaption * style.tick, style.theme.muted, AlignX::left, AlignY::bottom});
+  }
   if (!plot.title.empty()) {
     const TextStyle title{style.title, style.theme.text, style.compact ? AlignX::left : AlignX::center,
                           AlignY::top};
@@ -202,20 +252,21 @@ void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& sty
     return;
   }
   paint_grid(layout, style, canvas);
-  canvas.push_clip(in);
-  for (const bool markers : {false, true}) {
-    if (markers) canvas.pop_clip();  // markers at the edge are shown whole
+  // Crowds of markers lie under the curves, single ones over them; those at the edge are shown whole.
+  enum Layer { crowds, curves, markers };
+  for (const Layer layer : {crowds, curves, markers}) {
+    if (layer == curves) canvas.push_clip(in);
     for (std::size_t i = 0; i < plot.series.size(); ++i) {
-      if ((plot.series[i].style == SeriesStyle::markers) == markers) {
-        paint_series(plot.series[i], layout.colors[i], layout, style, canvas);
-      }
+      const Series& series = plot.series[i];
+      const bool marks = series.style == SeriesStyle::markers || series.style == SeriesStyle::strip;
+      if (layer == (!marks ? curves : series.crowd ? crowds : markers))
+        paint_series(series, layout.colors[i], layout, style, canvas);
     }
+    if (layer == curves) canvas.pop_clip();
   }
   paint_horizontal_axis(plot, layout, style, canvas);
-  paint_vertical_axis(layout.y, plot.y.label, false, layout.left_ink, layout, style, canvas);
-  if (layout.has_right) {
-    paint_vertical_axis(layout.y_right, plot.y_right.label, true, layout.right_ink, layout, style, canvas);
-  }
+  paint_vertical_axis(layout.y, plot.y.label, false, layout, style, canvas);
+  if (layout.has_right) paint_vertical_axis(layout.y_right, plot.y_right.label, true, layout, style, canvas);
   paint_legend(layout.legend, style, canvas);
   for (const PlotTag& tag : layout.tags) {
     TextStyle text{style.tick, tag.color};

@@ -28,7 +28,12 @@ struct Axis {
 
 // level: one horizontal line at y[0]; level_x: one vertical line at x[0]. Both are references and do not
 // widen the fitted range of the other axis. bars: from 0 (from the foot of a log axis) to y, centred at x.
-enum class SeriesStyle : std::uint8_t { line, dashed, markers, level, level_x, bars };
+// strip: bars again, in a band of their own between the curves and the horizontal axis, with the name in it:
+// how many there are at x, where markers would hide each other.
+enum class SeriesStyle : std::uint8_t { line, dashed, markers, level, level_x, bars, strip };
+
+// Patterns of lines that are told apart: solid, dashed, dotted, long dashes.
+inline constexpr int kDashes = 4;
 
 struct Series {
   std::string name;  // for the legend; empty: not listed
@@ -36,13 +41,21 @@ struct Series {
   std::vector<double> y;  // non-finite values break the line
   SeriesStyle style = SeriesStyle::line;
   int color = -1;  // index into the palette; -1: next
+  int dash = 0;    // of a line: which pattern, 0 … kDashes − 1; `dashed` is pattern 1
   bool right_axis = false;
   std::vector<Color> marker_colors;  // one a point or bar; empty: the colour of the series
   double weight = 1;                 // multiplies the width of the line, the size of the markers
-  bool crowd = false;                // markers: one rim around all, for many that overlap
+  bool crowd = false;                // markers: below the curves, one where many would touch (crowd.h)
   double bar_width = 0;              // in units of x
   std::string quantity;              // in CSV after the name, where it is not that of the axis: "B/d̂² [1]"
   std::string tag;                   // written beside a level, a level_x or the last marker
+};
+
+// An entry of a legend that names a property of curves and not one curve: "N = 3" is a colour.
+struct PlotKey {
+  std::string name;
+  int color;
+  int dash = 0;
 };
 
 struct Plot {
@@ -51,7 +64,13 @@ struct Plot {
   Axis y;
   Axis y_right;  // used when a series asks for it
   std::vector<Series> series;
+  std::vector<PlotKey> keys;     // the legend in place of the names of the series, where there are any
   std::string none = "no data";  // said where there is nothing to draw
+  std::string caption;           // small, below: what it is of
+};
+
+struct PlotRange {
+  double lo, hi;
 };
 
 // Plots side by side (columns) under one title: a figure.

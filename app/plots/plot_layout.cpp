@@ -12,12 +12,17 @@
 namespace pabd {
 namespace {
 
-constexpr double kPad = 0.05;
+constexpr double kPad = 0.05, kPadX = 0.02;
+constexpr double kStrip = 2.4;  // height of the band, in tick labels
+constexpr std::size_t kCaptionLines = 2;
+
+bool is_curve(const Series& series) {
+  return series.style == SeriesStyle::line || series.style == SeriesStyle::dashed;
+}
 
 void add_colors(const Plot& plot, const PlotTheme& theme, PlotLayout& layout) {
   int next = 0;
-  int left = 0, right = 0;
-  layout.left_ink = layout.right_ink = theme.axis;
+  std::vector<Color> left, right;
   for (const Series& series : plot.series) {
     const bool reference = series.style == SeriesStyle::level || series.style == SeriesStyle::level_x;
     Color color = theme.reference;
@@ -27,13 +32,16 @@ void add_colors(const Plot& plot, const PlotTheme& theme, PlotLayout& layout) {
       color = theme.color(next++);
     }
     layout.colors.push_back(color);
-    if (reference || series.style == SeriesStyle::markers || series.style == SeriesStyle::bars) continue;
-    (series.right_axis ? layout.right_ink : layout.left_ink) = color;
-    ++(series.right_axis ? right : left);
+    if (!is_curve(series) || !is_drawn(series, plot)) continue;
+    std::vector<Color>& inks = series.right_axis ? right : left;
+    if (std::find(inks.begin(), inks.end(), color) == inks.end()) inks.push_back(color);
   }
-  // Axes take the colour of their curve only where two axes have to be told apart.
-  if (left != 1 || right == 0) layout.left_ink = theme.axis;
-  if (right != 1) layout.right_ink = theme.axis;
+  // Axes take the colour of their curves only where two axes have to be told apart.
+  const bool two = !left.empty() && !right.empty();
+  layout.left_ink = two && left.size() == 1 ? left[0] : theme.axis;
+  layout.right_ink = two && right.size() == 1 ? right[0] : theme.axis;
+  if (two && left.size() > 1) layout.left_chips = std::move(left);
+  if (two && right.size() > 1) layout.right_chips = std::move(right);
 }
 
 struct Ranges {
@@ -51,6 +59,7 @@ void add_range(const Series& series, const Plot& plot, Ranges& ranges) {
     if (!series.x.empty()) ranges.x.add(series.x[0], plot.x.log);
     return;
   }
+  if (series.style == SeriesStyle::strip) return;
   for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
     // A point that one axis cannot show does not widen the other.
     DataRange px, py;
@@ -85,13 +94,23 @@ double widest_tick(const AxisScale& axis, double size, const FontMetrics& font) 
 AxisScale fit_x(const Plot& plot, const DataRange& data, double width, const PlotStyle& style,
                 const FontMetrics& font) {
   for (int most = std::clamp(static_cast<int>(width / (3 * style.tick)), 2, 12); most > 1; --most) {
-    AxisScale axis = fit_axis(plot.x, data, most, plot.x.log ? kPad : 0.02);
+    AxisScale axis = fit_axis(plot.x, data, most, plot.x.log ? kPad : kPadX);
     const auto labelled =
         std::count_if(axis.ticks.begin(), axis.ticks.end(), [](const Tick& t) { return t.major; });
     const double room = widest_tick(axis, style.tick, font) + 0.9 * style.tick;
     if (room * static_cast<double>(labelled) <= width || most == 2) return axis;
   }
-  return fit_axis(plot.x, data, 1, 0.02);
+  return fit_axis(plot.x, data, 1, kPadX);
+}
+
+bool has_strip(const Plot& plot) {
+  return std::any_of(plot.series.begin(), plot.series.end(), [](const Series& series) {
+    return series.style == SeriesStyle::strip && !series.x.empty();
+  });
+}
+
+double caption_height(const PlotLayout& layout, const PlotStyle& style) {
+  return static_cast<double>(layout.caption.size()) * FontMetrics::line * kCaption * style.tick;
 }
 
 struct Margins {
@@ -113,6 +132,8 @@ Margins find_margins(const Plot& plot, const PlotLayout& layout, const PlotStyle
   }
   m.bottom = style.tick_length + style.gap + tick_height + 0.2 * style.tick;
   if (!plot.x.label.empty() || !layout.x.factor.empty()) m.bottom += label_height;
+  if (has_strip(plot)) m.bottom += kStrip * style.tick + style.gap;
+  if (!layout.caption.empty()) m.bottom += caption_height(layout, style);
   m.top = tick_height;  // half a tick label sticks out
   if (!plot.title.empty()) m.top += FontMetrics::line * style.title;
   if (!layout.y.factor.empty() || !layout.y_right.factor.empty() ||
@@ -171,6 +192,26 @@ bool is_drawn(const Series& series, const Plot& plot) {
   return (across || overlaps(plot.x, seen.x)) && (upright || overlaps(y, data));
 }
 
+void share_axes(Plot& a, Plot& b) {
+  const Ranges of_a = find_ranges(a), of_b = find_ranges(b);
+  const auto share = [](Axis& p, Axis& q, const DataRange& of_p, const DataRange& of_q, double pad) {
+    DataRange both = of_p;
+    if (p.lo < p.hi && q.lo < q.hi) {
+      both = {std::min(p.lo, q.lo), std::max(p.hi, q.hi), false};
+    } else {
+      if (!of_q.empty) both.add(of_q.lo, q.log), both.add(of_q.hi, q.log);
+      if (both.empty) return;
+      const AxisScale scale = fit_axis(p.lo < p.hi ? q : p, both, 5, pad);
+      both = {scale.lo, scale.hi, false};
+    }
+    p.lo = q.lo = both.lo;
+    p.hi = q.hi = both.hi;
+  };
+  share(a.x, b.x, of_a.x, of_b.x, a.x.log ? kPad : kPadX);
+  share(a.y, b.y, of_a.y, of_b.y, kPad);
+  share(a.y_right, b.y_right, of_a.right, of_b.right, kPad);
+}
+
 PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font) {
   PlotLayout layout;
   layout.area = area;
@@ -181,13 +222,17 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
   layout.empty = std::all_of(plot.series.begin(), plot.series.end(),
                              [](const Series& s) {
                                return s.style == SeriesStyle::level || s.style == SeriesStyle::level_x ||
-                                      s.x.empty() || s.y.empty();
+                                      s.style == SeriesStyle::strip || s.x.empty() || s.y.empty();
                              }) ||
                  ranges.x.empty || (ranges.y.empty && ranges.right.empty);
 
   // The number of ticks depends on the size of the inside, which depends on the labels: twice is enough.
   Rect outer = area;
   layout.inner = area.inset(3 * style.tick);
+  if (!plot.caption.empty()) {
+    layout.caption = wrap_text(font, plot.caption, kCaption * style.tick, area.w);
+    if (layout.caption.size() > kCaptionLines) layout.caption.resize(kCaptionLines);
+  }
   const auto settle = [&] {
     for (int pass = 0; pass < 2; ++pass) {
       const int rows = std::clamp(static_cast<int>(layout.inner.h / (2.6 * style.tick)), 2, 8);
@@ -199,6 +244,9 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
                       std::max(8.0, std::round(outer.w - m.left - m.right)),
                       std::max(8.0, std::round(outer.h - m.top - m.bottom))};
     }
+    if (!has_strip(plot)) return;
+    layout.strip = {layout.inner.x, layout.inner.bottom() + style.gap, layout.inner.w,
+                    std::round(kStrip * style.tick)};
   };
   if (style.compact) {
     // Legend rows between the title and the axes.
@@ -241,6 +289,20 @@ Rect bar_rect(const PlotLayout& layout, const Series& series, std::size_t index)
   if (series.y[index] != 0) tall = std::max(tall, 2.0);  // a single one among hundreds is still seen
   const double top = head >= foot ? in.bottom() - foot * in.h - tall : in.bottom() - foot * in.h;
   return {x0, top, std::max(0.0, x1 - x0), tall};
+}
+
+Rect strip_bar(const PlotLayout& layout, const Series& series, std::size_t index) {
+  const Rect& in = layout.strip;
+  const double most = *std::max_element(series.y.begin(), series.y.end());
+  const double half = 0.5 * series.bar_width;
+  double x0 = in.x + layout.x.unit(series.x[index] - half) * in.w;
+  double x1 = in.x + layout.x.unit(series.x[index] + half) * in.w;
+  if (!(series.y[index] > 0) || !std::isfinite(x0 + x1) || x1 < in.x || x0 > in.right())
+    return {in.x, in.bottom(), 0, 0};
+  x0 = std::clamp(std::round(x0), in.x, in.right());
+  x1 = std::clamp(std::max(std::round(x1) - 1, x0 + 1), in.x, in.right());
+  const double tall = std::max(2.0, std::round(in.h * series.y[index] / most));  // a single one is still seen
+  return {x0, in.bottom() - tall, x1 - x0, tall};
 }
 
 std::vector<std::vector<Point>> pixel_runs(const PlotLayout& layout, const Series& series) {

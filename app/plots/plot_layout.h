@@ -36,9 +36,12 @@ struct PlotStyle {
 PlotStyle panel_style();   // compact, at 720 px frame height
 PlotStyle figure_style();  // for figures of 1600 × 700
 
+inline constexpr double kCaption = 0.84;  // size of a caption's letters, in tick labels
+
 struct LegendEntry {
   std::string name;
   SeriesStyle style;
+  int dash;
   Color color;
   double weight;
   Point at;  // left end of its sample line, on the middle of its text
@@ -61,15 +64,20 @@ struct PlotTag {
 struct PlotLayout {
   Rect area;
   Rect inner;
+  Rect strip;  // between the inside and the horizontal axis; without height: none
   AxisScale x, y, y_right;
   bool has_right = false;
   bool empty = false;         // nothing to draw: "no data"
   std::vector<Color> colors;  // one a series
   Color left_ink,
-      right_ink;  // colours of the vertical axes: those of their series when there is only one each
+      right_ink;  // colours of the vertical axes: those of their series when they have one each
+  std::vector<Color> left_chips,
+      right_chips;  // of two axes: the colours of one that has several, to stand beside its label
   Legend legend;
   std::vector<PlotTag> tags;
+  std::vector<std::string> caption;  // lines; the last one ends at the bottom of `area`
 
+  double foot() const { return strip.h > 0 ? strip.bottom() : inner.bottom(); }  // of the horizontal axis
   // NaN coordinates for what the axes cannot show.
   Point map(double px, double py, bool right_axis = false) const;
   // The inverse: data units at a pixel. Outside of `inner` the axes go on; NaN there with `only_inside`.
@@ -79,7 +87,13 @@ struct PlotLayout {
 // Whether anything of a series is seen: a log axis shows no zero, a given range not all values.
 bool is_drawn(const Series& series, const Plot& plot);
 
+// Gives both plots the axes that hold the data of both, as two pictures side by side need it.
+void share_axes(Plot& a, Plot& b);
+
 PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font);
+
+// The bar number `index` of a strip: as high as the band where it is the highest one.
+Rect strip_bar(const PlotLayout& layout, const Series& series, std::size_t index);
 
 // The pixels of a line or of markers: runs between breaks, thinned so that a run has a bounded number of
 // points a pixel column (first, lowest, highest, last of each column), far-off points pulled in.

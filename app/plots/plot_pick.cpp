@@ -10,7 +10,8 @@ namespace pabd {
 namespace {
 
 bool is_reference(const Series& series) {
-  return series.style == SeriesStyle::level || series.style == SeriesStyle::level_x;
+  return series.style == SeriesStyle::level || series.style == SeriesStyle::level_x ||
+         series.style == SeriesStyle::strip;
 }
 
 // Calls `visit(pick)` for every shown point, distance not yet known.

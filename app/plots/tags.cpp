@@ -5,9 +5,30 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "app/plots/axis_ticks.h"
 
 namespace pabd {
 namespace {
+
+struct LonePoint {
+  Point at;
+  double y;
+};
+
+// Of a curve of which no more than one point is seen.
+std::optional<LonePoint> lone_point(const Series& series, const PlotLayout& layout) {
+  std::optional<LonePoint> found;
+  if (series.style != SeriesStyle::line && series.style != SeriesStyle::dashed) return found;
+  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    const Point at = layout.map(series.x[i], series.y[i], series.right_axis);
+    if (!layout.inner.inset(-1).contains(at)) continue;
+    if (found) return std::nullopt;
+    found = LonePoint{at, series.y[i]};
+  }
+  return found;
+}
 
 // What the series' tag points at; NaN when that is not shown.
 Point end_of(const Series& series, const PlotLayout& layout) {
@@ -19,10 +40,18 @@ Point end_of(const Series& series, const PlotLayout& layout) {
     if (series.y.empty()) return {nan, nan};
     return {layout.inner.right(), layout.map(layout.x.lo, series.y[0], series.right_axis).y};
   }
+  if (const auto single = lone_point(series, layout)) return single->at;
   if (series.style != SeriesStyle::markers || series.x.empty() || series.x.size() != series.y.size()) {
     return {nan, nan};
   }
   return layout.map(series.x.back(), series.y.back(), series.right_axis);
+}
+
+// The number beside a curve that is one point: without it only a dot would be seen.
+std::string text_of(const Series& series, const PlotLayout& layout) {
+  if (!series.tag.empty()) return series.tag;
+  const auto single = lone_point(series, layout);
+  return single ? format_value(single->y, 3) : std::string();
 }
 
 // Whether a curve passes through the box, or a bar stands in it. Long series are not asked: that would cost
@@ -57,7 +86,7 @@ std::vector<Rect> candidates(const Series& series, const Point& at, double w, do
     const double above = at.y - h - 0.7 * gap, below = at.y + 0.7 * gap;
     return {{right, above, w, h}, {right, below, w, h}, {left, above, w, h}, {left, below, w, h}};
   }
-  const bool marker = series.style == SeriesStyle::markers;
+  const bool marker = series.style != SeriesStyle::level_x;
   const double aside = gap + (marker ? style.marker * series.weight : 0);
   const double right = at.x + aside, left = at.x - aside - w;
   const double top = marker ? at.y - h - 0.5 * gap : at.y + gap;
@@ -80,10 +109,11 @@ void place_tags(const Plot& plot, const PlotStyle& style, const FontMetrics& fon
   };
   for (std::size_t s = 0; s < plot.series.size(); ++s) {
     const Series& series = plot.series[s];
-    if (series.tag.empty()) continue;
+    const std::string tag = text_of(series, layout);
+    if (tag.empty()) continue;
     const Point at = end_of(series, layout);
     if (!in.inset(-1).contains(at)) continue;
-    const double width = text_width(font, series.tag, style.tick);
+    const double width = text_width(font, tag, style.tick);
     const std::vector<Rect> places = candidates(series, at, width, height, in, style);
     const auto fits = [&](const Rect& box) { return in.contains(box) && !hit(box); };
     auto best = std::find_if(places.begin(), places.end(),
@@ -98,7 +128,7 @@ void place_tags(const Plot& plot, const PlotStyle& style, const FontMetrics& fon
       box.y += 1.3 * style.tick;
     }
     taken.push_back(box);
-    layout.tags.push_back({series.tag, box, layout.colors[s]});
+    layout.tags.push_back({tag, box, layout.colors[s]});
   }
 }
 

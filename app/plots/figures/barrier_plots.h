@@ -32,10 +32,6 @@ struct BarrierVariants {
   bool log = false;
 };
 
-struct PlotRange {
-  double lo, hi;
-};
-
 struct BarrierPanelOptions {
   BarrierQuantity quantity = BarrierQuantity::value;
   bool log_y = false;  // of Ψ, −Ψ′ (the normal force), Ψ″
