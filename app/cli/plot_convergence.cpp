@@ -8,6 +8,8 @@
 #include "app/cli/plot_command.h"
 #include "app/cli/simulation_setup.h"
 #include "app/plots/figures/convergence.h"
+#include "app/plots/figures/run_caption.h"
+#include "sim/solver/time_step.h"
 
 namespace pabd::cli {
 namespace {
@@ -53,7 +55,9 @@ int plot_convergence(const PlotConvergenceOptions& options) {
       run_methods(session.model(), session.params(), session.state(), methods, options.iterations, threads);
   const Minimiser minimiser =
       find_minimiser(session.model(), session.params(), session.state(), 20000, threads);
-  write_drawing(drawing_of(convergence_figure(runs, minimiser)), output);
+  const std::string about = run_caption(session.scene().name, options.at_step, session.params(),
+                                        resolve_kappa(session.model(), session.params()), true);
+  write_drawing(drawing_of(convergence_figure(runs, minimiser, about)), output);
   return 0;
 }
 

@@ -2,6 +2,7 @@
 // What panels share.
 #include "app/overlay/overlay_style.h"
 
+#include "app/plots/figures/run_caption.h"
 #include "app/plots/plot_layout.h"
 #include "sim/base/srgb.h"
 
@@ -17,6 +18,11 @@ void paint_box(const Rect& rect, double s, Canvas& canvas) {
 void paint_small_plot(const Plot& plot, const Rect& rect, double s, Canvas& canvas) {
   const PlotStyle style = panel_style().scaled(s);
   paint_plot(plot, layout_plot(plot, rect.inset(kPad * s), style, canvas.font()), style, canvas);
+}
+
+std::string caption_of(const OverlayData& data) {
+  if (!data.view) return {};
+  return run_caption(data.scene_name, data.view->report.step, data.view->params, data.view->kappa);
 }
 
 std::size_t joints_of(const OverlayData& data) {

@@ -26,6 +26,9 @@ Color screen_ink(const Vec4f& color);
 // A translucent white box with a rim; the radius of its corners is 5 px at scale 1.
 void paint_box(const Rect& rect, double scale, Canvas& canvas);
 
+// Which scene and step it is of, and the parameters; the scene's name comes from `data`.
+std::string caption_of(const OverlayData& data);
+
 void paint_small_plot(const Plot& plot, const Rect& rect, double scale, Canvas& canvas);
 
 // Joints of the model that is shown.

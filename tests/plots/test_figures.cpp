@@ -184,6 +184,7 @@ TEST_CASE("time series with joints: their error beside the penetration, on a log
   const Figure figure = time_series_figure(reports);
   REQUIRE(figure.plots.size() == 3);
   CHECK(figure.plots[2].series[0].y == std::vector<double>{2e-9, 3e-9});
+  reports[1].max_penetration = 1e-4;
   const Plot live = time_series_plot(reports, 0.01, true);
   CHECK(live.y.log);
   REQUIRE(live.series.size() == 4);
@@ -192,6 +193,34 @@ TEST_CASE("time series with joints: their error beside the penetration, on a log
   const Plot free = time_series_plot(reports, 0.01);
   CHECK_FALSE(free.y.log);
   CHECK(free.series.size() == 3);
+}
+
+TEST_CASE("time series: no axis for what never was") {
+  std::vector<StepSummary> reports(2);
+  reports[0].time = 0.1;
+  reports[1].time = 0.2;
+  reports[1].kinetic = 3;
+  const Plot energies = time_series_plot(reports, 0.01, true);
+  REQUIRE(energies.series.size() == 2);
+  CHECK(energies.y.label == "energy [J]");
+  CHECK(energies.y_right.label.empty());
+  for (const Series& series : energies.series) CHECK_FALSE(series.right_axis);
+
+  std::vector<StepSummary> joint = reports;
+  joint[1].max_joint_error = 1e-9;
+  CHECK(time_series_plot(joint, 0.01, true).y.label == "largest error [m]");
+
+  // What only the other run has needs its axis too, and both runs stand on the same ones.
+  std::vector<StepSummary> deep = reports;
+  deep[1].max_penetration = 1e-3;
+  const Plot two = time_series_plot(reports, 0.01, false, deep);
+  REQUIRE(two.series.size() == 6);
+  CHECK(two.y.label == "penetration [m]");
+  for (const std::size_t k : {0, 1, 2}) {
+    CHECK(two.series[k].right_axis == two.series[k + 3].right_axis);
+    CHECK(two.series[k].color == two.series[k + 3].color);
+    CHECK(two.series[k + 3].style == SeriesStyle::dashed);
+  }
 }
 
 TEST_CASE("time series: potential energy counts from its first value") {

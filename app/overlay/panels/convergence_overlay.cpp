@@ -2,17 +2,28 @@
 // How the last step converged.
 #include "app/overlay/overlay_style.h"
 #include "app/plots/figures/convergence.h"
+#include "app/plots/plot_layout.h"
 
 namespace pabd {
 namespace {
 
 using namespace overlay_style;
 
+Plot plot_of(const OverlayData& data) {
+  if (!data.view) return empty_plot("Convergence of the last step");
+  const auto of = [&](const FrameView& view) {
+    return convergence_plot(view.report.records, joints_of(data) > 0);
+  };
+  Plot plot = of(*data.view);
+  plot.caption = caption_of(data);
+  if (!data.other) return plot;
+  Plot other = of(*data.other);
+  share_axes(plot, other);
+  return plot;
+}
+
 void paint(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
-  const FrameView* view = data.view;
-  paint_small_plot(view ? convergence_plot(view->report.records, joints_of(data) > 0)
-                        : empty_plot("Convergence of the last step"),
-                   rect, s, canvas);
+  paint_small_plot(plot_of(data), rect, s, canvas);
 }
 
 }  // namespace

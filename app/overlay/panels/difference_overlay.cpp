@@ -9,8 +9,9 @@ namespace {
 using namespace overlay_style;
 
 void paint(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
-  paint_small_plot(difference_series_plot({}, {}, DifferenceQuantity::distance, data.distances), rect, s,
-                   canvas);
+  Plot plot = difference_series_plot({}, {}, DifferenceQuantity::distance, data.distances);
+  plot.caption = caption_of(data);
+  paint_small_plot(plot, rect, s, canvas);
 }
 
 }  // namespace

@@ -13,17 +13,12 @@ using namespace overlay_style;
 Plot time_plot(const OverlayData& data) {
   const FrameView* view = data.view;
   if (!view) return empty_plot("Over time");
-  const auto plot_of = [&](const Reports& history) {
-    return time_series_plot(history, view->params.contact.d_hat, joints_of(data) > 0);
-  };
-  Plot plot = plot_of(view->history);
-  if (!data.other) return plot;
-  plot.title = fmt::format("Over time: {} solid, {} dashed", view->label, data.other->label);
-  for (Series& series : plot_of(data.other->history).series) {
-    series.style = SeriesStyle::dashed;
-    series.name.clear();
-    plot.series.push_back(std::move(series));
-  }
+  const double d_hat = view->params.contact.d_hat;
+  const bool joints = joints_of(data) > 0;
+  Plot plot = data.other ? time_series_plot(view->history, d_hat, joints, data.other->history)
+                         : time_series_plot(view->history, d_hat, joints);
+  plot.caption = caption_of(data);
+  if (data.other) plot.title = fmt::format("Over time: {} solid, {} dashed", view->label, data.other->label);
   return plot;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/plots/axis_ticks.h"
+#include "app/plots/figures/run_caption.h"
 #include "app/plots/plot_palette.h"
 #include "app/plots/quantities.h"
 #include "sim/solver/time_step.h"
@@ -84,7 +85,8 @@ double ending_energy(const std::vector<IterationRecord>& records) {
   return known ? records.back().energy : std::numeric_limits<double>::infinity();
 }
 
-Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser) {
+Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser,
+                          const std::string& about) {
   Figure figure;
   figure.title = "Convergence within one time step";
   const bool joints = any_record(runs, [](const IterationRecord& r) { return r.max_joint_error > 0; });
@@ -131,6 +133,7 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
                             format_value(least, 6), to_string(minimiser->method))
               : fmt::format("E_{{end}} = {} J: least value that a solve ends with.", format_value(least, 6));
   if (!std::isfinite(least)) figure.caption.clear();
+  if (!about.empty()) figure.caption = figure.caption.empty() ? about : about + ". " + figure.caption;
   figure.plots = {std::move(energy), std::move(residual)};
   if (contacts || !joints) figure.plots.push_back(std::move(depth));
   if (joints) figure.plots.push_back(std::move(joint));
@@ -216,11 +219,10 @@ Figure figure7(const Model& model, const Params& params, const State& state, int
   if (std::isfinite(minimiser.min_gap)) plot.series.push_back(level(-minimiser.min_gap, "true minimiser"));
   Figure figure;
   figure.title = "Penetration before and after the projection onto SO(3)";
-  figure.caption = fmt::format(
-      "Deepest contact of two boxes within one step of sissm, by projection: N = {}, d̂ = {} m, κ = {} J, "
-      "h = {} s, relaxation {}.",
-      params.contact.N, format_value(params.contact.d_hat), format_value(resolve_kappa(model, params)),
-      format_value(params.h), format_value(params.solver.relaxation));
+  figure.caption =
+      fmt::format("Deepest contact of two boxes within one step of sissm, by projection. {}, relaxation {}.",
+                  run_caption("two_boxes", 1, params, resolve_kappa(model, params), true),
+                  format_value(params.solver.relaxation));
   figure.plots = {std::move(plot)};
   return figure;
 }

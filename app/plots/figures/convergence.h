@@ -43,8 +43,9 @@ struct Minimiser {
 
 // Three plots: energy gap (log), residual (log), penetration before (dashed) and after the projection. With
 // joints, which show in the records by an error above zero, one more: the joint error (log); the penetration
-// goes when there are no contacts.
-Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser);
+// goes when there are no contacts. `about`: what the caption begins with, run_caption.
+Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser,
+                          const std::string& about = "");
 
 // All of the above for one step in one small plot, log axis; the joint error when the scene has `joints`.
 Plot convergence_plot(const std::vector<IterationRecord>& records, bool joints = false);

@@ -5,6 +5,7 @@
 #include "app/plots/quantities.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pabd {
 namespace {
@@ -71,22 +72,47 @@ Figure time_series_figure(std::span<const StepSummary> history) {
   return figure;
 }
 
-Plot time_series_plot(std::span<const StepSummary> history, double d_hat, bool joints) {
+Plot time_series_plot(std::span<const StepSummary> history, double d_hat, bool joints,
+                      std::span<const StepSummary> other) {
   Plot plot;
   plot.title = "Over time";
   plot.x.label = quantities::time.axis;
-  plot.y.label = joints ? quantities::length.axis : quantities::penetration.axis;
-  plot.y.log = joints;
-  plot.y.min_span = 0.1 * d_hat;
-  plot.y_right.label = quantities::energy.axis;
-  plot.y_right.min_span = 1e-9;
-  plot.series.push_back(time_series(
-      "penetration", history, [](const StepSummary& p) { return p.max_penetration; }, 1));
-  plot.series.push_back(time_series(
-      "kinetic", history, [](const StepSummary& p) { return p.kinetic; }, 0, true));
-  plot.series.push_back(time_series(
-      "elastic", history, [](const StepSummary& p) { return p.elastic; }, 2, true));
-  if (joints) plot.series.push_back(time_series("joints", history, joint_error, 3));
+  // An axis stands only where there is something on it: what never overlapped has no penetration.
+  const auto any = [&](double StepSummary::*value) {
+    const auto shows = [&](const StepSummary& p) { return std::isfinite(p.*value) && p.*value > 0; };
+    return std::any_of(history.begin(), history.end(), shows) ||
+           std::any_of(other.begin(), other.end(), shows);
+  };
+  const bool deep = any(&StepSummary::max_penetration), apart = joints && any(&StepSummary::max_joint_error);
+  const bool lengths = deep || apart;
+  Axis& energy = lengths ? plot.y_right : plot.y;
+  energy.label = quantities::energy.axis;
+  energy.min_span = 1e-9;
+  if (lengths) {
+    plot.y.label = deep && apart ? quantities::length.axis
+                   : deep        ? quantities::penetration.axis
+                                 : quantities::joint_error.axis;
+    plot.y.log = apart;
+    plot.y.min_span = 0.1 * d_hat;
+  }
+  const auto add = [&](std::span<const StepSummary> run, bool dashed) {
+    if (run.empty()) return;
+    const auto curve = [&](const char* name, auto value, int color, bool right) {
+      Series series = time_series(dashed ? "" : name, run, value, color, right);
+      if (dashed) series.style = SeriesStyle::dashed;
+      plot.series.push_back(std::move(series));
+    };
+    if (deep)
+      curve(
+          "penetration", [](const StepSummary& p) { return p.max_penetration; }, 1, false);
+    curve(
+        "kinetic", [](const StepSummary& p) { return p.kinetic; }, 0, lengths);
+    curve(
+        "elastic", [](const StepSummary& p) { return p.elastic; }, 2, lengths);
+    if (apart) curve("joints", joint_error, 3, false);
+  };
+  add(history, false);
+  add(other, true);
   return plot;
 }
 

@@ -20,7 +20,9 @@ Figure time_series_figure(std::span<const StepSummary> history);
 
 // Both in one small plot: penetration on the left axis (`d_hat` in m: least height of the range is d̂/10),
 // energies on the right. With `joints` their error is on the left too, and that axis logarithmic: it is
-// smaller than a penetration by orders of magnitude.
-Plot time_series_plot(std::span<const StepSummary> history, double d_hat, bool joints = false);
+// smaller than a penetration by orders of magnitude. Where nothing overlapped and no joint gave way, there is
+// no such axis: the energies are on the left. `other`: a second run, dashed, on the same axes.
+Plot time_series_plot(std::span<const StepSummary> history, double d_hat, bool joints = false,
+                      std::span<const StepSummary> other = {});
 
 }  // namespace pabd
