@@ -2,13 +2,15 @@
 // pabd plot barrier: B_N and B_N' against d, for lists of N, d̂, κ and kinds.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "app/cli/figure_output.h"
 #include "app/cli/plot_command.h"
-#include "app/plots/figures/barrier_curves.h"
+#include "app/plots/figures/barrier_figure.h"
 #include "sim/base/error.h"
+#include "sim/solver/params.h"
 
 namespace pabd::cli {
 namespace {
@@ -23,7 +25,25 @@ struct PlotBarrierOptions {
   std::vector<double> d_hat{0.01};
   std::vector<double> kappa;
   double onset = 0;
+  std::string against = "d";
+  std::vector<double> gaps;
 };
+
+struct AbscissaWord {
+  const char* word;
+  BarrierAbscissa abscissa;
+};
+constexpr AbscissaWord kAbscissas[] = {{"d", BarrierAbscissa::gap},
+                                       {"d-hat", BarrierAbscissa::d_hat},
+                                       {"N", BarrierAbscissa::order},
+                                       {"kappa", BarrierAbscissa::kappa}};
+
+BarrierAbscissa parse_abscissa(const std::string& word) {
+  for (const AbscissaWord& row : kAbscissas) {
+    if (word == row.word) return row.abscissa;
+  }
+  throw Error(ErrorKind::bad_input, fmt::format("--against {}: expected d, d-hat, N or kappa", word));
+}
 
 // "polynomial, log", …: the default first.
 std::string kind_words() {
@@ -54,12 +74,23 @@ void check_values(const BarrierCurves& curves) {
   for (const double d_hat : curves.d_hat) check("--d-hat", d_hat, [&](ContactParams& c) { c.d_hat = d_hat; });
   for (const double kappa : curves.kappa) check("--kappa", kappa, [&](ContactParams& c) { c.kappa = kappa; });
   check("--onset", curves.onset, [&](ContactParams& c) { c.onset = curves.onset; });
-  const std::size_t count = curves.kinds.size() * curves.N.size() * curves.d_hat.size() *
-                            std::max<std::size_t>(curves.kappa.size(), 1);
-  if (count > kMostCurves) {
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("{} curves in one plot: expected at most {}; shorten the lists", count, kMostCurves));
+  for (const double gap : curves.gaps) {
+    if (!std::isfinite(gap))
+      throw Error(ErrorKind::bad_input, fmt::format("--gap {}: expected a distance in m", gap));
+  }
+  if (!curves.gaps.empty() && curves.abscissa == BarrierAbscissa::gap)
+    throw Error(ErrorKind::bad_input, "--gap: the plot is against d; expected --against d-hat, N or kappa");
+  if (curves.kappa.empty() && curves.abscissa == BarrierAbscissa::kappa)
+    throw Error(ErrorKind::bad_input, "--against kappa: expected --kappa LIST, the values to be marked");
+  const BarrierFigureSize size = size_of(curves);
+  if (size.curves > kMostCurves) {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("{} curves in one plot: expected at most {}; shorten the lists", size.curves,
+                            kMostCurves));
+  }
+  if (size.rows > kMostRows) {
+    throw Error(ErrorKind::bad_input, fmt::format("{} rows of plots: expected at most {}; shorten the lists",
+                                                  size.rows, kMostRows));
   }
 }
 
@@ -71,6 +102,8 @@ int plot_barrier(const PlotBarrierOptions& options) {
   curves.d_hat = options.d_hat;
   curves.kappa = options.kappa;
   curves.onset = options.onset;
+  curves.abscissa = parse_abscissa(options.against);
+  curves.gaps = options.gaps;
   check_values(curves);
   check_figure_output(options.output);
   write_drawing(drawing_of(barrier_figure(curves)), options.output);
@@ -81,12 +114,13 @@ int plot_barrier(const PlotBarrierOptions& options) {
 
 void add_plot_barrier_command(CLI::App& plot, Action& action) {
   auto options = std::make_shared<PlotBarrierOptions>();
-  CLI::App* command =
-      add_command(plot, "barrier", "barrier curves B_N(d) and B_N'(d)",
-                  {"pabd plot barrier -o barrier.png --N 1,2,3,8 --d-hat 0.01,0.02",
-                   "pabd plot barrier -o barrier.svg --kind polynomial,log,even --kappa 50 --onset 0.2",
-                   "pabd plot barrier -o - --N 3 > barrier.csv"},
-                  options->common);
+  CLI::App* command = add_command(
+      plot, "barrier", "barrier curves B_N and B_N' against d, or against d̂, N or κ",
+      {"pabd plot barrier -o barrier.png --N 1,2,3,8 --d-hat 0.01,0.02",
+       "pabd plot barrier -o barrier.svg --kind polynomial,log,even --kappa 50 --onset 0.2",
+       "pabd plot barrier -o thickness.pdf --against d-hat --N 3 --d-hat 0.01 --gap 0.005,0,-0.002",
+       "pabd plot barrier -o - --N 3 > barrier.csv"},
+      options->common);
   const auto list = [](CLI::Option* option, const char* type) {
     option->delimiter(',')->allow_extra_args(false)->type_name(type);
   };
@@ -96,6 +130,15 @@ void add_plot_barrier_command(CLI::App& plot, Action& action) {
   list(command->add_option("--kind", options->kinds, kind_words() + " (default polynomial)"), "LIST");
   command->add_option("--onset", options->onset, "onset width, 0 … 1 (default 0: the printed formula)")
       ->type_name("E");
+  command
+      ->add_option("--against", options->against,
+                   "what stands on the horizontal axis: d, d-hat, N or kappa; the values given for it are "
+                   "marked there (default d)")
+      ->type_name("WORD");
+  list(command->add_option("--gap", options->gaps,
+                           "with --against d-hat, N or kappa: distances d in m that curves are for (default: "
+                           "half of the first d̂, 0, and an overlap of a quarter of it)"),
+       "LIST");
   add_figure_output_options(*command, options->output);
   command->callback([options, &action] { action = [options] { return plot_barrier(*options); }; });
 }

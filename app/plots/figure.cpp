@@ -38,7 +38,8 @@ std::string csv_number(double v) { return std::isnan(v) ? "nan" : fmt::format("{
 PictureSize default_size(const Figure& figure) {
   const int columns = std::max(1, figure.columns);
   const int rows = std::max(1, row_count(figure));
-  return {columns == 1 ? 1000 : columns * 800 - (columns > 2 ? 150 * columns : 0), 100 + rows * 600};
+  const int height = rows > 2 ? 430 : 600;  // of a row
+  return {columns == 1 ? 1000 : columns * 800 - (columns > 2 ? 150 * columns : 0), 100 + rows * height};
 }
 
 FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font,
@@ -46,8 +47,8 @@ FigureLayout layout_figure(const Figure& figure, double width, double height, co
   FigureLayout layout;
   const int columns = std::max(1, figure.columns);
   const int rows = std::max(1, row_count(figure));
-  const double scale =
-      std::min(height / (100 + rows * (kReferenceHeight - 100)), width / (columns * kCellWidth));
+  const double scale = std::min(height / (100 + rows * (rows > 2 ? 430 : kReferenceHeight - 100)),
+                                width / (columns * kCellWidth));
   layout.style = figure_style().scaled(std::max(scale, 0.6) * 1.25);
   layout.style.theme = theme;
   const PlotStyle& style = layout.style;

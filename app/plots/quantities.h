@@ -48,7 +48,21 @@ struct Quantity {
   X(log_barrier,       "B/d̂²",               "1")     \
   X(log_barrier_slope, "B′/d̂²",              "1/m")   \
   X(log_potential,     "κ B/d̂²",             "J")     \
-  X(log_force,         "κ B′/d̂²",            "N")
+  X(log_force,         "κ B′/d̂²",            "N")     \
+  X(step,              "step",               "1")     \
+  X(least_gap,         "smallest gap",       "m")     \
+  X(kinetic,           "kinetic energy",     "J")     \
+  X(potential_energy,  "potential energy",   "J")     \
+  X(elastic,           "elastic energy",     "J")     \
+  X(total,             "total energy",       "J")     \
+  X(drive_work,        "work of drives",     "J")     \
+  X(contacts,          "contacts",           "1")     \
+  X(iterations,        "iterations",         "1")     \
+  X(stiffness,         "κ",                  "J")     \
+  X(thickness,         "d̂",                  "m")     \
+  X(friction_excess,   "friction excess",    "1")     \
+  X(solve_time,        "time of solving",    "ms")    \
+  X(collision_time,    "time of collision",  "ms")
 // clang-format on
 
 namespace quantities {
@@ -60,7 +74,7 @@ PABD_QUANTITIES(PABD_DEFINE)
 // Of a barrier of order N: "B_{3} [1]" for "B_{N} [1]".
 inline std::string axis_of_order(const Quantity& quantity, int N) {
   std::string out = quantity.axis;
-  return out.replace(out.find("{N}"), 3, "{" + std::to_string(N) + "}");
+  return out.replace(out.find("{N}") + 1, 1, std::to_string(N));
 }
 // Of a barrier that has no order: "B [1]".
 inline std::string axis_without_order(const Quantity& quantity) {

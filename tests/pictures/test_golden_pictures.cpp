@@ -9,6 +9,7 @@
 #include "app/overlay/overlay_panels.h"
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier_curves.h"
+#include "app/plots/figures/barrier_figure.h"
 #include "app/plots/figures/barrier_plots.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Figure data against closed forms.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier_curves.h"
@@ -59,35 +61,6 @@ TEST_CASE("figure 1 shows B_N as printed and its derivative") {
   }
 }
 
-TEST_CASE("barrier figure: a curve for every combination, scaled by kappa") {
-  BarrierCurves curves;
-  curves.kinds = {BarrierKind::polynomial, BarrierKind::log};
-  curves.N = {2, 3};
-  curves.d_hat = {0.01, 0.02};
-  curves.kappa = {50};
-  curves.onset = 0;
-  const Figure figure = barrier_figure(curves);
-  REQUIRE(figure.plots.size() == 2);
-  REQUIRE(figure.plots[0].series.size() == 6);
-  const Series& first = figure.plots[0].series[0];  // N = 2, d̂ = 0.01
-  for (std::size_t k = 0; k < first.x.size(); k += 53) {
-    CHECK(first.y[k] == Approx(50 * printed_sum(2, first.x[k] / 0.01)).epsilon(kRelative).margin(1e-12));
-  }
-  const std::string csv = figure_to_csv(figure);
-  CHECK(csv.find("κ B/d̂² [J]\"") != std::string::npos);
-  CHECK(csv.find("κ B′/d̂² [N]\"") != std::string::npos);
-  // Log barrier over d̂², S(4).
-  const Series& log = figure.plots[0].series[4];
-  int compared = 0;
-  for (std::size_t k = 0; k < log.x.size(); k += 53) {
-    const double x = log.x[k] / 0.01;
-    if (x <= 0 || x >= 1) continue;
-    CHECK(log.y[k] == Approx(-50 * (x - 1) * (x - 1) * std::log(x)).epsilon(1e-9));
-    ++compared;
-  }
-  CHECK(compared > 1);
-}
-
 TEST_CASE("live barrier plot marks every active contact on both curves") {
   ContactParams contact;
   contact.N = 3;
@@ -107,6 +80,24 @@ TEST_CASE("live barrier plot marks every active contact on both curves") {
   CHECK(marks.marker_colors[0].r == 2);
   CHECK(marks.marker_colors[1].r == 1);
   CHECK(plot.x.lo < -0.02);
+  // The strip counts each of them once, the deepest in its first bars.
+  const Series& strip = plot.series.back();
+  REQUIRE(strip.style == SeriesStyle::strip);
+  CHECK(strip.name == "2 contacts, 1 overlapping");
+  CHECK(std::accumulate(strip.y.begin(), strip.y.end(), 0.0) == 2.0);
+  for (std::size_t k = 0; k < strip.x.size(); ++k) {
+    const bool holds = std::any_of(reports.begin(), reports.end(), [&](const ContactReport& r) {
+      return std::abs(r.d - strip.x[k]) < 0.5 * strip.bar_width;
+    });
+    CAPTURE(strip.x[k]);
+    CHECK(holds == (strip.y[k] > 0));
+  }
+  // On a range that is asked for, as two pictures side by side need it.
+  const Plot wide = contact_barrier_plot(
+      contact, reports, [](double) { return Color{}; }, PlotRange{-0.05, 0.02});
+  CHECK(wide.x.lo == -0.05);
+  CHECK(wide.series[0].x.front() == -0.05);
+  CHECK(wide.series[0].x.back() == Approx(0.02));
 }
 
 TEST_CASE("convergence figure: gaps above the minimum, penetration with its sign") {

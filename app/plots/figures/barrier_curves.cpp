@@ -75,53 +75,6 @@ std::string quantity(const ParameterMember& member, double v) {
   return fmt::format("{} = {}{}{}", row.symbol, format_value(v), *row.unit ? " " : "", row.unit);
 }
 
-std::vector<Curve> all_curves(const BarrierCurves& in) {
-  std::vector<Curve> curves;
-  const std::vector<double> kappas = in.kappa.empty() ? std::vector<double>{1.0} : in.kappa;
-  for (const BarrierKind kind : in.kinds) {
-    const BarrierTraits& traits = traits_of(kind);
-    const bool has_orders = traits.least_N > 0;
-    std::vector<int> orders = has_orders ? in.N : std::vector<int>{1};
-    if (traits.least_N == 2) {
-      // Odd orders add nothing: one curve for 2 and 3.
-      const auto same = [](int a, int b) { return a / 2 == b / 2; };
-      orders.erase(std::unique(orders.begin(), orders.end(), same), orders.end());
-    }
-    for (const double d_hat : in.d_hat) {
-      for (const double kappa : kappas) {
-        for (const int N : orders) {
-          Curve curve;
-          curve.barrier = {kind, N, d_hat, kappa, in.onset};
-          curve.scale = one_joule(kind, d_hat);
-          curve.style = has_orders ? SeriesStyle::line : SeriesStyle::dashed;
-          std::vector<std::string> parts;
-          if (in.kinds.size() > 1) parts.push_back(to_string(kind));
-          if (has_orders && in.N.size() > 1) parts.push_back(fmt::format("N = {}", N));
-          if (in.d_hat.size() > 1) parts.push_back(quantity(&ContactParams::d_hat, d_hat));
-          if (in.kappa.size() > 1) parts.push_back(quantity(&ContactParams::kappa, kappa));
-          curve.name = fmt::format("{}", fmt::join(parts, ", "));
-          curves.push_back(std::move(curve));
-        }
-      }
-    }
-  }
-  return curves;
-}
-
-std::string fixed_values(const BarrierCurves& in) {
-  std::vector<std::string> parts;
-  if (in.kinds.size() == 1) parts.push_back(std::string(to_string(in.kinds[0])) + " barrier");
-  const bool orders = in.kinds.size() > 1 || (in.kinds.size() == 1 && traits_of(in.kinds[0]).least_N > 0);
-  if (orders && in.N.size() == 1) parts.push_back(fmt::format("N = {}", in.N[0]));
-  if (in.d_hat.size() == 1) parts.push_back(quantity(&ContactParams::d_hat, in.d_hat[0]));
-  if (in.kappa.size() == 1) parts.push_back(quantity(&ContactParams::kappa, in.kappa[0]));
-  const auto has_onset = [](BarrierKind kind) { return traits_of(kind).has_onset; };
-  if (std::any_of(in.kinds.begin(), in.kinds.end(), has_onset)) {
-    parts.push_back("onset width " + quantity(&ContactParams::onset, in.onset));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 Series vertical_at(double x, std::string name) {
   Series series;
   series.name = std::move(name);
@@ -131,50 +84,6 @@ Series vertical_at(double x, std::string name) {
 }
 
 }  // namespace
-
-Figure barrier_figure(const BarrierCurves& in) {
-  const std::vector<Curve> curves = all_curves(in);
-  const bool energy = !in.kappa.empty();
-  Figure figure;
-  figure.columns = 2;
-  figure.title = energy ? "Contact potential and force law" : "Contact barrier and its derivative";
-  figure.caption = fixed_values(in) +
-                   ". For d < 0 the bodies overlap: the polynomial barriers stay finite and push them apart.";
-  for (const BarrierKind kind : in.kinds) {
-    if (traits_of(kind).feasible_only)
-      figure.caption +=
-          fmt::format(" The {} barrier is drawn as B/d̂² and is infinite for d ≤ 0.", to_string(kind));
-  }
-  double largest = 0;
-  for (const double d_hat : in.d_hat) largest = std::max(largest, d_hat);
-  Plot value, slope;
-  value.title = energy ? "Potential Ψ(d) = κ B_{N}(d)" : "Barrier B_{N}(d)";
-  slope.title = energy ? "Slope Ψ′(d), minus the normal force" : "Derivative B_{N}′(d)";
-  value.x.label = slope.x.label = quantities::gap.axis;
-  value.y.label = energy ? quantities::potential.axis : quantities::barrier.axis;
-  slope.y.label = energy ? quantities::force.axis : quantities::barrier_slope.axis;
-  const double lo = kLeft * largest, hi = kRight * largest;
-  limit_range(value.y, curves, lo, false);
-  limit_range(slope.y, curves, lo, true);
-  for (const Curve& curve : curves) {
-    Series v, s;
-    v.name = s.name = curve.name;
-    v.style = s.style = curve.style;
-    if (traits_of(curve.barrier.kind).per_area) {
-      v.quantity = energy ? quantities::log_potential.axis : quantities::log_barrier.axis;
-      s.quantity = energy ? quantities::log_force.axis : quantities::log_barrier_slope.axis;
-    }
-    add_curve(curve, lo, hi, in.samples, &v, &s);
-    value.series.push_back(std::move(v));
-    slope.series.push_back(std::move(s));
-  }
-  if (in.d_hat.size() == 1) {
-    value.series.push_back(vertical_at(in.d_hat[0], "d = d̂"));
-    slope.series.push_back(vertical_at(in.d_hat[0], "d = d̂"));
-  }
-  figure.plots = {std::move(value), std::move(slope)};
-  return figure;
-}
 
 Figure figure1() {
   constexpr double d_hat = 0.01;
@@ -215,7 +124,7 @@ Figure figure1() {
   log.name = "log barrier B/d̂²";
   log.quantity = "[1]";
   log.style = SeriesStyle::dashed;
-  log.color = 4;
+  log.color = 5;
   add_curve({{BarrierKind::log, 1, d_hat, 1, 0}, {}, {}, 1 / (d_hat * d_hat)}, 0, hi, samples, &log, nullptr);
   left.series.push_back(std::move(log));
 
@@ -232,8 +141,36 @@ Figure figure1() {
   return figure;
 }
 
+Series contact_strip_series(double lo, double d_hat, const std::vector<ContactReport>& contacts,
+                            const std::function<Color(double)>& color) {
+  constexpr int kBins = 40;
+  Series strip;
+  strip.style = SeriesStyle::strip;
+  strip.quantity = "contacts";
+  std::vector<double> counts(kBins, 0.0);
+  std::size_t active = 0, overlapping = 0;
+  for (const ContactReport& report : contacts) {
+    if (!(report.d < d_hat)) continue;
+    ++active;
+    if (report.d < 0) ++overlapping;
+    const double bin = (report.d - lo) / (d_hat - lo) * kBins;
+    ++counts[static_cast<std::size_t>(std::clamp(bin, 0.0, kBins - 1.0))];
+  }
+  if (active == 0) return strip;
+  strip.name = fmt::format("{} contact{}", active, active == 1 ? "" : "s");
+  if (overlapping > 0) strip.name += fmt::format(", {} overlapping", overlapping);
+  strip.bar_width = (d_hat - lo) / kBins;
+  for (int k = 0; k < kBins; ++k) {
+    const double at = lo + (k + 0.5) * strip.bar_width;
+    strip.x.push_back(at);
+    strip.y.push_back(counts[static_cast<std::size_t>(k)]);
+    strip.marker_colors.push_back(color(at / d_hat));
+  }
+  return strip;
+}
+
 Plot contact_barrier_plot(const ContactParams& contact, const std::vector<ContactReport>& contacts,
-                          const std::function<Color(double)>& color) {
+                          const std::function<Color(double)>& color, const std::optional<PlotRange>& x) {
   Plot plot;
   plot.title = "Contact barrier";
   const BarrierTraits& traits = traits_of(contact.barrier);
@@ -247,8 +184,9 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
     if (std::isfinite(report.d)) lo = std::min(lo, report.d - 0.1 * d_hat);
   }
   plot.x.label = quantities::gap.axis;
+  if (x) lo = x->lo;
   plot.x.lo = lo;
-  plot.x.hi = 1.15 * d_hat;
+  plot.x.hi = x ? x->hi : 1.15 * d_hat;
   const auto label = [&](const Quantity& of_order, const Quantity& per_area) -> std::string {
     if (traits.per_area) return per_area.axis;
     return traits.least_N > 0 ? axis_of_order(of_order, contact.N) : axis_without_order(of_order);
@@ -263,6 +201,7 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
   slope.color = 3;
   add_curve(curve, lo, plot.x.hi, 300, &value, &slope);
   value_marks.style = slope_marks.style = SeriesStyle::markers;
+  value_marks.crowd = slope_marks.crowd = true;
   for (const ContactReport& report : contacts) {
     if (!(report.d < d_hat)) continue;
     const BarrierValue b = evaluate(curve.barrier, report.d);
@@ -272,8 +211,9 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
       marks->marker_colors.push_back(color(report.d / d_hat));
     }
   }
-  plot.series = {std::move(value), std::move(slope), vertical_at(d_hat, ""), std::move(value_marks),
-                 std::move(slope_marks)};
+  plot.series = {std::move(value),       std::move(slope),
+                 vertical_at(d_hat, ""), std::move(value_marks),
+                 std::move(slope_marks), contact_strip_series(lo, d_hat, contacts, color)};
   return plot;
 }
 

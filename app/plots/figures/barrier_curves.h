@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Barrier curves against the distance: figure 1 of the supplement, `pabd plot barrier`, and the live panel.
+// Barrier curves against the distance: figure 1 of the supplement, and the live panel.
 //
 //   d      signed distance                          m
 //   B_N    polynomial barrier S(5)                  1
@@ -11,6 +11,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "app/plots/plot.h"
@@ -20,25 +21,18 @@
 
 namespace pabd {
 
-struct BarrierCurves {
-  std::vector<BarrierKind> kinds{BarrierKind::polynomial};
-  std::vector<int> N{1, 2, 3, 5, 8};
-  std::vector<double> d_hat{0.01};  // m
-  std::vector<double> kappa;        // J; empty: B_N and B_N' without κ
-  double onset = 0.2;
-  int samples = 600;
-};
-
-// Value left, derivative right, a curve for every combination (log: for every d̂ and κ). The values must be
-// in the range that check_params asks for; N is ignored for log. More than a palette of curves repeats
-// colours.
-Figure barrier_figure(const BarrierCurves& curves);
-
 // Figure 1: B_N for several N and the log barrier left; B_3' for several d̂ right. Printed formula (ε = 0).
 Figure figure1();
 
-// B_N left axis, B_N' right axis, and a marker on each curve for every contact, coloured by `color`(d/d̂).
+// How the active contacts (d < d̂) are spread from `lo` (m; deeper ones are in the first bar) to d̂, coloured by
+// `color`(d/d̂). Without contacts: an empty series, which takes no room.
+Series contact_strip_series(double lo, double d_hat, const std::vector<ContactReport>& contacts,
+                            const std::function<Color(double)>& color);
+
+// B_N left axis, B_N' right axis, a marker on each curve for every contact, coloured by `color`(d/d̂), and how
+// they are spread. `x`: a range to show instead of that of the contacts, m.
 Plot contact_barrier_plot(const ContactParams& contact, const std::vector<ContactReport>& contacts,
-                          const std::function<Color(double)>& color);
+                          const std::function<Color(double)>& color,
+                          const std::optional<PlotRange>& x = std::nullopt);
 
 }  // namespace pabd

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: MIT
+// See barrier_figure.h.
+#include "app/plots/figures/barrier_family.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/plots/axis_ticks.h"
+#include "app/plots/quantities.h"
+#include "sim/solver/parameter_table.h"
+
+namespace pabd {
+namespace {
+
+using namespace barrier_family;
+
+constexpr double kClip = 2, kRoom = 1.07;  // a curve this much steeper than the middle one leaves the range
+constexpr double kBeyond = 1.7;            // of the marked values, that curves are followed to
+
+PlotRange x_range(const Family& f) {
+  const auto [least, largest] = std::minmax_element(f.in.d_hat.begin(), f.in.d_hat.end());
+  switch (f.in.abscissa) {
+    case BarrierAbscissa::d_hat:
+      return {0.2 * *least, 2.5 * *largest};
+    case BarrierAbscissa::order:
+      return {0.5, std::max(12, *std::max_element(f.in.N.begin(), f.in.N.end())) + 0.5};
+    case BarrierAbscissa::kappa:
+      return {0, 2 * *std::max_element(f.in.kappa.begin(), f.in.kappa.end())};
+    case BarrierAbscissa::gap:
+      break;
+  }
+  return {-std::max(0.5 * *least, 0.25 * *largest), 1.25 * *largest};
+}
+
+BarrierValue evaluate_at(const Family& f, const Index5& at, double x) {
+  const BarrierCurves& in = f.in;
+  Barrier barrier{in.kinds[at[kind]], in.N[at[orders]], in.d_hat[at[thickness]], in.kappa[at[stiffness]],
+                  in.onset};
+  double d = in.gaps[at[gaps]];
+  switch (in.abscissa) {
+    case BarrierAbscissa::gap:
+      d = x;
+      break;
+    case BarrierAbscissa::d_hat:
+      barrier.d_hat = x;
+      break;
+    case BarrierAbscissa::order:
+      barrier.N = static_cast<int>(x);
+      break;
+    case BarrierAbscissa::kappa:
+      barrier.kappa = x;
+      break;
+  }
+  const double scale = one_joule(barrier.kind, barrier.d_hat);
+  const BarrierValue b = evaluate(barrier, d);
+  return {scale * b.value, scale * b.first, scale * b.second};
+}
+
+// Where a curve is sampled; at d = d̂, where the printed derivative jumps, on both sides.
+std::vector<double> samples_of(const Family& f, const Index5& at, const PlotRange& x) {
+  std::vector<double> xs;
+  if (f.in.abscissa == BarrierAbscissa::order) {
+    for (int N = 1; N < x.hi; ++N) xs.push_back(N);
+    return xs;
+  }
+  for (int k = 0; k <= f.in.samples; ++k) xs.push_back(x.lo + (x.hi - x.lo) * k / f.in.samples);
+  const bool by_gap = f.in.abscissa == BarrierAbscissa::gap;
+  if (!by_gap && f.in.abscissa != BarrierAbscissa::d_hat) return xs;
+  const double jump = by_gap ? f.in.d_hat[at[thickness]] : f.in.gaps[at[gaps]];
+  if (jump > x.lo && jump < x.hi) {
+    xs.push_back(jump);
+    xs.push_back(std::nextafter(jump, by_gap ? x.lo : x.hi));
+    std::sort(xs.begin(), xs.end());
+  }
+  return xs;
+}
+
+// The values on the horizontal axis that curves have a marker at.
+std::vector<double> marked(const Family& f) {
+  if (f.in.abscissa == BarrierAbscissa::d_hat) return f.in.d_hat;
+  if (f.in.abscissa == BarrierAbscissa::kappa) return f.in.kappa;
+  if (f.in.abscissa == BarrierAbscissa::order) return {f.in.N.begin(), f.in.N.end()};
+  return {};
+}
+
+// Shows what is finite where the curves are of interest; of much steeper ones only a part.
+void limit_range(const Family& f, const PlotRange& x, bool slope, Axis& axis) {
+  const auto ends = [](BarrierKind k) { return traits_of(k).feasible_only; };
+  const bool all_end = std::all_of(f.in.kinds.begin(), f.in.kinds.end(), ends);
+  double from = x.lo;
+  if (f.in.abscissa == BarrierAbscissa::d_hat) from = 2.5 * x.lo;  // half of the smallest d̂
+  double least = 0, largest = 0;
+  double at_marks = 0;
+  std::vector<double> heights;
+  for (std::size_t row = 0; row < f.rows.size(); ++row) {
+    for_each_curve(f, row, [&](const Index5& at) {
+      const bool end = ends(f.in.kinds[at[kind]]);
+      if (end && !all_end) return;
+      double height = 0;
+      for (const double at_x : samples_of(f, at, x)) {
+        if (at_x < from) continue;
+        if (end && f.in.abscissa == BarrierAbscissa::gap && at_x < 0.05 * f.in.d_hat[at[thickness]]) continue;
+        const BarrierValue b = evaluate_at(f, at, at_x);
+        const double v = slope ? b.first : b.value;
+        if (!std::isfinite(v)) continue;
+        least = std::min(least, v);
+        largest = std::max(largest, v);
+        height = std::max(height, std::abs(v));
+      }
+      heights.push_back(height);
+      for (const double mark : marked(f)) {
+        const BarrierValue b = evaluate_at(f, at, mark);
+        const double v = std::abs(slope ? b.first : b.value);
+        if (std::isfinite(v)) at_marks = std::max(at_marks, v);
+      }
+    });
+  }
+  if (heights.empty()) return;
+  std::sort(heights.begin(), heights.end());
+  const double middle = heights[heights.size() / 2];
+  double most = heights.back();
+  if (f.in.abscissa != BarrierAbscissa::gap) {
+    most = std::min(most, kBeyond * at_marks);  // every marked value is seen
+  } else if (most > kClip * middle) {
+    most = kRoom * middle;
+  }
+  if (most > 0) {
+    least = std::max(least, -most);
+    largest = std::min(largest, most);
+  }
+  const double room = 0.05 * (largest - least);
+  axis.lo = least - room;
+  axis.hi = largest + room;
+}
+
+Series mark_of(double x, const std::string& tag, const std::string& meaning) {
+  Series series;
+  series.style = SeriesStyle::level_x;
+  series.x = {x};
+  series.tag = tag;
+  series.quantity = meaning;
+  return series;
+}
+
+// The values on the horizontal axis that are marked.
+void add_marks(const Family& f, Plot& plot) {
+  const auto mark = [&](double x, const std::string& text) { plot.series.push_back(mark_of(x, text, text)); };
+  switch (f.in.abscissa) {
+    case BarrierAbscissa::gap:
+      if (f.in.d_hat.size() == 1) plot.series.push_back(mark_of(f.in.d_hat[0], "d̂", "d = d̂"));
+      return;
+    case BarrierAbscissa::d_hat:
+      for (std::size_t i = 0; i < f.in.d_hat.size(); ++i) mark(f.in.d_hat[i], value_of(f, thickness, i));
+      return;
+    case BarrierAbscissa::order:
+      for (std::size_t i = 0; i < f.in.N.size(); ++i) mark(f.in.N[i], value_of(f, orders, i));
+      return;
+    case BarrierAbscissa::kappa:
+      for (std::size_t i = 0; i < f.in.kappa.size(); ++i) mark(f.in.kappa[i], value_of(f, stiffness, i));
+  }
+}
+
+// Where a curve has the marked values.
+Series points_of(const Family& f, const Index5& at, bool slope, const Series& curve) {
+  Series points;
+  points.style = SeriesStyle::markers;
+  points.color = curve.color;
+  points.weight = 0.9;
+  points.quantity = curve.name.empty() ? "marked" : curve.name + ", marked";
+  for (const double x : marked(f)) {
+    const BarrierValue b = evaluate_at(f, at, x);
+    points.x.push_back(x);
+    points.y.push_back(slope ? b.first : b.value);
+  }
+  return points;
+}
+
+// What the curves of a row have of each.
+std::vector<PlotKey> keys_of(const Family& f, std::size_t row) {
+  std::vector<PlotKey> keys;
+  if (!f.color || !f.dash) return keys;
+  const auto used = [&](Dim dim, std::size_t value) {
+    bool found = false;
+    for_each_curve(f, row, [&](const Index5& at) {
+      const bool plain = dim == orders && !has_orders(f.in.kinds[at[kind]]);
+      found = found || (at[dim] == value && !plain);
+    });
+    return found;
+  };
+  const auto add = [&](Dim dim, bool color) {
+    const auto [begin, end] = f.rows[row][dim];
+    for (std::size_t i = begin; i < end; ++i) {
+      const int look = static_cast<int>(i - begin);
+      if (used(dim, i)) keys.push_back({value_of(f, dim, i), color ? look : kPlain, color ? 0 : look});
+    }
+  };
+  add(*f.color, true);
+  add(*f.dash, false);
+  return keys;
+}
+
+std::string caption_of(const Family& f) {
+  const BarrierCurves& in = f.in;
+  std::vector<std::string> parts;
+  if (in.kinds.size() == 1) parts.push_back(std::string(to_string(in.kinds[0])) + " barrier");
+  const bool any_orders = std::any_of(in.kinds.begin(), in.kinds.end(), has_orders);
+  const auto fixed = [&](Dim dim, BarrierAbscissa a) { return f.count[dim] == 1 && in.abscissa != a; };
+  if (any_orders && fixed(orders, BarrierAbscissa::order)) parts.push_back(value_of(f, orders, 0));
+  if (fixed(thickness, BarrierAbscissa::d_hat)) parts.push_back(value_of(f, thickness, 0));
+  if (fixed(gaps, BarrierAbscissa::gap)) parts.push_back(value_of(f, gaps, 0));
+  if (f.energy && fixed(stiffness, BarrierAbscissa::kappa)) parts.push_back(value_of(f, stiffness, 0));
+  const auto has_onset = [](BarrierKind k) { return traits_of(k).has_onset; };
+  if (std::any_of(in.kinds.begin(), in.kinds.end(), has_onset))
+    parts.push_back("onset width " + quantity(&ContactParams::onset, in.onset));
+  std::string out = fmt::format("{}. For d < 0 the bodies overlap", fmt::join(parts, ", "));
+  out += in.abscissa == BarrierAbscissa::gap ? ": the polynomial barriers stay finite and push them apart."
+                                             : "; where d ≥ d̂ nothing acts.";
+  for (const BarrierKind k : in.kinds) {
+    if (traits_of(k).feasible_only)
+      out += fmt::format(" The {} barrier is drawn as B/d̂² and is infinite for d ≤ 0.", to_string(k));
+  }
+  return out;
+}
+
+struct Words {
+  const char *axis, *of, *against;
+};
+Words words_of(const Family& f) {
+  switch (f.in.abscissa) {
+    case BarrierAbscissa::d_hat:
+      return {quantities::thickness.axis, "", " against the thickness d̂"};
+    case BarrierAbscissa::order:
+      return {"N", "", " against the order N"};
+    case BarrierAbscissa::kappa:
+      return {quantities::stiffness.axis, "", " against the stiffness κ"};
+    case BarrierAbscissa::gap:
+      break;
+  }
+  return {quantities::gap.axis, "(d)", ""};
+}
+
+}  // namespace
+
+Figure barrier_figure(const BarrierCurves& curves) {
+  const Family f = family_of(curves);
+  const Words words = words_of(f);
+  Figure figure;
+  figure.columns = 2;
+  figure.title =
+      std::string(f.energy ? "Contact potential and force law" : "Contact barrier and its derivative") +
+      words.against;
+  figure.caption = caption_of(f);
+  const PlotRange x = x_range(f);
+  Axis value_axis, slope_axis;
+  value_axis.label = f.energy ? quantities::potential.axis : quantities::barrier.axis;
+  slope_axis.label = f.energy ? quantities::force.axis : quantities::barrier_slope.axis;
+  limit_range(f, x, false, value_axis);
+  limit_range(f, x, true, slope_axis);
+  for (std::size_t row = 0; row < f.rows.size(); ++row) {
+    Plot value, slope;
+    const std::string of_row = name_of_row(f, row);
+    const std::string also = of_row.empty() ? "" : ": " + of_row;
+    const std::string of = words.of;
+    value.title = (f.energy ? "Potential Ψ" + of + " = κ B_{N}" + of : "Barrier B_{N}" + of) + also;
+    slope.title = (f.energy ? "Slope Ψ′" + of + ", minus the normal force" : "Derivative B_{N}′" + of) + also;
+    value.x = slope.x = {words.axis, false, x.lo, x.hi, 0, f.in.abscissa == BarrierAbscissa::order};
+    value.y = value_axis;
+    slope.y = slope_axis;
+    value.keys = slope.keys = keys_of(f, row);
+    std::vector<Series> points[2];
+    for_each_curve(f, row, [&](const Index5& at) {
+      const BarrierKind k = f.in.kinds[at[kind]];
+      Series v;
+      v.name = name_of(f, at);
+      v.color = f.color == orders && !has_orders(k) ? kPlain
+                : f.color ? static_cast<int>(at[*f.color] - f.rows[row][*f.color].first)
+                          : 0;
+      v.dash = f.dash ? static_cast<int>(at[*f.dash] - f.rows[row][*f.dash].first) : 0;
+      Series s = v;
+      if (traits_of(k).per_area) {
+        v.quantity = f.energy ? quantities::log_potential.axis : quantities::log_barrier.axis;
+        s.quantity = f.energy ? quantities::log_force.axis : quantities::log_barrier_slope.axis;
+      }
+      v.x = s.x = samples_of(f, at, x);
+      for (const double at_x : v.x) {
+        const BarrierValue b = evaluate_at(f, at, at_x);
+        v.y.push_back(b.value);
+        s.y.push_back(b.first);
+      }
+      if (f.in.abscissa != BarrierAbscissa::gap) {
+        points[0].push_back(points_of(f, at, false, v));
+        points[1].push_back(points_of(f, at, true, s));
+      }
+      value.series.push_back(std::move(v));
+      slope.series.push_back(std::move(s));
+    });
+    add_marks(f, value);
+    add_marks(f, slope);
+    for (Series& p : points[0]) value.series.push_back(std::move(p));
+    for (Series& p : points[1]) slope.series.push_back(std::move(p));
+    figure.plots.push_back(std::move(value));
+    figure.plots.push_back(std::move(slope));
+  }
+  return figure;
+}
+
+}  // namespace pabd
