@@ -16,7 +16,7 @@
 namespace pabd::cli {
 namespace {
 
-enum class Format { png, svg, csv };
+enum class Format { png, svg, pdf, csv };
 
 Format format_of(const FigureOutputOptions& options) {
   const std::string& path = options.output.path;
@@ -24,20 +24,38 @@ Format format_of(const FigureOutputOptions& options) {
                                          : std::filesystem::path(path).extension().string();
   if (ending == ".png" && path != "-") return Format::png;
   if (ending == ".svg") return Format::svg;
+  if (ending == ".pdf") return Format::pdf;
   if (ending == ".csv") return Format::csv;
   throw Error(
       ErrorKind::bad_input,
-      fmt::format("-o {}: expected a name that ends in .png, .svg or .csv, or - with --format svg or csv",
-                  path));
+      fmt::format(
+          "-o {}: expected a name that ends in .png, .svg, .pdf or .csv, or - with --format svg, pdf or csv",
+          path));
 }
 
-void write_as_png(const Drawing& drawing, const PictureSize& size, const FigureOutputOptions& options) {
+bool on_screen(const FigureOutputOptions& options) { return options.style == "screen"; }
+
+// With its paper.
+Picture styled(const Drawing& drawing, const FigureOutputOptions& options) {
+  if (!on_screen(options)) return drawing.picture;
+  if (!drawing.screen) {
+    throw Error(ErrorKind::bad_input,
+                "--style screen: this figure is a drawing on white; expected paper, or another figure");
+  }
+  return [&drawing](Canvas& canvas, double width, double height) {
+    canvas.fill_rect({0, 0, width, height}, dark_theme().paper, 0);
+    drawing.screen(canvas, width, height);
+  };
+}
+
+void write_as_png(const Picture& picture, const Drawing& drawing, const PictureSize& size,
+                  const FigureOutputOptions& options) {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
   Renderer renderer(*context, size.width, size.height);
   Overlay overlay(
       [&](const unsigned char* rgba, int w, int h) { return renderer.upload_font_atlas(rgba, w, h); });
-  renderer.draw_plain(overlay.paint(drawing.picture, size.width, size.height), Vec3f(1, 1, 1));
+  renderer.draw_plain(overlay.paint(picture, size.width, size.height), Vec3f(1, 1, 1));
   renderer.queue_read();
   Image image;
   renderer.fetch(image);
@@ -47,12 +65,22 @@ void write_as_png(const Drawing& drawing, const PictureSize& size, const FigureO
   write_png(options.output.path, image, text);
 }
 
+void write_text(const std::string& text, const FigureOutputOptions& options) {
+  TextOutput output("-o", options.output.path, options.output.force, options.inputs);
+  output.write(text);
+  output.finish();
+}
+
 }  // namespace
 
 void add_figure_output_options(CLI::App& command, FigureOutputOptions& options) {
-  add_output_options(command, options.output, ".png, .svg or .csv; - is standard output");
+  add_output_options(command, options.output, ".png, .svg, .pdf or .csv; - is standard output");
   command.add_option("--format", options.format, "for -o - (default csv)")
-      ->check(CLI::IsMember({"svg", "csv"}));
+      ->check(CLI::IsMember({"svg", "pdf", "csv"}));
+  command
+      .add_option("--style", options.style,
+                  "paper: on white; screen: light on dark, as the window (default paper)")
+      ->check(CLI::IsMember({"paper", "screen"}));
   command.add_option("--size", options.size, "pixels (default: what suits it)")->type_name("WxH");
   add_backend_option(command, options.backend);
 }
@@ -65,7 +93,11 @@ void check_figure_output(const FigureOutputOptions& options) {
 }
 
 Drawing drawing_of(const Figure& figure) {
-  return {figure_picture(figure), default_size(figure), [figure] { return figure_to_csv(figure); }, {}};
+  return {figure_picture(figure),
+          default_size(figure),
+          [figure] { return figure_to_csv(figure); },
+          {},
+          figure_picture(figure, dark_theme())};
 }
 
 bool is_png_output(const FigureOutputOptions& options) { return format_of(options) == Format::png; }
@@ -79,19 +111,23 @@ PictureSize output_size(const FigureOutputOptions& options, PictureSize fallback
 void write_drawing(const Drawing& drawing, const FigureOutputOptions& options) {
   const Format format = format_of(options);
   const PictureSize size = output_size(options, drawing.size);
+  if (format == Format::csv && drawing.csv) {
+    write_text(drawing.csv(), options);
+    return;
+  }
+  const Picture picture = styled(drawing, options);
   if (format == Format::png) {
-    write_as_png(drawing, size, options);
+    write_as_png(picture, drawing, size, options);
     return;
   }
   if (format == Format::csv && !drawing.csv) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("-o {}: this figure is a drawing without data; name a .png or .svg",
+                fmt::format("-o {}: this figure is a drawing without data; name a .png, .svg or .pdf",
                             options.output.path));
   }
-  TextOutput output("-o", options.output.path, options.output.force, options.inputs);
-  output.write(format == Format::svg ? picture_to_svg(drawing.picture, size.width, size.height)
-                                     : drawing.csv());
-  output.finish();
+  write_text(format == Format::svg ? picture_to_svg(picture, size.width, size.height)
+                                   : picture_to_pdf(picture, size.width, size.height),
+             options);
 }
 
 }  // namespace pabd::cli

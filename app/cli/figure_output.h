@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where plots go: .svg and .csv are written directly, .png is drawn through OpenGL.
+// Where plots go: .svg, .pdf and .csv are written directly, .png is drawn through OpenGL.
 #pragma once
 
 #include <functional>
@@ -14,23 +14,26 @@ namespace pabd::cli {
 
 struct FigureOutputOptions {
   OutputOptions output;
-  std::string format;  // "svg" or "csv", for standard output; empty: csv there, and from the name elsewhere
-  std::string size;    // "1600x700"; empty: what suits the figure
+  std::string
+      format;  // "svg", "pdf" or "csv", for standard output; empty: csv there, and from the name elsewhere
+  std::string style = "paper";  // or "screen": light on dark
+  std::string size;             // "1600x700"; empty: what suits the figure
   std::string backend = "auto";
   InputFiles inputs;  // that are never overwritten
 };
 void add_figure_output_options(CLI::App& command, FigureOutputOptions& options);
 
-// Throws Error(bad_input) for a name with another ending than .png, .svg, .csv, a file that exists without
+// Throws Error(bad_input) for a name with another ending than .png, .svg, .pdf, .csv, a file that exists without
 // --force, or one that is read: before the work.
 void check_figure_output(const FigureOutputOptions& options);
 
 // What is to be written, in every form it can have.
 struct Drawing {
-  Picture picture;
+  Picture picture;                   // on white
   PictureSize size;                  // when --size does not say
   std::function<std::string()> csv;  // may be empty: a picture without data
   PngText text;                      // chunks of the PNG, besides Software and GL_RENDERER
+  Picture screen = {};               // --style screen; empty: it is a drawing for paper
 };
 Drawing drawing_of(const Figure& figure);
 

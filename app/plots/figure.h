@@ -32,6 +32,8 @@ Picture figure_picture(Figure figure, const PlotTheme& theme = light_theme());
 
 // A whole SVG document. Text stays text, in DejaVu Sans or what comes next to it.
 std::string picture_to_svg(const Picture& picture, int width, int height, Color paper = ink::paper);
+// The same as a PDF document of one page, its font embedded; 3/4 pt a pixel. Throws Error(defect).
+std::string picture_to_pdf(const Picture& picture, int width, int height, Color paper = ink::paper);
 std::string figure_to_svg(const Figure& figure, int width, int height,
                           const PlotTheme& theme = light_theme());
 

@@ -51,6 +51,45 @@ TEST_CASE("a barrier plot is written as PNG, SVG and CSV") {
   CHECK(pabd::read_png(folder / "b.png").height == 500);
 }
 
+TEST_CASE("a plot is a PDF too, and light on dark") {
+  const TempFolder folder;
+  CHECK(run_pabd({"plot", "barrier", "-o", folder / "a.pdf"}).exit_code == 0);
+  CHECK(read_text(folder / "a.pdf").starts_with("%PDF-1."));
+  CHECK(run_pabd({"figure", "5", "-o", "-", "--format", "pdf"}).out.starts_with("%PDF-1."));
+  REQUIRE(run_pabd({"plot", "barrier", "-o", folder / "d.png", "--style", "screen"}).exit_code == 0);
+  REQUIRE(run_pabd({"plot", "barrier", "-o", folder / "l.png"}).exit_code == 0);
+  CHECK(pabd::read_png(folder / "d.png").rgb[0] < 0x40);
+  CHECK(pabd::read_png(folder / "l.png").rgb[0] == 0xFF);
+  const Outcome drawing = run_pabd({"figure", "5", "-o", folder / "x.svg", "--style", "screen"});
+  CHECK(drawing.exit_code == 2);
+  CHECK(drawing.err.find("on white") != std::string::npos);
+}
+
+TEST_CASE("a barrier against its thickness") {
+  const Outcome csv = run_pabd(
+      {"plot", "barrier", "-o", "-", "--against", "d-hat", "--N", "3", "--d-hat", "0.01", "--gap", "0.004"});
+  REQUIRE(csv.exit_code == 0);
+  int marked = 0;
+  for (const std::string& row : lines_of(csv.out)) {
+    if (row.find("marked,0.01,") == std::string::npos || marked++ > 0) continue;
+    // u = 0.6: 0.6 + 0.18 + 0.072
+    CHECK(std::stod(row.substr(row.rfind(',') + 1)) == Approx(0.852));
+  }
+  CHECK(marked == 2);
+  const auto error_of = [](const std::vector<std::string>& options) {
+    std::vector<std::string> all{"plot", "barrier", "-o", "-"};
+    all.insert(all.end(), options.begin(), options.end());
+    const Outcome outcome = run_pabd(all);
+    CHECK(outcome.exit_code == 2);
+    return outcome.err;
+  };
+  CHECK(error_of({"--against", "colour"}).find("d-hat") != std::string::npos);
+  CHECK(error_of({"--against", "kappa"}).find("--kappa") != std::string::npos);
+  CHECK(error_of({"--gap", "0.001"}).find("--against") != std::string::npos);
+  CHECK(error_of({"--N", "1,2", "--d-hat", "0.01,0.02", "--kappa", "1,2,3,4,5,6,7,8,9,10,11,12,13"})
+            .find("rows") != std::string::npos);
+}
+
 TEST_CASE("the convergence plot has a line a method") {
   const Outcome both = run_pabd({"plot", "convergence", "two_boxes", "-o", "-", "--iterations", "30"});
   REQUIRE(both.exit_code == 0);
