@@ -4,9 +4,15 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+#include <variant>
+
+#include "app/overlay/overlap_solid.h"
 #include "app/plots/axis_ticks.h"
 #include "render/visual/build_visual.h"
 #include "render/visual/contact_glyphs.h"
+#include "render/visual/line_shapes.h"
+#include "render/visual/palette.h"
 #include "sim/collision/detect.h"
 #include "sim/solver/time_step.h"
 
@@ -42,43 +48,103 @@ std::optional<ContactReport> deepest_contact(const Model& model, const Params& p
   return report;
 }
 
+namespace {
+
+constexpr double kScale = 0.1;  // m
+const Vec4f kDark(0.02f, 0.03f, 0.05f, 1);
+const Vec4f kOverlap(0.72f, 0.11f, 0.04f, 0.55f);
+
+struct Body {
+  const Shape* shape;
+  Pose pose;
+};
+
+Body body_of(const Model& model, const State& state, Index k) {
+  const auto at = static_cast<std::size_t>(k);
+  return {&model.shape[at], {state.c[at], state.R[at]}};
+}
+
+// The outline of a box: glass without it is hard to see.
+void add_edges(const Box& box, const Pose& at, VisualScene& scene) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double u : {-1.0, 1.0}) {
+      for (const double v : {-1.0, 1.0}) {
+        Vec3 from;
+        from[axis] = -box.half[axis];
+        from[(axis + 1) % 3] = u * box.half[(axis + 1) % 3];
+        from[(axis + 2) % 3] = v * box.half[(axis + 2) % 3];
+        Vec3 to = from;
+        to[axis] = box.half[axis];
+        add_line(scene, at.c + at.R * from, at.c + at.R * to, {kDark, 1.4, false});
+      }
+    }
+  }
+}
+
+}  // namespace
+
 Figure6 figure6(const Model& model, const Params& params, const State& state, double aspect,
                 const Camera* camera) {
   Figure6 out;
   out.scene.camera = camera ? *camera : frame_camera(model, state, aspect);
   const Vec3 eye = out.scene.camera.eye.cast<double>();
-  StepReport report;
   const std::optional<ContactReport> pair = deepest_contact(model, params, state, eye);
-  if (pair) report.contact_reports.push_back(*pair);
   VisualOptions options;
-  options.bonds = true;
+  options.bonds = false;
   options.d_hat = params.contact.d_hat;
-  build_visual(model, state, report, options, out.scene);
+  build_visual(model, state, StepReport{}, options, out.scene);
   // The bodies would hide a pair inside them, so they are drawn as glass.
-  for (Instance& instance : out.scene.instances[static_cast<int>(Primitive::cube)]) instance.color.w() = 0.5f;
+  for (Instance& instance : out.scene.instances[static_cast<int>(Primitive::cube)])
+    instance.color.w() = 0.45f;
   if (!pair) {
     out.caption = "No two bodies are within d̂ of each other.";
     return out;
   }
-  const double size = static_cast<double>(out.scene.radius);
+  const PixelMeter meter(out.scene.camera);
+  const Body i = body_of(model, state, pair->a), j = body_of(model, state, pair->b);
+  if (const auto* a = std::get_if<Box>(i.shape), *b = std::get_if<Box>(j.shape); a && b) {
+    if (auto shaded = convex_solid(overlap_corners(*a, i.pose, *b, j.pose), kOverlap))
+      out.scene.meshes.push_back(std::move(*shaded));
+    for (const auto& [box, body] : {std::pair{a, i}, std::pair{b, j}}) add_edges(*box, body.pose, out.scene);
+  }
+
+  // Sizes in pixels of the frame, so that they suit scenes of any size.
   const Vec3 n = pair->n;
-  const double length = 0.38 * size, head = 0.07 * size;
-  const Vec4f dark(0.02f, 0.03f, 0.05f, 1);
-  const auto part = [&](Primitive primitive, const Vec3& at, double sxz, double sy) {
+  const double pixel = meter.at(pair->y_a);
+  const double length = 175 * pixel, head = 26 * pixel;
+  const auto part = [&](Primitive primitive, const Vec3& at, const Vec3& along, double sxz, double sy,
+                        const Vec4f& color) {
     out.scene.instances[static_cast<int>(primitive)].push_back(
-        {place_along(at, n, sxz, sy), dark, false, false});
+        {place_along(at, along, sxz, sy), color, false, false});
   };
-  part(Primitive::cylinder, pair->y_a + 0.5 * (length - head) * n, 0.007 * size, 0.5 * (length - head));
-  part(Primitive::cone, pair->y_a + (length - head) * n, 0.024 * size, head);
+  part(Primitive::cylinder, pair->y_a + 0.5 * (length - head) * n, n, 1.8 * pixel, 0.5 * (length - head),
+       kDark);
+  part(Primitive::cone, pair->y_a + (length - head) * n, n, 8 * pixel, head, kDark);
+  part(Primitive::sphere, pair->y_a, n, 6.5 * pixel, 6.5 * pixel, srgb_color(0x1f6fb2));
+  part(Primitive::sphere, pair->y_b, n, 6.5 * pixel, 6.5 * pixel, srgb_color(0xcc5533));
+
   // Labels stand beside what they name, across the line of sight and the normal.
   Vec3 side = (pair->y_a - eye).cross(n);
-  side = side.norm() > 1e-9 * size ? side.normalized() : Vec3::UnitX();
-  const auto label = [&](const Vec3& at, const char* text) {
-    out.scene.labels.push_back({at.cast<float>(), text});
+  side = side.norm() > 1e-9 * pixel ? side.normalized() : Vec3::UnitX();
+  const auto label = [&](const Vec3& at, const char* text, float size = 24) {
+    out.scene.labels.push_back({at.cast<float>(), text, size});
   };
-  label(pair->y_a - 0.08 * size * side, "*{y}_{i}");
-  label(pair->y_b + 0.08 * size * side, "*{y}_{j}");
-  label(pair->y_a + length * n + 0.07 * size * side, "*{n}_{i}");
+  label(pair->y_a - 26 * pixel * side, "*{y}_{i}");
+  label(pair->y_b + 26 * pixel * side, "*{y}_{j}");
+  label(pair->y_a + length * n + 22 * pixel * side, "*{n}_{i}");
+  // In the middle of each body, on the side that the pair does not take.
+  label(i.pose.c - 0.12 * (pair->y_a - i.pose.c), "*{i}", 30);
+  label(j.pose.c - 0.12 * (pair->y_b - j.pose.c), "*{j}", 30);
+
+  // The scale starts at the height of the pair's lower point: −d is read off it.
+  const Vec3 foot = (pair->d < 0 ? pair->y_b : pair->y_a) - 85 * pixel * side;
+  const Pen pen{kDark, 2.2};
+  add_line(out.scene, foot, foot + kScale * n, pen);
+  for (const double end : {0.0, kScale}) {
+    const Vec3 at = foot + end * n;
+    add_line(out.scene, at - 7 * pixel * side, at + 7 * pixel * side, pen);
+  }
+  label(foot + 0.5 * kScale * n - 36 * pixel * side, "0.1 m", 18);
   out.caption = fmt::format("The chosen contact pair: *{{y}}_{{i}} on {}, *{{y}}_{{j}} on {}, *{{d}} = {} m",
                             model.name[static_cast<std::size_t>(pair->a)],
                             model.name[static_cast<std::size_t>(pair->b)], format_value(pair->d));

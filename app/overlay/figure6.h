@@ -20,7 +20,8 @@ std::optional<ContactReport> deepest_contact(const Model& model, const Params& p
 
 struct Figure6 {
   VisualScene
-      scene;  // bodies as glass, the chosen pair as bond points, its normal as an arrow, labels; camera set
+      scene;  // bodies i and j as glass, what boxes have in common shaded, the chosen pair as two points, its
+              // normal as an arrow, a scale of 0.1 m along it, labels; camera set
   std::string caption;  // rich text: names of the bodies, d
 };
 // `camera` of the scene, or null for one that frames the bodies at `aspect` = width / height.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Figure 6 marks the deepest pair.
 #include <catch2/catch.hpp>
+#include <string>
+#include <vector>
 
 #include "app/overlay/figure6.h"
 #include "sim/body/mass_properties.h"
@@ -43,8 +45,17 @@ TEST_CASE("the chosen pair is the deepest contact and is labelled") {
   CHECK(pair->d == Approx(-0.1).margin(1e-9));
   CHECK(std::abs(pair->n.y()) == Approx(1).margin(1e-9));
   const Figure6 figure = figure6(boxes.model, boxes.params, boxes.state, 1.5);
-  CHECK(figure.scene.labels.size() == 3);
-  CHECK_FALSE(figure.scene.lines.empty());
+  std::vector<std::string> labels;
+  for (const Label& label : figure.scene.labels) labels.push_back(label.text);
+  CHECK(labels == std::vector<std::string>{"*{y}_{i}", "*{y}_{j}", "*{n}_{i}", "*{i}", "*{j}", "0.1 m"});
+  // The overlap is shaded, and the scale is as long as it says: here it reaches from one point to the other.
+  REQUIRE(figure.scene.meshes.size() == 1);
+  CHECK(figure.scene.meshes[0].mesh->corners.size() == 12);
+  const Line& scale = figure.scene.lines[figure.scene.lines.size() - 3];
+  CHECK((scale.a - scale.b).norm() == Approx(0.1).epsilon(1e-5));
+  const Vec3 along = (scale.b - scale.a).cast<double>().normalized();
+  CHECK(std::abs(along.dot(pair->n)) == Approx(1).epsilon(1e-5));
+  CHECK(std::abs((scale.a.cast<double>() - pair->y_b).dot(pair->n)) < 1e-5);
   CHECK(figure.caption.find("−0.1 m") != std::string::npos);
 }
 

@@ -122,12 +122,14 @@ ContactProjection project_contact(const Vec2& y_i, const Vec2& y_j, const Vec2& 
 void paint_contact_pair(const ContactPair& pair, double width, double height, Canvas& canvas) {
   const double unit = std::max(0.52, std::min(width / 1600, height / 700));  // small pictures stay readable
   const double margin = 24 * unit, text = 62 * unit;
-  const double w = (width - 3 * margin) / 2, h = height - 2 * margin - text;
+  const double head =
+      paint_title(canvas, "Contact pair: normal and tangential projection", width, margin, unit);
+  const double w = (width - 3 * margin) / 2, h = height - 2 * margin - head - text;
   const char* captions[] = {
       "Normal: *{y}_{j}^{⊥} = *{y}_{i} + *{d} *{n}_{i},   *{d} = (*{y}_{j} − *{y}_{i}) · *{n}_{i}",
       "Tangential: *{y}_{j}^{∥} = *{y}_{j} − *{d} *{n}_{i},   slip ‖*{y}_{j}^{∥} − *{y}_{i}‖"};
   for (int k = 0; k < 2; ++k) {
-    const Rect area{margin + k * (w + margin), margin, w, h};
+    const Rect area{margin + k * (w + margin), margin + head, w, h};
     paint_half(pair, k == 1, area, unit, canvas);
     canvas.text({area.x + 0.5 * w, area.bottom() + 0.55 * text}, captions[k],
                 {19 * unit, ink::text, AlignX::center, AlignY::middle});

@@ -25,6 +25,11 @@ std::vector<Vec2> round_bar(const Vec2& a, const Vec2& b, double r) {
   return out;
 }
 
+double paint_title(Canvas& canvas, std::string_view title, double width, double margin, double unit) {
+  canvas.text({0.5 * width, margin}, title, {25 * unit, ink::text, AlignX::center, AlignY::top});
+  return 48 * unit;
+}
+
 void DrawingBoard::line(const Vec2& a, const Vec2& b, Color color, double width, bool dashed) const {
   const Point ends[] = {map(a), map(b)};
   Stroke stroke{color, width * unit_, 0, 0};

@@ -28,6 +28,9 @@ inline Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)};
 // Corners of the bar with round ends that reaches `r` around the segment from a to b, in order.
 std::vector<Vec2> round_bar(const Vec2& a, const Vec2& b, double r);
 
+// The title of a diagram, centred `margin` px below the top; returns the height in px that it takes.
+double paint_title(Canvas& canvas, std::string_view title, double width, double margin, double unit);
+
 // World coordinates (m, y up) to pixels. Widths and lengths of marks are in units: pixels at the size that
 // the picture is made for.
 class DrawingBoard {

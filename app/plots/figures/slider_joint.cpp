@@ -88,7 +88,8 @@ SliderJointPoints slider_joint_points(const SliderJoint& joint) {
 void paint_slider_joint(const SliderJoint& joint, double width, double height, Canvas& canvas) {
   const double unit = std::max(0.52, std::min(width / 1600, height / 800));  // small pictures stay readable
   const double margin = 24 * unit, text = 92 * unit;
-  const Rect area{margin, margin, width - 2 * margin, height - 2 * margin - text};
+  const double head = paint_title(canvas, "Slider joint with offset *{λ}", width, margin, unit);
+  const Rect area{margin, margin + head, width - 2 * margin, height - 2 * margin - head - text};
   const double a = joint.arm;
   const double across = std::max(10.0 * a, 4.2 * a * area.w / area.h);
   const Vec2 center = joint.y_j0 + Vec2(2.5, 0.75) * a;

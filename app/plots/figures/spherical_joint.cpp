@@ -84,14 +84,15 @@ SphericalJointPoints spherical_joint_points(const SphericalJoint& joint) {
 void paint_spherical_joint(const SphericalJoint& joint, double width, double height, Canvas& canvas) {
   const double unit = std::max(0.52, std::min(width / 1600, height / 800));  // small pictures stay readable
   const double margin = 24 * unit, text = 92 * unit;
-  const double w = (width - 3 * margin) / 2, h = height - 2 * margin - text;
+  const double head = paint_title(canvas, "Spherical joint whose angle *{θ} is held", width, margin, unit);
+  const double w = (width - 3 * margin) / 2, h = height - 2 * margin - head - text;
   const char* captions[][2] = {
       {"*{C}_{0} = ‖*{y}_{i0} − *{y}_{j0}‖ = 0,   *{C}_{1} = ‖*{y}_{i1} − *{y}_{j1}‖ = 0",
        "*{y}_{i1} = *{y}_{i0} + *{R}_{i} *{r}_{1},   *{y}_{j1} = *{y}_{j0} + *{R}(*{θ}) *{R}_{j} *{r}_{1}"},
       {"Two bonds a rotational degree of freedom, one each side:",
        "*{y}_{i2} = *{y}_{i0} − *{R}_{i} *{r}_{1},   *{y}_{j2} = *{y}_{j0} − *{R}(*{θ}) *{R}_{j} *{r}_{1}"}};
   for (int k = 0; k < 2; ++k) {
-    const Rect area{margin + k * (w + margin), margin, w, h};
+    const Rect area{margin + k * (w + margin), margin + head, w, h};
     paint_side(joint, k == 1, area, unit, canvas);
     for (int row = 0; row < 2; ++row) {
       canvas.text({area.x + 0.5 * w, area.bottom() + (0.36 + 0.34 * row) * text}, captions[k][row],
