@@ -9,7 +9,10 @@
 
 #include "app/gui/barrier_drag.h"
 #include "app/gui/contact_strip.h"
+#include "app/gui/export_button.h"
+#include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
+#include "app/gui/plot_reading.h"
 #include "app/gui/widgets.h"
 #include "app/overlay/font_atlas.h"
 #include "app/overlay/imgui_canvas.h"
@@ -52,7 +55,9 @@ class BarrierPanelView final : public GuiPanel {
     warned_ = advice_.empty() ? std::max(0, warned_ - 1) : kLinger;
     controls(f);
     const float room = ImGui::GetContentRegionAvail().y, gap = ImGui::GetStyle().ItemSpacing.y;
-    const bool histogram = f.ui.barrier.histogram;
+    // The strip stands below d; against others only the plot of its own says how contacts are spread.
+    const bool by_gap = f.ui.barrier.against == kBarrierAbscissas[0];
+    const bool histogram = f.ui.barrier.histogram && (tall || by_gap);
     const float numbers = 2 * ImGui::GetTextLineHeightWithSpacing();
     const float least = box_height(f, tall);
     float rest = numbers + least + gap;
@@ -77,30 +82,24 @@ class BarrierPanelView final : public GuiPanel {
     tall_ = tall;
     view_ = f.ui.barrier;
     held_ = drag_.active();
-    BarrierPanelOptions options;
-    options.quantity = view_.quantity == "slope"       ? BarrierQuantity::slope
-                       : view_.quantity == "curvature" ? BarrierQuantity::curvature
-                                                       : BarrierQuantity::value;
-    options.log_y = view_.log;
-    options.energy = view_.energy;
-    options.variants = {view_.printed, view_.onset, view_.even, view_.log_barrier};
-    options.most_markers = 600;
+    std::optional<PlotRange> x, y;
     if (held_) {
-      options.x = drag_.x();
-      options.y = drag_.y();
+      x = drag_.x();
+      y = drag_.y();
     }
-    panel_ = barrier_panel(run.params.contact, run.kappa, run.report.contact_reports, contact_ink, options);
-    panel_.plot.title.clear();       // the tab says it
-    if (!tall && view_.histogram) {  // the strip below says both
+    panel_ = barrier_panel_of(f.sim, view_, x, y);
+    panel_.plot.title.clear();                                                // the tab says it
+    if (!tall && view_.histogram && view_.against == kBarrierAbscissas[0]) {  // the strip below says both
       panel_.plot.x.label.clear();
       for (Series& series : panel_.plot.series) {
         if (series.crowd) series.name.clear();
       }
     }
+    if (view_.against == kBarrierAbscissas[0])
+      strip_ = contact_strip(panel_.plot.x.lo, run.params.contact.d_hat, run.report.contact_reports);
     if (serial_ == f.sim.serial) return;
     serial_ = f.sim.serial;
     histogram_ = contact_histogram(run.params.contact, run.report.contact_reports, contact_ink);
-    strip_ = contact_strip(panel_.plot.x.lo, run.params.contact.d_hat, run.report.contact_reports);
     if (model_ != run.model) {
       model_ = run.model;
       masses_ = mass_range(*model_);
@@ -155,7 +154,19 @@ class BarrierPanelView final : public GuiPanel {
       check("log barrier", view.log_barrier);
       ImGui::EndPopup();
     }
+    ImGui::SameLine(0, f.px(2));
+    static constexpr const char* kAgainst[] = {"d", "d̂", "N", "κ"};
+    static_assert(std::size(kAgainst) == std::size(kBarrierAbscissas));
+    const auto now = std::find(std::begin(kBarrierAbscissas), std::end(kBarrierAbscissas), view.against);
+    if (const auto i = word_combo("##against", kAgainst, std::size(kAgainst),
+                                  static_cast<std::size_t>(now - std::begin(kBarrierAbscissas)), f.px(46),
+                                  "Against the distance d; or what a change of d̂, N or κ does at the gaps "
+                                  "that occur")) {
+      view.against = kBarrierAbscissas[*i];
+      changed = true;
+    }
     if (changed) f.out.send(ViewCommand(view));
+    export_button(f, barrier_tab.name, path_);
   }
 
   void draw_plot(GuiFrame& f, float height) {
@@ -311,6 +322,7 @@ class BarrierPanelView final : public GuiPanel {
   int warned_ = 0;  // frames for which the room for advice stays
   PlotLayout layout_;
   BarrierDrag drag_;
+  std::string path_;  // of the last export
 };
 
 }  // namespace

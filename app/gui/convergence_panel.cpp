@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/gui/export_button.h"
+#include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
 #include "app/plots/axis_ticks.h"
-#include "app/plots/figures/convergence_plots.h"
 
 namespace pabd {
 namespace {
@@ -28,6 +29,7 @@ class ConvergencePanel final : public GuiPanel {
  public:
   void draw(GuiFrame& f) override {
     controls(f);
+    export_button(f, convergence_tab.name, path_);
     status(f);
     update(f);
     const PlotTouch touch = plot_widget(f, "convergence", plot_, ImGui::GetContentRegionAvail());
@@ -103,34 +105,14 @@ class ConvergencePanel final : public GuiPanel {
     if (serial_ == f.sim.serial && what_ == what) return;
     serial_ = f.sim.serial;
     what_ = what;
-    const StepReport& r = f.sim.a.report;
-    if (what == 0) {
-      plot_ = convergence_plot(r.records, !f.sim.a.model->joints.empty());
-      plot_.title.clear();  // the list says it
-    } else {
-      const auto quantity = static_cast<ConvergenceQuantity>(what - 1);
-      std::vector<MethodRun> runs{{to_string(r.method), r.records}};
-      std::size_t others = 0;
-      for (const HeldCurve& held : f.sim.held) {
-        // E_end is one step's own.
-        if (quantity == ConvergenceQuantity::energy_gap && held.step != r.step) {
-          ++others;
-        } else {
-          runs.push_back(
-              {held.step == r.step ? "held: " + held.name.substr(0, held.name.find(',')) : held.name,
-               *held.records});
-        }
-      }
-      plot_ = convergence_panel(runs, quantity);
-      plot_.title = others == 0 ? "" : fmt::format("{} held of other steps not shown", others);
-    }
+    plot_ = convergence_panel_of(f.sim, f.ui);
     thin_lines(plot_, 2000);
-    if (r.step == 0) plot_.none = "no step yet";
   }
 
   std::uint64_t serial_ = 0;
   std::size_t what_ = 0;
   Plot plot_;
+  std::string path_;  // of the last export
 };
 
 }  // namespace

@@ -120,6 +120,8 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
             {"side_by_side", ui.side_by_side},
             {"convergence", ui.convergence},
             {"series", ui.series},
+            {"series_x", ui.series_x},
+            {"series_y", ui.series_y},
             {"difference", ui.difference},
             {"barrier", command_to_json(ViewCommand(ui.barrier))},
             {"dialog", ui.dialog},

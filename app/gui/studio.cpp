@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/frames/camera_keys.h"
+#include "app/gui/panel_plots.h"
 #include "app/workbench/check_output.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
@@ -47,6 +48,11 @@ void Studio::act(const ViewCommand& command, const Snapshot& sim, UiState& ui) {
     check_output(shot->path, shot->force, sim.scene_path);
     waiting_.push_back(*shot);
     ui.dialog.clear();  // the picture is of what is behind it
+  } else if (const auto* plot = std::get_if<command::ExportPlot>(&command)) {
+    check_plot_name(plot->path);
+    check_output(plot->path, plot->force, sim.scene_path);
+    static_cast<void>(panel_figure(plot->panel, sim, ui));  // that there is one
+    plots_.push_back(*plot);
   } else if (const auto* record = std::get_if<command::Record>(&command)) {
     check_output(record->path, record->force, sim.scene_path);
     recorder_.start(*record, ui);
@@ -85,6 +91,14 @@ void Studio::work(const Snapshot& sim, const UiState& ui, int width, int height,
   if (clear) {
     for (const command::Screenshot& shot : std::exchange(waiting_, {}))
       take(shot, sim, ui, width, height, renderer);
+  }
+  for (const command::ExportPlot& plot : std::exchange(plots_, {})) {
+    try {
+      export_plot(plot, sim, ui, context_);
+      tell_(Severity::note, "saved " + plot.path);
+    } catch (const Error& error) {
+      tell_(Severity::error, error.what());
+    }
   }
   if (const auto outcome = recorder_.update(kShare, steady_))
     tell_(outcome->error ? Severity::error : Severity::note, outcome->text);

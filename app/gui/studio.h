@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What leaves the window as files: pictures, videos, camera keys. Between the commands that ask for them and
+// What leaves the window as files: pictures, plots, videos, camera keys. Between the commands that ask for them and
 // the frame that they need.
 #pragma once
 
@@ -26,7 +26,7 @@ class Studio {
 
   const Recorder& recorder() const { return recorder_; }
   // A frame will have something to do.
-  bool busy() const { return !waiting_.empty() || recorder_.busy(); }
+  bool busy() const { return !waiting_.empty() || !plots_.empty() || recorder_.busy(); }
 
  private:
   void take(const command::Screenshot& shot, const Snapshot& sim, const UiState& ui, int width, int height,
@@ -37,6 +37,7 @@ class Studio {
   Tell tell_;
   Recorder recorder_;
   std::vector<command::Screenshot> waiting_;
+  std::vector<command::ExportPlot> plots_;
 };
 
 }  // namespace pabd

@@ -18,8 +18,11 @@ namespace pabd {
 // Words for what panels plot, in the order of their lists.
 inline constexpr std::string_view kConvergenceViews[] = {
     "all", "energy_gap", "energy", "residual", "penetration", "joint_error", "projection_change"};
-inline constexpr std::string_view kSeriesViews[] = {"overview",    "gap",      "penetration", "energies",
-                                                    "joint_error", "contacts", "iterations",  "milliseconds"};
+inline constexpr std::string_view kSeriesViews[] = {"overview",   "gap",          "penetration",
+                                                    "energies",   "joint_error",  "contacts",
+                                                    "iterations", "milliseconds", "chosen"};
+inline constexpr std::string_view kChosenSeries = "chosen";  // ui.series_y against ui.series_x
+inline constexpr std::string_view kBarrierAbscissas[] = {"d", "d_hat", "N", "kappa"};  // as BarrierAbscissa
 inline constexpr std::string_view kDifferenceViews[] = {"distance", "gap",         "penetration",
                                                         "energies", "joint_error", "contacts"};
 
@@ -61,6 +64,7 @@ struct UiState {
 
   command::BarrierView barrier;
   std::string convergence = "all", series = "overview", difference = "distance";
+  std::string series_x = "time", series_y = "kinetic";  // of the series "chosen"
 
   std::string dialog;               // see command::Ask; empty: none
   std::string dialog_text;          // what it starts with; empty: something that fits

@@ -137,6 +137,7 @@ struct Actor {
   void operator()(const command::BarrierView& c) const {
     static constexpr std::string_view kWhat[] = {"value", "slope", "curvature"};
     one(c.quantity, kWhat, "barrier_view");
+    one(c.against, kBarrierAbscissas, "barrier_view");
     ui.barrier = c;
   }
   void operator()(const command::ConvergenceView& c) const {
@@ -145,7 +146,14 @@ struct Actor {
   }
   void operator()(const command::SeriesView& c) const {
     one(c.quantity, kSeriesViews, "series_view");
+    for (const std::string& key : {c.x, c.y}) {
+      if (find_step_quantity(key)) continue;
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("series_view: {}: expected one of {}", in_quotes(key), step_quantity_words()));
+    }
     ui.series = c.quantity;
+    ui.series_x = c.x;
+    ui.series_y = c.y;
   }
   void operator()(const command::DifferenceView& c) const {
     one(c.quantity, kDifferenceViews, "difference_view");
@@ -194,6 +202,7 @@ struct Actor {
   void operator()(const command::LoadCamera&) const {}
   void operator()(const command::Quit&) const {}
   void operator()(const command::Screenshot&) const {}
+  void operator()(const command::ExportPlot&) const {}
   void operator()(const command::CopyCommand&) const {}
 
   Index index_of(Selection::Kind kind, const std::string& item) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/gui/window_panel.h"
+#include "app/plots/figures/step_quantities.h"
 #include "app/workbench/command.h"
 #include "sim/body/joint.h"
 
@@ -125,8 +126,10 @@ struct BarrierView {
   std::string quantity = "value";
   bool log = false, energy = true, printed = true, onset = false, even = false, log_barrier = false;
   bool histogram = true;
+  std::string against = "d";
   void fields(auto&& f) {
     f(may("quantity", "value, slope or curvature", R"("slope")"), quantity);
+    f(may("against", "d, d_hat, N or kappa: what stands on the horizontal axis", R"("d_hat")"), against);
     f(may("log", "logarithmic axis", "true"), log);
     f(may("energy", "with κ: the energy, in J; else its shape", "false"), energy);
     f(may("printed", "the printed formula, ε = 0", "false"), printed);
@@ -148,15 +151,21 @@ struct ConvergenceView {
   }
 };
 // `quantity`: "overview", "gap", "penetration", "energies", "joint_error", "contacts", "iterations",
-// "milliseconds".
+// "milliseconds"; or "chosen": `y` against `x`, each a number that a step tells (step_quantities.h).
 struct SeriesView {
   static constexpr const char* name = "series_view";
   std::string quantity;
+  std::string x = "time", y = "kinetic";
   void fields(auto&& f) {
-    f(need("quantity",
-           "overview, gap, penetration, energies, joint_error, contacts, iterations or milliseconds",
-           R"("gap")"),
+    static const std::string words = step_quantity_words();
+    f(need(
+          "quantity",
+          "overview, gap, penetration, energies, joint_error, contacts, iterations, milliseconds, or chosen: "
+          "y against x",
+          R"("gap")"),
       quantity);
+    f(may("x", words.c_str(), R"("penetration")"), x);
+    f(may("y", "as x", R"("elastic")"), y);
   }
 };
 // What of B − A is plotted: "distance", "gap", "penetration", "energies", "joint_error", "contacts".
@@ -181,6 +190,20 @@ struct Screenshot {
     f(kForce, force);
     f(may("width", "pixels, 16 to 16384, without panels only; 0: as the window", "640"), width);
     f(may("height", "pixels, 16 to 16384, without panels only; 0: as the window", "360"), height);
+  }
+};
+// The plot of a panel as a file, by the ending of its name. Size 0: what suits it.
+struct ExportPlot {
+  static constexpr const char* name = "export_plot";
+  std::string panel, path;
+  bool force = false;
+  int width = 0, height = 0;
+  void fields(auto&& f) {
+    f(need("panel", "barrier, convergence or series", R"("series")"), panel);
+    f(need("path", ".csv, .svg, .pdf or .png file", R"("series.pdf")"), path);
+    f(kForce, force);
+    f(may("width", "pixels, 16 to 16384; 0: what suits the plot", "1000"), width);
+    f(may("height", "pixels, 16 to 16384; 0: what suits the plot", "700"), height);
   }
 };
 // A video of the past as `pabd render` makes it, with the view's camera, or along the camera keys while
@@ -279,8 +302,8 @@ using ViewCommand =
                  command::Look, command::LookFrom, command::FrameSelection, command::Select, command::Join,
                  command::ColorBy, command::Show, command::CompareView, command::BarrierView,
                  command::ConvergenceView, command::SeriesView, command::DifferenceView, command::Screenshot,
-                 command::Record, command::StopRecord, command::AddCameraKey, command::DropCameraKey,
-                 command::ClearCameraKeys, command::Fly, command::SaveCamera, command::LoadCamera,
-                 command::Costs, command::Ask, command::CopyCommand, command::Quit>;
+                 command::ExportPlot, command::Record, command::StopRecord, command::AddCameraKey,
+                 command::DropCameraKey, command::ClearCameraKeys, command::Fly, command::SaveCamera,
+                 command::LoadCamera, command::Costs, command::Ask, command::CopyCommand, command::Quit>;
 
 }  // namespace pabd

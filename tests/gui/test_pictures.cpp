@@ -126,6 +126,36 @@ TEST_CASE("a screenshot without panels is the picture that render makes of that 
   CHECK(read_png(folder.path() / "w.png").width == 640);
 }
 
+TEST_CASE("the plot of a panel is written as what its name says") {
+  const TempFolder folder;
+  play(R"([{"do":"step","steps":12},
+           {"do":"series_view","quantity":"chosen","x":"step","y":"kinetic"},
+           {"do":"export_plot","panel":"series","path":"{out}/s.csv"},
+           {"do":"export_plot","panel":"series","path":"{out}/s.svg"},
+           {"do":"export_plot","panel":"barrier","path":"{out}/b.pdf"},
+           {"do":"export_plot","panel":"convergence","path":"{out}/c.png","width":500,"height":350},
+           {"do":"frame","path":"after.png"},
+           {"do":"export_plot","panel":"series","path":"{out}/s.svg","may_fail":true},
+           {"do":"expect","at":"/message","contains":"s.svg"},
+           {"do":"export_plot","panel":"scenes","path":"{out}/x.svg","may_fail":true},
+           {"do":"expect","at":"/message","contains":"expected barrier"},
+           {"do":"export_plot","panel":"series","path":"{out}/x.txt","may_fail":true},
+           {"do":"expect","at":"/message","contains":".csv"}])",
+       folder.path());
+  const auto text = [&](const char* name) {
+    std::ifstream in(folder.path() / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string csv = text("s.csv");
+  CHECK(csv.starts_with("plot,series,x,y\n"));
+  // A row a step, and the one where the run is.
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 12 + 1);
+  CHECK(text("s.svg").find("step 12") != std::string::npos);
+  CHECK(text("b.pdf").starts_with("%PDF"));
+  CHECK(read_png(folder.path() / "c.png").width == 500);
+  CHECK(read_png_text(folder.path() / "c.png").at("Caption").find("step 12") != std::string::npos);
+}
+
 TEST_CASE("frames of the past: which moment each shows") {
   const auto scene = std::make_shared<const Scene>(load_scene(kScene));
   Run run(scene, 1, 1 << 24);

@@ -71,20 +71,6 @@ double height(const Barrier& barrier, double d, const BarrierPanelOptions& optio
   return b.second;
 }
 
-std::string label_of(const BarrierPanelOptions& options) {
-  const bool energy = options.energy;
-  switch (options.quantity) {
-    case BarrierQuantity::value:
-      return energy ? quantities::potential.axis : quantities::barrier.axis;
-    case BarrierQuantity::slope:
-      return std::string(options.log_y ? "−" : "") +
-             (energy ? quantities::force.axis : quantities::barrier_slope.axis);
-    case BarrierQuantity::curvature:
-      break;
-  }
-  return energy ? quantities::curvature.axis : quantities::barrier_curvature.axis;
-}
-
 // Samples over [lo, hi], and both sides of d̂ and of the onset's end, where derivatives jump.
 Series sampled(const Barrier& barrier, double lo, double hi, double scale,
                const BarrierPanelOptions& options) {
@@ -141,6 +127,20 @@ Series upright(double x, std::string tag) {
 
 }  // namespace
 
+std::string barrier_label(const BarrierPanelOptions& options) {
+  const bool energy = options.energy;
+  switch (options.quantity) {
+    case BarrierQuantity::value:
+      return energy ? quantities::potential.axis : quantities::barrier.axis;
+    case BarrierQuantity::slope:
+      return std::string(options.log_y ? "−" : "") +
+             (energy ? quantities::force.axis : quantities::barrier_slope.axis);
+    case BarrierQuantity::curvature:
+      break;
+  }
+  return energy ? quantities::curvature.axis : quantities::barrier_curvature.axis;
+}
+
 BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
                            const std::vector<ContactReport>& contacts,
                            const std::function<Color(double)>& color, const BarrierPanelOptions& options) {
@@ -161,7 +161,7 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
   Plot& plot = panel.plot;
   plot.title = options.energy ? "Contact potential" : "Contact barrier";
   plot.x = {quantities::gap.axis, false, x.lo, x.hi};
-  plot.y = {label_of(options), options.log_y, y.lo, y.hi};
+  plot.y = {barrier_label(options), options.log_y, y.lo, y.hi};
 
   for (const Barrier& curve : curves) {
     Series series = sampled(curve, x.lo, x.hi, scale, options);

@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/plots/plot.h"
@@ -55,6 +56,9 @@ struct BarrierPanel {
   double d_hat = 0;           // x of the vertical line that can be dragged
   std::optional<KappaHandle> kappa;  // absent without energies, or where the quantity does not depend on κ
 };
+
+// The axis of what is plotted: "Ψ [J]", "−B_{N}′ [1/m]".
+std::string barrier_label(const BarrierPanelOptions& options);
 
 // `kappa` is the resolved one. `color` gives a contact's colour from d/d̂. Parameters must pass check_params.
 BarrierPanel barrier_panel(const ContactParams& contact, double kappa,

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// See panel_plots.h.
+#include "app/gui/panel_plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+#include "app/overlay/overlay.h"
+#include "app/overlay/overlay_panels.h"
+#include "app/plots/axis_ticks.h"
+#include "app/plots/figure.h"
+#include "app/plots/figures/barrier_curves.h"
+#include "app/plots/figures/barrier_over.h"
+#include "app/plots/figures/convergence_plots.h"
+#include "app/plots/figures/run_caption.h"
+#include "app/plots/figures/step_quantities.h"
+#include "app/plots/figures/time_panel.h"
+#include "app/plots/figures/time_series.h"
+#include "render/gl/renderer.h"
+#include "render/output/png.h"
+#include "sim/base/atomic_file.h"
+#include "sim/base/error.h"
+
+namespace pabd {
+namespace {
+
+// Part of the time axis: changes of κ closer than that are one, as of a slider.
+constexpr double kNear = 0.02;
+
+// Where κ changed, as the reports have it.
+std::vector<TimeMark> kappa_marks(const Reports& history) {
+  struct Change {
+    double time, from, to;
+  };
+  std::vector<Change> changes;
+  const double span = history.empty() ? 0 : history.back().time - history.front().time;
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    const double from = history[i - 1].kappa, to = history[i].kappa, time = history[i - 1].time;
+    if (!(from > 0) || from == to) continue;
+    if (!changes.empty() && time - changes.back().time < kNear * span) {
+      changes.back().to = to;
+    } else {
+      changes.push_back({time, from, to});
+    }
+  }
+  std::vector<TimeMark> marks;
+  for (const Change& c : changes) {
+    marks.push_back({c.time, fmt::format("κ {} → {}", format_value(c.from, 3), format_value(c.to, 3)),
+                     MarkKind::parameter});
+  }
+  return marks;
+}
+
+std::vector<TimeMark> marks_of(const Snapshot& sim) {
+  std::vector<TimeMark> out = kappa_marks(sim.a.history);
+  if (const auto& parting = sim.a.parting) {
+    out.push_back({parting->time, "branch", MarkKind::branch});
+    if (parting->parted) out.push_back({*parting->parted, "parts by d̂", MarkKind::divergence});
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const TimeMark& a, const TimeMark& b) { return a.time < b.time; });
+  return out;
+}
+
+std::size_t index_in(std::span<const std::string_view> words, const std::string& word) {
+  const auto it = std::find(words.begin(), words.end(), word);
+  return it == words.end() ? 0 : static_cast<std::size_t>(it - words.begin());
+}
+
+std::string ending_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
+
+void write_png_of(const Figure& figure, const command::ExportPlot& what, bool dark, GlContext& context) {
+  PictureSize size = default_size(figure);
+  if (what.width > 0) size.width = what.width;
+  if (what.height > 0) size.height = what.height;
+  const PlotTheme& theme = dark ? dark_theme() : light_theme();
+  Renderer renderer(context, size.width, size.height);
+  Overlay overlay(
+      [&](const unsigned char* rgba, int w, int h) { return renderer.upload_font_atlas(rgba, w, h); });
+  const Picture picture = [&](Canvas& canvas, double width, double height) {
+    canvas.fill_rect({0, 0, width, height}, theme.paper, 0);
+    paint_figure(figure, width, height, canvas, theme);
+  };
+  renderer.draw_plain(overlay.paint(picture, size.width, size.height), Vec3f(1, 1, 1));
+  renderer.queue_read();
+  Image image;
+  renderer.fetch(image);
+  PngText text;
+  text["Software"] = "pabd " PABD_VERSION;
+  text["Caption"] = plain_text(figure.caption);
+  text["GL_RENDERER"] = renderer.gl_renderer();
+  write_png(what.path, image, text);
+}
+
+}  // namespace
+
+BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& view,
+                              const std::optional<PlotRange>& x, const std::optional<PlotRange>& y) {
+  const RunView& run = sim.a;
+  BarrierPanelOptions options;
+  options.quantity = view.quantity == "slope"       ? BarrierQuantity::slope
+                     : view.quantity == "curvature" ? BarrierQuantity::curvature
+                                                    : BarrierQuantity::value;
+  options.log_y = view.log;
+  options.energy = view.energy;
+  options.variants = {view.printed, view.onset, view.even, view.log_barrier};
+  options.most_markers = 600;
+  options.x = x;
+  options.y = y;
+  const auto& contacts = run.report.contact_reports;
+  const auto abscissa = static_cast<BarrierAbscissa>(index_in(kBarrierAbscissas, view.against));
+  if (abscissa != BarrierAbscissa::gap)
+    return barrier_over(run.params.contact, run.kappa, contacts, abscissa, options);
+  return barrier_panel(run.params.contact, run.kappa, contacts, contact_ink, options);
+}
+
+Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
+  const StepReport& r = sim.a.report;
+  const std::size_t what = index_in(kConvergenceViews, ui.convergence);
+  Plot plot;
+  if (what == 0) {
+    plot = convergence_plot(r.records, !sim.a.model->joints.empty());
+    plot.title.clear();  // the list says it
+  } else {
+    const auto quantity = static_cast<ConvergenceQuantity>(what - 1);
+    std::vector<MethodRun> runs{{to_string(r.method), r.records}};
+    std::size_t others = 0;
+    for (const HeldCurve& held : sim.held) {
+      // E_end is one step's own.
+      if (quantity == ConvergenceQuantity::energy_gap && held.step != r.step) {
+        ++others;
+      } else {
+        runs.push_back({held.step == r.step ? "held: " + held.name.substr(0, held.name.find(',')) : held.name,
+                        *held.records});
+      }
+    }
+    plot = convergence_panel(runs, quantity);
+    plot.title = others == 0 ? "" : fmt::format("{} held of other steps not shown", others);
+  }
+  if (r.step == 0) plot.none = "no step yet";
+  return plot;
+}
+
+Plot series_panel_of(const Snapshot& sim, const UiState& ui) {
+  const RunView& a = sim.a;
+  const double d_hat = a.params.contact.d_hat;
+  TimePanelOptions options;
+  options.cursor = a.state.time;
+  options.d_hat = d_hat;
+  options.marks = marks_of(sim);
+  if (sim.b) {
+    options.other = sim.b->history;
+    options.name = std::string("A");
+    options.other_name = std::string("B");
+  } else if (a.left) {
+    options.other = *a.left;
+    options.name = std::string("now");
+    options.other_name = std::string("before");
+  }
+  const std::size_t what = index_in(kSeriesViews, ui.series);
+  if (ui.series == kChosenSeries) {
+    const StepQuantity *x = find_step_quantity(ui.series_x), *y = find_step_quantity(ui.series_y);
+    return quantity_plot(a.history, x ? *x : step_quantities()[0], y ? *y : step_quantities()[1], options);
+  }
+  if (what > 0) return time_panel(a.history, static_cast<TimeQuantity>(what - 1), options);
+  Plot plot = time_series_plot(a.history, d_hat, !a.model->joints.empty(), options.other);
+  // Cursor and marks as the other plots have them.
+  options.other = {};
+  options.d_hat = 0;
+  for (Series& s : time_panel({}, TimeQuantity::contacts, options).series) {
+    if (s.style == SeriesStyle::level_x) plot.series.push_back(std::move(s));
+  }
+  return plot;
+}
+
+Figure panel_figure(const std::string& panel, const Snapshot& sim, const UiState& ui) {
+  Plot plot;
+  std::string title;
+  if (panel == barrier_tab.name) {
+    plot = barrier_panel_of(sim, ui.barrier).plot;
+    title = ui.barrier.energy ? "Contact potential" : "Contact barrier";
+    if (ui.barrier.against == kBarrierAbscissas[0]) {
+      plot.series.push_back(contact_strip_series(plot.x.lo, sim.a.params.contact.d_hat,
+                                                 sim.a.report.contact_reports, contact_ink));
+    }
+  } else if (panel == convergence_tab.name) {
+    plot = convergence_panel_of(sim, ui);
+    title = "Convergence of the step";
+  } else if (panel == series_tab.name) {
+    plot = series_panel_of(sim, ui);
+    title = plot.title.empty() ? "Over time" : plot.title;
+  } else {
+    throw Error(ErrorKind::bad_input,
+                fmt::format("export_plot: {} has no plot; expected barrier, convergence or series", panel));
+  }
+  Figure figure;
+  figure.title = std::move(title);
+  figure.caption = run_caption(sim.scene->name, sim.a.state.step, sim.a.params, sim.a.kappa, true);
+  if (sim.b && panel == series_tab.name) figure.caption += "; B: κ = " + format_value(sim.b->kappa);
+  plot.title.clear();
+  figure.plots.push_back(std::move(plot));
+  return figure;
+}
+
+void check_plot_name(const std::string& path) {
+  const std::string ending = ending_of(path);
+  for (const char* known : {".csv", ".svg", ".pdf", ".png"}) {
+    if (ending == known) return;
+  }
+  throw Error(ErrorKind::bad_input,
+              fmt::format("{}: expected a name that ends in .csv, .svg, .pdf or .png", path));
+}
+
+void export_plot(const command::ExportPlot& what, const Snapshot& sim, const UiState& ui,
+                 GlContext& context) {
+  check_plot_name(what.path);
+  const Figure figure = panel_figure(what.panel, sim, ui);
+  const std::string ending = ending_of(what.path);
+  if (ending == ".png") {
+    write_png_of(figure, what, ui.dark, context);
+    return;
+  }
+  PictureSize size = default_size(figure);
+  if (what.width > 0) size.width = what.width;
+  if (what.height > 0) size.height = what.height;
+  write_file(what.path, ending == ".csv"   ? figure_to_csv(figure)
+                        : ending == ".svg" ? figure_to_svg(figure, size.width, size.height)
+                                           : picture_to_pdf(figure_picture(figure), size.width, size.height));
+}
+
+}  // namespace pabd

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What the plots of panels show, made of a snapshot and the state of the view alone: panels draw them, and they
+// are what is written to a file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/gui/ui_state.h"
+#include "app/plots/figures/barrier_plots.h"
+#include "app/workbench/snapshot.h"
+#include "render/context/context.h"
+
+namespace pabd {
+
+// `x`, `y`: ranges that a drag holds.
+BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& view,
+                              const std::optional<PlotRange>& x = {}, const std::optional<PlotRange>& y = {});
+
+// Of the view `ui.convergence`. The title says which held curves are left out; empty: none.
+Plot convergence_panel_of(const Snapshot& sim, const UiState& ui);
+
+// Of the view `ui.series`.
+Plot series_panel_of(const Snapshot& sim, const UiState& ui);
+
+// A panel as a figure: with a title, and a caption that says scene, step and parameters. Throws
+// Error(bad_input) for a panel that has no plot.
+Figure panel_figure(const std::string& panel, const Snapshot& sim, const UiState& ui);
+
+// Writes it, by the ending of the name: .csv, .svg, .pdf or .png; size 0: what suits it. Throws
+// Error(bad_input), Error(file). Changes the current ImGui context for a .png.
+void export_plot(const command::ExportPlot& what, const Snapshot& sim, const UiState& ui, GlContext& context);
+// Whether the name ends in one of these; throws Error(bad_input) else.
+void check_plot_name(const std::string& path);
+
+}  // namespace pabd
