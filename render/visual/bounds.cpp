@@ -39,14 +39,22 @@ bool has_finite_pose(const State& state, Index body) {
   return state.c[body].allFinite() && state.R[body].allFinite();
 }
 
-std::optional<BoundingSphere> bounding_sphere(const Model& model, const State& state) {
+std::vector<std::uint8_t> bodies_in_picture(const Model& model, const State& state) {
   const auto movable = sphere_around(model, state, [&](Index i) { return !model.fixed[i]; });
-  if (!movable) return sphere_around(model, state, [](Index) { return true; });
-  return sphere_around(model, state, [&](Index i) {
-    if (!model.fixed[i]) return true;
-    const double reach = (state.c[i] - movable->centre).norm() + bounding_radius(model.shape[i]);
-    return reach <= kScenery * movable->radius;
-  });
+  std::vector<std::uint8_t> out(model.shape.size(), 0);
+  for (Index i = 0; i < model.size(); ++i) {
+    if (is_plane(model.shape[i]) || !has_finite_pose(state, i)) continue;
+    const bool scenery =
+        movable && model.fixed[i] &&
+        (state.c[i] - movable->centre).norm() + bounding_radius(model.shape[i]) > kScenery * movable->radius;
+    out[static_cast<std::size_t>(i)] = scenery ? 0 : 1;
+  }
+  return out;
+}
+
+std::optional<BoundingSphere> bounding_sphere(const Model& model, const State& state) {
+  const std::vector<std::uint8_t> in = bodies_in_picture(model, state);
+  return sphere_around(model, state, [&](Index i) { return in[static_cast<std::size_t>(i)] != 0; });
 }
 
 }  // namespace pabd

@@ -2,7 +2,9 @@
 // The sphere around what is to be seen: for the camera, the shadow map and the depth range.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "render/visual/visual_scene.h"
 #include "sim/body/model.h"
@@ -18,6 +20,10 @@ struct BoundingSphere {
 
 // True when every number of the body's pose is finite: others cannot be drawn.
 bool has_finite_pose(const State& state, Index body);
+
+// 1: the body belongs to the picture, that is, it is movable, or fixed and not much larger than what moves. Without a
+// movable body every fixed one does. Planes and bodies without a finite pose never do.
+std::vector<std::uint8_t> bodies_in_picture(const Model& model, const State& state);
 
 // Sphere around the movable bodies (centre: of their common axis-aligned box), and around those fixed ones
 // that are not much larger than the rest. Without a movable body: around the fixed ones. Planes never count.

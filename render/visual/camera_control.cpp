@@ -22,24 +22,29 @@ Vec3 any_across(const Vec3& v) {
   return v.cross(std::abs(v.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX()).normalized();
 }
 
-double half_height(const CameraPose& pose) {
+double slope_of(const CameraPose& pose) {
   return std::tan(0.5 * std::clamp(pose.fov, 0.1, 170.0) * kPi / 180);
 }
 
 double pixel_size(const CameraPose& pose, const Viewport& port, double depth) {
-  return 2 * half_height(pose) * (depth > 0 ? depth : pose.distance()) / port.height;
+  return 2 * slope_of(pose) * (depth > 0 && !pose.orthographic ? depth : pose.distance()) / port.height;
 }
 
 }  // namespace
 
 CameraPose precise(const Camera& camera) {
   return {camera.eye.cast<double>(), camera.target.cast<double>(), camera.up.cast<double>(),
-          static_cast<double>(camera.fov)};
+          static_cast<double>(camera.fov), camera.orthographic};
 }
 
 Camera rounded(const CameraPose& pose) {
-  return {pose.eye.cast<float>(), pose.target.cast<float>(), pose.up.cast<float>(),
-          static_cast<float>(pose.fov)};
+  Camera camera;
+  camera.eye = pose.eye.cast<float>();
+  camera.target = pose.target.cast<float>();
+  camera.up = pose.up.cast<float>();
+  camera.fov = static_cast<float>(pose.fov);
+  camera.orthographic = pose.orthographic;
+  return camera;
 }
 
 CameraAxes axes_of(const CameraPose& pose) {
@@ -52,7 +57,13 @@ CameraAxes axes_of(const CameraPose& pose) {
 
 ViewRay ray_through(const CameraPose& pose, const Viewport& port, double x, double y) {
   const CameraAxes axes = axes_of(pose);
-  const double pixel = 2 * half_height(pose) / port.height;
+  if (pose.orthographic) {
+    const double pixel = pixel_size(pose, port, 0);
+    return {
+        pose.eye + pixel * (x - 0.5 * port.width) * axes.right + pixel * (0.5 * port.height - y) * axes.up,
+        -axes.back};
+  }
+  const double pixel = 2 * slope_of(pose) / port.height;
   const Vec3 along =
       pixel * (x - 0.5 * port.width) * axes.right + pixel * (0.5 * port.height - y) * axes.up - axes.back;
   return {pose.eye, along.normalized()};
@@ -62,7 +73,8 @@ PixelPoint to_pixel(const CameraPose& pose, const Viewport& port, const Vec3& p)
   const CameraAxes axes = axes_of(pose);
   const Vec3 q = p - pose.eye;
   const double depth = -q.dot(axes.back);
-  const double pixel = 2 * half_height(pose) * depth / port.height;
+  const double pixel =
+      pose.orthographic ? pixel_size(pose, port, 0) : 2 * slope_of(pose) * depth / port.height;
   return {0.5 * port.width + q.dot(axes.right) / pixel, 0.5 * port.height - q.dot(axes.up) / pixel, depth};
 }
 
@@ -119,11 +131,13 @@ CameraPose zoom(const CameraPose& pose, const Viewport& port, double factor, dou
 }
 
 CameraPose frame_sphere(const CameraPose& pose, const Viewport& port, const BoundingSphere& sphere) {
-  const double s = half_height(pose);
+  const double s = slope_of(pose);
   const double narrow = std::min(s, s * port.width / port.height);
   CameraPose moved = pose;
   moved.target = sphere.centre;
-  moved.eye = sphere.centre + kFrameMargin * sphere.radius / std::sin(std::atan(narrow)) * axes_of(pose).back;
+  moved.eye = sphere.centre + kFrameMargin * sphere.radius /
+                                  (pose.orthographic ? narrow : std::sin(std::atan(narrow))) *
+                                  axes_of(pose).back;
   return moved;
 }
 

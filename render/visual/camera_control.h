@@ -17,6 +17,7 @@ struct CameraPose {
   Vec3 target{0, 1, 0};  // m; what orbit() turns about and zoom() comes near to
   Vec3 up{0, 1, 0};
   double fov = 45;  // vertical, degrees
+  bool orthographic = false;
 
   double distance() const { return (eye - target).norm(); }
 };
@@ -38,7 +39,7 @@ struct Viewport {
 
 // What a pixel looks along; (x, y) in pixels.
 struct ViewRay {
-  Vec3 origin;     // the eye; m
+  Vec3 origin;     // the eye, or beside it for parallel rays; m
   Vec3 direction;  // unit
 };
 ViewRay ray_through(const CameraPose& pose, const Viewport& port, double x, double y);

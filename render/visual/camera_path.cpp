@@ -78,8 +78,10 @@ CameraPose camera_at(std::span<const CameraKey> all, double time) {
     w1 = slope_at(delta, span, (unwrapped(keys[k + 2], v1) - v1) / d, d);
   }
   const double s = (time - from.time) / span, s2 = s * s, s3 = s2 * s;
-  return pose_of((2 * s3 - 3 * s2 + 1) * v0 + (s3 - 2 * s2 + s) * span * w0 + (3 * s2 - 2 * s3) * v1 +
-                 (s3 - s2) * span * w1);
+  CameraPose pose = pose_of((2 * s3 - 3 * s2 + 1) * v0 + (s3 - 2 * s2 + s) * span * w0 +
+                            (3 * s2 - 2 * s3) * v1 + (s3 - s2) * span * w1);
+  pose.orthographic = from.pose.orthographic;
+  return pose;
 }
 
 }  // namespace pabd

@@ -9,6 +9,7 @@ namespace pabd {
 namespace {
 
 constexpr double kFrameHeight = 720;   // px; line widths count in these as well
+constexpr double kFarAway = 1e5;       // in distances of eye and target
 constexpr double kArcStep = 0.16;      // rad of a piece of an arc
 constexpr int kCoilPieces = 14;        // a turn
 constexpr double kStraightEnd = 0.14;  // of a coil's length, at each end
@@ -16,11 +17,18 @@ constexpr double kStraightEnd = 0.14;  // of a coil's length, at each end
 }  // namespace
 
 PixelMeter::PixelMeter(const Camera& camera)
-    : eye_(camera.eye.cast<double>()),
+    : eye_(eye_of(camera)),
       forward_((camera.target - camera.eye).cast<double>().stableNormalized()),
-      slope_(2 * std::tan(0.5 * static_cast<double>(camera.fov) * kPi / 180) / kFrameHeight) {}
+      orthographic_(camera.orthographic),
+      slope_(2 * static_cast<double>(half_height(camera)) / kFrameHeight) {}
+
+Vec3 eye_of(const Camera& camera) {
+  const Vec3 eye = camera.eye.cast<double>(), back = eye - camera.target.cast<double>();
+  return camera.orthographic ? Vec3(eye + kFarAway * back) : eye;
+}
 
 double PixelMeter::at(const Vec3& p) const {
+  if (orthographic_) return slope_;
   return slope_ * std::max((p - eye_).dot(forward_), 0.02 * (p - eye_).norm());
 }
 

@@ -30,7 +30,7 @@ constexpr double kLeastRing = 11;                       // pixels
 class OutlinePainter {
  public:
   OutlinePainter(const Pose& pose, const Pen& pen, VisualScene& out)
-      : pose_(pose), eye_(out.camera.eye.cast<double>()), pen_(pen), out_(out) {}
+      : pose_(pose), eye_(eye_of(out.camera)), pen_(pen), out_(out) {}
 
   void operator()(const SurfacePart& part) const {
     const double y = part.at.y();

@@ -71,13 +71,23 @@ struct Camera {
   Vec3f target{0, 1, 0};
   Vec3f up{0, 1, 0};
   float fov = 45;  // vertical, degrees
+  // Parallel rays: everything is as large as it would be at the target's distance.
+  bool orthographic = false;
+  // Where the target appears: 0 in the middle, ±1 at the edges, x to the right, y up. Moves the picture, not the
+  // eye: what is square to the line of sight stays so.
+  Eigen::Vector2f shift{0, 0};
 };
+
+bool same_camera(const Camera& a, const Camera& b);
+
+// Half the height of what is seen at distance 1, or of all that is seen by an orthographic camera; m.
+float half_height(const Camera& camera);
 
 // World to eye space: x right, y up, the camera looks along −z. An eye in its target or an `up` along the
 // line of sight gets a substitute direction, so that the matrix is always a rigid motion.
 Mat4f view_matrix(const Camera& camera);
-// Eye to clip space (GL: z in −w … w) for a frame of the given aspect (width / height); 0 < near_plane <
-// far_plane, m.
+// Eye to clip space (GL: z in −w … w) for a frame of the given aspect (width / height); near_plane <
+// far_plane, m; near_plane > 0 unless the camera is orthographic.
 Mat4f projection_matrix(const Camera& camera, float aspect, float near_plane, float far_plane);
 
 struct VisualScene {
