@@ -31,6 +31,7 @@ struct DrawList::Eye {
   float pixels;     // of a thing of size 1 at distance 1
   float texel;      // of the shadow map, m
   float tolerance;  // of outlines, pixels
+  bool parallel;    // rays: a thing is as large at any distance as at 1
 };
 
 void DrawList::build(const VisualScene& scene, int height, float texel, float tolerance) {
@@ -42,9 +43,8 @@ void DrawList::build(const VisualScene& scene, int height, float texel, float to
   glyph_entries_.clear();
   transparent_entries_.clear();
 
-  const float pixels =
-      static_cast<float>(height) / (2 * std::tan(0.5f * scene.camera.fov * 3.14159265f / 180));
-  const Eye eye{eye_matrix(scene), pixels, texel, tolerance};
+  const float pixels = static_cast<float>(height) / (2 * half_height(scene.camera));
+  const Eye eye{eye_matrix(scene), pixels, texel, tolerance, scene.camera.orthographic};
   for (int kind = 0; kind < kPrimitiveCount; ++kind) {
     for (const Instance& instance : scene.instances[kind])
       add(scene, eye, instance, static_cast<Primitive>(kind), -1);
@@ -76,7 +76,8 @@ void DrawList::add(const VisualScene& scene, const Eye& eye, const Instance& ins
   const int only_level = std::max(mesh, 0);
   const float scale = largest_scale(instance.transform);
   const float depth = -(eye.matrix.row(2).dot(instance.transform.col(3)));
-  const float radius = eye.pixels * scale / std::max(depth - scale, 1e-3f * scale + 1e-12f);
+  const float radius =
+      eye.pixels * scale / (eye.parallel ? 1 : std::max(depth - scale, 1e-3f * scale + 1e-12f));
   const Entry entry{&instance, primitive, flat_sided ? only_level : level_for_radius(radius, eye.tolerance),
                     depth};
   if (instance.color.w() < 1) {

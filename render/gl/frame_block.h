@@ -13,7 +13,7 @@
 //   eye               xyz; w: 1
 //   light             xyz: unit, towards the light; w: depth range of the shadow map in texels
 //   centre            xyz: of the scene; w: radius
-//   viewport          width, height in pixels; z: line width factor; w: size of a pixel at distance 1
+//   viewport          width, height in pixels; z: line width factor; w: size of a pixel at distance 1 (of parallel rays: in m)
 //   floor_shade       fall-off of the contact shade in m, its strength (0: no floor), -, -
 //   shadow_bounds     texels that casters may touch: x0, y0, x1, y1
 // clang-format off

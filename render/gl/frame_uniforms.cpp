@@ -153,7 +153,11 @@ FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shado
   const float distance = (scene.camera.eye - scene.centre).norm();
   // The floor in front of the scene is near, the horizon far; 1 : 8000 leaves enough of 24 bits of depth.
   const float far_plane = distance + 80 * radius;
-  const float near_plane = std::max(far_plane / 8000, 0.02f * (distance - radius));
+  const Vec3f back = scene.camera.eye - scene.camera.target;
+  const bool parallel = scene.camera.orthographic;
+  // Parallel rays come from behind the eye as well.
+  const float near_plane =
+      parallel ? -distance - 20 * radius : std::max(far_plane / 8000, 0.02f * (distance - radius));
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   const Mat4f clip = projection_matrix(scene.camera, aspect, near_plane, far_plane) * eye_matrix(scene);
   store(u.world_to_clip, clip);
@@ -161,13 +165,13 @@ FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shado
   store(u.world_to_floor, floor.world_to_map);
   u.floor_shade[0] = floor.fall_off;
   u.floor_shade[1] = floor.exists ? 1.0f : 0.0f;
-  store(u.eye, scene.camera.eye, 1);
+  store(u.eye, parallel ? Vec3f(scene.camera.eye + 1e4f * back) : scene.camera.eye, 1);
   store(u.light, towards_light(scene), shadow.depth_range);
   store(u.centre, scene.centre, radius);
   u.viewport[0] = static_cast<float>(width);
   u.viewport[1] = static_cast<float>(height);
   u.viewport[2] = static_cast<float>(height) / 720.0f;
-  u.viewport[3] = 2 * std::tan(0.5f * scene.camera.fov * 3.14159265f / 180) / static_cast<float>(height);
+  u.viewport[3] = 2 * half_height(scene.camera) / static_cast<float>(height);
   store(u.sun, lighting::kSun);
   store(u.sky, lighting::kSky);
   store(u.bounce, lighting::kBounce);

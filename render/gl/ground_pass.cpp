@@ -68,7 +68,10 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
   const Vec3f n = ground.normal.normalized();
   if (!n.allFinite() || !std::isfinite(ground.offset)) return;
   // Seen from below it would only hide the scene.
-  if (n.dot(scene.camera.eye) <= ground.offset) return;
+  const Camera& camera = scene.camera;
+  const bool above =
+      camera.orthographic ? n.dot(camera.eye - camera.target) > 0 : n.dot(camera.eye) > ground.offset;
+  if (!above) return;
   Vec3f axis_u, axis_v;
   plane_axes(n, axis_u, axis_v);
   const Vec3f below = scene.centre - (n.dot(scene.centre) - ground.offset) * n;
