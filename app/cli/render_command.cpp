@@ -143,7 +143,8 @@ int render(const RenderOptions& options) {
   if (!options.timings.empty()) timings.emplace("--timings", options.timings, options.output.force, inputs);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
-  AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera);
+  AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
+                    range.count / options.fps);
   const PngText common = common_text(a.scene(),
                                      {size.width, size.height, options.fps, options.overlay,
                                       camera_text(camera, options.camera), painter.gl_renderer()},
@@ -209,11 +210,7 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_option("--fps", options->fps, "frames a second (default 60)")->type_name("F");
   command->add_option("--size", options->size, "pixels (default 1280x720)")->type_name("WxH");
   command->add_option("--overlay", options->overlay, "comma-separated: " + overlay_help())->type_name("LIST");
-  command
-      ->add_option("--camera", options->camera,
-                   "front, side, top, iso, orbit:DEGREES_A_SECOND, eye=x,y,z,target=x,y,z,fov=degrees "
-                   "(any of them), or camera keys that 'pabd view' saved (.json)")
-      ->type_name("VIEW");
+  command->add_option("--camera", options->camera, camera_help())->type_name("VIEW");
   auto* ab =
       command
           ->add_option("--ab", options->ab,

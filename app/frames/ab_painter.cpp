@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "app/frames/scene_framing.h"
 #include "app/overlay/parameter_words.h"
 #include "sim/base/error.h"
 
@@ -13,7 +14,6 @@ namespace pabd {
 namespace {
 
 constexpr int kSeam = 2;                 // px between the halves, white
-constexpr float kBack = 1.4f;            // a compromise between cut-off sides and small bodies
 constexpr std::size_t kMostDetails = 6;  // lines of a caption
 
 std::vector<std::string> details_of(const FrameView& a, const FrameView& b) {
@@ -45,9 +45,15 @@ AbView parse_ab_view(const std::string& text) {
 
 AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first,
                      AbView view, int width, int height, const OverlayChoice& overlay,
-                     const CameraOption& camera) {
+                     const CameraOption& camera, double seconds) {
+  const bool framing = camera.frames() && camera.follow.empty();
+  std::vector<Spot> spots = spots_ahead(scene, first.a, framing ? seconds : 0);
+  if (first.b) {
+    const std::vector<Spot> of_b = spots_ahead(scene, *first.b, framing ? seconds : 0);
+    spots.insert(spots.end(), of_b.begin(), of_b.end());
+  }
   const auto painter = [&](const FrameView& of, int w, const Comparison& comparison) {
-    return std::make_unique<FramePainter>(context, scene, of, w, height, overlay, camera, comparison);
+    return std::make_unique<FramePainter>(context, scene, of, spots, w, height, overlay, camera, comparison);
   };
   if (!first.b) {
     left_ = painter(first.a, width, {});
@@ -55,12 +61,12 @@ AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& sce
   }
   const std::vector<std::string> details = details_of(first.a, *first.b);
   if (view == AbView::ghost) {
-    left_ = painter(first.a, width, {"A, and B as a ghost", details, true, 0, 1});
+    left_ = painter(first.a, width, {"A, and B as a ghost", details, true, 0});
     return;
   }
   const int half = (width - kSeam) / 2;
-  left_ = painter(first.a, half, {first.a.label, {"as it is"}, false, details.size(), kBack});
-  right_ = painter(*first.b, width - kSeam - half, {first.b->label, details, false, 0, kBack});
+  left_ = painter(first.a, half, {first.a.label, {"as it is"}, false, details.size()});
+  right_ = painter(*first.b, width - kSeam - half, {first.b->label, details, false, 0});
 }
 
 void AbPainter::draw(const Frame& frame) {

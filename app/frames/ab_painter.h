@@ -17,9 +17,11 @@ AbView parse_ab_view(const std::string& text);  // throws Error(bad_input)
 
 class AbPainter {
  public:
-  // As FramePainter. `first` says whether there are two runs, and what the caption tells of them.
+  // As FramePainter. `first` says whether there are two runs, and what the caption tells of them. Unless the camera
+  // is given it shows where bodies go in `seconds` from then on (scene_framing.h).
   AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first, AbView view,
-            int width, int height, const OverlayChoice& overlay, const CameraOption& camera);
+            int width, int height, const OverlayChoice& overlay, const CameraOption& camera,
+            double seconds = 0);
 
   void draw(const Frame& frame);  // and starts copying it back
   int queued() const { return left_->queued(); }

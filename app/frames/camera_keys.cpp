@@ -52,6 +52,10 @@ CameraKey key_from(const Json& json, const std::string& source, const std::strin
   key.pose.eye = vec(json, "eye", source, place);
   key.pose.target = vec(json, "target", source, place);
   if (json.contains("up")) key.pose.up = vec(json, "up", source, place);
+  if (json.contains("ortho")) {
+    if (!json["ortho"].is_boolean()) refuse(source, place + "/ortho", "true or false");
+    key.pose.orthographic = json["ortho"].get<bool>();
+  }
   if (json.contains("fov")) key.pose.fov = number(json["fov"], source, place + "/fov", 1, 170);
   if (!(key.pose.distance() > 1e-6)) refuse(source, place, "\"eye\" and \"target\" at different places");
   if (!(key.pose.up.norm() > 1e-6)) refuse(source, place + "/up", "a direction");
@@ -69,6 +73,7 @@ std::string camera_keys_json(const CameraKeys& keys) {
     OrderedJson json = {{"time", key.time}, {"eye", vec(key.pose.eye)}, {"target", vec(key.pose.target)}};
     if (key.pose.up != Vec3(0, 1, 0)) json["up"] = vec(key.pose.up);
     json["fov"] = key.pose.fov;
+    if (key.pose.orthographic) json["ortho"] = true;
     out += (i > 0 ? ",\n    " : "\n    ") + json.dump();
   }
   return out + "\n  ]\n}\n";

@@ -5,7 +5,7 @@
 //    "keys": [{"time": 0, "eye": [6, 4, 8], "target": [0, 1, 0], "fov": 45}, …]}
 //
 // Times are those of the simulation in seconds, lengths are metres, angles degrees. "up" is there only where
-// the camera looks straight down or up.
+// the camera looks straight down or up, "ortho": true where its rays are parallel, up to the next key.
 #pragma once
 
 #include <string>

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/frames/camera_keys.h"
@@ -17,10 +19,7 @@ namespace pabd {
 namespace {
 
 [[noreturn]] void fail(const std::string& text, const std::string& why) {
-  throw Error(ErrorKind::bad_input,
-              fmt::format("--camera {}: {}; expected front, side, top, iso, orbit:DEGREES_A_SECOND, "
-                          "eye=x,y,z,target=x,y,z,fov=degrees, or a file of camera keys (.json)",
-                          text, why));
+  throw Error(ErrorKind::bad_input, fmt::format("--camera {}: {}; expected {}", text, why, camera_help()));
 }
 
 float parse_number(const std::string& text, std::string_view word) {
@@ -65,19 +64,45 @@ void set_key(CameraOption& option, const std::string& text, std::string_view key
   }
 }
 
+// A view, or what is said of it. False when the word is none.
+bool take_word(CameraOption& option, const std::string& text, std::string_view word) {
+  using View = CameraOption::View;
+  static constexpr std::pair<std::string_view, View> kViews[] = {
+      {"front", View::front}, {"side", View::side}, {"top", View::top}, {"iso", View::iso}};
+  const auto set_view = [&](View view) {
+    if (option.view != View::base) fail(text, "two views");
+    option.view = view;
+  };
+  for (const auto& [name, view] : kViews) {
+    if (word != name) continue;
+    set_view(view);
+    return true;
+  }
+  if (word.starts_with("orbit:")) {
+    set_view(View::orbit);
+    option.orbit = parse_number(text, word.substr(6));
+  } else if (word == "ortho") {
+    option.orthographic = true;
+  } else if (word.starts_with("follow:")) {
+    option.follow = word.substr(7);
+    if (option.follow.empty()) fail(text, "follow: needs the name or number of a body");
+  } else {
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
+std::string camera_help() {
+  return "front, side, top, iso or orbit:DEGREES_A_SECOND, with ortho (parallel rays), follow:BODY, and any "
+         "of "
+         "eye=x,y,z,target=x,y,z,fov=degrees,up=x,y,z, separated by commas; or a file of camera keys (.json)";
+}
+
 CameraOption parse_camera(const std::string& text) {
-  using View = CameraOption::View;
   CameraOption option;
   if (text.empty()) return option;
-  if (text == "front") return {View::front, 0, {}, {}, {}, {}, {}};
-  if (text == "side") return {View::side, 0, {}, {}, {}, {}, {}};
-  if (text == "top") return {View::top, 0, {}, {}, {}, {}, {}};
-  if (text == "iso") return {View::iso, 0, {}, {}, {}, {}, {}};
-  if (text.starts_with("orbit:")) {
-    return {View::orbit, parse_number(text, std::string_view(text).substr(6)), {}, {}, {}, {}, {}};
-  }
   if (text.ends_with(".json")) {
     option.keys = read_camera_keys(text).keys;
     return option;
@@ -85,18 +110,28 @@ CameraOption parse_camera(const std::string& text) {
 
   std::string_view key;
   std::vector<float> numbers;
+  const auto end_key = [&] {
+    if (!key.empty()) set_key(option, text, key, numbers);
+    key = {};
+    numbers.clear();
+  };
   for (std::string_view word : split(text, ',')) {
-    if (const auto equals = word.find('='); equals != std::string_view::npos) {
-      if (!key.empty()) set_key(option, text, key, numbers);
-      numbers.clear();
+    if (word.starts_with("follow:") || word.find('=') == std::string_view::npos) {
+      if (take_word(option, text, word)) {
+        end_key();
+        continue;
+      }
+      if (key.empty()) fail(text, fmt::format("'{}' is no view", word));
+    } else {
+      end_key();
+      const auto equals = word.find('=');
       key = word.substr(0, equals);
+      if (key.empty()) fail(text, "a number without a name");
       word.remove_prefix(equals + 1);
-    } else if (key.empty()) {
-      fail(text, fmt::format("'{}' is no view", word));
     }
     numbers.push_back(parse_number(text, word));
   }
-  set_key(option, text, key, numbers);
+  end_key();
   if (option.eye && option.target && (*option.eye - *option.target).norm() < 1e-6f) {
     fail(text, "eye and target are the same point");
   }
@@ -108,6 +143,7 @@ std::string camera_words(const Camera& camera) {
   std::string out =
       fmt::format("eye={},target={},fov={}", three(camera.eye), three(camera.target), camera.fov);
   if (camera.up != Vec3f::UnitY()) out += ",up=" + three(camera.up);
+  if (camera.orthographic) out += ",ortho";
   return out;
 }
 
@@ -115,7 +151,25 @@ std::string camera_text(const CameraOption& option, const std::string& text) {
   return option.keys.empty() ? text : camera_keys_json({"", option.keys});
 }
 
-Camera apply_camera(const CameraOption& option, const Camera& base, double time) {
+std::optional<Index> followed_body(const CameraOption& option, const Model& model) {
+  const std::string& wanted = option.follow;
+  if (wanted.empty()) return std::nullopt;
+  const auto named = std::find(model.name.begin(), model.name.end(), wanted);
+  std::size_t body = static_cast<std::size_t>(named - model.name.begin());
+  if (named == model.name.end()) {
+    const auto result = std::from_chars(wanted.data(), wanted.data() + wanted.size(), body);
+    if (result.ec != std::errc() || result.ptr != wanted.data() + wanted.size()) body = model.name.size();
+  }
+  if (body >= model.name.size() || is_plane(model.shape[body])) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("--camera follow:{}: there is no such body; expected its name, or a number below {}",
+                    wanted, model.name.size()));
+  }
+  return static_cast<Index>(body);
+}
+
+Camera apply_camera(const CameraOption& option, const Camera& base, double time, const Vec3& way) {
   using View = CameraOption::View;
   if (!option.keys.empty()) return rounded(camera_at(option.keys, time));
   Camera camera = base;
@@ -147,6 +201,9 @@ Camera apply_camera(const CameraOption& option, const Camera& base, double time)
   if (option.target) camera.target = *option.target;
   if (option.fov) camera.fov = *option.fov;
   if (option.up) camera.up = *option.up;
+  if (option.orthographic) camera.orthographic = true;
+  camera.eye += way.cast<float>();
+  camera.target += way.cast<float>();
   if ((camera.eye - camera.target).norm() < 1e-6f) {
     throw Error(ErrorKind::bad_input, "--camera: the eye lies in the target; name both eye=… and target=…");
   }

@@ -8,41 +8,16 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/frames/scene_framing.h"
 #include "app/overlay/overlay_panels.h"
+#include "render/visual/bounds.h"
 #include "sim/base/error.h"
 
 namespace pabd {
 namespace {
 
-// Moves the camera so that its target appears in the middle of `free` (px, in a frame of width × height), and
-// as far away as that rectangle is smaller than the frame.
-Camera make_room(const Camera& camera, const Rect& free, int width, int height) {
-  const double share = std::min(free.w / width, free.h / height);
-  if (!(share > 0.2)) return camera;
-  Camera moved = camera;
-  const Vec3f offset = (camera.eye - camera.target) * static_cast<float>(std::pow(share, -0.65));
-  const Mat4f view = view_matrix(camera);
-  const Vec3f right = view.row(0).head<3>();
-  const Vec3f up = view.row(1).head<3>();
-  // Half the height of the frame at the target's distance, in metres.
-  const auto half = static_cast<float>(offset.norm() * std::tan(camera.fov * kPi / 360));
-  const auto x = static_cast<float>((2 * (free.x + free.w / 2) - width) / height);
-  const auto y = static_cast<float>(1 - 2 * (free.y + free.h / 2) / height);
-  const Vec3f shift = -half * (x * right + y * up);
-  moved.target = camera.target + shift;
-  moved.eye = moved.target + offset;
-  return moved;
-}
-
-Camera choose_base_camera(const Scene& scene, const FrameView& first, double aspect) {
-  if (!scene.camera) return frame_camera(*first.model, first.state, aspect);
-  const CameraDesc& desc = *scene.camera;
-  Camera camera;
-  camera.eye = desc.eye.cast<float>();
-  camera.target = desc.target.cast<float>();
-  camera.fov = static_cast<float>(desc.fov);
-  return camera;
-}
+constexpr double kLeastPart = 0.15;  // of the frame's sides: less is no room for a picture
+constexpr double kAround = 7;        // radii of a body that is followed: so much of what is around it is seen
 
 }  // namespace
 
@@ -71,8 +46,8 @@ std::string overlay_help() {
 }
 
 FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
-                           int width, int height, const OverlayChoice& overlay, const CameraOption& camera,
-                           const Comparison& comparison)
+                           std::span<const Spot> spots, int width, int height, const OverlayChoice& overlay,
+                           const CameraOption& camera, const Comparison& comparison)
     : scene_(std::move(scene)),
       width_(width),
       height_(height),
@@ -89,23 +64,48 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
   data_.caption = comparison.caption;
   data_.details = comparison.details;
   data_.view = &first;
-  set_camera(first, std::max(comparison.lines, comparison.details.size()), comparison.back);
+  set_camera(first, spots, std::max(comparison.lines, comparison.details.size()));
 }
 
-// So that panels, and a caption of so many lines, leave the bodies to be seen.
-void FramePainter::set_camera(const FrameView& first, std::size_t caption_lines, float back) {
-  base_camera_ = choose_base_camera(*scene_, first, static_cast<double>(width_) / height_);
-  if (camera_option_.eye || camera_option_.target || !camera_option_.keys.empty()) return;
-  if (back != 1 && scene_->camera) base_camera_.eye += (back - 1) * (base_camera_.eye - base_camera_.target);
+// What panels, and a caption of so many lines, leave free.
+PicturePart FramePainter::free_part(std::size_t caption_lines) const {
   const PanelLayout layout = layout_panels(choice_.panels, data_, width_, height_);
-  if (layout.panels.empty() && caption_lines == 0) return;
-  Rect free = layout.free;
+  Rect free = layout.panels.empty() ? Rect{0, 0, double(width_), double(height_)} : layout.free;
   if (caption_lines > 0) {
     const double caption = std::min(caption_height(layout.scale, caption_lines), 0.5 * free.h);
     free.y += caption;
     free.h -= caption;
   }
-  base_camera_ = make_room(base_camera_, free, width_, height_);
+  if (free.w < kLeastPart * width_ || free.h < kLeastPart * height_) return {};  // behind the panels, then
+  return {free.x / width_, free.y / height_, free.w / width_, free.h / height_};
+}
+
+void FramePainter::set_camera(const FrameView& first, std::span<const Spot> spots,
+                              std::size_t caption_lines) {
+  followed_ = followed_body(camera_option_, *first.model);
+  std::vector<Spot> around;
+  if (followed_) {
+    const auto body = static_cast<std::size_t>(*followed_);
+    follow_from_ = first.state.c[body];
+    around.push_back({follow_from_, kAround * bounding_radius(first.model->shape[body])});
+  }
+  // Of a camera that says where it is only the rest is looked for.
+  const PicturePart part = camera_option_.frames() ? free_part(caption_lines) : PicturePart{};
+  const double aspect = static_cast<double>(width_) / height_;
+  CameraOption side = camera_option_;
+  side.eye = side.target = std::nullopt;
+  const Camera like = side.keys.empty() ? apply_camera(side, side_of(*scene_), 0) : side_of(*scene_);
+  const bool orbits = camera_option_.view == CameraOption::View::orbit;
+  const auto fit = [&](std::span<const Spot> what) {
+    return orbits ? fit_orbit(what, like, aspect, part) : fit_camera(what, like, aspect, part);
+  };
+  base_camera_ = fit(spots);
+  if (!followed_) return;
+  // A body that is nearly all there is need not have as much around it.
+  const Camera close = fit(around);
+  const float all = (base_camera_.eye - base_camera_.target).norm(), near = (close.eye - close.target).norm();
+  base_camera_ = close;
+  if (near > all) base_camera_.eye = close.target + all / near * (close.eye - close.target);
 }
 
 void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
@@ -114,8 +114,11 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   options.bonds = choice_.bonds;
   options.contacts = choice_.contacts;
   options.d_hat = view.params.contact.d_hat;
-  visual_.camera =
-      apply_camera(camera_option_, base_camera_, camera_option_.keys.empty() ? time - start_time_ : time);
+  Vec3 way = Vec3::Zero();
+  if (followed_ && *followed_ < view.state.size() && has_finite_pose(view.state, *followed_))
+    way = view.state.c[static_cast<std::size_t>(*followed_)] - follow_from_;
+  visual_.camera = apply_camera(camera_option_, base_camera_,
+                                camera_option_.keys.empty() ? time - start_time_ : time, way);
   build_visual(*view.model, view.state, view.report, options, visual_);
   if (other && ghost_) add_ghost(*view.model, other->state, ghost_color(), visual_);
   data_.view = &view;

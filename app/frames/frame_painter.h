@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "app/frames/camera_option.h"
@@ -10,6 +12,7 @@
 #include "app/session/frame_view.h"
 #include "render/gl/renderer.h"
 #include "render/visual/build_visual.h"
+#include "render/visual/framing.h"
 #include "sim/scene/scene.h"
 
 namespace pabd {
@@ -37,16 +40,16 @@ struct Comparison {
   std::vector<std::string> details = {};  // lines below it
   bool ghost = false;                     // the other run's bodies too, translucent
   std::size_t lines = 0;                  // room for so many details; the same for pictures side by side
-  float back = 1;  // how much farther away a scene's own camera is: half a frame sees less
 };
 
 class FramePainter {
  public:
-  // `context` is current and outlives this. The camera makes room for panels and caption, and unless it is
-  // given frames the bodies as `first` has them.
-  FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first, int width,
-               int height, const OverlayChoice& overlay, const CameraOption& camera,
-               const Comparison& comparison = {});
+  // `context` is current and outlives this. Unless the camera is given it shows all of `spots` in what panels and
+  // caption leave free, from where the scene wants to be seen. Throws Error(bad_input) when it follows a body that
+  // is none.
+  FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
+               std::span<const Spot> spots, int width, int height, const OverlayChoice& overlay,
+               const CameraOption& camera, const Comparison& comparison = {});
 
   // Draws, and starts copying it back. `other`: the other run, or null; `apart`: how far the two are from
   // each other. `time`: where the camera is; s.
@@ -56,7 +59,8 @@ class FramePainter {
   std::string gl_renderer() const { return renderer_.gl_renderer(); }
 
  private:
-  void set_camera(const FrameView& first, std::size_t caption_lines, float back);
+  void set_camera(const FrameView& first, std::span<const Spot> spots, std::size_t caption_lines);
+  PicturePart free_part(std::size_t caption_lines) const;
 
   std::shared_ptr<const Scene> scene_;
   int width_, height_;
@@ -65,7 +69,9 @@ class FramePainter {
   OverlayChoice choice_;
   CameraOption camera_option_;
   Camera base_camera_;
-  double start_time_;  // s
+  std::optional<Index> followed_;
+  Vec3 follow_from_ = Vec3::Zero();  // where that body was in the first frame; m
+  double start_time_;                // s
   bool ghost_;
   OverlayData data_;  // what all frames have in common
   VisualScene visual_;

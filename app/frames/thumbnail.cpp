@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/frames/scene_framing.h"
 #include "render/output/png.h"
 #include "render/visual/build_visual.h"
 #include "sim/base/error.h"
@@ -24,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kHashDigits = 16;
-constexpr const char* kVersion = "pabd " PABD_VERSION " thumbnail 1";  // count up when the look changes
+constexpr const char* kVersion = "pabd " PABD_VERSION " thumbnail 2";  // count up when the look changes
 
 PngText text_of(const std::string& scene_hash) {
   return {{"Software", kVersion}, {"Scene hash", scene_hash}};
@@ -77,12 +78,7 @@ Image halved(const Image& image) {
 Image draw_thumbnail(Renderer& renderer, const Scene& scene, int view) {
   constexpr double kAspect = static_cast<double>(kThumbnailWidth) / kThumbnailHeight;
   VisualScene visual;
-  visual.camera = frame_camera(scene.model, scene.initial, kAspect);
-  if (scene.camera) {
-    visual.camera.eye = scene.camera->eye.cast<float>();
-    visual.camera.target = scene.camera->target.cast<float>();
-    visual.camera.fov = static_cast<float>(scene.camera->fov);
-  }
+  visual.camera = scene_camera(scene, kAspect);
   build_visual(scene.model, scene.initial, {}, {}, visual);
   renderer.draw_view(view, visual, 2 * kThumbnailWidth, 2 * kThumbnailHeight);
   Image large;

@@ -54,6 +54,18 @@ void draw_keys(GuiFrame& f) {
                                  : ViewCommand(command::ClearCameraKeys{}));
 }
 
+void draw_follow(GuiFrame& f) {
+  bool follows = f.ui.follow.has_value();
+  const bool selected = f.ui.selection.kind == Selection::Kind::body;
+  ImGui::BeginDisabled(!follows && !selected);
+  const std::string name = follows ? "follow " + f.sim.a.model->name[static_cast<std::size_t>(*f.ui.follow)]
+                                   : "follow the selected body";
+  if (ImGui::Checkbox(ui_text(name + " (shift+f)").c_str(), &follows))
+    f.out.send(ViewCommand(command::Follow{follows ? std::to_string(f.ui.selection.index) : ""}));
+  tooltip("The camera goes along with it");
+  ImGui::EndDisabled();
+}
+
 }  // namespace
 
 void draw_camera_menu(GuiFrame& f) {
@@ -65,6 +77,10 @@ void draw_camera_menu(GuiFrame& f) {
   for (const auto& v : kViews) {
     if (ImGui::Selectable(v.text)) f.out.send(ViewCommand(command::LookFrom{v.view}));
   }
+  bool ortho = f.ui.camera.orthographic;
+  if (ImGui::Checkbox("parallel rays (5)", &ortho)) f.out.send(ViewCommand(command::Ortho{ortho}));
+  tooltip("Orthographic: what is parallel stays parallel, and lengths do not depend on the distance");
+  draw_follow(f);
   heading(f, "Key frames");
   draw_keys(f);
   if (!f.ui.camera_keys.empty()) ImGui::SameLine();

@@ -47,6 +47,15 @@ const std::vector<KeyBinding>& key_table() {
     const auto toggle_costs = [](const Snapshot&, const UiState& ui, Outbox& out) {
       out.send(ViewCommand(command::Costs{!ui.costs}));
     };
+    const auto toggle_ortho = [](const Snapshot&, const UiState& ui, Outbox& out) {
+      out.send(ViewCommand(command::Ortho{!ui.camera.orthographic}));
+    };
+    const auto toggle_follow = [](const Snapshot&, const UiState& ui, Outbox& out) {
+      const bool body = ui.selection.kind == Selection::Kind::body;
+      const bool same = ui.follow && (!body || *ui.follow == ui.selection.index);
+      if (same || body)
+        out.send(ViewCommand(command::Follow{same ? "" : std::to_string(ui.selection.index)}));
+    };
     const auto leave = [](const Snapshot&, const UiState& ui, Outbox& out) {
       if (ui.help) {
         out.send(ViewCommand(command::Help{false}));
@@ -91,6 +100,8 @@ const std::vector<KeyBinding>& key_table() {
     add("View", "2", "from the right", looks("right"));
     add("View", "3", "from above", looks("top"));
     add("View", "4", "at an angle", looks("iso"));
+    add("View", "5", "parallel rays or perspective", toggle_ortho);
+    add("View", "shift+f", "follow the selected body", toggle_follow);
     add("View", "c", "show contacts", show("contacts", &UiState::contacts));
     add("View", "b", "show bonds and joints", show("bonds", &UiState::bonds));
     add("Window", "tab", "hide everything but the picture", toggle_columns);

@@ -13,10 +13,6 @@ constexpr double kShare = 0.3;   // of the time at most goes into slower ones
 // Smaller ones look bad, and are hardly quicker where there are many bodies.
 constexpr double kSmallest = 0.5;
 
-bool same_camera(const Camera& a, const Camera& b) {
-  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov == b.fov;
-}
-
 // The moment of one, what a person sets of the other.
 RunView mixed(const RunView& moment, const RunView& latest) {
   RunView out = moment;

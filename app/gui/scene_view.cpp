@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "app/frames/scene_framing.h"
 #include "app/gui/body_colors.h"
 #include "render/visual/bounds.h"
 #include "render/visual/outline.h"
 
 namespace pabd {
 namespace {
-
-bool same_camera(const Camera& a, const Camera& b) {
-  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov == b.fov;
-}
 
 void select(const Selection& selection, VisualOptions& options) {
   const auto number = static_cast<std::size_t>(selection.index);
@@ -70,14 +68,28 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const GuiLayout& la
   return true;
 }
 
-Camera scene_camera(const Scene& scene, double aspect) {
-  Camera camera = frame_camera(scene.model, scene.initial, aspect);
-  if (scene.camera) {
-    camera.eye = scene.camera->eye.cast<float>();
-    camera.target = scene.camera->target.cast<float>();
-    camera.fov = static_cast<float>(scene.camera->fov);
+void frame_spots(std::shared_ptr<const std::vector<Spot>> spots, const CameraPose& like, const Viewport& port,
+                 UiState& ui) {
+  const double aspect = port.width / port.height;
+  ui.camera = precise(fit_camera(*spots, rounded(like), aspect));
+  ui.framed = Framed{std::move(spots), rounded(ui.camera), aspect};
+}
+
+void reframe(const Viewport& port, UiState& ui) {
+  if (!ui.framed || std::abs(port.width / port.height / ui.framed->aspect - 1) < 1e-3) return;
+  if (same_camera(rounded(ui.camera), ui.framed->camera)) {
+    frame_spots(ui.framed->spots, ui.camera, port, ui);
+  } else {
+    ui.framed.reset();
   }
-  return camera;
+}
+
+void look_as_scene(const Scene& scene, const Viewport& port, UiState& ui) {
+  CameraPose like = precise(side_of(scene));
+  like.orthographic = ui.camera.orthographic;
+  auto spots = ui.scene_spots;
+  if (!spots) spots = std::make_shared<const std::vector<Spot>>(spots_of(scene.model, scene.initial));
+  frame_spots(std::move(spots), like, port, ui);
 }
 
 }  // namespace pabd

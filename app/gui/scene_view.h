@@ -8,6 +8,8 @@
 #include "app/workbench/snapshot.h"
 #include "render/gl/renderer.h"
 #include "render/visual/build_visual.h"
+#include "render/visual/camera_control.h"
+#include "sim/scene/scene.h"
 
 namespace pabd {
 
@@ -37,7 +39,13 @@ class SceneView {
   VisualScene visual_[2];
 };
 
-// The camera that the scene names, or one that frames its bodies.
-Camera scene_camera(const Scene& scene, double aspect);
+// Points the camera so that all spots are seen as `like` looks; until somebody moves it, reframe() keeps it so.
+void frame_spots(std::shared_ptr<const std::vector<Spot>> spots, const CameraPose& like, const Viewport& port,
+                 UiState& ui);
+// For a picture of another shape. Nothing when the camera was moved by hand.
+void reframe(const Viewport& port, UiState& ui);
+
+// The scene's own view of all that is to be seen from its start on.
+void look_as_scene(const Scene& scene, const Viewport& port, UiState& ui);
 
 }  // namespace pabd

@@ -107,6 +107,8 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
             {"eye", vec(ui.camera.eye)},
             {"target", vec(ui.camera.target)},
             {"fov", ui.camera.fov},
+            {"ortho", ui.camera.orthographic},
+            {"follow", ui.follow ? *ui.follow : -1},
             {"camera_keys", std::move(camera_keys)},
             {"keys_unsaved", ui.keys_unsaved},
             {"fly", ui.fly},

@@ -3,6 +3,7 @@
 // so do the mouse (camera), the flight along camera keys, and what no longer fits when bodies or scenes change.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "app/gui/view_command.h"
 #include "app/gui/window_panel.h"
 #include "render/visual/camera_path.h"
+#include "render/visual/framing.h"
 #include "sim/math/types.h"
 
 namespace pabd {
@@ -38,6 +40,14 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
+// What a command fitted into the picture. As long as nobody moves the camera, it is fitted anew when the picture has
+// another shape.
+struct Framed {
+  std::shared_ptr<const std::vector<Spot>> spots;
+  Camera camera;      // as it was fitted
+  double aspect = 0;  // of the picture
+};
+
 // A joint that waits for its second body.
 struct Joining {
   std::string type;
@@ -53,8 +63,11 @@ struct UiState {
   BySlot<bool> open{true, true, true};
 
   CameraPose camera;
-  std::vector<CameraKey> camera_keys;  // in order of time
-  bool keys_unsaved = false;           // they were set or removed since they were saved or loaded
+  std::optional<Framed> framed;
+  std::shared_ptr<const std::vector<Spot>> scene_spots;  // what the scene shows from its start on
+  std::optional<Index> follow;                           // the body that the camera goes along with
+  std::vector<CameraKey> camera_keys;                    // in order of time
+  bool keys_unsaved = false;  // they were set or removed since they were saved or loaded
   bool fly = false;
   bool contacts = true, bonds = true;
   ColorQuantity color = ColorQuantity::body;

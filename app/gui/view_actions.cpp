@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
+#include <vector>
 
 #include "app/frames/camera_keys.h"
 #include "app/gui/pictures.h"
@@ -85,19 +87,33 @@ struct Actor {
                                                   "top",   "bottom", "iso",   "scene"};
     const std::size_t i = one(c.view, kViews, "look_from");
     if (i == 7) {
-      ui.camera = precise(scene_camera(*sim.scene, port.width / port.height));
+      look_as_scene(*sim.scene, port, ui);
     } else {
-      ui.camera = look_from(ui.camera, static_cast<AxisView>(i));
+      frame_spots(everything(true), look_from(ui.camera, static_cast<AxisView>(i)), port, ui);
     }
   }
+  void operator()(const command::Ortho& c) const {
+    ui.camera.orthographic = c.on;
+    if (ui.framed && !ui.framed->spots->empty()) frame_spots(ui.framed->spots, ui.camera, port, ui);
+  }
+  void operator()(const command::Follow& c) const {
+    if (c.body.empty()) return ui.follow.reset();
+    const Index body = index_of(Selection::Kind::body, c.body, "follow");
+    if (is_plane(sim.a.model->shape[static_cast<std::size_t>(body)]))
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("follow: {} is a plane, and never moves", in_quotes(c.body)));
+    ui.follow = body;
+  }
   void operator()(const command::FrameSelection&) const {
+    if (ui.selection.kind == Selection::Kind::none)
+      return frame_spots(everything(false), ui.camera, port, ui);
     if (const auto sphere = selected_sphere()) ui.camera = frame_sphere(ui.camera, port, *sphere);
   }
   void operator()(const command::Select& c) const {
     static constexpr std::string_view kKinds[] = {"none", "body", "joint", "contact"};
     Selection selection;
     selection.kind = static_cast<Selection::Kind>(one(c.kind, kKinds, "select"));
-    if (selection.kind != Selection::Kind::none) selection.index = index_of(selection.kind, c.item);
+    if (selection.kind != Selection::Kind::none) selection.index = index_of(selection.kind, c.item, "select");
     if (!c.at.empty()) selection.at = point(c.at, "select", "at");
     if (!c.normal.empty()) selection.normal = point(c.normal, "select", "normal");
     if (selection.kind == Selection::Kind::contact) {
@@ -129,7 +145,8 @@ struct Actor {
     static constexpr std::string_view kHow[] = {"ghost", "side"};
     const bool side = one(c.how, kHow, "compare_view") == 1;
     // Half as wide a picture wants a step back.
-    if (sim.b && side != ui.side_by_side)
+    const bool by_hand = !ui.framed || !same_camera(rounded(ui.camera), ui.framed->camera);
+    if (sim.b && side != ui.side_by_side && by_hand)
       ui.camera.eye =
           ui.camera.target + (side ? kStepBack : 1 / kStepBack) * (ui.camera.eye - ui.camera.target);
     ui.side_by_side = side;
@@ -205,7 +222,20 @@ struct Actor {
   void operator()(const command::ExportPlot&) const {}
   void operator()(const command::CopyCommand&) const {}
 
-  Index index_of(Selection::Kind kind, const std::string& item) const {
+  // What is there now; with `ahead` also where the scene's bodies go from its start on.
+  std::shared_ptr<const std::vector<Spot>> everything(bool ahead) const {
+    auto spots = std::make_shared<std::vector<Spot>>(spots_of(*sim.a.model, sim.a.state));
+    if (sim.b) {
+      const std::vector<Spot> of_b = spots_of(*sim.b->model, sim.b->state);
+      spots->insert(spots->end(), of_b.begin(), of_b.end());
+    }
+    const bool as_loaded = sim.a.model->size() == sim.scene->model.size();
+    if (ahead && as_loaded && ui.scene_spots)
+      spots->insert(spots->end(), ui.scene_spots->begin(), ui.scene_spots->end());
+    return spots;
+  }
+
+  Index index_of(Selection::Kind kind, const std::string& item, const char* command) const {
     const Model& model = *sim.a.model;
     const std::size_t count = kind == Selection::Kind::body    ? model.shape.size()
                               : kind == Selection::Kind::joint ? model.joints.size()
@@ -218,9 +248,8 @@ struct Actor {
     const bool digits =
         !item.empty() && item.size() <= 9 && item.find_first_not_of("0123456789") == item.npos;
     if (digits && std::stoul(item) < count) return static_cast<Index>(std::stoul(item));
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("select: there is no {}; expected a name, or a number below {}", in_quotes(item), count));
+    throw Error(ErrorKind::bad_input, fmt::format("{}: there is no {}; expected a name, or a number below {}",
+                                                  command, in_quotes(item), count));
   }
 
   std::optional<BoundingSphere> selected_sphere() const {

@@ -59,6 +59,18 @@ struct Look {
     f(may("fov", "vertical angle of view, 1 to 170 degrees", "40"), fov);
   }
 };
+// Parallel rays, or those of an eye.
+struct Ortho {
+  static constexpr const char* name = "ortho";
+  bool on = true;
+  void fields(auto&& f) { f(kOn, on); }
+};
+// The camera goes along with a body.
+struct Follow {
+  static constexpr const char* name = "follow";
+  std::string body;  // name or number; empty: with none any more
+  void fields(auto&& f) { f(need("body", "name or number; empty: none any more", R"("1")"), body); }
+};
 // "scene", "iso", "front", "back", "left", "right", "top", "bottom".
 struct LookFrom {
   static constexpr const char* name = "look_from";
@@ -299,11 +311,12 @@ struct Quit {
 
 using ViewCommand =
     std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::HideUi,
-                 command::Look, command::LookFrom, command::FrameSelection, command::Select, command::Join,
-                 command::ColorBy, command::Show, command::CompareView, command::BarrierView,
-                 command::ConvergenceView, command::SeriesView, command::DifferenceView, command::Screenshot,
-                 command::ExportPlot, command::Record, command::StopRecord, command::AddCameraKey,
-                 command::DropCameraKey, command::ClearCameraKeys, command::Fly, command::SaveCamera,
-                 command::LoadCamera, command::Costs, command::Ask, command::CopyCommand, command::Quit>;
+                 command::Look, command::LookFrom, command::Ortho, command::Follow, command::FrameSelection,
+                 command::Select, command::Join, command::ColorBy, command::Show, command::CompareView,
+                 command::BarrierView, command::ConvergenceView, command::SeriesView, command::DifferenceView,
+                 command::Screenshot, command::ExportPlot, command::Record, command::StopRecord,
+                 command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys, command::Fly,
+                 command::SaveCamera, command::LoadCamera, command::Costs, command::Ask, command::CopyCommand,
+                 command::Quit>;
 
 }  // namespace pabd

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 
+#include "app/frames/scene_framing.h"
 #include "app/gui/dialogs.h"
 #include "app/gui/frame_costs.h"
 #include "app/gui/gui_theme.h"
@@ -26,6 +27,7 @@
 #include "app/gui/studio.h"
 #include "app/gui/view_actions.h"
 #include "app/gui/widgets.h"
+#include "render/visual/bounds.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -88,7 +90,9 @@ struct Viewer::Impl {
   SceneList scenes;
   bool scenes_shown = false;
   Studio studio;
-  double flown_to = -1;  // time that the camera has followed its keys to; s
+  std::optional<Index> followed_body;  // by the camera, in the last frame
+  Vec3 followed_at = Vec3::Zero();     // where it was then; m
+  double flown_to = -1;                // time that the camera has followed its keys to; s
   int width = kStartWidth, height = kStartHeight;
   bool themed_dark = false;
   double themed_unit = 0;
@@ -282,11 +286,17 @@ struct Viewer::Impl {
     }
     scene_serial = sim->scene_serial;
     if (sim->scene_path.empty() || sim->scene_path != followed) {  // else: the same one again
-      ui.camera = precise(scene_camera(*sim->scene, port().width / port().height));
+      FrameView start;
+      start.model = {sim->scene, &sim->scene->model};
+      start.params = sim->scene->params;
+      start.state = sim->scene->initial;
+      ui.scene_spots = std::make_shared<const std::vector<Spot>>(spots_ahead(sim->scene, start, kLookAhead));
+      look_as_scene(*sim->scene, port(), ui);
       ui.fly = false;
     }
     followed = sim->scene_path;
     ui.selection = {};
+    ui.follow.reset();
     ui.joining.reset();
     remember(sim->scene_path);
     scenes_shown = false;  // another folder, perhaps
@@ -299,6 +309,20 @@ struct Viewer::Impl {
     std::erase(ui.recent, full);
     ui.recent.insert(ui.recent.begin(), full);
     if (ui.recent.size() > kMostRecent) ui.recent.resize(kMostRecent);
+  }
+
+  // The camera goes as far as the body that it follows.
+  void follow_body() {
+    const State& state = sim->a.state;
+    const bool there = ui.follow && *ui.follow < state.size() && has_finite_pose(state, *ui.follow);
+    if (!there) ui.follow.reset();
+    const Vec3 at = there ? state.c[static_cast<std::size_t>(*ui.follow)] : Vec3::Zero();
+    if (there && ui.follow == followed_body) {
+      ui.camera.eye += at - followed_at;
+      ui.camera.target += at - followed_at;
+    }
+    followed_body = ui.follow;
+    followed_at = at;
   }
 
   // While time goes on the camera follows its keys; at rest it may be moved by hand.
@@ -324,6 +348,8 @@ struct Viewer::Impl {
     layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
     follow_scene(*last);
     list_scenes();
+    reframe(port(), ui);
+    follow_body();
     fly();
     restyle();
     ImGuiIO& io = ImGui::GetIO();
