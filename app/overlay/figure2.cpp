@@ -127,7 +127,7 @@ void add_slider(VisualScene& scene, double x) {
   add_text(scene, rail.c + Vec3(-0.78, 0.27, 0), "*{j}");
   add_text(scene, above + Vec3(0, 0.16, 0), "*{λ}");
   add_normal(scene, rail.c + Vec3(1.15, 0, 0), Vec3::UnitX(), Vec3(0.05, 0.16, 0));
-  add_text(scene, carriage.c + Vec3(0, 0.11, 0.28), "*{y}_{i1}, *{y}_{j1}", 16);
+  add_text(scene, carriage.c + Vec3(0.1, -0.42, 0.28), "*{y}_{i1}, *{y}_{j1}", 18);
   add_name(scene, x, "slider", "one translation");
 }
 
@@ -157,8 +157,8 @@ void add_hinge(VisualScene& scene, double x) {
   add_turn(scene, top, zero, up.cross(zero), 0.52, 0.12, kTheta - 0.12);
   add_text(scene, top + Vec3(0.3, 0.13, 0), "*{θ}");
   add_normal(scene, top, up, Vec3(0.14, 0, 0));
-  add_text(scene, anchor + Vec3(0.3, 0.44, 0.1), "*{y}_{i1}, *{y}_{j1}", 16);
-  add_text(scene, anchor + Vec3(0.3, -0.44, 0.1), "*{y}_{i2}, *{y}_{j2}", 16);
+  add_text(scene, anchor + Vec3(0.3, 0.44, 0.1), "*{y}_{i1}, *{y}_{j1}", 18);
+  add_text(scene, anchor + Vec3(0.3, -0.44, 0.1), "*{y}_{i2}, *{y}_{j2}", 18);
   add_text(scene, i.at({0.62 * leaf, 0.12, 0.1}), "*{i}");
   add_text(scene, j.at({0.62 * leaf, 0.12, 0.1}), "*{j}");
   add_name(scene, x, "hinge", "one rotation");
@@ -188,7 +188,7 @@ void add_spherical(VisualScene& scene, double x) {
   }
   add_text(scene, i.at({0.3, -0.5, 0}), "*{i}");
   add_text(scene, j.at({0.47, 0.1, 0}), "*{j}");
-  add_text(scene, anchor + Vec3(-0.62, 0.04, 0), "*{y}_{i0}, *{y}_{j0}", 16);
+  add_text(scene, anchor + Vec3(-0.62, 0.04, 0), "*{y}_{i0}, *{y}_{j0}", 18);
   add_name(scene, x, "spherical", "three rotations");
 }
 
