@@ -159,7 +159,7 @@ class BarrierPanelView final : public GuiPanel {
     static_assert(std::size(kAgainst) == std::size(kBarrierAbscissas));
     const auto now = std::find(std::begin(kBarrierAbscissas), std::end(kBarrierAbscissas), view.against);
     if (const auto i = word_combo("##against", kAgainst, std::size(kAgainst),
-                                  static_cast<std::size_t>(now - std::begin(kBarrierAbscissas)), f.px(46),
+                                  static_cast<std::size_t>(now - std::begin(kBarrierAbscissas)), f.px(40),
                                   "Against the distance d; or what a change of d̂, N or κ does at the gaps "
                                   "that occur")) {
       view.against = kBarrierAbscissas[*i];

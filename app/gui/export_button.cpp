@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/gui/widgets.h"
@@ -13,19 +14,27 @@ namespace pabd {
 namespace {
 
 constexpr const char* kText = "Save…";
+constexpr const char* kShort = "…";  // where the line is full
 constexpr const char* kEndings[] = {".csv", ".svg", ".pdf", ".png"};
 
 }  // namespace
 
-float export_width(const GuiFrame&) {
-  return ImGui::CalcTextSize(kText).x + 2 * ImGui::GetStyle().FramePadding.x;
+namespace {
+
+float width_of(const char* text) {
+  return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
+}  // namespace
+
+float export_width(const GuiFrame&) { return width_of(kText); }
+
 void export_button(GuiFrame& f, const char* panel, std::string& path) {
-  ImGui::SameLine();
-  const float right = ImGui::GetWindowContentRegionMax().x - export_width(f);
-  if (right > ImGui::GetCursorPosX()) ImGui::SetCursorPosX(right);
-  if (ImGui::Button(kText)) {
+  ImGui::SameLine(0, f.px(2));
+  const float end = ImGui::GetWindowContentRegionMax().x, here = ImGui::GetCursorPosX();
+  const char* text = here + width_of(kText) <= end ? kText : kShort;
+  ImGui::SetCursorPosX(std::max(here, end - width_of(text)));
+  if (ImGui::Button(text)) {
     if (path.empty()) path = fmt::format("{}_{}.pdf", f.sim.scene->name, panel);
     ImGui::OpenPopup("export");
   }
