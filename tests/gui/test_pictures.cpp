@@ -148,8 +148,8 @@ TEST_CASE("the plot of a panel is written as what its name says") {
   };
   const std::string csv = text("s.csv");
   CHECK(csv.starts_with("plot,series,x,y\n"));
-  // A row a step, and the one where the run is.
-  CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 12 + 1);
+  // The header, a row for the start and each step, and the one where the run is.
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 13 + 1);
   CHECK(text("s.svg").find("step 12") != std::string::npos);
   CHECK(text("b.pdf").starts_with("%PDF"));
   CHECK(read_png(folder.path() / "c.png").width == 500);
