@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "sim/base/counted.h"
 #include "sim/scene/text.h"
 
 namespace pabd::cli {
@@ -60,12 +61,11 @@ double median(std::vector<double> values) {
 }
 
 std::string bench_markdown(const BenchHead& head, const std::vector<BenchRow>& rows) {
-  const auto plural = [](int n) { return n == 1 ? "" : "s"; };
   // Two blanks at the end of a line break it.
-  std::string text = fmt::format("pabd {}, {}, {} thread{}, {} repetition{}  \n{}, load {}  \n{}\n\n",
-                                 PABD_VERSION, head.date, head.threads, plural(head.threads), head.repeat,
-                                 plural(head.repeat), describe(head.cpu),
-                                 head.load < 0 ? "unknown" : fmt::format("{:.1f}", head.load), build_text());
+  std::string text =
+      fmt::format("pabd {}, {}, {}, {}  \n{}, load {}  \n{}\n\n", PABD_VERSION, head.date,
+                  counted(head.threads, "thread"), counted(head.repeat, "repetition"), describe(head.cpu),
+                  head.load < 0 ? "unknown" : fmt::format("{:.1f}", head.load), build_text());
   text +=
       "| scene | bodies | joints | solver | steps | ms/step | CPU ms/step | iterations a step | contacts | "
       "largest overlap, mm | largest joint error, m | kinetic energy at the end, J | status |\n"

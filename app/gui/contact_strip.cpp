@@ -11,6 +11,7 @@
 #include "app/overlay/imgui_canvas.h"
 #include "app/overlay/overlay_panels.h"
 #include "app/plots/axis_ticks.h"
+#include "sim/base/counted.h"
 
 namespace pabd {
 namespace {
@@ -70,14 +71,14 @@ void draw_contact_strip(GuiFrame& f, const ContactStrip& strip, const PlotLayout
                          packed(contact_ink(0.5 * (lo + hi) / strip.d_hat)));
     }
     if (mouse.x >= x0 && mouse.x < x1)
-      under = fmt::format("{} of {} contacts with d/d̂ {} {}", count, strip.contacts,
+      under = fmt::format("{} of {} with d/d̂ {} {}", count, counted(strip.contacts, "contact"),
                           bin == 0 ? "below" : fmt::format("from {:.2f} to", lo / strip.d_hat),
                           fmt::format("{:.2f}", hi / strip.d_hat));
   }
-  const std::string text = ui_text(
-      strip.contacts == 0 ? std::string("d [m]; no contacts")
-                          : fmt::format("d [m]; {} contact{}, median {} d̂", strip.contacts,
-                                        strip.contacts == 1 ? "" : "s", format_value(strip.median, 3)));
+  const std::string text =
+      ui_text(strip.contacts == 0 ? std::string("d [m]; no contacts")
+                                  : fmt::format("d [m]; {}, median {} d̂", counted(strip.contacts, "contact"),
+                                                format_value(strip.median, 3)));
   if (ImFont* font = f.fonts.font(kText * f.unit))
     list.AddText(font, font->FontSize, {left + f.px(3), at.y}, packed(f.theme().muted), text.c_str());
   if (hovered && !under.empty()) tooltip(under);

@@ -10,6 +10,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
 #include "app/plots/axis_ticks.h"
+#include "sim/base/counted.h"
 
 namespace pabd {
 namespace {
@@ -83,7 +84,7 @@ class ConvergencePanel final : public GuiPanel {
                             : limit ? fmt::format("stopped at the limit of {}", r.iterations)
                             : r.status == StepStatus::converged
                                 ? fmt::format("converged in {}", r.iterations)
-                                : fmt::format("{} iterations, as asked", r.iterations);
+                                : counted(r.iterations, "iteration") + ", as asked";
     muted_label(f, fmt::format("step {}, {}:", r.step, to_string(r.method)));
     ImGui::SameLine(0, f.px(4));
     const bool warn = limit || r.status == StepStatus::non_finite;

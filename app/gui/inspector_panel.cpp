@@ -11,6 +11,7 @@
 #include "app/gui/inspector_rows.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "sim/base/counted.h"
 #include "sim/joint/joint_traits.h"
 
 namespace pabd {
@@ -119,8 +120,8 @@ class InspectorPanel final : public GuiPanel {
     ImGui::PushTextWrapPos(0);
     muted_label(f, "Double-click a body, joint or contact in the picture, or choose one here.");
     ImGui::PopTextWrapPos();
-    heading(f,
-            fmt::format("{} bodies, {} joints", f.sim.a.model->shape.size(), f.sim.a.model->joints.size()));
+    heading(f, counted(f.sim.a.model->shape.size(), "body", "bodies") + ", " +
+                   counted(f.sim.a.model->joints.size(), "joint"));
     list_.draw(f);
     heading(f, "new body");
     maker_.draw(f);

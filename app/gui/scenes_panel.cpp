@@ -11,6 +11,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/scene_list.h"
 #include "app/gui/widgets.h"
+#include "sim/base/counted.h"
 #include "sim/base/utf8.h"
 
 namespace pabd {
@@ -31,8 +32,8 @@ bool matches(const SceneCard& card, const std::string& wanted) {
 }
 
 std::string counts(const SceneCard& card) {
-  std::string out = card.bodies == 1 ? "1 body" : fmt::format("{} bodies", card.bodies);
-  if (card.joints > 0) out += card.joints == 1 ? ", 1 joint" : fmt::format(", {} joints", card.joints);
+  std::string out = counted(card.bodies, "body", "bodies");
+  if (card.joints > 0) out += ", " + counted(card.joints, "joint");
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/counted.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd {
@@ -156,8 +157,8 @@ std::optional<Advice> past_onset(const Params& params, const StepReport& report)
                 : std::string("its force does not grow at all");
   return Advice{
       AdviceKind::pressed_past_onset,
-      fmt::format("{} of {} contacts are pressed past the onset: d < {:.3g} d̂", past, gaps.size(),
-                  1 - contact.onset),
+      fmt::format("{} of {} {} pressed past the onset: d < {:.3g} d̂", past, counted(gaps.size(), "contact"),
+                  past == 1 ? "is" : "are", 1 - contact.onset),
       fmt::format("Within the onset a contact is stiffest, beyond it {}. The larger κ carries this load "
                   "within the onset.",
                   softer),
@@ -235,8 +236,9 @@ std::optional<Advice> iteration_limit(const Model& model, const Params& params, 
   // Tolerance 0 asks for all iterations.
   if (report.status != StepStatus::iteration_limit || params.solver.tolerance == 0) return std::nullopt;
   return longer_solve(model, params, report, AdviceKind::iteration_limit,
-                      fmt::format("{} iterations were not enough{}: {}", report.iterations,
-                                  slow_islands(model, report), unsettled(params, report)));
+                      fmt::format("{} {} not enough{}: {}", counted(report.iterations, "iteration"),
+                                  report.iterations == 1 ? "was" : "were", slow_islands(model, report),
+                                  unsettled(params, report)));
 }
 
 std::optional<Advice> friction_excess(const Model& model, const Params& params, const StepReport& report) {

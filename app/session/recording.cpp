@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/session/record_parts.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/base/hash.h"
 #include "sim/base/input_file.h"
@@ -127,7 +128,8 @@ class Decoder {
     if (hash != scene_->hash || bodies != scene_->model.shape.size()) {
       const bool other = name != scene_->name;
       in_.fail(fmt::format(
-          "a recording of the scene {} with {} bodies{}; open that scene first", printable(name), bodies,
+          "a recording of the scene {} with {}{}; open that scene first", printable(name),
+          counted(bodies, "body", "bodies"),
           other ? ", not of " + printable(scene_->name) : " as it was then: it has changed since"));
     }
   }

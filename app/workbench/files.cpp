@@ -8,6 +8,7 @@
 #include "app/workbench/check_output.h"
 #include "app/workbench/workbench.h"
 #include "sim/base/atomic_file.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_scene.h"
@@ -21,10 +22,6 @@ bool same_edits(const std::vector<std::shared_ptr<const MadeEdit>>& a,
                 const std::vector<std::shared_ptr<const MadeEdit>>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const auto& x, const auto& y) { return x == y || x->text == y->text; });
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return count == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", count, many);
 }
 
 // What differs between `from` and `p`, put on `to`.
@@ -76,7 +73,7 @@ std::vector<std::string> Workbench::at_stake() const {
 std::vector<std::string> Workbench::reload_loses() const {
   std::vector<std::string> out;
   const Timeline& past = a_->timeline();
-  if (past.size() > 1) out.push_back(fmt::format("the timeline ({} moments)", past.size()));
+  if (past.size() > 1) out.push_back(fmt::format("the timeline ({})", counted(past.size(), "moment")));
   if (!past.edits().empty()) out.emplace_back("bodies and joints that were added or removed");
   std::size_t steps = 0;
   for (const auto* changes : {&undo_, &redo_})
@@ -246,7 +243,7 @@ void Workbench::carry_out(const command::SaveRecording& c) {
   params_are_saved(Side::a);
   saved_.edits = a_->timeline().edits();
   saved_.hands = hands_;
-  tell(Severity::note, fmt::format("saved {}: {} moments", c.path, a_->timeline().size()));
+  tell(Severity::note, fmt::format("saved {}: {}", c.path, counted(a_->timeline().size(), "moment")));
 }
 
 // Everything is made before anything is given up.
@@ -264,7 +261,7 @@ void Workbench::carry_out(const command::LoadRecording& c) {
   held_.clear();
   playing_ = diverged_ = false;
   saved_ = {a_->params(), {}, a_->timeline().edits(), hands_};
-  const std::string what = fmt::format("{}: {} moments", c.path, a_->timeline().size());
+  const std::string what = fmt::format("{}: {}", c.path, counted(a_->timeline().size(), "moment"));
   if (!differs) return tell(Severity::note, what);
   tell(Severity::warning,
        fmt::format("{}; made by another build or machine: from step {} on, what is computed again differs in "

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/base/counted.h"
 #include "sim/scene/mesh_surface.h"
 #include "sim/scene/text.h"
 
@@ -37,7 +38,8 @@ void read_face(MeshText& text, MeshSurface& out, std::uint64_t& largest, std::ui
     ++face.count;
     if (out.corners.size() > 4 * kMostMeshFaces) limit_faces(kMostMeshFaces + 1, "line", text.line());
   }
-  if (face.count < 3) text.refuse(fmt::format("a face of {} points; expected three or more", face.count));
+  if (face.count < 3)
+    text.refuse(fmt::format("a face of {}; expected three or more", counted(face.count, "point")));
   out.faces.push_back(face);
   limit_faces(out.faces.size(), "line", text.line());
 }

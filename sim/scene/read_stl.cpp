@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 
+#include "sim/base/counted.h"
 #include "sim/scene/mesh_surface.h"
 #include "sim/scene/text.h"
 
@@ -101,11 +102,10 @@ MeshSurface read_stl(std::string_view bytes) {
     refuse_mesh("byte", bytes.size(),
                 "the file ends in its header; expected \"solid\" or 84 bytes of a binary header");
   }
-  refuse_mesh(
-      "byte", 80,
-      fmt::format("the header announces {} triangles, which make {} bytes, but the file has {}; expected "
-                  "equal sizes",
-                  count, kHeader + kTriangle * count, bytes.size()));
+  refuse_mesh("byte", 80,
+              fmt::format("the header announces {} in {} bytes, but the file has {}; expected "
+                          "equal sizes",
+                          counted(count, "triangle"), kHeader + kTriangle * count, bytes.size()));
 }
 
 }  // namespace pabd

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/scene/read_memory.h"
 #include "sim/scene/reader.h"
@@ -94,8 +95,8 @@ State state_from_json(const Model& model, const std::string& text, const std::st
   const Node bodies = in.require("bodies", "an array of bodies");
   const auto count = static_cast<std::size_t>(model.size());
   if (bodies.array_size() != count) {
-    bodies.fail(fmt::format("expected {} bodies, got {}; the state belongs to another scene", count,
-                            bodies.array_size()));
+    bodies.fail(fmt::format("expected {}, got {}; the state belongs to another scene",
+                            counted(count, "body", "bodies"), bodies.array_size()));
   }
   state.c.reserve(count);
   state.R.reserve(count);
