@@ -59,6 +59,7 @@ SinkOptions sink_options(const FrameView& start, const PngText& common, const Fr
   options.height = height;
   options.fps = range.fps;
   options.first_frame = first_written;
+  options.about = common;
   const double start_time = start.state.time;
   const double h = start.params.h;
   // A still is the only frame that its file sees, but not the first one of the run.

@@ -10,6 +10,7 @@
 #include "app/frames/frame_thread.h"
 #include "app/gui/pictures.h"
 #include "app/workbench/check_output.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -102,6 +103,7 @@ void Recorder::open(const Frame& first) {
   options.height = r.height;
   options.fps = r.fps;
   options.force = r.force;
+  options.about = common;
   options.png_text = [common, source = job.source.get()](int frame) {
     return frame_text(common, frame, source->time(frame));
   };
@@ -137,7 +139,8 @@ std::optional<Recorder::Outcome> Recorder::work(std::chrono::milliseconds budget
     if (!all && !ready(job.runs)) return std::nullopt;
     begin(job.runs.get());
     if (!all)
-      return Outcome{fmt::format("recording {} frames: {}", job.source->count(), job.record.path), false};
+      return Outcome{fmt::format("recording {}: {}", counted(job.source->count(), "frame"), job.record.path),
+                     false};
   }
   while (!job.finished.valid() && !job.stopping && job.drawn < job.source->count()) {
     if (!all && (Clock::now() >= end || (job.sink && !job.sink->has_room()))) return std::nullopt;
@@ -153,8 +156,8 @@ std::optional<Recorder::Outcome> Recorder::work(std::chrono::milliseconds budget
   }
   if (!all && !ready(job.finished)) return std::nullopt;
   job.finished.get();
-  return Outcome{fmt::format("saved {}: {} frames, {:.3g} s at {:g} a second", job.record.path, job.written,
-                             job.written / job.record.fps, job.record.fps),
+  return Outcome{fmt::format("saved {}: {}, {:.3g} s at {:g} a second", job.record.path,
+                             counted(job.written, "frame"), job.written / job.record.fps, job.record.fps),
                  false};
 }
 

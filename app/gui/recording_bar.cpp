@@ -8,8 +8,10 @@
 #include <algorithm>
 
 #include "app/gui/panels.h"
+#include "app/gui/picture_notes.h"
 #include "app/gui/pictures.h"
 #include "app/gui/widgets.h"
+#include "sim/base/counted.h"
 
 namespace pabd {
 
@@ -18,8 +20,9 @@ void draw_recording(GuiFrame& f, const Rect& view) {
   const Recorder::Progress p = f.recorder.progress();
   const float width = std::min(f.px(360), static_cast<float>(view.w) - f.px(24));
   if (width < f.px(80)) return;
-  ImGui::SetNextWindowPos({static_cast<float>(view.x + 0.5 * view.w), static_cast<float>(view.y) + f.px(12)},
-                          ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowPos(
+      {static_cast<float>(view.x + 0.5 * view.w), static_cast<float>(view.y + below_captions(f))},
+      ImGuiCond_Always, {0.5f, 0});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::Begin("##recording", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -27,7 +30,7 @@ void draw_recording(GuiFrame& f, const Rect& view) {
   label(p.path);
   const std::string text = p.finishing    ? std::string("finishing the file")
                            : p.count == 0 ? std::string("waiting for the step under way")
-                                          : fmt::format("{} of {} frames", p.done, p.count);
+                                          : fmt::format("{} of {}", p.done, counted(p.count, "frame"));
   const float done = p.count > 0 ? static_cast<float>(p.done) / static_cast<float>(p.count) : 0;
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   ImGui::ProgressBar(done, {-1, 0}, text.c_str());

@@ -65,6 +65,7 @@ void check_frame_size(const Image& frame, const SinkOptions& options) {
 
 std::unique_ptr<FrameSink> make_sink(const std::string& out, const SinkOptions& options) {
   check_options(out, options);
+  check_video_options(fs::path(out).extension().string(), options.video);
   if (out == "-") return make_raw_sink(STDOUT_FILENO, "stdout", options);
 
   const fs::path path(out);
@@ -87,7 +88,7 @@ std::unique_ptr<FrameSink> make_sink(const std::string& out, const SinkOptions& 
   }
   if (extension == ".mp4" || extension == ".webm" || extension == ".gif") {
     check_overwrite(out, path, {options.force, &options.inputs});
-    return make_video_sink(out, options);
+    return extension == ".gif" ? make_gif_sink(out, options) : make_video_sink(out, options);
   }
   refuse(fmt::format(
       "{}: unknown kind of output; expected a name that ends in .mp4, .webm, .gif or .png, or -", out));

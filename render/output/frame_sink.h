@@ -10,6 +10,7 @@
 
 #include "render/output/image.h"
 #include "render/output/png.h"
+#include "render/output/video_options.h"
 #include "sim/base/output_path.h"
 
 namespace pabd {
@@ -35,6 +36,8 @@ struct SinkOptions {
   InputFiles inputs;                           // that are never overwritten
   double encoder_timeout = 60;                 // seconds that ffmpeg may make no progress
   std::function<PngText(int frame)> png_text;  // may be empty
+  PngText about;                               // where a video came from, for its metadata; may be empty
+  VideoOptions video;                          // how it is encoded
 };
 
 // "-": raw RGB on stdout · .mp4 .webm .gif: video through ffmpeg · "…{frame:04}….png": a PNG a frame ·
@@ -44,7 +47,8 @@ struct SinkOptions {
 //
 // A video of odd size in .mp4 gets its last column or row twice, because its colours are stored at half
 // resolution. A .gif holds at most 50 frames a second (viewers slow down faster ones): of 60 every second
-// frame is kept.
+// frame is kept. Metadata of a video: tags of the file with the keywords of `about`, and "title", its "Scene"; of a
+// .gif a comment with a line each.
 std::unique_ptr<FrameSink> make_sink(const std::string& out, const SinkOptions& options);
 
 // Path of frame `number` (>= 0) for a template with one "{frame}" or "{frame:0W}" field (W = 1 to 9) in the

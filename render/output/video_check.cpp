@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "sim/base/child_process.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -35,7 +36,7 @@ void check_video(const std::string& name, const std::filesystem::path& file, con
   if (outcome.status != 0 || !outcome.errors.empty())
     refuse("cannot be read back (" + one_line(outcome.errors) + ")");
   if (found.frames != expected.frames || found.width != expected.width || found.height != expected.height) {
-    refuse(fmt::format("has {} frames of {}x{} pixels, not {} of {}x{}", found.frames, found.width,
+    refuse(fmt::format("has {} of {}x{} pixels, not {} of {}x{}", counted(found.frames, "frame"), found.width,
                        found.height, expected.frames, expected.width, expected.height));
   }
 }

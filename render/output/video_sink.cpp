@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Frames as a video: mp4 (H.264), webm (VP9) or gif, encoded by the ffmpeg program.
+// Frames as a video: mp4 (H.264) or webm (VP9), encoded by the ffmpeg program.
 //
 // The same frames give the same bytes on every machine with the same ffmpeg: no dates, no program names, a
 // fixed number of threads. The file gets its name only when ffmpeg ended well without a complaint, and every
 // frame can be read back from it.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -14,6 +13,7 @@
 #include "render/output/sinks.h"
 #include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -25,44 +25,17 @@ void append(Arguments& arguments, const Arguments& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
 }
 
-// RGB to the colours that players expect of HD video, with exact rounding, and the tags that say so.
-const char* const to_bt709 =
-    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,format="
-    "yuv420p";
-const Arguments bt709_tags = {"-color_primaries", "bt709", "-color_trc",   "bt709",
-                              "-colorspace",      "bt709", "-color_range", "tv"};
-
-// A player can jump to a picture every two seconds.
-std::string key_interval(double fps) {
-  return fmt::format("{}", std::max(1, static_cast<int>(std::lround(2 * fps))));
-}
-
-Arguments mp4(double fps) {
-  Arguments list = {"-vf",      to_bt709, "-c:v", "libx264", "-preset",
-                    "veryfast", "-crf",   "18",   "-g",      key_interval(fps)};
-  append(list, bt709_tags);
-  append(list, {"-movflags", "+faststart", "-f", "mp4"});
+// Tags of the file; what a system limits in a command line is left out.
+Arguments metadata(const PngText& about) {
+  constexpr std::size_t kMostText = 100'000;  // bytes; Linux takes 131072 an argument
+  Arguments list;
+  const auto add = [&](const std::string& key, const std::string& value) {
+    if (value.size() <= kMostText) append(list, {"-metadata", key + "=" + value});
+  };
+  const auto scene = about.find("Scene");
+  if (scene != about.end()) add("title", scene->second);
+  for (const auto& [key, value] : about) add(key, value);
   return list;
-}
-
-Arguments webm(double fps) {
-  Arguments list = {"-vf",     to_bt709, "-c:v",          "libvpx-vp9", "-crf",      "24",
-                    "-b:v",    "0",      "-deadline",     "good",       "-cpu-used", "4",
-                    "-row-mt", "1",      "-tile-columns", "2",          "-g",        key_interval(fps)};
-  append(list, bt709_tags);
-  append(list, {"-f", "webm"});
-  return list;
-}
-
-// A palette for each frame: one for all would need all frames in memory.
-Arguments gif() {
-  return {
-      "-filter_complex",
-      "[0:v]split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=bayer:bayer_scale=4",
-      "-loop",
-      "0",
-      "-f",
-      "gif"};
 }
 
 class VideoSink : public FrameSink {
@@ -74,32 +47,17 @@ class VideoSink : public FrameSink {
       width_ += width_ % 2;
       height_ += height_ % 2;
     }
-    // GIF counts in 1/100 s and viewers slow down what lasts only one of them.
-    if (kind == ".gif") every_ = static_cast<long>(std::ceil(options.fps / 50 - 1e-9));
-    every_ = std::max(every_, 1L);
-    const double fps = options.fps / static_cast<double>(every_);
+    check_video_encoder(options.video);
 
     file_.emplace(path_);
-    Arguments list = {"-nostdin",
-                      "-hide_banner",
-                      "-nostats",
-                      "-loglevel",
-                      "error",
-                      "-progress",
-                      "pipe:1",
-                      "-f",
-                      "rawvideo",
-                      "-pixel_format",
-                      "rgb24",
-                      "-video_size",
-                      fmt::format("{}x{}", width_, height_),
-                      "-framerate",
-                      fmt::format("{:.10g}", fps),
-                      "-i",
-                      "pipe:0",
-                      "-an"};
-    append(list, kind == ".mp4" ? mp4(fps) : kind == ".webm" ? webm(fps) : gif());
+    Arguments list = {"-nostdin", "-hide_banner", "-nostats", "-loglevel", "error", "-progress", "pipe:1"};
+    append(list, device_arguments(options.video));
+    append(list,
+           {"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", fmt::format("{}x{}", width_, height_),
+            "-framerate", fmt::format("{:.10g}", options.fps), "-i", "pipe:0", "-an"});
+    append(list, video_arguments(kind, options.fps, options.video));
     append(list, {"-threads", "4", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
+    append(list, metadata(options.about));
     // "file:" so that a name with a colon is not taken for an address.
     append(list, {"-y", "file:" + file_->temporary().string()});
     encoder_.emplace(EncoderSetup{path_, file_->temporary(), options_.encoder_timeout, std::move(list)});
@@ -107,8 +65,6 @@ class VideoSink : public FrameSink {
 
   void write(const Image& frame) override {
     check_frame_size(frame, options_);
-    const bool kept = written_++ % every_ == 0;
-    if (!kept) return;
     ++sent_;
     if (width_ == frame.width && height_ == frame.height) {
       encoder_->write(frame.rgb.data(), frame.rgb.size());
@@ -124,9 +80,8 @@ class VideoSink : public FrameSink {
     if (encoded != sent_) {
       throw Error(
           ErrorKind::encoder,
-          fmt::format(
-              "{}: ffmpeg ended well but reported {} frames of {}; the video was not kept, write it again",
-              path_, encoded, sent_));
+          fmt::format("{}: ffmpeg ended well but reported {} of {}; the video was not kept, write it again",
+                      path_, counted(encoded, "frame"), sent_));
     }
     std::error_code unknown;
     const auto bytes = std::filesystem::file_size(file_->temporary(), unknown);
@@ -156,8 +111,6 @@ class VideoSink : public FrameSink {
   std::string path_;
   SinkOptions options_;
   int width_, height_;  // of the video
-  long every_ = 1;      // one of so many frames is kept
-  long written_ = 0;
   long sent_ = 0;
   Image padded_;
   std::optional<AtomicFile> file_;  // outlives the encoder, which writes into it

@@ -114,6 +114,98 @@ TEST_CASE("a gif of 60 frames a second keeps every second frame") {
   CHECK(probe(folder / "a.gif").ends_with(",4"));
 }
 
+TEST_CASE("a GIF has one palette for all frames, and is played as often as was asked") {
+  const TempFolder folder;
+  const auto made = [&](const char* name, std::optional<int> plays) {
+    SinkOptions options = sized(64, 48, 25);
+    options.video.plays = plays;
+    make_video(folder / name, options, 10);
+    return read_bytes(folder / name);
+  };
+  // Frames of a file with a palette of their own, and how often it is repeated; −1: not said.
+  const auto walk = [](const std::string& gif) {
+    std::pair<int, int> out = {0, -1};
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(gif.at(i)); };
+    std::size_t i = 13 + (byte(10) & 0x80 ? 3u << ((byte(10) & 7) + 1) : 0u);
+    const auto skip = [&] {
+      while (byte(i) != 0) i += byte(i) + 1u;
+      ++i;
+    };
+    while (byte(i) != 0x3B) {
+      if (byte(i) == 0x2C) {  // a frame
+        const unsigned flags = byte(i + 9);
+        if (flags & 0x80) ++out.first;
+        i += 10 + (flags & 0x80 ? 3u << ((flags & 7) + 1) : 0u) + 1;
+      } else {
+        if (byte(i + 1) == 0xFF && gif.substr(i + 3, 11) == "NETSCAPE2.0")
+          out.second = byte(i + 16) + 256 * byte(i + 17);
+        i += 2;
+      }
+      skip();
+    }
+    return out;
+  };
+  for (const auto& [name, plays, repeats] : {std::tuple{"ever.gif", std::optional<int>(), 0},
+                                             {"zero.gif", std::optional<int>(0), 0},
+                                             {"once.gif", std::optional<int>(1), -1},
+                                             {"thrice.gif", std::optional<int>(3), 2}}) {
+    CAPTURE(name);
+    const auto [own, repeated] = walk(made(name, plays));
+    CHECK(own <= 1);  // of ten: ffmpeg writes it again with the first frame
+    CHECK(repeated == repeats);
+  }
+  CHECK(folder.names().size() == 4);  // what it was made from is gone
+}
+
+TEST_CASE("a smaller --crf makes a larger file, and a slower --preset other bytes") {
+  const TempFolder folder;
+  for (const char* kind : {".mp4", ".webm"}) {
+    CAPTURE(kind);
+    const auto bytes = [&](const char* name, std::optional<int> crf, const char* preset) {
+      SinkOptions options = sized(160, 120);
+      options.video.crf = crf;
+      options.video.preset = preset;
+      make_video(folder / (std::string(name) + kind), options, 12);
+      return read_bytes(folder / (std::string(name) + kind));
+    };
+    const std::string usual = bytes("usual", {}, "");
+    CHECK(bytes("fine", 2, "").size() > usual.size());
+    CHECK(bytes("coarse", 45, "").size() < usual.size());
+    CHECK(bytes("same", std::string(kind) == ".mp4" ? 18 : 24,
+                std::string(kind) == ".mp4" ? "veryfast" : "fast") == usual);
+    CHECK(bytes("slow", {}, "veryslow") != usual);
+  }
+}
+
+TEST_CASE("an encoder of the GPU is tried first, and refused with ffmpeg's words") {
+  const TempFolder folder;
+  SinkOptions options = sized(64, 48);
+  for (const auto& [encoder, name, codec] : {std::tuple{VideoEncoder::nvenc, "--encoder nvenc", "h264_nvenc"},
+                                             {VideoEncoder::vaapi, "--encoder vaapi", "h264_vaapi"}}) {
+    CAPTURE(name);
+    options.video.encoder = encoder;
+    {
+      const FakeFfmpeg fake("echo 'Cannot load the driver' >&2\nexit 1\n");
+      const Caught error = caught([&, kept = options] { make_sink(folder / "a.mp4", kept); });
+      CHECK(error.kind == encoder_error);
+      CHECK(error.says(name));
+      CHECK(error.says(codec));
+      CHECK(error.says("Cannot load the driver"));
+      CHECK(error.says("leave --encoder out"));
+    }
+    // One that works is told which encoder to take, once to try it and once for the frames.
+    const FakeFfmpeg fake(
+        "echo \"$@\" >> \"$HERE/said\"\ncase \"$*\" in *lavfi*) exit 0;; esac\ncat > /dev/null\nexit 3\n");
+    CHECK(caught([&, kept = options] { make_video(folder / "a.mp4", kept, 2); }).kind == encoder_error);
+    const std::string said = read_bytes(fake / "said");
+    const auto first = said.find(codec);
+    REQUIRE(first != std::string::npos);
+    CHECK(said.find(codec, first + 1) != std::string::npos);
+    CHECK(said.find("libx264") == std::string::npos);
+  }
+  CHECK(folder.names().empty());
+}
+
 TEST_CASE("colours survive: flat areas within 3 levels for video, within 8 for the palette of a gif") {
   const TempFolder folder;
   Image image;
