@@ -8,6 +8,7 @@
 
 #include "app/frames/scene_framing.h"
 #include "app/overlay/parameter_words.h"
+#include "app/plots/axis_ticks.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -16,8 +17,17 @@ namespace {
 constexpr int kSeam = 2;                 // px between the halves, white
 constexpr std::size_t kMostDetails = 6;  // lines of a caption
 
-std::vector<std::string> details_of(const FrameView& a, const FrameView& b) {
+std::string law_words(const BondLaw& law) {
+  const bool hard = law.potential == BondPotential::hard;
+  return (hard ? fmt::format("hard, *{{N}} {}, *{{d̂}} {} m, ", law.N, format_value(law.d_hat)) : "soft, ") +
+         fmt::format("*{{κ}} {} {}", format_value(law.kappa), hard ? "J" : "N/m");
+}
+
+std::vector<std::string> details_of(const FrameView& a, const FrameView& b, const BondLaw& joints_a,
+                                    const BondLaw& joints_b) {
   std::vector<std::string> lines = difference_words(a.params, a.kappa, b.params, b.kappa);
+  const std::string from = law_words(joints_a), to = law_words(joints_b);
+  if (from != to) lines.push_back(fmt::format("joints {} → {}", from, to));
   if (lines.empty()) lines.emplace_back("the same parameters");
   if (lines.size() > kMostDetails) {
     const std::size_t more = lines.size() - (kMostDetails - 1);
@@ -45,28 +55,36 @@ AbView parse_ab_view(const std::string& text) {
 
 AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first,
                      AbView view, int width, int height, const OverlayChoice& overlay,
-                     const CameraOption& camera, double seconds) {
+                     const CameraOption& camera, double seconds,
+                     const std::shared_ptr<const Scene>& scene_b) {
   const bool framing = camera.frames() && camera.follow.empty();
   std::vector<Spot> spots = spots_ahead(scene, first.a, framing ? seconds : 0);
   if (first.b) {
-    const std::vector<Spot> of_b = spots_ahead(scene, *first.b, framing ? seconds : 0);
+    const std::vector<Spot> of_b = spots_ahead(scene_b ? scene_b : scene, *first.b, framing ? seconds : 0);
     spots.insert(spots.end(), of_b.begin(), of_b.end());
   }
-  const auto painter = [&](const FrameView& of, int w, const Comparison& comparison) {
-    return std::make_unique<FramePainter>(context, scene, of, spots, w, height, overlay, camera, comparison);
+  const auto painter = [&](const FrameView& of, int w, const Comparison& comparison, bool is_b = false) {
+    return std::make_unique<FramePainter>(context, is_b && scene_b ? scene_b : scene, of, spots, w, height,
+                                          overlay, camera, comparison);
   };
   if (!first.b) {
     left_ = painter(first.a, width, {});
     return;
   }
-  const std::vector<std::string> details = details_of(first.a, *first.b);
+  const std::vector<std::string> details =
+      details_of(first.a, *first.b, scene->joint_law, (scene_b ? scene_b : scene)->joint_law);
   if (view == AbView::ghost) {
     left_ = painter(first.a, width, {"A, and B as a ghost", details, true, 0});
     return;
   }
   const int half = (width - kSeam) / 2;
   left_ = painter(first.a, half, {first.a.label, {"as it is"}, false, details.size()});
-  right_ = painter(*first.b, width - kSeam - half, {first.b->label, details, false, 0});
+  right_ = painter(*first.b, width - kSeam - half, {first.b->label, details, false, 0}, true);
+}
+
+void AbPainter::set_quality(const RenderQuality& quality) {
+  left_->set_quality(quality);
+  if (right_) right_->set_quality(quality);
 }
 
 void AbPainter::draw(const Frame& frame) {

@@ -124,7 +124,7 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   data_.view = &view;
   data_.other = other;
   data_.distances = apart;
-  renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_));
+  renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_), quality_);
   renderer_.queue_read();
 }
 

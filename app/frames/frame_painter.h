@@ -54,6 +54,8 @@ class FramePainter {
   // Draws, and starts copying it back. `other`: the other run, or null; `apart`: how far the two are from
   // each other. `time`: where the camera is; s.
   void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart, double time);
+  // Of the pictures that follow.
+  void set_quality(const RenderQuality& quality) { quality_ = quality; }
   int queued() const { return renderer_.queued(); }
   void fetch(Image& out);  // the oldest picture that was drawn; precondition: queued() > 0
   std::string gl_renderer() const { return renderer_.gl_renderer(); }
@@ -73,6 +75,7 @@ class FramePainter {
   Vec3 follow_from_ = Vec3::Zero();  // where that body was in the first frame; m
   double start_time_;                // s
   bool ghost_;
+  RenderQuality quality_;
   OverlayData data_;  // what all frames have in common
   VisualScene visual_;
 };

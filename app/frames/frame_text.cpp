@@ -53,6 +53,7 @@ PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView&
                     {"overlay", facts.overlay},
                     {"camera", camera_text(scene, facts.camera)}};
   const BondLaw* joints = a.model->joints.empty() ? nullptr : &scene.joint_law;
+  if (facts.quality != "good") view_json["quality"] = facts.quality;
   if (b) view_json["ab"] = ab_view;
   PngText text = {
       {"Software", "pabd " PABD_VERSION}, {"Scene", scene.name},

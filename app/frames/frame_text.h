@@ -6,7 +6,7 @@
 //   Scene hash    16 hex digits over the resolved scene
 //   Parameters    JSON: what --set can tune, with the stiffness that "auto" came to
 //   Start         hash of the state at frame 0
-//   View          JSON: size, frames a second, overlay, camera as on the command line
+//   View          JSON: size, frames a second, overlay, camera as on the command line; quality, unless it is "good"
 //   B patch       with --ab: the patch that leads from A's parameters to B's, and how both are shown
 //   B parameters  with --ab: what B has
 //   GL_RENDERER   the driver that drew it
@@ -27,6 +27,7 @@ struct ViewFacts {
   std::string overlay;
   std::string camera;
   std::string gl_renderer;
+  std::string quality = "good";  // as on the command line
 };
 
 // {"gravity": …, "time_step": …, "solver": …, "contact": …}; `kappa` is the resolved stiffness in J. With
