@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/cli/common.h"
+#include "app/cli/help_text.h"
 #include "render/context/context.h"
 
 namespace pabd::cli {
@@ -12,6 +12,7 @@ namespace pabd::cli {
 inline void add_backend_option(CLI::App& command, std::string& backend) {
   command.add_option("--backend", backend, "where OpenGL comes from: auto, egl, osmesa (default auto)")
       ->type_name("NAME")
+      ->group(group::kPicture)
       ->check(CLI::IsMember({"auto", "egl", "osmesa"}));
 }
 

@@ -11,13 +11,14 @@
 #include <stdexcept>
 
 #include "app/cli/bench_table.h"
-#include "app/cli/common.h"
+#include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
 #include "app/session/step_at_time.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/scene/text.h"
 #include "sim/solver/step_summary.h"
@@ -58,10 +59,10 @@ std::int64_t step_count(const BenchOptions& options, const std::string& name, co
   if (!options.time) return options.steps.value_or(kDefaultSteps);
   const std::int64_t steps = steps_until(*options.time, scene.params.h);
   if (steps >= 1 && steps <= kMostSteps) return steps;
-  throw Error(
-      ErrorKind::bad_input,
-      fmt::format("--time {}: {} steps of {}; expected 1 … {}, which is {:.4g} … {:.4g} s", *options.time,
-                  steps, name, kMostSteps, scene.params.h, static_cast<double>(kMostSteps) * scene.params.h));
+  throw Error(ErrorKind::bad_input,
+              fmt::format("--time {}: {} of {}; expected 1 … {}, which is {:.4g} … {:.4g} s", *options.time,
+                          counted(steps, "step"), name, kMostSteps, scene.params.h,
+                          static_cast<double>(kMostSteps) * scene.params.h));
 }
 
 // All of them before the first step: what is wrong with the last is said at once.
@@ -202,19 +203,24 @@ void add_bench_command(CLI::App& app, Action& action) {
       options->common);
   command->add_option("SCENE", options->scenes,
                       "scene files, or names of shipped scenes (default: all shipped ones)");
-  auto* time = command->add_option("--time", options->time, "simulated time of each scene")->type_name("S");
+  auto* time = command->add_option("--time", options->time, "simulated time of each scene")
+                   ->type_name("S")
+                   ->group(group::kSimulation);
   command->add_option("--steps", options->steps, "time steps of each scene (default 300)")
       ->type_name("N")
-      ->excludes(time);
+      ->excludes(time)
+      ->group(group::kSimulation);
   command
       ->add_option("--repeat", options->repeat,
                    "how often each scene is run; times are medians over the steps of all (default 1)")
-      ->type_name("N");
+      ->type_name("N")
+      ->group(group::kSimulation);
   command
       ->add_option("--json", options->json,
                    "write the same as JSON, SI units and ms; -: to standard output in place of the table")
-      ->type_name("JSON");
-  command->add_flag("--force", options->force, "overwrite what exists");
+      ->type_name("JSON")
+      ->group(group::kOutput);
+  command->add_flag("--force", options->force, "overwrite what exists")->group(group::kOutput);
   command->add_flag("--solvers", options->solvers,
                     "measure every scene with auto, descent and newton; a second table tells what auto costs "
                     "against the cheaper of the two");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "app/cli/help_text.h"
 #include "sim/base/available_cpus.h"
 #include "sim/base/error.h"
 
@@ -19,6 +20,7 @@ int CommonOptions::thread_count() const { return threads > 0 ? threads : default
 void set_up_program(CLI::App& app, Action& action) {
   app.name("pabd");
   app.description("Projective affine body dynamics: simulate, render without a display, plot, compare.");
+  app.set_help_flag("-h,--help", "print this and leave");
   app.set_version_flag("--version", "pabd " PABD_VERSION, "print the version and leave");
   app.require_subcommand(1);
   app.footer(
@@ -28,8 +30,9 @@ void set_up_program(CLI::App& app, Action& action) {
       "  pabd run pyramid --time 10 --trace steps.csv\n"
       "  pabd bench pyramid bridge --steps 100\n"
       "  pabd plot barrier -o barrier.svg --N 1,2,3,8\n"
-      "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder,\n"
-      "            7 images differ or an expectation failed, 129/130/143 interrupted.\n");
+      "\n"
+      "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder, "
+      "7 images differ or an expectation failed, 129/130/143 interrupted.\n");
 
 #define PABD_ADD(name) add_##name##_command(app, action);
   PABD_COMMANDS(PABD_ADD)
@@ -42,7 +45,9 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
   std::string footer = examples.size() == 1 ? "Example:\n" : "Examples:\n";
   for (const std::string& example : examples) footer += "  " + example + "\n";
   command->footer(footer);
-  command->add_flag("--quiet", common.quiet, "no progress and no summary, errors only");
+  command->set_help_flag("-h,--help", "print this and leave");
+  command->add_flag("--quiet", common.quiet, "no progress and no summary, errors only")
+      ->group(group::kGeneral);
   command->set_version_flag("--version", "pabd " PABD_VERSION, "print the version and leave");
   return command;
 }
@@ -50,19 +55,24 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 void add_scene_options(CLI::App& command, CommonOptions& common) {
   command.add_option("--set", common.sets, "override a scene key: --set contact.kappa=50 (may be repeated)")
       ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->group(group::kSimulation);
   command
       .add_option("--threads", common.threads,
                   "threads of the solver, 1 … 1024; results do not depend on it. Default: the CPUs that this "
                   "process may use, at most 64; 'pabd doctor' tells how many. Software GL and video encoders "
                   "have threads of their own beside them")
       ->type_name("N")
+      ->group(group::kSimulation)
       ->check(CLI::Range(1, 1024));
 }
 
 void add_output_options(CLI::App& command, OutputOptions& output, const std::string& description) {
-  command.add_option("-o,--out", output.path, description)->type_name("OUT")->required();
-  command.add_flag("--force", output.force, "overwrite what exists");
+  command.add_option("-o,--out", output.path, description)
+      ->type_name("OUT")
+      ->required()
+      ->group(group::kOutput);
+  command.add_flag("--force", output.force, "overwrite what exists")->group(group::kOutput);
 }
 
 FrameSize parse_size(const std::string& text) {

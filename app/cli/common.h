@@ -64,7 +64,9 @@ void check_range(const std::string& option, double value, double lo, double hi, 
   X(scenes) \
   X(bench) \
   X(doctor) \
+  X(marks) \
   X(view) \
+  X(completion) \
   X(man)
 // clang-format on
 #define PABD_DECLARE(name) void add_##name##_command(CLI::App& app, Action& action);

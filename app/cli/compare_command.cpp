@@ -72,11 +72,13 @@ void add_compare_command(CLI::App& app, Action& action) {
                                   {"pabd compare actual.png expected.png --diff difference.png",
                                    "pabd compare actual.png expected.png --tier cross --json"},
                                   options->common);
-  command->add_option("ACTUAL", options->actual, "PNG file")->required();
-  command->add_option("EXPECTED", options->expected, "PNG file")->required();
+  command->add_option("ACTUAL", options->actual, "the picture that was made, a PNG file")->required();
+  command->add_option("EXPECTED", options->expected, "the picture that it should be, a PNG file")->required();
   command
-      ->add_option("--tier", options->tier,
-                   "same: one renderer class, nearly exact; cross: different ones; auto: from the files")
+      ->add_option(
+          "--tier", options->tier,
+          "same: one renderer class, nearly exact; cross: different ones; auto: from the files (default)")
+      ->type_name("TIER")
       ->check(CLI::IsMember({"same", "cross", "auto"}));
   command->add_option("--diff", options->diff, "write a picture of the differences")->type_name("OUT.png");
   command->add_flag("--json", options->json, "print the measures as JSON");

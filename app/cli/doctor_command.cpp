@@ -10,6 +10,7 @@
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
 #include "app/plots/font_data.h"
+#include "sim/base/counted.h"
 
 namespace pabd::cli {
 namespace {
@@ -39,7 +40,9 @@ nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, con
        {{"available", ffmpeg.found},
         {"version", ffmpeg.version},
         {"libx264", ffmpeg.h264},
-        {"libvpx-vp9", ffmpeg.vp9}}},
+        {"libvpx-vp9", ffmpeg.vp9},
+        {"h264_nvenc", ffmpeg.nvenc},
+        {"h264_vaapi", ffmpeg.vaapi}}},
       {"cpu", to_json(cpu)},
       {"build", build_text()},
       {"font_bytes", font_bytes().size()},
@@ -57,11 +60,15 @@ std::string to_text(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts
     text +=
         fmt::format("         {}: {}\n", attempt.name, attempt.failure.empty() ? "works" : attempt.failure);
   }
-  text += ffmpeg.found ? fmt::format("ffmpeg   {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {}\n",
-                                     ffmpeg.version, present(ffmpeg.h264), present(ffmpeg.vp9))
-                       : fmt::format("ffmpeg   none; {}\n", kFfmpegRemedy);
-  text += fmt::format("CPU      {} · {} cores · {} · {:.1f} GiB\n", cpu.model.empty() ? "unknown" : cpu.model,
-                      cpu.limits.cores, cpu.simd, cpu.memory_gib);
+  text +=
+      ffmpeg.found
+          ? fmt::format(
+                "ffmpeg   {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {} · h264_nvenc {} · h264_vaapi {}\n",
+                ffmpeg.version, present(ffmpeg.h264), present(ffmpeg.vp9), present(ffmpeg.nvenc),
+                present(ffmpeg.vaapi))
+          : fmt::format("ffmpeg   none; {}\n", kFfmpegRemedy);
+  text += fmt::format("CPU      {} · {} · {} · {:.1f} GiB\n", cpu.model.empty() ? "unknown" : cpu.model,
+                      counted(cpu.limits.cores, "core"), cpu.simd, cpu.memory_gib);
   text += fmt::format("threads  {} by default: {}\n", default_threads(cpu.limits), thread_reason(cpu.limits));
   text += fmt::format("build    {}\n", build_text());
   text += fmt::format("font     DejaVu Sans, embedded ({} kB)\n", font_bytes().size() / 1000);

@@ -75,11 +75,13 @@ void write_text(const std::string& text, const FigureOutputOptions& options) {
 
 void add_figure_output_options(CLI::App& command, FigureOutputOptions& options) {
   add_output_options(command, options.output, ".png, .svg, .pdf or .csv; - is standard output");
-  command.add_option("--format", options.format, "for -o - (default csv)")
+  command.add_option("--format", options.format, "what -o - writes: svg, pdf or csv (default csv)")
+      ->type_name("KIND")
       ->check(CLI::IsMember({"svg", "pdf", "csv"}));
   command
       .add_option("--style", options.style,
                   "paper: on white; screen: light on dark, as the window (default paper)")
+      ->type_name("STYLE")
       ->check(CLI::IsMember({"paper", "screen"}));
   command.add_option("--size", options.size, "pixels (default: what suits it)")->type_name("WxH");
   add_backend_option(command, options.backend);

@@ -13,6 +13,7 @@
 #include "app/cli/common.h"
 #include "render/gl/renderer.h"
 #include "sim/base/child_process.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
 
@@ -71,6 +72,8 @@ FfmpegFacts find_ffmpeg() {
   const std::string encoders = capture({"ffmpeg", "-hide_banner", "-encoders"});
   facts.h264 = encoders.find(" libx264 ") != std::string::npos;
   facts.vp9 = encoders.find(" libvpx-vp9 ") != std::string::npos;
+  facts.nvenc = encoders.find(" h264_nvenc ") != std::string::npos;
+  facts.vaapi = encoders.find(" h264_vaapi ") != std::string::npos;
   return facts;
 }
 
@@ -98,7 +101,7 @@ std::string limit_text(const CpuLimits& limits) {
   if (std::ceil(limits.quota) < limits.allowed)
     return fmt::format("control groups give this process the time of {:.4g} CPUs", limits.quota);
   if (limits.allowed < limits.cores)
-    return fmt::format("this process may run on {} of {} cores", limits.allowed, limits.cores);
+    return fmt::format("this process may run on {} of {}", limits.allowed, counted(limits.cores, "core"));
   return "one a core";
 }
 
@@ -110,8 +113,8 @@ std::string thread_reason(const CpuLimits& limits) {
 std::string describe(const CpuFacts& cpu) {
   const int usable = usable_cpus(cpu.limits);
   return fmt::format(
-      "{}, {} cores, {}, {:.1f} GiB{}", cpu.model.empty() ? "unknown CPU" : cpu.model, cpu.limits.cores,
-      cpu.simd, cpu.memory_gib,
+      "{}, {}, {}, {:.1f} GiB{}", cpu.model.empty() ? "unknown CPU" : cpu.model,
+      counted(cpu.limits.cores, "core"), cpu.simd, cpu.memory_gib,
       usable < cpu.limits.cores ? fmt::format(", {} usable: {}", usable, limit_text(cpu.limits)) : "");
 }
 

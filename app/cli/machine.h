@@ -21,8 +21,9 @@ struct GlFacts {
 struct FfmpegFacts {
   bool found = false;
   std::string version;
-  bool h264 = false;  // libx264, for .mp4
-  bool vp9 = false;   // libvpx-vp9, for .webm
+  bool h264 = false;                  // libx264, for .mp4
+  bool vp9 = false;                   // libvpx-vp9, for .webm
+  bool nvenc = false, vaapi = false;  // h264_nvenc, h264_vaapi; whether the GPU has them only a trial tells
 };
 
 struct CpuFacts {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/cli/common.h"
+#include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/report_error.h"
 #include "app/cli/streams.h"
@@ -36,9 +37,7 @@ const CLI::App* innermost(const CLI::App& app) {
 
 std::vector<std::string> subcommands(const CLI::App& command) {
   std::vector<std::string> names;
-  for (const CLI::App* choice :
-       command.get_subcommands([](const CLI::App* each) { return !each->get_group().empty(); }))
-    names.push_back(choice->get_name());
+  for (const CLI::App* choice : subcommands_of(command)) names.push_back(choice->get_name());
   return names;
 }
 
@@ -91,11 +90,7 @@ int run_program(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    const std::string path = command_path(app);  // CLI11 adds the last word itself
-    write_stdout(innermost(app)->help(path.substr(0, path.rfind(' ') == path.npos ? 0 : path.rfind(' '))));
-    return 0;
-  } catch (const CLI::CallForAllHelp&) {
-    write_stdout(app.help("", CLI::AppFormatMode::All));
+    write_stdout(help_text(*innermost(app), command_path(app), help_columns()));
     return 0;
   } catch (const CLI::CallForVersion&) {
     write_stdout("pabd " PABD_VERSION "\n");

@@ -6,6 +6,7 @@
 
 #include <sstream>
 
+#include "app/cli/help_text.h"
 #include "app/plots/rich_text.h"
 
 namespace pabd::cli {
@@ -18,10 +19,6 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
   return out;
 }
 
-std::vector<const CLI::App*> in_sight(const CLI::App& command) {
-  return command.get_subcommands([](const CLI::App* each) { return !each->get_group().empty(); });
-}
-
 // "-o, --out OUT", or in short "-o OUT"; "SCENE".
 std::string signature(const CLI::Option& option, bool in_short = false) {
   std::vector<std::string> names;
@@ -29,8 +26,7 @@ std::string signature(const CLI::Option& option, bool in_short = false) {
   for (const std::string& name : option.get_lnames()) names.push_back("\\fB\\-\\-" + troff(name) + "\\fR");
   if (names.empty()) return "\\fI" + troff(option.get_single_name()) + "\\fR";
   if (in_short) names.resize(1);
-  std::string type = option.get_type_size() == 0 ? "" : option.get_type_name();
-  type = type.substr(0, type.find(':'));  // what is allowed is for the description to say
+  const std::string type = value_name(option);
   return joined(names, ", ") + (type.empty() ? "" : " \\fI" + troff(type) + "\\fR");
 }
 
@@ -38,18 +34,25 @@ std::string entry(const std::string& term, const std::string& words) {
   return ".TP\n" + term + "\n" + troff(words) + "\n";
 }
 
-std::string options_section(const CLI::App& command, const char* title, bool positional) {
+std::string entries(const std::vector<const CLI::Option*>& options) {
   std::string out;
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->get_positional() != positional || option->get_group().empty()) continue;
-    out += entry(signature(*option), option->get_description());
-  }
-  return out.empty() ? out : fmt::format(".SH {}\n{}", title, out);
+  for (const CLI::Option* option : options) out += entry(signature(*option), option_words(*option));
+  return out;
+}
+
+// A section of arguments, and one of options with a part for each group.
+std::string options_sections(const CLI::App& command) {
+  const auto arguments = arguments_of(command);
+  std::string out = arguments.empty() ? "" : ".SH ARGUMENTS\n" + entries(arguments);
+  out += ".SH OPTIONS\n";
+  for (const OptionGroup& group : option_groups(command))
+    out += ".SS " + troff(group.name) + "\n" + entries(group.options);
+  return out;
 }
 
 std::string synopsis(const CLI::App& command, const std::string& path) {
   std::string out = ".B " + troff(path) + "\n";
-  if (!in_sight(command).empty()) return out + "\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n";
+  if (!subcommands_of(command).empty()) return out + "\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n";
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional() || !option->get_required()) continue;
     out += signature(*option, true) + "\n";
@@ -97,11 +100,10 @@ ManPage page_of(const CLI::App& command, const std::vector<std::string>& words,
                           troff(name), PABD_VERSION, troff(name), troff(command.get_description()),
                           synopsis(command, joined(words, " ")));
   std::string commands;
-  for (const CLI::App* each : in_sight(command))
+  for (const CLI::App* each : subcommands_of(command))
     commands += entry("\\fB" + troff(each->get_name()) + "\\fR", each->get_description());
   if (!commands.empty()) page.text += ".SH COMMANDS\n" + commands;
-  page.text += options_section(command, "ARGUMENTS", true) + options_section(command, "OPTIONS", false) +
-               footer_sections(command.get_footer());
+  page.text += options_sections(command) + footer_sections(command.get_footer());
   page.text += ".SH SEE ALSO\n";
   for (std::size_t i = 0; i < see_also.size(); ++i)
     page.text += ".BR " + troff(see_also[i]) + " (1)" + (i + 1 < see_also.size() ? " ,\n" : "\n");
@@ -113,10 +115,10 @@ void add_pages(const CLI::App& command, std::vector<std::string> words, const st
                std::vector<ManPage>& out) {
   std::vector<std::string> others;
   if (!above.empty()) others.push_back(above);
-  for (const CLI::App* each : in_sight(command))
+  for (const CLI::App* each : subcommands_of(command))
     others.push_back(joined(words, "-") + "-" + each->get_name());
   out.push_back(page_of(command, words, others));
-  for (const CLI::App* each : in_sight(command)) {
+  for (const CLI::App* each : subcommands_of(command)) {
     std::vector<std::string> longer = words;
     longer.push_back(each->get_name());
     add_pages(*each, longer, joined(words, "-"), out);

@@ -7,6 +7,7 @@ namespace pabd::cli {
 void add_plot_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("plot", "draw barrier curves, or how a step converges");
   command->require_subcommand(1);
+  command->set_help_flag("-h,--help", "print this and leave");
   command->set_version_flag("--version", "pabd " PABD_VERSION, "print the version and leave");
   command->footer(
       "Examples:\n"

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/cli/backend_option.h"
-#include "app/cli/common.h"
+#include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/simulation_setup.h"
@@ -18,6 +19,7 @@
 #include "app/frames/frame_text.h"
 #include "app/frames/render_pipeline.h"
 #include "render/output/frame_sink.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
 #include "sim/scene/tuning.h"
@@ -25,7 +27,12 @@
 namespace pabd::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr double kDefaultTime = 5;
+// A GIF is for a page: files of three digits of megabytes are of no use there.
+constexpr double kFps = 60, kGifFps = 20;
+constexpr const char *kSize = "1280x720", *kGifSize = "640x360";
 constexpr int kMostFrames = 10'000'000;
 constexpr std::size_t kMostPatchBytes = std::size_t{1} << 20;
 
@@ -35,8 +42,9 @@ struct RenderOptions {
   OutputOptions output;
   std::optional<double> time;
   std::optional<std::int64_t> frames;
-  double fps = 60;
-  std::string size = "1280x720";
+  std::optional<double> wanted_fps;  // none: what suits the output
+  double fps = kFps;
+  std::string size;  // empty: what suits the output
   std::string overlay = "none";
   std::string camera;
   std::string backend = "auto";
@@ -46,10 +54,53 @@ struct RenderOptions {
   std::string ab;
   std::string ab_view = "side";
   bool resume = false;
+  std::string quality = "good";
+  std::string encoder = "software";
+  VideoOptions video;
 };
+
+RenderQuality parse_quality(const std::string& word) {
+  if (word == "draft") return RenderQuality::live();
+  RenderQuality quality;
+  if (word == "best") quality.tolerance = 0.1f;
+  return quality;
+}
+
+// With what is not said as it suits the output.
+RenderOptions completed(RenderOptions options) {
+  const bool gif = std::filesystem::path(options.output.path).extension() == ".gif";
+  options.fps = options.wanted_fps.value_or(gif ? kGifFps : kFps);
+  if (options.size.empty()) options.size = gif ? kGifSize : kSize;
+  options.video.encoder = parse_video_encoder(options.encoder);
+  return options;
+}
 
 // One PNG shows the state at the end; everything else shows the way there.
 bool is_still(const std::string& out) { return out.ends_with(".png") && !is_frame_template(out); }
+
+std::string bytes_text(double bytes) {
+  return bytes < 1e6 ? fmt::format("{:.0f} kB", std::ceil(bytes / 1e3))
+                     : fmt::format("{:.1f} MB", bytes / 1e6);
+}
+
+// "wrote pyramid.mp4: 300 frames of 1280x720, 5 s at 60 a second, 3.1 MB".
+std::string written_text(const RenderOptions& options, const FrameRange& range, int frames) {
+  const std::string& out = options.output.path;
+  if (frames == 0) return "wrote nothing: ended before the first frame\n";
+  const std::string what = fmt::format("{} of {}", counted(frames, "frame"), options.size);
+  if (out == "-") return fmt::format("wrote {} to standard output\n", what);
+  if (is_frame_template(out)) {
+    const std::string first = frame_path(out, range.first).string();
+    const std::string last = frame_path(out, range.first + frames - 1).string();
+    return fmt::format("wrote {}{}: {}\n", first, frames > 1 ? " … " + last : "", what);
+  }
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(out, unknown);
+  const std::string bytes = unknown ? "" : ", " + bytes_text(static_cast<double>(size));
+  if (is_still(out)) return fmt::format("wrote {}: {}{}\n", out, options.size, bytes);
+  return fmt::format("wrote {}: {}, {:.4g} s at {:g} a second{}\n", out, what, frames / options.fps,
+                     options.fps, bytes);
+}
 
 // A video of T seconds has T·fps frames, the last one a frame before T. A still of T seconds shows the state
 // at T.
@@ -98,12 +149,49 @@ void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const 
   }
 }
 
-// B: the same scene and start with other parameters.
-Run open_patched(const RenderOptions& options, const Run& a) {
-  const std::string patch = read_file(options.ab, kMostPatchBytes, "a JSON merge patch");
-  Run b = a.fork();
-  b.set_params(patched(a.params(), patch, options.ab));
+// "joints_default.kappa=50" for {"joints_default": {"kappa": 50}}, which is taken out of the patch.
+std::vector<std::string> take_joint_sets(Json& patch, const std::string& source) {
+  std::vector<std::string> sets;
+  if (!patch.is_object() || !patch.contains("joints_default")) return sets;
+  const Json joints = patch["joints_default"];
+  if (!joints.is_object())
+    throw Error(ErrorKind::bad_input, fmt::format("{}: joints_default: expected an object", source));
+  for (const auto& [key, value] : joints.items())
+    sets.push_back(fmt::format("joints_default.{}={}", key,
+                               value.is_string() ? value.get<std::string>() : value.dump()));
+  patch.erase("joints_default");
+  return sets;
+}
+
+// B: the same scene and start with other parameters. Laws of joints belong to the bodies and joints of a scene: with
+// others it is read again.
+Run open_patched(const RenderOptions& options, const Run& a, InputFiles& inputs) {
+  const std::string text = read_file(options.ab, kMostPatchBytes, "a JSON merge patch");
+  Json patch = Json::parse(text, nullptr, false);
+  const std::vector<std::string> joints = take_joint_sets(patch, options.ab);
+  if (joints.empty()) {
+    Run b = a.fork();
+    b.set_params(patched(a.params(), text, options.ab));
+    return b;
+  }
+  CommonOptions common = options.common;
+  common.sets.insert(common.sets.end(), joints.begin(), joints.end());
+  Run b = open_run(options.scene, common, options.from, inputs);
+  b.set_params(patched(a.params(), patch.dump(), options.ab));
   return b;
+}
+
+// What the frames of the two runs have in common: laws of joints are no parameters of a run.
+void add_joints_of_b(const Run& a, const Run& b, PngText& common) {
+  const auto law = [](const Run& run) {
+    return Json::parse(parameters_json(run.params(), run.kappa(), &run.scene().joint_law))["joints_default"];
+  };
+  const Json joints_b = law(b);
+  if (joints_b == law(a)) return;
+  Json patch = Json::parse(common["B patch"]);
+  patch["joints_default"] = joints_b;
+  common["B patch"] = patch.dump();
+  common["B parameters"] = parameters_json(b.params(), b.kappa(), &b.scene().joint_law);
 }
 
 std::string timings_json(const RenderResult& result) {
@@ -115,8 +203,9 @@ std::string timings_json(const RenderResult& result) {
   return json.dump(2) + "\n";
 }
 
-int render(const RenderOptions& options) {
-  check_range("--fps", options.fps, 0.01, 1000, "1/s");
+int render(const RenderOptions& asked) {
+  if (asked.wanted_fps) check_range("--fps", *asked.wanted_fps, 0.01, 1000, "1/s");
+  const RenderOptions options = completed(asked);
   check_range("--encoder-timeout", options.encoder_timeout, 0.1, 1e6, "s");
   const FrameSize size = parse_size(options.size);
   const CameraOption camera = parse_camera(options.camera);
@@ -134,7 +223,10 @@ int render(const RenderOptions& options) {
   if (!camera.keys.empty()) inputs.add(options.camera);
   a.observe(overlay.needs_iterations(), overlay.needs_contacts());
   std::optional<Run> b;
-  if (!options.ab.empty()) b.emplace(open_patched(options, a));
+  if (!options.ab.empty()) {
+    b.emplace(open_patched(options, a, inputs));
+    b->observe(overlay.needs_iterations(), overlay.needs_contacts());
+  }
   std::optional<FrameView> start_b;
   if (b) start_b = b->view();
   const Frame start = make_frame(0, a.view(), std::move(start_b), {});
@@ -144,14 +236,18 @@ int render(const RenderOptions& options) {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
   AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
-                    range.count / options.fps);
-  const PngText common = common_text(a.scene(),
-                                     {size.width, size.height, options.fps, options.overlay,
-                                      camera_text(camera, options.camera), painter.gl_renderer()},
-                                     start.a, start.b ? &*start.b : nullptr, options.ab_view);
+                    range.count / options.fps, b ? b->shared_scene() : nullptr);
+  painter.set_quality(parse_quality(options.quality));
+  PngText common = common_text(a.scene(),
+                               {size.width, size.height, options.fps, options.overlay,
+                                camera_text(camera, options.camera), painter.gl_renderer(), options.quality},
+                               start.a, start.b ? &*start.b : nullptr, options.ab_view);
+  if (b) add_joints_of_b(a, *b, common);
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
-    if (!options.common.quiet) write_stderr(fmt::format("all {} frames are there already\n", range.count));
+    if (!options.common.quiet)
+      write_stderr(range.count == 1 ? std::string("the frame is there already\n")
+                                    : fmt::format("all {} frames are there already\n", range.count));
     return 0;
   }
 
@@ -161,6 +257,7 @@ int render(const RenderOptions& options) {
   // What follows the last whole frame is drawn again.
   sink_setup.force = options.output.force || options.resume;
   sink_setup.encoder_timeout = options.encoder_timeout;
+  sink_setup.video = options.video;
   AsyncSink sink(make_sink(out, sink_setup));
 
   const InterruptGuard interrupt;
@@ -175,10 +272,10 @@ int render(const RenderOptions& options) {
     timings->finish();
   }
   if (!options.common.quiet) {
-    write_stderr(
-        fmt::format("{} frames in {:.1f} s (simulating {:.1f}, drawing {:.1f}, encoding {:.1f}) · {} · {}\n",
-                    result.frames, result.times.total, result.times.simulate, result.times.draw,
-                    result.times.encode, context->name(), painter.gl_renderer()));
+    write_stderr(written_text(options, range, result.frames));
+    write_stderr(fmt::format("{:.1f} s (simulating {:.1f}, drawing {:.1f}, encoding {:.1f}) · {} · {}\n",
+                             result.times.total, result.times.simulate, result.times.draw,
+                             result.times.encode, context->name(), painter.gl_renderer()));
   }
   if (const auto diverged = source.diverged())
     throw diverged_error(options.scene + (diverged->in_b ? " with " + options.ab : ""), diverged->step);
@@ -194,6 +291,8 @@ void add_render_command(CLI::App& app, Action& action) {
                   {"pabd render pyramid -o pyramid.mp4 --time 5 --overlay plots,contacts",
                    "pabd render two_boxes -o 'frames/{frame:04}.png' --frames 120 --size 640x360 --resume",
                    "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
+                   "pabd render bridge -o bridge.gif --time 3 --loop 1",
+                   "pabd render pile -o pile.mp4 --crf 14 --preset slow --quality best",
                    "pabd render stack -o ab.mp4 --ab softer.json --overlay params,series,difference",
                    "pabd render pyramid -o - --size 640x360 | ffplay -f rawvideo -pixel_format rgb24 "
                    "-video_size 640x360 -"},
@@ -201,35 +300,54 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
   add_output_options(*command, options->output,
                      ".mp4, .webm, .gif: video; a name with {frame:04} and .png: a PNG a frame; .png: the "
-                     "last frame; -: raw "
-                     "RGB to standard output");
-  auto* time = command->add_option("--time", options->time, "length (default 5 s)")->type_name("S");
-  command->add_option("--frames", options->frames, "number of frames instead")
-      ->type_name("N")
-      ->excludes(time);
-  command->add_option("--fps", options->fps, "frames a second (default 60)")->type_name("F");
-  command->add_option("--size", options->size, "pixels (default 1280x720)")->type_name("WxH");
-  command->add_option("--overlay", options->overlay, "comma-separated: " + overlay_help())->type_name("LIST");
-  command->add_option("--camera", options->camera, camera_help())->type_name("VIEW");
+                     "last frame; -: raw RGB to standard output");
+  const auto option = [&](const char* group, const char* name, auto& value, const std::string& words,
+                          const char* type) {
+    return command->add_option(name, value, words)->type_name(type)->group(group);
+  };
+  using namespace group;
+  command->add_flag("--resume", options->resume, "go on with a sequence of frames that was cut short")
+      ->group(kOutput);
+  auto* time = option(kOutput, "--time", options->time, "length (default 5 s)", "S");
+  option(kOutput, "--frames", options->frames, "number of frames instead of a length", "N")->excludes(time);
+  option(kOutput, "--fps", options->wanted_fps, "frames a second (default 60; of a .gif 20)", "F");
+  option(kOutput, "--size", options->size, "pixels (default 1280x720; of a .gif 640x360)", "WxH");
+  option(kOutput, "--timings", options->timings, "write how long each stage worked", "JSON");
+
+  option(kPicture, "--overlay", options->overlay, "comma-separated: " + overlay_help(), "LIST");
+  option(kPicture, "--camera", options->camera, camera_help(), "VIEW");
   auto* ab =
-      command
-          ->add_option("--ab", options->ab,
-                       "beside the scene (A) the same one with changed parameters (B): a JSON merge patch "
-                       "of its keys, such as {\"contact\": {\"kappa\": 50}}")
-          ->type_name("PATCH.json");
-  command
-      ->add_option("--ab-view", options->ab_view, "side: side by side (default); ghost: B translucent over A")
-      ->type_name("VIEW")
+      option(kPicture, "--ab", options->ab,
+             "beside the scene (A) the same one with changed parameters (B): a JSON merge patch of its "
+             "keys, such as {\"contact\": {\"kappa\": 50}} or {\"joints_default\": {\"kappa\": 50}}",
+             "PATCH.json");
+  option(kPicture, "--ab-view", options->ab_view, "side: side by side (default); ghost: B translucent over A",
+         "VIEW")
       ->needs(ab);
+  option(
+      kPicture, "--quality", options->quality,
+      "draft: hard shadows and jagged edges, in a fraction of the time; good (default); best: round bodies "
+      "to a tenth of a pixel",
+      "WORD")
+      ->check(CLI::IsMember({"draft", "good", "best"}));
   add_backend_option(*command, options->backend);
-  command->add_option("--from", options->from, "start at a state file of this scene")
-      ->type_name("STATE.json");
-  command->add_flag("--resume", options->resume, "go on with a sequence of frames that was cut short");
-  command
-      ->add_option("--encoder-timeout", options->encoder_timeout,
-                   "how long ffmpeg may make no progress before it is ended, with exit code 6 (default 60)")
-      ->type_name("S");
-  command->add_option("--timings", options->timings, "write how long each stage worked")->type_name("JSON");
+
+  std::string presets;
+  for (const std::string& name : preset_names()) presets += (presets.empty() ? "" : ", ") + name;
+  option(kVideo, "--crf", options->video.crf,
+         "how much may be lost, smaller is better and larger: .mp4 0 … 51 (default 18), .webm 0 … 63 "
+         "(default 24)",
+         "N");
+  option(kVideo, "--preset", options->video.preset,
+         "time for a smaller file: " + presets + " (default: .mp4 veryfast, .webm fast)", "WORD");
+  option(kVideo, "--loop", options->video.plays, "how often a .gif is played; 0: for ever (default)", "N");
+  option(kVideo, "--encoder", options->encoder,
+         "of .mp4: software: libx264 (default); nvenc, vaapi: that of the GPU, where ffmpeg has it", "WORD")
+      ->check(CLI::IsMember({"software", "nvenc", "vaapi"}));
+  option(kVideo, "--encoder-timeout", options->encoder_timeout,
+         "how long ffmpeg may make no progress before it is ended, with exit code 6 (default 60)", "S");
+
+  option(kSimulation, "--from", options->from, "start at a state file of this scene", "STATE.json");
   add_scene_options(*command, options->common);
   command->callback([options, &action] { action = [options] { return render(*options); }; });
 }

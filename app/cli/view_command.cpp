@@ -7,6 +7,7 @@
 
 #include "app/cli/backend_option.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
@@ -14,6 +15,7 @@
 #include "app/gui/settings.h"
 #include "app/gui/viewer.h"
 #include "render/context/window.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
 
@@ -73,7 +75,8 @@ int view_headless(const ViewOptions& options, const FrameSize& size) {
   Viewer viewer(*context, *runner, viewer_options(options, 1));
   script.run(viewer, *runner,
              {options.out, options.force, size.width, size.height, {}, {}, print, inputs_of(options)});
-  if (!options.common.quiet) write_note(fmt::format("{}: {} actions done", options.script, script.size()));
+  if (!options.common.quiet)
+    write_note(fmt::format("{}: {} done", options.script, counted(script.size(), "action")));
   return 0;
 }
 
@@ -196,20 +199,28 @@ void add_view_command(CLI::App& app, Action& action) {
                                   options->common);
   command->add_option("SCENE", options->scene,
                       "scene file, or the name of a shipped scene (default two_boxes)");
-  command->add_flag("--play", options->play, "start at once");
-  command->add_option("--script", options->script, "carry out a list of actions")->type_name("JSON");
-  command->add_flag("--actions", options->actions, "list the actions of scripts and leave");
-  command->add_flag("--headless", options->headless, "no window: only the script");
-  command->add_option("-o,--out", options->out, "folder for the frames that a script writes (default: here)")
-      ->type_name("FOLDER");
-  command->add_flag("--force", options->force, "replace files that exist");
+  constexpr const char *kWindow = "Window", *kScripts = "Scripts";
+  command->add_flag("--play", options->play, "start at once")->group(kWindow);
   command
       ->add_option("--size", options->size,
                    "pixels of the window (default: as it was left, at first 1280x720)")
-      ->type_name("WxH");
+      ->type_name("WxH")
+      ->group(kWindow);
   command->add_option("--scale", options->scale, "size of everything (default: what the screen asks for)")
-      ->type_name("F");
-  command->add_option("--memory", options->memory, "for states of the past (default 512)")->type_name("MB");
+      ->type_name("F")
+      ->group(kWindow);
+  command->add_option("--script", options->script, "carry out a list of actions")
+      ->type_name("JSON")
+      ->group(kScripts);
+  command->add_flag("--actions", options->actions, "list the actions of scripts and leave")->group(kScripts);
+  command->add_flag("--headless", options->headless, "no window: only the script")->group(kScripts);
+  command->add_option("-o,--out", options->out, "folder for the frames that a script writes (default: here)")
+      ->type_name("FOLDER")
+      ->group(kScripts);
+  command->add_flag("--force", options->force, "replace files that exist")->group(kScripts);
+  command->add_option("--memory", options->memory, "for states of the past (default 512)")
+      ->type_name("MB")
+      ->group(group::kSimulation);
   add_backend_option(*command, options->backend);
   add_scene_options(*command, options->common);
   command->callback([options, &action] { action = [options] { return view(*options); }; });

@@ -282,3 +282,43 @@ TEST_CASE("the window, its videos and render show the same step of B, whatever t
     }
   }
 }
+
+TEST_CASE("B may have other laws of joints: it is the run of a scene that has them") {
+  const TempFolder folder;
+  const auto picture = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"render", "slider_crank", "--size", "322x180",    "--quiet",
+                                        "--time", "0.5",          "-o",     folder / name};
+    command.insert(command.end(), more.begin(), more.end());
+    const Outcome outcome = run_pabd(command);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return read_png(folder / name);
+  };
+  write_text(folder / "joints.json", R"({"joints_default": {"potential": "soft", "kappa": 30}})");
+  write_text(folder / "none.json", "{}");
+  const std::vector<std::string> soft = {"--set", "joints_default.potential=soft", "--set",
+                                         "joints_default.kappa=30"};
+  const Image ab = picture("ab.png", {"--ab", folder / "joints.json"});
+  CHECK(half_a(ab) == half_a(picture("a.png", {"--ab", folder / "none.json"})));
+  // The scene with that law in both halves: the same bodies at the same places, the same height of caption.
+  auto both = soft;
+  both.insert(both.end(), {"--ab", folder / "none.json"});
+  CHECK(half_b(ab) == half_b(picture("b.png", both)));
+  CHECK(half_a(ab) != half_b(ab));
+  const auto text = read_png_text(folder / "ab.png");
+  CHECK(nlohmann::json::parse(text.at("B patch"))["joints_default"]["kappa"] == 30);
+  CHECK(nlohmann::json::parse(text.at("B parameters"))["joints_default"]["potential"] == "soft");
+  CHECK(nlohmann::json::parse(text.at("Parameters"))["joints_default"] !=
+        nlohmann::json::parse(text.at("B parameters"))["joints_default"]);
+}
+
+TEST_CASE("a patch of joints that is wrong is refused as --set refuses it") {
+  const TempFolder folder;
+  for (const char* patch : {R"({"joints_default": 3})", R"({"joints_default": {"kappa": -1}})",
+                            R"({"joints_default": {"stiff": 1}})"}) {
+    CAPTURE(patch);
+    const Outcome outcome = render(folder, "a.png", patch);
+    CHECK(outcome.exit_code == 2);
+    CHECK(is_error_line(outcome.err, {"joints_default"}));
+  }
+}

@@ -22,12 +22,12 @@ std::set<std::string> found(const std::string& text, const char* pattern) {
   return out;
 }
 
-// The commands that a help text lists: lines of two blanks between "Subcommands:" and an empty line.
+// The commands that a help text lists: lines of two blanks between "Commands:" and an empty line.
 std::vector<std::string> listed_commands(const std::string& help) {
   std::vector<std::string> out;
   bool in_list = false;
   for (const std::string& line : lines_of(help)) {
-    if (line.starts_with("Subcommands:"))
+    if (line.starts_with("Commands:"))
       in_list = true;
     else if (line.empty())
       in_list = false;
@@ -84,7 +84,7 @@ TEST_CASE("every command has its page, with what its help says, and groff takes 
     const std::string page = read_text(file);
 
     // The same options in both.
-    CHECK(found(help, "(?:^|\n)  (?:-\\w,)?(--[\\w-]+)") ==
+    CHECK(found(help, "(?:^|\n)  (?:-\\w, )?(--[\\w-]+)") ==
           found(std::regex_replace(page, std::regex("\\\\-"), "-"), "\\\\fB(--[\\w-]+)\\\\fR"));
 
     // As it is read: no warning, and every line of the help's examples and descriptions in it.
@@ -92,7 +92,7 @@ TEST_CASE("every command has its page, with what its help says, and groff takes 
     REQUIRE(read.exit_code == 0);
     CHECK(read.err == "");
     const std::string text = dense(read.out);
-    const std::string description = help.substr(0, help.find('\n'));
+    const std::string description = help.substr(0, help.find("\n\n"));
     CHECK(text.find(dense(description)) != std::string::npos);
     for (const std::string& shown : lines_of(help)) {
       if (shown.starts_with("  pabd ")) {

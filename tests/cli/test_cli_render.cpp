@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // pabd render: frames, their text chunks, videos, resuming, interrupting.
+#include <array>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "render/output/png.h"
 #include "tests/cli/program.h"
@@ -146,6 +148,102 @@ TEST_CASE("videos have the size and the number of frames asked for") {
   REQUIRE(run_pabd(render(folder / "a.gif", {"--frames", "5", "--fps", "10"})).exit_code == 0);
   CHECK(probe_video(folder / "a.gif") == "160,90,5");
   CHECK(folder.names().size() == 3);
+}
+
+TEST_CASE("a GIF is small and slow unless it is asked for otherwise") {
+  const TempFolder folder;
+  REQUIRE(run_pabd({"render", "stack", "-o", folder / "a.gif", "--time", "0.2", "--quiet"}).exit_code == 0);
+  CHECK(probe_video(folder / "a.gif") == "640,360,4");
+  REQUIRE(run_pabd({"render", "stack", "-o", folder / "b.gif", "--time", "0.2", "--quiet", "--fps", "30",
+                    "--size", "160x90"})
+              .exit_code == 0);
+  CHECK(probe_video(folder / "b.gif") == "160,90,6");
+}
+
+TEST_CASE("render names what it wrote, and how much") {
+  const TempFolder folder;
+  const auto said = [&](const std::string& out, const std::vector<std::string>& more) {
+    auto command = render(out, more);
+    std::erase(command, "--quiet");
+    const Outcome outcome = run_pabd(command);
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    const auto at = outcome.err.find("wrote ");
+    return at == std::string::npos ? "" : outcome.err.substr(at, outcome.err.find('\n', at) - at);
+  };
+  const std::string video = folder / "a.mp4";
+  CHECK(said(video, {"--frames", "6"})
+            .starts_with("wrote " + video + ": 6 frames of 160x90, 0.1 s at 60 a second, "));
+  CHECK(said(video, {"--frames", "1", "--force"}).starts_with("wrote " + video + ": 1 frame of 160x90"));
+  const std::string still = folder / "a.png";
+  CHECK(said(still, {"--time", "0"}).starts_with("wrote " + still + ": 160x90, "));
+  CHECK(said(folder / "f{frame:02}.png", {"--frames", "3"}) ==
+        "wrote " + folder / "f00.png" + " … " + folder / "f02.png" + ": 3 frames of 160x90");
+  CHECK(said(folder / "f{frame:02}.png", {"--frames", "4", "--resume"}) ==
+        "wrote " + folder / "f03.png" + ": 1 frame of 160x90");
+}
+
+TEST_CASE("a video says where it came from: scene, hash, parameters and view") {
+  const TempFolder folder;
+  const std::string still = folder / "a.png";
+  REQUIRE(run_pabd(render(still, {"--time", "0", "--set", "contact.kappa=77"})).exit_code == 0);
+  const PngText expected = read_png_text(still);
+  for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    CAPTURE(name);
+    REQUIRE(run_pabd(render(folder / name, {"--frames", "2", "--set", "contact.kappa=77"})).exit_code == 0);
+    std::string found;
+    if (std::string(name) == "a.gif") {
+      found = read_text(folder / name);
+      const auto at = found.find("GL_RENDERER: ");
+      REQUIRE(at != std::string::npos);
+      std::string text;  // parts of at most 255 bytes, each after its length
+      for (std::size_t i = found.rfind("\x21\xFE", at) + 2; found.at(i) != 0;) {
+        const auto n = static_cast<unsigned char>(found[i]);
+        text += found.substr(i + 1, n);
+        i += n + 1u;
+      }
+      CHECK(found.back() == 0x3B);
+      found = text;
+    } else {
+      found = run_command(
+                  {"ffprobe", "-v", "error", "-show_entries", "format_tags", "-of", "json", folder / name})
+                  .out;
+      const auto tags = nlohmann::json::parse(found)["format"]["tags"];
+      found.clear();
+      for (const auto& [key, value] : tags.items()) found += key + ": " + value.get<std::string>() + "\n";
+    }
+    CAPTURE(found);
+    for (const char* key : {"Scene", "Scene hash", "Parameters", "Software", "GL_RENDERER"}) {
+      CAPTURE(key);
+      CHECK(found.find(": " + expected.at(key)) != std::string::npos);
+    }
+    CHECK(found.find("\"kappa\":77") != std::string::npos);
+  }
+}
+
+TEST_CASE("--quality changes how smooth a picture is, and its text says so") {
+  const TempFolder folder;
+  const auto picture = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> options = {"--time", "0"};
+    options.insert(options.end(), more.begin(), more.end());
+    REQUIRE(run_pabd(render(folder / name, options)).exit_code == 0);
+    return read_png(folder / name).rgb;
+  };
+  const auto plain = picture("plain.png", {}), good = picture("good.png", {"--quality", "good"});
+  const auto draft = picture("draft.png", {"--quality", "draft"});
+  const auto best = picture("best.png", {"--quality", "best"});
+  CHECK(plain == good);
+  CHECK(draft != good);
+  CHECK(best.size() == good.size());
+  CHECK(read_png_text(folder / "good.png") == read_png_text(folder / "plain.png"));
+  CHECK(read_png_text(folder / "draft.png").at("View").find("\"quality\":\"draft\"") != std::string::npos);
+  // With one sample a pixel an edge has no steps between its two colours: fewer colours.
+  const auto colours = [](const auto& rgb) {
+    std::set<std::array<unsigned, 3>> out;
+    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) out.insert({rgb[i], rgb[i + 1], rgb[i + 2]});
+    return out.size();
+  };
+  CHECK(colours(draft) < colours(good));
 }
 
 TEST_CASE("--timings tells how long each stage worked") {

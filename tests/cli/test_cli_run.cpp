@@ -57,6 +57,66 @@ TEST_CASE("the summary goes to standard error and tells steps, gap, energy and h
   CHECK(quiet.err.empty());
 }
 
+TEST_CASE("--json prints the summary as one document, with what the other outputs say") {
+  const TempFolder folder;
+  const Outcome outcome = run_pabd({"run", "slider_crank", "--steps", "20", "--quiet", "--json", "--trace",
+                                    folder / "t.csv", "--state", folder / "s.json", "--threads", "2"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["format"] == "pabd-run-summary");
+  CHECK(json["status"] == "done");
+  CHECK(json["steps"] == 20);
+  CHECK(json["threads"] == 2);
+  CHECK(json["joints"] == 4);
+  const auto state = nlohmann::json::parse(read_text(folder / "s.json"));
+  CHECK(json["state"] == state["hash"]);
+  CHECK(json["time"] == state["time"]);
+  CHECK(json["bodies"] == state["bodies"].size());
+  double largest = 0, kinetic = 0, iterations = 0;
+  for (const std::string& row : lines_of(read_text(folder / "t.csv"))) {
+    if (row.starts_with("step,")) continue;
+    std::istringstream fields(row);
+    std::vector<std::string> values;
+    for (std::string field; std::getline(fields, field, ',');) values.push_back(field);
+    largest = std::max(largest, std::stod(values.at(11)));
+    kinetic = std::stod(values.at(5));
+    iterations += std::stod(values.at(4));
+  }
+  CHECK(largest > 0);
+  CHECK(json["max_joint_error"].get<double>() == Approx(largest).epsilon(1e-5));
+  CHECK(json["kinetic"].get<double>() == Approx(kinetic).epsilon(1e-5));
+  CHECK(json["iterations_a_step"].get<double>() == Approx(iterations / 20));
+  CHECK(json["ms_a_step"].get<double>() == Approx(1e3 * json["wall_time"].get<double>() / 20));
+  long steps = 0;
+  for (const auto& [name, count] : json["outcomes"].items()) steps += count.get<long>();
+  CHECK(steps == 20);
+  // Every field is explained, and no other.
+  const std::string reference = read_text(PABD_SCENES "/../../app/cli/README.md");
+  const auto from = reference.find("### The summary of a run"), to = reference.find("\n#", from + 4);
+  REQUIRE(from != std::string::npos);
+  const std::string section = reference.substr(from, to - from);
+  for (const auto& [name, value] : json.items()) {
+    CAPTURE(name);
+    CHECK(section.find("`" + name + "`") != std::string::npos);
+  }
+}
+
+TEST_CASE("--json says what there was none of, and how a run ended") {
+  const auto falling =
+      nlohmann::json::parse(run_pabd({"run", "spin", "--steps", "2", "--json", "--quiet"}).out);
+  CHECK(falling["max_joint_error"].is_null());
+  CHECK(falling["min_gap"].is_null());
+  const Outcome diverged =
+      run_pabd({"run", "two_boxes", "--set", "contact.barrier=log", "--steps", "3", "--json", "--quiet"});
+  CHECK(diverged.exit_code == 5);
+  CHECK(nlohmann::json::parse(diverged.out)["status"] == "diverged");
+  const Outcome both = run_pabd({"run", "stack", "--steps", "1", "--json", "--trace", "-"});
+  CHECK(both.exit_code == 2);
+  CHECK(is_error_line(both.err, {"--json", "standard output"}));
+}
+
 TEST_CASE("the summary counts the steps that ended at the iteration limit") {
   const Outcome hurried = run_pabd(
       {"run", "stack", "--steps", "4", "--set", "solver.iterations=1", "--set", "solver.tolerance=0"});

@@ -12,9 +12,9 @@ using namespace pabd::test;
 namespace {
 
 const std::vector<std::vector<std::string>> kCommands = {
-    {"run"},    {"render"},  {"plot"},   {"plot", "barrier"}, {"plot", "convergence"},
-    {"figure"}, {"compare"}, {"scenes"}, {"doctor"},          {"view"},
-    {"bench"}};
+    {"run"},    {"render"},  {"plot"},      {"plot", "barrier"}, {"plot", "convergence"},
+    {"figure"}, {"compare"}, {"scenes"},    {"doctor"},          {"view"},
+    {"bench"},  {"marks"},   {"completion"}};
 
 }  // namespace
 
@@ -38,7 +38,7 @@ TEST_CASE("the program's help lists its commands and exit codes") {
   const Outcome help = run_pabd({"--help"});
   CHECK(help.exit_code == 0);
   for (const auto& command : kCommands) CHECK(help.out.find("  " + command[0]) != std::string::npos);
-  CHECK(help.out.find("129/130/143 interrupted") != std::string::npos);
+  CHECK(help.out.find("129/130/143") != std::string::npos);
 }
 
 TEST_CASE("the version is one line, everywhere") {
@@ -68,6 +68,10 @@ TEST_CASE("a wrong command line is refused in one line with a remedy") {
       {"figure", "-o", "a.png"},
       {"compare", "a.png"},
       {"compare", "a.png", "b.png", "--tier", "strict"},
+      {"render", "pyramid", "-o", "a.mp4", "--quality", "superb"},
+      {"render", "pyramid", "-o", "a.mp4", "--encoder", "quick"},
+      {"run", "pyramid", "--json", "--profile"},
+      {"scenes", "--json", "--names"},
   };
   for (const auto& command : wrong) {
     CAPTURE(command);
@@ -110,6 +114,14 @@ TEST_CASE("values out of range are refused, naming the option") {
       {"--camera", {"render", "stack", "-o", out, "--camera", "fov=400"}},
       {"--overlay", {"render", "stack", "-o", out, "--overlay", "params,magic"}},
       {"--resume", {"render", "stack", "-o", folder / "a.mp4", "--resume"}},
+      {"--crf", {"render", "stack", "-o", folder / "a.mp4", "--crf", "52"}},
+      {"--crf", {"render", "stack", "-o", folder / "a.gif", "--crf", "20"}},
+      {"--crf", {"render", "stack", "-o", out, "--crf", "20"}},
+      {"--preset", {"render", "stack", "-o", folder / "a.webm", "--preset", "placebo"}},
+      {"--preset", {"render", "stack", "-o", folder / "a.mp4", "--encoder", "vaapi", "--preset", "slow"}},
+      {"--loop", {"render", "stack", "-o", folder / "a.mp4", "--loop", "2"}},
+      {"--loop", {"render", "stack", "-o", folder / "a.gif", "--loop", "-1"}},
+      {"--encoder", {"render", "stack", "-o", folder / "a.webm", "--encoder", "nvenc"}},
       {"expected", {"render", "stack", "-o", folder / "a.xyz"}},
       {"--N", {"plot", "barrier", "-o", folder / "a.csv", "--N", "0"}},
       {"--N", {"plot", "barrier", "-o", folder / "a.csv", "--N", "33"}},
@@ -187,7 +199,7 @@ TEST_CASE("a name that is nearly right gets a suggestion, a missing command the 
   }
   const Outcome strange = run_pabd({"dance"});
   CHECK(is_error_line(strange.err, {"dance: no such command; 'pabd --help'"}));
-  CHECK(is_error_line(run_pabd({}).err, {"render, run, plot,", " or view", "pabd --help"}));
+  CHECK(is_error_line(run_pabd({}).err, {"render, run, plot,", " or completion", "pabd --help"}));
   CHECK(is_error_line(run_pabd({"plot"}).err, {"barrier or convergence", "pabd plot --help"}));
 }
 
@@ -207,6 +219,10 @@ TEST_CASE("the doctor reports, whatever is missing") {
   CHECK(here["gl"]["available"].get<bool>());
   CHECK_FALSE(here["gl"]["renderer"].get<std::string>().empty());
   CHECK(here["ffmpeg"]["libx264"].get<bool>());
+  const std::string encoders = run_shell("ffmpeg -hide_banner -encoders").out;
+  for (const char* name : {"h264_nvenc", "h264_vaapi"})
+    CHECK(here["ffmpeg"][name].get<bool>() ==
+          (encoders.find(std::string(" ") + name + " ") != std::string::npos));
   CHECK(here["cpu"]["cores"].get<int>() >= 1);
   CHECK_FALSE(here["build"].get<std::string>().empty());
   CHECK(here["font_bytes"].get<int>() > 100000);
@@ -227,7 +243,9 @@ TEST_CASE("the doctor tells how many threads a command takes, and the help where
   CAPTURE(text.err);
   CHECK(text.out.find("\nthreads  1 by default: ") != std::string::npos);
   if (free["cores"] > 1) CHECK(text.out.find("may run on 1 of ") != std::string::npos);
-  CHECK(run_pabd({"run", "--help"}).out.find("the CPUs that this process may use") != std::string::npos);
+  Setting wide;
+  wide.environment = {{"COLUMNS", "120"}};
+  CHECK(run_pabd({"run", "--help"}, wide).out.find("at most 64; 'pabd doctor' tells") != std::string::npos);
 }
 
 TEST_CASE("the scene in the reference runs") {
