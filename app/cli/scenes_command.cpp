@@ -20,6 +20,7 @@ struct ScenesOptions {
   CommonOptions common;
   std::string scene;
   bool json = false;
+  bool names = false;
 };
 
 struct Row {
@@ -32,6 +33,12 @@ struct Row {
 int scenes(const ScenesOptions& options) {
   if (!options.scene.empty()) {
     write_stdout(read_scene_text(find_scene(options.scene)));
+    return 0;
+  }
+  if (options.names) {
+    std::string names;
+    for (const auto& file : shipped_scenes()) names += file.stem().string() + "\n";
+    write_stdout(names);
     return 0;
   }
   std::vector<Row> rows;
@@ -74,7 +81,10 @@ void add_scenes_command(CLI::App& app, Action& action) {
       {"pabd scenes", "pabd scenes --json", "pabd scenes pyramid > my_scene.json"}, options->common);
   auto* scene =
       command->add_option("SCENE", options->scene, "print this one, to begin a scene of one's own with");
-  command->add_flag("--json", options->json, "print the list as JSON")->excludes(scene);
+  auto* json = command->add_flag("--json", options->json, "print the list as JSON")->excludes(scene);
+  command->add_flag("--names", options->names, "print the names alone, a line each")
+      ->excludes(scene)
+      ->excludes(json);
   command->callback([options, &action] { action = [options] { return scenes(*options); }; });
 }
 

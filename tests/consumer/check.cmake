@@ -59,3 +59,17 @@ run("running" ${WORK}/consumer ${WORK}/other.png)
 # The program finds the scenes that were installed with it: one that the sources do not have.
 file(RENAME ${prefix}/share/pabd/scenes/two_boxes.json ${prefix}/share/pabd/scenes/only_here.json)
 run("pabd" ${prefix}/bin/pabd run only_here --steps 1)
+
+# What desktops and shells look for.
+foreach(file applications/pabd.desktop icons/hicolor/scalable/apps/pabd.svg bash-completion/completions/pabd
+        zsh/site-functions/_pabd fish/vendor_completions.d/pabd.fish man/man1/pabd-render.1)
+  if(NOT EXISTS ${prefix}/share/${file})
+    message(FATAL_ERROR "share/${file} was not installed")
+  endif()
+endforeach()
+file(READ ${prefix}/share/applications/pabd.desktop entry)
+foreach(line "Type=Application" "Exec=pabd view %f" "Icon=pabd" "Terminal=false" "StartupWMClass=pabd")
+  if(NOT entry MATCHES "\n${line}\n")
+    message(FATAL_ERROR "the desktop entry lacks '${line}'")
+  endif()
+endforeach()

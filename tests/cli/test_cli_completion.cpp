@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// Tab completion, asked of the shells themselves.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <set>
+
+#include "tests/cli/program.h"
+
+using namespace pabd::test;
+
+namespace {
+
+const std::vector<std::string> kShells = {"bash", "zsh", "fish"};
+
+Setting with_program(const TempFolder& folder) {
+  Setting setting;
+  setting.folder = folder.path();
+  const std::string own = std::filesystem::path(PABD_PROGRAM).parent_path().string();
+  setting.environment = {{"PATH", own + ":" + std::getenv("PATH")}, {"HOME", folder.path().string()}};
+  return setting;
+}
+
+// What bash offers for a line; its last word is being typed.
+std::vector<std::string> bash_offers(const TempFolder& folder, const std::string& words) {
+  const std::string script =
+      "source <(pabd completion bash); COMP_WORDS=(" + words +
+      "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _pabd; printf '%s\\n' \"${COMPREPLY[@]}\"";
+  write_text(folder / "ask.bash", script);
+  const Outcome outcome = run_command({"bash", folder / "ask.bash"}, with_program(folder));
+  CAPTURE(words, outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  CHECK(outcome.err.empty());
+  auto lines = lines_of(outcome.out);
+  std::erase(lines, "");
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+std::vector<std::string> fish_offers(const TempFolder& folder, const std::string& line) {
+  write_text(folder / "ask.fish", "pabd completion fish | source\ncomplete -C '" + line + "'\n");
+  const Outcome outcome = run_command({"fish", "--no-config", folder / "ask.fish"}, with_program(folder));
+  CAPTURE(line, outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  std::vector<std::string> words;
+  for (const std::string& each : lines_of(outcome.out)) words.push_back(each.substr(0, each.find('\t')));
+  std::erase(words, "");
+  std::sort(words.begin(), words.end());
+  return words;
+}
+
+// zsh completes for an eye: what it shows after `line` and the tabulator, until `wanted` is there; empty: never.
+std::string zsh_shows(const TempFolder& folder, const std::string& line, const std::string& wanted) {
+  REQUIRE(run_pabd({"completion", "zsh", "--out", folder / "functions/_pabd"}).exit_code == 0);
+  write_text(folder / "ask.zsh",
+             "zmodload zsh/zpty\nzpty -b z zsh -f -i\n"
+             "zpty -w z 'PS1=; LISTMAX=1000; fpath=(\"$PWD/functions\" $fpath)'\n"
+             "zpty -w z 'autoload -Uz compinit && compinit -u -D && print re''ady'\n"
+             "zpty -r z out '*ready*'\n"
+             "zpty -w -n z $'" +
+                 line +
+                 "\\t'\n"
+                 "zpty -r z out $'*" +
+                 wanted + "*'\nprint -r -- $out\nzpty -d z\n");
+  return run_command({"timeout", "20", "zsh", "-f", folder / "ask.zsh"}, with_program(folder)).out;
+}
+
+std::vector<std::string> options_in_help(const std::vector<std::string>& command) {
+  std::vector<std::string> line = command;
+  line.push_back("--help");
+  std::vector<std::string> out;
+  for (std::string row : lines_of(run_pabd(line).out)) {
+    if (!row.starts_with("  -")) continue;
+    std::size_t at = 2;
+    while (at < row.size() && row[at] == '-') {
+      const std::size_t end = std::min(row.find_first_of(" ,", at), row.size());
+      out.push_back(row.substr(at, end - at));
+      if (end >= row.size() || row[end] != ',') break;
+      at = end + 2;
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("bash offers every command, and every option that the help of a command has") {
+  const TempFolder folder;
+  const auto commands = bash_offers(folder, "pabd ''");
+  for (const char* name :
+       {"render", "run", "plot", "figure", "compare", "scenes", "bench", "doctor", "view", "completion"})
+    CHECK(std::count(commands.begin(), commands.end(), name) == 1);
+  CHECK(std::count(commands.begin(), commands.end(), "man") == 0);
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"render"},
+                                             {"run"},
+                                             {"view"},
+                                             {"bench"},
+                                             {"compare"},
+                                             {"figure"},
+                                             {"plot", "barrier"},
+                                             {"plot", "convergence"}}) {
+    std::string words = "pabd ";
+    for (const std::string& word : command) words += word + " ";
+    CAPTURE(words);
+    const auto expected = options_in_help(command);
+    REQUIRE(expected.size() > 4);
+    CHECK(bash_offers(folder, words + "-") == expected);
+  }
+}
+
+TEST_CASE("bash offers words, lists, scenes and parameters where they belong") {
+  const TempFolder folder;
+  write_text(folder / "own.json", "{}");
+  using Words = std::vector<std::string>;
+  CHECK(bash_offers(folder, "pabd render --quality ''") == Words{"best", "draft", "good"});
+  CHECK(bash_offers(folder, "pabd render --preset very") == Words{"veryfast", "veryslow"});
+  CHECK(bash_offers(folder, "pabd render --set contact.kap") == Words{"contact.kappa="});
+  CHECK(bash_offers(folder, "pabd render --overlay params,ser") == Words{"params,series"});
+  CHECK(bash_offers(folder, "pabd plot b") == Words{"barrier"});
+  CHECK(bash_offers(folder, "pabd run two_") == Words{"two_boxes"});
+  CHECK(bash_offers(folder, "pabd run ow") == Words{"own.json"});
+  CHECK(bash_offers(folder, "pabd run stack --steps ''").empty());
+  const auto scenes = bash_offers(folder, "pabd view ''");
+  const auto names = lines_of(run_pabd({"scenes", "--names"}).out);
+  for (const std::string& name : names) CHECK(std::count(scenes.begin(), scenes.end(), name) == 1);
+}
+
+TEST_CASE("fish offers the same") {
+  const TempFolder folder;
+  using Words = std::vector<std::string>;
+  const auto commands = fish_offers(folder, "pabd ");
+  CHECK(std::count(commands.begin(), commands.end(), "render") == 1);
+  CHECK(fish_offers(folder, "pabd render --qu") == Words{"--quality", "--quiet"});
+  CHECK(fish_offers(folder, "pabd render --quality ") == Words{"best", "draft", "good"});
+  CHECK(fish_offers(folder, "pabd plot con") == Words{"convergence"});
+  CHECK(fish_offers(folder, "pabd render --overlay params,ser") == Words{"params,series"});
+  CHECK(fish_offers(folder, "pabd run two_b") == Words{"two_boxes"});
+  CHECK(fish_offers(folder, "pabd scenes --crf").empty());
+}
+
+TEST_CASE("zsh offers the same") {
+  const TempFolder folder;
+  CHECK(zsh_shows(folder, "pabd compl", "completion").find("completion") != std::string::npos);
+  CHECK(zsh_shows(folder, "pabd render --quali", "--quality").find("--quality") != std::string::npos);
+  CHECK(zsh_shows(folder, "pabd render --quality dr", "draft").find("draft") != std::string::npos);
+  CHECK(zsh_shows(folder, "pabd run two_b", "two_boxes").find("two_boxes") != std::string::npos);
+  CHECK(zsh_shows(folder, "pabd render --set contact.kapp", "contact.kappa=").find("kappa=") !=
+        std::string::npos);
+}
+
+TEST_CASE("another shell is refused") {
+  const Outcome outcome = run_pabd({"completion", "tcsh"});
+  CHECK(outcome.exit_code == 2);
+  CHECK(is_error_line(outcome.err, {"tcsh", "--help"}));
+  for (const std::string& shell : kShells) {
+    CAPTURE(shell);
+    const Outcome script = run_pabd({"completion", shell});
+    CHECK(script.exit_code == 0);
+    CHECK(script.out.starts_with("#"));
+  }
+}
