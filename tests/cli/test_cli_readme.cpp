@@ -101,7 +101,7 @@ TEST_CASE("the reference shows every command that the help lists, and only such"
     shown.insert((*at)[1]);
   const std::string help = run_pabd({"--help"}).out;
   const std::string list =
-      help.substr(help.find("Subcommands:"), help.find("Examples:") - help.find("Subcommands:"));
+      help.substr(help.find("\nCommands:"), help.find("\nGeneral:") - help.find("\nCommands:"));
   const std::regex entry("\n  (\\w+) ");
   for (std::sregex_iterator at(list.begin(), list.end(), entry), end; at != end; ++at)
     listed.insert((*at)[1]);
