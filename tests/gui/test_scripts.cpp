@@ -280,6 +280,11 @@ TEST_CASE("the list of actions has every command once, with its fields") {
   CHECK_THAT(list, Catch::Contains("set               key, value [, side] [, more]\n"));
 }
 
+TEST_CASE("app/gui/actions.txt is what 'pabd view --actions' prints") {
+  // Written with: pabd view --actions > app/gui/actions.txt
+  CHECK(read_bytes(PABD_SCENES "/../../app/gui/actions.txt") == action_list());
+}
+
 TEST_CASE("the copied command repeats what is seen") {
   std::string copied, renderer;
   const TempFolder folder;
