@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/counted.h"
 #include "sim/body/mass_properties.h"
 
 namespace pabd {
@@ -79,11 +80,13 @@ BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity) {
       out.count = std::max(out.count, static_cast<int>(v) + 1);
       v = std::fmod(0.25 + kGoldenPart * v, 1.0);
     }
+    out.note = out.count == 0 ? "nothing touches: no components"
+                              : counted(out.count, "component") + ", one colour each; grey: alone or fixed";
     return out;
   }
   out.range.logarithmic = quantity != ColorQuantity::speed;
   if (hi == 0 && quantity == ColorQuantity::projection) {
-    out.title = "‖A − R‖ is 0: only sissm has an A";
+    out.title = out.note = "‖A − R‖ is 0: only sissm has an A";
     out.parts = true;
     return out;
   }

@@ -17,6 +17,7 @@ struct BodyColors {
   std::string title;           // with its unit
   bool parts = false;          // colours tell parts from each other and have no order
   int count = 0;               // of the parts
+  std::string note;            // what to say in place of a bar of colours; empty: there is one
 };
 
 // Empty values for ColorQuantity::body, and for what the step's report does not hold (yet). The range ends at

@@ -5,21 +5,16 @@
 #include <filesystem>
 
 #include "app/gui/panels.h"
-#include "app/gui/pictures.h"
+#include "app/gui/picture_notes.h"
 #include "app/gui/widgets.h"
 
 namespace pabd {
-namespace {
-
-constexpr double kBelowRecording = 108;  // pixels of an ordinary screen
-
-}  // namespace
 
 void draw_file_offer(GuiFrame& f, const Rect& view) {
   if (!f.sim.file_changed) return;
   const float width = std::min(f.px(420), static_cast<float>(view.w) - f.px(24));
   if (width < f.px(80)) return;
-  const float top = static_cast<float>(view.y) + f.px(f.recorder.busy() ? kBelowRecording : 12);
+  const float top = static_cast<float>(view.y + below_recording(f));
   ImGui::SetNextWindowPos({static_cast<float>(view.x + 0.5 * view.w), top}, ImGuiCond_Always, {0.5f, 0});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::Begin("##file_offer", nullptr,

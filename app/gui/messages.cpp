@@ -28,10 +28,14 @@ void MessageList::draw(GuiFrame& f, const Rect& view, double seconds, std::uint6
   ImGui::SetNextWindowPos(
       {static_cast<float>(view.x) + f.px(12), static_cast<float>(view.bottom()) - f.px(12)}, ImGuiCond_Always,
       {0, 1});
-  ImGui::SetNextWindowSize({width, 0});
+  // As high as its words, but never higher than the picture: what does not fit is scrolled to.
+  const float most = std::max(f.px(40), static_cast<float>(view.h) - f.px(24));
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, most});
   ImGui::Begin("##messages", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoNav);
   const Color ink = m.severity == Severity::note ? f.theme().color(2) : f.theme().color(1);
   const ImVec2 lo = ImGui::GetWindowPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -9,6 +9,7 @@
 
 #include "app/gui/body_colors.h"
 #include "app/gui/inspector_rows.h"
+#include "app/gui/pictures.h"
 #include "app/gui/widgets.h"
 #include "render/visual/camera_control.h"
 #include "sim/base/srgb.h"
@@ -35,19 +36,12 @@ ImU32 map_color(double t) {
   return IM_COL32(srgb_byte(c.x()), srgb_byte(c.y()), srgb_byte(c.z()), 255);
 }
 
-std::string parts_text(const BodyColors& colors) {
-  if (colors.title.starts_with("‖")) return colors.title;
-  if (colors.count == 0) return "nothing touches: no components";
-  return fmt::format("{} component{}, one colour each; grey: alone or fixed", colors.count,
-                     colors.count == 1 ? "" : "s");
-}
-
 void legend(const GuiFrame& f, const Rect& view) {
   const BodyColors colors = body_colors(f.sim, Side::a, f.ui.color);
   if (colors.values.empty() || view.w < 220 * f.unit) return;
   const float right = static_cast<float>(view.right()) - f.px(12),
               top = static_cast<float>(view.y) + f.px(12);
-  if (colors.parts) return note(f, {right, top}, parts_text(colors), {1, 0});
+  if (!colors.note.empty()) return note(f, {right, top}, colors.note, {1, 0});
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float width = f.px(200), bar = f.px(10), line = ImGui::GetTextLineHeight();
   const ImVec2 pad(f.px(10), f.px(7));
@@ -95,6 +89,20 @@ void pulls(const GuiFrame& f, const RunView& run, const Rect& view) {
 
 }  // namespace
 
+// Heights in pixels of an ordinary screen, with the room below.
+double below_captions(const GuiFrame& f) {
+  constexpr double kLegend = 68, kNames = 32, kTop = 12;
+  return f.unit * (kTop + (f.ui.color != ColorQuantity::body ? kLegend : f.sim.b ? kNames : 0));
+}
+double below_recording(const GuiFrame& f) {
+  constexpr double kRecording = 96;
+  return below_captions(f) + (f.recorder.busy() ? kRecording * f.unit : 0);
+}
+double below_offer(const GuiFrame& f) {
+  constexpr double kOffer = 116;
+  return below_recording(f) + (f.sim.file_changed ? kOffer * f.unit : 0);
+}
+
 void draw_picture_notes(GuiFrame& f, const GuiLayout& layout) {
   const bool two = f.sim.b && f.ui.side_by_side;
   ImGui::GetBackgroundDrawList()->PushClipRect(
@@ -106,7 +114,7 @@ void draw_picture_notes(GuiFrame& f, const GuiLayout& layout) {
   if (f.ui.joining) {
     note(f,
          {static_cast<float>(layout.view.x + 0.5 * layout.view.w),
-          static_cast<float>(layout.view.y) + f.px(f.ui.color == ColorQuantity::body ? 12 : 80)},
+          static_cast<float>(layout.view.y + below_offer(f))},
          fmt::format("double-click the body that a {} joint should hold (Esc: none)", f.ui.joining->type),
          {0.5f, 0});
   }

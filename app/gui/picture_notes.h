@@ -7,6 +7,12 @@
 
 namespace pabd {
 
+// How far below the top of the picture nothing is written: below the legend of colours and the names of A and B. What
+// stands there while something goes on comes below one another. Pixels.
+double below_captions(const GuiFrame& frame);   // where the bar of a recording goes
+double below_recording(const GuiFrame& frame);  // where the offer of a changed file goes
+double below_offer(const GuiFrame& frame);      // where the note of a joint under way goes
+
 // Into the background of the ImGui frame: above the picture, below the panels.
 void draw_picture_notes(GuiFrame& frame, const GuiLayout& layout);
 
