@@ -10,6 +10,7 @@
 
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "sim/base/counted.h"
 
 namespace pabd {
 namespace {
@@ -68,12 +69,20 @@ std::string warning(const std::string& what, const GuiFrame& f) {
   if (what == "open" || what == "load_recording" || what == "quit") gone = f.sim.at_stake;
   if (what == "reload") gone = f.sim.reload_loses;
   const bool keys = what == "quit" || what == "load_camera" || what == "clear_camera";
-  if (keys && f.ui.keys_unsaved)
-    gone.push_back(f.ui.camera_keys.size() == 1 ? "1 camera key"
-                                                : std::to_string(f.ui.camera_keys.size()) + " camera keys");
+  if (keys && f.ui.keys_unsaved) gone.push_back(counted(f.ui.camera_keys.size(), "camera key"));
   if (gone.empty()) return "";
   return (what == "reload" ? "This gives up " : "Not saved: ") + listed(gone) + ".";
 }
+
+// Endings of the files that a dialog is about.
+std::vector<std::string> endings_of(const std::string& what) {
+  if (what == "screenshot") return {".png"};
+  if (what == "record") return {".mp4", ".webm", ".gif", ".png"};
+  if (what == "save_recording" || what == "load_recording") return {".pabdrec"};
+  return {".json"};
+}
+
+constexpr int kRows = 9;  // of files that are seen at once
 
 void wrapped(const std::string& text) {
   ImGui::PushTextWrapPos(0);
@@ -91,6 +100,15 @@ void open_scene(const Snapshot& sim, const std::string& path, Outbox& out) {
   }
 }
 
+void open_dropped(const Snapshot& sim, const std::string& path, Outbox& out) {
+  const auto asks = [&](const char* what) { out.send(ViewCommand(command::Ask{what, path})); };
+  const DroppedKind kind = kind_of_dropped(path);
+  if (kind == DroppedKind::recording) return asks("load_recording");
+  if (kind == DroppedKind::camera) return asks("load_camera");
+  if (kind == DroppedKind::patch) return asks("apply_patch");
+  open_scene(sim, path, out);
+}
+
 void Dialogs::start(const GuiFrame& f) {
   open_ = f.ui.dialog;
   text_ = f.ui.dialog_text.empty() ? first_text(open_, f) : f.ui.dialog_text;
@@ -100,6 +118,8 @@ void Dialogs::start(const GuiFrame& f) {
   focus_ = true;
   record_.from = record_.to = -1;
   along_keys_ = f.ui.fly && !f.ui.camera_keys.empty();
+  browse_ = !f.steady && (open_ == "open" || open_ == "apply_patch" || open_.starts_with("load_"));
+  listed_.clear();
   ImGui::OpenPopup("##dialog");
 }
 
@@ -155,13 +175,63 @@ void Dialogs::look(const Snapshot& sim, const UiState& ui) {
 // The name of the file, and what else there is to choose.
 void Dialogs::fields(GuiFrame& f, bool& go) {
   if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(-1);
+  const float browse = ImGui::CalcTextSize("Browse").x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - browse - ImGui::GetStyle().ItemSpacing.x);
   go = ImGui::InputText("##name", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
+  browser(f, go);
   if (open_ == "screenshot") {
     ImGui::Checkbox("with panels", &with_ui_);
     tooltip("Without: the scene alone, as 'pabd render' draws it");
   }
   if (open_ == "record") draw_record_fields(f, record_, along_keys_);
+}
+
+// The folder of what is typed: a click takes a file or goes into a folder, a double-click on a file confirms it.
+void Dialogs::browser(GuiFrame& f, bool& go) {
+  ImGui::SameLine();
+  if (toggle_button(f, "Browse", browse_, "What is in the folder")) browse_ = !browse_;
+  if (!browse_) return;
+  const std::filesystem::path folder = folder_of_typed(text_);
+  if (listed_ != folder.string()) {
+    listed_ = folder.string();
+    files_ = list_files(folder, endings_of(open_));
+  }
+  std::error_code ignored;
+  muted_label(f, std::filesystem::absolute(folder, ignored).lexically_normal().string());
+  const bool reads = open_ == "open" && !f.ui.recent.empty();
+  const float row = ImGui::GetTextLineHeightWithSpacing(), width = ImGui::GetContentRegionAvail().x;
+  ImGui::BeginChild("##files", {reads ? 0.55f * width : 0, row * kRows}, true);
+  const std::string own = std::filesystem::path(text_).filename().string();
+  if (ImGui::Selectable("../")) {
+    const auto above = folder == std::filesystem::path(".") ? std::filesystem::path("..") : folder / "..";
+    text_ = above.lexically_normal().string() + "/";
+  }
+  for (const FileEntry& entry : files_) {
+    const std::string shown = entry.folder ? entry.name + "/" : entry.name;
+    if (ImGui::Selectable(ui_text(shown).c_str(), !entry.folder && entry.name == own)) {
+      text_ = in_folder(folder, entry.name) + (entry.folder ? "/" : "");
+      refusal_.clear();
+    }
+    if (!entry.folder && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+      go = true;
+  }
+  if (files_.empty()) muted_label(f, "nothing of this kind");
+  ImGui::EndChild();
+  if (!reads) return;
+  ImGui::SameLine();
+  ImGui::BeginChild("##recent", {0, row * kRows}, true);
+  muted_label(f, "recently open");
+  for (const std::string& path : f.ui.recent) {
+    ImGui::PushID(path.c_str());
+    if (ImGui::Selectable(ui_text(std::filesystem::path(path).filename().string()).c_str(), path == text_)) {
+      text_ = path;
+      refusal_.clear();
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) go = true;
+    tooltip(path);
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
 }
 
 void Dialogs::draw(GuiFrame& f, int width, int height) {

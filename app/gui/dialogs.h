@@ -4,7 +4,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "app/gui/file_list.h"
 #include "app/gui/panel.h"
 
 namespace pabd {
@@ -21,6 +23,7 @@ class Dialogs {
  private:
   void start(const GuiFrame& frame);
   void fields(GuiFrame& frame, bool& go);
+  void browser(GuiFrame& frame, bool& go);
   void confirm(GuiFrame& frame, bool force);
 
   std::string open_;            // which one is shown
@@ -34,6 +37,9 @@ class Dialogs {
   bool done_ = false;           // it was carried out
   bool focus_ = false;          // the text gets the keyboard in the next frame
   bool with_ui_ = true;         // screenshot
+  bool browse_ = false;         // the folder is shown
+  std::string listed_;          // folder that files_ are of
+  std::vector<FileEntry> files_;
   command::Record record_;
   bool along_keys_ = false;
 };

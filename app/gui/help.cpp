@@ -7,30 +7,6 @@
 namespace pabd {
 namespace {
 
-// "ctrl+s" as people know it: "Ctrl+S"; arrows as arrows.
-std::string shown(const KeyChord& chord) {
-  if (chord == parse_key_chord("shift+/")) return "?";
-  std::string out;
-  if (chord.modifiers.ctrl) out += "Ctrl+";
-  if (chord.modifiers.shift) out += "Shift+";
-  if (chord.modifiers.alt) out += "Alt+";
-  switch (chord.key) {
-    case Key::left:
-      return out + "←";
-    case Key::right:
-      return out + "→";
-    case Key::equal:
-      return out + "plus";
-    case Key::minus:
-      return out + "minus";
-    default:
-      break;
-  }
-  std::string name = to_string(chord.key);
-  name[0] = static_cast<char>(std::toupper(name[0]));
-  return out + name;
-}
-
 void row(const GuiFrame& f, const std::string& keys, const std::string& help, float column) {
   const float left = ImGui::GetCursorPosX();
   label(keys);
@@ -43,7 +19,7 @@ void groups(const GuiFrame& f, std::initializer_list<const char*> names) {
   for (const std::string name : names) {
     heading(f, name);
     for (const KeyBinding& binding : key_table()) {
-      if (binding.group == name) row(f, shown(binding.chord), binding.help, f.px(100));
+      if (binding.group == name) row(f, chord_text(binding.chord), binding.help, f.px(100));
     }
     ImGui::Dummy({0, f.px(4)});
   }

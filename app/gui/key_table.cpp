@@ -2,6 +2,8 @@
 // See key_table.h.
 #include "app/gui/key_table.h"
 
+#include <cctype>
+
 #include "app/session/model_edit.h"
 
 namespace pabd {
@@ -111,6 +113,7 @@ const std::vector<KeyBinding>& key_table() {
     add("Window", "ctrl+0", "ordinary size", scales(0));
     add("Window", "shift+/", "this help", toggle_help);
     add("Window", "f1", "this help", toggle_help);
+    add("Window", "ctrl+shift+p", "all commands, to search", sends(ViewCommand(command::Palette{true})));
     add("Window", "escape", "close, select nothing", leave);
     add("Parameters", "ctrl+z", "undo", sends(Command(command::Undo{})));
     add("Parameters", "ctrl+y", "redo", sends(Command(command::Redo{})));
@@ -131,6 +134,29 @@ const std::vector<KeyBinding>& key_table() {
     return t;
   }();
   return table;
+}
+
+std::string chord_text(const KeyChord& chord) {
+  if (chord == parse_key_chord("shift+/")) return "?";
+  std::string out;
+  if (chord.modifiers.ctrl) out += "Ctrl+";
+  if (chord.modifiers.shift) out += "Shift+";
+  if (chord.modifiers.alt) out += "Alt+";
+  switch (chord.key) {
+    case Key::left:
+      return out + "←";
+    case Key::right:
+      return out + "→";
+    case Key::equal:
+      return out + "plus";
+    case Key::minus:
+      return out + "minus";
+    default:
+      break;
+  }
+  std::string name = to_string(chord.key);
+  name[0] = static_cast<char>(std::toupper(name[0]));
+  return out + name;
 }
 
 const std::vector<MouseHelp>& mouse_table() {

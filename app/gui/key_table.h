@@ -20,6 +20,9 @@ struct KeyBinding {
 
 const std::vector<KeyBinding>& key_table();
 
+// "ctrl+s" as people know it: "Ctrl+S"; arrows as arrows.
+std::string chord_text(const KeyChord& chord);
+
 // What the mouse does in the picture, for the help: {"drag", "turn the view"}.
 struct MouseHelp {
   std::string gesture, help;

@@ -28,6 +28,9 @@ struct Outbox {
 // Another scene; asks first when something that was made here would be gone.
 void open_scene(const Snapshot& sim, const std::string& path, Outbox& out);
 
+// What a person dropped on the window: a recording, a patch, camera keys or a scene, as its name or content says.
+void open_dropped(const Snapshot& sim, const std::string& path, Outbox& out);
+
 class FrameCosts;
 class Recorder;
 class SceneList;

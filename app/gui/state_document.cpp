@@ -101,6 +101,7 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
            {{"dark", ui.dark},
             {"scale", ui.scale},
             {"help", ui.help},
+            {"palette", ui.palette},
             {"hidden", ui.hidden},
             {"panels", std::move(panels)},
             {"open", ui.open.of},

@@ -58,7 +58,7 @@ struct Joining {
 struct UiState {
   bool dark = true;
   double scale = 1;  // chosen by the person, times the screen's
-  bool help = false, hidden = false, costs = false;
+  bool help = false, palette = false, hidden = false, costs = false;
   BySlot<const WindowPanel*> shown{&parameters_tab, &barrier_tab, &convergence_tab};
   BySlot<bool> open{true, true, true};
 

@@ -67,6 +67,7 @@ struct Actor {
     ui.scale = c.factor;
   }
   void operator()(const command::Help& c) const { ui.help = c.on; }
+  void operator()(const command::Palette& c) const { ui.palette = c.on; }
   void operator()(const command::HideUi& c) const { ui.hidden = c.on; }
   void operator()(const command::Look& c) const {
     CameraPose pose = ui.camera;

@@ -43,6 +43,12 @@ struct Help {
   bool on = true;
   void fields(auto&& f) { f(kOn, on); }
 };
+// All commands by their words, to be searched.
+struct Palette {
+  static constexpr const char* name = "palette";
+  bool on = true;
+  void fields(auto&& f) { f(kOn, on); }
+};
 // Only the picture.
 struct HideUi {
   static constexpr const char* name = "hide_ui";
@@ -310,13 +316,13 @@ struct Quit {
 }  // namespace command
 
 using ViewCommand =
-    std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::HideUi,
-                 command::Look, command::LookFrom, command::Ortho, command::Follow, command::FrameSelection,
-                 command::Select, command::Join, command::ColorBy, command::Show, command::CompareView,
-                 command::BarrierView, command::ConvergenceView, command::SeriesView, command::DifferenceView,
-                 command::Screenshot, command::ExportPlot, command::Record, command::StopRecord,
-                 command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys, command::Fly,
-                 command::SaveCamera, command::LoadCamera, command::Costs, command::Ask, command::CopyCommand,
-                 command::Quit>;
+    std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::Palette,
+                 command::HideUi, command::Look, command::LookFrom, command::Ortho, command::Follow,
+                 command::FrameSelection, command::Select, command::Join, command::ColorBy, command::Show,
+                 command::CompareView, command::BarrierView, command::ConvergenceView, command::SeriesView,
+                 command::DifferenceView, command::Screenshot, command::ExportPlot, command::Record,
+                 command::StopRecord, command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys,
+                 command::Fly, command::SaveCamera, command::LoadCamera, command::Costs, command::Ask,
+                 command::CopyCommand, command::Quit>;
 
 }  // namespace pabd

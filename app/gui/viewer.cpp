@@ -18,6 +18,7 @@
 #include "app/gui/imgui_input.h"
 #include "app/gui/key_table.h"
 #include "app/gui/live_picture.h"
+#include "app/gui/palette.h"
 #include "app/gui/panels.h"
 #include "app/gui/pick.h"
 #include "app/gui/picture_mouse.h"
@@ -87,6 +88,7 @@ struct Viewer::Impl {
   TimelineBar timeline;
   MessageList messages;
   Dialogs dialogs;
+  Palette palette;
   SceneList scenes;
   bool scenes_shown = false;
   Studio studio;
@@ -186,7 +188,7 @@ struct Viewer::Impl {
   void handle_keys(const WindowEvent& event, Outbox& out) {
     const auto* key = std::get_if<KeyChanged>(&event);
     if (!key || ImGui::GetIO().WantTextInput) return;
-    if (!ui.dialog.empty()) return;
+    if (!ui.dialog.empty() || ui.palette) return;
     if (key->key == Key::escape && key->pressed && close_popup()) return;
     if (key->key == Key::space ? !mouse.plays(*key) : !key->pressed) return;
     if (mouse.pulling() && key->key == Key::escape) return;  // ends the pull only
@@ -214,7 +216,7 @@ struct Viewer::Impl {
       mouse.handle(event, in_picture, layout, frame, ui.camera);
       if (std::holds_alternative<CloseRequested>(event)) frame.out.send(ViewCommand(command::Quit{}));
       if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
-        if (!dropped->paths.empty()) open_scene(*sim, dropped->paths.back(), frame.out);
+        if (!dropped->paths.empty()) open_dropped(*sim, dropped->paths.back(), frame.out);
       }
     }
   }
@@ -268,6 +270,7 @@ struct Viewer::Impl {
     draw_file_offer(frame, layout.view);
     draw_costs(frame, layout.view);
     if (ui.help) draw_help(frame, width, height);
+    palette.draw(frame, width, height);
     dialogs.draw(frame, width, height);
   }
 
