@@ -6,10 +6,12 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/gui/panels.h"
 #include "app/gui/parameter_rows.h"
 #include "app/gui/significant.h"
+#include "app/gui/value_slider.h"
 #include "app/gui/widgets.h"
 #include "sim/scene/tuning.h"
 
@@ -117,10 +119,11 @@ class ParametersPanel final : public GuiPanel {
         break;
       case ParameterKind::real:
       case ParameterKind::whole: {
-        const float exact = f.px(98), gap = ImGui::GetStyle().ItemInnerSpacing.x;
-        slider(f, run, row, widget_width() - exact - gap);
-        ImGui::SameLine(0, gap);
-        field(f, run, row, exact);
+        if (typing_ == row.key) {
+          field(f, run, row, widget_width());
+        } else {
+          slider(f, run, row, widget_width());
+        }
         break;
       }
     }
@@ -147,20 +150,31 @@ class ParametersPanel final : public GuiPanel {
     return as_number(value_of(row, run.params)).value_or(run.kappa);
   }
 
+  // Dragged it changes the value, a tenth as fast with shift; clicked it is typed into.
   void slider(GuiFrame& f, const RunView& run, const ParameterRow& row, float width) {
-    const bool log = row.scale == ParameterScale::log;
-    double moved = std::clamp(number_of(run, row), row.slider_lo, row.slider_hi);
-    ImGui::SetNextItemWidth(std::max(f.px(20), width));
-    const bool slid =
-        ImGui::SliderScalar("##slider", ImGuiDataType_Double, &moved, &row.slider_lo, &row.slider_hi, "",
-                            (log ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_NoInput);
-    if (ImGui::IsItemActivated()) dragging_ = false;
-    if (slid) {
-      // Three digits; all of them where they count something.
-      set(f, row, as_value(row, kind_of(row) == ParameterKind::whole ? moved : significant(moved, 3)),
+    const SliderScale scale{row.slider_lo, row.slider_hi, row.scale == ParameterScale::log};
+    const SliderTouch touch =
+        value_slider(f, "##slider", scale.place(number_of(run, row)), shown(run, row), width);
+    if (touch.began) {
+      dragging_ = false;
+      drag_.begin(scale.place(number_of(run, row)));
+    }
+    if (touch.moved != 0) {
+      const double moved = scale.value(drag_.move(touch.moved, touch.fine));
+      // Three digits, with shift four; all of them where they count something.
+      set(f, row,
+          as_value(row,
+                   kind_of(row) == ParameterKind::whole ? moved : significant(moved, touch.fine ? 4 : 3)),
           dragging_);
       dragging_ = true;
     }
+    if (touch.clicked) {
+      typing_ = row.key;
+      typed_ = shown(run, row);
+      focus_ = true;
+    }
+    tooltip("Drag to change, with shift ten times finer; click to type.\nExact value: " +
+            value_text(value_of(row, run.params)) + (may_be_auto(row) ? "; a number, or auto" : ""));
   }
 
   // What the field shows: the value as it is written in a scene, with its unit.
@@ -189,12 +203,14 @@ class ParametersPanel final : public GuiPanel {
     const bool mine = typing_ == row.key;
     std::string text = mine ? typed_ : shown(run, row);
     ImGui::SetNextItemWidth(width);
+    if (mine && std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
     ImGui::InputText("##field", &text, ImGuiInputTextFlags_AutoSelectAll);
     if (ImGui::IsItemActive()) {
       typing_ = row.key;
       typed_ = text;
     }
     if (mine && ImGui::IsItemDeactivated()) {
+      typed_ = text;  // Escape gave the text back
       if (typed_ != shown(run, row)) set(f, row, typed(typed_, row));
       typing_.clear();
     }
@@ -229,7 +245,9 @@ class ParametersPanel final : public GuiPanel {
 
   const std::vector<ParameterGroup> groups_ = parameter_groups();
   Side side_ = Side::a;
-  bool dragging_ = false;       // the slider that is held has sent something already
+  bool dragging_ = false;  // the slider that is held has sent something already
+  bool focus_ = false;     // what is typed in gets the keyboard in the next frame
+  SliderDrag drag_;
   std::string typing_, typed_;  // key of the field that is being typed in, and its text
 };
 

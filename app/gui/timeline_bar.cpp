@@ -7,16 +7,28 @@
 
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "sim/base/counted.h"
 
 namespace pabd {
 namespace {
 
-constexpr double kGrip = 6;  // pixels beside the playhead where it can be taken hold of
+constexpr double kGrip = 6;      // pixels beside the playhead where it can be taken hold of
+constexpr double kSmall = 10.5;  // pixels: text on the track
 constexpr double kSpeeds[] = {0.01, 0.1, 0.25, 0.5, 1, 2, 0};
 
 std::string speed_text(double factor) {
   return factor == 0 ? "as fast as it goes" : fmt::format("{:g}× real time", factor);
 }
+
+// The next of 1, 2, 5, 10, … times a power of ten.
+double time_step(double least) {
+  const double power = std::pow(10, std::floor(std::log10(std::max(least, 1e-4))));
+  for (const double part : {1.0, 2.0, 5.0}) {
+    if (part * power >= least * (1 - 1e-9)) return part * power;
+  }
+  return 10 * power;
+}
+int decimals(double step) { return std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))); }
 
 struct Track {
   ImVec2 lo, hi;
@@ -40,6 +52,48 @@ void draw_marks(const GuiFrame& f, const Track& track, const Reports& history, I
     list.AddRectFilled({x, track.hi.y - f.px(4)}, {x + std::max(1.0f, f.px(1)), track.hi.y},
                        packed(f.theme().color(1)));
   }
+}
+
+// Times along the track, as far apart as their labels need.
+void draw_times(const GuiFrame& f, const Track& track, ImDrawList& list) {
+  const ImFont* font = f.fonts.font(kSmall * f.unit);
+  if (font == nullptr) return;
+  const float width = font->CalcTextSizeA(font->FontSize, 1e4f, 0, "00.00 s").x + f.px(20);
+  const double step =
+      time_step((track.t1 - track.t0) * static_cast<double>(width / (track.hi.x - track.lo.x)));
+  const ImU32 ink = packed(f.theme().muted);
+  const float y = std::round(0.5f * (track.lo.y + track.hi.y - font->FontSize));
+  for (double k = std::ceil(track.t0 / step - 1e-9); k * step <= track.t1 + 1e-9 * step; ++k) {
+    const float x = std::round(track.x(k * step));
+    const std::string text = fmt::format("{:.{}f} s", k * step + 0.0, decimals(step)) /* no −0 */;
+    list.AddRectFilled({x, track.hi.y - f.px(7)}, {x + std::max(1.0f, f.px(1)), track.hi.y}, ink);
+    const float end = x + f.px(4) + font->CalcTextSizeA(font->FontSize, 1e4f, 0, text.c_str()).x;
+    if (end <= track.hi.x) list.AddText(font, font->FontSize, {x + f.px(4), y}, ink, text.c_str());
+  }
+}
+
+// What happened about a place of the track, in words; pixels.
+std::string events_at(const GuiFrame& f, const Track& track, float x) {
+  const auto near = [&](double time) { return std::abs(track.x(time) - x) <= f.px(kGrip); };
+  std::string out;
+  const auto say = [&](const std::string& words) { out += "\n" + words; };
+  if (const auto& p = f.sim.a.parting) {
+    if (near(p->time)) say("here this run leaves the one before");
+    if (p->parted && near(*p->parted)) say("parts from the run before: a body is more than d̂ away");
+  }
+  for (const CameraKey& key : f.ui.camera_keys) {
+    if (near(key.time)) say(fmt::format("camera key at {:.3f} s", key.time));
+  }
+  double deepest = 0;
+  std::int64_t unsolved = 0;
+  for (const StepSummary& r : f.sim.a.history) {
+    if (std::abs(track.x(r.time) - x) > f.px(1.5)) continue;
+    deepest = std::max(deepest, r.max_penetration);
+    unsolved += r.status == StepStatus::iteration_limit ? 1 : 0;
+  }
+  if (deepest > 0) say(fmt::format("bodies overlap by {:.3g} m", deepest));
+  if (unsolved > 0) say(counted(unsolved, "step") + " ended at the iteration limit");
+  return out;
 }
 
 void draw_flag(const GuiFrame& f, const Track& track, double time, Color color, ImDrawList& list) {
@@ -79,13 +133,20 @@ void TimelineBar::draw(GuiFrame& f) {
   }
   tooltip("How fast it plays");
   ImGui::SameLine(0, f.px(16));
+  // As wide for every number of up to so many digits: what follows stays where it is.
+  const float time_left = ImGui::GetCursorPosX();
   label(fmt::format("{:.3f} s", now));
-  ImGui::SameLine();
+  ImGui::SameLine(std::max(time_left + ImGui::CalcTextSize("000.000 s").x,
+                           ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x) +
+                  ImGui::GetStyle().ItemSpacing.x);
+  const float step_left = ImGui::GetCursorPosX();
   muted_label(f, fmt::format("step {}", f.sim.a.state.step));
+  const float step_end = std::max(step_left + ImGui::CalcTextSize("step 00000").x,
+                                  ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x);
   // What does not fit any more is left out.
   const auto room_for = [&](const std::string& text) {
-    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetStyle().ItemSpacing.x;
-    return end + ImGui::CalcTextSize(ui_text(text).c_str()).x <= ImGui::GetContentRegionMax().x;
+    return step_end + ImGui::GetStyle().ItemSpacing.x + ImGui::CalcTextSize(ui_text(text).c_str()).x <=
+           ImGui::GetContentRegionMax().x;
   };
   const bool past = f.sim.a.cursor + 1 < history.size();
   std::string story;
@@ -102,14 +163,14 @@ void TimelineBar::draw(GuiFrame& f) {
     if (!room_for(story)) story = p.parted ? fmt::format("parts at {:.3f} s", *p.parted) : "";
   }
   if (!story.empty() && room_for(story)) {
-    ImGui::SameLine();
+    ImGui::SameLine(step_end + ImGui::GetStyle().ItemSpacing.x);
     ImGui::PushStyleColor(ImGuiCol_Text, im_color(past ? f.theme().color(0) : f.theme().muted));
     label(story);
     ImGui::PopStyleColor();
   }
-  const std::string memory = fmt::format(
-      "{} moment{}, {:.0f} of {:.0f} MB", history.size(), history.size() == 1 ? "" : "s",
-      static_cast<double>(f.sim.timeline_bytes) / 1e6, static_cast<double>(f.sim.timeline_budget) / 1e6);
+  const std::string memory = fmt::format("{}, {:.0f} of {:.0f} MB", counted(history.size(), "moment"),
+                                         static_cast<double>(f.sim.timeline_bytes) / 1e6,
+                                         static_cast<double>(f.sim.timeline_budget) / 1e6);
   const float width = ImGui::CalcTextSize(memory.c_str()).x;
   if (ImGui::GetContentRegionMax().x - width >
       ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + f.px(12)) {
@@ -135,6 +196,7 @@ void TimelineBar::draw(GuiFrame& f) {
   list.AddRectFilled(at, {at.x + size.x, track.hi.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), f.px(4));
   list.AddRectFilled(at, {track.x(history.back().time) + room, track.hi.y},
                      ImGui::GetColorU32(ImGuiCol_FrameBgHovered), f.px(4));
+  draw_times(f, track, list);
   draw_marks(f, track, history, list);
   if (f.sim.a.parting) {
     draw_flag(f, track, f.sim.a.parting->time, f.theme().muted, list);
@@ -143,8 +205,16 @@ void TimelineBar::draw(GuiFrame& f) {
   draw_camera_marks(
       f, [&](double t) { return track.x(t); }, track.lo.y + f.px(7));
   const float x = std::round(track.x(now));
-  list.AddRectFilled({x - f.px(1.5), track.lo.y - f.px(2)}, {x + f.px(1.5), track.hi.y + f.px(2)},
-                     ImGui::GetColorU32(ImGuiCol_SliderGrabActive), f.px(1.5));
+  const bool at_head =
+      ImGui::IsItemActive() || (ImGui::IsItemHovered() && std::abs(ImGui::GetMousePos().x - x) <= room);
+  const ImU32 head = ImGui::GetColorU32(at_head ? ImGuiCol_SliderGrab : ImGuiCol_SliderGrabActive);
+  list.AddRectFilled({x - f.px(1.5), track.lo.y - f.px(2)}, {x + f.px(1.5), track.hi.y + f.px(2)}, head,
+                     f.px(1.5));
+  // A knob as wide as where it can be taken hold of.
+  const float knob = f.px(at_head ? 6 : 5);
+  list.AddTriangleFilled({x - knob, track.lo.y - f.px(3)}, {x + knob, track.lo.y - f.px(3)},
+                         {x, track.lo.y + knob}, head);
+  if (at_head) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     const float mouse = ImGui::GetMousePos().x;
     if (ImGui::IsItemActivated()) {
@@ -158,7 +228,7 @@ void TimelineBar::draw(GuiFrame& f) {
       f.out.send(Command(command::Seek{t}));
       wanted_ = t;
     }
-    tooltip(fmt::format("{:.3f} s", t));
+    tooltip(fmt::format("{:.3f} s", t) + events_at(f, track, ImGui::IsItemActive() ? track.x(t) : mouse));
   }
 }
 

@@ -6,6 +6,8 @@
 #include "app/gui/panels.h"
 #include "app/gui/pictures.h"
 #include "app/gui/widgets.h"
+#include "app/plots/rich_text.h"
+#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
@@ -24,6 +26,20 @@ constexpr double kIdleFrames = 15;  // 1/s
 
 // Pixels of an ordinary screen: for what makes files, and for what is at the right end.
 constexpr double kOutput = 232, kRight = 156;
+constexpr double kName = 136;  // of the scene
+
+// Cut where it would be wider.
+std::string shortened(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(ui_text(text).c_str()).x <= width) return text;
+  std::u32string letters = decode_text(text);
+  std::string out;
+  do {
+    letters.pop_back();
+    out.clear();
+    for (const char32_t c : letters) append_character(out, c);
+  } while (!letters.empty() && ImGui::CalcTextSize((out + "…").c_str()).x > width);
+  return out + "…";
+}
 
 void draw_output(GuiFrame& f) {
   draw_camera_menu(f);
@@ -54,10 +70,12 @@ void draw_toolbar(GuiFrame& f) {
   if (ImGui::Button("Open…")) f.out.send(ViewCommand(command::Ask{"open"}));
   tooltip("Another scene (ctrl+o)");
   ImGui::SameLine();
-  label(f.sim.scene->name + (f.sim.unsaved ? " •" : ""));
+  // As wide for every scene, saved or not: what follows stays where it is.
+  const float name_left = ImGui::GetCursorPosX();
+  label(shortened(f.sim.scene->name, f.px(kName - 14)) + (f.sim.unsaved ? " •" : ""));
   tooltip(f.sim.scene_path + (f.sim.unsaved ? "\n• something was changed and is not saved" : ""));
 
-  ImGui::SameLine(0, f.px(22));
+  ImGui::SameLine(name_left + f.px(kName));
   const auto show = [&](const char* text, const char* what, bool on, const char* help) {
     if (toggle_button(f, text, on, help)) f.out.send(ViewCommand(command::Show{what, !on}));
     ImGui::SameLine();

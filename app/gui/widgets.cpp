@@ -75,10 +75,37 @@ void muted_label(const GuiFrame& frame, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
+Rect tooltip_place(const Rect& item, Point mouse, double width, double height, const Rect& screen, double gap,
+                   double large) {
+  const auto fit = [](double at, double size, double lo, double hi) {
+    return std::max(lo, std::min(at, hi - size));
+  };
+  if (item.h <= large) {
+    const bool below = item.bottom() + gap + height <= screen.bottom();
+    // Along what is wide it goes with the mouse.
+    const double x = item.w <= 4 * large ? item.x : mouse.x - 0.5 * width;
+    return {fit(x, width, screen.x, screen.right()), below ? item.bottom() + gap : item.y - gap - height,
+            width, height};
+  }
+  const bool right = mouse.x + 2 * gap + width <= screen.right();
+  const double y = fit(mouse.y - gap - height, height, screen.y, screen.bottom());
+  return {right ? mouse.x + 2 * gap : mouse.x - 2 * gap - width, y, width, height};
+}
+
 void tooltip(const std::string& text) {
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || text.empty()) return;
+  const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax(), mouse = ImGui::GetMousePos();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float wrap = ImGui::GetFontSize() * 22;
+  const ImVec2 words = ImGui::CalcTextSize(ui_text(text).c_str(), nullptr, false, wrap);
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const Rect place =
+      tooltip_place({lo.x, lo.y, hi.x - lo.x, hi.y - lo.y}, {mouse.x, mouse.y},
+                    words.x + 2 * style.WindowPadding.x, words.y + 2 * style.WindowPadding.y,
+                    {0, 0, display.x, display.y}, 0.4 * ImGui::GetFontSize(), 2.5 * ImGui::GetFrameHeight());
+  ImGui::SetNextWindowPos({std::round(static_cast<float>(place.x)), std::round(static_cast<float>(place.y))});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22);
+  ImGui::PushTextWrapPos(wrap);
   label(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();

@@ -13,8 +13,13 @@ namespace pabd {
 // Text with d̂ and other signs, for ImGui's own functions.
 void label(const std::string& text);
 void muted_label(const GuiFrame& frame, const std::string& text);
-// Shows `text` while the mouse rests on the last item.
+// Shows `text` while the mouse rests on the last item: beside it, or beside the mouse on what is large, so that it
+// never lies over what is aimed at.
 void tooltip(const std::string& text);
+// Where a tooltip of that size goes on a screen: below or above the item, or if that is higher than `large` above and
+// beside the mouse. Pixels.
+Rect tooltip_place(const Rect& item, Point mouse, double width, double height, const Rect& screen, double gap,
+                   double large);
 ImU32 packed(Color color);
 ImVec4 im_color(Color color);
 
