@@ -102,6 +102,7 @@ pabd_public_library(output ABOUT "images, videos, comparison of images"
     render/output/async_sink.h
     render/output/compare_images.h
     render/output/frame_sink.h
+    render/output/video_options.h
     render/output/image.h
     render/output/png.h)
 

@@ -4,7 +4,9 @@
 // ffmpeg gets every frame once: it keeps them in a file without loss and counts their colours. Then it reads that
 // file with the palette. One palette, and only the rectangle of a frame that changed, make a file several times
 // smaller than a palette a frame; nothing needs all frames in memory.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -16,6 +18,7 @@
 #include "sim/base/atomic_file.h"
 #include "sim/base/child_process.h"
 #include "sim/base/counted.h"
+#include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
 
@@ -28,6 +31,8 @@ using Arguments = std::vector<std::string>;
 constexpr double kFastest =
     50;  // frames a second: a GIF counts in 1/100 s, and viewers slow down one of them
 constexpr std::size_t kBlock = 255;  // bytes of a part of a comment
+
+constexpr char kEnd = 0x3B;
 
 // A comment of a GIF, which stands before its last byte.
 std::string comment_block(const std::string& text) {
@@ -170,14 +175,14 @@ class GifSink : public FrameSink {
     std::string text;
     for (const auto& [key, value] : options_.about) text += key + ": " + value + "\n";
     const std::string block = comment_block(text);
-    std::FILE* file = std::fopen(file_->temporary().c_str(), "r+b");
+    const Descriptor file(::open(file_->temporary().c_str(), O_RDWR | O_CLOEXEC));
     // The last byte of a GIF is the sign of its end.
-    const bool good = file != nullptr && std::fseek(file, -1, SEEK_END) == 0 && std::fgetc(file) == 0x3B &&
-                      std::fseek(file, -1, SEEK_END) == 0 &&
-                      std::fwrite(block.data(), 1, block.size(), file) == block.size() &&
-                      std::fputc(0x3B, file) == 0x3B;
-    const bool closed = file != nullptr && std::fclose(file) == 0;
-    if (!good || !closed)
+    const off_t end = ::lseek(file.get(), -1, SEEK_END);
+    char last = 0;
+    const bool good = end > 0 && ::read(file.get(), &last, 1) == 1 && last == kEnd &&
+                      ::lseek(file.get(), end, SEEK_SET) == end &&
+                      write_all(file.get(), (block + kEnd).data(), block.size() + 1) == 0;
+    if (!good)
       throw Error(ErrorKind::encoder, fmt::format("{}: could not be completed: is the disk full?", path_));
   }
 
