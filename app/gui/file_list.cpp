@@ -4,14 +4,16 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+
+#include "sim/base/error.h"
+#include "sim/base/input_file.h"
 
 namespace pabd {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kHead = 16384;  // bytes that are looked at
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // larger ones are scenes
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 char small(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -70,15 +72,16 @@ DroppedKind kind_of_dropped(const std::string& path) {
   if (path.ends_with(".pabdrec")) return DroppedKind::recording;
   std::error_code unknown;
   if (!path.ends_with(".json") || !fs::is_regular_file(path, unknown)) return DroppedKind::scene;
-  std::string head(kHead, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
+  std::string head;
+  try {
+    head = read_file(path, kMostBytes, "a JSON file");
+  } catch (const Error&) {
+    return DroppedKind::scene;
+  }
   if (head.find("\"pabd-camera\"") != head.npos) return DroppedKind::camera;
   const std::size_t first = head.find_first_not_of(" \t\r\n");
   const bool object = first != head.npos && head[first] == '{';
-  return object && head.size() < kHead && head.find("\"format\"") == head.npos ? DroppedKind::patch
-                                                                               : DroppedKind::scene;
+  return object && head.find("\"format\"") == head.npos ? DroppedKind::patch : DroppedKind::scene;
 }
 
 fs::path folder_of_typed(const std::string& text) {

@@ -14,8 +14,8 @@ struct FileEntry {
 };
 
 // Folders and then files whose names end with one of `endings` (".json"), each in the order of their names with
-// numbers by value, capitals like small letters. Hidden ones and what cannot be looked at are left out; more than `most` of either kind, too. An
-// empty list for a folder that cannot be read.
+// numbers by value, capitals like small letters. Left out are hidden ones, what cannot be looked at, and more than
+// `most` of either kind. An empty list for a folder that cannot be read.
 std::vector<FileEntry> list_files(const std::filesystem::path& folder,
                                   const std::vector<std::string>& endings, std::size_t most = 2000);
 
@@ -27,7 +27,7 @@ std::filesystem::path folder_of_typed(const std::string& text);
 // The same name in another folder, or another name in the same one; "." leaves the name alone.
 std::string in_folder(const std::filesystem::path& folder, const std::string& name);
 
-// What a file that was dropped on the window is, by its name and the first kilobytes of what is in it. A JSON object
+// What a file that was dropped on the window is, by its name and what is in it. A JSON object
 // without a format is a patch; what cannot be told is a scene, whose reader says what is wrong.
 enum class DroppedKind { scene, recording, camera, patch };
 DroppedKind kind_of_dropped(const std::string& path);
