@@ -12,8 +12,9 @@
 namespace pabd {
 namespace {
 
-constexpr double kGrip = 6;      // pixels beside the playhead where it can be taken hold of
-constexpr double kSmall = 10.5;  // pixels: text on the track
+constexpr double kGrip = 6;         // pixels beside the playhead where it can be taken hold of
+constexpr double kShortest = 1e-3;  // s: of the track
+constexpr double kSmall = 10.5;     // pixels: text on the track
 constexpr double kSpeeds[] = {0.01, 0.1, 0.25, 0.5, 1, 2, 0};
 
 std::string speed_text(double factor) {
@@ -57,7 +58,7 @@ void draw_marks(const GuiFrame& f, const Track& track, const Reports& history, I
 // Times along the track, as far apart as their labels need.
 void draw_times(const GuiFrame& f, const Track& track, ImDrawList& list) {
   const ImFont* font = f.fonts.font(kSmall * f.unit);
-  if (font == nullptr) return;
+  if (font == nullptr || track.t1 - track.t0 < 2 * kShortest) return;  // no step yet
   const float width = font->CalcTextSizeA(font->FontSize, 1e4f, 0, "00.00 s").x + f.px(20);
   const double step =
       time_step((track.t1 - track.t0) * static_cast<double>(width / (track.hi.x - track.lo.x)));
@@ -191,7 +192,7 @@ void TimelineBar::draw(GuiFrame& f) {
   const Track track{{at.x + room, at.y},
                     {at.x + std::max(size.x - room, room + 1), at.y + size.y},
                     start,
-                    std::max(end, start + 1e-3)};
+                    std::max(end, start + kShortest)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + size.x, track.hi.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), f.px(4));
   list.AddRectFilled(at, {track.x(history.back().time) + room, track.hi.y},
