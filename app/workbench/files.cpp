@@ -209,7 +209,8 @@ void Workbench::carry_out(const command::SaveScene& c) {
     std::string name = fs::path(c.path).stem().string();
     if (name.empty()) name = scene_->name;
     save(c.path,
-         scene_to_json(run.model(), run.state(), run.params(), scene_->joint_law, name, scene_->camera),
+         scene_to_json(run.model(), run.state(), run.params(), scene_->joint_law, name, scene_->camera,
+                       parameter_table(), scene_->looks),
          c.force, true);
     saved_.edits = a_->timeline().edits();
   } else {

@@ -64,6 +64,7 @@ std::span<const KeyTable> key_tables() {
   static constexpr std::array kFixed{KeyTable{"joints_default", keys::joints_default},
                                      KeyTable{"camera", keys::camera},
                                      KeyTable{"body", keys::body},
+                                     KeyTable{"material", keys::material},
                                      KeyTable{"stack", keys::stack},
                                      KeyTable{"wall", keys::wall},
                                      KeyTable{"pyramid", keys::pyramid},

@@ -28,7 +28,9 @@ inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
 
 inline constexpr std::array body{Key("name"),        Key("shape"),    Key("fixed"),
                                  Key("density"),     Key("mass"),     Key("position"),
-                                 Key("orientation"), Key("velocity"), Key("angular_velocity")};
+                                 Key("orientation"), Key("velocity"), Key("angular_velocity"),
+                                 Key("color"),       Key("material")};
+inline constexpr std::array material{Key("opacity"), Key("checker")};
 inline constexpr std::array stack{Key("type"),    Key("name"), Key("count"),  Key("size"), Key("position"),
                                   Key("density"), Key("mass"), Key("masses"), Key("gap"),  Key("rotate")};
 inline constexpr std::array wall{Key("type"), Key("name"),     Key("columns"),    Key("rows"),

@@ -62,6 +62,7 @@ void ModelBuilder::add(BodySpec&& body, const Node& place) {
                            in_quotes(body.name), body.c.x(), body.c.y(), body.c.z(), kFarthest));
   }
   const MassProperties p = body.fixed ? MassProperties{0, Mat3::Zero()} : solid_mass(body, place);
+  if (body.look != BodyLook{}) looks.emplace(body.name, body.look);
   model.name.push_back(std::move(body.name));
   model.shape.push_back(body.shape);
   model.mass.push_back(p.mass);

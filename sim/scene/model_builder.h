@@ -8,6 +8,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "sim/body/body_look.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/scene/builder.h"
@@ -45,6 +46,7 @@ struct BodySpec {
   Mat3 R = Mat3::Identity();  // body to world
   Vec3 v = Vec3::Zero();      // m/s
   Vec3 omega = Vec3::Zero();  // rad/s
+  BodyLook look = {};
 };
 
 // Bodies by name; the names are those of the model.
@@ -74,6 +76,7 @@ class ModelBuilder {
   Model model;
   State state;
   BondLaw joint_law;
+  BodyLooks looks;
 
  private:
   std::int64_t announced_ = 0, announced_joints_ = 0;

@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/body/shape_kind.h"
 #include "sim/scene/keys.h"
+#include "sim/scene/read_look.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -113,7 +114,7 @@ void refuse_on_plane(const ObjectReader& in) {
     fixed->fail("a plane is always fixed; expected true, or leave the key out");
   }
   for (const std::string_view key :
-       {"density", "mass", "position", "orientation", "velocity", "angular_velocity"}) {
+       {"density", "mass", "position", "orientation", "velocity", "angular_velocity", "color", "material"}) {
     if (in.has(key)) in.fail_key(key, "a plane has only a normal and an offset; remove this key");
   }
 }
@@ -146,6 +147,7 @@ BodySpec read_body(const Node& node, std::size_t index, MeshLibrary& meshes) {
     if (!body.omega.isZero(0))
       in.fail_key("angular_velocity", "a fixed body does not turn; expected [0, 0, 0]");
   }
+  body.look = read_look(in);
   return body;
 }
 

@@ -115,6 +115,7 @@ Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes
   if (scene.name.empty()) scene.name = std::filesystem::path(context.source).stem().string();
   scene.model = std::move(builder.model);
   scene.joint_law = builder.joint_law;
+  scene.looks = std::move(builder.looks);
   scene.initial = std::move(builder.state);
   scene.hash = context.hash.hex();
   return scene;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/body/body_look.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/solver/parameter_table.h"
@@ -27,8 +28,9 @@ struct Scene {
   Params params;
   Model model;
   State initial;
-  BondLaw joint_law;                         // of joints that say nothing of their own, κ resolved
-  std::optional<CameraDesc> camera;          // absent: the viewer frames the scene
+  BondLaw joint_law;                 // of joints that say nothing of their own, κ resolved
+  std::optional<CameraDesc> camera;  // from which side it wants to be seen; absent: the viewer's choice
+  BodyLooks looks;                   // of bodies that say how they are drawn
   std::vector<std::filesystem::path> files;  // that it was read from: itself, if it came from one, and meshes
   std::string hash;  // 16 hex digits over the resolved scene (after --set), platform independent
 };

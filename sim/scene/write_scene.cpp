@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "sim/base/error.h"
+#include "sim/scene/read_look.h"
 #include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_joint.h"
@@ -84,7 +85,8 @@ void check_loads(const std::string& text, ParameterTable table) {
 
 std::string scene_to_json(const Model& model, const State& state, const Params& params,
                           const BondLaw& joint_law, const std::string& name,
-                          const std::optional<CameraDesc>& camera, ParameterTable table) {
+                          const std::optional<CameraDesc>& camera, ParameterTable table,
+                          const BodyLooks& looks) {
   std::string out = fmt::format("{{\n  \"format\": \"pabd-scene\",\n  \"version\": 1,\n  \"name\": {}",
                                 OrderedJson(name).dump());
   const OrderedJson tunable = OrderedJson::parse(params_json(params, table));
@@ -92,7 +94,11 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
   OrderedJson law = OrderedJson::object();
   add_law(joint_law, law);
   out += fmt::format(",\n  \"joints_default\": {}", law.dump());
-  out += list("bodies", model.shape.size(), [&](std::size_t i) { return json_of_body(model, state, i); });
+  out += list("bodies", model.shape.size(), [&](std::size_t i) {
+    OrderedJson body = json_of_body(model, state, i);
+    if (const auto look = looks.find(model.name[i]); look != looks.end()) add_look(look->second, body);
+    return body;
+  });
   if (!model.joints.empty()) {
     const std::vector<std::string> names = joint_names(model);
     out += list("joints", model.joints.size(), [&](std::size_t k) {

@@ -74,8 +74,8 @@ TEST_CASE("unknown keys are refused, with a suggestion where one is near", "[sce
                 {"/bodies/0/densty", "did you mean \"density\"?"});
   check_refused(only_body(R"({ "shape": { "type": "sphere", "radius": 1, "size": [1,1,1] } })"),
                 {"/bodies/0/shape/size", "unknown key"});
-  check_refused(only_body(R"({ "shape": { "type": "sphere", "radius": 1 }, "color": [1, 0, 0] })"),
-                {"/bodies/0/color"});
+  check_refused(only_body(R"({ "shape": { "type": "sphere", "radius": 1 }, "colour": [1, 0, 0] })"),
+                {"/bodies/0/colour", "did you mean \"color\"?"});
   check_refused(generated(R"({ "type": "pyramid", "base": 3, "count": 3 })"),
                 {"/generate/0/count", "unknown key"});
   check_refused(with_body("\"a\\nb\": 1"), {"a\\nb", "unknown key"});

@@ -145,3 +145,49 @@ TEST_CASE("a state that no scene file can hold is refused in one line") {
   session.set_state(state);
   refused(session, "velocity");
 }
+
+TEST_CASE("colours and materials come back as they were; nothing is said of bodies without") {
+  const std::string text = R"({ "format": "pabd-scene", "version": 1,
+    "bodies": [
+      { "name": "hex", "shape": { "type": "sphere", "radius": 1 }, "color": "#c8775c" },
+      { "name": "numbers", "shape": { "type": "sphere", "radius": 1 }, "position": [3, 0, 0],
+        "color": [0.1, 0.25, 1], "material": { "opacity": 0.4, "checker": true } },
+      { "name": "plain", "shape": { "type": "sphere", "radius": 1 }, "position": [6, 0, 0] } ] })";
+  const Scene first = parse_scene(text, "colours", {});
+  REQUIRE(first.looks.size() == 2);
+  CHECK((*first.looks.at("hex").color - Vec3(0xc8, 0x77, 0x5c) / 255).norm() < 1e-15);
+  CHECK(first.looks.at("numbers").opacity == 0.4);
+  CHECK(first.looks.at("numbers").checker);
+  const std::string saved = scene_to_json(first.model, first.initial, first.params, first.joint_law, "again",
+                                          {}, parameter_table(), first.looks);
+  const Scene again = parse_scene(saved, "again", {});
+  CHECK(again.looks == first.looks);
+  CHECK(saved.find("\"#c8775c\"") != saved.npos);
+  // Not what a run depends on.
+  const Scene plain = parse_scene(R"({ "format": "pabd-scene", "version": 1, "bodies": [
+      { "name": "hex", "shape": { "type": "sphere", "radius": 1 } } ] })",
+                                  "plain", {});
+  CHECK(plain.looks.empty());
+}
+
+TEST_CASE("a wrong colour is refused, with its place and what was expected") {
+  const auto scene_with = [](const std::string& keys) {
+    return R"({ "format": "pabd-scene", "version": 1, "bodies": [
+      { "shape": { "type": "sphere", "radius": 1 }, )" +
+           keys + " } ] }";
+  };
+  for (const char* wrong :
+       {R"("color": "red")", R"("color": "#12345")", R"("color": "#12345g")", R"("color": "#1234567")",
+        R"("color": [1, 2, 0])", R"("color": [1, 0])", R"("color": 7)", R"("material": { "opacity": 1.5 })",
+        R"("material": { "shiny": true })", R"("material": "glass")"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(parse_scene(scene_with(wrong), "wrong", {}), Error);
+  }
+  try {
+    parse_scene(scene_with(R"("color": "red")"), "wrong", {});
+    FAIL("not refused");
+  } catch (const Error& error) {
+    CHECK(std::string(error.what()).find("/bodies/0/color") != std::string::npos);
+    CHECK(std::string(error.what()).find("#rrggbb") != std::string::npos);
+  }
+}
