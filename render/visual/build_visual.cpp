@@ -8,6 +8,7 @@
 
 #include <cassert>
 
+#include "render/visual/body_marks.h"
 #include "render/visual/bounds.h"
 #include "render/visual/contact_glyphs.h"
 #include "render/visual/joint_glyphs.h"
@@ -75,6 +76,7 @@ struct BodyPainter {
   Mat3 R;
   Vec4f color;
   bool shadow = true;
+  bool checker = false;
 
   void operator()(const SurfacePart& part) const {
     const Primitive primitive = primitive_of(part.form);
@@ -82,13 +84,13 @@ struct BodyPainter {
     m.block<3, 1>(0, 3) = (c + R * part.at).cast<float>();
     if (primitive == Primitive::mesh) {
       m.block<3, 3>(0, 0) = (part.hull->data->bounding_radius * R).cast<float>();
-      mesh_of(*part.hull, out).instances.push_back({m, color, shadow});
+      mesh_of(*part.hull, out).instances.push_back({m, color, shadow, true, false, checker});
       return;
     }
     // Turned about x, not mirrored: the faces keep their orientation.
     const double up = part.upside_down ? -1 : 1;
     m.block<3, 3>(0, 0) = (R * part.size.cwiseProduct(Vec3(1, up, up)).asDiagonal()).cast<float>();
-    out.instances[static_cast<int>(primitive)].push_back({m, color, shadow});
+    out.instances[static_cast<int>(primitive)].push_back({m, color, shadow, true, false, checker});
   }
 };
 
@@ -123,8 +125,9 @@ Vec4f choose_color(const Model& model, const VisualOptions& options, Index body)
     const double value = at < options.values.size() ? options.values[at] : std::nan("");
     return std::isfinite(value) ? value_color(options.value_range.place(value)) : no_value_color();
   }
-  const Vec4f color = body_color(body, fixed);
-  return options.contacts || options.bonds ? step_back(color) : color;
+  const auto at = static_cast<std::size_t>(body);
+  if (at < options.looks.size() && options.looks[at].color) return linear_color(*options.looks[at].color);
+  return body_color(body, fixed);
 }
 
 void add_selection(const Model& model, const State& state, const StepReport& report,
@@ -141,7 +144,8 @@ void add_selection(const Model& model, const State& state, const StepReport& rep
   }
   if (const auto number = options.selected_contact; number && *number < report.contact_reports.size()) {
     const ContactReport& contact = report.contact_reports[*number];
-    if (!options.contacts) add_contact_glyph(contact, options.d_hat, scale, typical_weight(model), out);
+    if (!options.contacts)
+      add_contact_glyph(model, contact, options.d_hat, scale, typical_weight(model), out);
     add_ring(contact.y_a, 1.5 * scale, out);
   }
 }
@@ -155,15 +159,24 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
   std::vector<SurfacePart> parts;
   for (Index i = 0; i < model.size(); ++i) {
     if (!has_finite_pose(state, i)) continue;  // nothing sensible can be drawn
-    add_body(model.shape[i], {out, state.c[i], state.R[i], choose_color(model, options, i)}, parts);
+    Vec4f color = choose_color(model, options, i);
+    bool checker = false;
+    if (const auto at = static_cast<std::size_t>(i); at < options.looks.size()) {
+      color.w() = static_cast<float>(options.looks[at].opacity);
+      checker = options.looks[at].checker;
+    }
+    add_body(model.shape[i], {out, state.c[i], state.R[i], color, color.w() == 1, checker}, parts);
   }
   std::erase_if(out.meshes, [](const MeshInstances& mesh) { return mesh.instances.empty(); });
   const bool scaled = options.bonds || options.contacts || options.selected_contact;
   const double given = options.glyph_scale;
   const double scale = !scaled || given > 0 ? given : default_glyph_scale(model);
   if (options.bonds || options.contacts)
-    add_contact_glyphs(report, options, scale, typical_weight(model), out);
+    add_contact_glyphs(model, report, options, scale, typical_weight(model), out);
   if (options.bonds) add_joint_glyphs(model, state, out);
+  if (options.boxes) add_boxes(model, state, out);
+  if (options.inertia) add_inertia_ellipsoids(model, state, out);
+  if (options.velocities) add_velocity_arrows(model, state, out);
   add_selection(model, state, report, options, scale, out);
   if (const auto around = bounding_sphere(model, state)) {
     out.centre = around->centre.cast<float>();

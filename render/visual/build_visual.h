@@ -7,6 +7,7 @@
 
 #include "render/visual/value_map.h"
 #include "render/visual/visual_scene.h"
+#include "sim/body/body_look.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/solver/report.h"
@@ -23,6 +24,12 @@ struct VisualOptions {
   // non-finite values and bodies beyond the end of the list are grey.
   std::vector<double> values;
   ValueRange value_range;
+
+  // How bodies want to be drawn, by number; may be shorter than the list of bodies. Values win over its colours.
+  std::vector<BodyLook> looks;
+
+  // Of bodies, in front of them (body_marks.h).
+  bool velocities = false, boxes = false, inertia = false;
 
   // What is selected is outlined, in front of everything. Numbers that are none select nothing.
   std::optional<Index> selected_body;

@@ -6,13 +6,15 @@
 //   d          (y_b − y_a)·n                                  m
 //   f_n        normal force                                   N
 //   s          glyph scale: radius of a disc                  m
-//   L          arrow length  s (3 + 2 log₁₀(1 + 9 f_n/W))     m; W a body's weight: 5 s at f_n = W,
-//                                                             7 s at 10 W
+//   L          arrow length, 4.5 s log₁₀(1 + 9 f_n/W)         m; W a body's weight: 4.5 s at f_n = W, 9 s at 10 W
 #include "render/visual/contact_glyphs.h"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
+#include "render/visual/line_shapes.h"
 #include "render/visual/palette.h"
 
 namespace pabd {
@@ -21,7 +23,19 @@ namespace {
 constexpr double kShaft = 0.19;       // radius of the shaft, × s
 constexpr double kHead = 0.52;        // radius of the head, × s
 constexpr double kHeadLength = 1.35;  // × s
-constexpr double kLongest = 9.0;      // longest arrow, × s
+constexpr double kLongest = 10.0;     // longest arrow, × s
+constexpr double kShortest = 0.5;     // a shorter one says nothing, × s
+constexpr double kRim = 0.16;         // width of the dark rim, × s
+constexpr double kSide = 0.05;        // a normal that is less steep has no upper body
+constexpr double kSameNormal = 0.9;   // cosine
+constexpr std::uint32_t kRimInk = 0x1b1f27;
+
+// What is drawn of one contact, or of several in one place.
+struct Glyph {
+  Vec3 at;       // on the body that the arrow pushes; m
+  Vec3 towards;  // unit
+  double d, force;
+};
 
 auto& list(VisualScene& out, Primitive primitive) { return out.instances[static_cast<int>(primitive)]; }
 
@@ -35,19 +49,74 @@ bool is_finite(const ContactReport& contact) {
 
 double arrow_length(double normal_force, double scale, double weight) {
   const double f = std::isfinite(normal_force) ? std::max(0.0, normal_force) : 0.0;
-  return scale * std::min(kLongest, 2.5 + 1.5 * std::log10(1.0 + 9.0 * f / weight));
+  return scale * std::min(kLongest, 4.5 * std::log10(1.0 + 9.0 * f / weight));
 }
 
-void add_contact(const ContactReport& contact, double d_hat, double s, double weight, VisualScene& out) {
-  const Vec4f color = contact_color(contact.d / d_hat);
-  const double length = arrow_length(contact.normal_force, s, weight);
-  const double head = kHeadLength * s;
+// Whether the force on b is shown; else that on a.
+bool pushes_b(const Model& model, const ContactReport& contact) {
+  const auto fixed = [&](Index i) { return i < 0 || i >= model.size() || model.fixed[i] != 0; };
+  if (fixed(contact.a) != fixed(contact.b)) return fixed(contact.a);
   const Vec3& n = contact.n;
-  add(out, Primitive::disc, place_along(contact.y_a, n, s, s), color, false);
+  if (std::abs(n.y()) > kSide) return n.y() > 0;
+  return std::abs(n.x()) > kSide ? n.x() > 0 : n.z() > 0;
+}
+
+Glyph glyph_of(const Model& model, const ContactReport& contact) {
+  const bool b = pushes_b(model, contact);
+  return {b ? contact.y_b : contact.y_a, b ? contact.n : Vec3(-contact.n), contact.d, contact.normal_force};
+}
+
+void add_contact(const Glyph& glyph, double d_hat, double s, double weight, VisualScene& out) {
+  const Vec4f color = contact_color(glyph.d / d_hat), rim = srgb_color(kRimInk);
+  const Vec3& n = glyph.towards;
+  const Vec3 away = -PixelMeter(out.camera).to_eye(glyph.at);
+  const double r = kRim * s;
+  // What is a little larger, and far enough behind, shows as a rim.
+  add(out, Primitive::disc, place_along(glyph.at + 0.3 * r * away, n, s + r, s + r), rim, false);
+  add(out, Primitive::disc, place_along(glyph.at, n, s, s), color, false);
+  const double length = arrow_length(glyph.force, s, weight);
+  if (length < kShortest * s) return;
+  const double head = std::min(kHeadLength * s, 0.6 * length), half = kHead / kHeadLength * head;
+  const Vec3 base = glyph.at + (length - head) * n, middle = glyph.at + 0.5 * (length - head) * n;
+  const double shaft = std::min(kShaft * s, 0.6 * half);
   add(out, Primitive::cylinder,
-      place_along(contact.y_a + 0.5 * (length - head) * n, n, kShaft * s, 0.5 * (length - head)), color,
-      false);
-  add(out, Primitive::cone, place_along(contact.y_a + (length - head) * n, n, kHead * s, head), color, false);
+      place_along(middle + 2 * (shaft + r) * away, n, shaft + 0.6 * r, 0.5 * (length - head)), rim, false);
+  add(out, Primitive::cylinder, place_along(middle, n, shaft, 0.5 * (length - head)), color, false);
+  add(out, Primitive::cone,
+      place_along(base - 0.6 * r * n + 2 * (half + r) * away, n, half + 0.9 * r, head + 1.6 * r), rim, false);
+  add(out, Primitive::cone, place_along(base, n, half, head), color, false);
+}
+
+// Those of the same two bodies with the same normal as one.
+std::vector<Glyph> merged(const Model& model, const StepReport& report) {
+  std::vector<const ContactReport*> contacts;
+  for (const ContactReport& contact : report.contact_reports) {
+    if (is_finite(contact)) contacts.push_back(&contact);
+  }
+  std::stable_sort(contacts.begin(), contacts.end(), [](const ContactReport* x, const ContactReport* y) {
+    return std::tie(x->a, x->b) < std::tie(y->a, y->b);
+  });
+  std::vector<Glyph> out;
+  double load = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Glyph next = glyph_of(model, *contacts[k]);
+    const double force = std::isfinite(next.force) ? std::max(0.0, next.force) : 0;
+    const bool together = k > 0 && contacts[k]->a == contacts[k - 1]->a &&
+                          contacts[k]->b == contacts[k - 1]->b &&
+                          next.towards.dot(out.back().towards) > kSameNormal;
+    constexpr double kNoForce = 1e-9;  // so that contacts without any have a middle as well; N
+    if (!together) {
+      out.push_back({next.at, next.towards, next.d, force});
+      load = force + kNoForce;
+      continue;
+    }
+    Glyph& all = out.back();
+    const double share = (force + kNoForce) / (load += force + kNoForce);
+    all.at += share * (next.at - all.at);
+    all.d = std::min(all.d, next.d);
+    all.force += force;
+  }
+  return out;
 }
 
 void add_bond(const ContactReport& contact, double s, VisualScene& out) {
@@ -86,16 +155,20 @@ double default_glyph_scale(const Model& model) {
   return 0.26 * *middle;
 }
 
-void add_contact_glyph(const ContactReport& contact, double d_hat, double scale, double weight,
-                       VisualScene& out) {
-  if (is_finite(contact)) add_contact(contact, d_hat, scale, weight, out);
+void add_contact_glyph(const Model& model, const ContactReport& contact, double d_hat, double scale,
+                       double weight, VisualScene& out) {
+  if (is_finite(contact)) add_contact(glyph_of(model, contact), d_hat, scale, weight, out);
 }
 
-void add_contact_glyphs(const StepReport& report, const VisualOptions& options, double scale, double weight,
-                        VisualScene& out) {
+void add_contact_glyphs(const Model& model, const StepReport& report, const VisualOptions& options,
+                        double scale, double weight, VisualScene& out) {
+  const bool many = report.contact_reports.size() > kManyContacts;
+  if (options.contacts && many) {
+    for (const Glyph& glyph : merged(model, report)) add_contact(glyph, options.d_hat, scale, weight, out);
+  }
   for (const ContactReport& contact : report.contact_reports) {
     if (!is_finite(contact)) continue;
-    if (options.contacts) add_contact(contact, options.d_hat, scale, weight, out);
+    if (options.contacts && !many) add_contact(glyph_of(model, contact), options.d_hat, scale, weight, out);
     if (options.bonds) add_bond(contact, scale, out);
   }
 }

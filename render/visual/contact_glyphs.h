@@ -14,13 +14,19 @@ Mat4f place_along(const Vec3& p, const Vec3& axis, double sxz, double sy);
 // bodies.
 double default_glyph_scale(const Model& model);
 
+// Beyond so many contacts those of two bodies that share a normal are one glyph: where their load is, with all of
+// it, in the colour of the deepest.
+inline constexpr std::size_t kManyContacts = 300;
+
 // The disc and the arrow of one contact; scale and weight as below. Nothing for non-finite numbers.
-void add_contact_glyph(const ContactReport& contact, double d_hat, double scale, double weight,
-                       VisualScene& out);
+void add_contact_glyph(const Model& model, const ContactReport& contact, double d_hat, double scale,
+                       double weight, VisualScene& out);
 
 // Adds the glyphs of `report` to `out`. `scale` is the radius of a contact disc in m, > 0; `weight` a typical
-// weight of a body in N, > 0, against which arrow lengths are measured.
-void add_contact_glyphs(const StepReport& report, const VisualOptions& options, double scale, double weight,
-                        VisualScene& out);
+// weight of a body in N, > 0, against which arrow lengths are measured. An arrow is the force on the movable body, of
+// two movable ones on the upper, so that neighbours point the same way; none where there is next to no force. Discs
+// and arrows have a dark rim as out.camera sees them, which must be set before.
+void add_contact_glyphs(const Model& model, const StepReport& report, const VisualOptions& options,
+                        double scale, double weight, VisualScene& out);
 
 }  // namespace pabd

@@ -214,15 +214,6 @@ std::vector<Spot> outermost(std::span<const Spot> spots, const Vec3& axis) {
   return out;
 }
 
-}  // namespace
-
-void add_spots(const Shape& shape, const Pose& pose, std::vector<Spot>& out) {
-  if (!pose.c.allFinite() || !pose.R.allFinite()) return;
-  std::vector<SurfacePart> parts;
-  kind_of(shape).surface(shape, parts);
-  for (const SurfacePart& part : parts) add_part(part, pose, out);
-}
-
 void add_floor_spots(const Model& model, std::vector<Spot>& spots) {
   if (spots.empty()) return;
   const CameraAxes axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -243,12 +234,26 @@ void add_floor_spots(const Model& model, std::vector<Spot>& spots) {
   }
 }
 
-std::vector<Spot> spots_of(const Model& model, const State& state) {
+}  // namespace
+
+void add_spots(const Shape& shape, const Pose& pose, std::vector<Spot>& out) {
+  if (!pose.c.allFinite() || !pose.R.allFinite()) return;
+  std::vector<SurfacePart> parts;
+  kind_of(shape).surface(shape, parts);
+  for (const SurfacePart& part : parts) add_part(part, pose, out);
+}
+
+std::vector<Spot> body_spots(const Model& model, const State& state) {
   std::vector<Spot> out;
   const std::vector<std::uint8_t> in = bodies_in_picture(model, state);
   for (Index i = 0; i < model.size(); ++i) {
     if (in[static_cast<std::size_t>(i)]) add_spots(model.shape[i], {state.c[i], state.R[i]}, out);
   }
+  return out;
+}
+
+std::vector<Spot> spots_of(const Model& model, const State& state) {
+  std::vector<Spot> out = body_spots(model, state);
   add_floor_spots(model, out);
   return out;
 }

@@ -29,10 +29,10 @@ inline constexpr double kFill = 0.9;
 // of a pose that is not finite.
 void add_spots(const Shape& shape, const Pose& pose, std::vector<Spot>& out);
 
-// Of what is to be seen (bounds.h says which bodies that are); and where it would fall to, when a floor is near.
+// Of what is to be seen (bounds.h says which bodies that are).
+std::vector<Spot> body_spots(const Model& model, const State& state);
+// These, and where they would fall to, when a floor is near.
 std::vector<Spot> spots_of(const Model& model, const State& state);
-// The part of these on the floors of the model.
-void add_floor_spots(const Model& model, std::vector<Spot>& spots);
 
 // The camera that looks as `like` does (direction, up, field of view, projection), from where all spots fit into
 // `part`. The distance is the least one, and their outline is in the middle of the part. Without spots: `like`.

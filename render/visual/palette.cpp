@@ -30,7 +30,6 @@ constexpr std::array<std::uint32_t, kBodyColors> kBodies = {
 };
 
 constexpr std::uint32_t kFixedBody = 0x9a9a98;
-constexpr std::uint32_t kQuietBody = 0x80868d;
 
 // Knots of the contact map; linear in linear light between them. Two reds meet at 0: whatever penetrates is
 // darker.
@@ -64,6 +63,13 @@ Vec4f srgb_color(std::uint32_t rrggbb) {
   return {linear_from_byte(rrggbb >> 16), linear_from_byte(rrggbb >> 8), linear_from_byte(rrggbb), 1.0f};
 }
 
+Vec4f linear_color(const Vec3& srgb) {
+  Vec4f out;
+  for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(linear_from_srgb(srgb[i]));
+  out.w() = 1;
+  return out;
+}
+
 Vec4f body_color(Index number, bool fixed) {
   if (fixed) return srgb_color(kFixedBody);
   // Multiples of the golden ratio, modulo 1, are never close for neighbouring numbers: at least 0.38 apart,
@@ -75,12 +81,6 @@ Vec4f body_color(Index number, bool fixed) {
   const auto shade = static_cast<float>(scramble(static_cast<std::uint32_t>(number)) & 0xffffu) / 65535.0f;
   color.head<3>() *= 0.86f + 0.20f * shade;
   return color;
-}
-
-Vec4f step_back(const Vec4f& color) {
-  Vec4f out = color;
-  out.head<3>() = 0.42f * color.head<3>() + 0.58f * srgb_color(kQuietBody).head<3>();
-  return out;
 }
 
 Vec4f bond_point_i_color() { return srgb_color(0x4b2e83); }

@@ -11,14 +11,14 @@ namespace pabd {
 // "#rrggbb" as a number, sRGB, to linear light; opacity 1.
 Vec4f srgb_color(std::uint32_t rrggbb);
 
+// sRGB, 0 … 1, to linear light; opacity 1.
+Vec4f linear_color(const Vec3& srgb);
+
 inline constexpr int kBodyColors = 6;
 
 // Colour of body `number`: one of kBodyColors muted ones, never that of the numbers just before and after, a
 // touch lighter or darker from body to body. Fixed bodies are grey.
 Vec4f body_color(Index number, bool fixed);
-
-// A body colour that leaves the stage to glyphs: more than half way to a middle grey.
-Vec4f step_back(const Vec4f& color);
 
 // The two points of a bond: y_i dark, y_j light; and the line between them.
 Vec4f bond_point_i_color();

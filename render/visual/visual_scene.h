@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "render/visual/picture_theme.h"
+
 namespace pabd {
 
 using Vec3f = Eigen::Vector3f;
@@ -27,11 +29,12 @@ enum class Primitive : std::uint8_t {
 inline constexpr int kPrimitiveCount = 6;  // all but mesh
 
 struct Instance {
-  Mat4f transform;     // primitive to world
-  Vec4f color;         // linear RGB, opacity
-  bool shadow = true;  // casts a shadow
-  bool shaded = true;  // false: flat colour (glyphs that encode a value)
-  bool xray = false;   // a glyph: where a body hides it, it shows through faintly
+  Mat4f transform;       // primitive to world
+  Vec4f color;           // linear RGB, opacity
+  bool shadow = true;    // casts a shadow
+  bool shaded = true;    // false: flat colour (glyphs that encode a value)
+  bool xray = false;     // a glyph: where a body hides it, it shows through faintly
+  bool checker = false;  // every other eighth is darker
 };
 
 // Triangles with flat faces, within radius 1 about the origin. Three corners a triangle, anticlockwise from
@@ -97,6 +100,7 @@ struct VisualScene {
   std::vector<Label> labels;
   std::vector<Ground> grounds;  // fixed planes, drawn with a fading grid
   Camera camera;
+  const PictureTheme* theme = &kStudioTheme;    // never null
   Vec3f light_direction{-0.85f, -1.0f, -0.3f};  // the way the light travels; need not be unit
   Vec3f centre{0, 0, 0};                        // bounding sphere of what moves, for shadow and depth range
   float radius = 5;

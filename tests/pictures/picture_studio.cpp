@@ -97,11 +97,11 @@ VisualScene visual_of(const StoredStep& stored, bool contacts_and_bonds) {
   VisualOptions options;
   options.bonds = options.contacts = contacts_and_bonds;
   options.d_hat = stored.scene.params.contact.d_hat;
-  build_visual(stored.scene.model, stored.scene.initial, stored.report, options, visual);
   const CameraDesc& camera = *stored.scene.camera;
   visual.camera.eye = camera.eye.cast<float>();
   visual.camera.target = camera.target.cast<float>();
   visual.camera.fov = static_cast<float>(camera.fov);
+  build_visual(stored.scene.model, stored.scene.initial, stored.report, options, visual);
   return visual;
 }
 

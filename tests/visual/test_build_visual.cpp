@@ -69,7 +69,9 @@ TEST_CASE("the bounding sphere holds what moves; planes and huge scenery do not 
   CHECK(scene.radius > 4.5f);
 }
 
-TEST_CASE("contacts become disc, shaft and head along the normal; longer for larger forces") {
+TEST_CASE(
+    "contacts become disc, shaft and head along the normal, each before a dark rim; longer for larger "
+    "forces") {
   TinyModel tiny;
   tiny.add(Box{{0.5, 0.5, 0.5}}, {0, 0.5, 0});
   tiny.add(Box{{0.5, 0.5, 0.5}}, {0, 1.51, 0});
@@ -85,25 +87,88 @@ TEST_CASE("contacts become disc, shaft and head along the normal; longer for lar
   VisualScene scene;
   build_visual(tiny.model, tiny.state, report, options, scene);
 
-  REQUIRE(list(scene, Primitive::disc).size() == 2);
+  // Without force there is no arrow.
+  REQUIRE(list(scene, Primitive::disc).size() == 4);
   REQUIRE(list(scene, Primitive::cylinder).size() == 2);
   REQUIRE(list(scene, Primitive::cone).size() == 2);
   CHECK(list(scene, Primitive::sphere).empty());
-  const Instance& disc = list(scene, Primitive::disc)[1];
-  CHECK((apply(disc, Vec3f::Zero()) - Vec3f(0.4f, 1, 0)).norm() < 1e-6f);
+  const Instance &rim = list(scene, Primitive::disc)[2], &disc = list(scene, Primitive::disc)[3];
+  // On the body above, which it pushes.
+  CHECK((apply(disc, Vec3f::Zero()) - Vec3f(0.4f, 1.005f, 0)).norm() < 1e-6f);
   CHECK((apply(disc, {1, 0, 0}) - apply(disc, Vec3f::Zero())).norm() == Approx(0.1));
   CHECK(std::abs((apply(disc, {1, 0, 0}) - apply(disc, Vec3f::Zero())).y()) <
         1e-6f);  // lies in the contact plane
   CHECK((disc.color - contact_color(0.5)).norm() == 0);
   CHECK_FALSE(disc.shaded);
   CHECK_FALSE(disc.shadow);
-  // Lengths: s(2.5 + 1.5 log10(1 + 9 f/W)): 0.25 m without force, 0.4 m for one weight (1 m³ of 1000 kg/m³).
-  CHECK(apply(list(scene, Primitive::cone)[0], {0, 1, 0}).y() == Approx(1.25));
-  CHECK(apply(list(scene, Primitive::cone)[1], {0, 1, 0}).y() == Approx(1.4));
+  CHECK((apply(rim, {1, 0, 0}) - apply(rim, Vec3f::Zero())).norm() > 0.11f);
+  CHECK(rim.color.head<3>().maxCoeff() < 0.03f);
+  const Vec3f eye = scene.camera.eye;
+  CHECK((apply(rim, Vec3f::Zero()) - eye).norm() > (apply(disc, Vec3f::Zero()) - eye).norm());
+  // 4.5 s log10(1 + 9 f/W): 0.45 m for one weight (1 m³ of 1000 kg/m³).
+  CHECK(apply(list(scene, Primitive::cone)[1], {0, 1, 0}).y() == Approx(1.455));
   // The shaft ends where the head begins.
   CHECK((apply(list(scene, Primitive::cylinder)[1], {0, 1, 0}) -
          apply(list(scene, Primitive::cone)[1], {0, 0, 0}))
             .norm() < 1e-6f);
+}
+
+TEST_CASE("an arrow is the force on the movable body, or else on the upper one, whoever owns the normal") {
+  TinyModel tiny;
+  tiny.add_fixed(Box{{0.5, 0.5, 0.5}}, {0, 2.5, 0});
+  tiny.add(Box{{0.5, 0.5, 0.5}}, {0, 1.5, 0});
+  tiny.add(Box{{0.5, 0.5, 0.5}}, {0, 0.5, 0});
+  VisualOptions options;
+  options.contacts = true;
+  options.glyph_scale = 0.1;
+  const auto direction = [&](Index a, Index b, const Vec3& n) -> Vec3f {
+    StepReport report;
+    report.contact_reports.push_back({a, b, {0, 1, 0}, {0, 1, 0}, n, 0.005, 9810.0, Vec3::Zero(), true, 0});
+    VisualScene scene;
+    build_visual(tiny.model, tiny.state, report, options, scene);
+    const Instance& head = list(scene, Primitive::cone).at(1);
+    return (apply(head, {0, 1, 0}) - apply(head, {0, 0, 0})).normalized();
+  };
+  // The fixed one is above: the arrow is on the movable one, and points down.
+  CHECK((direction(0, 1, {0, -1, 0}) - Vec3f(0, -1, 0)).norm() < 1e-5f);
+  CHECK((direction(1, 0, {0, 1, 0}) - Vec3f(0, -1, 0)).norm() < 1e-5f);
+  // Both movable: up.
+  CHECK((direction(1, 2, {0, -1, 0}) - Vec3f(0, 1, 0)).norm() < 1e-5f);
+  CHECK((direction(2, 1, {0, 1, 0}) - Vec3f(0, 1, 0)).norm() < 1e-5f);
+  CHECK((direction(2, 1, {-1, 0, 0}) - direction(1, 2, {1, 0, 0})).norm() < 1e-5f);
+}
+
+TEST_CASE("many contacts of two bodies are one glyph with their load and the colour of the deepest") {
+  TinyModel tiny;
+  tiny.add(Box{{0.5, 0.5, 0.5}}, {0, 0.5, 0});
+  StepReport report;
+  for (int pair = 0; pair < 100; ++pair) {
+    tiny.add(Box{{0.5, 0.5, 0.5}}, {0, 1.5, 0});
+    for (int k = 0; k < 4; ++k) {
+      const double x = k % 2 == 0 ? -0.5 : 0.5, z = k < 2 ? -0.5 : 0.5;
+      report.contact_reports.push_back({0,
+                                        pair + 1,
+                                        {x, 1, z},
+                                        {x, 1, z},
+                                        Vec3(0, 1, 0),
+                                        k == 2 ? 0.002 : 0.008,
+                                        9810.0 / 4,
+                                        Vec3::Zero(),
+                                        true,
+                                        0});
+    }
+  }
+  VisualOptions options;
+  options.contacts = true;
+  options.glyph_scale = 0.1;
+  options.d_hat = 0.01;
+  VisualScene scene;
+  build_visual(tiny.model, tiny.state, report, options, scene);
+  REQUIRE(list(scene, Primitive::disc).size() == 200);
+  const Instance& disc = list(scene, Primitive::disc)[1];
+  CHECK((apply(disc, Vec3f::Zero()) - Vec3f(0, 1, 0)).norm() < 1e-5f);
+  CHECK(disc.color == contact_color(0.2));
+  CHECK(apply(list(scene, Primitive::cone)[1], {0, 1, 0}).y() == Approx(1.45));
 }
 
 TEST_CASE("bonds become two points in two colours and a line; nothing is added without reports or options") {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Light and background of pictures. Linear-light RGB.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace pabd {
+
+//   displayed = albedo · (ambient(n) + sun · max(n·l, 0) · visibility) + highlight
+//   ambient(n) = mix(bounce, sky, ½ + ½ n·up)
+struct PictureTheme {
+  std::string_view name, help;
+  float sun[3], sky[3], bounce[3];
+  float top[3], bottom[3];   // of the background
+  float floor[3];            // where it is fully lit
+  bool transparent = false;  // no floor, and nothing behind the bodies
+};
+
+inline constexpr PictureTheme kStudioTheme{"studio",
+                                           "light grey",
+                                           {0.92f, 0.87f, 0.80f},
+                                           {0.47f, 0.50f, 0.55f},
+                                           {0.30f, 0.29f, 0.28f},
+                                           {0.62f, 0.68f, 0.75f},
+                                           {0.83f, 0.84f, 0.85f},
+                                           {0.72f, 0.72f, 0.715f}};
+inline constexpr PictureTheme kDarkTheme{"dark",
+                                         "nearly black, for dark slides",
+                                         {0.95f, 0.90f, 0.84f},
+                                         {0.40f, 0.44f, 0.52f},
+                                         {0.16f, 0.16f, 0.18f},
+                                         {0.010f, 0.012f, 0.017f},
+                                         {0.030f, 0.034f, 0.042f},
+                                         {0.040f, 0.043f, 0.050f}};
+inline constexpr PictureTheme kPaperTheme{"paper",
+                                          "white, for print",
+                                          {0.92f, 0.88f, 0.83f},
+                                          {0.50f, 0.52f, 0.55f},
+                                          {0.34f, 0.33f, 0.32f},
+                                          {1.0f, 1.0f, 1.0f},
+                                          {1.0f, 1.0f, 1.0f},
+                                          {1.0f, 1.0f, 1.0f}};
+
+// What is not covered is told apart by drawing it on black and on white.
+inline constexpr PictureTheme on_plain(const PictureTheme& light, float level) {
+  PictureTheme out = light;
+  out.name = "transparent";
+  out.help = "nothing behind the bodies: PNG files with alpha";
+  for (auto* color : {&out.top, &out.bottom, &out.floor})
+    for (float& channel : *color) channel = level;
+  out.transparent = true;
+  return out;
+}
+inline constexpr PictureTheme kOnBlackTheme = on_plain(kStudioTheme, 0),
+                              kOnWhiteTheme = on_plain(kStudioTheme, 1);
+
+inline std::span<const PictureTheme* const> picture_themes() {
+  static constexpr const PictureTheme* kAll[] = {&kStudioTheme, &kDarkTheme, &kPaperTheme, &kOnBlackTheme};
+  return kAll;
+}
+
+}  // namespace pabd
