@@ -16,7 +16,7 @@ GpuInstance pack(const Instance& instance) {
     for (int c = 0; c < 4; ++c) out.rows[r][c] = instance.transform(r, c);
   }
   for (int i = 0; i < 4; ++i) out.color[i] = instance.color[i];
-  out.shaded = instance.shaded ? 1.0f : 0.0f;
+  out.shaded = instance.checker ? 2.0f : instance.shaded ? 1.0f : 0.0f;
   return out;
 }
 

@@ -13,7 +13,7 @@ namespace pabd {
 struct GpuInstance {
   float rows[3][4];  // the affine transform, row by row
   float color[4];
-  float shaded;  // 1: lit, 0: flat colour
+  float shaded;  // 1: lit, 2: lit and with a checker, 0: flat colour
 };
 
 struct Batch {

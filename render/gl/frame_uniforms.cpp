@@ -8,8 +8,6 @@
 #include <cstring>
 #include <limits>
 
-#include "render/gl/lighting.h"
-
 namespace pabd {
 namespace {
 
@@ -172,12 +170,12 @@ FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shado
   u.viewport[1] = static_cast<float>(height);
   u.viewport[2] = static_cast<float>(height) / 720.0f;
   u.viewport[3] = 2 * half_height(scene.camera) / static_cast<float>(height);
-  store(u.sun, lighting::kSun);
-  store(u.sky, lighting::kSky);
-  store(u.bounce, lighting::kBounce);
-  store(u.background_top, lighting::kBackgroundTop);
-  store(u.background_bottom, lighting::kBackgroundBottom);
-  store(u.floor_color, lighting::kFloor);
+  store(u.sun, scene.theme->sun);
+  store(u.sky, scene.theme->sky);
+  store(u.bounce, scene.theme->bounce);
+  store(u.background_top, scene.theme->top);
+  store(u.background_bottom, scene.theme->bottom);
+  store(u.floor_color, scene.theme->floor);
   std::copy(shadow.bounds, shadow.bounds + 4, u.shadow_bounds);
   u.shadow_size[0] = static_cast<float>(shadow.texels);
   u.shadow_size[1] = 1.0f / static_cast<float>(shadow.texels);

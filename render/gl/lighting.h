@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-// How the scene is lit: one sun, a sky above and light thrown back from the floor. Linear-light RGB.
-//
-//   displayed = albedo · (ambient(n) + sun · max(n·l, 0) · visibility) + highlight
-//   ambient(n) = mix(bounce, sky, ½ + ½ n·up)
+// How the studio is lit, as shaders and tests take it: one sun, a sky above and light thrown back from the floor.
+// Linear-light RGB; what the numbers mean is said in render/visual/picture_theme.h.
 #pragma once
+
+#include "render/visual/picture_theme.h"
 
 namespace pabd::lighting {
 
-inline constexpr float kSun[3] = {0.92f, 0.87f, 0.80f};
-inline constexpr float kSky[3] = {0.47f, 0.50f, 0.55f};
-inline constexpr float kBounce[3] = {0.30f, 0.29f, 0.28f};
-
-// Background, from the top of the frame to its bottom, and the floor where it is fully lit.
-inline constexpr float kBackgroundTop[3] = {0.62f, 0.68f, 0.75f};
-inline constexpr float kBackgroundBottom[3] = {0.83f, 0.84f, 0.85f};
-inline constexpr float kFloor[3] = {0.72f, 0.72f, 0.715f};
+inline constexpr const float (&kSun)[3] = kStudioTheme.sun;
+inline constexpr const float (&kSky)[3] = kStudioTheme.sky;
+inline constexpr const float (&kBounce)[3] = kStudioTheme.bounce;
+inline constexpr const float (&kBackgroundTop)[3] = kStudioTheme.top;
+inline constexpr const float (&kBackgroundBottom)[3] = kStudioTheme.bottom;
+inline constexpr const float (&kFloor)[3] = kStudioTheme.floor;
 
 }  // namespace pabd::lighting

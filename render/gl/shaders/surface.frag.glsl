@@ -4,8 +4,10 @@ in vec3 world;
 in vec3 world_n;
 flat in vec4 color;
 flat in float shaded;
-#ifdef CUBE
+#ifndef GLYPH
 in vec3 local;
+#endif
+#ifdef CUBE
 flat in vec3 face;
 flat in vec3 half_size;
 flat in vec3 axis_x;
@@ -53,11 +55,18 @@ void main() {
 #else
   vec3 around = ambient(bent) * near_floor(world, n);
 #endif
-  vec3 lit = color.rgb * edge * (around + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
+  vec3 albedo = color.rgb;
+  float dark = 0.0;  // 1 on the dark fields of a checker
+#ifndef GLYPH
+  vec3 side = step(vec3(0.0), local);
+  dark = shaded > 1.5 ? mod(side.x + side.y + side.z, 2.0) : 0.0;
+  albedo *= 1.0 - 0.65 * dark;
+#endif
+  vec3 lit = albedo * edge * (around + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
 #ifdef TAGGED
-  fragment = vec4(mix(color.rgb, lit, shaded), tag);
+  fragment = vec4(mix(color.rgb, lit, min(shaded, 1.0)), tag + dark / 65535.0);
   cover = vec4(color.a * opacity);
 #else
-  fragment = vec4(mix(color.rgb, lit, shaded), color.a * opacity);
+  fragment = vec4(mix(color.rgb, lit, min(shaded, 1.0)), color.a * opacity);
 #endif
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies and glyphs. CUBE: with what softened edges need; TAGGED: with what tells things apart (mean_smoothed).
+// Bodies and glyphs. CUBE: with what softened edges need; TAGGED: with what tells things apart (smooth_outlines.h).
 out vec3 world;
 out vec3 world_n;
 flat out vec4 color;
@@ -24,8 +24,10 @@ float tag_of(vec3 place, vec3 n) {
   return float(1u + (h >> 17)) / 65535.0;  // 0 is the floor and what is behind it
 }
 #endif
-#ifdef CUBE
+#ifndef GLYPH
 out vec3 local;
+#endif
+#ifdef CUBE
 flat out vec3 face;
 flat out vec3 half_size;
 flat out vec3 axis_x;
@@ -40,8 +42,10 @@ void main() {
 #ifdef TAGGED
   tag = tag_of(vec3(row_x.w, row_y.w, row_z.w), normal);
 #endif
-#ifdef CUBE
+#ifndef GLYPH
   local = position;
+#endif
+#ifdef CUBE
   face = abs(normal);
   half_size = sqrt(squared_scale());
   axis_x = vec3(row_x.x, row_y.x, row_z.x) / half_size.x;
