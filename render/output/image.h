@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An RGB image in memory.
+// An image in memory: RGB, with opacity where somebody wants it.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@ namespace pabd {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgb;  // 3 * width * height
+  std::vector<std::uint8_t> rgb;         // 3 * width * height
+  std::vector<std::uint8_t> alpha = {};  // width * height, not multiplied into rgb; empty: opaque
 
   void resize(int w, int h) {
     width = w;

@@ -17,7 +17,7 @@ using PngText = std::map<std::string, std::string>;
 // Larger images are refused by both directions, in pixels.
 inline constexpr int png_largest_side = 16384;
 
-// The bytes of a PNG file: 8 bits a channel, sRGB. ASCII text becomes a tEXt chunk, other text an iTXt chunk.
+// The bytes of a PNG file: 8 bits a channel, sRGB, with alpha if the image has it. ASCII text becomes a tEXt chunk, other text an iTXt chunk.
 // Deterministic: same image and text, same bytes. Throws Error(file) if the image is not 1 to 16384 pixels a
 // side with 3 * width * height bytes, or a keyword or text is not as above.
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text = {});

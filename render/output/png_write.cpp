@@ -67,7 +67,8 @@ void check(const Image& image, const PngText& text) {
                          image.height <= png_largest_side;
   const std::size_t wanted =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3;
-  if (!sides_fit || image.rgb.size() != wanted) {
+  const bool alpha_fits = image.alpha.empty() || image.alpha.size() == wanted / 3;
+  if (!sides_fit || image.rgb.size() != wanted || !alpha_fits) {
     throw Error(ErrorKind::file,
                 fmt::format("an image of {}x{} pixels with {} bytes cannot be a PNG; expected 1 to {} "
                             "pixels a side and 3 bytes a pixel",
@@ -125,7 +126,16 @@ Picture plain_png(const Image& image) {
   [[maybe_unused]] static const bool set = (stbi_write_force_png_filter = kFilterUp, true);
   int size = 0;
   Picture picture;
-  picture.memory.reset(stbi_write_png_to_mem(image.rgb.data(), 0, image.width, image.height, 3, &size));
+  if (image.alpha.empty()) {
+    picture.memory.reset(stbi_write_png_to_mem(image.rgb.data(), 0, image.width, image.height, 3, &size));
+  } else {
+    Bytes rgba;
+    rgba.reserve(4 * image.alpha.size());
+    for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+      rgba.insert(rgba.end(), {image.rgb[3 * i], image.rgb[3 * i + 1], image.rgb[3 * i + 2], image.alpha[i]});
+    }
+    picture.memory.reset(stbi_write_png_to_mem(rgba.data(), 0, image.width, image.height, 4, &size));
+  }
   picture.size = static_cast<std::size_t>(size);
   if (!picture.memory) {
     throw Error(ErrorKind::file,
