@@ -5,8 +5,10 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/session/reports.h"
+#include "app/session/trails.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/solver/params.h"
@@ -20,7 +22,8 @@ struct FrameView {
   State state;
   StepReport report;  // of the step that led here, with what was observed; energies only where none did
   Reports history;    // of the run that it is a moment of
-  std::string label;  // which of two runs: "A" or "B"; empty where there is one
+  std::vector<Trail> trails;  // of the points that somebody asked for
+  std::string label;          // which of two runs: "A" or "B"; empty where there is one
 };
 
 }  // namespace pabd

@@ -24,7 +24,7 @@ Session::Session(std::shared_ptr<const Scene> scene, int threads)
 
 double Session::kappa() const { return resolve_kappa(*model_, *params_); }
 
-FrameView Session::view() const { return {model_, *params_, kappa(), state_, report_, {}, {}}; }
+FrameView Session::view() const { return {model_, *params_, kappa(), state_, report_, {}, {}, {}}; }
 
 const StepReport& Session::step() {
   pabd::step(*model_, *params_, options_, state_, workspace_, report_);
