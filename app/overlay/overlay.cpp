@@ -9,6 +9,7 @@
 #include "app/overlay/font_atlas.h"
 #include "app/overlay/imgui_canvas.h"
 #include "app/overlay/overlay_panels.h"
+#include "app/overlay/view_marks.h"
 
 namespace pabd {
 namespace {
@@ -75,7 +76,12 @@ const ImDrawData* Overlay::frame(const OverlayOptions& options, const OverlayDat
   const PanelLayout layout = layout_panels(options, data, width, height);
   const double scale = std::max(0.72, std::min(width / 1280.0, height / 720.0));
   return impl_->draw(width, height, [&](Canvas& canvas) {
-    if (scene) paint_labels(*scene, width, height, scale, canvas);
+    if (scene) {
+      paint_labels(*scene, width, height, scale, canvas);
+      const Rect free = layout.panels.empty() ? Rect{0, 0, double(width), double(height)} : layout.free;
+      if (data.axes) paint_axes(scene->camera, free, scale, canvas);
+      if (data.scale) paint_scale_bar(scene->camera, height, free, scale, canvas);
+    }
     paint_panels(layout, data, canvas);
   });
 }

@@ -27,6 +27,8 @@ struct OverlayData {
   const FrameView* view = nullptr;     // its report has records and contacts if the panels want them
   const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved
 
+  bool axes = false, scale = false;  // view_marks.h
+
   // Of two runs beside each other. The caption is one line in larger letters, the details follow below it.
   std::string caption{};
   std::vector<std::string> details{};
