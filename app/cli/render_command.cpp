@@ -57,6 +57,9 @@ struct RenderOptions {
   std::string quality = "good";
   std::string encoder = "software";
   VideoOptions video;
+  std::string theme = "studio";
+  std::vector<std::string> trails;
+  double trail_time = kTrailTime;
 };
 
 RenderQuality parse_quality(const std::string& word) {
@@ -128,6 +131,12 @@ void check_output(const RenderOptions& options) {
                 fmt::format("--resume: {} is no sequence of frames; only an output with {{frame}} and "
                             ".png can be continued",
                             options.output.path));
+  }
+  if (find_theme(options.theme).transparent && !options.output.path.ends_with(".png")) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("--theme transparent: {} cannot be seen through; expected an output that ends with .png",
+                    options.output.path == "-" ? "raw RGB" : options.output.path));
   }
   if (options.output.path == "-" && stdout_is_terminal()) {
     throw Error(ErrorKind::bad_input,
@@ -209,7 +218,11 @@ int render(const RenderOptions& asked) {
   check_range("--encoder-timeout", options.encoder_timeout, 0.1, 1e6, "s");
   const FrameSize size = parse_size(options.size);
   const CameraOption camera = parse_camera(options.camera);
-  const OverlayChoice overlay = parse_overlay(options.overlay);
+  OverlayChoice overlay = parse_overlay(options.overlay);
+  overlay.theme = &find_theme(options.theme);
+  check_range("--trail-time", options.trail_time, 0.01, 1e6, "s");
+  std::vector<TrailPoint> trail_points;
+  for (const std::string& trail : options.trails) trail_points.push_back(parse_trail(trail, "--trail"));
   const AbView ab_view = parse_ab_view(options.ab_view);
   const std::string& out = options.output.path;
   check_output(options);
@@ -221,6 +234,7 @@ int render(const RenderOptions& asked) {
   Run a = open_run(options.scene, options.common, options.from, inputs);
   inputs.add(options.ab);
   if (!camera.keys.empty()) inputs.add(options.camera);
+  for (const TrailPoint& point : trail_points) check_trail(point, a.model(), "--trail");
   a.observe(overlay.needs_iterations(), overlay.needs_contacts());
   std::optional<Run> b;
   if (!options.ab.empty()) {
@@ -238,10 +252,11 @@ int render(const RenderOptions& asked) {
   AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
                     range.count / options.fps, b ? b->shared_scene() : nullptr);
   painter.set_quality(parse_quality(options.quality));
-  PngText common = common_text(a.scene(),
-                               {size.width, size.height, options.fps, options.overlay,
-                                camera_text(camera, options.camera), painter.gl_renderer(), options.quality},
-                               start.a, start.b ? &*start.b : nullptr, options.ab_view);
+  PngText common =
+      common_text(a.scene(),
+                  {size.width, size.height, options.fps, options.overlay, camera_text(camera, options.camera),
+                   painter.gl_renderer(), options.quality, options.theme, options.trails},
+                  start.a, start.b ? &*start.b : nullptr, options.ab_view);
   if (b) add_joints_of_b(a, *b, common);
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
@@ -263,7 +278,8 @@ int render(const RenderOptions& asked) {
   const InterruptGuard interrupt;
   std::optional<Progress> progress(std::in_place, "frame", range.count, !options.common.quiet);
   const auto show = [&](int frames, const StepSummary& step) { progress->update(frames, step); };
-  LiveSource source(std::move(a), std::move(b), range, show);
+  LiveSource source(std::move(a), std::move(b), range, show,
+                    TrailRecorder(std::move(trail_points), options.trail_time));
   const RenderResult result =
       render_frames(source, painter, sink, {[&] { return interrupt.requested(); }, show});
   progress.reset();  // what follows has a line of its own
@@ -293,6 +309,7 @@ void add_render_command(CLI::App& app, Action& action) {
                    "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
                    "pabd render bridge -o bridge.gif --time 3 --loop 1",
                    "pabd render pile -o pile.mp4 --crf 14 --preset slow --quality best",
+                   "pabd render four_bar -o pen.mp4 --camera front,ortho --trail pen --overlay axes,scale",
                    "pabd render stack -o ab.mp4 --ab softer.json --overlay params,series,difference",
                    "pabd render pyramid -o - --size 640x360 | ffplay -f rawvideo -pixel_format rgb24 "
                    "-video_size 640x360 -"},
@@ -316,6 +333,14 @@ void add_render_command(CLI::App& app, Action& action) {
 
   option(kPicture, "--overlay", options->overlay, "comma-separated: " + overlay_help(), "LIST");
   option(kPicture, "--camera", options->camera, camera_help(), "VIEW");
+  option(kPicture, "--theme", options->theme, "light and background: " + theme_help(), "NAME");
+  option(kPicture, "--trail", options->trails,
+         "the path of a body's centre, of a point of it (body frame, m), or with com of the centre of mass "
+         "of all "
+         "that moves; may be given several times",
+         "BODY[@X,Y,Z]")
+      ->allow_extra_args(false);
+  option(kPicture, "--trail-time", options->trail_time, "how much of the past trails show (default 2)", "S");
   auto* ab =
       option(kPicture, "--ab", options->ab,
              "beside the scene (A) the same one with changed parameters (B): a JSON merge patch of its "

@@ -37,11 +37,13 @@ std::vector<std::string> details_of(const FrameView& a, const FrameView& b, cons
   return lines;
 }
 
-void paste(const Image& from, int left, Image& to) {
-  const auto row = static_cast<std::ptrdiff_t>(3 * from.width);
-  for (int y = 0; y < from.height; ++y) {
-    std::copy_n(from.rgb.begin() + y * row, row,
-                to.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * to.width + left));
+// `channels`: bytes a pixel.
+void paste(const std::vector<std::uint8_t>& from, int width, int left, int channels,
+           std::vector<std::uint8_t>& to, int to_width) {
+  const auto row = static_cast<std::ptrdiff_t>(channels) * width;
+  const auto rows = static_cast<std::ptrdiff_t>(from.size()) / row;
+  for (std::ptrdiff_t y = 0; y < rows; ++y) {
+    std::copy_n(from.begin() + y * row, row, to.begin() + channels * (y * to_width + left));
   }
 }
 
@@ -103,8 +105,14 @@ void AbPainter::fetch(Image& out) {
   right_->fetch(right_half_);
   out.resize(left_half_.width + kSeam + right_half_.width, left_half_.height);
   std::fill(out.rgb.begin(), out.rgb.end(), std::uint8_t{255});
-  paste(left_half_, 0, out);
-  paste(right_half_, left_half_.width + kSeam, out);
+  const int right = left_half_.width + kSeam;
+  paste(left_half_.rgb, left_half_.width, 0, 3, out.rgb, out.width);
+  paste(right_half_.rgb, right_half_.width, right, 3, out.rgb, out.width);
+  out.alpha.clear();
+  if (left_half_.alpha.empty()) return;
+  out.alpha.assign(out.rgb.size() / 3, 0);
+  paste(left_half_.alpha, left_half_.width, 0, 1, out.alpha, out.width);
+  paste(right_half_.alpha, right_half_.width, right, 1, out.alpha, out.width);
 }
 
 }  // namespace pabd

@@ -8,16 +8,21 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/frames/matte.h"
 #include "app/frames/scene_framing.h"
 #include "app/overlay/overlay_panels.h"
+#include "render/visual/body_marks.h"
 #include "render/visual/bounds.h"
 #include "sim/base/error.h"
 
 namespace pabd {
 namespace {
 
-constexpr double kLeastPart = 0.15;  // of the frame's sides: less is no room for a picture
-constexpr double kAround = 7;        // radii of a body that is followed: so much of what is around it is seen
+std::string mark_names() {
+  std::string out;
+  for (const PictureMark& mark : picture_marks()) out += (out.empty() ? "" : ", ") + std::string(mark.name);
+  return out;
+}
 
 }  // namespace
 
@@ -32,17 +37,39 @@ OverlayChoice parse_overlay(const std::string& text) {
     if (contacts) choice.panels.show_with(PictureLayer::contacts);
     choice.bonds = choice.bonds || bonds;
     choice.contacts = choice.contacts || contacts;
-    if (!enable_panel(choice.panels, word) && !bonds && !contacts) {
+    const auto marks = picture_marks();
+    const auto mark =
+        std::find_if(marks.begin(), marks.end(), [&](const PictureMark& m) { return m.name == word; });
+    if (mark != marks.end()) choice.marks.*(mark->on) = true;
+    if (!enable_panel(choice.panels, word) && !bonds && !contacts && mark == marks.end()) {
       throw Error(ErrorKind::bad_input,
-                  fmt::format("--overlay {}: '{}' is unknown; expected none, all, bonds, contacts, {}", text,
-                              word, panel_names()));
+                  fmt::format("--overlay {}: '{}' is unknown; expected none, all, bonds, contacts, {}, {}",
+                              text, word, mark_names(), panel_names()));
     }
   }
   return choice;
 }
 
 std::string overlay_help() {
-  return panel_help() + "; contacts, bonds with the joints: in the picture, with their legends; all; none";
+  std::string out =
+      panel_help() +
+      "; contacts, bonds with the joints: in the picture, with their legends; all; none; and not in all";
+  for (const PictureMark& mark : picture_marks()) out += fmt::format(", {} ({})", mark.name, mark.help);
+  return out;
+}
+
+const PictureTheme& find_theme(const std::string& name) {
+  for (const PictureTheme* theme : picture_themes()) {
+    if (name == theme->name) return *theme;
+  }
+  throw Error(ErrorKind::bad_input, fmt::format("theme '{}': expected one of {}", name, theme_help()));
+}
+
+std::string theme_help() {
+  std::string out;
+  for (const PictureTheme* theme : picture_themes())
+    out += fmt::format("{}{} ({})", out.empty() ? "" : ", ", theme->name, theme->help);
+  return out;
 }
 
 FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
@@ -60,6 +87,8 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
       start_time_(first.state.time),
       ghost_(comparison.ghost) {
   data_.scene_name = scene_->name;
+  data_.axes = choice_.marks.axes;
+  data_.scale = choice_.marks.scale;
   data_.joint_law = &scene_->joint_law;
   data_.caption = comparison.caption;
   data_.details = comparison.details;
@@ -67,45 +96,17 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
   set_camera(first, spots, std::max(comparison.lines, comparison.details.size()));
 }
 
-// What panels, and a caption of so many lines, leave free.
-PicturePart FramePainter::free_part(std::size_t caption_lines) const {
-  const PanelLayout layout = layout_panels(choice_.panels, data_, width_, height_);
-  Rect free = layout.panels.empty() ? Rect{0, 0, double(width_), double(height_)} : layout.free;
-  if (caption_lines > 0) {
-    const double caption = std::min(caption_height(layout.scale, caption_lines), 0.5 * free.h);
-    free.y += caption;
-    free.h -= caption;
-  }
-  if (free.w < kLeastPart * width_ || free.h < kLeastPart * height_) return {};  // behind the panels, then
-  return {free.x / width_, free.y / height_, free.w / width_, free.h / height_};
-}
-
 void FramePainter::set_camera(const FrameView& first, std::span<const Spot> spots,
                               std::size_t caption_lines) {
   followed_ = followed_body(camera_option_, *first.model);
-  std::vector<Spot> around;
-  if (followed_) {
-    const auto body = static_cast<std::size_t>(*followed_);
-    follow_from_ = first.state.c[body];
-    around.push_back({follow_from_, kAround * bounding_radius(first.model->shape[body])});
-  }
-  // Of a camera that says where it is only the rest is looked for.
-  const PicturePart part = camera_option_.frames() ? free_part(caption_lines) : PicturePart{};
+  if (followed_) follow_from_ = first.state.c[static_cast<std::size_t>(*followed_)];
+  const PicturePart part =
+      free_part(layout_panels(choice_.panels, data_, width_, height_), caption_lines, width_, height_);
   const double aspect = static_cast<double>(width_) / height_;
-  CameraOption side = camera_option_;
-  side.eye = side.target = std::nullopt;
-  const Camera like = side.keys.empty() ? apply_camera(side, side_of(*scene_), 0) : side_of(*scene_);
-  const bool orbits = camera_option_.view == CameraOption::View::orbit;
-  const auto fit = [&](std::span<const Spot> what) {
-    return orbits ? fit_orbit(what, like, aspect, part) : fit_camera(what, like, aspect, part);
-  };
-  base_camera_ = fit(spots);
+  base_camera_ = frame_view(camera_option_, side_of(*scene_), spots, aspect, part);
   if (!followed_) return;
-  // A body that is nearly all there is need not have as much around it.
-  const Camera close = fit(around);
-  const float all = (base_camera_.eye - base_camera_.target).norm(), near = (close.eye - close.target).norm();
-  base_camera_ = close;
-  if (near > all) base_camera_.eye = close.target + all / near * (close.eye - close.target);
+  const double radius = bounding_radius(first.model->shape[static_cast<std::size_t>(*followed_)]);
+  base_camera_ = come_near(camera_option_, base_camera_, {follow_from_, radius}, aspect, part);
 }
 
 void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
@@ -114,6 +115,10 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   options.bonds = choice_.bonds;
   options.contacts = choice_.contacts;
   options.d_hat = view.params.contact.d_hat;
+  options.velocities = choice_.marks.velocities;
+  options.boxes = choice_.marks.boxes;
+  options.inertia = choice_.marks.inertia;
+  options.looks = looks_of(*scene_, *view.model);
   Vec3 way = Vec3::Zero();
   if (followed_ && *followed_ < view.state.size() && has_finite_pose(view.state, *followed_))
     way = view.state.c[static_cast<std::size_t>(*followed_)] - follow_from_;
@@ -121,13 +126,33 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
                                 camera_option_.keys.empty() ? time - start_time_ : time, way);
   build_visual(*view.model, view.state, view.report, options, visual_);
   if (other && ghost_) add_ghost(*view.model, other->state, ghost_color(), visual_);
+  for (std::size_t k = 0; k < view.trails.size(); ++k)
+    add_trail(view.trails[k].path, trail_color(k), visual_);
   data_.view = &view;
   data_.other = other;
   data_.distances = apart;
-  renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_), quality_);
-  renderer_.queue_read();
+  const auto draw_on = [&](const PictureTheme& theme) {
+    visual_.theme = &theme;
+    renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_), quality_);
+    renderer_.queue_read();
+  };
+  if (!choice_.theme->transparent) return draw_on(*choice_.theme);
+  visual_.grounds.clear();
+  Image black, white;
+  draw_on(kOnBlackTheme);
+  renderer_.fetch(black);
+  draw_on(kOnWhiteTheme);
+  renderer_.fetch(white);
+  mattes_.push_back(matte(black, white));
 }
 
-void FramePainter::fetch(Image& out) { renderer_.fetch(out); }
+void FramePainter::fetch(Image& out) {
+  if (mattes_.empty()) {
+    renderer_.fetch(out);
+    return;
+  }
+  out = std::move(mattes_.front());
+  mattes_.pop_front();
+}
 
 }  // namespace pabd

@@ -2,6 +2,7 @@
 // Turns what a frame shows of a run into pixels.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include "render/gl/renderer.h"
 #include "render/visual/build_visual.h"
 #include "render/visual/framing.h"
+#include "render/visual/picture_marks.h"
 #include "sim/scene/scene.h"
 
 namespace pabd {
@@ -22,6 +24,8 @@ struct OverlayChoice {
   OverlayOptions panels;
   bool bonds = false;
   bool contacts = false;  // with the legend of their colours
+  PictureMarks marks;
+  const PictureTheme* theme = &kStudioTheme;  // never null
 
   bool needs_iterations() const { return panels.needing(&OverlayPanel::iterations) != nullptr; }
   bool needs_contacts() const {
@@ -33,6 +37,10 @@ struct OverlayChoice {
 OverlayChoice parse_overlay(const std::string& text);
 // What it takes, for help.
 std::string overlay_help();
+
+// The theme of that name. Throws Error(bad_input) with the list.
+const PictureTheme& find_theme(const std::string& name);
+std::string theme_help();  // "studio (light grey), …"
 
 // How a picture shows that there is another run of the same scene.
 struct Comparison {
@@ -56,13 +64,12 @@ class FramePainter {
   void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart, double time);
   // Of the pictures that follow.
   void set_quality(const RenderQuality& quality) { quality_ = quality; }
-  int queued() const { return renderer_.queued(); }
+  int queued() const { return renderer_.queued() + static_cast<int>(mattes_.size()); }
   void fetch(Image& out);  // the oldest picture that was drawn; precondition: queued() > 0
   std::string gl_renderer() const { return renderer_.gl_renderer(); }
 
  private:
   void set_camera(const FrameView& first, std::span<const Spot> spots, std::size_t caption_lines);
-  PicturePart free_part(std::size_t caption_lines) const;
 
   std::shared_ptr<const Scene> scene_;
   int width_, height_;
@@ -78,6 +85,7 @@ class FramePainter {
   RenderQuality quality_;
   OverlayData data_;  // what all frames have in common
   VisualScene visual_;
+  std::deque<Image> mattes_;  // of a transparent theme: drawn twice and put together at once
 };
 
 }  // namespace pabd

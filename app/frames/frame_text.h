@@ -14,6 +14,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/session/frame_view.h"
 #include "render/output/png.h"
@@ -28,6 +29,8 @@ struct ViewFacts {
   std::string camera;
   std::string gl_renderer;
   std::string quality = "good";  // as on the command line
+  std::string theme = "studio";
+  std::vector<std::string> trails = {};  // as --trail takes them
 };
 
 // {"gravity": …, "time_step": …, "solver": …, "contact": …}; `kappa` is the resolved stiffness in J. With

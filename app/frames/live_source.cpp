@@ -8,12 +8,18 @@
 
 namespace pabd {
 
-LiveSource::LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped)
+LiveSource::LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped,
+                       const TrailRecorder& trails)
     : a_(std::move(a)),
       b_(std::move(b)),
       range_(range),
       skipped_(std::move(skipped)),
-      first_step_(a_.state().step) {}
+      first_step_(a_.state().step),
+      trails_a_(trails),
+      trails_b_(trails) {
+  trails_a_.add(a_.model(), a_.state());
+  if (b_) trails_b_.add(b_->model(), b_->state());
+}
 
 std::optional<Frame> LiveSource::next(const Stop& stop) {
   a_.stop_when(stop);
@@ -32,22 +38,28 @@ bool LiveSource::advance_to(std::int64_t step, const Stop& stop) {
   while (a_.state().step < step) {
     if (stop() || !a_.advance()) return false;
     add_report(reports_a_, a_.report().summary());
+    trails_a_.add(a_.model(), a_.state());
     if (!b_) continue;
-    if (!follow(a_, *b_, [this] { add_report(reports_b_, b_->report().summary()); })) return false;
+    if (!follow(a_, *b_, [this] {
+          add_report(reports_b_, b_->report().summary());
+          trails_b_.add(b_->model(), b_->state());
+        }))
+      return false;
     add_distance(a_, *b_, apart_);
   }
   return true;
 }
 
 Frame LiveSource::now(int frame) const {
-  const auto view = [](const Run& run, const ReportList& reports) {
+  const auto view = [](const Run& run, const ReportList& reports, const TrailRecorder& trails) {
     FrameView out = run.view();
     out.history = reports.view();
+    out.trails = trails.trails();
     return out;
   };
   std::optional<FrameView> b;
-  if (b_) b = view(*b_, reports_b_);
-  return make_frame(frame, view(a_, reports_a_), std::move(b), apart_);
+  if (b_) b = view(*b_, reports_b_, trails_b_);
+  return make_frame(frame, view(a_, reports_a_, trails_a_), std::move(b), apart_);
 }
 
 std::optional<LiveSource::Diverged> LiveSource::diverged() const {

@@ -19,7 +19,9 @@ class LiveSource : public FrameSource {
 
   // The runs go on from where they are; no past is needed of them (kNoPast). `skipped` is told how many
   // frames before `range.first` are made, in the thread that asks for frames.
-  LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped = {});
+  // `trails`: what leaves a trail in each run, and for how long, in every step.
+  LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped = {},
+             const TrailRecorder& trails = {});
 
   std::optional<Frame> next(const Stop& stop) override;
 
@@ -41,6 +43,7 @@ class LiveSource : public FrameSource {
   const std::int64_t first_step_;  // a state that a run continues from may be at any step
   int next_ = 0;
   ReportList reports_a_, reports_b_;
+  TrailRecorder trails_a_, trails_b_;
   DistanceList apart_;
 };
 

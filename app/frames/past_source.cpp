@@ -49,8 +49,9 @@ std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastR
   return out;
 }
 
-PastSource::PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts)
-    : a_{std::move(a), 0, {}}, moments_(moments_of_frames(a_.run.timeline(), range)) {
+PastSource::PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts,
+                       const TrailRecorder& trails)
+    : a_{std::move(a), 0, {}, trails}, moments_(moments_of_frames(a_.run.timeline(), range)) {
   const Timeline& timeline = a_.run.timeline();
   const std::size_t first = moments_.front();
   const bool regular = even(timeline, first, moments_.back());
@@ -63,7 +64,7 @@ PastSource::PastSource(Run a, std::optional<Run> b, const PastRange& range, bool
   a_.last = first;
   a_.run.observe(iterations, contacts);
   if (!b) return;
-  b_ = Seen{std::move(*b), 0, {}};
+  b_ = Seen{std::move(*b), 0, {}, trails};
   b_->last = moment_in_step(timeline, first, b_->run.timeline());
   b_->run.observe(iterations, contacts);
 }
@@ -91,6 +92,8 @@ FrameView PastSource::Seen::view() {
   out.params = params_at(timeline, run.cursor());
   out.kappa = resolve_kappa(*out.model, out.params);
   out.history = reports.view();
+  trails.add(*out.model, out.state);
+  out.trails = trails.trails();
   return out;
 }
 

@@ -22,8 +22,9 @@ std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastR
 class PastSource : public FrameSource {
  public:
   // `iterations`, `contacts`: what reports carry. The parameters of a frame are those that its last step was
-  // made with.
-  PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts);
+  // made with. `trails`: what leaves one, from frame to frame.
+  PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts,
+             const TrailRecorder& trails = {});
 
   std::optional<Frame> next(const Stop& stop) override;
 
@@ -38,6 +39,7 @@ class PastSource : public FrameSource {
     Run run;
     std::size_t last;  // moment up to which reports has them
     ReportList reports;
+    TrailRecorder trails;
 
     FrameView view();
   };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/overlay/overlay_panels.h"
 #include "app/session/session.h"
 #include "render/visual/bounds.h"
 #include "sim/base/error.h"
@@ -15,8 +16,10 @@ namespace {
 constexpr double kLongestStep = 1.0 / 120;  // s: where bodies go by and large does not need more
 constexpr double kMostWork = 30'000;        // bodies × steps
 constexpr int kMoments = 60;                // that are kept of it
+constexpr double kLeastPart = 0.15;         // of the frame's sides: less is no room for a picture
+constexpr double kAround = 7;  // radii of a body that is followed: so much of what is around it is seen
 constexpr double kAway =
-    2.5;  // × the radius of the start: who ends farther from its middle has left the picture
+    6;  // × the radius of the start: who ends farther from its middle has left the picture
 
 // A body's spots at each of the moments.
 using Traces = std::vector<std::vector<Spot>>;
@@ -33,9 +36,10 @@ bool run_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start
                const std::vector<std::uint8_t>& seen, Traces& traces, State& end) {
   Session ahead(scene);
   Params params = start.params;
-  params.h = std::max(params.h, kLongestStep);
   const double movable =
       static_cast<double>(std::count(start.model->fixed.begin(), start.model->fixed.end(), 0));
+  // Its own steps lead where it will go; longer ones nearly there.
+  if (seconds / params.h * movable > kMostWork) params.h = std::max(params.h, kLongestStep);
   const double steps = std::min(seconds / params.h, kMostWork / std::max(1.0, movable));
   const int count = static_cast<int>(steps), every = std::max(1, count / kMoments);
   try {
@@ -77,6 +81,49 @@ std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const F
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const bool stays = (end.c[i] - around->centre).norm() <= kAway * around->radius;
     if (stays) out.insert(out.end(), traces[i].begin(), traces[i].end());
+  }
+  return out;
+}
+
+PicturePart free_part(const PanelLayout& layout, std::size_t caption_lines, int width, int height) {
+  const double w = width, h = height;
+  Rect free = layout.panels.empty() ? Rect{0, 0, w, h} : layout.free;
+  if (caption_lines > 0) {
+    const double caption = std::min(caption_height(layout.scale, caption_lines), 0.5 * free.h);
+    free.y += caption;
+    free.h -= caption;
+  }
+  if (free.w < kLeastPart * w || free.h < kLeastPart * h) return {};
+  return {free.x / w, free.y / h, free.w / w, free.h / h};
+}
+
+Camera frame_view(const CameraOption& option, const Camera& side, std::span<const Spot> spots, double aspect,
+                  const PicturePart& part) {
+  CameraOption view = option;
+  view.eye = view.target = std::nullopt;
+  const Camera like = view.keys.empty() ? apply_camera(view, side, 0) : side;
+  // A camera that says where it is says what is in the middle of the frame.
+  const PicturePart where = option.frames() ? part : PicturePart{};
+  return option.view == CameraOption::View::orbit ? fit_orbit(spots, like, aspect, where)
+                                                  : fit_camera(spots, like, aspect, where);
+}
+
+Camera come_near(const CameraOption& option, const Camera& framed, const Spot& body, double aspect,
+                 const PicturePart& part) {
+  const std::vector<Spot> around{{body.centre, kAround * body.radius}};
+  Camera near = frame_view(option, framed, around, aspect, part);
+  // A body that is nearly all there is need not have as much around it.
+  const float all = (framed.eye - framed.target).norm(), distance = (near.eye - near.target).norm();
+  if (distance > all) near.eye = near.target + all / distance * (near.eye - near.target);
+  return near;
+}
+
+std::vector<BodyLook> looks_of(const Scene& scene, const Model& model) {
+  std::vector<BodyLook> out;
+  if (scene.looks.empty()) return out;
+  out.resize(model.name.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (const auto look = scene.looks.find(model.name[i]); look != scene.looks.end()) out[i] = look->second;
   }
   return out;
 }

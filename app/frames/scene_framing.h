@@ -3,8 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "app/frames/camera_option.h"
+#include "app/overlay/panel_layout.h"
 #include "app/session/frame_view.h"
 #include "render/visual/framing.h"
 #include "sim/scene/scene.h"
@@ -17,11 +20,26 @@ inline constexpr double kLookAhead = 5;
 // From which side the scene wants to be seen, and with which field of view; how far away is for framing to say.
 Camera side_of(const Scene& scene);
 
-// What is to be seen of `start` and of `seconds` after it. A run ahead finds it, with steps that are long enough
-// for that to be quick; it ends early where there are many bodies: then what is still falling is told by the floor
+// What is to be seen of `start` and of `seconds` after it. A run ahead finds it, with its own steps or, where they are
+// too many, longer ones; it ends early where there are many bodies: then what is still falling is told by the floor
 // below it. Bodies that leave for good count only where they start.
 std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start,
                               double seconds);
+
+// What panels, and a caption of so many lines, leave free of a frame of so many pixels; all of it when that would be
+// too little for a picture.
+PicturePart free_part(const PanelLayout& layout, std::size_t caption_lines, int width, int height);
+
+// The camera of the first frame: from the side that the option names, or else as `side` looks, all spots are seen in
+// `part`, at every time while it orbits. What the option says of eye and target is not looked at.
+Camera frame_view(const CameraOption& option, const Camera& side, std::span<const Spot> spots, double aspect,
+                  const PicturePart& part);
+// The same way, but so near that a body and some of what is around it fill the part.
+Camera come_near(const CameraOption& option, const Camera& framed, const Spot& body, double aspect,
+                 const PicturePart& part);
+
+// How the scene wants its bodies to be drawn, by number in `model`, which may have been edited; empty: it says nothing.
+std::vector<BodyLook> looks_of(const Scene& scene, const Model& model);
 
 // The camera of a scene at its start, for pictures without a run.
 Camera scene_camera(const Scene& scene, double aspect);

@@ -79,7 +79,9 @@ Image draw_thumbnail(Renderer& renderer, const Scene& scene, int view) {
   constexpr double kAspect = static_cast<double>(kThumbnailWidth) / kThumbnailHeight;
   VisualScene visual;
   visual.camera = scene_camera(scene, kAspect);
-  build_visual(scene.model, scene.initial, {}, {}, visual);
+  VisualOptions options;
+  options.looks = looks_of(scene, scene.model);
+  build_visual(scene.model, scene.initial, {}, options, visual);
   renderer.draw_view(view, visual, 2 * kThumbnailWidth, 2 * kThumbnailHeight);
   Image large;
   renderer.read_view(view, large);

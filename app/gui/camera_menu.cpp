@@ -2,6 +2,8 @@
 // The camera's views and key frames, as a menu of the toolbar; the marks of the keys on the timeline.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 
@@ -54,6 +56,42 @@ void draw_keys(GuiFrame& f) {
                                  : ViewCommand(command::ClearCameraKeys{}));
 }
 
+void draw_trails(GuiFrame& f) {
+  const auto shown = [&](const TrailPoint& point) {
+    return std::find(f.ui.trails.begin(), f.ui.trails.end(), point) != f.ui.trails.end();
+  };
+  const auto box = [&](const char* text, const TrailPoint& point, const char* help) {
+    bool on = shown(point);
+    if (ImGui::Checkbox(text, &on)) f.out.send(ViewCommand(command::Trail{trail_words(point), on}));
+    tooltip(help);
+  };
+  box("trail of the centre of mass", {}, "The path of the centre of mass of all that moves");
+  const bool body = f.ui.selection.kind == Selection::Kind::body;
+  ImGui::BeginDisabled(!body);
+  TrailPoint point;
+  if (body) point = {f.sim.a.model->name[static_cast<std::size_t>(f.ui.selection.index)], f.ui.selection.at};
+  box("trail of the selected point", point, "The path of the point that was double-clicked");
+  ImGui::EndDisabled();
+}
+
+// What else the picture shows, and before what.
+void draw_picture_choices(GuiFrame& f) {
+  for (const PictureMark& mark : picture_marks()) {
+    bool on = f.ui.marks.*(mark.on);
+    if (ImGui::Checkbox(std::string(mark.name).c_str(), &on))
+      f.out.send(ViewCommand(command::Show{std::string(mark.name), on}));
+    tooltip(std::string(mark.help));
+  }
+  draw_trails(f);
+  for (const PictureTheme* theme : picture_themes()) {
+    if (theme->transparent) continue;
+    if (theme != picture_themes().front()) ImGui::SameLine();
+    if (ImGui::RadioButton(std::string(theme->name).c_str(), f.ui.theme == theme))
+      f.out.send(ViewCommand(command::Background{std::string(theme->name)}));
+    tooltip("Background of the picture: " + std::string(theme->help));
+  }
+}
+
 void draw_follow(GuiFrame& f) {
   bool follows = f.ui.follow.has_value();
   const bool selected = f.ui.selection.kind == Selection::Kind::body;
@@ -68,11 +106,7 @@ void draw_follow(GuiFrame& f) {
 
 }  // namespace
 
-void draw_camera_menu(GuiFrame& f) {
-  if (toggle_button(f, "Camera", f.ui.fly && !f.ui.camera_keys.empty(), "Views, and a camera that moves"))
-    ImGui::OpenPopup("##camera");
-  ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + f.px(4)});
-  if (!ImGui::BeginPopup("##camera")) return;
+void draw_view_items(GuiFrame& f) {
   heading(f, "Look");
   for (const auto& v : kViews) {
     if (ImGui::Selectable(v.text)) f.out.send(ViewCommand(command::LookFrom{v.view}));
@@ -81,6 +115,17 @@ void draw_camera_menu(GuiFrame& f) {
   if (ImGui::Checkbox("parallel rays (5)", &ortho)) f.out.send(ViewCommand(command::Ortho{ortho}));
   tooltip("Orthographic: what is parallel stays parallel, and lengths do not depend on the distance");
   draw_follow(f);
+  heading(f, "Show");
+  draw_picture_choices(f);
+}
+
+void draw_camera_menu(GuiFrame& f) {
+  if (toggle_button(f, "View", f.ui.fly && !f.ui.camera_keys.empty(),
+                    "Where the camera is, what else the picture shows, and a camera that moves"))
+    ImGui::OpenPopup("##camera");
+  ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + f.px(4)});
+  if (!ImGui::BeginPopup("##camera")) return;
+  draw_view_items(f);
   heading(f, "Key frames");
   draw_keys(f);
   if (!f.ui.camera_keys.empty()) ImGui::SameLine();

@@ -39,7 +39,9 @@ void draw_recording(GuiFrame& frame, const Rect& view);
 // What its dialog asks for beside the name.
 void draw_record_fields(const GuiFrame& frame, command::Record& record, bool& along_keys);
 
-// Views and key frames of the camera: a button of the toolbar, and the marks of the keys on the timeline.
+// What the view menu has beside key frames: views, what else is shown, backgrounds.
+void draw_view_items(GuiFrame& frame);
+// That menu with the key frames of the camera: a button of the toolbar, and the marks of the keys on the timeline.
 void draw_camera_menu(GuiFrame& frame);
 void draw_camera_marks(const GuiFrame& frame, const std::function<float(double)>& x_of_time, float y);
 

@@ -11,6 +11,8 @@
 #include "app/gui/inspector_rows.h"
 #include "app/gui/pictures.h"
 #include "app/gui/widgets.h"
+#include "app/overlay/imgui_canvas.h"
+#include "app/overlay/view_marks.h"
 #include "render/visual/camera_control.h"
 #include "sim/base/srgb.h"
 
@@ -109,6 +111,12 @@ void draw_picture_notes(GuiFrame& f, const GuiLayout& layout) {
       {static_cast<float>(layout.view.x), static_cast<float>(layout.view.y)},
       {static_cast<float>(layout.view.right()), static_cast<float>(layout.view.bottom())});
   legend(f, layout.view);
+  if (f.ui.marks.axes || f.ui.marks.scale) {
+    ImGuiCanvas canvas(f.metrics, f.fonts, *ImGui::GetBackgroundDrawList());
+    const Camera camera = rounded(f.ui.camera);
+    if (f.ui.marks.axes) paint_axes(camera, layout.views[0], f.unit, canvas);
+    if (f.ui.marks.scale) paint_scale_bar(camera, layout.views[0].h, layout.views[0], f.unit, canvas);
+  }
   pulls(f, f.sim.a, layout.views[0]);
   if (two) pulls(f, *f.sim.b, layout.views[1]);
   if (f.ui.joining) {

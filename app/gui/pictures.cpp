@@ -39,7 +39,13 @@ PngText text_of(const Snapshot& sim, const ViewFacts& facts) {
 
 ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height,
                    const std::string& renderer) {
-  return {width, height, 1 / sim.a.params.h, overlay_words(ui), camera_words(rounded(ui.camera)), renderer};
+  return {width,
+          height,
+          1 / sim.a.params.h,
+          overlay_words(ui),
+          camera_words(rounded(ui.camera)),
+          renderer,
+          std::string(ui.theme->name)};
 }
 
 }  // namespace
@@ -47,6 +53,9 @@ ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height
 std::string overlay_words(const UiState& ui) {
   std::string out = ui.contacts ? "contacts" : "";
   if (ui.bonds) out += out.empty() ? "bonds" : ",bonds";
+  for (const PictureMark& mark : picture_marks()) {
+    if (ui.marks.*(mark.on)) out += (out.empty() ? "" : ",") + std::string(mark.name);
+  }
   return out.empty() ? "none" : out;
 }
 
@@ -68,8 +77,10 @@ void save_scene_picture(const std::string& path, const Snapshot& sim, const UiSt
   }
   const ViewFacts facts = facts_of(sim, ui, width, height, "");
   const Frame frame = frame_of(sim);
+  OverlayChoice overlay = parse_overlay(facts.overlay);
+  overlay.theme = ui.theme;
   AbPainter painter(context, sim.scene, frame, ui.side_by_side ? AbView::side : AbView::ghost, width, height,
-                    parse_overlay(facts.overlay), parse_camera(facts.camera));
+                    overlay, parse_camera(facts.camera));
   painter.draw(frame);
   Image image;
   painter.fetch(image);

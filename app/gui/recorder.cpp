@@ -18,6 +18,7 @@ namespace pabd {
 struct Recorder::Job {
   command::Record record;
   std::string overlay_text, camera_text;
+  TrailRecorder trails;
   OverlayChoice overlay;
   CameraOption camera;
   AbView ab_view = AbView::ghost;
@@ -63,6 +64,8 @@ void Recorder::start(const command::Record& record, const UiState& ui) {
   job->record = record;
   job->overlay_text = record.overlay.empty() ? overlay_words(ui) : record.overlay;
   job->overlay = parse_overlay(job->overlay_text);
+  job->overlay.theme = ui.theme;
+  job->trails = TrailRecorder(ui.trails, kTrailTime);
   if (ui.fly && !ui.camera_keys.empty()) {
     job->camera.keys = ui.camera_keys;
   } else {
@@ -80,7 +83,7 @@ void Recorder::begin(RunCopies runs) {
   const OverlayChoice& overlay = job.overlay;
   job.source = std::make_unique<PastSource>(std::move(runs.a), std::move(runs.b),
                                             PastRange{job.record.from, job.record.to, job.record.fps},
-                                            overlay.needs_iterations(), overlay.needs_contacts());
+                                            overlay.needs_iterations(), overlay.needs_contacts(), job.trails);
   job.frames = std::make_unique<FrameThread>(*job.source);
 }
 
@@ -95,7 +98,8 @@ void Recorder::open(const Frame& first) {
                         r.fps,
                         job.overlay_text,
                         camera_text(job.camera, job.camera_text),
-                        job.painter->gl_renderer()};
+                        job.painter->gl_renderer(),
+                        std::string(job.overlay.theme->name)};
   const PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
                                      job.ab_view == AbView::side ? "side" : "ghost");
   SinkOptions options;

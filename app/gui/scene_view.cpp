@@ -8,6 +8,7 @@
 
 #include "app/frames/scene_framing.h"
 #include "app/gui/body_colors.h"
+#include "render/visual/body_marks.h"
 #include "render/visual/bounds.h"
 #include "render/visual/outline.h"
 
@@ -28,6 +29,11 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
   options.bonds = ui.bonds;
   options.d_hat = run.params.contact.d_hat;
   out.camera = rounded(ui.camera);
+  out.theme = ui.theme;
+  options.velocities = ui.marks.velocities;
+  options.boxes = ui.marks.boxes;
+  options.inertia = ui.marks.inertia;
+  options.looks = looks_of(*sim.scene, *run.model);
   BodyColors colors = body_colors(sim, side, ui.color);
   options.values = std::move(colors.values);
   options.value_range = colors.range;
@@ -44,21 +50,24 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
 bool SceneView::same(const Key& a, const Key& b) {
   return a.serial == b.serial && same_camera(a.camera, b.camera) && a.width == b.width &&
          a.height == b.height && a.contacts == b.contacts && a.bonds == b.bonds && a.side == b.side &&
-         a.color == b.color && a.selection == b.selection && a.dark == b.dark && a.quality == b.quality;
+         a.color == b.color && a.selection == b.selection && a.dark == b.dark && a.quality == b.quality &&
+         a.marks == b.marks && a.theme == b.theme && a.trails == b.trails;
 }
 
-bool SceneView::draw(const Snapshot& sim, const UiState& ui, const GuiLayout& layout,
-                     const RenderQuality& quality, double scale, Renderer& renderer) {
+bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<Trail>& trails,
+                     const GuiLayout& layout, const RenderQuality& quality, double scale,
+                     Renderer& renderer) {
   const auto pixels = [scale](double length) {
     return std::max(1, static_cast<int>(std::lround(scale * length)));
   };
   const int width = pixels(layout.views[0].w), height = pixels(layout.views[0].h);
   const bool two = sim.b && ui.side_by_side;
-  const Key key{sim.serial, rounded(ui.camera), width,        height,  ui.contacts,  ui.bonds,
-                two,        ui.color,           ui.selection, ui.dark, quality.level};
+  const Key key{sim.serial, rounded(ui.camera), width,   height,        ui.contacts, ui.bonds, two,
+                ui.color,   ui.selection,       ui.dark, quality.level, ui.marks,    ui.theme, ui.trails};
   if (same(key, key_)) return false;
   key_ = key;
   build(sim, Side::a, ui, visual_[0]);
+  for (std::size_t k = 0; k < trails.size(); ++k) add_trail(trails[k].path, trail_color(k), visual_[0]);
   if (sim.b && !two) add_ghost(*sim.b->model, sim.b->state, ghost_color(), visual_[0]);
   renderer.draw_view(0, visual_[0], width, height, quality);
   if (two) {

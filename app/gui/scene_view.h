@@ -15,9 +15,9 @@ namespace pabd {
 
 class SceneView {
  public:
-  // Into the renderer's views, `scale` times as large as their places; true when something was drawn.
-  bool draw(const Snapshot& sim, const UiState& ui, const GuiLayout& layout, const RenderQuality& quality,
-            double scale, Renderer& renderer);
+  // Into the renderer's views, `scale` times as large as their places; true when something was drawn. `trails`: of A.
+  bool draw(const Snapshot& sim, const UiState& ui, const std::vector<Trail>& trails, const GuiLayout& layout,
+            const RenderQuality& quality, double scale, Renderer& renderer);
 
   // What was built last, for labels and picking.
   const VisualScene& scene() const { return visual_[0]; }
@@ -32,6 +32,9 @@ class SceneView {
     Selection selection;
     bool dark = false;
     Quality quality = Quality::good;
+    PictureMarks marks;
+    const PictureTheme* theme = nullptr;
+    std::vector<TrailPoint> trails;
   };
   static bool same(const Key& a, const Key& b);
 

@@ -6,7 +6,8 @@
 //   /a/report/…, /a/bodies (of at most 100: name, position, velocity); /b the same, null without a second
 //   /distance (of A and B now, m), /distances (moments at which it is known)
 //   /playing, /speed, /diverged, /unsaved, /at_stake, /reload_loses, /file_changed, /can_undo, /can_redo,
-//   /held, /message, /messages /ui/…
+//   /held, /message, /messages, /ui/…
+#include "app/gui/pictures.h"
 #include "app/gui/script.h"
 #include "app/gui/view_actions.h"
 #include "app/plots/figures/difference.h"
@@ -71,7 +72,8 @@ Json run_json(const RunView& run) {
 
 Json state_document(const Snapshot& sim, const UiState& ui) {
   static constexpr const char* kKinds[] = {"none", "body", "joint", "contact"};
-  Json panels = Json::array(), camera_keys = Json::array();
+  Json panels = Json::array(), camera_keys = Json::array(), trails = Json::array();
+  for (const TrailPoint& point : ui.trails) trails.push_back(trail_words(point));
   for (const Slot slot : kSlots) panels.push_back(ui.shown[slot]->name);
   for (const CameraKey& key : ui.camera_keys)
     camera_keys.push_back({{"time", key.time}, {"eye", vec(key.pose.eye)}});
@@ -116,6 +118,9 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
             {"costs", ui.costs},
             {"contacts", ui.contacts},
             {"bonds", ui.bonds},
+            {"shown", overlay_words(ui)},
+            {"background", std::string(ui.theme->name)},
+            {"trails", std::move(trails)},
             {"color", to_string(ui.color)},
             {"selection",
              {{"kind", kKinds[static_cast<std::size_t>(ui.selection.kind)]}, {"index", ui.selection.index}}},

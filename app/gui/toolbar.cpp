@@ -53,7 +53,8 @@ void draw_output(GuiFrame& f) {
 
 // The same in a narrow window.
 void draw_short_output(GuiFrame& f) {
-  if (toggle_button(f, "…", f.recorder.busy(), "Pictures, videos, camera keys")) ImGui::OpenPopup("##output");
+  if (toggle_button(f, "…", f.recorder.busy(), "The view, pictures, videos, camera keys"))
+    ImGui::OpenPopup("##output");
   if (!ImGui::BeginPopup("##output")) return;
   if (ImGui::Selectable("Picture…")) f.out.send(ViewCommand(command::Ask{"screenshot"}));
   if (ImGui::Selectable("Video…")) f.out.send(ViewCommand(command::Ask{"record"}));
@@ -61,6 +62,7 @@ void draw_short_output(GuiFrame& f) {
   if (ImGui::Selectable("Fly along the keys", f.ui.fly)) f.out.send(ViewCommand(command::Fly{!f.ui.fly}));
   if (ImGui::Selectable("Save camera keys…")) f.out.send(ViewCommand(command::Ask{"save_camera"}));
   if (ImGui::Selectable("Load camera keys…")) f.out.send(ViewCommand(command::Ask{"load_camera"}));
+  draw_view_items(f);
   ImGui::EndPopup();
 }
 

@@ -11,8 +11,11 @@
 
 #include "app/gui/view_command.h"
 #include "app/gui/window_panel.h"
+#include "app/session/trails.h"
 #include "render/visual/camera_path.h"
 #include "render/visual/framing.h"
+#include "render/visual/picture_marks.h"
+#include "render/visual/picture_theme.h"
 #include "sim/math/types.h"
 
 namespace pabd {
@@ -70,6 +73,9 @@ struct UiState {
   bool keys_unsaved = false;  // they were set or removed since they were saved or loaded
   bool fly = false;
   bool contacts = true, bonds = true;
+  PictureMarks marks;
+  const PictureTheme* theme = &kStudioTheme;  // of the picture; never null
+  std::vector<TrailPoint> trails;             // whose paths are shown
   ColorQuantity color = ColorQuantity::body;
   Selection selection;
   std::optional<Joining> joining;

@@ -139,8 +139,25 @@ struct Actor {
     ui.color = static_cast<ColorQuantity>(one(c.quantity, kNames, "color_by"));
   }
   void operator()(const command::Show& c) const {
-    static constexpr std::string_view kWhat[] = {"contacts", "bonds"};
-    (one(c.what, kWhat, "show") == 0 ? ui.contacts : ui.bonds) = c.on;
+    std::vector<std::string_view> what{"contacts", "bonds"};
+    for (const PictureMark& mark : picture_marks()) what.push_back(mark.name);
+    const std::size_t i = one(c.what, what, "show");
+    (i == 0 ? ui.contacts : i == 1 ? ui.bonds : ui.marks.*(picture_marks()[i - 2].on)) = c.on;
+  }
+  void operator()(const command::Background& c) const {
+    std::vector<std::string_view> names;
+    for (const PictureTheme* theme : picture_themes())
+      if (!theme->transparent) names.push_back(theme->name);
+    ui.theme = picture_themes()[one(c.theme, names, "background")];
+  }
+  void operator()(const command::Trail& c) const {
+    TrailPoint point = parse_trail(c.of, "trail");
+    // A number is as good as a name.
+    if (!point.body.empty())
+      point.body =
+          sim.a.model->name[static_cast<std::size_t>(index_of(Selection::Kind::body, point.body, "trail"))];
+    std::erase(ui.trails, point);
+    if (c.on) ui.trails.push_back(point);
   }
   void operator()(const command::CompareView& c) const {
     static constexpr std::string_view kHow[] = {"ghost", "side"};

@@ -122,13 +122,32 @@ struct ColorBy {
     f(need("quantity", "body, projection, speed, energy or component", R"("speed")"), quantity);
   }
 };
-// What is drawn into the picture: "contacts", "bonds".
+// What is drawn into the picture: "contacts", "bonds", or what picture_marks.h lists.
 struct Show {
   static constexpr const char* name = "show";
   std::string what;
   bool on = true;
   void fields(auto&& f) {
-    f(need("what", "contacts or bonds", R"("bonds")"), what);
+    f(need("what", "contacts, bonds, velocities, boxes, inertia, axes or scale", R"("bonds")"), what);
+    f(kOn, on);
+  }
+};
+// Light and background of the picture.
+struct Background {
+  static constexpr const char* name = "background";
+  std::string theme;
+  void fields(auto&& f) { f(need("theme", "studio, dark or paper", R"("paper")"), theme); }
+};
+// The path of a point is shown from now on, or not any more.
+struct Trail {
+  static constexpr const char* name = "trail";
+  std::string of;
+  bool on = true;
+  void fields(auto&& f) {
+    f(need("of",
+           "com: the centre of mass of all that moves; or BODY, or BODY@x,y,z with a point in its frame, m",
+           R"("1@0,0.5,0")"),
+      of);
     f(kOn, on);
   }
 };
@@ -319,10 +338,10 @@ using ViewCommand =
     std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::Palette,
                  command::HideUi, command::Look, command::LookFrom, command::Ortho, command::Follow,
                  command::FrameSelection, command::Select, command::Join, command::ColorBy, command::Show,
-                 command::CompareView, command::BarrierView, command::ConvergenceView, command::SeriesView,
-                 command::DifferenceView, command::Screenshot, command::ExportPlot, command::Record,
-                 command::StopRecord, command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys,
-                 command::Fly, command::SaveCamera, command::LoadCamera, command::Costs, command::Ask,
-                 command::CopyCommand, command::Quit>;
+                 command::Background, command::Trail, command::CompareView, command::BarrierView,
+                 command::ConvergenceView, command::SeriesView, command::DifferenceView, command::Screenshot,
+                 command::ExportPlot, command::Record, command::StopRecord, command::AddCameraKey,
+                 command::DropCameraKey, command::ClearCameraKeys, command::Fly, command::SaveCamera,
+                 command::LoadCamera, command::Costs, command::Ask, command::CopyCommand, command::Quit>;
 
 }  // namespace pabd

@@ -94,6 +94,7 @@ struct Viewer::Impl {
   Studio studio;
   std::optional<Index> followed_body;  // by the camera, in the last frame
   Vec3 followed_at = Vec3::Zero();     // where it was then; m
+  TrailRecorder trails;                // of what the picture has shown
   double flown_to = -1;                // time that the camera has followed its keys to; s
   int width = kStartWidth, height = kStartHeight;
   bool themed_dark = false;
@@ -300,6 +301,7 @@ struct Viewer::Impl {
     followed = sim->scene_path;
     ui.selection = {};
     ui.follow.reset();
+    ui.trails.clear();
     ui.joining.reset();
     remember(sim->scene_path);
     scenes_shown = false;  // another folder, perhaps
@@ -328,6 +330,12 @@ struct Viewer::Impl {
     followed_at = at;
   }
 
+  void leave_trails(const Snapshot& before) {
+    if (trails.points() != ui.trails || before.scene_serial != sim->scene_serial)
+      trails = TrailRecorder(ui.trails, kTrailTime);
+    trails.add(*sim->a.model, sim->a.state);
+  }
+
   // While time goes on the camera follows its keys; at rest it may be moved by hand.
   void fly() {
     const double time = sim->a.state.time;
@@ -353,6 +361,7 @@ struct Viewer::Impl {
     list_scenes();
     reframe(port(), ui);
     follow_body();
+    leave_trails(*last);
     fly();
     restyle();
     ImGuiIO& io = ImGui::GetIO();
@@ -375,7 +384,8 @@ struct Viewer::Impl {
     costs.done(FrameCosts::interface);
     const double before = seconds_now();
     const LivePicture::Plan plan = options.steady ? LivePicture::Plan{} : live.plan(*sim, ui, seconds_now());
-    const bool drawn = plan.draw && view.draw(*sim, ui, layout, plan.quality, plan.scale, renderer);
+    const bool drawn =
+        plan.draw && view.draw(*sim, ui, trails.trails(), layout, plan.quality, plan.scale, renderer);
     const double between = seconds_now();
     costs.done(FrameCosts::picture);
     std::vector<ViewPlace> places;

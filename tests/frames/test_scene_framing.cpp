@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Every shipped scene, from every named camera, in frames of every shape, with and without panels: all bodies are
+// inside of what is free. They are looked at through the matrices that pictures are drawn with, and where a run of its
+// own takes them. No GL.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+
+#include "app/frames/frame_painter.h"
+#include "app/frames/scene_framing.h"
+#include "app/session/session.h"
+#include "render/visual/bounds.h"
+#include "sim/base/error.h"
+#include "sim/body/shape_kind.h"
+
+using namespace pabd;
+
+namespace {
+
+constexpr struct { int width, height; } kFrames[] = {{1280, 720}, {720, 1280}, {900, 900}, {1680, 720}};
+constexpr const char* kCameras[] = {"", "front", "side", "top", "iso", "orbit:45", "ortho", "iso,ortho"};
+
+struct Extent {
+  double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
+  bool is_empty() const { return x0 > x1; }
+  void add(const Mat4f& clip, const Vec3& p) {
+    const Vec4f c = clip * p.cast<float>().homogeneous();
+    REQUIRE(c.w() > 0);
+    const double x = 0.5 + 0.5 * c.x() / c.w(), y = 0.5 - 0.5 * c.y() / c.w();
+    x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+  }
+};
+
+// The surface of a body by points: an independent way to say where it is. Support points in many directions where a
+// shape has them, corners of parts else.
+void add_surface(const Mat4f& clip, const Shape& shape, const Vec3& c, const Mat3& R, Extent& out) {
+  std::vector<SurfacePart> parts;
+  kind_of(shape).surface(shape, parts);
+  for (const SurfacePart& part : parts) {
+    if (part.form == SurfaceForm::polyhedron) {
+      for (const Vec3& vertex : part.hull->data->vertices) out.add(clip, c + R * (part.at + vertex));
+      continue;
+    }
+    for (int i = 0; i < 8; ++i) {
+      for (int k = 0; k < 16; ++k) {
+        const double a = 2 * kPi * k / 16, b = kPi * (i / 7.0 - 0.5);
+        Vec3 p;
+        if (part.form == SurfaceForm::box) {
+          p = Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+        } else if (part.form == SurfaceForm::ball || part.form == SurfaceForm::half_ball) {
+          p = Vec3(std::cos(b) * std::cos(a), std::sin(b), std::cos(b) * std::sin(a));
+        } else {
+          p = Vec3(std::cos(a), part.form == SurfaceForm::cone ? 0 : i % 2 == 0 ? 1 : -1, std::sin(a));
+        }
+        out.add(clip, c + R * (part.at + part.size.cwiseProduct(p)));
+      }
+    }
+  }
+}
+
+Extent extent_of(const Camera& camera, double aspect, const Model& model, const State& state,
+                 const std::vector<std::uint8_t>& seen) {
+  const Mat4f clip =
+      projection_matrix(camera, static_cast<float>(aspect), 0.01f, 1000.0f) * view_matrix(camera);
+  Extent out;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (seen[i]) add_surface(clip, model.shape[i], state.c[i], state.R[i], out);
+  return out;
+}
+
+struct Start {
+  std::shared_ptr<const Scene> scene;
+  FrameView view;
+  std::vector<std::uint8_t> seen;
+};
+
+Start open(const std::filesystem::path& file) {
+  Start out;
+  out.scene = std::make_shared<const Scene>(load_scene(file));
+  out.view = Session(out.scene).view();
+  out.seen = bodies_in_picture(out.scene->model, out.scene->initial);
+  return out;
+}
+
+std::vector<std::filesystem::path> scenes() {
+  std::vector<std::filesystem::path> out;
+  for (const auto& entry : std::filesystem::directory_iterator(PABD_SCENES)) {
+    if (entry.path().extension() == ".json") out.push_back(entry.path());
+  }
+  REQUIRE(out.size() > 20);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("all shipped scenes are whole in every frame, fill it and are in the middle") {
+  for (const auto& file : scenes()) {
+    const Start start = open(file);
+    const Scene& scene = *start.scene;
+    const std::vector<Spot> spots = spots_of(scene.model, scene.initial);
+    for (const auto& frame : kFrames) {
+      const double aspect = static_cast<double>(frame.width) / frame.height;
+      for (const char* overlay : {"none", "plots,contacts", "params,series"}) {
+        OverlayData data;
+        data.view = &start.view;
+        const PanelLayout layout =
+            layout_panels(parse_overlay(overlay).panels, data, frame.width, frame.height);
+        const PicturePart part = free_part(layout, 0, frame.width, frame.height);
+        for (const char* name : kCameras) {
+          CAPTURE(file.stem().string(), frame.width, frame.height, overlay, name);
+          const CameraOption option = parse_camera(name);
+          const Camera base = frame_view(option, side_of(scene), spots, aspect, part);
+          const bool orbits = option.view == CameraOption::View::orbit;
+          for (int k = 0; k < (orbits ? 16 : 1); ++k) {
+            const Extent seen = extent_of(apply_camera(option, base, 0.5 * k), aspect, scene.model,
+                                          scene.initial, start.seen);
+            const double margin = 0.03;
+            CHECK(seen.x0 > part.x + margin * part.w);
+            CHECK(seen.x1 < part.x + (1 - margin) * part.w);
+            CHECK(seen.y0 > part.y + margin * part.h);
+            CHECK(seen.y1 < part.y + (1 - margin) * part.h);
+            if (orbits) continue;
+            // A floor below what falls is in the picture as well: then bodies alone fill less, and are above the
+            // middle.
+            const bool on_floor = spots.size() == body_spots(scene.model, scene.initial).size();
+            if (!on_floor) continue;
+            CHECK(std::max((seen.x1 - seen.x0) / part.w, (seen.y1 - seen.y0) / part.h) > kFill - 0.02);
+            CHECK(0.5 * (seen.x0 + seen.x1) == Approx(part.x + 0.5 * part.w).margin(0.01 * part.w));
+            CHECK(0.5 * (seen.y0 + seen.y1) == Approx(part.y + 0.5 * part.h).margin(0.01 * part.h));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("bodies stay in the picture while they move, where looking ahead is cheap") {
+  for (const char* name : {"four_bar", "slider_crank", "double_pendulum", "pendulum", "ferris_wheel", "spin",
+                           "bridge", "newtons_cradle", "chain_heavy_end", "shapes", "ragdoll"}) {
+    const Start start = open(std::filesystem::path(PABD_SCENES) / (std::string(name) + ".json"));
+    const double aspect = 16.0 / 9;
+    const std::vector<Spot> spots = spots_ahead(start.scene, start.view, 2);
+    const Camera camera = fit_camera(spots, side_of(*start.scene), aspect);
+    Session run(start.scene);
+    // Steps of another length lead elsewhere in the end: by a hundredth of the picture.
+    while (run.state().time < 1.5) {
+      for (int k = 0; k < 16; ++k) run.step();
+      const Extent seen = extent_of(camera, aspect, run.model(), run.state(), start.seen);
+      CAPTURE(name, run.state().time);
+      CHECK(seen.x0 > 0.01);
+      CHECK(seen.x1 < 0.99);
+      CHECK(seen.y0 > 0.01);
+      CHECK(seen.y1 < 0.99);
+    }
+  }
+}
+
+TEST_CASE("a camera that follows goes as far as its body, and starts near it") {
+  const Start start = open(std::filesystem::path(PABD_SCENES) / "pendulum.json");
+  const Model& model = start.scene->model;
+  CHECK_THROWS_AS(followed_body(parse_camera("follow:nobody"), model), Error);
+  CHECK_THROWS_AS(followed_body(parse_camera("follow:999"), model), Error);
+  CHECK_THROWS_AS(parse_camera("follow:"), Error);
+  CHECK_FALSE(followed_body(parse_camera("iso"), model));
+  const CameraOption option = parse_camera("iso,follow:" + model.name.back());
+  const auto body = followed_body(option, model);
+  REQUIRE(body);
+  const Vec3 c = start.scene->initial.c[static_cast<std::size_t>(*body)];
+  const std::vector<Spot> spots = spots_of(model, start.scene->initial);
+  const Camera all = frame_view(option, side_of(*start.scene), spots, 1.5, {});
+  const Camera near =
+      come_near(option, all, {c, bounding_radius(model.shape[static_cast<std::size_t>(*body)])}, 1.5, {});
+  CHECK((near.target.cast<double>() - c).norm() < 1e-4);
+  CHECK((near.eye - near.target).norm() < 1.0001f * (all.eye - all.target).norm());
+  const Vec3 way(0.5, -0.25, 2);
+  const Camera later = apply_camera(option, near, 3, way);
+  CHECK((later.target - near.target - way.cast<float>()).norm() < 1e-5f);
+  CHECK((later.eye - near.eye - way.cast<float>()).norm() < 1e-5f);
+}
+
+TEST_CASE("words of a camera go together, and come back") {
+  const CameraOption option = parse_camera("orbit:-20,ortho,fov=30,up=0,0,1,follow:left hand");
+  CHECK(option.view == CameraOption::View::orbit);
+  CHECK(option.orbit == -20);
+  CHECK(option.orthographic);
+  CHECK(*option.fov == 30);
+  CHECK(*option.up == Vec3f(0, 0, 1));
+  CHECK(option.follow == "left hand");
+  Camera camera;
+  camera.orthographic = true;
+  CHECK(apply_camera(parse_camera(camera_words(camera)), Camera{}, 0).orthographic);
+  for (const char* wrong : {"front,side", "ortho=1", "front,7", "orbit:x", "=3", "ortho,1"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(parse_camera(wrong), Error);
+  }
+}
