@@ -57,6 +57,7 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
     sim/base/error.h
     sim/base/output_path.h
     sim/base/utf8.h
+    sim/body/body_look.h
     sim/body/compound.h
     sim/body/convex_hull.h
     sim/body/hull.h
@@ -90,6 +91,8 @@ pabd_public_library(visual ABOUT "what is to be seen of a simulation, without Op
     render/visual/build_visual.h
     render/visual/camera_control.h
     render/visual/camera_path.h
+    render/visual/framing.h
+    render/visual/picture_theme.h
     render/visual/value_map.h
     render/visual/visual_scene.h)
 

@@ -51,4 +51,7 @@ void reframe(const Viewport& port, UiState& ui);
 // The scene's own view of all that is to be seen from its start on.
 void look_as_scene(const Scene& scene, const Viewport& port, UiState& ui);
 
+// The same of a scene that was just loaded: what is to be seen of it is found first.
+void look_ahead(const std::shared_ptr<const Scene>& scene, const Viewport& port, UiState& ui);
+
 }  // namespace pabd

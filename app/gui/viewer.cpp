@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <map>
 
-#include "app/frames/scene_framing.h"
+#include "app/gui/camera_motion.h"
 #include "app/gui/dialogs.h"
 #include "app/gui/frame_costs.h"
 #include "app/gui/gui_theme.h"
@@ -28,7 +28,6 @@
 #include "app/gui/studio.h"
 #include "app/gui/view_actions.h"
 #include "app/gui/widgets.h"
-#include "render/visual/bounds.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -92,10 +91,7 @@ struct Viewer::Impl {
   SceneList scenes;
   bool scenes_shown = false;
   Studio studio;
-  std::optional<Index> followed_body;  // by the camera, in the last frame
-  Vec3 followed_at = Vec3::Zero();     // where it was then; m
-  TrailRecorder trails;                // of what the picture has shown
-  double flown_to = -1;                // time that the camera has followed its keys to; s
+  CameraMotion motion;
   int width = kStartWidth, height = kStartHeight;
   bool themed_dark = false;
   double themed_unit = 0;
@@ -290,12 +286,7 @@ struct Viewer::Impl {
     }
     scene_serial = sim->scene_serial;
     if (sim->scene_path.empty() || sim->scene_path != followed) {  // else: the same one again
-      FrameView start;
-      start.model = {sim->scene, &sim->scene->model};
-      start.params = sim->scene->params;
-      start.state = sim->scene->initial;
-      ui.scene_spots = std::make_shared<const std::vector<Spot>>(spots_ahead(sim->scene, start, kLookAhead));
-      look_as_scene(*sim->scene, port(), ui);
+      look_ahead(sim->scene, port(), ui);
       ui.fly = false;
     }
     followed = sim->scene_path;
@@ -316,33 +307,6 @@ struct Viewer::Impl {
     if (ui.recent.size() > kMostRecent) ui.recent.resize(kMostRecent);
   }
 
-  // The camera goes as far as the body that it follows.
-  void follow_body() {
-    const State& state = sim->a.state;
-    const bool there = ui.follow && *ui.follow < state.size() && has_finite_pose(state, *ui.follow);
-    if (!there) ui.follow.reset();
-    const Vec3 at = there ? state.c[static_cast<std::size_t>(*ui.follow)] : Vec3::Zero();
-    if (there && ui.follow == followed_body) {
-      ui.camera.eye += at - followed_at;
-      ui.camera.target += at - followed_at;
-    }
-    followed_body = ui.follow;
-    followed_at = at;
-  }
-
-  void leave_trails(const Snapshot& before) {
-    if (trails.points() != ui.trails || before.scene_serial != sim->scene_serial)
-      trails = TrailRecorder(ui.trails, kTrailTime);
-    trails.add(*sim->a.model, sim->a.state);
-  }
-
-  // While time goes on the camera follows its keys; at rest it may be moved by hand.
-  void fly() {
-    const double time = sim->a.state.time;
-    if (ui.fly && !ui.camera_keys.empty() && time != flown_to) ui.camera = camera_at(ui.camera_keys, time);
-    flown_to = ui.fly ? time : -1;
-  }
-
   // Pictures of scenes are made while somebody looks at them.
   void list_scenes() {
     const bool shown = ui.shows(scenes_tab);
@@ -360,9 +324,7 @@ struct Viewer::Impl {
     follow_scene(*last);
     list_scenes();
     reframe(port(), ui);
-    follow_body();
-    leave_trails(*last);
-    fly();
+    motion.move(*sim, ui);
     restyle();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
@@ -385,7 +347,7 @@ struct Viewer::Impl {
     const double before = seconds_now();
     const LivePicture::Plan plan = options.steady ? LivePicture::Plan{} : live.plan(*sim, ui, seconds_now());
     const bool drawn =
-        plan.draw && view.draw(*sim, ui, trails.trails(), layout, plan.quality, plan.scale, renderer);
+        plan.draw && view.draw(*sim, ui, motion.trails(), layout, plan.quality, plan.scale, renderer);
     const double between = seconds_now();
     costs.done(FrameCosts::picture);
     std::vector<ViewPlace> places;

@@ -31,7 +31,7 @@ double share_that_differs(const Image& a, const Image& b) {
 
 TEST_CASE("trails of a still show the past; marks and themes show, and the picture says so") {
   const TempFolder folder;
-  const std::vector<std::string> plain{"four_bar", "--time", "0.5"};
+  const std::vector<std::string> plain{"four_bar", "--time", "1.5"};
   const auto with = [&](const std::string& name, std::vector<std::string> more) {
     more.insert(more.begin(), plain.begin(), plain.end());
     return picture(folder, name, more);

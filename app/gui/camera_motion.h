@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What moves along with time in the view: a camera that follows a body or its keys, and trails.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/gui/ui_state.h"
+#include "app/workbench/snapshot.h"
+
+namespace pabd {
+
+class CameraMotion {
+ public:
+  // Once a frame. The camera goes as far as the body that it follows; while time goes on it follows its keys, at rest
+  // it may be moved by hand.
+  void move(const Snapshot& sim, UiState& ui);
+  // Of what ui.trails asks for, as far as it was seen.
+  std::vector<Trail> trails() const { return trails_.trails(); }
+
+ private:
+  void follow(const State& state, UiState& ui);
+
+  std::optional<Index> followed_;    // in the last frame
+  Vec3 followed_at_ = Vec3::Zero();  // where it was then; m
+  double flown_to_ = -1;             // time that the camera has followed its keys to; s
+  std::uint64_t scene_ = 0;          // of the trails
+  TrailRecorder trails_;
+};
+
+}  // namespace pabd
