@@ -64,9 +64,8 @@ struct RenderOptions {
 
 RenderQuality parse_quality(const std::string& word) {
   if (word == "draft") return RenderQuality::live();
-  RenderQuality quality;
-  if (word == "best") quality.tolerance = 0.1f;
-  return quality;
+  if (word == "best") return {Quality::best, 0.1f};
+  return {};
 }
 
 // With what is not said as it suits the output.

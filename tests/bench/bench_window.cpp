@@ -26,7 +26,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 void measure(GlContext& context, const std::string& name) {
-  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{PABD_SCENES "/" + name + ".json", {}, false}));
+  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{},
+                                            command::Load{PABD_SCENES "/" + name + ".json", {}, false}));
   Viewer viewer(context, runner, {});
   viewer.send(ViewCommand(command::Show{"contacts", true}));
   viewer.send(Command(command::Play{}));
@@ -48,14 +49,23 @@ void measure(GlContext& context, const std::string& name) {
     contacts = std::max(contacts, viewer.snapshot().a.report.StepSummary::contacts);
   }
   const double took = seconds_since(begin);
+  const double time = viewer.snapshot().a.state.time;
+  const std::int64_t step = viewer.snapshot().a.state.step;
+  // What is left when nothing moves: the interface, and putting it together with the picture.
+  viewer.send(Command(command::Pause{}));
+  runner.settle();
+  constexpr int kStill = 40;
+  for (int k = 0; k < kStill; ++k) viewer.draw(kWidth, kHeight, 0.1);
+  const auto still = Clock::now();
+  for (int k = 0; k < kStill; ++k) viewer.draw(kWidth, kHeight, 0.1);
+  const double interface = 1e3 * seconds_since(still) / kStill;
   std::sort(ms.begin(), ms.end());
   fmt::print(
       "{:10} {:5.1f} frames a second, median {:.1f} ms, worst in twenty {:.1f} ms; {:.1f} steps a second, "
       "{:.2f} of real time; "
-      "up to {} contacts\n",
+      "up to {} contacts; {:.1f} ms a frame at rest\n",
       name, kFrames / took, ms[ms.size() / 2], ms[ms.size() * 19 / 20],
-      static_cast<double>(viewer.snapshot().a.state.step - steps) / took,
-      (viewer.snapshot().a.state.time - simulated) / took, contacts);
+      static_cast<double>(step - steps) / took, (time - simulated) / took, contacts, interface);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ TEST_CASE("a PDF has one page of the picture's size and the font in it") {
     CHECK(count(*pdf, "/FontFile") >= 1);
     CHECK(count(*pdf, "/ToUnicode") >= 1);  // what is copied out of it is text
     CHECK(pdf->size() < 200000);
+    CHECK(count(*pdf, "/CreationDate") == 0);
   }
   CHECK(figure.find("0 0 1200 525") != std::string::npos);
   CHECK(drawing.find("0 0 1200 600") != std::string::npos);
