@@ -249,13 +249,19 @@ int render(const RenderOptions& asked) {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
   AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
-                    range.count / options.fps, b ? b->shared_scene() : nullptr);
+                    b ? b->shared_scene() : nullptr);
   painter.set_quality(parse_quality(options.quality));
-  PngText common =
-      common_text(a.scene(),
-                  {size.width, size.height, options.fps, options.overlay, camera_text(camera, options.camera),
-                   painter.gl_renderer(), options.quality, options.theme, options.trails},
-                  start.a, start.b ? &*start.b : nullptr, options.ab_view);
+  PngText common = common_text(a.scene(),
+                               {.width = size.width,
+                                .height = size.height,
+                                .fps = options.fps,
+                                .overlay = options.overlay,
+                                .camera = camera_text(camera, options.camera),
+                                .gl_renderer = painter.gl_renderer(),
+                                .quality = options.quality,
+                                .theme = options.theme,
+                                .trails = options.trails},
+                               start.a, start.b ? &*start.b : nullptr, options.ab_view);
   if (b) add_joints_of_b(a, *b, common);
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {

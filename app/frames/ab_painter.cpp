@@ -57,14 +57,10 @@ AbView parse_ab_view(const std::string& text) {
 
 AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first,
                      AbView view, int width, int height, const OverlayChoice& overlay,
-                     const CameraOption& camera, double seconds,
-                     const std::shared_ptr<const Scene>& scene_b) {
-  const bool framing = camera.frames() && camera.follow.empty();
-  std::vector<Spot> spots = spots_ahead(scene, first.a, framing ? seconds : 0);
-  if (first.b) {
-    const std::vector<Spot> of_b = spots_ahead(scene_b ? scene_b : scene, *first.b, framing ? seconds : 0);
-    spots.insert(spots.end(), of_b.begin(), of_b.end());
-  }
+                     const CameraOption& camera, const std::shared_ptr<const Scene>& scene_b) {
+  // Both from the same place, whatever their parameters.
+  const std::vector<Spot> spots =
+      scene_spots(scene, camera.frames() && camera.follow.empty() ? kLookAhead : 0);
   const auto painter = [&](const FrameView& of, int w, const Comparison& comparison, bool is_b = false) {
     return std::make_unique<FramePainter>(context, is_b && scene_b ? scene_b : scene, of, spots, w, height,
                                           overlay, camera, comparison);

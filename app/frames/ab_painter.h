@@ -18,11 +18,11 @@ AbView parse_ab_view(const std::string& text);  // throws Error(bad_input)
 class AbPainter {
  public:
   // As FramePainter. `first` says whether there are two runs, and what the caption tells of them. Unless the camera
-  // is given it shows where bodies go in `seconds` from then on (scene_framing.h). `scene_b`: that of B where its
+  // is given it shows where the scene's bodies go (scene_framing.h). `scene_b`: that of B where its
   // joints have other laws; null: the same.
   AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first, AbView view,
             int width, int height, const OverlayChoice& overlay, const CameraOption& camera,
-            double seconds = 0, const std::shared_ptr<const Scene>& scene_b = nullptr);
+            const std::shared_ptr<const Scene>& scene_b = nullptr);
 
   void set_quality(const RenderQuality& quality);  // of the pictures that follow
   void draw(const Frame& frame);                   // and starts copying it back

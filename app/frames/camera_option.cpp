@@ -97,7 +97,8 @@ bool take_word(CameraOption& option, const std::string& text, std::string_view w
 std::string camera_help() {
   return "front, side, top, iso or orbit:DEGREES_A_SECOND, with ortho (parallel rays), follow:BODY, and any "
          "of "
-         "eye=x,y,z,target=x,y,z,fov=degrees,up=x,y,z, separated by commas; or a file of camera keys (.json)";
+         "eye=x,y,z, target=x,y,z, fov=degrees, up=x,y,z, separated by commas; or a file of camera keys "
+         "(.json)";
 }
 
 CameraOption parse_camera(const std::string& text) {

@@ -85,6 +85,14 @@ std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const F
   return out;
 }
 
+std::vector<Spot> scene_spots(const std::shared_ptr<const Scene>& scene, double seconds) {
+  FrameView start;
+  start.model = {scene, &scene->model};
+  start.params = scene->params;
+  start.state = scene->initial;
+  return spots_ahead(scene, start, seconds);
+}
+
 PicturePart free_part(const PanelLayout& layout, std::size_t caption_lines, int width, int height) {
   const double w = width, h = height;
   Rect free = layout.panels.empty() ? Rect{0, 0, w, h} : layout.free;

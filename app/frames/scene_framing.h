@@ -26,6 +26,10 @@ Camera side_of(const Scene& scene);
 std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start,
                               double seconds);
 
+// The same of the start of a scene: whatever a run does with it later, and with which parameters, it is seen from the
+// same place.
+std::vector<Spot> scene_spots(const std::shared_ptr<const Scene>& scene, double seconds = kLookAhead);
+
 // What panels, and a caption of so many lines, leave free of a frame of so many pixels; all of it when that would be
 // too little for a picture.
 PicturePart free_part(const PanelLayout& layout, std::size_t caption_lines, int width, int height);

@@ -254,7 +254,7 @@ class BarrierPanelView final : public GuiPanel {
   }
 
   float box_height(const GuiFrame& f, bool tall) const {
-    const int lines = tall ? 5 : warned_ > 0 ? 2 : 1;
+    const int lines = tall ? 5 : warned_ > 0 ? 3 : 1;
     return static_cast<float>(lines) * ImGui::GetTextLineHeight() + f.px(lines > 1 ? 10 : 2);
   }
 

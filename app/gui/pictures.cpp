@@ -39,13 +39,13 @@ PngText text_of(const Snapshot& sim, const ViewFacts& facts) {
 
 ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height,
                    const std::string& renderer) {
-  return {width,
-          height,
-          1 / sim.a.params.h,
-          overlay_words(ui),
-          camera_words(rounded(ui.camera)),
-          renderer,
-          std::string(ui.theme->name)};
+  return {.width = width,
+          .height = height,
+          .fps = 1 / sim.a.params.h,
+          .overlay = overlay_words(ui),
+          .camera = camera_words(rounded(ui.camera)),
+          .gl_renderer = renderer,
+          .theme = std::string(ui.theme->name)};
 }
 
 }  // namespace

@@ -93,13 +93,13 @@ void Recorder::open(const Frame& first) {
   const command::Record& r = job.record;
   job.painter = std::make_unique<AbPainter>(context_, job.scene, first, job.ab_view, r.width, r.height,
                                             job.overlay, job.camera);
-  const ViewFacts facts{r.width,
-                        r.height,
-                        r.fps,
-                        job.overlay_text,
-                        camera_text(job.camera, job.camera_text),
-                        job.painter->gl_renderer(),
-                        std::string(job.overlay.theme->name)};
+  const ViewFacts facts{.width = r.width,
+                        .height = r.height,
+                        .fps = r.fps,
+                        .overlay = job.overlay_text,
+                        .camera = camera_text(job.camera, job.camera_text),
+                        .gl_renderer = job.painter->gl_renderer(),
+                        .theme = std::string(job.overlay.theme->name)};
   const PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
                                      job.ab_view == AbView::side ? "side" : "ghost");
   SinkOptions options;

@@ -102,11 +102,7 @@ void look_as_scene(const Scene& scene, const Viewport& port, UiState& ui) {
 }
 
 void look_ahead(const std::shared_ptr<const Scene>& scene, const Viewport& port, UiState& ui) {
-  FrameView start;
-  start.model = {scene, &scene->model};
-  start.params = scene->params;
-  start.state = scene->initial;
-  ui.scene_spots = std::make_shared<const std::vector<Spot>>(spots_ahead(scene, start, kLookAhead));
+  ui.scene_spots = std::make_shared<const std::vector<Spot>>(scene_spots(scene));
   look_as_scene(*scene, port, ui);
 }
 

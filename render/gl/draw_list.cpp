@@ -42,6 +42,7 @@ void DrawList::build(const VisualScene& scene, int height, float texel, float to
   body_entries_.clear();
   glyph_entries_.clear();
   transparent_entries_.clear();
+  ghost_entries_.clear();
 
   const float pixels = static_cast<float>(height) / (2 * half_height(scene.camera));
   const Eye eye{eye_matrix(scene), pixels, texel, tolerance, scene.camera.orthographic};
@@ -66,6 +67,7 @@ void DrawList::build(const VisualScene& scene, int height, float texel, float to
   bodies = append(body_entries_, true);
   glyphs = append(glyph_entries_, true);
   transparent = append(transparent_entries_, false);
+  ghosts = append(ghost_entries_, true);
 }
 
 // `mesh`: its number, or −1 for a primitive.
@@ -82,6 +84,7 @@ void DrawList::add(const VisualScene& scene, const Eye& eye, const Instance& ins
                     depth};
   if (instance.color.w() < 1) {
     if (instance.color.w() > 0) transparent_entries_.push_back(entry);
+    if (instance.color.w() > 0 && instance.xray) ghost_entries_.push_back(entry);
   } else if (instance.xray) {
     glyph_entries_.push_back(entry);
   } else {

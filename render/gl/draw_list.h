@@ -38,6 +38,7 @@ struct DrawList {
   BatchRange bodies;         // opaque, near ones first so that what they hide costs nothing
   BatchRange glyphs;         // opaque glyphs that show through bodies
   BatchRange transparent;    // far ones first
+  BatchRange ghosts;         // those of them that show through bodies
 
   // Fills the list from the scene; `height` is that of the frame in pixels, `texel` that of a shadow texel in
   // m, `tolerance` that of outlines in pixels.
@@ -54,7 +55,8 @@ struct DrawList {
   void add(const VisualScene& scene, const Eye& eye, const Instance& instance, Primitive primitive, int mesh);
   BatchRange append(std::vector<Entry>& entries, bool grouped);
 
-  std::vector<Entry> caster_entries_, floor_entries_, body_entries_, glyph_entries_, transparent_entries_;
+  std::vector<Entry> caster_entries_, floor_entries_, body_entries_, glyph_entries_, transparent_entries_,
+      ghost_entries_;
 };
 
 }  // namespace pabd

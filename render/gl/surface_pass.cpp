@@ -17,7 +17,7 @@
 namespace pabd {
 namespace {
 
-constexpr float kGhost = 0.5f;  // opacity of a glyph behind a body
+constexpr float kGhost = 0.5f;  // of its opacity keeps what shows through a body
 
 bool is_cube(Primitive primitive) { return primitive == Primitive::cube; }
 bool is_mesh(Primitive primitive) { return primitive == Primitive::mesh; }
@@ -108,8 +108,20 @@ void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer
 void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& drawer, Quality quality) {
   const Programs& programs = programs_.of(quality);
   blend(quality);
-  gl_.DepthFunc(GL_LESS);
   gl_.DepthMask(GL_FALSE);
+  if (list.ghosts.begin < list.ghosts.end) {
+    const auto set_opacity = [&](float opacity) {
+      for (const Program* program : {&programs.cubes, &programs.round}) {
+        program->program.use();
+        gl_.Uniform1f(program->opacity, opacity);
+      }
+    };
+    gl_.DepthFunc(GL_GREATER);
+    set_opacity(kGhost);
+    draw_lit(list, list.ghosts, drawer, programs);
+    set_opacity(1);
+  }
+  gl_.DepthFunc(GL_LESS);
   // Batch by batch: the order of the list is the order of depth.
   for (std::size_t i = list.transparent.begin; i < list.transparent.end; ++i) {
     draw_lit(list, {i, i + 1}, drawer, programs);

@@ -77,6 +77,7 @@ struct BodyPainter {
   Vec4f color;
   bool shadow = true;
   bool checker = false;
+  bool xray = false;
 
   void operator()(const SurfacePart& part) const {
     const Primitive primitive = primitive_of(part.form);
@@ -84,13 +85,13 @@ struct BodyPainter {
     m.block<3, 1>(0, 3) = (c + R * part.at).cast<float>();
     if (primitive == Primitive::mesh) {
       m.block<3, 3>(0, 0) = (part.hull->data->bounding_radius * R).cast<float>();
-      mesh_of(*part.hull, out).instances.push_back({m, color, shadow, true, false, checker});
+      mesh_of(*part.hull, out).instances.push_back({m, color, shadow, true, xray, checker});
       return;
     }
     // Turned about x, not mirrored: the faces keep their orientation.
     const double up = part.upside_down ? -1 : 1;
     m.block<3, 3>(0, 0) = (R * part.size.cwiseProduct(Vec3(1, up, up)).asDiagonal()).cast<float>();
-    out.instances[static_cast<int>(primitive)].push_back({m, color, shadow, true, false, checker});
+    out.instances[static_cast<int>(primitive)].push_back({m, color, shadow, true, xray, checker});
   }
 };
 
@@ -192,7 +193,14 @@ void add_ghost(const Model& model, const State& state, const Vec4f& color, Visua
   std::vector<SurfacePart> parts;
   for (Index i = 0; i < count; ++i) {
     if (model.fixed[i] || !has_finite_pose(state, i)) continue;
-    add_body(model.shape[i], {out, state.c[i], kGhostSize * state.R[i], color, false}, parts);
+    add_body(model.shape[i],
+             {.out = out,
+              .c = state.c[i],
+              .R = kGhostSize * state.R[i],
+              .color = color,
+              .shadow = false,
+              .xray = true},
+             parts);
   }
 }
 

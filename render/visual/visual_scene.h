@@ -33,7 +33,7 @@ struct Instance {
   Vec4f color;           // linear RGB, opacity
   bool shadow = true;    // casts a shadow
   bool shaded = true;    // false: flat colour (glyphs that encode a value)
-  bool xray = false;     // a glyph: where a body hides it, it shows through faintly
+  bool xray = false;     // a glyph or ghost: where a body hides it, it shows through faintly
   bool checker = false;  // every other eighth is darker
 };
 

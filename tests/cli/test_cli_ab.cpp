@@ -54,13 +54,16 @@ TEST_CASE("with an empty patch both halves show the same run") {
 
 TEST_CASE("B is the run that the patched scene makes, A the one that the scene makes") {
   const TempFolder folder;
-  REQUIRE(render(folder, "ab.png", R"({"contact": {"kappa": 20}})").exit_code == 0);
+  // A scene with other parameters may be seen from elsewhere.
+  const std::vector<std::string> from_here{"--camera", "eye=3,2,4,target=0,0.5,0"};
+  REQUIRE(render(folder, "ab.png", R"({"contact": {"kappa": 20}})", from_here).exit_code == 0);
   const Image ab = read_png(folder / "ab.png");
   CHECK(half_a(ab) != half_b(ab));
   // The caption takes the place of two lines in one and of one in the other: the same camera with one line.
-  REQUIRE(render(folder, "a.png", R"({"solver": {"tolerance": 1e-7}})").exit_code == 0);
+  REQUIRE(render(folder, "a.png", R"({"solver": {"tolerance": 1e-7}})", from_here).exit_code == 0);
   CHECK(half_a(read_png(folder / "a.png")) == half_a(ab));
-  REQUIRE(render(folder, "b.png", R"({"solver": {"tolerance": 1e-7}})", {"--set", "contact.kappa=20"})
+  REQUIRE(render(folder, "b.png", R"({"solver": {"tolerance": 1e-7}})",
+                 {"--set", "contact.kappa=20", "--camera", from_here[1]})
               .exit_code == 0);
   CHECK(half_a(read_png(folder / "b.png")) == half_b(ab));
 }
@@ -286,8 +289,17 @@ TEST_CASE("the window, its videos and render show the same step of B, whatever t
 TEST_CASE("B may have other laws of joints: it is the run of a scene that has them") {
   const TempFolder folder;
   const auto picture = [&](const std::string& name, const std::vector<std::string>& more) {
-    std::vector<std::string> command = {"render", "slider_crank", "--size", "322x180",    "--quiet",
-                                        "--time", "0.5",          "-o",     folder / name};
+    std::vector<std::string> command = {"render",
+                                        "slider_crank",
+                                        "--size",
+                                        "322x180",
+                                        "--quiet",
+                                        "--time",
+                                        "0.5",
+                                        "-o",
+                                        folder / name,
+                                        "--camera",
+                                        "eye=2,2,6,target=0,1,0"};
     command.insert(command.end(), more.begin(), more.end());
     const Outcome outcome = run_pabd(command);
     CAPTURE(outcome.err);

@@ -208,7 +208,8 @@ TEST_CASE("what a sequence of frames would write over an input stops it") {
 TEST_CASE("a driver that is chosen by the environment and does not work: exit code 4 with what helps") {
   const TempFolder folder;
   for (const auto& [name, value, backend] :
-       {std::tuple{"GALLIUM_DRIVER", "softpipe", "auto"},  // cannot draw with several samples
+       {std::tuple{"GALLIUM_DRIVER", "softpipe",
+                   "auto"},  // cannot draw with several samples, which best asks for
         {"GALLIUM_DRIVER", "softpipe", "osmesa"},
         {"GALLIUM_DRIVER", "bogus", "auto"},
         {"GALLIUM_DRIVER", "bogus", "osmesa"},  // crashes in Mesa 22
@@ -219,7 +220,7 @@ TEST_CASE("a driver that is chosen by the environment and does not work: exit co
     Setting setting;
     setting.environment = {{name, value}};
     const Outcome outcome = run_pabd({"render", "two_boxes", "--frames", "1", "--size", "64x48", "--quiet",
-                                      "--backend", backend, "-o", folder / "a.png"},
+                                      "--quality", "best", "--backend", backend, "-o", folder / "a.png"},
                                      setting);
     CAPTURE(outcome.err);
     CHECK(outcome.exit_code == 4);

@@ -114,11 +114,12 @@ TEST_CASE("overlays, cameras and --set change the picture; a repetition does not
   CHECK(picture({}) == plain);
   CHECK(picture({"--threads", "2"}) == plain);
   for (const char* overlay :
-       {"params", "barrier", "convergence", "series", "contacts", "bonds", "plots", "all"}) {
+       {"params", "barrier", "convergence", "series", "contacts", "plots", "all", "boxes", "axes", "scale"}) {
     CAPTURE(overlay);
     CHECK(picture({"--overlay", overlay}) != plain);
   }
   CHECK(picture({"--overlay", "none"}) == plain);
+  CHECK(picture({"--overlay", "bonds"}) == plain);  // there are none
   for (const char* camera : {"front", "side", "top", "iso", "orbit:90", "fov=20", "eye=3,3,3,target=0,1,0"}) {
     CAPTURE(camera);
     CHECK(picture({"--camera", camera}) != plain);

@@ -57,7 +57,7 @@ struct BarrierPanel {
   std::optional<KappaHandle> kappa;  // absent without energies, or where the quantity does not depend on κ
 };
 
-// The axis of what is plotted: "Ψ [J]", "−B_{N}′ [1/m]".
+// The axis of what is plotted, with its unit: Ψ or −B_{N}′.
 std::string barrier_label(const BarrierPanelOptions& options);
 
 // `kappa` is the resolved one. `color` gives a contact's colour from d/d̂. Parameters must pass check_params.
