@@ -106,21 +106,22 @@ std::string written_text(const RenderOptions& options, const FrameRange& range, 
 
 // A video of T seconds has T·fps frames, the last one a frame before T. A still of T seconds shows the state
 // at T.
-int frame_count(const RenderOptions& options) {
+int frame_count(const RenderOptions& options, const Scene& scene) {
   if (options.frames) {
     check_range("--frames", static_cast<double>(*options.frames), 1, kMostFrames);
     return static_cast<int>(*options.frames);
   }
-  const double time = options.time.value_or(kDefaultTime);
-  check_range("--time", time, 0, 1e6, "s");
+  const double time = options.time.value_or(scene.duration.value_or(kDefaultTime));
+  const std::string name = options.time || !scene.duration ? "--time" : "duration of the scene";
+  check_range(name, time, 0, 1e6, "s");
   const double frames =
       static_cast<double>(steps_until(time, 1 / options.fps)) + (is_still(options.output.path) ? 1 : 0);
   if (frames < 1) {
     throw Error(ErrorKind::bad_input,
-                fmt::format("--time {}: shorter than one frame; give at least {:.4g} s, or --frames 1", time,
-                            1 / options.fps));
+                fmt::format("{} {}: shorter than one frame; give at least {:.4g} s, or --frames 1", name,
+                            time, 1 / options.fps));
   }
-  check_range("--time × --fps", frames, 1, kMostFrames, "frames");
+  check_range(fmt::format("{} × --fps", name), frames, 1, kMostFrames, "frames");
   return static_cast<int>(frames);
 }
 
@@ -226,11 +227,10 @@ int render(const RenderOptions& asked) {
   const std::string& out = options.output.path;
   check_output(options);
   check_ab(options, overlay, size);
-  FrameRange range{0, frame_count(options), options.fps};
-  if (is_still(out)) range.first = range.count - 1;
-
   InputFiles inputs;
   Run a = open_run(options.scene, options.common, options.from, inputs);
+  FrameRange range{0, frame_count(options, a.scene()), options.fps};
+  if (is_still(out)) range.first = range.count - 1;
   inputs.add(options.ab);
   if (!camera.keys.empty()) inputs.add(options.camera);
   for (const TrailPoint& point : trail_points) check_trail(point, a.model(), "--trail");
@@ -330,7 +330,8 @@ void add_render_command(CLI::App& app, Action& action) {
   using namespace group;
   command->add_flag("--resume", options->resume, "go on with a sequence of frames that was cut short")
       ->group(kOutput);
-  auto* time = option(kOutput, "--time", options->time, "length (default 5 s)", "S");
+  auto* time =
+      option(kOutput, "--time", options->time, "length (default: the duration of the scene, or 5 s)", "S");
   option(kOutput, "--frames", options->frames, "number of frames instead of a length", "N")->excludes(time);
   option(kOutput, "--fps", options->wanted_fps, "frames a second (default 60; of a .gif 20)", "F");
   option(kOutput, "--size", options->size, "pixels (default 1280x720; of a .gif 640x360)", "WxH");

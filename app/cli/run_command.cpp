@@ -108,8 +108,8 @@ int run(const RunOptions& options) {
   check_options(options);
   InputFiles inputs;
   Session session = open_session(options.scene, options.common, options.from, inputs);
-  const std::int64_t steps =
-      options.steps.value_or(steps_until(options.time.value_or(5.0), session.params().h));
+  const double time = options.time.value_or(session.scene().duration.value_or(5.0));
+  const std::int64_t steps = options.steps.value_or(steps_until(time, session.params().h));
   RunOutputs outputs(options, inputs);
   session.record_iterations(!options.iterations.empty());
   session.report_joints(!options.joints.empty());
@@ -162,9 +162,11 @@ void add_run_command(CLI::App& app, Action& action) {
                    "pabd run pyramid --time 5 --quiet --json > summary.json"},
                   options->common);
   command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
-  auto* time = command->add_option("--time", options->time, "simulated time (default 5 s)")
-                   ->type_name("S")
-                   ->group(group::kSimulation);
+  auto* time =
+      command
+          ->add_option("--time", options->time, "simulated time (default: the duration of the scene, or 5 s)")
+          ->type_name("S")
+          ->group(group::kSimulation);
   command->add_option("--steps", options->steps, "number of time steps")
       ->type_name("N")
       ->excludes(time)

@@ -210,7 +210,7 @@ void Workbench::carry_out(const command::SaveScene& c) {
     if (name.empty()) name = scene_->name;
     save(c.path,
          scene_to_json(run.model(), run.state(), run.params(), scene_->joint_law, name, scene_->camera,
-                       parameter_table(), scene_->looks),
+                       scene_->duration, parameter_table(), scene_->looks),
          c.force, true);
     saved_.edits = a_->timeline().edits();
   } else {

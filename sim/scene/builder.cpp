@@ -76,6 +76,8 @@ Scene SceneBuilder::build() {
   document["joints_default"] = json_of(joint_law);
   document.erase("camera");
   if (camera) document["camera"] = json_of(*camera);
+  document.erase("duration");
+  if (duration) document["duration"] = *duration;
   ReadContext context{parts_->name, {}, {}};
   return read_scene(document, context, parts_->meshes);
 }

@@ -173,6 +173,7 @@ class SceneBuilder {
   Params params;
   spec::Law joint_law;               // of joints that say nothing of their own
   std::optional<CameraDesc> camera;  // empty: the viewer frames the scene
+  std::optional<double> duration;    // to be shown; s
 
   // Nothing is checked before build().
   void add(const spec::Body& body);

@@ -87,7 +87,7 @@ std::span<const KeyTable> key_tables() {
 }
 
 std::vector<std::string> scene_keys() {
-  std::vector<std::string> out{"name", "description"};
+  std::vector<std::string> out{"name", "description", "duration"};
   for (const ParameterRow& row : parameter_table()) out.emplace_back(row.key);
   const auto add = [&out](const std::string& prefix, std::span<const std::string_view> table) {
     for (const std::string_view key : table) out.push_back(prefix + std::string(key));

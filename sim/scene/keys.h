@@ -19,10 +19,10 @@ namespace keys {
 using Key = std::string_view;
 
 // Of the scene, without those of parameters, which come after the description: see scene_object_keys.
-inline constexpr std::array scene{Key("$schema"), Key("format"),           Key("version"),
-                                  Key("name"),    Key("description"),      Key("joints_default"),
-                                  Key("bodies"),  Key("joints"),           Key("generate"),
-                                  Key("camera"),  Key("friction_anchors"), Key("joint_forces")};
+inline constexpr std::array scene{
+    Key("$schema"),        Key("format"),           Key("version"),     Key("name"),     Key("description"),
+    Key("joints_default"), Key("bodies"),           Key("joints"),      Key("generate"), Key("camera"),
+    Key("duration"),       Key("friction_anchors"), Key("joint_forces")};
 inline constexpr std::array joints_default{Key("potential"), Key("kappa"), Key("N"), Key("d_hat")};
 inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
 

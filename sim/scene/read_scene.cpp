@@ -18,6 +18,7 @@ namespace pabd {
 namespace {
 
 constexpr int kVersion = 1;
+constexpr Range kDurationRange{1e-6, 1e6, "s"};
 
 void read_bodies(const ObjectReader& scene, MeshLibrary& meshes, ModelBuilder& out) {
   const auto bodies = scene.find("bodies");
@@ -111,6 +112,7 @@ Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes
   read_contact_memory(in, builder);
   read_forces_of_joints(in, builder);
   scene.camera = read_camera(in);
+  scene.duration = in.optional_number("duration", kDurationRange);
 
   if (scene.name.empty()) scene.name = std::filesystem::path(context.source).stem().string();
   scene.model = std::move(builder.model);

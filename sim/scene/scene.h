@@ -31,6 +31,7 @@ struct Scene {
   BondLaw joint_law;                 // of joints that say nothing of their own, κ resolved
   std::optional<CameraDesc> camera;  // from which side it wants to be seen; absent: the viewer's choice
   BodyLooks looks;                   // of bodies that say how they are drawn
+  std::optional<double> duration;    // that its author means to be shown; s
   std::vector<std::filesystem::path> files;  // that it was read from: itself, if it came from one, and meshes
   std::string hash;  // 16 hex digits over the resolved scene (after --set), platform independent
 };

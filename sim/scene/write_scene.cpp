@@ -85,8 +85,8 @@ void check_loads(const std::string& text, ParameterTable table) {
 
 std::string scene_to_json(const Model& model, const State& state, const Params& params,
                           const BondLaw& joint_law, const std::string& name,
-                          const std::optional<CameraDesc>& camera, ParameterTable table,
-                          const BodyLooks& looks) {
+                          const std::optional<CameraDesc>& camera, std::optional<double> duration,
+                          ParameterTable table, const BodyLooks& looks) {
   std::string out = fmt::format("{{\n  \"format\": \"pabd-scene\",\n  \"version\": 1,\n  \"name\": {}",
                                 OrderedJson(name).dump());
   const OrderedJson tunable = OrderedJson::parse(params_json(params, table));
@@ -118,6 +118,7 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
         {"eye", json_of(camera->eye)}, {"target", json_of(camera->target)}, {"fov", camera->fov}};
     out += fmt::format(",\n  \"camera\": {}", view.dump());
   }
+  if (duration) out += fmt::format(",\n  \"duration\": {}", OrderedJson(*duration).dump());
   out += "\n}\n";
   check_loads(out, table);
   return out;

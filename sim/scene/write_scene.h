@@ -18,7 +18,7 @@ namespace pabd {
 // does load.
 std::string scene_to_json(const Model& model, const State& state, const Params& params,
                           const BondLaw& joint_law, const std::string& name,
-                          const std::optional<CameraDesc>& camera, ParameterTable table = parameter_table(),
-                          const BodyLooks& looks = {});
+                          const std::optional<CameraDesc>& camera, std::optional<double> duration,
+                          ParameterTable table = parameter_table(), const BodyLooks& looks = {});
 
 }  // namespace pabd

@@ -47,6 +47,25 @@ TEST_CASE("a still shows the state at its time, a step a frame at 60 a second") 
   CHECK(read_png(folder / "h3.png").rgb == read_png(folder / "f6.png").rgb);
 }
 
+TEST_CASE("a render is as long as its scene says, unless it is told") {
+  const TempFolder folder;
+  const auto frames = [&](const char* name, std::vector<std::string> more) {
+    more.insert(more.end(), {"--set", "duration=0.1"});
+    REQUIRE(run_pabd(render(folder / (std::string(name) + "{frame}.png"), more)).exit_code == 0);
+    std::size_t count = 0;
+    for (const std::string& file : folder.names()) count += file.starts_with(name);
+    return count;
+  };
+  CHECK(frames("scene", {}) == 6);
+  CHECK(frames("time", {"--time", "0.05"}) == 3);
+  CHECK(frames("frames", {"--frames", "2"}) == 2);
+  REQUIRE(run_pabd(render(folder / "still.png", {"--set", "duration=0.05"})).exit_code == 0);
+  CHECK(read_png_text(folder / "still.png").at("Time") == "0.050000 s");
+  const Outcome outcome = run_pabd(render(folder / "none.mp4", {"--set", "duration=0.001"}));
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err.find("duration of the scene 0.001: shorter than one frame") != std::string::npos);
+}
+
 TEST_CASE("every PNG says where it comes from") {
   const TempFolder folder;
   REQUIRE(run_pabd(render(folder / "{frame}.png",

@@ -117,6 +117,19 @@ TEST_CASE("--json says what there was none of, and how a run ended") {
   CHECK(is_error_line(both.err, {"--json", "standard output"}));
 }
 
+TEST_CASE("a run is as long as its scene says, unless it is told") {
+  const auto steps = [](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"run", "two_boxes", "--set", "duration=0.1"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Outcome outcome = run_pabd(command);
+    CHECK(outcome.exit_code == 0);
+    return outcome.err.substr(outcome.err.rfind('\n', outcome.err.size() - 2) + 1);
+  };
+  CHECK(steps({}).starts_with("6 steps to t = 0.1 s"));
+  CHECK(steps({"--time", "0.05"}).starts_with("3 steps to t = 0.05 s"));
+  CHECK(steps({"--steps", "4"}).starts_with("4 steps to "));
+}
+
 TEST_CASE("the summary counts the steps that ended at the iteration limit") {
   const Outcome hurried = run_pabd(
       {"run", "stack", "--steps", "4", "--set", "solver.iterations=1", "--set", "solver.tolerance=0"});

@@ -65,7 +65,7 @@ TEST_CASE("a row is a parameter of scenes, --set, patches and checks") {
   CHECK(parse_scene(kScene, "scene", {}, {"contact.glue=0.25"}, table).params.contact.recovery_speed == 0.25);
   CHECK(scene.hash != parse_scene(kScene, "scene", {}, {"contact.glue=2"}, table).hash);
 
-  const std::string text = scene_to_json(scene.model, scene.initial, scene.params, {}, "s", {}, table);
+  const std::string text = scene_to_json(scene.model, scene.initial, scene.params, {}, "s", {}, {}, table);
   CHECK(Json::parse(text)["contact"]["glue"] == 1.5);
   CHECK(parse_scene(text, "written", {}, {}, table).params == scene.params);
   const Params less = tuned(scene.params, {"contact.glue=0.5"}, table);

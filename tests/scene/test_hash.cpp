@@ -33,7 +33,7 @@ TEST_CASE("every value changes the hash", "[scene]") {
                   { "type": "pile", "count": 2, "position": [35, 0, 0] },
                   { "type": "chain", "links": 2, "joint": "hinge", "size": [1, 0.1, 0.1], "position": [45, 0, 0] },
                   { "type": "net", "rows": 2, "columns": 3, "size": [1, 1, 1], "position": [55, 0, 0] } ],
-    "camera": { "eye": [1, 2, 3], "target": [0, 0, 0], "fov": 45 })");
+    "camera": { "eye": [1, 2, 3], "target": [0, 0, 0], "fov": 45 }, "duration": 5)");
   const std::vector<std::string> changes{"name=m",
                                          "description=e",
                                          "gravity.1=-9.8100000000000005",
@@ -110,7 +110,8 @@ TEST_CASE("every value changes the hash", "[scene]") {
                                          "generate.5.collide=true",
                                          "camera.eye.0=2",
                                          "camera.target.0=1",
-                                         "camera.fov=46"};
+                                         "camera.fov=46",
+                                         "duration=6"};
   std::set<std::string> seen{parse(base).hash};
   for (const std::string& change : changes) {
     INFO(change);

@@ -132,6 +132,14 @@ TEST_CASE("parameters out of range are refused at their place", "[scene]") {
   for (const auto& [members, parts] : cases) check_refused(with_body(members), parts);
 }
 
+TEST_CASE("a duration is a positive number", "[scene]") {
+  CHECK(parse(with_body(R"("duration": 2.5)")).duration == 2.5);
+  CHECK_FALSE(parse(with_body("")).duration.has_value());
+  CHECK(parse(with_body(R"("duration": 2.5)"), {"duration=4"}).duration == 4);
+  for (const char* bad : {"0", "-1", "2e6", "null", "\"5 s\""})
+    check_refused(with_body(std::string(R"("duration": )") + bad), {"/duration", "expected a number"});
+}
+
 TEST_CASE("bad cameras are refused", "[scene]") {
   check_refused(with_body(R"("camera": {})"), {"/camera/eye", "missing"});
   check_refused(with_body(R"("camera": { "eye": [1, 2, 3] })"), {"/camera/target", "missing"});

@@ -50,8 +50,8 @@ TEST_CASE("a shape is read by its keys, and says the same when it is written", "
     const Sizes sizes = kind->sizes_of(first.model.shape[0]);
     CHECK(sizes[0] == 0.5);
     CHECK(first.model.mass[0] == Approx(1000 * volume(first.model.shape[0])).epsilon(1e-15));
-    const Scene again = parse(
-        scene_to_json(first.model, first.initial, first.params, first.joint_law, first.name, std::nullopt));
+    const Scene again = parse(scene_to_json(first.model, first.initial, first.params, first.joint_law,
+                                            first.name, std::nullopt, std::nullopt));
     CHECK(&kind_of(again.model.shape[0]) == kind);
     CHECK(kind->sizes_of(again.model.shape[0]) == sizes);
     CHECK(text_of(first.model.shape[0]).starts_with(kind->name));

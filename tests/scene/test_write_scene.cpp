@@ -16,7 +16,7 @@ namespace {
 std::string saved(const Session& session) {
   const Scene& scene = session.scene();
   return scene_to_json(session.model(), session.state(), session.params(), scene.joint_law, scene.name,
-                       scene.camera);
+                       scene.camera, scene.duration);
 }
 
 Session loaded(const std::string& text) { return Session(parse_scene(text, "saved.json", {})); }
@@ -52,6 +52,7 @@ TEST_CASE("what was saved comes back: names, laws, drives, limits, collisions") 
     "time_step": 0.01, "gravity": [0, -3, 1], "contact": { "kappa": 7, "onset": 0.3 },
     "joints_default": { "potential": "hard", "kappa": 500, "N": 6, "d_hat": 0.02 },
     "camera": { "eye": [1, 2, 3], "target": [0, 0, 0], "fov": 30 },
+    "duration": 7.5,
     "bodies": [
       { "name": "floor", "shape": { "type": "plane", "normal": [0, 1, 0], "offset": -9 } },
       { "name": "post", "shape": { "type": "box", "size": [1, 1, 1] }, "fixed": true, "position": [0, 3, 0] },
@@ -75,6 +76,7 @@ TEST_CASE("what was saved comes back: names, laws, drives, limits, collisions") 
   CHECK(second.scene().name == "odd \"name\"");
   REQUIRE(second.scene().camera.has_value());
   CHECK(second.scene().camera->fov == 30);
+  CHECK(second.scene().duration == 7.5);
   CHECK(second.params().h == 0.01);
   CHECK(second.params().contact.kappa == 7);
   CHECK(second.model().name == first.model().name);
