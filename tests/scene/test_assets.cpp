@@ -44,12 +44,33 @@ TEST_CASE("every shipped scene loads and is fit to show", "[scene]") {
     CHECK(s.camera.has_value());
     CHECK(heaviest_mass(s.model) > 0);
   }
-  for (const char* expected : {"two_boxes",       "pyramid",       "stack",          "pile",
-                               "incline",         "wall",          "spin",           "shapes",
-                               "meshes",          "chairs",        "pendulum",       "double_pendulum",
-                               "chain_heavy_end", "bridge",        "slider_crank",   "four_bar",
-                               "ferris_wheel",    "ragdoll",       "newtons_cradle", "dominoes",
-                               "card_house",      "wrecking_ball", "trampoline"}) {
+  for (const char* expected : {"two_boxes",
+                               "pyramid",
+                               "stack",
+                               "pile",
+                               "incline",
+                               "wall",
+                               "spin",
+                               "shapes",
+                               "meshes",
+                               "chairs",
+                               "pendulum",
+                               "double_pendulum",
+                               "chain_heavy_end",
+                               "bridge",
+                               "slider_crank",
+                               "four_bar",
+                               "ferris_wheel",
+                               "ragdoll",
+                               "newtons_cradle",
+                               "dominoes",
+                               "card_house",
+                               "wrecking_ball",
+                               "trampoline",
+                               "arch",
+                               "drop",
+                               "geneva",
+                               "marble_mixer"}) {
     INFO(expected);
     CHECK(stems.contains(expected));
   }
@@ -126,6 +147,20 @@ TEST_CASE("the README of the assets lists every scene, and its example of joints
   CHECK(s.model.joints[3].arm == 0.2);
 }
 
+TEST_CASE("the gallery has every scene, with its picture and its command", "[scene]") {
+  const std::string text = read_bytes(kAssets / "gallery.md");
+  for (const auto& entry : std::filesystem::directory_iterator(kAssets / "scenes")) {
+    if (entry.path().extension() != ".json") continue;
+    const std::string stem = entry.path().stem();
+    INFO(stem);
+    const std::string picture = "gallery/" + stem + (stem == "drop" ? "_N" : "") + ".png";
+    CHECK(text.find("(" + picture + ")") != std::string::npos);
+    CHECK(std::filesystem::exists(kAssets / picture));
+    CHECK(text.find("pabd render " + stem + " -o ") != std::string::npos);
+    CHECK(text.find(load_scene(entry.path()).description) != std::string::npos);
+  }
+}
+
 TEST_CASE("newton's cradle: the last ball takes the first one's momentum, the others stay", "[scene]") {
   Scene s = load_scene(kAssets / "scenes" / "newtons_cradle.json");
   const auto ball = [&](int k) {
@@ -193,7 +228,14 @@ TEST_CASE("so many as a scene's description says are in it", "[scene]") {
     const char *scene, *words, *name;  // name: how those bodies' names begin; empty: all that move
     int count;
   };
-  const Promise promises[] = {{"bridge", "22 hinged planks", "plank", 22},
+  const Promise promises[] = {{"arch", "Two half rings of 24 stones", "thick", 24},
+                              {"arch", "Two half rings of 24 stones", "thin", 24},
+                              {"double_pendulum", "Three double pendulums", "upper", 3},
+                              {"drop", "Three balls", "", 3},
+                              {"marble_mixer", "20 staves", "stave", 20},
+                              {"marble_mixer", "220 marbles", "marble", 220},
+                              {"marble_mixer", "four lifters", "lifter", 4},
+                              {"bridge", "22 hinged planks", "plank", 22},
                               {"chain_heavy_end", "18 light links", "chain", 18},
                               {"dominoes", "80 dominoes", "domino", 80},
                               {"ferris_wheel", "ten gondolas", "gondola", 10},
@@ -237,12 +279,17 @@ TEST_CASE("figures of the shipped scenes", "[scene]") {
   CHECK(two.params.contact.d_hat == 0.05);
   CHECK(two.initial.c[1].y() + 0.5 - (two.initial.c[2].y() - 0.5) == Approx(0.1).epsilon(1e-12));
 
-  // The crate lies flat on the incline of 26°: its bottom face is parallel to the plane, at 0.95 d̂.
+  // The crates lie flat on slopes of 26° and 27°: their bottom faces are parallel to them, at
+  // the gap that carries them.
   const Scene incline = load("incline");
-  const auto& plane = std::get<Plane>(incline.model.shape[0]);
-  CHECK(std::acos(plane.normal.y()) * 180 / kPi == Approx(26).epsilon(1e-9));
-  CHECK((incline.initial.R[1] * Vec3::UnitY() - plane.normal).norm() < 1e-9);
-  CHECK(plane.normal.dot(incline.initial.c[1]) - 0.5 == Approx(0.95 * 0.01).epsilon(1e-3));
+  for (const double angle : {26.0, 27.0}) {
+    const std::size_t slope = angle == 26 ? 1 : 4, crate = slope + 2;
+    const Vec3 normal = incline.initial.R[slope] * Vec3::UnitY();
+    CHECK(std::acos(normal.y()) * 180 / kPi == Approx(angle).epsilon(1e-9));
+    CHECK((incline.initial.R[crate] * Vec3::UnitY() - normal).norm() < 1e-9);
+    const double apart = normal.dot(incline.initial.c[crate] - incline.initial.c[slope]);
+    CHECK(apart - 0.5 - 0.1 == Approx(0.990879 * 0.01).epsilon(1e-3));
+  }
 }
 
 TEST_CASE("the schema and the reader know the same keys", "[scene]") {

@@ -34,6 +34,7 @@ void check_same(const Scene& built, const Scene& read) {
   }
   REQUIRE(built.camera.has_value() == read.camera.has_value());
   if (read.camera) CHECK(built.camera->eye == read.camera->eye);
+  CHECK(built.duration == read.duration);
   State a = built.initial, b = read.initial;
   REQUIRE(same_bits(a, b));
   StepWorkspace workspace;
@@ -73,6 +74,8 @@ TEST_CASE("the shipped pyramid, built", "[scene]") {
   builder.description = "210 bricks in a pyramid 20 levels high, resting on each other";
   builder.params.contact.d_hat = 0.01;
   builder.camera = CameraDesc{{7, 6.5, 17}, {0, 4.4, 0}, 45};
+  builder.duration = 5;
+  builder.params.solver.iterations = 200;
   builder.add(spec::Pyramid{{.size = Vec3(1, 0.5, 0.5)}, 20});
   builder.add(spec::Body{.name = "ground", .shape = Plane{Vec3::UnitY(), 0}});
   check_same(builder.build(), load_scene(PABD_SCENES "/pyramid.json"));
@@ -83,10 +86,11 @@ TEST_CASE("the shipped bridge, built", "[scene]") {
   const Json file = Json::parse(text);
   SceneBuilder builder("bridge");
   builder.description = file["description"];
-  builder.params.h = 0.008333333;
-  builder.params.solver.iterations = 30;
+  builder.duration = file["duration"].get<double>();
+  builder.params.h = 0.004166666666666667;
+  builder.params.solver.iterations = 100;
   builder.params.solver.tolerance = 1e-4;
-  builder.params.contact.kappa = 100;
+  builder.params.contact.kappa = 200;
   builder.params.contact.mu_static = builder.params.contact.mu_dynamic = 0.7;
   if (file.contains("camera")) {
     const Json& camera = file["camera"];
