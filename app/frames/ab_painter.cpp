@@ -60,7 +60,7 @@ AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& sce
                      const CameraOption& camera, const std::shared_ptr<const Scene>& scene_b) {
   // Both from the same place, whatever their parameters.
   const std::vector<Spot> spots =
-      scene_spots(scene, camera.frames() && camera.follow.empty() ? kLookAhead : 0);
+      scene_spots(scene, camera.frames() && camera.follow.empty() ? look_ahead_time(*scene) : 0);
   const auto painter = [&](const FrameView& of, int w, const Comparison& comparison, bool is_b = false) {
     return std::make_unique<FramePainter>(context, is_b && scene_b ? scene_b : scene, of, spots, w, height,
                                           overlay, camera, comparison);

@@ -30,7 +30,7 @@ RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& s
     const auto begin = Clock::now();
     painter.fetch(image);
     result.times.draw += seconds_since(begin);
-    sink.write(image);
+    sink.take(image);
     ++result.frames;
   };
   while (!watch.stop()) {

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kLongestStep = 1.0 / 120;  // s: where bodies go by and large does not need more
 constexpr double kMostWork = 30'000;        // bodies × steps
+constexpr double kMadeEnergy = 0.02;        // of the energy there is, above what drives brought
 constexpr int kMoments = 60;                // that are kept of it
 constexpr double kLeastPart = 0.15;         // of the frame's sides: less is no room for a picture
 constexpr double kAround = 7;  // radii of a body that is followed: so much of what is around it is seen
@@ -45,8 +46,14 @@ bool run_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start
   try {
     ahead.restore(start.model, start.state);
     ahead.set_params(params);
+    double allowed = 0;  // energy that there may be; J
     for (int step = 1; step <= count; ++step) {
-      if (ahead.step().status == StepStatus::non_finite) break;
+      const StepReport& report = ahead.step();
+      if (report.status == StepStatus::non_finite) break;
+      // Steps that are too long for the scene make energy: what follows is no way that bodies go.
+      const double energy = report.kinetic + report.potential + report.elastic;
+      allowed = step == 1 ? energy : allowed + report.drive_work;
+      if (energy - allowed > kMadeEnergy * (report.kinetic + std::abs(report.potential))) break;
       if (step % every == 0 || step == count) add_moment(*start.model, ahead.state(), seen, traces);
     }
   } catch (const Error&) {

@@ -28,7 +28,8 @@ std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const F
 
 // The same of the start of a scene: whatever a run does with it later, and with which parameters, it is seen from the
 // same place.
-std::vector<Spot> scene_spots(const std::shared_ptr<const Scene>& scene, double seconds = kLookAhead);
+std::vector<Spot> scene_spots(const std::shared_ptr<const Scene>& scene, double seconds);
+inline double look_ahead_time(const Scene& scene) { return scene.duration.value_or(kLookAhead); }
 
 // What panels, and a caption of so many lines, leave free of a frame of so many pixels; all of it when that would be
 // too little for a picture.

@@ -102,7 +102,7 @@ void look_as_scene(const Scene& scene, const Viewport& port, UiState& ui) {
 }
 
 void look_ahead(const std::shared_ptr<const Scene>& scene, const Viewport& port, UiState& ui) {
-  ui.scene_spots = std::make_shared<const std::vector<Spot>>(scene_spots(scene));
+  ui.scene_spots = std::make_shared<const std::vector<Spot>>(scene_spots(scene, look_ahead_time(*scene)));
   look_as_scene(*scene, port, ui);
 }
 

@@ -34,7 +34,8 @@ AsyncSink::~AsyncSink() {
   if (worker_.joinable()) worker_.join();
 }
 
-void AsyncSink::write(const Image& frame) {
+template <class Fill>
+void AsyncSink::add(const Fill& fill) {
   std::unique_lock lock(mutex_);
   if (ending_) throw Error(ErrorKind::defect, "a frame was written after the end of the output");
   const auto start = clock::now();
@@ -44,11 +45,19 @@ void AsyncSink::write(const Image& frame) {
   Image& slot = ring_[(first_ + count_) % ring_.size()];
   // Only this thread adds frames, and the worker does not look at a slot before it is counted.
   lock.unlock();
-  slot = frame;
+  fill(slot);
   lock.lock();
   ++count_;
   lock.unlock();
   changed_.notify_all();
+}
+
+void AsyncSink::write(const Image& frame) {
+  add([&](Image& slot) { slot = frame; });
+}
+
+void AsyncSink::take(Image& frame) {
+  add([&](Image& slot) { std::swap(slot, frame); });
 }
 
 bool AsyncSink::has_room() const {

@@ -23,6 +23,7 @@ class AsyncSink : public FrameSink {
   ~AsyncSink() override;
 
   void write(const Image& frame) override;  // copies; waits while the ring is full
+  void take(Image& frame);                  // the same without a copy: `frame` gets an old one's memory
   bool has_room() const;                    // write() would not wait
   void finish() override;                   // writes what waits, then finishes the inner sink
 
@@ -31,6 +32,8 @@ class AsyncSink : public FrameSink {
 
  private:
   void work();
+  template <class Fill>
+  void add(const Fill& fill);  // of a free slot of the ring
 
   std::unique_ptr<FrameSink> inner_;
   std::vector<Image> ring_;

@@ -161,7 +161,7 @@ TEST_CASE("colours and materials come back as they were; nothing is said of bodi
   CHECK(first.looks.at("numbers").opacity == 0.4);
   CHECK(first.looks.at("numbers").checker);
   const std::string saved = scene_to_json(first.model, first.initial, first.params, first.joint_law, "again",
-                                          {}, parameter_table(), first.looks);
+                                          {}, std::nullopt, parameter_table(), first.looks);
   const Scene again = parse_scene(saved, "again", {});
   CHECK(again.looks == first.looks);
   CHECK(saved.find("\"#c8775c\"") != saved.npos);
