@@ -82,8 +82,8 @@ TEST_CASE("a profile: sums become means of a step, and what no phase counts is t
 }
 
 TEST_CASE("--profile: phases that add up, and as many steps as were made") {
-  const Outcome outcome =
-      run_pabd({"run", "stack", "--steps", "150", "--threads", "2", "--quiet", "--profile"});
+  const Outcome outcome = run_pabd({"run", "stack", "--steps", "150", "--set", "solver.iterations=20",
+                                    "--threads", "2", "--quiet", "--profile"});
   CAPTURE(outcome.out, outcome.err);
   REQUIRE(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
@@ -108,7 +108,8 @@ TEST_CASE("--profile: phases that add up, and as many steps as were made") {
   CHECK(rows["threads"] == "2");
 
   // The same numbers as in the trace.
-  const Outcome traced = run_pabd({"run", "stack", "--steps", "150", "--quiet", "--trace", "-"});
+  const Outcome traced = run_pabd(
+      {"run", "stack", "--steps", "150", "--quiet", "--trace", "-", "--set", "solver.iterations=20"});
   double iterations = 0, contacts = 0;
   std::map<std::string, int> outcomes;
   for (const std::string& line : lines_of(traced.out)) {
