@@ -53,6 +53,7 @@ void draw_contact_strip(GuiFrame& f, const ContactStrip& strip, const PlotLayout
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto left = static_cast<float>(plot.inner.x), right = static_cast<float>(plot.inner.right());
   const float foot = at.y + height - f.px(1);
+  const float room = height - f.px(3) - static_cast<float>(kText * f.unit);  // for bars, below the words
   const auto x = [&](double d) {
     return std::clamp(static_cast<float>(plot.map(d, plot.y.hi).x), left, right);
   };
@@ -65,8 +66,7 @@ void draw_contact_strip(GuiFrame& f, const ContactStrip& strip, const PlotLayout
     const float x0 = std::round(x(lo)), x1 = std::round(x(hi));
     if (x1 <= x0) continue;
     if (count > 0) {
-      const float bar =
-          std::max(f.px(2), (height - f.px(3)) * static_cast<float>(count) / static_cast<float>(strip.most));
+      const float bar = std::max(f.px(2), room * static_cast<float>(count) / static_cast<float>(strip.most));
       list.AddRectFilled({x0, foot - bar}, {std::max(x0 + 1, x1 - f.px(1)), foot},
                          packed(contact_ink(0.5 * (lo + hi) / strip.d_hat)));
     }

@@ -147,7 +147,7 @@ void paint_strip(const Series& series, Color color, const PlotLayout& layout, co
   TextStyle text{style.tick, style.theme.muted, AlignX::left, AlignY::top};
   text.halo = 0.16 * style.tick;
   text.halo_color = style.theme.paper;
-  canvas.text({band.x + style.gap, band.y + 0.2 * style.tick}, series.name, text);
+  canvas.text({band.x + style.gap, band.y - std::round(kStripWords * style.tick)}, series.name, text);
 }
 
 void paint_series(const Series& series, Color color, const PlotLayout& layout, const PlotStyle& style,

@@ -82,7 +82,8 @@ struct PdfCanvas::Impl {
     if (kept) static_cast<void>(owned.release());
     surface = cairo_pdf_surface_create_for_stream(take, this, width * kPoints, height * kPoints);
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "pabd");
-    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "");  // the same plot is the same file
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE,
+                                   "");  // the same plot is the same file
     cairo = cairo_create(surface);
     cairo_scale(cairo, kPoints, kPoints);
     cairo_set_font_face(cairo, font);

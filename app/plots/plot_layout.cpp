@@ -13,7 +13,7 @@ namespace pabd {
 namespace {
 
 constexpr double kPad = 0.05, kPadX = 0.02;
-constexpr double kStrip = 2.4;  // height of the band, in tick labels
+constexpr double kStrip = 1.6;  // height of the band, in tick labels
 constexpr std::size_t kCaptionLines = 2;
 
 bool is_curve(const Series& series) {
@@ -132,7 +132,7 @@ Margins find_margins(const Plot& plot, const PlotLayout& layout, const PlotStyle
   }
   m.bottom = style.tick_length + style.gap + tick_height + 0.2 * style.tick;
   if (!plot.x.label.empty() || !layout.x.factor.empty()) m.bottom += label_height;
-  if (has_strip(plot)) m.bottom += kStrip * style.tick + style.gap;
+  if (has_strip(plot)) m.bottom += (kStripWords + kStrip) * style.tick + style.gap;
   if (!layout.caption.empty()) m.bottom += caption_height(layout, style);
   m.top = tick_height;  // half a tick label sticks out
   if (!plot.title.empty()) m.top += FontMetrics::line * style.title;
@@ -245,8 +245,8 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
                       std::max(8.0, std::round(outer.h - m.top - m.bottom))};
     }
     if (!has_strip(plot)) return;
-    layout.strip = {layout.inner.x, layout.inner.bottom() + style.gap, layout.inner.w,
-                    std::round(kStrip * style.tick)};
+    layout.strip = {layout.inner.x, layout.inner.bottom() + style.gap + std::round(kStripWords * style.tick),
+                    layout.inner.w, std::round(kStrip * style.tick)};
   };
   if (style.compact) {
     // Legend rows between the title and the axes.

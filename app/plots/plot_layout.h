@@ -92,6 +92,8 @@ void share_axes(Plot& a, Plot& b);
 
 PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& style, const FontMetrics& font);
 
+inline constexpr double kStripWords = 1.2;  // height of the line above a strip, in tick labels
+
 // The bar number `index` of a strip: as high as the band where it is the highest one.
 Rect strip_bar(const PlotLayout& layout, const Series& series, std::size_t index);
 
