@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 
 #include "render/gl/encode_pass.h"
 #include "render/gl/smooth_outlines.h"
@@ -28,21 +26,6 @@ const char* status_name(GLenum status) {
     default:
       return "an incomplete framebuffer";
   }
-}
-
-// Four pixels at a time, as three words: a frame of 4K is 8 million of them.
-void drop_alpha(const std::uint8_t* from, std::size_t pixels, std::uint8_t* to) {
-  static_assert(std::endian::native == std::endian::little);
-  std::size_t x = 0;
-  for (; x + 4 <= pixels; x += 4) {
-    std::uint32_t p[4], out[3];
-    std::memcpy(p, from + 4 * x, sizeof(p));
-    out[0] = (p[0] & 0xffffff) | p[1] << 24;
-    out[1] = (p[1] >> 8 & 0xffff) | p[2] << 16;
-    out[2] = (p[2] >> 16 & 0xff) | p[3] << 8;
-    std::memcpy(to + 3 * x, out, sizeof(out));
-  }
-  for (; x < pixels; ++x) std::memcpy(to + 3 * x, from + 4 * x, 3);
 }
 
 }  // namespace
@@ -208,7 +191,11 @@ bool FrameTarget::fetch(Image& out) {
   for (int y = 0; y < slot.height; ++y) {  // GL counts rows from the bottom
     const std::uint8_t* from = pixels + static_cast<std::size_t>(slot.height - 1 - y) * width * 4;
     std::uint8_t* to = out.rgb.data() + static_cast<std::size_t>(y) * width * 3;
-    drop_alpha(from, width, to);
+    for (std::size_t x = 0; x < width; ++x) {  // compilers make shuffles of it; words and shifts are slower
+      to[3 * x] = from[4 * x];
+      to[3 * x + 1] = from[4 * x + 1];
+      to[3 * x + 2] = from[4 * x + 2];
+    }
   }
   gl_.UnmapBuffer(GL_PIXEL_PACK_BUFFER);
   gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
