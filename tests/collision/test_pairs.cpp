@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/collision/reference.h"
+#include "tests/support/sanitized.h"
 
 using namespace reference;
 

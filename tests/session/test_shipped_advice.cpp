@@ -6,6 +6,7 @@
 
 #include "app/session/contact_advice.h"
 #include "app/session/session.h"
+#include "tests/support/sanitized.h"
 
 using namespace pabd;
 
@@ -13,7 +14,12 @@ namespace {
 
 // All of a scene's duration where that is quick: the pile and the cradle would take a minute.
 std::int64_t steps_of(const Scene& scene) {
-  constexpr double kMostSteps = 6000, kMostWork = 1.2e6;  // bodies × steps
+#ifdef PABD_SANITIZED
+  constexpr double kMostSteps = 100,
+                   kMostWork = 2e4;  // bodies × steps: it is the memory that is looked at then
+#else
+  constexpr double kMostSteps = 6000, kMostWork = 1.2e6;
+#endif
   const double all = *scene.duration / scene.params.h;
   return static_cast<std::int64_t>(
       std::min({all, kMostSteps, kMostWork / static_cast<double>(scene.model.size())}));
