@@ -13,7 +13,9 @@
 #include "app/overlay/overlay_panel_table.h"
 #include "app/overlay/overlay_panels.h"
 #include "app/overlay/overlay_style.h"
+#include "render/visual/body_marks.h"
 #include "render/visual/palette.h"
+#include "render/visual/picture_marks.h"
 #include "render/visual/value_map.h"
 #include "sim/body/joint.h"
 
@@ -32,9 +34,11 @@ constexpr Words kPanelWords[] = {
      "law "
      "and largest error in m; contacts, step, time in s."},
     {"barrier",
-     "The contact potential Ψ over the gap d (m), with every contact of the last step as a dot on it, in the "
-     "colour of "
-     "its d/d̂. Left of 0 bodies overlap."},
+     "The barrier B_N and its derivative over the gap d (m), with the contacts of the last step under the "
+     "curve, in "
+     "the colour of their d/d̂: those that would touch are one, larger marker with its count, and a strip "
+     "below says "
+     "how many there are where. Left of 0 bodies overlap."},
     {"convergence",
      "The iterations of the last step: incremental energy above the end in J, residual without unit, largest "
      "overlap "
@@ -157,6 +161,15 @@ std::string joint_rows() {
   return out;
 }
 
+std::string body_mark_rows() {
+  std::string out = "| `--overlay` | shows |\n|---|---|\n";
+  for (const PictureMark& mark : picture_marks()) out += fmt::format("| `{}` | {} |\n", mark.name, mark.help);
+  out += "\nThe first five trails of `--trail` are";
+  for (std::size_t k = 0; k < kTrailInks; ++k)
+    out += fmt::format("{} {}", k == 0 ? "" : ",", ink(trail_color(k)));
+  return out + "; they fade with their age.\n";
+}
+
 std::string colouring_rows() {
   std::string out = "| `color_by` | says |\n|---|---|\n";
   for (const Words& each : kColourings) out += fmt::format("| `{}` | {} |\n", each.name, each.text);
@@ -177,11 +190,13 @@ std::string marks_page() {
          "none, with "
          "`contacts` and `bonds`.\n\n"
          "## Contacts\n\n"
-         "With `contacts`, for every contact of the last step: a disc on body a at the point of contact, in "
-         "the colour "
-         "of the gap, and an arrow along the normal whose length grows with the logarithm of the normal "
-         "force f_n (N). "
-         "Overlap is darker than all else.\n\n" +
+         "With `contacts`, for every contact of the last step: a disc at the point of contact, in the colour "
+         "of the "
+         "gap, with a dark rim, and an arrow along the normal, the force on the movable body, of two the "
+         "upper one. Its "
+         "length grows with the logarithm of the normal force f_n (N); no force, no arrow. Of more than 300 "
+         "contacts "
+         "those of one pair with the same normal are one mark. Overlap is darker than all else.\n\n" +
          contact_rows() +
          fmt::format(
              "\n## Bonds and joints\n\n"
@@ -194,6 +209,9 @@ std::string marks_page() {
              "between them are shown alike.\n\n",
              ink(bond_point_i_color()), ink(bond_point_j_color()), ink(bond_line_color())) +
          joint_rows() +
+         "\n## Motion, size and place\n\n"
+         "Not part of `all`; in the window in the menu View.\n\n" +
+         body_mark_rows() +
          "\n## Bodies\n\n"
          "In the window *colour* chooses what the colours of bodies say; `pabd render` shows `body`.\n\n" +
          colouring_rows();

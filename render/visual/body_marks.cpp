@@ -104,7 +104,8 @@ void add_trail(std::span<const Vec3> path, const Vec4f& color, VisualScene& out)
 }
 
 Vec4f trail_color(std::size_t number) {
-  static constexpr std::array<std::uint32_t, 5> kInks = {0xd6336c, 0x1c7ed6, 0x2b8a3e, 0xe8590c, 0x6741d9};
+  static constexpr std::array<std::uint32_t, kTrailInks> kInks = {0xd6336c, 0x1c7ed6, 0x2b8a3e, 0xe8590c,
+                                                                  0x6741d9};
   return srgb_color(kInks[number % kInks.size()]);
 }
 

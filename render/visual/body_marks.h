@@ -25,6 +25,7 @@ void add_inertia_ellipsoids(const Model& model, const State& state, VisualScene&
 
 // The path of a point, oldest first: it fades towards its beginning.
 void add_trail(std::span<const Vec3> path, const Vec4f& color, VisualScene& out);
+inline constexpr std::size_t kTrailInks = 5;  // colours of trails, again from the first on after them
 Vec4f trail_color(std::size_t number);
 
 }  // namespace pabd

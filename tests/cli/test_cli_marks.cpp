@@ -6,7 +6,9 @@
 #include "app/cli/marks_page.h"
 #include "app/overlay/overlay_panel_table.h"
 #include "app/overlay/overlay_panels.h"
+#include "render/visual/body_marks.h"
 #include "render/visual/palette.h"
+#include "render/visual/picture_marks.h"
 #include "sim/base/srgb.h"
 #include "sim/body/joint.h"
 #include "tests/cli/program.h"
@@ -47,6 +49,14 @@ TEST_CASE("every panel of the overlay has a row with what it shows") {
     const std::string row = row_that_begins(page(), fmt::format("| `{}`", panel->name));
     CHECK(row.size() > 40);
   }
+}
+
+TEST_CASE("every mark of bodies and the first trails are on the page") {
+  for (const PictureMark& mark : picture_marks()) {
+    CAPTURE(mark.name);
+    CHECK(row_that_begins(page(), fmt::format("| `{}` |", mark.name)).find(mark.help) != std::string::npos);
+  }
+  for (std::size_t k = 0; k < kTrailInks; ++k) CHECK(page().find(hex(trail_color(k))) != std::string::npos);
 }
 
 TEST_CASE("every type of joint has a row with the colour that it is drawn in") {
