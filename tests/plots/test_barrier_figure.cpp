@@ -6,6 +6,7 @@
 
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier_figure.h"
+#include "tests/plots/printed_barrier.h"
 
 using namespace pabd;
 
@@ -13,12 +14,7 @@ namespace {
 
 constexpr double kRelative = 1e-12;
 
-// S(5) as printed, term by term; x = d/d̂.
-double printed_sum(int N, double x) {
-  double sum = 0;
-  for (int n = 1; n <= N; ++n) sum += std::pow(1 - x, n) / n;
-  return x < 1 ? sum : 0;
-}
+// B_N' of the same.
 double printed_slope(int N, double d, double d_hat) {
   double sum = 0;
   for (int n = 1; n <= N; ++n) sum -= std::pow(1 - d / d_hat, n - 1) / d_hat;

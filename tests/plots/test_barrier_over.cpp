@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/plots/figures/barrier_over.h"
+#include "tests/plots/printed_barrier.h"
 
 using namespace pabd;
 
@@ -25,12 +26,6 @@ std::vector<ContactReport> contacts_at(const std::vector<double>& gaps) {
     out.push_back(report);
   }
   return out;
-}
-
-double printed_sum(int N, double x) {
-  double sum = 0;
-  for (int n = 1; n <= N; ++n) sum += std::pow(1 - x, n) / n;
-  return x < 1 ? sum : 0;
 }
 
 }  // namespace

@@ -13,19 +13,13 @@
 #include "app/plots/figures/slider_joint.h"
 #include "app/plots/figures/spherical_joint.h"
 #include "app/plots/figures/time_series.h"
+#include "tests/plots/printed_barrier.h"
 
 using namespace pabd;
 
 namespace {
 
 constexpr double kRelative = 1e-12;
-
-// S(5) as printed, term by term.
-double printed_sum(int N, double x) {
-  double sum = 0;
-  for (int n = 1; n <= N; ++n) sum += std::pow(1 - x, n) / n;
-  return x < 1 ? sum : 0;
-}
 
 IterationRecord record(double energy, double residual, double before, double after) {
   IterationRecord r{};

@@ -41,16 +41,7 @@ struct Law {
     if (abscissa == BarrierAbscissa::order) barrier.N = static_cast<int>(x);
     if (abscissa == BarrierAbscissa::kappa) barrier.kappa = x;
     if (!options.energy) barrier.kappa = one_joule(barrier.kind, barrier.d_hat);
-    const BarrierValue b = evaluate(barrier, d);
-    switch (options.quantity) {
-      case BarrierQuantity::value:
-        return b.value;
-      case BarrierQuantity::slope:
-        return options.log_y ? -b.first : b.first;
-      case BarrierQuantity::curvature:
-        break;
-    }
-    return b.second;
+    return shown_of(evaluate(barrier, d), options);
   }
 };
 

@@ -59,16 +59,7 @@ std::vector<Barrier> curves_of(const ContactParams& contact, const BarrierVarian
 }
 
 double height(const Barrier& barrier, double d, const BarrierPanelOptions& options) {
-  const BarrierValue b = evaluate(barrier, d);
-  switch (options.quantity) {
-    case BarrierQuantity::value:
-      return b.value;
-    case BarrierQuantity::slope:
-      return options.log_y ? -b.first : b.first;
-    case BarrierQuantity::curvature:
-      break;
-  }
-  return b.second;
+  return shown_of(evaluate(barrier, d), options);
 }
 
 // Samples over [lo, hi], and both sides of d̂ and of the onset's end, where derivatives jump.
@@ -126,6 +117,18 @@ Series upright(double x, std::string tag) {
 }
 
 }  // namespace
+
+double shown_of(const BarrierValue& value, const BarrierPanelOptions& options) {
+  switch (options.quantity) {
+    case BarrierQuantity::value:
+      return value.value;
+    case BarrierQuantity::slope:
+      return options.log_y ? -value.first : value.first;
+    case BarrierQuantity::curvature:
+      break;
+  }
+  return value.second;
+}
 
 std::string barrier_label(const BarrierPanelOptions& options) {
   const bool energy = options.energy;

@@ -43,6 +43,9 @@ struct BarrierPanelOptions {
   std::size_t most_markers = 2000;
 };
 
+// What a plot shows of a barrier where it has these values.
+double shown_of(const BarrierValue& value, const BarrierPanelOptions& options);
+
 struct KappaHandle {
   double d, y;       // data coordinates of the handle: on the curve in use at d
   double per_kappa;  // y at κ = 1
