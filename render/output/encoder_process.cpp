@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -165,6 +166,17 @@ long EncoderProcess::finish() {
   if (child_.exit_status() != 0) fail("ffmpeg failed");
   if (!tail_.text().empty()) fail("ffmpeg complained, so that the video may be damaged and was not kept");
   return frames_;
+}
+
+void EncoderProcess::finish_after(long sent) {
+  if (sent == 0)
+    throw Error(ErrorKind::encoder, fmt::format("{}: there was no frame to encode", setup_.name));
+  const long encoded = finish();
+  if (encoded == sent) return;
+  throw Error(
+      ErrorKind::encoder,
+      fmt::format("{}: ffmpeg ended well but reported {} of {}; the video was not kept, write it again",
+                  setup_.name, counted(encoded, "frame"), sent));
 }
 
 void EncoderProcess::give_up() {

@@ -37,6 +37,8 @@ class EncoderProcess {
   // Throws Error(encoder) if it did not end with status 0, stands still, or complained: ffmpeg ends with 0
   // even when the disk was full.
   long finish();
+  // The same; throws Error(encoder) too when it says another number of frames than `sent`, or none were.
+  void finish_after(long sent);
 
  private:
   class Patience;

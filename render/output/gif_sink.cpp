@@ -17,7 +17,6 @@
 #include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/child_process.h"
-#include "sim/base/counted.h"
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
@@ -110,14 +109,7 @@ class GifSink : public FrameSink {
   }
 
   void finish() override {
-    if (sent_ == 0) throw Error(ErrorKind::encoder, fmt::format("{}: there was no frame to encode", path_));
-    const long encoded = encoder_->finish();
-    if (encoded != sent_) {
-      throw Error(
-          ErrorKind::encoder,
-          fmt::format("{}: ffmpeg ended well but reported {} of {}; the video was not kept, write it again",
-                      path_, counted(encoded, "frame"), sent_));
-    }
+    encoder_->finish_after(sent_);
     use_palette();
     std::error_code unknown;
     if (fs::is_regular_file(file_->temporary(), unknown)) {

@@ -13,7 +13,6 @@
 #include "render/output/sinks.h"
 #include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
-#include "sim/base/counted.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -75,14 +74,7 @@ class VideoSink : public FrameSink {
   }
 
   void finish() override {
-    if (sent_ == 0) throw Error(ErrorKind::encoder, fmt::format("{}: there was no frame to encode", path_));
-    const long encoded = encoder_->finish();
-    if (encoded != sent_) {
-      throw Error(
-          ErrorKind::encoder,
-          fmt::format("{}: ffmpeg ended well but reported {} of {}; the video was not kept, write it again",
-                      path_, counted(encoded, "frame"), sent_));
-    }
+    encoder_->finish_after(sent_);
     std::error_code unknown;
     const auto bytes = std::filesystem::file_size(file_->temporary(), unknown);
     if (!unknown && bytes == 0 && std::filesystem::is_regular_file(file_->temporary(), unknown)) {
