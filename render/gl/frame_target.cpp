@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "render/gl/encode_pass.h"
-#include "render/gl/smooth_outlines.h"
+#include "render/gl/outline_smoother.h"
 #include "sim/base/error.h"
 
 namespace pabd {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See smooth_outlines.h.
-#include "render/gl/smooth_outlines.h"
+// See outline_smoother.h.
+#include "render/gl/outline_smoother.h"
 
 #include <algorithm>
 #include <array>

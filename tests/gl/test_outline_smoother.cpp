@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "render/gl/smooth_outlines.h"
+#include "render/gl/outline_smoother.h"
 #include "sim/base/srgb.h"
 
 using namespace pabd;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies and glyphs. CUBE: with what softened edges need; TAGGED: with what tells things apart (smooth_outlines.h).
+// Bodies and glyphs. CUBE: with what softened edges need; TAGGED: with what tells things apart (outline_smoother.h).
 out vec3 world;
 out vec3 world_n;
 flat out vec4 color;
