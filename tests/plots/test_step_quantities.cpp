@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "app/plots/figures/step_quantities.h"
+#include "app/plots/figures/quantity_plot.h"
 
 using namespace pabd;
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Every number that a step tells, to be plotted against any other: against time, as a path in the plane of two
-// of them else.
+// Every number that a step tells, by name: to be plotted against any other (quantity_plot.h).
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
-#include "app/plots/figures/time_panel.h"
-#include "app/plots/plot.h"
 #include "sim/solver/report.h"
 
 namespace pabd {
@@ -23,10 +21,5 @@ std::span<const StepQuantity> step_quantities();
 const StepQuantity* find_step_quantity(std::string_view key);  // null: there is none
 // "time, step, gap, …": the keys, for messages.
 std::string step_quantity_words();
-
-// One point a step, in their order. Cursor and marks of `options` are upright lines where x is the time; else
-// the step nearest to the cursor is a marker. The other run is dashed.
-Plot quantity_plot(std::span<const StepSummary> reports, const StepQuantity& x, const StepQuantity& y,
-                   const TimePanelOptions& options = {});
 
 }  // namespace pabd
