@@ -1,14 +1,23 @@
 # SPDX-License-Identifier: MIT
-# Writes the texts of shaders as C++: cmake -DOUT=shader_files.cpp -DFILES="a.glsl;b.glsl" -P embed_shaders.cmake
+# pabd_embed_shaders(FOLDER names...): GLSL becomes part of the program. FOLDER/shaders/ground.frag.glsl, named
+# "ground.frag", is shaders::ground_frag of FOLDER/shader_files.h. The header knows only names, so that another text
+# compiles one file, shader_files.cpp.
+function(pabd_embed_shaders folder)
+  set(writer ${PROJECT_SOURCE_DIR}/render/gl/write_shaders.cmake)
+  foreach(shader IN LISTS ARGN)
+    list(APPEND shader_files ${CMAKE_CURRENT_SOURCE_DIR}/shaders/${shader}.glsl)
+    string(REPLACE "." "_" name ${shader})
+    string(APPEND shader_constants "extern const ShaderPart ${name};\n")
+  endforeach()
+  file(CONFIGURE OUTPUT shader_files.h CONTENT "// The files of @folder@/shaders.
+#pragma once
 
-set(text "// Made from render/gl/shaders by embed_shaders.cmake.\n#include \"render/gl/shader_files.h\"\n\n")
-string(APPEND text "namespace pabd::shaders {\n")
-foreach(path IN LISTS FILES)
-  get_filename_component(file ${path} NAME)
-  string(REGEX REPLACE "\\.glsl$" "" name ${file})
-  string(REPLACE "." "_" name ${name})
-  file(READ ${path} source)
-  string(APPEND text "const ShaderPart ${name} = {\"${file}\", R\"glsl(${source})glsl\"};\n")
-endforeach()
-string(APPEND text "}  // namespace pabd::shaders\n")
-file(WRITE ${OUT} "${text}")
+#include \"render/gl/shader_stage.h\"
+
+namespace pabd::shaders {
+@shader_constants@}  // namespace pabd::shaders
+" @ONLY)
+  add_custom_command(OUTPUT shader_files.cpp
+    COMMAND ${CMAKE_COMMAND} -DOUT=shader_files.cpp -DFOLDER=${folder} "-DFILES=${shader_files}" -P ${writer}
+    DEPENDS ${shader_files} ${writer} VERBATIM)
+endfunction()

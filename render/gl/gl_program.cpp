@@ -2,12 +2,12 @@
 // Compiling and linking shaders.
 #include "render/gl/gl_program.h"
 
-#include <algorithm>
-#include <string_view>
+#include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "render/gl/frame_block.h"
-#include "render/gl/shader_log.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -22,28 +22,9 @@ constexpr const char* kHeader =
 
 GLuint compile(const GlFunctions& gl, const char* name, GLenum stage,
                std::initializer_list<ShaderPart> parts) {
-  std::string source;
-  std::vector<SourceLines> lines;
-  const auto add = [&](const ShaderPart& part) {
-    const std::string_view text = part.text;
-    source += text;
-    lines.push_back({part.file, static_cast<int>(std::count(text.begin(), text.end(), '\n'))});
-  };
-  add({"header", kHeader});
-  for (const ShaderPart& part : parts) add(part);
-  const char* const text = source.c_str();
-  const GLuint shader = gl.CreateShader(stage);
-  gl.ShaderSource(shader, 1, &text, nullptr);
-  gl.CompileShader(shader);
-  GLint ok = GL_FALSE;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  if (ok == GL_TRUE) return shader;
-  std::string log(2048, ' ');
-  gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  gl.DeleteShader(shader);
-  throw Error(ErrorKind::no_context, std::string("shader '") + name + "' was refused by " +
-                                         gl.string(GL_RENDERER) + ": " + with_file_names(log, lines) + "; " +
-                                         driver_remedy());
+  std::vector<ShaderPart> all = {{"header", kHeader}};
+  all.insert(all.end(), parts.begin(), parts.end());
+  return compile_stage(gl, name, stage, all);
 }
 
 }  // namespace
@@ -59,22 +40,7 @@ GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_l
     gl.DeleteShader(v);
     throw;
   }
-  id_ = gl.CreateProgram();
-  gl.AttachShader(id_, v);
-  gl.AttachShader(id_, f);
-  gl.LinkProgram(id_);
-  gl.DeleteShader(v);
-  gl.DeleteShader(f);
-  GLint ok = GL_FALSE;
-  gl.GetProgramiv(id_, GL_LINK_STATUS, &ok);
-  if (ok != GL_TRUE) {
-    std::string log(2048, ' ');
-    gl.GetProgramInfoLog(id_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-    gl.DeleteProgram(id_);
-    throw Error(ErrorKind::no_context, std::string("shader '") + name + "' does not link on " +
-                                           gl.string(GL_RENDERER) + ": " + with_file_names(log, {}) + "; " +
-                                           driver_remedy());
-  }
+  id_ = link_stages(gl, name, std::array{v, f});
   const GLuint block = gl.GetUniformBlockIndex(id_, "Frame");
   if (block == GL_INVALID_INDEX) return;
   const std::string mismatch = block_mismatch(gl, id_, frame_members());

@@ -6,14 +6,9 @@
 #include <string>
 
 #include "render/gl/gl_functions.h"
+#include "render/gl/shader_stage.h"
 
 namespace pabd {
-
-// GLSL of a file, or of what stands for one: whole lines. The texts outlive it.
-struct ShaderPart {
-  const char* file;  // how errors name it: "ground.frag.glsl"
-  const char* text;
-};
 
 class GlProgram {
  public:

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Compiling one shader and linking several, with errors that name files and lines.
+#pragma once
+
+#include <span>
+
+#include "render/gl/gl_functions.h"
+
+namespace pabd {
+
+// GLSL of a file, or of what stands for one: whole lines. The texts outlive it.
+struct ShaderPart {
+  const char* file;  // how errors name it: "ground.frag.glsl"
+  const char* text;
+};
+
+// A shader of `stage` from its parts in order; the first has the #version. Throws Error(no_context) with `name` and the
+// driver's words, in which lines are those of the parts' files.
+GLuint compile_stage(const GlFunctions& gl, const char* name, GLenum stage,
+                     std::span<const ShaderPart> parts);
+
+// A program of these shaders, which are deleted. Throws Error(no_context) with `name` and the driver's words.
+GLuint link_stages(const GlFunctions& gl, const char* name, std::span<const GLuint> shaders);
+
+}  // namespace pabd
