@@ -9,7 +9,7 @@
 namespace pabd {
 
 ComputeProgram::ComputeProgram(const ComputeFunctions& gl, const char* name, const std::string& defines,
-                               std::initializer_list<ShaderPart> parts)
+                               std::span<const ShaderPart> parts)
     : gl_(&gl) {
   std::vector<ShaderPart> all = {{"header", "#version 430 core\n"}, {"defines", defines.c_str()}};
   all.insert(all.end(), parts.begin(), parts.end());

@@ -2,7 +2,7 @@
 // One compute shader, linked, and its dispatch.
 #pragma once
 
-#include <initializer_list>
+#include <span>
 #include <string>
 
 #include "render/device/compute_functions.h"
@@ -14,7 +14,7 @@ class ComputeProgram {
  public:
   // The source is "#version 430 core", the `defines` (whole lines), and the parts. Throws Error(no_context).
   ComputeProgram(const ComputeFunctions& gl, const char* name, const std::string& defines,
-                 std::initializer_list<ShaderPart> parts);
+                 std::span<const ShaderPart> parts);
   ~ComputeProgram();
   ComputeProgram(ComputeProgram&& other) noexcept;
   ComputeProgram& operator=(ComputeProgram&&) = delete;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The records of shaders/device_layout.glsl that both sides read or write, and the numbers of its buffers. std430.
+#pragma once
+
+#include <cstdint>
+
+namespace pabd::device {
+
+inline constexpr std::uint32_t kLevels = 16, kColors = 64;
+
+// Binding of each array of shaders/device_buffers.glsl.
+enum class Slot : std::uint32_t {
+  params,
+  counters,
+  kinds,
+  kind_of,
+  poses,
+  motions,
+  flights,
+  places,
+  bounds,
+  cell_first,
+  cell_bodies,
+  pair_first,
+  pairs,
+  raw,
+  contacts,
+  grips,
+  contact_first,
+  end_first,
+  ends,
+  color_of,
+  order,
+  arguments,
+  cursors,
+  steps,
+  kept_first,
+  kept_pairs,
+  kept_stretch,
+  kept_feature,
+  values,
+  sums,
+  shapes,
+  hulls,
+  plane_bodies,
+  skips,
+  huge,
+  parts,
+  count
+};
+
+struct StepParams {
+  double gravity[3];
+  double least_load;
+  double least_share, h, d_hat, kappa, k_t, mu_static, mu_dynamic, onset, recovery_speed, cell;
+  std::int32_t N, barrier, first_step, color_limit;
+  std::uint32_t bodies, buckets, planes, skips;
+  std::uint32_t pair_room, contact_room;
+};
+static_assert(sizeof(StepParams) == 152);
+
+enum Overflow : std::uint32_t { too_many_pairs = 1, too_many_contacts = 2, too_many_colors = 4 };
+
+struct Counters {
+  std::uint32_t overflow;
+  std::uint32_t pairs, contacts, raw;
+  std::uint32_t level[kLevels];
+  std::uint32_t huge_next, uncolored, colors, rounds;
+  std::uint32_t color_size[kColors], color_first[kColors], color_next[kColors];
+  std::uint32_t residual, unsettled;
+  std::uint32_t done, sweeps, pushing, min_gap, friction_excess, friction_error, bad;
+  std::uint32_t pad;
+  double kinetic, potential, elastic;
+};
+static_assert(sizeof(Counters) == 928);
+
+struct BodyKind {
+  double J[6];
+  double half[3];
+  double mass, bounding, inner, rolling, core;
+  std::int32_t shape, form, symmetry, fixed, round_about_y, pad;
+};
+static_assert(sizeof(BodyKind) == 136);
+
+struct Pose {
+  double c[4], q[4];  // q: x, y, z, w
+};
+
+struct Pair {
+  std::uint32_t emitter, other, first, count;
+};
+
+}  // namespace pabd::device

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// See device_programs.h.
+#include "render/device/device_programs.h"
+
+#include <fmt/format.h>
+
+#include "render/device/device_layout.h"
+#include "render/device/narrow_parts.h"
+#include "render/device/shader_files.h"
+#include "sim/potential/barrier.h"
+
+namespace pabd::device {
+namespace {
+
+constexpr const char* kSingle =
+    "#define real float\n#define real3 vec3\n#define real4 vec4\n#define mat_real3 mat3\n"
+    "#define EPSILON real(1.2e-7lf)\n";
+constexpr const char* kTwofold =
+    "#define real double\n#define real3 dvec3\n#define real4 dvec4\n#define mat_real3 dmat3\n"
+    "#define EPSILON real(2.2e-16lf)\n";
+
+class Compiler {
+ public:
+  Compiler(const ComputeFunctions& gl, Precision precision, bool round) : gl_(gl) {
+    common_ = precision == Precision::single ? kSingle : kTwofold;
+    const auto number = [](BarrierKind kind) { return static_cast<int>(kind); };
+    common_ += fmt::format("#define POLYNOMIAL {}\n#define EVEN {}\n#define QUADRATIC {}\n",
+                           number(BarrierKind::polynomial), number(BarrierKind::even),
+                           number(BarrierKind::quadratic));
+    common_ += fmt::format("#define FORM_BOX {}\n#define FORM_CAPSULE {}\n#define FORM_PLANE {}\n",
+                           static_cast<int>(kDeviceBox), static_cast<int>(kDeviceCapsule),
+                           static_cast<int>(kDevicePlane));
+    common_ +=
+        fmt::format("#define SHAPES_BINDING {}\n#define HULLS_BINDING {}\n#define SWEEP_GROUP {}\n",
+                    static_cast<unsigned>(Slot::shapes), static_cast<unsigned>(Slot::hulls), kSweepGroup);
+    if (round) common_ += "#define ROUND\n";
+  }
+
+  // `uses`: arrays of device_buffers.glsl; `more`: other macros, whole lines; `parts` come between those that all
+  // programs have and `main`.
+  ComputeProgram operator()(const char* name, std::initializer_list<const char*> uses, std::string more,
+                            std::vector<ShaderPart> parts, const ShaderPart& main,
+                            unsigned group = kGroup) const {
+    std::string defines = common_ + fmt::format("#define GROUP {}u\n", group);
+    for (const char* array : uses) defines += fmt::format("#define USES_{}\n", array);
+    defines += more;
+    std::vector<ShaderPart> all = {shaders::device_layout, shaders::device_buffers, shaders::device_rotation};
+    all.insert(all.end(), parts.begin(), parts.end());
+    all.push_back(main);
+    return {gl_, name, defines, all};
+  }
+
+ private:
+  const ComputeFunctions& gl_;
+  std::string common_;
+};
+
+std::vector<ComputeProgram> touch_programs(const Compiler& compile, const std::set<int>& shapes) {
+  std::vector<ComputeProgram> out;
+  for (const int first : shapes) {
+    for (const int second : shapes) {
+      const std::vector<ShaderPart> narrow = narrow_parts(first, second);
+      if (second < first || narrow.empty()) continue;
+      out.push_back(compile("contacts of a pair",
+                            {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST"},
+                            fmt::format("#define KIND_FIRST {}\n#define KIND_SECOND {}\n", first, second),
+                            narrow, shaders::device_touch_comp, 64));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+bool any_round(const std::set<int>& shapes) {
+  return shapes.contains(kDeviceSphere) || shapes.contains(kDeviceCapsule);
+}
+
+Programs make_programs(const ComputeFunctions& gl, Precision precision, const std::set<int>& shapes) {
+  using namespace shaders;
+  const Compiler compile(gl, precision, any_round(shapes));
+  const auto scan = [&](const char* pass) {
+    return compile("sums", {"VALUES"}, std::string("#define PASS ") + pass + "\n", {}, device_scan_comp);
+  };
+  const auto color = [&](const char* pass) {
+    return compile("colors", {"COUNTERS", "KINDS", "CONTACTS", "END_FIRST", "ENDS", "COLORS", "VALUES"},
+                   std::string("#define ") + pass + "\n", {}, device_color_comp);
+  };
+  const auto pairs = [&](const char* more) {
+    return compile("pairs", {"COUNTERS", "KINDS", "BOUNDS", "CELLS", "PAIR_FIRST", "PAIRS", "PLANES"}, more,
+                   {device_cells}, device_pairs_comp);
+  };
+  const auto ends = [&](const char* pass) {
+    return compile("lists of contacts", {"COUNTERS", "KINDS", "CONTACTS", "END_FIRST", "ENDS", "CURSORS"},
+                   std::string("#define PASS ") + pass + "\n", {}, device_ends_comp);
+  };
+  const auto total = [&](const char* more) {
+    return compile("totals", {"COUNTERS", "PARTS"}, more, {}, device_total_comp);
+  };
+  const std::vector<ShaderPart> contact = {device_barrier, device_contact};
+  return {
+      .fly = compile("free flight",
+                     {"COUNTERS", "KINDS", "POSES", "MOTIONS", "FLIGHTS", "BOUNDS", "CELLS", "PLANES"}, "",
+                     {device_cells}, device_fly_comp),
+      .scatter = compile("cells", {"COUNTERS", "BOUNDS", "CELLS", "CURSORS"}, "", {device_cells},
+                         device_scatter_comp),
+      .count_pairs = pairs(""),
+      .list_pairs = pairs("#define EMIT\n"),
+      .touch = touch_programs(compile, shapes),
+      .place = compile("contacts",
+                       {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",
+                        "END_FIRST", "KEPT"},
+                       "", {device_barrier, device_recovery}, device_place_comp),
+      .fill_ends = ends("0"),
+      .sort_ends = ends("1"),
+      .scan = {scan("0"), scan("1"), scan("2")},
+      .colors = {color("CHECK"), color("TAKE"), color("ROUND_OF_COLORS"), color("REST"), color("SIZES"),
+                 color("STARTS"), color("LISTS")},
+      .start_bodies = compile("first iterate", {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "STEPS"},
+                              "#define BODIES\n", {}, device_start_comp),
+      .start_contacts =
+          compile("first bounds", {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS"}, "",
+                  contact, device_start_comp),
+      .sweep = compile("sweep",
+                       {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "END_FIRST", "ENDS",
+                        "COLORS", "STEPS"},
+                       "", {device_barrier, device_contact, device_inertia}, device_sweep_comp, kSweepGroup),
+      .between = compile("between sweeps", {"COUNTERS", "COLORS"}, "", {}, device_between_comp, 1),
+      .tell = compile(
+          "report", {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "KEPT", "PARTS"},
+          "", contact, device_tell_comp),
+      .keep = compile(
+          "memory",
+          {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "PAIR_FIRST", "PAIRS", "CONTACTS", "GRIPS", "KEPT"}, "",
+          {device_barrier, device_contact, device_recovery}, device_keep_comp),
+      .finish = compile("velocities", {"COUNTERS", "KINDS", "POSES", "MOTIONS", "FLIGHTS", "PLACES", "PARTS"},
+                        "", {device_inertia}, device_finish_comp),
+      .total_bodies = total("#define BODIES\n"),
+      .total_contacts = total(""),
+  };
+}
+
+}  // namespace pabd::device

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The compute shaders of a step, compiled for a model: only the pairs of shapes that it has.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "render/device/compute_program.h"
+#include "render/device/shape_table.h"
+
+namespace pabd::device {
+
+// What displacements and forces are computed in. twofold (double) is for comparison with the processor's solver.
+enum class Precision { single, twofold };
+
+inline constexpr unsigned kGroup = 256, kSweepGroup = 64;  // threads of a work group
+inline constexpr unsigned kScanned = 8 * kGroup;           // values a work group of a scan
+
+struct Programs {
+  struct Scan {
+    ComputeProgram blocks, sums, add;
+  };
+  struct Colors {
+    ComputeProgram check, take, round, rest, sizes, starts, lists;
+  };
+  ComputeProgram fly, scatter, count_pairs, list_pairs;
+  std::vector<ComputeProgram> touch;  // one a pair of kinds of shapes
+  ComputeProgram place, fill_ends, sort_ends;
+  Scan scan;
+  Colors colors;
+  ComputeProgram start_bodies, start_contacts, sweep, between;
+  ComputeProgram tell, keep, finish, total_bodies, total_contacts;
+};
+
+bool any_round(const std::set<int>& shapes);
+
+// For models that have bodies of these kinds of DeviceShape. Throws Error(no_context) where a shader is refused.
+Programs make_programs(const ComputeFunctions& gl, Precision precision, const std::set<int>& shapes);
+
+}  // namespace pabd::device

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The solver of contacts on a GPU: a whole time step in compute shaders, in the OpenGL context that draws. It minimises
+// the same E as `descent` (sim/solver/descent.h) and keeps the same memory of friction.
+//
+// The same GPU gives the same bits in every run: no sum depends on who comes first.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "render/context/context.h"
+#include "sim/body/model.h"
+#include "sim/body/state.h"
+#include "sim/solver/params.h"
+#include "sim/solver/report.h"
+
+namespace pabd {
+
+enum class DevicePrecision { single, twofold };  // float, or double for comparison with the processor
+
+struct DeviceOptions {
+  DevicePrecision precision = DevicePrecision::single;
+  // Room at first, and more when a step needs it; 0: by the number of bodies.
+  std::uint32_t pairs = 0, contacts = 0;
+  bool time_phases = false;  // fills DeviceTimes
+};
+
+// On the GPU's own clock; ms. Of the last step that was made.
+struct DeviceTimes {
+  double broad_phase = 0;   // free flight, grid, pairs
+  double narrow_phase = 0;  // contact points
+  double set_up = 0;        // memory of friction, lists, colors, first iterate
+  double solve = 0;         // sweeps
+  double velocities = 0;    // report, memory, velocities, poses
+  double total() const { return broad_phase + narrow_phase + set_up + solve + velocities; }
+};
+
+class DeviceSolver {
+ public:
+  // `context` is current, and stays so in all calls. Precondition: why_not() is empty. Throws Error(no_context) where
+  // the context cannot take it.
+  DeviceSolver(GlContext& context, const Model& model, const State& start, const DeviceOptions& options = {});
+  ~DeviceSolver();
+  DeviceSolver(DeviceSolver&&) noexcept;
+
+  // Why the GPU cannot take the scene, in one line with the remedy; empty: it can.
+  static std::string why_not(const Model& model, const Params& params);
+
+  void set_state(const State& state);
+
+  // Starts a step and does not wait for it, but for the one two steps before. What that one could not hold in its
+  // buffers is repeated with larger ones before: nothing is dropped.
+  void enqueue(const Params& params);
+  // Waits for all steps; the report of the last one.
+  const StepSummary& finish();
+  const StepSummary& step(const Params& params) {
+    enqueue(params);
+    return finish();
+  }
+
+  // Positions, orientations and velocities after finish(); the memory of friction stays on the GPU.
+  void read_state(State& out);
+
+  const DeviceTimes& times() const;
+  std::size_t bytes() const;       // of all buffers
+  int colors() const;              // of the last step
+  std::uint32_t pairs() const;     // of the last step
+  std::uint32_t contacts() const;  // within reach
+  int repeated() const;            // steps that had to be made again with larger buffers
+  unsigned pose_buffer() const;    // GL name: a body's c (4 doubles), q (4 doubles: x, y, z, w)
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pabd

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// See narrow_parts.h.
+#include "render/device/narrow_parts.h"
+
+#include <algorithm>
+
+#include "render/device/shader_files.h"
+
+namespace pabd {
+
+std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second) {
+  using namespace shaders;
+  std::vector<ShaderPart> parts = {shape_table, narrow_common};
+  const auto add = [&](std::initializer_list<ShaderPart> more) {
+    parts.insert(parts.end(), more);
+    return parts;
+  };
+  const auto both = [](int i, int j) { return kDeviceShapes * std::min(i, j) + std::max(i, j); };
+  switch (both(kind_first, kind_second)) {
+    case both(kDeviceSphere, kDeviceSphere):
+      return add({narrow_sphere_sphere});
+    case both(kDeviceSphere, kDeviceCapsule):
+      return add({narrow_capsule_sphere});
+    case both(kDeviceCapsule, kDeviceCapsule):
+      return add({narrow_side_by_side, narrow_capsule_capsule});
+    case both(kDevicePlane, kDeviceSphere):
+      return add({narrow_plane_sphere});
+    case both(kDevicePlane, kDeviceCapsule):
+      return add({narrow_plane_capsule});
+    case both(kDevicePlane, kDeviceBox):
+      return add({narrow_plane_box});
+    case both(kDeviceBox, kDeviceSphere):
+      return add({narrow_box_sphere});
+    case both(kDeviceBox, kDeviceCapsule):
+      return add({narrow_side_by_side, narrow_box_capsule});
+    case both(kDeviceBox, kDeviceBox):
+      return add({narrow_side_by_side, narrow_box_face, narrow_box_box});
+    default:
+      return {};
+  }
+}
+
+}  // namespace pabd

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Bodies of one color share no contact, so that they may be solved at the same time. Colors are kept from step to step.
+//
+//   CHECK    a thread a body: who shares its color with a neighbor that goes first loses it;  TAKE  puts that down
+//   ROUND    who goes first among its neighbors without a color takes the least that is free
+//   REST     the same by one work group until all have one, where rounds were too few
+//   SIZES    of the colors;  STARTS  where they begin, and how to dispatch them;  LISTS  who is in which
+//
+// A color that was given in this round counts as none, so that all see the same.
+uniform uint round_;
+
+// Who goes first: any order that is the same for all and mixes neighbors.
+uint rank_of(uint i) {
+  uint x = i * 0x9e3779b1u;
+  x ^= x >> 16;
+  x *= 0x85ebca6bu;
+  x ^= x >> 13;
+  return x;
+}
+bool goes_first(uint i, uint j) {
+  const uint x = rank_of(i), y = rank_of(j);
+  return x != y ? x > y : i < j;
+}
+uint other_of(uint end) {
+  const uvec4 id = contacts[end >> 1].id;
+  return (end & 1u) != 0u ? id.y : id.x;
+}
+bool has_ends(uint i) {
+  return end_first[i + 1u] != end_first[i];
+}
+
+// The color that body i takes in round r, plus one; 0: it waits.
+uint choose(uint i, uint r) {
+  uvec2 used = uvec2(0u);
+  for (uint k = end_first[i]; k < end_first[i + 1u]; ++k) {
+    const uint j = other_of(ends[k]);
+    if (kinds[kind_number[j]].fixed_ != 0) continue;
+    const uint word = color_of[j];
+    const uint c = word >> 8 == r ? 0u : word & 0xffu;
+    if (c == 0u) {
+      if (goes_first(j, i)) return 0u;
+    } else if (c <= 32u) {
+      used.x |= 1u << (c - 1u);
+    } else {
+      used.y |= 1u << (c - 33u);
+    }
+  }
+  const int low = findLSB(~used.x), high = findLSB(~used.y);
+  const int c = low >= 0 ? low : high >= 0 ? high + 32 : -1;
+  if (c < 0 || c >= params.color_limit) {
+    atomicOr(counters.overflow, TOO_MANY_COLORS);
+    return 1u;
+  }
+  return uint(c) + 1u;
+}
+
+// Round r of body i.
+void color(uint i, uint r) {
+  if (color_of[i] != 0u || kinds[kind_number[i]].fixed_ != 0 || !has_ends(i)) return;
+  const uint c = choose(i, r);
+  if (c == 0u) return;
+  color_of[i] = c | r << 8;
+  atomicAdd(counters.uncolored, 0xffffffffu);
+}
+
+#ifdef CHECK
+void main() {
+  const uint i = gl_GlobalInvocationID.x;
+  if (i >= params.bodies || counters.overflow != 0u) return;
+  uint c = color_of[i] & 0xffu;
+  if (kinds[kind_number[i]].fixed_ == 0 && has_ends(i)) {
+    if (c > uint(params.color_limit)) c = 0u;
+    for (uint k = end_first[i]; c != 0u && k < end_first[i + 1u]; ++k) {
+      const uint j = other_of(ends[k]);
+      if ((color_of[j] & 0xffu) == c && kinds[kind_number[j]].fixed_ == 0 && goes_first(j, i)) c = 0u;
+    }
+    if (c == 0u) atomicAdd(counters.uncolored, 1u);
+  }
+  values[i] = c;
+}
+#endif
+#ifdef TAKE
+void main() {
+  const uint i = gl_GlobalInvocationID.x;
+  if (i < params.bodies && counters.overflow == 0u) color_of[i] = values[i];
+}
+#endif
+#ifdef ROUND_OF_COLORS
+void main() {
+  const uint i = gl_GlobalInvocationID.x;
+  if (i >= params.bodies || counters.overflow != 0u || counters.uncolored == 0u) return;
+  if (i == 0u) counters.rounds = round_;
+  color(i, round_);
+}
+#endif
+#ifdef REST
+shared uint left;
+void main() {
+  const uint t = gl_LocalInvocationID.x;
+  for (uint r = round_;; ++r) {
+    if (t == 0u) left = counters.overflow != 0u ? 0u : atomicAdd(counters.uncolored, 0u);
+    memoryBarrierShared();
+    barrier();
+    if (left == 0u) return;
+    for (uint i = t; i < params.bodies; i += GROUP) color(i, r);
+    memoryBarrierBuffer();
+    barrier();
+    if (t == 0u) counters.rounds = r;
+  }
+}
+#endif
+#ifdef SIZES
+shared uint size[COLORS];
+void main() {
+  const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
+  if (t < COLORS) size[t] = 0u;
+  barrier();
+  if (i < params.bodies && counters.overflow == 0u && kinds[kind_number[i]].fixed_ == 0 && has_ends(i))
+    atomicAdd(size[(color_of[i] & 0xffu) - 1u], 1u);
+  barrier();
+  if (t < COLORS && size[t] > 0u) atomicAdd(counters.color_size[t], size[t]);
+}
+#endif
+#ifdef STARTS
+void main() {
+  if (gl_GlobalInvocationID.x != 0u) return;
+  uint first = 0u;
+  for (uint c = 0u; c < COLORS; ++c) {
+    const uint n = counters.overflow != 0u ? 0u : counters.color_size[c];
+    counters.color_first[c] = first;
+    first += n;
+    arguments[c] = uvec4((n + SWEEP_GROUP - 1u) / SWEEP_GROUP, 1u, 1u, n);
+    if (n > 0u) counters.colors = c + 1u;
+  }
+}
+#endif
+#ifdef LISTS
+shared uint size[COLORS], base[COLORS];
+void main() {
+  const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
+  if (t < COLORS) size[t] = 0u;
+  barrier();
+  const bool listed = i < params.bodies && counters.overflow == 0u && kinds[kind_number[i]].fixed_ == 0 && has_ends(i);
+  const uint c = listed ? (color_of[i] & 0xffu) - 1u : 0u;
+  const uint at = listed ? atomicAdd(size[c], 1u) : 0u;
+  barrier();
+  if (t < COLORS && size[t] > 0u) base[t] = counters.color_first[t] + atomicAdd(counters.color_next[t], size[t]);
+  barrier();
+  if (listed) order[base[c] + at] = i;
+}
+#endif

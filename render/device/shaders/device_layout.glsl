@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What the shaders of the solver share: numbers, records, parameters, counters. `real` is float, or double for tests
+// against the processor's solver.
+//
+// A step works in displacements since its start, which are small and keep their digits in float wherever the scene
+// lies: u, the way of the centre of mass, and q, the rotation since then as a quaternion (x, y, z, w).
+
+layout(local_size_x = GROUP) in;
+
+// Body: where it stands, in double, world.
+struct Pose {
+  dvec4 c;  // centre of mass; m
+  dvec4 q;  // rotation, body to world
+};
+struct Motion {
+  real4 v;      // m/s
+  real4 omega;  // rad/s, world
+};
+// Bodies alike in all that matters to a step.
+struct BodyKind {
+  double J[6];      // second moment: xx yy zz xy xz yz; kg m²
+  double half_[3];  // box: half edges; capsule: radius, half length of its axis; plane: normal; else bounding radius; m
+  double mass;      // kg
+  double bounding;  // radius; m
+  double inner;     // how deep a thing may travel into it in a step
+  double rolling;   // radius of a round body, 0 of a flat one
+  double core;      // how far the core reaches that a turn moves; plane: its offset
+  int shape;        // row of the table of shapes
+  int form;         // BOX …
+  int symmetry;     // axis of J: 0, 1, 2; 3: all are alike; -1: none
+  int fixed_;
+  int round_about_y;
+  int pad_;
+};
+// Free flight of a body.
+struct Flight {
+  real4 u, q;       // predicted pose Q*, since the start of the step
+  real4 v, omega;   // with it; omega.w: radius that turns are measured with
+  real4 turn;       // rotation vector of the flight; rad. w: reach beyond the surface; m
+  real4 W_diag, W_off;  // R* J R*ᵀ: xx yy zz, xy xz yz; kg m². W_diag.w: mass
+};
+struct Place {
+  real4 u, q;
+};
+// A candidate: bodies whose bounds meet. `emitter` lists it.
+struct Pair {
+  uint emitter, other;
+  uint first, count;  // contacts: of the raw ones, then of the placed
+};
+// A contact of S(17), at the start of the step, world axes.
+struct Contact {
+  uvec4 id;     // a (owner of the normal), b, feature, pair
+  real4 n;      // w: d where the step starts
+  real4 r_b;    // from b's centre to its normal point. w: shift of the barrier while overlap recovers
+  real4 apart;  // from a's centre to b's. w: scale of the barrier
+  real4 before; // slip that the step starts with: stretch, and what rolls. w: μ
+#ifdef ROUND
+  real4 r_a;    // from a's centre to its normal point
+#endif
+};
+// What moves of it: x: friction bound; y: change it last asked for; z: gain.
+#define Grip real4
+
+struct StepParams {
+  double gravity[3];
+  double least_load;   // of a contact that counts as loaded, N; the same of a kilogram
+  double least_share, h, d_hat, kappa, k_t, mu_static, mu_dynamic, onset, recovery_speed, cell;
+  int N, barrier, first_step, color_limit;
+  uint bodies, buckets, planes, skips;
+  uint pair_room, contact_room;
+};
+// Barriers and shapes have the numbers of BarrierKind and DeviceShape: POLYNOMIAL, FORM_BOX, … are macros.
+
+const uint LEVELS = 16u;  // of the grid; the last one is no grid: whoever is too large for the others
+const uint COLORS = 64u;
+struct Counters {
+  uint overflow;  // what was too small, a bit each: the step was not made. Not cleared with the rest
+  uint pairs, contacts, raw;
+  uint level[LEVELS];
+  uint huge_next, uncolored, colors, rounds;
+  uint color_size[COLORS], color_first[COLORS], color_next[COLORS];
+  uint residual, unsettled;  // of the sweep: longest step, worst friction; bits of floats
+  uint done;      // the sweeps may end
+  uint sweeps;
+  uint pushing;   // contacts with d < d̂
+  uint min_gap;   // inverted, so that the largest is the least gap; 0: there is none
+  uint friction_excess, friction_error;  // floats, ordered
+  uint bad;  // bodies that left the numbers
+  uint pad_;
+  double kinetic, potential, elastic;
+};
+const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u;
+
+// A float as bits that are in the order of the values.
+uint ordered(float x) {
+  const uint bits = floatBitsToUint(x);
+  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// Block coordinate descent, sim/solver/descent.cpp: a thread relaxes a body of a color while all others stand still.
+// It minimises a quadratic model of E in the tangent space of SE(3); a step that does not lower the body's own energy
+// is halved until it does.
+uniform uint color_;
+uniform int move_limits;  // of friction, on the way
+
+struct Model6 {
+  real3 g_c, g_w;
+  // Lower triangle: cc (xx, yy, zz, yx, zx, zy), wc by rows, ww as cc.
+  real3 cc_diag, cc_off, wc_x, wc_y, wc_z, ww_diag, ww_off;
+};
+
+shared vec2 largest[SWEEP_GROUP];  // way of a body's step over d̂; error of a friction force as a part of μ f_n
+float friction_error = 0;
+
+uint other_end(uvec4 id, bool is_a) {
+  return is_a ? id.y : id.x;
+}
+
+// Energy of body i and its contacts at a trial place.
+real local_energy(uint i, Flight f, real inv_h2, Place trial) {
+  real energy = inertia_energy(f, trial, inv_h2);
+  for (uint e = end_first[i]; e < end_first[i + 1u]; ++e) {
+    const uint k = ends[e] >> 1;
+    const bool is_a = (ends[e] & 1u) != 0u;
+    const Contact c = contacts[k];
+    const Place other = place[other_end(c.id, is_a)];
+    ContactNow s;
+    if (is_a) {
+      s = contact_now(c, trial, other);
+    } else {
+      s = contact_now(c, other, trial);
+    }
+    const real limit = grips[k].x;
+    if (s.d + c.r_b.w >= real(params.d_hat) && !(limit > 0)) continue;
+    energy += normal_push(c, s.d).value + friction_energy(limit, length(s.u));
+  }
+  return energy;
+}
+
+// Adds a contact; `side`: +1 for the body of the point, −1 for the body of the plane.
+void add_contact_to(inout Model6 m, ContactNow s, Push f, real weight, real side) {
+  const real3 r_n = side > 0 ? s.normal_b : s.normal_a, r_t = side > 0 ? s.surface_b : s.surface_a;
+  const real3 arm = cross(r_n, s.n), friction = (side * weight) * s.u;
+  const real push = side * f.first, k = f.stiffness - weight;
+  m.g_c += push * s.n + friction;
+  m.g_w += push * arm + cross(r_t, friction);
+  m.cc_diag += weight + k * s.n * s.n;
+  m.cc_off += k * real3(s.n.y * s.n.x, s.n.z * s.n.x, s.n.z * s.n.y);
+  m.wc_x += (k * arm.x) * s.n + weight * real3(0, -r_t.z, r_t.y);
+  m.wc_y += (k * arm.y) * s.n + weight * real3(r_t.z, 0, -r_t.x);
+  m.wc_z += (k * arm.z) * s.n + weight * real3(-r_t.y, r_t.x, 0);
+  m.ww_diag += weight * (dot(r_t, r_t) - r_t * r_t) + k * arm * arm;
+  m.ww_off += k * real3(arm.y * arm.x, arm.z * arm.x, arm.z * arm.y) -
+              weight * real3(r_t.y * r_t.x, r_t.z * r_t.x, r_t.z * r_t.y);
+}
+
+// H x = −g by H = L D Lᵀ; false: H has no minimum.
+bool minimum(Model6 m, out real3 dc, out real3 dw) {
+  real H[21];  // lower triangle by rows
+  H[0] = m.cc_diag.x;
+  H[1] = m.cc_off.x; H[2] = m.cc_diag.y;
+  H[3] = m.cc_off.y; H[4] = m.cc_off.z; H[5] = m.cc_diag.z;
+  H[6] = m.wc_x.x; H[7] = m.wc_x.y; H[8] = m.wc_x.z; H[9] = m.ww_diag.x;
+  H[10] = m.wc_y.x; H[11] = m.wc_y.y; H[12] = m.wc_y.z; H[13] = m.ww_off.x; H[14] = m.ww_diag.y;
+  H[15] = m.wc_z.x; H[16] = m.wc_z.y; H[17] = m.wc_z.z; H[18] = m.ww_off.y; H[19] = m.ww_off.z; H[20] = m.ww_diag.z;
+  real x[6] = real[6](-m.g_c.x, -m.g_c.y, -m.g_c.z, -m.g_w.x, -m.g_w.y, -m.g_w.z);
+  bool definite = true;
+  for (int j = 0; j < 6; ++j) {
+    const int row_j = j * (j + 1) / 2;
+    const real whole = H[row_j + j];
+    real pivot = whole;
+    for (int k = 0; k < j; ++k) pivot -= H[row_j + k] * H[row_j + k] * H[k * (k + 1) / 2 + k];
+    if (!(pivot > 100 * EPSILON * whole)) {  // lost to rounding, or never there
+      definite = false;
+      pivot = whole > 0 ? whole : real(1);
+    }
+    H[row_j + j] = pivot;
+    for (int i = j + 1; i < 6; ++i) {
+      const int row_i = i * (i + 1) / 2;
+      real l = H[row_i + j];
+      for (int k = 0; k < j; ++k) l -= H[row_i + k] * H[row_j + k] * H[k * (k + 1) / 2 + k];
+      H[row_i + j] = l / pivot;
+    }
+  }
+  for (int i = 1; i < 6; ++i) {
+    for (int k = 0; k < i; ++k) x[i] -= H[i * (i + 1) / 2 + k] * x[k];
+  }
+  for (int i = 0; i < 6; ++i) x[i] /= H[i * (i + 1) / 2 + i];
+  for (int i = 4; i >= 0; --i) {
+    for (int k = i + 1; k < 6; ++k) x[i] -= H[k * (k + 1) / 2 + i] * x[k];
+  }
+  dc = real3(x[0], x[1], x[2]);
+  dw = real3(x[3], x[4], x[5]);
+  return definite;
+}
+
+Place moved_by(Place at, real3 dc, real3 dw) {
+  const real4 q = product(cayley_turn(dw), at.q);
+  return Place(real4(at.u.xyz + dc, 0), q / length(q));
+}
+
+// Relaxes body i; the way of its step over d̂.
+real relax(uint i) {
+  const Flight f = flight[i];
+  const Place at = place[i];
+  const real h = real(params.h), inv_h2 = 1 / (h * h), d_hat = real(params.d_hat), radius = f.omega.w;
+
+  const mat_real3 G = turned_inertia(f, at);
+  const real mass = f.W_diag.w * inv_h2, trace = f.W_diag.x + f.W_diag.y + f.W_diag.z + G[0][0] + G[1][1] + G[2][2];
+  Model6 m;
+  m.g_c = mass * (at.u.xyz - f.u.xyz);
+  m.g_w = -inv_h2 * axial_of(G);
+  m.cc_diag = real3(mass);
+  m.cc_off = m.wc_x = m.wc_y = m.wc_z = real3(0);
+  m.ww_diag = inv_h2 * (trace - f.W_diag.xyz - real3(G[0][0], G[1][1], G[2][2]));
+  m.ww_off = -inv_h2 * (f.W_off.xyz + real3(G[0][1] + G[1][0], G[0][2] + G[2][0], G[1][2] + G[2][1]) / 2);
+  real energy = inertia_energy(f, at, inv_h2), room = real(1e30);
+
+  for (uint e = end_first[i]; e < end_first[i + 1u]; ++e) {
+    const uint k = ends[e] >> 1;
+    const bool is_a = (ends[e] & 1u) != 0u;
+    const Contact c = contacts[k];
+    const uint j = other_end(c.id, is_a);
+    const Place other = place[j];
+    const real lighter = flight[j].W_diag.w;  // 0: it does not move
+    ContactNow s;
+    if (is_a) {
+      s = contact_now(c, at, other);
+    } else {
+      s = contact_now(c, other, at);
+    }
+    Grip grip = grips[k];
+    const real beyond = s.d - d_hat;
+    if (beyond >= 0) room = min(room, beyond);
+    // Of the ends that move, the owner of the normal moves the bound.
+    const bool mover = is_a || kinds[kind_number[j]].fixed_ != 0;
+    const bool nothing = s.d + c.r_b.w >= d_hat && !(grip.x > 0);
+    if (nothing && !mover) continue;
+    const Push push = normal_push(c, s.d);
+    const real slip = length(s.u);
+    if (mover && c.before.w > 0) {
+      const real least = real(params.least_share) * (lighter > 0 && lighter < f.W_diag.w ? lighter : f.W_diag.w);
+      const real pull = real(params.k_t) * slip, law = -c.before.w * push.first;
+      const real error = abs(min(pull, max(grip.x, real(0))) - min(pull, law));
+      friction_error = max(friction_error, float(error / max(law, c.before.w * least)));
+      if (move_limits != 0) {
+        // Each goes its own share of the way: half of the last share where it swings back, half as much again where not.
+        const real change = law - grip.x;
+        grip.z = change * grip.y < 0 ? grip.z / 2 : min(real(1), grip.z * 3 / 2);
+        grip.x += grip.z * change;
+        grip.y = change;
+        grips[k] = grip;
+      }
+    }
+    if (nothing) continue;
+    energy += push.value + friction_energy(grip.x, slip);
+    add_contact_to(m, s, push, friction_weight(grip.x, slip), is_a ? real(-1) : real(1));
+  }
+
+  real3 dc, dw;
+  const bool definite = minimum(m, dc, dw);
+  const real angle = length(dw);
+  if (angle > 1) {  // the tangent model says nothing that far away
+    dc /= angle;
+    dw /= angle;
+  }
+  const real3 last_c = last_step[2u * i].xyz, last_w = last_step[2u * i + 1u].xyz;
+  const real last_moved = last_step[2u * i + 1u].w;
+  const real moved = (length(dc) + radius * length(dw)) / d_hat;
+
+  // A body that keeps moving the same way goes farther.
+  const real r2 = radius * radius, squared = dot(dc, dc) + r2 * dot(dw, dw);
+  const real last_squared = dot(last_c, last_c) + r2 * dot(last_w, last_w);
+  const bool same_way = dot(dc, last_c) + r2 * dot(dw, last_w) > real(0.5lf) * sqrt(squared * last_squared);
+  const real factor = same_way ? min(real(1.5lf), last_step[2u * i].w + real(0.2lf)) : real(1);
+  last_step[2u * i] = real4(dc, factor);
+  last_step[2u * i + 1u] = real4(dw, moved);
+  dc *= factor;
+  dw *= factor;
+
+  Place trial = moved_by(at, dc, dw);
+  // So short that Ψ'' hardly changes along it, and that no other contact begins to push.
+  const bool is_small = moved * max(params.N, 1) < real(0.06lf) && moved * d_hat < room;
+  if (definite && factor == 1 && moved < last_moved && is_small) {
+    place[i] = trial;
+    return moved;
+  }
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    if (local_energy(i, f, inv_h2, trial) <= energy * (1 + 1000 * EPSILON)) {
+      place[i] = trial;
+      return moved;
+    }
+    const real shorter = attempt == 0 && factor > 1 ? 1 / factor : real(0.5lf);
+    dc *= shorter;
+    dw *= shorter;
+    trial = moved_by(at, dc, dw);
+  }
+  return moved;
+}
+
+void main() {
+  const uint n = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
+  const float moved = n < arguments[color_].w ? float(relax(order[counters.color_first[color_] + n])) : 0;
+  largest[t] = isnan(moved) ? vec2(1e30) : vec2(moved, friction_error);
+  barrier();
+  for (uint reach = SWEEP_GROUP / 2u; reach > 0u; reach /= 2u) {
+    if (t < reach) largest[t] = max(largest[t], largest[t + reach]);
+    barrier();
+  }
+  if (t != 0u) return;
+  atomicMax(counters.residual, floatBitsToUint(largest[0].x));
+  atomicMax(counters.unsettled, floatBitsToUint(largest[0].y));
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// See shape_table.h.
+#include "render/device/shape_table.h"
+
+#include <array>
+#include <bit>
+#include <map>
+#include <unordered_map>
+
+#include "sim/base/counted.h"
+#include "sim/base/hash.h"
+#include "sim/body/shape_kind.h"
+
+namespace pabd {
+namespace {
+
+static_assert(std::is_same_v<std::variant_alternative_t<kDeviceBox, Shape>, Box>);
+static_assert(std::is_same_v<std::variant_alternative_t<kDeviceSphere, Shape>, Sphere>);
+static_assert(std::is_same_v<std::variant_alternative_t<kDeviceCapsule, Shape>, Capsule>);
+static_assert(std::is_same_v<std::variant_alternative_t<kDevicePlane, Shape>, Plane>);
+static_assert(std::is_same_v<std::variant_alternative_t<kDeviceHull, Shape>, Hull>);
+
+using Words = std::vector<std::uint64_t>;
+
+// Two 32-bit numbers, the first in the low half: a uvec2 of the shaders, as a double is.
+std::uint64_t pair_of(std::uint32_t x, std::uint32_t y) { return x | static_cast<std::uint64_t>(y) << 32; }
+
+void add_vector(const Vec3& v, Words& out) {
+  for (int k = 0; k < 3; ++k) out.push_back(std::bit_cast<std::uint64_t>(v[k]));
+}
+
+Words words_of(const HullData& hull) {
+  Words out;
+  for (const Vec3& v : hull.vertices) add_vector(v, out);
+  for (const HullFace& face : hull.faces) {
+    add_vector(face.normal, out);
+    out.push_back(std::bit_cast<std::uint64_t>(face.offset));
+    out.push_back(pair_of(face.first, face.count));
+  }
+  for (std::size_t k = 0; k < hull.loop.size(); ++k) out.push_back(pair_of(hull.loop[k], hull.loop_edge[k]));
+  for (const HullEdge& edge : hull.edges) {
+    out.push_back(pair_of(edge.from, edge.to));
+    out.push_back(pair_of(edge.left, edge.right));
+  }
+  return out;
+}
+
+void count_parts(const HullData& hull, ShapeRecord& record) {
+  record.vertices = static_cast<std::uint32_t>(hull.vertices.size());
+  record.faces = static_cast<std::uint32_t>(hull.faces.size());
+  record.corners = static_cast<std::uint32_t>(hull.loop.size());
+  record.edges = static_cast<std::uint32_t>(hull.edges.size());
+}
+
+// The box of half edges 1, numbered as the CPU's narrow phase numbers a box that meets a hull (hull_view.cpp).
+HullData unit_box() {
+  constexpr std::uint16_t kLoop[24] = {1, 3, 7, 5, 0, 4, 6, 2, 2, 6, 7, 3,
+                                       0, 1, 5, 4, 4, 5, 7, 6, 0, 2, 3, 1};
+  HullData box{};
+  for (int k = 0; k < 8; ++k) box.vertices.emplace_back(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+  for (int f = 0; f < 6; ++f) {
+    box.faces.push_back({(f & 1 ? -1 : 1) * Vec3::Unit(f / 2), 1, static_cast<std::uint16_t>(4 * f), 4});
+  }
+  box.loop.assign(kLoop, kLoop + 24);
+  for (std::uint16_t here = 0; here < 24; ++here) {
+    const auto face = static_cast<std::uint16_t>(here / 4);
+    const std::uint16_t from = kLoop[here], to = kLoop[4 * face + (here + 1) % 4];
+    std::size_t e = 0;
+    while (e < box.edges.size() && !(box.edges[e].from == to && box.edges[e].to == from)) ++e;
+    if (e == box.edges.size()) {
+      box.edges.push_back({from, to, face, face});
+    } else {
+      box.edges[e].right = face;
+    }
+    box.loop_edge.push_back(static_cast<std::uint16_t>(e));
+  }
+  return box;
+}
+
+using Key = std::array<std::uint64_t, 5>;  // kind and sizes, bit by bit
+struct KeyHash {
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t x = 0;
+    for (const std::uint64_t word : key) x = mixed(x ^ word);
+    return x;
+  }
+};
+
+class TableMaker {
+ public:
+  TableMaker() : box_(unit_box()) { table_.hulls = words_of(box_); }
+
+  void add(const Shape& shape) { table_.of_body.push_back(number_of(shape)); }
+  ShapeTable take() { return std::move(table_); }
+
+ private:
+  std::uint32_t number_of(const Shape& shape) {
+    if (const auto* box = std::get_if<Box>(&shape)) {
+      const Vec3& h = box->half;
+      return simple(kDeviceBox, {h.x(), h.y(), h.z(), h.minCoeff()});
+    }
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) return simple(kDeviceSphere, {sphere->radius});
+    if (const auto* capsule = std::get_if<Capsule>(&shape)) {
+      return simple(kDeviceCapsule, {capsule->radius, capsule->length});
+    }
+    if (const auto* plane = std::get_if<Plane>(&shape)) {
+      const Vec3& n = plane->normal;
+      return simple(kDevicePlane, {n.x(), n.y(), n.z(), plane->offset});
+    }
+    return hull(*std::get_if<Hull>(&shape)->data);
+  }
+
+  std::uint32_t simple(DeviceShape kind, const std::array<double, 4>& size) {
+    Key key{static_cast<std::uint64_t>(kind)};
+    for (std::size_t k = 0; k < 4; ++k) key[k + 1] = std::bit_cast<std::uint64_t>(size[k]);
+    const auto [at, is_new] = simple_.try_emplace(key, next());
+    if (!is_new) return at->second;
+    ShapeRecord record{};
+    std::copy(size.begin(), size.end(), record.size);
+    record.kind = static_cast<std::uint32_t>(kind);
+    if (kind == kDeviceBox) count_parts(box_, record);
+    table_.shapes.push_back(record);
+    return at->second;
+  }
+
+  // Copies share their data; of what was made twice the data are equal.
+  std::uint32_t hull(const HullData& data) {
+    const auto [at, is_new] = hulls_.try_emplace(&data, 0);
+    if (!is_new) return at->second;
+    const auto [same, is_first] = words_.try_emplace(words_of(data), next());
+    at->second = same->second;
+    if (!is_first) return at->second;
+    ShapeRecord record{{data.bounding_radius, 0, 0, data.inner_radius}, kDeviceHull, 0, 0, 0, 0, 0, {}};
+    count_parts(data, record);
+    record.first = static_cast<std::uint32_t>(table_.hulls.size());
+    table_.hulls.insert(table_.hulls.end(), same->first.begin(), same->first.end());
+    table_.shapes.push_back(record);
+    return at->second;
+  }
+
+  std::uint32_t next() const { return static_cast<std::uint32_t>(table_.shapes.size()); }
+
+  HullData box_;
+  ShapeTable table_;
+  std::unordered_map<Key, std::uint32_t, KeyHash> simple_;
+  std::unordered_map<const HullData*, std::uint32_t> hulls_;
+  std::map<Words, std::uint32_t> words_;
+};
+
+}  // namespace
+
+ShapeTable make_shape_table(const Model& model) {
+  TableMaker maker;
+  for (const Shape& shape : model.shape) maker.add(shape);
+  return maker.take();
+}
+
+std::string why_not_on_device(const Model& model) {
+  for (std::size_t i = 0; i < model.shape.size(); ++i) {
+    const Shape& shape = model.shape[i];
+    const std::string body = "body '" + model.name[i] + "' ";
+    if (std::holds_alternative<Compound>(shape))
+      return body + "is a mesh of several parts, which the GPU cannot take";
+    if (std::holds_alternative<Solid>(shape)) {
+      return body + "is a " + std::string(kind_of(shape).name) + ", which the GPU cannot take";
+    }
+    const auto* hull = std::get_if<Hull>(&shape);
+    if (hull && hull->data->faces.size() > kMostDeviceHullFaces) {
+      return body + "has " + counted(hull->data->faces.size(), "face") + ", the GPU takes at most " +
+             std::to_string(kMostDeviceHullFaces);
+    }
+  }
+  return {};
+}
+
+}  // namespace pabd
