@@ -141,19 +141,29 @@ TEST_CASE("render's parts keep apart") {
                    {"render/visual/", "sim/math/", "sim/body/", "sim/solver/", "sim/scene/"}) == List{});
   CHECK(violations("render/context/", kImGui) == List{});
   CHECK(violations("render/context/", {"render/gl/", "render/visual/", "render/output/"}) == List{});
+  CHECK(violations("render/device/", kImGui) == List{});
+  CHECK(violations("render/device/", {"render/visual/", "render/output/"}) == List{});
+  // Pictures are drawn whether or not a GPU solves.
+  for (const char* folder : {"render/visual/", "render/output/", "render/context/", "render/gl/"})
+    CHECK(violations(folder, {"render/device/"}) == List{});
 }
 
 TEST_CASE("GLSL is in files of its own, and each of them is embedded") {
   using List = std::vector<std::string>;
   CHECK(mentions("render/", {"gl_Position", "void main("}) == List{});
-  std::ifstream file(fs::path(PABD_SOURCE_DIR) / "render/gl/CMakeLists.txt");
-  const std::string cmake((std::istreambuf_iterator<char>(file)), {});
+  std::set<std::string> names;
   int count = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(PABD_SOURCE_DIR) / "render/gl/shaders")) {
-    CAPTURE(entry.path());
-    REQUIRE(entry.path().extension() == ".glsl");
-    CHECK(std::regex_search(cmake, std::regex("\\s" + entry.path().stem().string() + "[\\s)]")));
-    ++count;
+  for (const char* folder : {"render/gl", "render/device"}) {
+    const std::string cmake = pabd::read_bytes(fs::path(PABD_SOURCE_DIR) / folder / "CMakeLists.txt");
+    for (const auto& entry : fs::directory_iterator(fs::path(PABD_SOURCE_DIR) / folder / "shaders")) {
+      CAPTURE(entry.path());
+      REQUIRE(entry.path().extension() == ".glsl");
+      CHECK(std::regex_search(cmake, std::regex("\\s" + entry.path().stem().string() + "[\\s)]")));
+      // All files are names of one namespace.
+      CHECK(names.insert(entry.path().stem().string()).second);
+      CHECK(pabd::read_bytes(entry.path()).starts_with("// SPDX-License-Identifier: MIT\n"));
+      ++count;
+    }
   }
   CHECK(count > 20);
 }

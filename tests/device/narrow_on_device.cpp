@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// See narrow_on_device.h.
+#include "tests/device/narrow_on_device.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "render/device/compute_functions.h"
+#include "render/device/narrow_parts.h"
+
+namespace pabd::testing {
+namespace {
+
+constexpr std::size_t kMostFound = 16, kNumbers = 7, kWords = 1 + 2 * kMostFound;
+constexpr std::size_t kPlacement = 2 * 12 + 1;
+constexpr GLuint kGroup = 64;
+
+const ShaderPart kMain = {"narrow main", R"glsl(
+layout(local_size_x = 64) in;
+layout(std430, binding = 2) readonly buffer Placements { double placement[]; };
+layout(std430, binding = 3) readonly buffer ShapesOf { uvec2 shapes_of[]; };
+layout(std430, binding = 4) writeonly buffer Numbers { double number[]; };
+layout(std430, binding = 5) writeonly buffer Words { uint word[]; };
+uniform uint pair_count;
+
+Placed read_placed(uint at, uint shape) {
+  Placed body;
+  body.c = dvec3(placement[at], placement[at + 1u], placement[at + 2u]);
+  for (uint j = 0u; j < 3u; ++j) {
+    uint column = at + 3u + 3u * j;
+    body.R[j] = dvec3(placement[column], placement[column + 1u], placement[column + 2u]);
+  }
+  body.shape = shape;
+  return body;
+}
+
+void main() {
+  uint k = gl_GlobalInvocationID.x;
+  if (k >= pair_count) return;
+  found_count = 7;  // of an earlier pair
+  uint at = 25u * k;
+  find_contacts(read_placed(at, shapes_of[k].x), read_placed(at + 12u, shapes_of[k].y), placement[at + 24u]);
+  word[33u * k] = uint(found_count);
+  for (int i = 0; i < found_count; ++i) {
+    FoundContact p = found[i];
+    uint place = 7u * (16u * k + uint(i));
+    for (int j = 0; j < 3; ++j) {
+      number[place + uint(j)] = p.y_b[j];
+      number[place + 3u + uint(j)] = p.n[j];
+    }
+    number[place + 6u] = p.d;
+    word[33u * k + 1u + 2u * uint(i)] = p.feature;
+    word[33u * k + 2u + 2u * uint(i)] = p.second_owns ? 1u : 0u;
+  }
+}
+)glsl"};
+
+std::unique_ptr<GlContext> some_context() {
+  std::vector<ContextAttempt> attempts;
+  return create_headless_context(Backend::automatic, attempts);
+}
+
+// A storage buffer at its binding.
+class Buffer {
+ public:
+  template <class T>
+  Buffer(const ComputeFunctions& gl, GLuint binding, const std::vector<T>& data) : gl_(gl) {
+    gl.GenBuffers(1, &id_);
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id_);
+    gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(),
+                  GL_DYNAMIC_DRAW);
+  }
+  ~Buffer() { gl_.DeleteBuffers(1, &id_); }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  template <class T>
+  void read(std::vector<T>& out) const {
+    gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, id_);
+    gl_.GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(out.size() * sizeof(T)),
+                         out.data());
+  }
+
+ private:
+  const ComputeFunctions& gl_;
+  GLuint id_ = 0;
+};
+
+}  // namespace
+
+struct NarrowOnDevice::Inside {
+  std::unique_ptr<GlContext> context = some_context();
+  ComputeFunctions gl{*context};
+};
+
+NarrowOnDevice::NarrowOnDevice() : inside_(std::make_unique<Inside>()) {}
+NarrowOnDevice::~NarrowOnDevice() = default;
+
+std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable& table, int kind_0,
+                                                                int kind_1,
+                                                                const std::vector<PlacedPair>& pairs) {
+  const ComputeFunctions& gl = inside_->gl;
+  std::vector<ShaderPart> parts = {{"header", "#version 430 core\n"}};
+  const std::vector<ShaderPart> narrow = narrow_parts(kind_0, kind_1);
+  parts.insert(parts.end(), narrow.begin(), narrow.end());
+  parts.push_back(kMain);
+  const auto begin = std::chrono::steady_clock::now();
+  const GLuint program =
+      link_stages(gl, "narrow", std::array{compile_stage(gl, "narrow", GL_COMPUTE_SHADER, parts)});
+  gl.UseProgram(program);
+
+  std::vector<double> placements;
+  std::vector<std::uint32_t> shapes;
+  for (const PlacedPair& pair : pairs) {
+    for (int body = 0; body < 2; ++body) {
+      placements.insert(placements.end(), pair.c[body].data(), pair.c[body].data() + 3);
+      placements.insert(placements.end(), pair.R[body].data(), pair.R[body].data() + 9);
+      shapes.push_back(pair.shape[body]);
+    }
+    placements.push_back(pair.reach);
+  }
+  std::vector<double> numbers(pairs.size() * kMostFound * kNumbers);
+  std::vector<std::uint32_t> words(pairs.size() * kWords);
+  static_assert(kPlacement == 25 && kWords == 33);  // as the main has them
+  const Buffer shape_buffer(gl, 0, table.shapes), hull_buffer(gl, 1, table.hulls);
+  const Buffer placement_buffer(gl, 2, placements), shapes_buffer(gl, 3, shapes);
+  const Buffer number_buffer(gl, 4, numbers), word_buffer(gl, 5, words);
+  // The driver may compile as late as here: that counts too, so one pair goes ahead of the others.
+  const GLint count = gl.GetUniformLocation(program, "pair_count");
+  gl.Uniform1ui(count, 1);
+  gl.DispatchCompute(1, 1, 1);
+  gl.Finish();
+  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  gl.Uniform1ui(count, static_cast<GLuint>(pairs.size()));
+  gl.DispatchCompute((static_cast<GLuint>(pairs.size()) + kGroup - 1) / kGroup, 1, 1);
+  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  number_buffer.read(numbers);
+  word_buffer.read(words);
+  gl.DeleteProgram(program);
+
+  std::vector<std::vector<ContactPoint>> out(pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    for (std::size_t i = 0; i < words[kWords * k]; ++i) {
+      const double* x = &numbers[kNumbers * (kMostFound * k + i)];
+      const std::uint32_t* word = &words[kWords * k + 1 + 2 * i];
+      const Vec3 y_b(x[0], x[1], x[2]), n(x[3], x[4], x[5]);
+      const Index a = word[1] != 0 ? 1 : 0;
+      out[k].push_back({a, 1 - a, y_b - x[6] * n, y_b, n, x[6], word[0]});
+    }
+    std::sort(out[k].begin(), out[k].end(),
+              [](const ContactPoint& p, const ContactPoint& q) { return p.feature < q.feature; });
+  }
+  return out;
+}
+
+}  // namespace pabd::testing

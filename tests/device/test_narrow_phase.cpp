@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+// The narrow phase in shaders against the CPU's: the same contacts, for every pair of kinds.
+//
+// Where a decision hangs on the last bit, rounding may decide otherwise. Then the CPU must have the same contacts at
+// some placement a hair away, and there may be few such pairs.
+#include <catch2/catch.hpp>
+#include <map>
+
+#include "sim/body/convex_hull.h"
+#include "tests/collision/reference.h"
+#include "tests/device/narrow_on_device.h"
+#include "tests/support/sanitized.h"
+
+using namespace reference;
+using pabd::testing::NarrowOnDevice;
+using pabd::testing::PlacedPair;
+
+namespace {
+
+#ifdef PABD_SANITIZED
+constexpr int kPairs = 240;
+#else
+constexpr int kPairs = 2000;
+#endif
+constexpr double kSame = 1e-10, kHair = 1e-12;
+constexpr double kReach = 0.05;  // of each body
+
+Shape prism(int sides, double radius, double half_height) {
+  std::vector<Vec3> points;
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * kPi * k / sides;
+    for (const double y : {-half_height, half_height})
+      points.emplace_back(radius * std::cos(angle), y, radius * std::sin(angle));
+  }
+  return Hull{make_hull(points).hull};
+}
+
+std::vector<Shape> shapes_of(int kind) {
+  switch (kind) {
+    case kDeviceBox:
+      return {Box{{0.5, 0.5, 0.5}}, Box{{0.3, 0.5, 0.4}}, Box{{0.7, 0.2, 0.3}}, Box{{0.6, 0.03, 0.5}},
+              Box{{0.05, 0.7, 0.08}}};
+    case kDeviceSphere:
+      return {Sphere{0.4}, Sphere{0.3}};
+    case kDeviceCapsule:
+      return {Capsule{0.2, 0.8}, Capsule{0.15, 0.9}, Capsule{0.3, 0.5}, Capsule{0.05, 0.9}};
+    case kDevicePlane:
+      return {Plane{Vec3::UnitY(), 0.1}, Plane{Vec3(0.6, 0.8, 0), -0.3}, Plane{Vec3(1, 2, -2) / 3, 0.2}};
+    default:
+      return {rock(4, 0.8, 11),   rock(9, 0.5, 8),    rock(12, 0.5, 1), hull_of_box({0.3, 0.5, 0.4}),
+              prism(8, 0.4, 0.3), prism(30, 0.5, 0.2)};
+  }
+}
+
+// One of the 24 turns that keep the axes.
+Mat3 quarter_turns(Random& random) {
+  Mat3 R;
+  const int i = static_cast<int>(random.uniform(0, 3)), j = static_cast<int>(random.uniform(1, 3));
+  R.col(0) = Vec3::Unit(i) * (random.uniform(-1, 1) < 0 ? -1 : 1);
+  R.col(1) = Vec3::Unit((i + j) % 3) * (random.uniform(-1, 1) < 0 ? -1 : 1);
+  R.col(2) = R.col(0).cross(R.col(1));
+  return R;
+}
+
+enum Placement { kAnyhow, kTouching, kAligned, kNearlyAligned, kNearlyParallel, kDeep, kPlacements };
+const char* const kNames[] = {"anyhow", "touching", "aligned", "nearly aligned", "nearly parallel", "deep"};
+
+double smallest_d(const std::vector<ContactPoint>& contacts) {
+  double d = 1e300;
+  for (const ContactPoint& p : contacts) d = std::min(d, p.d);
+  return d;
+}
+
+Setup setup_of(const Shape& first, const Shape& second, const PlacedPair& pair) {
+  Setup setup;
+  setup.add(first, pair.c[0], pair.R[0], kReach);
+  setup.add(second, pair.c[1], pair.R[1], kReach);
+  return setup;
+}
+
+// Towards or from each other along the normal of the deepest contact, until that is as deep as is drawn.
+void make_touch(const Shape (&shape)[2], Random& random, PlacedPair& pair) {
+  const int moved = is_plane(shape[1]) ? 0 : 1;
+  const double wanted = random.uniform(-0.01, 0.03);
+  for (int k = 0; k < 4; ++k) {
+    const auto contacts = setup_of(shape[0], shape[1], pair).contacts();
+    const double d = smallest_d(contacts);
+    for (const ContactPoint& p : contacts) {
+      if (p.d == d) pair.c[moved] += (wanted - d) * (p.b == moved ? p.n : Vec3(-p.n));
+    }
+  }
+}
+
+PlacedPair place(Placement placement, const Shape (&shape)[2], Random& random) {
+  PlacedPair pair;
+  pair.reach = 2 * kReach;
+  // The plane, which stays, is the lower one of the two here.
+  const int low = is_plane(shape[1]) ? 1 : 0, high = 1 - low;
+  const auto* plane = std::get_if<Plane>(&shape[low]);
+  const Vec3 centre = random.within(-2, 2), anyhow = random.direction();
+  const Mat3 R_low = random.rotation(), R_high = random.rotation(), turned = quarter_turns(random);
+  const double small = std::pow(10.0, random.uniform(-17, -3)), gap = random.uniform(-0.3, 0.1);
+  const bool upright = random.uniform(0, 1) < 0.4;
+  pair.c[low] = plane ? Vec3::Zero() : centre;
+  pair.R[low] = plane || upright ? Mat3::Identity() : R_low;
+  Mat3 frame = pair.R[low];
+  if (plane) {
+    frame.col(1) = plane->normal;
+    frame.col(0) = plane->normal.unitOrthogonal();
+    frame.col(2) = frame.col(0).cross(frame.col(1));
+  }
+  const bool by_axes = placement == kAligned || placement == kNearlyAligned || placement == kNearlyParallel;
+  pair.R[high] = by_axes ? Mat3(frame * turned) : R_high;
+  if (placement == kNearlyAligned) pair.R[high] *= random.turn(small);
+  if (placement == kNearlyParallel) pair.R[high] *= random.turn(0.3);
+  // What is above what, along n.
+  Vec3 n = by_axes ? Vec3(frame.col(static_cast<int>(random.uniform(0, 3)))) : anyhow;
+  if (placement == kNearlyParallel && gap < -0.1) n = (n + frame.col(1) + 0.3 * frame.col(2)).normalized();
+  if (plane) n = plane->normal;
+  const double below = plane ? plane->offset : support(shape[low], Vec3::Zero(), pair.R[low], n);
+  const double above = support(shape[high], Vec3::Zero(), pair.R[high], -n);
+  constexpr double kGaps[] = {0, 0.01, -0.01, 0.03, -0.002};
+  const double apart = by_axes ? kGaps[static_cast<int>(random.uniform(0, 5))] : gap;
+  pair.c[high] = pair.c[low] + (below + above + apart) * n;
+  const Vec3 aside = random.within(-0.3, 0.3);
+  if (by_axes && aside.x() > 0) pair.c[high] += frame * (aside - aside.dot(n) * n);
+  if (placement == kDeep) {
+    const Vec3 offset = random.offset(0, 0.4);
+    const Vec3 middle = plane ? Vec3(plane->offset * n) : pair.c[low];
+    pair.c[high] = upright && aside.x() > 0.2 ? middle : Vec3(middle + offset);
+  }
+  if (placement == kTouching) make_touch(shape, random, pair);
+  return pair;
+}
+
+bool same(const std::vector<ContactPoint>& x, const std::vector<ContactPoint>& y) {
+  if (x.size() != y.size()) return false;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const ContactPoint &p = x[k], &q = y[k];
+    if (p.a != q.a || p.feature != q.feature) return false;
+    if (!(std::abs(p.d - q.d) < kSame && (p.n - q.n).norm() < kSame && (p.y_b - q.y_b).norm() < kSame))
+      return false;
+  }
+  return true;
+}
+
+// Has the CPU these contacts somewhere within a hair?
+bool same_nearby(const std::vector<ContactPoint>& contacts, const Shape (&shape)[2], const PlacedPair& pair,
+                 Random& random) {
+  for (int trial = 0; trial < 2000; ++trial) {
+    PlacedPair near = pair;
+    for (int body = 0; body < 2; ++body) {
+      if (is_plane(shape[body])) continue;
+      near.c[body] += random.within(-kHair, kHair);
+      near.R[body] *= random.turn(kHair);
+    }
+    if (same(contacts, setup_of(shape[0], shape[1], near).contacts())) return true;
+  }
+  return false;
+}
+
+struct Pair {
+  const char* name;
+  int kind_0, kind_1;
+};
+
+const Pair kKinds[] = {
+    {"sphere sphere", kDeviceSphere, kDeviceSphere},
+    {"capsule sphere", kDeviceCapsule, kDeviceSphere},
+    {"capsule capsule", kDeviceCapsule, kDeviceCapsule},
+    {"plane sphere", kDevicePlane, kDeviceSphere},
+    {"plane capsule", kDevicePlane, kDeviceCapsule},
+    {"plane box", kDevicePlane, kDeviceBox},
+    {"box sphere", kDeviceBox, kDeviceSphere},
+    {"box capsule", kDeviceBox, kDeviceCapsule},
+    {"box box", kDeviceBox, kDeviceBox},
+};
+
+}  // namespace
+
+TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pair of kinds") {
+  NarrowOnDevice device;
+  for (const Pair& kinds : kKinds) {
+    DYNAMIC_SECTION(kinds.name) {
+      Random random(2027);
+      const std::vector<Shape> list[2] = {shapes_of(kinds.kind_0), shapes_of(kinds.kind_1)};
+      Model model;
+      for (const auto& shapes : list) model.shape.insert(model.shape.end(), shapes.begin(), shapes.end());
+      const ShapeTable table = make_shape_table(model);
+
+      std::vector<PlacedPair> pairs, moved;
+      std::vector<std::vector<ContactPoint>> expected;
+      std::vector<std::array<Shape, 2>> shape_of;
+      std::vector<Vec3> origins;
+      for (int trial = 0; trial < kPairs; ++trial) {
+        std::size_t number[2];
+        for (int i = 0; i < 2; ++i)
+          number[i] = static_cast<std::size_t>(random.uniform(0, static_cast<double>(list[i].size())));
+        Shape shape[2] = {list[0][number[0]], list[1][number[1]]};
+        std::uint32_t of_table[2] = {table.of_body[number[0]], table.of_body[list[0].size() + number[1]]};
+        // Either kind may have the lower number.
+        if (random.uniform(0, 1) < 0.5) {
+          std::swap(shape[0], shape[1]);
+          std::swap(of_table[0], of_table[1]);
+        }
+        PlacedPair pair = place(static_cast<Placement>(trial % kPlacements), shape, random);
+        std::copy(of_table, of_table + 2, pair.shape);
+        expected.push_back(setup_of(shape[0], shape[1], pair).contacts());
+        shape_of.push_back({shape[0], shape[1]});
+        // The device may have another origin.
+        const Vec3 near = random.within(-1, 1);
+        origins.push_back(trial / kPlacements % 2 == 0 ? Vec3::Zero() : near);
+        pairs.push_back(pair);
+        for (Vec3& c : pair.c) c -= origins.back();
+        moved.push_back(pair);
+      }
+
+      auto found = device.contacts(table, kinds.kind_0, kinds.kind_1, moved);
+      int contacts = 0, touching = 0;
+      std::map<std::string, int> differ;
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        for (ContactPoint& p : found[k]) {
+          p.y_a += origins[k];
+          p.y_b += origins[k];
+        }
+        contacts += static_cast<int>(expected[k].size());
+        touching += expected[k].empty() ? 0 : 1;
+        if (same(found[k], expected[k])) continue;
+        const Shape shape[2] = {shape_of[k][0], shape_of[k][1]};
+        INFO("pair " << k << ", " << kNames[k % kPlacements] << ", shapes " << pairs[k].shape[0] << ", "
+                     << pairs[k].shape[1] << ", contacts of the CPU " << expected[k].size()
+                     << ", of the device " << found[k].size());
+        CHECK(same_nearby(found[k], shape, pairs[k], random));
+        ++differ[kNames[k % kPlacements]];
+      }
+      std::string list_of_them;
+      for (const auto& [name, count] : differ) list_of_them += name + " " + std::to_string(count) + ", ";
+      WARN(kinds.name << ": " << contacts << " contacts of " << touching << " pairs, decided otherwise: "
+                      << list_of_them << "compiled in " << device.seconds_to_compile() << " s");
+      CHECK(touching > kPairs / 2);
+    }
+  }
+}
