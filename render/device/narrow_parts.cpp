@@ -35,6 +35,15 @@ std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second) {
       return add({narrow_side_by_side, narrow_box_capsule});
     case both(kDeviceBox, kDeviceBox):
       return add({narrow_side_by_side, narrow_box_face, narrow_box_box});
+    case both(kDevicePlane, kDeviceHull):
+      return add({narrow_hull, narrow_spread, narrow_plane_hull});
+    case both(kDeviceSphere, kDeviceHull):
+      return add({narrow_hull, narrow_hull_sphere});
+    case both(kDeviceCapsule, kDeviceHull):
+      return add({narrow_side_by_side, narrow_hull, narrow_hull_capsule});
+    case both(kDeviceBox, kDeviceHull):
+    case both(kDeviceHull, kDeviceHull):
+      return add({narrow_side_by_side, narrow_hull, narrow_spread, narrow_hull_face, narrow_hull_hull});
     default:
       return {};
   }

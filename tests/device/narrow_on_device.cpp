@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include "render/device/compute_functions.h"
 #include "render/device/narrow_parts.h"
@@ -105,7 +104,6 @@ std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable
   const std::vector<ShaderPart> narrow = narrow_parts(kind_0, kind_1);
   parts.insert(parts.end(), narrow.begin(), narrow.end());
   parts.push_back(kMain);
-  const auto begin = std::chrono::steady_clock::now();
   const GLuint program =
       link_stages(gl, "narrow", std::array{compile_stage(gl, "narrow", GL_COMPUTE_SHADER, parts)});
   gl.UseProgram(program);
@@ -126,13 +124,7 @@ std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable
   const Buffer shape_buffer(gl, 0, table.shapes), hull_buffer(gl, 1, table.hulls);
   const Buffer placement_buffer(gl, 2, placements), shapes_buffer(gl, 3, shapes);
   const Buffer number_buffer(gl, 4, numbers), word_buffer(gl, 5, words);
-  // The driver may compile as late as here: that counts too, so one pair goes ahead of the others.
-  const GLint count = gl.GetUniformLocation(program, "pair_count");
-  gl.Uniform1ui(count, 1);
-  gl.DispatchCompute(1, 1, 1);
-  gl.Finish();
-  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  gl.Uniform1ui(count, static_cast<GLuint>(pairs.size()));
+  gl.Uniform1ui(gl.GetUniformLocation(program, "pair_count"), static_cast<GLuint>(pairs.size()));
   gl.DispatchCompute((static_cast<GLuint>(pairs.size()) + kGroup - 1) / kGroup, 1, 1);
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   number_buffer.read(numbers);

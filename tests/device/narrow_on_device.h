@@ -29,12 +29,9 @@ class NarrowOnDevice {
   std::vector<std::vector<ContactPoint>> contacts(const ShapeTable& table, int kind_0, int kind_1,
                                                   const std::vector<PlacedPair>& pairs);
 
-  double seconds_to_compile() const { return seconds_; }  // the last program
-
  private:
   struct Inside;
   std::unique_ptr<Inside> inside_;
-  double seconds_ = 0;
 };
 
 }  // namespace pabd::testing

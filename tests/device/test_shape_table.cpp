@@ -77,8 +77,8 @@ TEST_CASE("bodies that the GPU cannot take are named") {
 }
 
 TEST_CASE("every pair of kinds has its shader, but two planes") {
-  for (int i = 0; i < kDeviceHull; ++i) {
-    for (int j = 0; j < kDeviceHull; ++j) {
+  for (int i = 0; i < kDeviceShapes; ++i) {
+    for (int j = 0; j < kDeviceShapes; ++j) {
       CAPTURE(i, j);
       const auto parts = narrow_parts(i, j), swapped = narrow_parts(j, i);
       REQUIRE(parts.size() == swapped.size());

@@ -132,17 +132,15 @@ bool best_edge(double face, out double separation, out int edge_i, out int edge_
   return true;
 }
 
-// What add_apart of box_box.cpp does after the other face and the edges: a corner of one, or edges through it.
-void add_corner(NearestCorner c, bool corner_of_b, double apart, int start) {
+// What add_apart of box_box.cpp does after the other face and the edges: a corner of one, or edges through it. True:
+// they say all there is to say.
+bool add_corner(NearestCorner c, bool corner_of_b, double apart) {
   dvec3 n = (c.corner - c.foot) / apart;
-  int middle = found_count;
-  if (add_parallel_edges(corner_of_b ? n : -(C * n), apart)) {
-    replace_contacts(start, middle);
-    return;
-  }
+  if (add_parallel_edges(corner_of_b ? n : -(C * n), apart)) return true;
   dvec3 corner = corner_of_b ? a.c + a.R * c.corner : b.c + b.R * c.corner;
   add_contact(!corner_of_b, corner, corner_of_b ? a.R * n : b.R * n, apart,
               CORNER_FEATURE | (corner_of_b ? 8u : 0u) | c.number);
+  return false;
 }
 
 void find_contacts(Placed first, Placed second, double reach) {
@@ -187,22 +185,24 @@ void find_contacts(Placed first, Placed second, double reach) {
   bool try_face = true;
   double d = NONE, nearest = NONE;
   NearestCorner corner;
-  for (int turn = 0; turn < 3; ++turn) {
+  int dropped = 0;  // contacts that those after them replace
+  int turn = 0;
+  for (; turn < 3; ++turn) {
     int before = found_count;
     if (try_edge) {
       if (add_edge_contact(edge_i, edge_j)) {
-        if (apart && turn == 2 && found_count > before + 1) replace_contacts(0, before);
-        return;
+        if (turn == 2 && found_count > before + 1) dropped = before;
+        break;
       }
       edge_j = -1;  // its places are beyond the ends
     }
     if (turn == 0) try_face = !(clearly_edge && edge > 0 && face <= 0);
-    double over = NONE;
-    if (try_face) over = add_face(b_owns != (turn > 0), (b_owns != (turn > 0)) ? axis_b : axis_a);
+    bool of_b = b_owns != (turn > 0);
+    double over = try_face ? add_face(of_b, of_b ? axis_b : axis_a) : NONE;
 
     if (turn == 0) {
       d = over;
-      if (d <= bound) return;
+      if (d <= bound) break;
       // The deepest or nearest part is not over that face.
       if (apart) {
         NearestCorner on_b = nearest_corner(h, g, C, t), on_a = nearest_corner(g, h, transpose(C), -s);
@@ -217,23 +217,17 @@ void find_contacts(Placed first, Placed second, double reach) {
         try_face = !(d < NONE) || rival > face;
       }
     } else if (turn == 1) {
-      if (!apart) {
-        if (try_face) {
-          if (over < d) replace_contacts(0, before);
-          else found_count = before;
-        }
-        return;
-      }
-      if (try_face) {
-        if (over <= rival_bound) {
-          replace_contacts(0, before);
-          return;
-        }
-        found_count = before;
-      }
+      bool better = try_face && (apart ? over <= rival_bound : over < d);
+      if (better) dropped = before;
+      else found_count = before;
+      if (better || !apart) break;
       try_edge = edge_j >= 0 && edge < nearest - 1e-9lf * smallest;
       try_face = false;
     }
   }
-  if (nearest < min(d, reach) && nearest > 1e-12lf * smallest) add_corner(corner, corner_of_b, nearest, 0);
+  if (turn == 3 && nearest < min(d, reach) && nearest > 1e-12lf * smallest) {
+    int before = found_count;
+    if (add_corner(corner, corner_of_b, nearest)) dropped = before;
+  }
+  if (dropped > 0) drop_contacts(dropped);
 }

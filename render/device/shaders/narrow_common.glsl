@@ -55,11 +55,10 @@ void add_contact(bool second_owns, dvec3 y_b, dvec3 n, double d, uint feature) {
   ++found_count;
 }
 
-// What came from `middle` on replaces what came from `start` on.
-void replace_contacts(int start, int middle) {
-  int count = found_count - middle;
-  for (int k = 0; k < count; ++k) found[start + k] = found[middle + k];
-  found_count = start + count;
+// Without the first ones, which those after them replace. Costly to compile: call it once.
+void drop_contacts(int dropped) {
+  found_count -= dropped;
+  for (int k = 0; k < found_count; ++k) found[k] = found[dropped + k];
 }
 
 dvec3 unit(dvec3 v) { return v / sqrt(dot(v, v)); }

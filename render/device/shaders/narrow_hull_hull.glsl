@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+// hull_hull.cpp. Two hulls, or a hull and a box, a and b, a the lower number.
+//
+//   C, t   pose of b in the frame of a;  C_back, t_back   pose of a in the frame of b
+Placed a, b;
+HullView view_a, view_b;
+dmat3 C, C_back;
+dvec3 t, t_back;
+double smallest, the_reach;
+
+// The face of the owner that separates best from the other, which stands at (M, m) in its frame. Stops as soon as one
+// separates by the reach.
+double best_face(HullView owner, HullView other, dmat3 M, dvec3 m, out uint face) {
+  double best = -NONE;
+  face = 0u;
+  for (uint f = 0u; f < owner.faces; ++f) {
+    dvec3 n = normal_of(owner, f), n_there = n * M;
+    double lowest = NONE;
+    for (uint v = 0u; v < other.vertices; ++v) lowest = min(lowest, dot(n_there, vertex_of(other, v)));
+    double s = lowest + dot(n, m) - offset_of(owner, f, n);
+    if (s > best) {
+      best = s;
+      face = f;
+    }
+    if (s >= the_reach) break;
+  }
+  return best;
+}
+
+struct BestEdge {
+  double separation;
+  int e, g;
+  dvec3 n;  // unit, from a towards b, in the frame of a
+};
+
+// Of the pairs whose arcs cross on the Gauss map, in the frame of b.
+BestEdge best_edge(double above) {
+  BestEdge best = BestEdge(above, -1, -1, dvec3(0));
+  for (uint i = 0u; i < view_a.edges; ++i) {
+    uvec4 edge_a = edge_of(view_a, i);
+    dvec3 p_a = vertex_of(view_a, edge_a.x);
+    dvec3 e = (vertex_of(view_a, edge_a.y) - p_a) * C, up = p_a * C, p = t_back + up;
+    dvec3 A = normal_of(view_a, edge_a.z) * C, B = normal_of(view_a, edge_a.w) * C;
+    double ee = dot(e, e);
+    for (uint j = 0u; j < view_b.edges; ++j) {
+      uvec4 edge_b = edge_of(view_b, j);
+      double C_e = -dot(normal_of(view_b, edge_b.z), e), D_e = -dot(normal_of(view_b, edge_b.w), e);
+      if (C_e * D_e >= 0) continue;
+      dvec3 q = vertex_of(view_b, edge_b.x), g = vertex_of(view_b, edge_b.y) - q;
+      double A_g = dot(A, g), B_g = dot(B, g);
+      if (A_g * B_g >= 0 || C_e * B_g <= 0) continue;
+      dvec3 n = cross(e, g);
+      double size2 = dot(n, n);
+      if (!(size2 / (ee * dot(g, g)) > 1e-8lf)) continue;  // parallel: a face direction says the same
+      n /= sqrt(size2);
+      if (dot(n, up) < 0) n = -n;  // the centre of a lies below every one of its edges
+      double s = dot(n, q - p);
+      if (s > best.separation) best = BestEdge(s, int(i), int(j), C * n);
+      if (s >= the_reach) return best;
+    }
+  }
+  return best;
+}
+
+// An edge of a hull that stands at (M, m).
+EdgeLine edge_line(HullView hull, uint e, dmat3 M, dvec3 m) {
+  uvec4 edge = edge_of(hull, e);
+  dvec3 from = vertex_of(hull, edge.x), to = vertex_of(hull, edge.y);
+  double size = sqrt(dot(to - from, to - from));
+  dvec3 u = (to - from) / size;
+  return EdgeLine(m + M * (0.5lf * (from + to)), M * u, 0.5lf * size, M * cross(normal_of(hull, edge.z), u),
+                  M * cross(u, normal_of(hull, edge.w)));
+}
+
+// Contacts along two edges that run side by side no farther apart than `nearest`. False when there are none.
+bool add_side_contacts(uint e, uint g, double nearest) {
+  int count = side_by_side(edge_line(view_a, e, dmat3(1), dvec3(0)), edge_line(view_b, g, C, t),
+                           0.5lf * preference(nearest, smallest), 0.0lf);
+  double lowest = NONE;
+  for (int k = 0; k < count; ++k) lowest = min(lowest, side_place[k].apart);
+  if (!(lowest <= nearest + preference(nearest, smallest))) return false;
+  for (int k = 0; k < count; ++k) {
+    SidePlace p = side_place[k];
+    uint kind = p.where == SIDE_LOW ? LOW_END : p.where == SIDE_HIGH ? HIGH_END : EDGE_PAIR;
+    if (p.apart < the_reach)
+      add_contact(false, a.c + a.R * p.y, a.R * p.n, p.apart, hull_feature(kind, 0u, e << 10 | g));
+  }
+  return true;
+}
+
+// Nearest points of the two edges. False when they lie beyond the ends of an edge.
+bool add_edge_contact(BestEdge best) {
+  uint e = uint(best.e), g = uint(best.g);
+  uvec4 edge_a = edge_of(view_a, e), edge_b = edge_of(view_b, g);
+  dvec3 p = vertex_of(view_a, edge_a.x), q = t + C * vertex_of(view_b, edge_b.x);
+  dvec3 u = vertex_of(view_a, edge_a.y) - p, v = t + C * vertex_of(view_b, edge_b.y) - q, w = q - p;
+  double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
+  double det = uu * vv - uv * uv;
+  double on_a = (uw * vv - uv * vw) / det, on_b = (uv * uw - uu * vw) / det;
+  const double END = 1e-9lf;
+  if (!(on_a >= -END && on_a <= 1 + END && on_b >= -END && on_b <= 1 + END)) return false;
+  double d = dot(w, best.n);
+  if (d > 0 && add_side_contacts(e, g, d)) return true;
+  if (d < the_reach)
+    add_contact(false, a.c + a.R * (q + on_b * v), a.R * best.n, d, hull_feature(EDGE_PAIR, 0u, e << 10 | g));
+  return true;
+}
+
+struct NearestCorner {
+  double apart;
+  dvec3 corner, foot;  // in the frame of the hull that has the foot
+  uint number;
+};
+
+// Nearest points where one is a corner, if nearer than `limit`.
+NearestCorner nearest_corner(double limit, out bool corner_of_b) {
+  NearestCorner best = NearestCorner(NONE, dvec3(0), dvec3(0), 0u);
+  corner_of_b = true;
+  // First the corners of b, then those of a; two corners: that of b.
+  for (int turn = 0; turn < 2; ++turn) {
+    HullView hull = view_a, other = view_b;
+    dmat3 M = C;
+    dvec3 m = t;
+    if (turn == 1) {
+      hull = view_b;
+      other = view_a;
+      M = C_back;
+      m = t_back;
+    }
+    NearestCorner on_other = NearestCorner(NONE, dvec3(0), dvec3(0), 0u);
+    for (uint v = 0u; v < other.vertices; ++v) {
+      dvec3 x = m + M * vertex_of(other, v), foot;
+      double nearer = min(limit, on_other.apart), apart = nearest_point(hull, x, nearer, foot);
+      if (apart < nearer) on_other = NearestCorner(apart, x, foot, v);
+    }
+    if (turn == 0) {
+      best = on_other;
+      limit = min(limit, best.apart);
+    } else if (!(best.apart <= on_other.apart * (1 + 1e-9lf))) {
+      best = on_other;
+      corner_of_b = false;
+    }
+  }
+  return best;
+}
+
+// Along an edge through that corner which runs side by side with an edge of the other hull.
+bool add_side_contacts_at(bool corner_of_b, uint corner, double nearest) {
+  for (uint e = 0u; e < view_a.edges; ++e) {
+    uvec4 edge_a = edge_of(view_a, e);
+    if (!corner_of_b && edge_a.x != corner && edge_a.y != corner) continue;
+    dvec3 u = vertex_of(view_a, edge_a.y) - vertex_of(view_a, edge_a.x);
+    for (uint g = 0u; g < view_b.edges; ++g) {
+      uvec4 edge_b = edge_of(view_b, g);
+      if (corner_of_b && edge_b.x != corner && edge_b.y != corner) continue;
+      dvec3 v = C * (vertex_of(view_b, edge_b.y) - vertex_of(view_b, edge_b.x));
+      double uv = dot(u, v);
+      if (uv * uv < (1 - ALONG_SINE * ALONG_SINE) * (dot(u, u) * dot(v, v))) continue;
+      if (add_side_contacts(e, g, nearest)) return true;
+    }
+  }
+  return false;
+}
+
+// Contacts of that face of a or b. The face of the other that looks most nearly against it is taken, but where that has
+// not got the lowest corner and is above `bound`, one that has.
+double add_face(bool of_b, uint face, double bound) {
+  FaceQuery q = FaceQuery(view_a, view_b, C, t, a.c, a.R, false);
+  if (of_b) q = FaceQuery(view_b, view_a, C_back, t_back, b.c, b.R, true);
+  dvec3 n = normal_of(q.reference, face) * q.M;
+  int start = found_count;
+  uint incident = 0u;
+  double d = NONE;
+  // The face most nearly against it; what one with the lowest corner says; the contacts of that.
+  for (int turn = 0; turn < 3; ++turn) {
+    if (turn < 2) {
+      uint wanted = facing(q.incident, n, turn == 0 ? -1 : lowest_vertex(q.incident, n));
+      if (turn == 1 && wanted == incident) break;
+      incident = wanted;
+    }
+    double over = add_hull_face(q, face, incident, the_reach, turn != 1);
+    if (turn == 0) {
+      d = over;
+      if (d <= bound) break;
+    } else if (turn == 1) {
+      if (!(over < d)) break;
+      d = over;
+      found_count = start;
+    }
+  }
+  return d;
+}
+
+// The corner, or edges through it. True: these say all there is to say.
+bool add_corner(NearestCorner c, bool corner_of_b) {
+  if (add_side_contacts_at(corner_of_b, c.number, c.apart)) return true;
+  Placed owner = a;
+  if (!corner_of_b) owner = b;
+  add_contact(!corner_of_b, owner.c + owner.R * c.corner, owner.R * ((c.corner - c.foot) / c.apart), c.apart,
+              hull_feature(CORNER, 0u, (corner_of_b ? 1024u : 0u) | c.number));
+  return false;
+}
+
+void find_contacts(Placed first, Placed second, double reach) {
+  begin_contacts();
+  a = first;
+  b = second;
+  the_reach = reach;
+  view_a = view_of(a.shape);
+  view_b = view_of(b.shape);
+  smallest = min(view_a.inner_radius, view_b.inner_radius);
+  C = transpose(a.R) * b.R;
+  t = (b.c - a.c) * a.R;
+  C_back = transpose(C);
+  t_back = -(C_back * t);
+
+  double face_of_side[2];
+  uint number_of_side[2];
+  for (int side = 0; side < 2; ++side) {
+    HullView owner = view_a, other = view_b;
+    dmat3 M = C;
+    dvec3 m = t;
+    if (side == 1) {
+      owner = view_b;
+      other = view_a;
+      M = C_back;
+      m = t_back;
+    }
+    face_of_side[side] = best_face(owner, other, M, m, number_of_side[side]);
+    if (!(face_of_side[side] < reach)) return;
+  }
+  bool b_owns = face_of_side[1] > face_of_side[0] + preference(face_of_side[0], smallest);
+  double face = face_of_side[b_owns ? 1 : 0], rival = face_of_side[b_owns ? 0 : 1];
+  BestEdge edge = best_edge(face);
+  if (!(edge.separation < reach)) return;
+
+  double bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
+  bool clearly_edge = edge.separation > bound, apart = edge.separation > 0;
+  // In turns, as box_box.
+  bool try_edge = clearly_edge, try_face = true, corner_of_b = false;
+  double d = NONE;
+  NearestCorner corner;
+  int dropped = 0;  // contacts that those after them replace
+  int turn = 0;
+  for (; turn < 3; ++turn) {
+    int before = found_count;
+    if (try_edge) {
+      if (add_edge_contact(edge)) {
+        if (turn == 2 && found_count > before + 1) dropped = before;
+        break;
+      }
+      edge.g = -1;  // its places are beyond the ends
+    }
+    if (turn == 0) try_face = !(clearly_edge && apart && face <= 0);
+    bool of_b = b_owns != (turn > 0);
+    double face_bound = apart ? NONE : turn == 0 ? bound : rival_bound, over = NONE;
+    if (try_face) over = add_face(of_b, number_of_side[of_b ? 1 : 0], face_bound);
+
+    if (turn == 0) {
+      d = over;
+      if (d <= bound) break;
+      // The deepest or nearest part is not over that face.
+      if (apart) {
+        d = min(d, reach);
+        corner = nearest_corner(d, corner_of_b);
+        try_edge = false;
+        try_face = corner_of_b == b_owns && corner.apart < d && corner.apart <= rival_bound;
+      } else {
+        try_edge = edge.g >= 0;
+        try_face = !(d < NONE) || rival > face;
+      }
+    } else if (turn == 1) {
+      bool better = try_face && (apart ? over <= rival_bound : over < d);
+      if (better) dropped = before;
+      else found_count = before;
+      if (better || !apart) break;
+      try_edge = edge.g >= 0 && edge.separation < corner.apart - 1e-9lf * smallest;
+      try_face = false;
+    }
+  }
+  if (turn == 3 && corner.apart < d && corner.apart > 1e-12lf * smallest) {
+    int before = found_count;
+    if (add_corner(corner, corner_of_b)) dropped = before;
+  }
+  if (dropped > 0) drop_contacts(dropped);
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// spread.h: a few of many points.
+const int MOST_POINTS = 8, MOST_CANDIDATES = 64;
+
+dvec3 candidate[MOST_CANDIDATES];
+double candidate_d[MOST_CANDIDATES];
+uint candidate_name[MOST_CANDIDATES];
+int chosen[MOST_POINTS];  // of the candidates
+
+// Returns how many are chosen.
+int choose_spread(int count, double reach, double same) {
+  if (count <= MOST_POINTS) {
+    for (int k = 0; k < count; ++k) chosen[k] = k;
+    return count;
+  }
+  double apart2[MOST_CANDIDATES];
+  double lowest = NONE;
+  for (int k = 0; k < count; ++k) {
+    apart2[k] = NONE;
+    lowest = min(lowest, candidate_d[k]);
+  }
+  int next = 0;
+  while (candidate_d[next] > lowest + same) ++next;
+  for (int size = 0; size < MOST_POINTS; ++size) {
+    chosen[size] = next;
+    apart2[next] = -1.0lf;
+    dvec3 last = candidate[next];
+    next = -1;
+    double best = 0;
+    for (int k = 0; k < count; ++k) {
+      double nearest2 = apart2[k];
+      if (nearest2 < 0) continue;
+      dvec3 between = candidate[k] - last;
+      nearest2 = min(nearest2, dot(between, between));
+      apart2[k] = nearest2;
+      double weight = 1 - 0.9lf * (candidate_d[k] - lowest) / (reach - lowest);
+      double score = weight * weight * nearest2;
+      if (next < 0 || score > best * (1 + 1e-6lf)) {
+        next = k;
+        best = score;
+      }
+    }
+    if (next < 0) return size + 1;  // candidates that are not numbers
+  }
+  return MOST_POINTS;
+}
