@@ -46,6 +46,7 @@ enum class Slot : std::uint32_t {
   skips,
   huge,
   parts,
+  told,
   count
 };
 
@@ -89,5 +90,11 @@ struct Pose {
 struct Pair {
   std::uint32_t emitter, other, first, count;
 };
+
+struct ContactTold {
+  std::uint32_t ends[4], pad[4];
+  double y_b[4], n[4], friction[4];
+};
+static_assert(sizeof(ContactTold) == 128);
 
 }  // namespace pabd::device

@@ -30,7 +30,7 @@ struct Programs {
   Scan scan;
   Colors colors;
   ComputeProgram start_bodies, start_contacts, sweep, between;
-  ComputeProgram tell, keep, finish, total_bodies, total_contacts;
+  ComputeProgram tell, reports, keep, finish, total_bodies, total_contacts;
 };
 
 bool any_round(const std::set<int>& shapes);

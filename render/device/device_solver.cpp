@@ -109,12 +109,13 @@ struct DeviceSolver::Impl {
   PhaseClock clock;
   std::uint32_t bodies = 0, buckets = 0, pair_room = 0, contact_room = 0;
   std::size_t real_bytes = 4;
-  std::uint32_t color_limit = 16, known_colors = 16, rounds = kFirstRounds;
+  std::uint32_t color_limit = 16, rounds = kFirstRounds;
   std::deque<Asked> asked;
   std::vector<Params> again;  // of steps that were not made
   StepSummary summary;
   Counters last{};
   DeviceTimes times;
+  double d_hat = 0;  // of the last step
   std::int64_t step_number = 0;
   double time = 0;
   int repeated = 0;
@@ -174,6 +175,7 @@ void DeviceSolver::Impl::make_contact_buffers(std::uint32_t room) {
   buffers.make(Slot::grips, room * vec4());
   buffers.make(Slot::ends, std::size_t{room} * 2 * sizeof(std::uint32_t));
   buffers.make(Slot::parts, std::size_t{groups(std::max(room, bodies), kGroup)} * 4 * sizeof(double));
+  if (options.report_contacts) buffers.make(Slot::told, room * sizeof(ContactTold));
   buffers.grow(Slot::kept_stretch, room * vec4());
   buffers.grow(Slot::kept_feature, room * sizeof(std::uint32_t));
 }
@@ -317,6 +319,7 @@ void DeviceSolver::Impl::make_step(const Params& params) {
   sweep(params);  // 3. minimise E
   clock.lap(times.solve);
   dispatch(programs.tell, contact_groups);
+  if (options.report_contacts) dispatch(programs.reports, contact_groups);
   set(programs.total_contacts, "count", contact_groups);
   dispatch(programs.total_contacts, 1);
   dispatch(programs.keep, groups(std::max(pair_room, bodies + 1), kGroup));
@@ -370,8 +373,10 @@ void DeviceSolver::Impl::report(const Params& params, const Counters& c) {
   summary.times.solve = times.solve;
   summary.times.velocities = times.velocities;
   summary.times.total = times.total();
-  known_colors = c.colors;
+  d_hat = params.contact.d_hat;
+  // Neither changes a result: of too few colors the step is made again, too few rounds are followed by others.
   rounds = std::clamp(c.rounds + 2, 4u, 64u);
+  color_limit = std::min(c.colors + 2, kMaxColors);
   last = c;
 }
 
@@ -446,7 +451,7 @@ void DeviceSolver::set_state(const State& state) {
   finish();
   Impl& m = *impl_;
   write_poses(state, m.precision, m.buffers);
-  write_memory(state, m.model, m.precision, m.buffers);
+  write_memory(state, m.model, m.precision, m.buffers, m.last);
   m.step_number = state.step;
   m.time = state.time;
 }
@@ -462,14 +467,25 @@ const StepSummary& DeviceSolver::finish() {
   return impl_->summary;
 }
 
-void DeviceSolver::read_state(State& out) {
+void DeviceSolver::read_state(State& out, bool memory) {
   finish();
   Impl& m = *impl_;
   read_poses(m.precision, m.buffers, m.bodies, out);
-  read_memory(m.last.pairs, m.last.contacts, m.precision, m.buffers, out);
+  out.contacts.clear();
+  if (memory) read_memory(m.last.pairs, m.precision, m.buffers, out);
   out.step = m.step_number;
   out.time = m.time;
   out.joint_force.clear();
+}
+
+void DeviceSolver::read_contacts(std::vector<ContactReport>& out) {
+  finish();
+  device::read_contacts(impl_->last.contacts, impl_->d_hat, impl_->buffers, out);
+}
+
+void DeviceSolver::read_colors(std::vector<int>& out) {
+  finish();
+  device::read_colors(impl_->bodies, impl_->buffers, out);
 }
 
 const DeviceTimes& DeviceSolver::times() const { return impl_->times; }

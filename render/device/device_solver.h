@@ -22,7 +22,8 @@ struct DeviceOptions {
   DevicePrecision precision = DevicePrecision::single;
   // Room at first, and more when a step needs it; 0: by the number of bodies.
   std::uint32_t pairs = 0, contacts = 0;
-  bool time_phases = false;  // fills DeviceTimes
+  bool time_phases = false;      // fills DeviceTimes
+  bool report_contacts = false;  // for read_contacts()
 };
 
 // On the GPU's own clock; ms. Of the last step that was made.
@@ -58,8 +59,13 @@ class DeviceSolver {
     return finish();
   }
 
-  // Positions, orientations and velocities after finish(); the memory of friction stays on the GPU.
-  void read_state(State& out);
+  // After finish(). `memory`: with what contacts remember, which the next step needs only where it is made elsewhere.
+  void read_state(State& out, bool memory = true);
+  // Of the last step, those with d < d̂, sorted by pair as the processor has them. Precondition:
+  // options.report_contacts, and a step was made.
+  void read_contacts(std::vector<ContactReport>& out);
+  // The color of each body that touches another one, −1 of the others: those of one color were solved at once.
+  void read_colors(std::vector<int>& out);
 
   const DeviceTimes& times() const;
   std::size_t bytes() const;       // of all buffers

@@ -88,7 +88,8 @@ void read_poses(Precision precision, const Buffers& buffers, std::uint32_t bodie
 }
 
 // Pairs are listed at a body that moves, so that no list is long: a floor has thousands of contacts.
-void write_memory(const State& state, const Model& model, Precision precision, Buffers& buffers) {
+void write_memory(const State& state, const Model& model, Precision precision, Buffers& buffers,
+                  Counters& counters) {
   struct Entry {
     std::uint32_t emitter, other;
     const ContactMemory* memory;
@@ -117,6 +118,7 @@ void write_memory(const State& state, const Model& model, Precision precision, B
     ++pairs.back().count;
     feature.push_back(entry.memory->feature);
   }
+  counters.pairs = static_cast<std::uint32_t>(pairs.size());
   std::partial_sum(first.begin(), first.end(), first.begin());
   write_items(buffers, Slot::kept_first, first);
   write_items(buffers, Slot::kept_pairs, pairs);
@@ -128,9 +130,10 @@ void write_memory(const State& state, const Model& model, Precision precision, B
   });
 }
 
-void read_memory(std::uint32_t pairs, std::uint32_t contacts, Precision precision, const Buffers& buffers,
-                 State& out) {
+void read_memory(std::uint32_t pairs, Precision precision, const Buffers& buffers, State& out) {
   const auto kept = read_items<Pair>(buffers, Slot::kept_pairs, pairs);
+  std::uint32_t contacts = 0;
+  for (const Pair& pair : kept) contacts = std::max(contacts, pair.first + (pair.count & 0xffffu));
   const auto feature = read_items<std::uint32_t>(buffers, Slot::kept_feature, contacts);
   out.contacts.clear();
   with_real(precision, [&](auto real) {
@@ -152,6 +155,31 @@ void read_memory(std::uint32_t pairs, std::uint32_t contacts, Precision precisio
   std::sort(out.contacts.begin(), out.contacts.end(), [](const ContactMemory& x, const ContactMemory& y) {
     return std::tie(x.pair, x.feature) < std::tie(y.pair, y.feature);
   });
+}
+
+void read_contacts(std::uint32_t contacts, double d_hat, const Buffers& buffers,
+                   std::vector<ContactReport>& out) {
+  out.clear();
+  for (const ContactTold& told : read_items<ContactTold>(buffers, Slot::told, contacts)) {
+    const auto vector = [](const double(&x)[4]) { return Vec3(x[0], x[1], x[2]); };
+    const double d = told.y_b[3];
+    if (!(d < d_hat)) continue;
+    const Vec3 y_b = vector(told.y_b), n = vector(told.n);
+    out.push_back({static_cast<Index>(told.ends[0]), static_cast<Index>(told.ends[1]), y_b - d * n, y_b, n, d,
+                   told.n[3], vector(told.friction), told.ends[2] != 0, told.friction[3]});
+  }
+  std::stable_sort(out.begin(), out.end(), [](const ContactReport& x, const ContactReport& y) {
+    return pair_key(x.a, x.b) < pair_key(y.a, y.b);
+  });
+}
+
+void read_colors(std::uint32_t bodies, const Buffers& buffers, std::vector<int>& out) {
+  const auto ends = read_items<std::uint32_t>(buffers, Slot::end_first, std::size_t{bodies} + 1);
+  const auto colors = read_items<std::uint32_t>(buffers, Slot::color_of, bodies);
+  out.assign(bodies, -1);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    if (ends[i + 1] != ends[i]) out[i] = static_cast<int>(colors[i] & 0xffu) - 1;
+  }
 }
 
 }  // namespace pabd::device

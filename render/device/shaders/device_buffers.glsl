@@ -64,9 +64,11 @@ AT(22) buffer Cursors { uint cursor[]; };  // where the next of a list goes
 #ifdef USES_STEPS
 AT(23) buffer Steps { real4 last_step[]; };  // two a body: last step of a sweep, its factor; turn, the way
 #endif
-#ifdef USES_KEPT
+#ifdef USES_KEPT_PAIRS
 AT(24) buffer KeptFirst { uint kept_first[]; };  // pair_first of the last step
 AT(25) buffer KeptPairs { Pair kept_pairs[]; };
+#endif
+#ifdef USES_KEPT
 AT(26) buffer KeptStretch { real4 kept_stretch[]; };  // frame of the owner. w: 1 held, 0 not
 AT(27) buffer KeptFeature { uint kept_feature[]; };
 #endif
@@ -81,4 +83,7 @@ AT(34) buffer Huge { uint huge_body[]; };
 #endif
 #ifdef USES_PARTS
 AT(35) buffer Parts { dvec4 part[]; };  // sums of work groups
+#endif
+#ifdef USES_TOLD
+AT(36) buffer Told { ContactTold contact_told[]; };
 #endif

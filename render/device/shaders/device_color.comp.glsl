@@ -69,7 +69,7 @@ void main() {
   if (i >= params.bodies || counters.overflow != 0u) return;
   uint c = color_of[i] & 0xffu;
   if (kinds[kind_number[i]].fixed_ == 0 && has_ends(i)) {
-    if (c > uint(params.color_limit)) c = 0u;
+    if (c > uint(params.color_limit)) atomicOr(counters.overflow, TOO_MANY_COLORS);
     for (uint k = end_first[i]; c != 0u && k < end_first[i + 1u]; ++k) {
       const uint j = other_of(ends[k]);
       if ((color_of[j] & 0xffu) == c && kinds[kind_number[j]].fixed_ == 0 && goes_first(j, i)) c = 0u;

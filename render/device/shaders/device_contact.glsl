@@ -5,6 +5,7 @@ struct ContactNow {
   real3 n, u;                       // normal, tangential stretch
   real3 normal_a, surface_a;        // levers on a of the normal force and of friction
   real3 normal_b, surface_b;        // on b
+  real3 y;                          // b's surface point, from a's centre
   real d;
 };
 
@@ -46,13 +47,15 @@ ContactNow contact_now(Contact c, Place a, Place b) {
   s.normal_a = turns ? from_a : r_a + turned_a;
   s.surface_a = from_a;
   s.surface_b = s.normal_b;
+  s.y = from_a;
 #ifdef ROUND
   if (!turns || radius_b > 0) {
     const real4 roll_a = turns || radius_a > 0 ? roll_of(c.id.x, a) : real4(0, 0, 0, 1);
     const real4 roll_b = radius_b > 0 ? roll_of(c.id.y, b) : real4(0, 0, 0, 1);
     const real rolling_a = turns ? -radius_b : radius_a;
     s.u += cross(s.n, radius_b * roll_b.xyz + rolling_a * roll_a.xyz);
-    s.surface_a += (-radius_b - rolling_a * (1 - roll_a.w)) * s.n;
+    s.y -= radius_b * s.n;
+    s.surface_a = s.y - rolling_a * (1 - roll_a.w) * s.n;
     s.surface_b += (-radius_b + radius_b * (1 - roll_b.w)) * s.n;
   }
 #endif

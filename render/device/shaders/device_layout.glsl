@@ -61,6 +61,14 @@ struct Contact {
 // What moves of it: x: friction bound; y: change it last asked for; z: gain.
 #define Grip real4
 
+// A contact for whoever asks.
+struct ContactTold {
+  uvec4 ends;      // a, b, 1 where friction holds
+  dvec4 y_b;       // w: d
+  dvec4 n;         // w: normal force
+  dvec4 friction;  // on b. w: μ
+};
+
 struct StepParams {
   double gravity[3];
   double least_load;   // of a contact that counts as loaded, N; the same of a kilogram

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// The solver on the GPU against the processor's, and against theory. On software GL too.
+#include <catch2/catch.hpp>
+
+#include <cstring>
+
+#include "render/device/compute_functions.h"
+#include "sim/scene/builder.h"
+#include "sim/solver/time_step.h"
+#include "tests/device/device_scenes.h"
+#include "tests/support/sanitized.h"
+
+using namespace pabd;
+using namespace pabd::testing;
+
+namespace {
+
+#ifdef PABD_SANITIZED
+constexpr int kSteps = 4;
+#else
+constexpr int kSteps = 30;
+#endif
+
+// One step by each from the same state, again and again.
+void check_steps(const Scene& scene, int warm_up, double same, int steps = kSteps) {
+  const auto context = any_context();
+  DeviceOptions options;
+  options.precision = DevicePrecision::twofold;
+  options.report_contacts = true;
+  State state = scene.initial, there;
+  StepWorkspace workspace;
+  StepReport report;
+  for (int k = 0; k < warm_up; ++k) step(scene.model, scene.params, {}, state, workspace, report);
+  DeviceSolver device(*context, scene.model, state, options);
+  StepOptions detailed;
+  detailed.report_contacts = true;
+  std::vector<ContactReport> contacts;
+  int converged = 0;
+  for (int k = 0; k < steps; ++k) {
+    CAPTURE(k);
+    device.set_state(state);
+    const StepSummary summary = device.step(scene.params);
+    device.read_state(there);
+    device.read_contacts(contacts);
+    step(scene.model, scene.params, detailed, state, workspace, report);
+    REQUIRE(there.step == state.step);
+    if (summary.status != StepStatus::converged || report.status != StepStatus::converged) continue;
+    ++converged;
+    REQUIRE(pose_difference(there, state) < same);
+    for (std::size_t i = 0; i < state.v.size(); ++i) {
+      REQUIRE((there.v[i] - state.v[i]).norm() < same / scene.params.h);
+      REQUIRE((there.omega[i] - state.omega[i]).norm() < 10 * same / scene.params.h);
+    }
+    CHECK(summary.kinetic == Approx(report.kinetic).epsilon(1e-6).margin(1e-6));
+    CHECK(summary.potential == Approx(report.potential).epsilon(1e-9));
+    CHECK(summary.elastic == Approx(report.elastic).epsilon(1e-4).margin(1e-6));
+    REQUIRE(summary.contacts == report.contacts);
+    REQUIRE(contacts.size() == report.contact_reports.size());
+    REQUIRE(there.contacts.size() == state.contacts.size());
+    for (std::size_t c = 0; c < state.contacts.size(); ++c) {
+      REQUIRE(there.contacts[c].pair == state.contacts[c].pair);
+      REQUIRE(there.contacts[c].feature == state.contacts[c].feature);
+      REQUIRE((there.contacts[c].stretch - state.contacts[c].stretch).norm() < 10 * same);
+    }
+  }
+  CHECK(converged > steps / 3);
+}
+
+State run(const Scene& scene, const DeviceOptions& options, int steps, int* repeated = nullptr) {
+  const auto context = any_context();
+  DeviceSolver device(*context, scene.model, scene.initial, options);
+  for (int k = 0; k < steps; ++k) device.enqueue(scene.params);
+  State out;
+  device.read_state(out);
+  if (repeated) *repeated = device.repeated();
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a step on the GPU in double is the processor's: a stack") {
+  check_steps(exact_scene("stack"), 20, 1e-9);
+}
+TEST_CASE("a step on the GPU in double is the processor's: two boxes that meet in a corner") {
+  check_steps(exact_scene("two_boxes"), 0, 1e-9);
+}
+TEST_CASE("a step on the GPU in double is the processor's: sliding and sticking on a slope") {
+  check_steps(exact_scene("incline"), 0, 1e-9);
+}
+TEST_CASE("a step on the GPU in double is the processor's: a heap of all shapes") {
+  Scene scene = mixed_heap(3);
+  solve_exactly(scene.params);
+  check_steps(scene, 50, 1e-8, kSteps / 3);
+}
+
+TEST_CASE("a box on the GPU rests where its weight says, to 1e-5 d̂ in float") {
+  SceneBuilder builder("rest");
+  builder.params.contact.kappa = 50;
+  builder.params.contact.N = 2;
+  builder.params.contact.onset = 0;
+  builder.params.contact.barrier = BarrierKind::even;
+  builder.params.solver.iterations = 200;
+  builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
+  builder.add(
+      spec::Body{.name = "box", .shape = Box{{0.5, 0.5, 0.5}}, .mass = 20, .position = Vec3(0, 0.507, 0)});
+  const Scene scene = builder.build();
+  const State state = run(scene, {}, 400);
+  // Four corners carry m g = 4 κ u/d̂, B' of the even barrier of order 2 being −u/d̂.
+  const double d_hat = 0.01, u = 20 * 9.81 * d_hat / (4 * 50);
+  CHECK(state.c[1].y() - 0.5 == Approx(d_hat * (1 - u)).margin(1e-5 * d_hat));
+  CHECK(state.v[1].norm() < 1e-5);
+}
+
+TEST_CASE("Coulomb's law holds on the GPU in float: tan of the slope against μ") {
+  for (const double degrees : {26.0, 27.2}) {
+    CAPTURE(degrees);
+    const double angle = degrees * 0.017453292519943295;
+    SceneBuilder builder("slope");
+    builder.params.gravity = 9.81 * Vec3(std::sin(angle), -std::cos(angle), 0);
+    builder.params.solver.iterations = 200;
+    builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
+    builder.add(spec::Body{
+        .name = "box", .shape = Box{{0.5, 0.25, 0.5}}, .mass = 20, .position = Vec3(0, 0.2595, 0)});
+    const Scene scene = builder.build();
+    const State early = run(scene, {}, 60), late = run(scene, {}, 120);
+    const double acceleration = 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
+    const double gained = late.v[1].x() - early.v[1].x();
+    CHECK(gained == Approx(std::max(0.0, acceleration)).epsilon(0.01).margin(1e-4));
+  }
+}
+
+// Forces act on both bodies along one line at the end of the step, while they have moved past each other: linear
+// momentum is kept, angular momentum to first order in the step. (The processor balances it afterwards.)
+TEST_CASE("momentum is kept when bodies meet on the GPU in float") {
+  const auto change = [](double h) {
+    SceneBuilder builder("free");
+    builder.params.gravity = Vec3::Zero();
+    builder.params.h = h;
+    builder.params.solver.iterations = 400;
+    builder.params.solver.tolerance = 1e-7;
+    builder.add(
+        spec::Body{.name = "a", .shape = Box{{0.5, 0.5, 0.5}}, .mass = 20, .velocity = Vec3(2, 0, 0)});
+    builder.add(spec::Body{.name = "b",
+                           .shape = Sphere{0.4},
+                           .mass = 5,
+                           .position = Vec3(1.2, 0.2, 0.1),
+                           .velocity = Vec3(-3, 0, 0)});
+    const Scene scene = builder.build();
+    const auto momentum = [&](const State& s) {
+      Vec3 p = Vec3::Zero(), L = p;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const Mat3 J = scene.model.J[i], I = J.trace() * Mat3::Identity() - J;
+        p += scene.model.mass[i] * s.v[i];
+        L += scene.model.mass[i] * s.c[i].cross(s.v[i]) + s.R[i] * I * s.R[i].transpose() * s.omega[i];
+      }
+      return std::pair(p, L);
+    };
+    const State end = run(scene, {}, static_cast<int>(0.5 / h));
+    REQUIRE(end.v[0].x() < 1.5);  // they met
+    const auto [p, L] = momentum(scene.initial);
+    const auto [q, M] = momentum(end);
+    return std::pair((p - q).norm() / p.norm(), (L - M).norm() / L.norm());
+  };
+  const auto [linear, angular] = change(1.0 / 60);
+  const auto [fine_linear, fine_angular] = change(1.0 / 480);
+  CHECK(linear < 1e-5);
+  CHECK(fine_linear < 1e-5);
+  CHECK(angular < 0.05);
+  CHECK(fine_angular < angular / 3);
+}
+
+TEST_CASE("ten kilometres away a heap on the GPU behaves as at the origin") {
+  const Vec3 far(8000, 2048, -6000);
+  const Scene here = mixed_heap(2), there = mixed_heap(2, far);
+  const int steps = 20;
+  const State a = run(here, {}, steps), b = run(there, {}, steps);
+  for (std::size_t i = 1; i < a.c.size(); ++i) {
+    CAPTURE(i);
+    CHECK((a.c[i] - (b.c[i] - far)).norm() < 1e-5);
+  }
+}
+
+TEST_CASE("the same bits come from the GPU in every run, however much room there was at first") {
+  const Scene scene = mixed_heap(3);
+  const State roomy = run(scene, {}, 2 * kSteps);
+  int repeated = 0;
+  DeviceOptions tight;
+  tight.pairs = tight.contacts = 1;
+  CHECK(same_bits(roomy, run(scene, {}, 2 * kSteps)));
+  CHECK(same_bits(roomy, run(scene, tight, 2 * kSteps, &repeated)));
+  CHECK(repeated >= 2);
+}
+
+TEST_CASE("bodies of one color on the GPU share no contact") {
+  const Scene scene = mixed_heap(6);
+  const auto context = any_context();
+  DeviceOptions options;
+  options.report_contacts = true;
+  DeviceSolver device(*context, scene.model, scene.initial, options);
+  std::vector<ContactReport> contacts;
+  std::vector<int> colors;
+  std::size_t between = 0;
+  for (int k = 0; k < 60; ++k) {
+    device.step(scene.params);
+    device.read_contacts(contacts);
+    device.read_colors(colors);
+    for (const ContactReport& c : contacts) {
+      const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
+      if (scene.model.fixed[a] || scene.model.fixed[b]) continue;
+      ++between;
+      REQUIRE(colors[a] >= 0);
+      REQUIRE(colors[a] != colors[b]);
+    }
+  }
+  CHECK(between > 50);
+}
+
+TEST_CASE("the GPU refuses what it cannot solve, with words that help") {
+  const auto why = [](const char* name) {
+    const Scene scene = load_scene(std::string(PABD_SCENES) + "/" + name + ".json");
+    return DeviceSolver::why_not(scene.model, scene.params);
+  };
+  CHECK(why("pyramid").empty());
+  CHECK(why("pendulum").find("joints") != std::string::npos);
+  CHECK(why("pendulum").find("--device cpu") != std::string::npos);
+  CHECK_FALSE(why("shapes").empty());
+}
+
+namespace {
+
+// A context whose GPU is lost while the solver waits.
+class LostContext : public GlContext {
+ public:
+  explicit LostContext(GlContext& inside) : inside_(inside) {}
+  void make_current() override { inside_.make_current(); }
+  void release() override { inside_.release(); }
+  void* proc_address(const char* name) override {
+    if (std::strcmp(name, "glClientWaitSync") == 0) return reinterpret_cast<void*>(&fail_to_wait);
+    return inside_.proc_address(name);
+  }
+  void framebuffer_size(int& width, int& height) const override { inside_.framebuffer_size(width, height); }
+  void present() override {}
+  std::string name() const override { return inside_.name(); }
+
+ private:
+  static GLenum APIENTRY fail_to_wait(GLsync, GLbitfield, GLuint64) { return GL_WAIT_FAILED; }
+  GlContext& inside_;
+};
+
+}  // namespace
+
+TEST_CASE("a GPU that is lost in the middle ends with an error, not with a wait") {
+  const auto context = any_context();
+  LostContext lost(*context);
+  const Scene scene = mixed_heap(1);
+  DeviceSolver device(lost, scene.model, scene.initial);
+  CHECK_THROWS_WITH(device.step(scene.params), Catch::Contains("lost"));
+}
