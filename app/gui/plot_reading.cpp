@@ -110,13 +110,38 @@ std::optional<PlotPick> read_time(GuiFrame& f, const Plot& plot, const PlotTouch
   return pick;
 }
 
+float combo_width(const char* word) {
+  return ImGui::CalcTextSize(ui_text(word).c_str()).x + ImGui::GetFrameHeight() +
+         2 * ImGui::GetStyle().FramePadding.x;
+}
+
+namespace {
+
+// Without its beginning where that has no room: words differ at their end more often.
+std::string end_that_fits(const std::string& text, float width) {
+  const auto fits = [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x <= width; };
+  if (fits(text)) return text;
+  std::size_t from = 0;
+  const auto shown = [&] { return "…" + text.substr(from); };
+  while (from < text.size() && (from == 0 || !fits(shown()))) {
+    ++from;
+    while (from < text.size() && (static_cast<unsigned char>(text[from]) & 0xc0) == 0x80) ++from;
+  }
+  return shown();
+}
+
+}  // namespace
+
 std::optional<std::size_t> word_combo(const char* id, const char* const* words, std::size_t count,
                                       std::size_t now, float width, const char* help) {
   std::optional<std::size_t> chosen;
   ImGui::SetNextItemWidth(width);
-  const bool open = ImGui::BeginCombo(id, ui_text(words[now]).c_str(), ImGuiComboFlags_HeightLarge);
+  const std::string word = ui_text(words[now]);
+  const std::string seen =
+      end_that_fits(word, width - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x);
+  const bool open = ImGui::BeginCombo(id, seen.c_str(), ImGuiComboFlags_HeightLarge);
   if (!open) {
-    tooltip(help);
+    tooltip(seen == word ? help : fmt::format("{}\n{}", words[now], help));
     return chosen;
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -25,7 +25,10 @@ std::optional<PlotPick> read_point(GuiFrame& frame, const Plot& plot, const Plot
 std::optional<PlotPick> read_time(GuiFrame& frame, const Plot& plot, const PlotTouch& touch,
                                   const std::vector<std::string>& names = {});
 
-// A list of words to choose from: the index of the one that is chosen now, if one is.
+// Wide enough for a list on which that word stands; pixels.
+float combo_width(const char* word);
+// A list of words to choose from: the index of the one that is chosen now, if one is. A word that is longer than the
+// list is wide loses its beginning, and the tooltip has all of it.
 std::optional<std::size_t> word_combo(const char* id, const char* const* words, std::size_t count,
                                       std::size_t now, float width, const char* help);
 

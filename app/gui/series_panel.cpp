@@ -33,12 +33,11 @@ class SeriesPanel final : public GuiPanel {
       send(f, std::string(kSeriesViews[*i]), f.ui.series_x, f.ui.series_y);
     ImGui::SameLine();
     const bool chosen = f.ui.series == kChosenSeries;
-    if (chosen) {
-      choose(f);
-    } else {
-      hint(f);
-    }
+    if (!chosen) hint(f);
+    const bool own_line = chosen && !fit_beside(f);
+    if (chosen && !own_line) choose(f, 0.5f * (room_beside(f) - f.px(4)));
     export_button(f, series_tab.name, path_);
+    if (own_line) choose(f, 0.5f * (ImGui::GetContentRegionAvail().x - f.px(4)));
     update(f);
     const PlotTouch touch = plot_widget(f, "series", plot_, ImGui::GetContentRegionAvail());
     if (chosen && f.ui.series_x != "time") {
@@ -57,8 +56,21 @@ class SeriesPanel final : public GuiPanel {
     f.out.send(ViewCommand(command::SeriesView{what, x, y}));
   }
 
-  // Any number of a step against any other.
-  static void choose(GuiFrame& f) {
+  static const char* words_of(const std::string& key) {
+    const StepQuantity* quantity = find_step_quantity(key);
+    return (quantity != nullptr ? *quantity : step_quantities().front()).words;
+  }
+  static float longest(const GuiFrame& f) {
+    return std::max(combo_width(words_of(f.ui.series_x)), combo_width(words_of(f.ui.series_y)));
+  }
+  // For the two lists, between what is plotted and the button at the end of the line.
+  static float room_beside(const GuiFrame& f) {
+    return ImGui::GetContentRegionAvail().x - export_width(f) - f.px(10);
+  }
+  static bool fit_beside(const GuiFrame& f) { return 2 * longest(f) + f.px(4) <= room_beside(f); }
+
+  // Any number of a step against any other; below each other where `width` is too little for one of them.
+  static void choose(GuiFrame& f, float width) {
     std::vector<const char*> words;
     std::size_t x = 0, y = 0;
     for (const StepQuantity& quantity : step_quantities()) {
@@ -67,10 +79,11 @@ class SeriesPanel final : public GuiPanel {
       words.push_back(quantity.words);
     }
     const auto key = [](std::size_t i) { return std::string(step_quantities()[i].key); };
-    const float width = 0.5f * (ImGui::GetContentRegionAvail().x - export_width(f) - f.px(14));
+    const bool below = width < longest(f);
+    if (below) width = ImGui::GetContentRegionAvail().x;
     if (const auto i = word_combo("##y", words.data(), words.size(), y, width, "What stands upwards"))
       send(f, f.ui.series, f.ui.series_x, key(*i));
-    ImGui::SameLine(0, f.px(4));
+    if (!below) ImGui::SameLine(0, f.px(4));
     if (const auto i = word_combo("##x", words.data(), words.size(), x, width, "What stands to the right"))
       send(f, f.ui.series, key(*i), f.ui.series_y);
   }
