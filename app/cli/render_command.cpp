@@ -18,6 +18,7 @@
 #include "app/frames/frame_schedule.h"
 #include "app/frames/frame_text.h"
 #include "app/frames/render_pipeline.h"
+#include "app/session/joint_settings.h"
 #include "render/output/frame_sink.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
@@ -26,8 +27,6 @@
 
 namespace pabd::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kDefaultTime = 5;
 // A GIF is for a page: files of three digits of megabytes are of no use there.
@@ -158,49 +157,21 @@ void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const 
   }
 }
 
-// "joints_default.kappa=50" for {"joints_default": {"kappa": 50}}, which is taken out of the patch.
-std::vector<std::string> take_joint_sets(Json& patch, const std::string& source) {
-  std::vector<std::string> sets;
-  if (!patch.is_object() || !patch.contains("joints_default")) return sets;
-  const Json joints = patch["joints_default"];
-  if (!joints.is_object())
-    throw Error(ErrorKind::bad_input, fmt::format("{}: joints_default: expected an object", source));
-  for (const auto& [key, value] : joints.items())
-    sets.push_back(fmt::format("joints_default.{}={}", key,
-                               value.is_string() ? value.get<std::string>() : value.dump()));
-  patch.erase("joints_default");
-  return sets;
-}
-
 // B: the same scene and start with other parameters. Laws of joints belong to the bodies and joints of a scene: with
 // others it is read again.
 Run open_patched(const RenderOptions& options, const Run& a, InputFiles& inputs) {
-  const std::string text = read_file(options.ab, kMostPatchBytes, "a JSON merge patch");
-  Json patch = Json::parse(text, nullptr, false);
-  const std::vector<std::string> joints = take_joint_sets(patch, options.ab);
+  std::string patch = read_file(options.ab, kMostPatchBytes, "a JSON merge patch");
+  const std::vector<std::string> joints = take_joint_settings(patch, options.ab);
   if (joints.empty()) {
     Run b = a.fork();
-    b.set_params(patched(a.params(), text, options.ab));
+    b.set_params(patched(a.params(), patch, options.ab));
     return b;
   }
   CommonOptions common = options.common;
   common.sets.insert(common.sets.end(), joints.begin(), joints.end());
   Run b = open_run(options.scene, common, options.from, inputs);
-  b.set_params(patched(a.params(), patch.dump(), options.ab));
+  b.set_params(patched(a.params(), patch, options.ab));
   return b;
-}
-
-// What the frames of the two runs have in common: laws of joints are no parameters of a run.
-void add_joints_of_b(const Run& a, const Run& b, PngText& common) {
-  const auto law = [](const Run& run) {
-    return Json::parse(parameters_json(run.params(), run.kappa(), &run.scene().joint_law))["joints_default"];
-  };
-  const Json joints_b = law(b);
-  if (joints_b == law(a)) return;
-  Json patch = Json::parse(common["B patch"]);
-  patch["joints_default"] = joints_b;
-  common["B patch"] = patch.dump();
-  common["B parameters"] = parameters_json(b.params(), b.kappa(), &b.scene().joint_law);
 }
 
 std::string timings_json(const RenderResult& result) {
@@ -262,7 +233,7 @@ int render(const RenderOptions& asked) {
                                 .theme = options.theme,
                                 .trails = options.trails},
                                start.a, start.b ? &*start.b : nullptr, options.ab_view);
-  if (b) add_joints_of_b(a, *b, common);
+  if (b) add_joints_of_b(a.scene(), start.a, b->scene(), *start.b, common);
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
     if (!options.common.quiet)

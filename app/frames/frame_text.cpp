@@ -70,6 +70,19 @@ PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView&
   return text;
 }
 
+void add_joints_of_b(const Scene& scene_a, const FrameView& a, const Scene& scene_b, const FrameView& b,
+                     PngText& common) {
+  const auto law = [](const Scene& scene, const FrameView& of) {
+    return Json::parse(parameters_json(of.params, of.kappa, &scene.joint_law))["joints_default"];
+  };
+  const Json joints_b = law(scene_b, b);
+  if (joints_b == law(scene_a, a)) return;
+  Json patch = Json::parse(common["B patch"]);
+  patch["joints_default"] = joints_b;
+  common["B patch"] = dump(patch);
+  common["B parameters"] = parameters_json(b.params, b.kappa, &scene_b.joint_law);
+}
+
 PngText frame_text(const PngText& common, int frame, double time) {
   PngText text = common;
   text["Frame"] = std::to_string(frame);

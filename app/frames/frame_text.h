@@ -42,6 +42,10 @@ std::string parameters_json(const Params& params, double kappa, const BondLaw* j
 PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView& a,
                     const FrameView* b = nullptr, const std::string& ab_view = "");
 
+// To them: the law of B's joints where it is another one than A's (joint_settings.h). The frames as for common_text.
+void add_joints_of_b(const Scene& scene_a, const FrameView& a, const Scene& scene_b, const FrameView& b,
+                     PngText& common);
+
 // With the two chunks of frame `frame`; `time` in seconds.
 PngText frame_text(const PngText& common, int frame, double time);
 

@@ -7,11 +7,13 @@
 #include <cstdlib>
 #include <iterator>
 
+#include "app/gui/joint_law_row.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
 #include "app/overlay/imgui_canvas.h"
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figures/difference.h"
+#include "app/session/joint_settings.h"
 #include "sim/math/types.h"
 #include "sim/scene/tuning.h"
 
@@ -51,6 +53,7 @@ class ComparePanel final : public GuiPanel {
     }
     update(f);
     controls(f);
+    joints_.draw(f);
     table(f);
     now(f);
     const PlotTouch touch = plot_widget(f, "difference", plot_, ImGui::GetContentRegionAvail());
@@ -64,7 +67,8 @@ class ComparePanel final : public GuiPanel {
     wrapped(
         f,
         "Compare two parameter sets on the same scene. B is a second simulation that runs in step with A, "
-        "shown as a ghost or side by side. It starts with A's parameters: change them under Parameters, B.");
+        "shown as a ghost or side by side. It starts with A's parameters: change them under Parameters, B" +
+            std::string(f.sim.a.model->joints.empty() ? "." : ", and the law of its joints here."));
     ImGui::Dummy({0, f.px(4)});
     if (ImGui::Button("Compare from here")) f.out.send(Command(command::Compare{}));
     tooltip("B starts at this moment, where A is now");
@@ -86,14 +90,16 @@ class ComparePanel final : public GuiPanel {
     const float end = ImGui::CalcTextSize("End").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float take = ImGui::CalcTextSize("Take B's").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - end - take - ImGui::GetStyle().ItemSpacing.x);
-    ImGui::BeginDisabled(differing_.empty());
-    if (ImGui::Button("Take B's")) {
-      command::SetAll all;
-      for (const Difference& d : differing_) all.values.push_back(d.key + "=" + d.b);
-      f.out.send(Command(std::move(all)));
+    command::SetAll all;
+    for (const Difference& d : differing_) {
+      if (!is_joint_setting(d.key)) all.values.push_back(d.key + "=" + d.b);
     }
+    const bool joints = all.values.size() < differing_.size();
+    ImGui::BeginDisabled(all.values.empty());
+    if (ImGui::Button("Take B's")) f.out.send(Command(std::move(all)));
     ImGui::EndDisabled();
-    tooltip("Gives A the parameters of B; one step of undo");
+    tooltip(std::string("Gives A the parameters of B; one step of undo") +
+            (joints ? ". The law of A's joints stays that of the scene" : ""));
     ImGui::SameLine();
     if (ImGui::Button("End")) f.out.send(Command(command::EndCompare{}));
     tooltip("Ends the comparison: B goes, A stays as it is");
@@ -162,6 +168,12 @@ class ComparePanel final : public GuiPanel {
       differing_.clear();
       for (const auto& [key, value] : differences(a.params, b.params))
         differing_.push_back({key, tuned_value(a.params, key), value});
+      const auto of_a = joint_settings(a.scene->joint_law);
+      for (const auto& [key, value] : joint_differences(a.scene->joint_law, b.scene->joint_law)) {
+        const auto same = [&, &name = key](const auto& one) { return one.first == name; };
+        const auto it = std::find_if(of_a.begin(), of_a.end(), same);
+        differing_.push_back({key, it == of_a.end() ? "" : it->second, value});
+      }
       distance_ = state_distance(a.state, b.state);
     }
     std::vector<DistancePoint> distances;
@@ -189,6 +201,7 @@ class ComparePanel final : public GuiPanel {
   std::size_t what_ = 0;
   std::vector<Difference> differing_;
   StateDistance distance_;
+  JointLawRow joints_;
   Plot plot_;
 };
 

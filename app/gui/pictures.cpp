@@ -32,9 +32,10 @@ FrameView start_of(const std::shared_ptr<const Scene>& scene, const Params& para
 // One frame a step: the number of the frame is that of the step.
 PngText text_of(const Snapshot& sim, const ViewFacts& facts) {
   const FrameView a = start_of(sim.scene, sim.a.params);
-  const FrameView b = sim.b ? start_of(sim.scene, sim.b->params) : FrameView{};
-  return frame_text(common_text(*sim.scene, facts, a, sim.b ? &b : nullptr),
-                    static_cast<int>(sim.a.state.step), sim.a.state.time);
+  const FrameView b = sim.b ? start_of(sim.b->scene, sim.b->params) : FrameView{};
+  PngText common = common_text(*sim.scene, facts, a, sim.b ? &b : nullptr);
+  if (sim.b) add_joints_of_b(*sim.scene, a, *sim.b->scene, b, common);
+  return frame_text(common, static_cast<int>(sim.a.state.step), sim.a.state.time);
 }
 
 ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height,
@@ -80,7 +81,7 @@ void save_scene_picture(const std::string& path, const Snapshot& sim, const UiSt
   OverlayChoice overlay = parse_overlay(facts.overlay);
   overlay.theme = ui.theme;
   AbPainter painter(context, sim.scene, frame, ui.side_by_side ? AbView::side : AbView::ghost, width, height,
-                    overlay, parse_camera(facts.camera));
+                    overlay, parse_camera(facts.camera), sim.b ? sim.b->scene : nullptr);
   painter.draw(frame);
   Image image;
   painter.fetch(image);

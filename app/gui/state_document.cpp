@@ -3,10 +3,12 @@
 //
 //   /scene/name, /scene/hash, /scene/bodies, /scene/joints
 //   /a/step, /a/time, /a/hash, /a/cursor, /a/moments, /a/params/contact/kappa, /a/kappa, /a/changed,
+//   /a/joints_default (law of the joints that say nothing of their own),
 //   /a/report/…, /a/bodies (of at most 100: name, position, velocity); /b the same, null without a second
 //   /distance (of A and B now, m), /distances (moments at which it is known)
 //   /playing, /speed, /diverged, /unsaved, /at_stake, /reload_loses, /file_changed, /can_undo, /can_redo,
 //   /held, /message, /messages, /ui/…
+#include "app/frames/frame_text.h"
 #include "app/gui/pictures.h"
 #include "app/gui/script.h"
 #include "app/gui/view_actions.h"
@@ -50,6 +52,8 @@ Json run_json(const RunView& run) {
           {"params", std::move(params)},
           {"kappa", run.kappa},
           {"changed", std::move(changed)},
+          {"joints_default",
+           Json::parse(parameters_json(run.params, run.kappa, &run.scene->joint_law))["joints_default"]},
           {"report",
            {{"method", to_string(r.method)},
             {"status", to_string(r.status)},

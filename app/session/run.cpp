@@ -37,6 +37,13 @@ void check_pull(const Pull& pull, const Model& model) {
   }
 }
 
+[[noreturn]] void throw_edited() {
+  throw Error(
+      ErrorKind::bad_input,
+      "joints_default: bodies or joints were added or removed before; give B another law of its joints "
+      "before that, or save the state as a scene and load that");
+}
+
 std::vector<Pull> listed(const Pulls& pulls) { return pulls ? *pulls : std::vector<Pull>{}; }
 
 bool equal(const std::vector<Pull>& a, const std::vector<Pull>& b) {
@@ -151,6 +158,7 @@ void Run::set_pulls(std::vector<Pull> pulls) {
 std::shared_ptr<const MadeEdit> Run::edit(const ModelEdit& edit) {
   auto made =
       std::make_shared<const MadeEdit>(MadeEdit{to_json(edit), std::holds_alternative<AddJoint>(edit)});
+  if (continued_after_now()) branch();  // the model to edit is that of the scene it goes on with
   session_.edit(edit_from_json(made->text, "edit"));
   if (!at_end()) branch();
   pulls_.reset();
@@ -167,6 +175,25 @@ bool Run::undo_edit(const MadeEdit& edit) {
     return true;
   }
   return false;
+}
+
+void Run::continue_as(std::shared_ptr<const Scene> scene) {
+  for (std::size_t i = 1; i <= cursor_; ++i) {
+    if (timeline_[i].edit) throw_edited();
+  }
+  if (!timeline_.forgotten_edits().empty()) throw_edited();
+  timeline_.branch(cursor_);
+  const std::shared_ptr<const Params> params = session_.shared_params();
+  const State here = session_.state();
+  scene_ = std::move(scene);
+  session_ = Session(scene_, threads_);
+  observe(iterations_, contacts_, bodies_);
+  stop_when(stop_);
+  session_.set_params(params);
+  session_.set_state(here);
+  left_.reset();
+  parting_.reset();
+  take_model_of_scene();
 }
 
 std::string Run::edits() const {
@@ -196,12 +223,29 @@ std::vector<IterationRecord> Run::records_with(SolverMethod method) const {
 
 void Run::branch() {
   if (at_end()) return;
+  const bool again = continued_after_now();
   left_ = timeline_.branch(cursor_);
   parting_ = Parting{session_.state().time, {}, {}};
+  if (again) take_model_of_scene();
 }
 
-void Run::add_moment(std::shared_ptr<const MadeEdit> edit) {
-  const bool start = timeline_.empty() || edit;
+// Whether a moment of continue_as is yet to come.
+bool Run::continued_after_now() const {
+  for (std::size_t i = cursor_ + 1; i < timeline_.size(); ++i) {
+    if (timeline_[i].start && !timeline_[i].edit) return true;
+  }
+  return false;
+}
+
+void Run::take_model_of_scene() {
+  session_.restore({scene_, &scene_->model}, State(session_.state()));
+  session_.set_pulls({});
+  pulls_.reset();
+  add_moment(nullptr, true);
+}
+
+void Run::add_moment(std::shared_ptr<const MadeEdit> edit, bool start) {
+  start = start || timeline_.empty() || edit;
   timeline_.add({session_.shared_model(), session_.shared_params(),
                  std::make_shared<const State>(session_.state()), session_.report().summary(), start,
                  start ? nullptr : pulls_, std::move(edit)});

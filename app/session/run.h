@@ -81,6 +81,11 @@ class Run {
   // the timeline does not hold it (any more).
   bool undo_edit(const MadeEdit& edit);
 
+  // Goes on with `scene`: this run's scene read again with other laws of its joints. A moment of its own that no step
+  // led to, here and now, again wherever a branch leaves what is before it; in the past this starts a branch. Throws
+  // Error(bad_input), and nothing has changed, when bodies or joints were added or removed before.
+  void continue_as(std::shared_ptr<const Scene> scene);
+
   // All edits of the timeline, as JSON, one a line.
   std::string edits() const;
 
@@ -89,7 +94,9 @@ class Run {
 
  private:
   void branch();
-  void add_moment(std::shared_ptr<const MadeEdit> edit = nullptr);
+  bool continued_after_now() const;
+  void take_model_of_scene();
+  void add_moment(std::shared_ptr<const MadeEdit> edit = nullptr, bool start = false);
   void compare();
 
   std::shared_ptr<const Scene> scene_;

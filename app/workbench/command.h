@@ -52,7 +52,9 @@ struct Set {
   Side side = Side::a;
   bool more = false;  // goes on with the last change of that key, as a slider does: one step of undo
   void fields(auto&& f) {
-    f(need("key", "parameter, as for --set", R"("contact.kappa")"), key);
+    f(need("key", "parameter, as for --set; of B also of its joints: joints_default.kappa",
+           R"("contact.kappa")"),
+      key);
     f(need("value", "number, list or word, in the unit of the parameter", "50"), value);
     f(kSide, side);
     f(may("more", "goes on with the last change of that key: one step of undo", "true"), more);
@@ -167,12 +169,15 @@ struct Shoot {
 };
 
 // ---- comparing ----
-// A second simulation in step with the first, from here on; `values` is how its parameters differ.
+// A second simulation in step with the first, from here on; `values` is how its parameters differ, also the law of its
+// joints ("joints_default.kappa=50").
 struct Compare {
   static constexpr const char* name = "compare";
   std::vector<std::string> values;
   void fields(auto&& f) {
-    f(may("values", "how its parameters differ: KEY=VALUE, as for --set", R"(["contact.N=6"])"), values);
+    f(may("values", "how its parameters and the law of its joints differ: KEY=VALUE, as for --set",
+          R"(["contact.N=6", "joints_default.kappa=500"])"),
+      values);
   }
 };
 struct EndCompare {

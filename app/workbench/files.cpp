@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/session/joint_settings.h"
 #include "app/session/recording.h"
 #include "app/workbench/check_output.h"
 #include "app/workbench/workbench.h"
@@ -22,6 +23,13 @@ bool same_edits(const std::vector<std::shared_ptr<const MadeEdit>>& a,
                 const std::vector<std::shared_ptr<const MadeEdit>>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const auto& x, const auto& y) { return x == y || x->text == y->text; });
+}
+
+// {"key=value"}.
+std::vector<std::string> text_of(const std::vector<std::pair<std::string, std::string>>& settings) {
+  std::vector<std::string> out;
+  for (const auto& [key, value] : settings) out.push_back(key + "=" + value);
+  return out;
 }
 
 // What differs between `from` and `p`, put on `to`.
@@ -50,6 +58,7 @@ void Workbench::params_are_saved(Side side) {
     saved_.a = a_->params();
   } else {
     saved_.b = b_->params();
+    saved_.joints_b = b_->scene().joint_law;
   }
 }
 
@@ -57,6 +66,8 @@ std::vector<std::string> Workbench::made_since_saved() const {
   std::vector<std::string> out;
   if (a_->params() != saved_.a) out.emplace_back(b_ ? "parameters of A" : "parameters");
   if (b_ && b_->params() != saved_params(Side::b)) out.emplace_back("parameters of B");
+  if (b_ && !same_law(b_->scene().joint_law, saved_.joints_b.value_or(scene_->joint_law)))
+    out.emplace_back("law of the joints of B");
   if (!edits_saved()) out.emplace_back("bodies and joints that were added or removed");
   if (!hands_saved()) out.emplace_back("what was pulled by hand");
   return out;
@@ -111,7 +122,11 @@ void Workbench::carry_out(const command::Reload& c) {
   const Params a = onto(a_->params());
   std::optional<Params> b;
   if (b_) b = onto(b_->params());
-  Saved saved{onto(saved_.a), {}, {}, 0};
+  std::shared_ptr<const Scene> scene_b;
+  if (b_ && !same_law(b_->scene().joint_law, scene_->joint_law))
+    scene_b = read_with_joints(opened.source, *opened.scene, opened.scene->joint_law,
+                               text_of(joint_settings(b_->scene().joint_law)));
+  Saved saved{onto(saved_.a), {}, saved_.joints_b, {}, 0};
   if (saved_.b) saved.b = onto(*saved_.b);
   const auto kept = [&](const std::vector<Change>& changes) {
     std::vector<Change> out;
@@ -130,6 +145,7 @@ void Workbench::carry_out(const command::Reload& c) {
   open(std::move(opened));
   a_->set_params(a);
   if (b) b_.emplace(a_->fork());
+  if (scene_b) b_->continue_as(std::move(scene_b));
   if (b) b_->set_params(*b);
   saved_ = std::move(saved);
   undo_ = std::move(undo);
@@ -184,7 +200,7 @@ void Workbench::open(Opened opened) {
   redo_.clear();
   held_.clear();
   diverged_ = file_changed_ = false;
-  saved_ = {a_->params(), {}, {}, 0};
+  saved_ = {a_->params(), {}, {}, {}, 0};
   ++scene_serial_;
 }
 
@@ -209,12 +225,15 @@ void Workbench::carry_out(const command::SaveScene& c) {
     std::string name = fs::path(c.path).stem().string();
     if (name.empty()) name = scene_->name;
     save(c.path,
-         scene_to_json(run.model(), run.state(), run.params(), scene_->joint_law, name, scene_->camera,
+         scene_to_json(run.model(), run.state(), run.params(), run.scene().joint_law, name, scene_->camera,
                        scene_->duration, parameter_table(), scene_->looks),
          c.force, true);
     saved_.edits = a_->timeline().edits();
   } else {
-    save(c.path, tuned_scene_text(source_.text, source_.path, source_.sets, run.params()), c.force, true);
+    std::vector<std::string> sets = source_.sets;
+    if (!same_law(run.scene().joint_law, scene_->joint_law))
+      for (const std::string& set : text_of(joint_settings(run.scene().joint_law))) sets.push_back(set);
+    save(c.path, tuned_scene_text(source_.text, source_.path, sets, run.params()), c.force, true);
   }
   params_are_saved(c.side);
   const bool partly = !c.state && !edits_saved();
@@ -226,13 +245,24 @@ void Workbench::carry_out(const command::SaveScene& c) {
 }
 
 void Workbench::carry_out(const command::SavePatch& c) {
-  save(c.path, patch_json(scene_->params, run_of(c.side).params()), c.force);
+  const Run& run = run_of(c.side);
+  save(c.path,
+       patch_with_joints(patch_json(scene_->params, run.params()), scene_->joint_law, run.scene().joint_law),
+       c.force);
   params_are_saved(c.side);
   tell(Severity::note, "saved " + c.path);
 }
 
 void Workbench::carry_out(const command::ApplyPatch& c) {
-  change(c.side, "patch", patched(run_of(c.side).params(), read_scene_text(c.path), c.path));
+  std::string patch = read_scene_text(c.path);
+  const std::vector<std::string> joints = take_joint_settings(patch, c.path);
+  if (!joints.empty() && c.side == Side::a) refuse_joints_of_a();
+  const Params after = patched(run_of(c.side).params(), patch, c.path);
+  if (c.side == Side::b) {
+    change_b("patch", after, joints);
+  } else {
+    change(c.side, "patch", after);
+  }
   tell(Severity::note, "applied " + c.path);
 }
 
@@ -261,7 +291,7 @@ void Workbench::carry_out(const command::LoadRecording& c) {
   redo_.clear();
   held_.clear();
   playing_ = diverged_ = false;
-  saved_ = {a_->params(), {}, a_->timeline().edits(), hands_};
+  saved_ = {a_->params(), {}, {}, a_->timeline().edits(), hands_};
   const std::string what = fmt::format("{}: {}", c.path, counted(a_->timeline().size(), "moment"));
   if (!differs) return tell(Severity::note, what);
   tell(Severity::warning,

@@ -40,10 +40,12 @@ struct RunDistance {
 // One of the simulations. Its parameters are those of the next step, its history has all moments of the
 // timeline: also those after this one.
 struct RunView : FrameView {
+  // What it goes on with: of B with the law of its own joints (run.h, continue_as). Never null.
+  std::shared_ptr<const Scene> scene;
   std::size_t cursor = 0;  // which moment this is
   Params made_with;        // parameters of the step that led here
-  std::vector<std::pair<std::string, std::string>>
-      changed;              // keys that differ from the scene, with their value
+  // Keys that differ from the scene, with their value, also of its joints' law (joint_settings.h).
+  std::vector<std::pair<std::string, std::string>> changed;
   std::vector<Pull> pulls;  // hands on bodies in the next step
   // Of the run that the last branch left, if there is one.
   std::optional<Reports> left;

@@ -2,6 +2,7 @@
 // Parameters: see workbench.h.
 #include "app/workbench/workbench.h"
 
+#include "app/session/joint_settings.h"
 #include "app/workbench/command_json.h"
 #include "sim/base/error.h"
 #include "sim/scene/tuning.h"
@@ -10,6 +11,10 @@ namespace pabd {
 
 void Workbench::carry_out(const command::Set& c) {
   Params after = run_of(c.side).params();
+  if (is_joint_setting(c.key)) {
+    if (c.side == Side::a) refuse_joints_of_a();
+    return change_b(c.key, after, {c.key + "=" + command_json::text_of(c.value)});
+  }
   const ParameterRow* row = find_parameter(c.key);
   const auto* typed = std::get_if<ParameterValue>(&c.value);
   if (row && typed) {
@@ -24,14 +29,24 @@ void Workbench::carry_out(const command::SetAll& c) {
   if (c.values.empty()) return;
   const std::string what =
       c.values.size() == 1 ? c.values[0].substr(0, c.values[0].find('=')) : "several parameters";
-  change(c.side, what, tuned(run_of(c.side).params(), c.values));
+  std::vector<std::string> values = c.values;
+  const std::vector<std::string> joints = take_joint_settings(values);
+  if (!joints.empty() && c.side == Side::a) refuse_joints_of_a();
+  const Params after = tuned(run_of(c.side).params(), values);
+  if (c.side == Side::b) return change_b(what, after, joints);
+  change(c.side, what, after);
 }
 
 void Workbench::carry_out(const command::ResetParams& c) {
   const Params& now = run_of(c.side).params();
   if (c.key.empty()) {
+    if (c.side == Side::b) return change_b("all parameters", scene_->params, scene_);
     change(c.side, "all parameters", scene_->params);
     return;
+  }
+  if (is_joint_setting(c.key)) {
+    if (c.side == Side::a) refuse_joints_of_a();
+    return change_b(c.key, now, scene_);
   }
   if (const ParameterRow* row = find_parameter(c.key)) {
     Params after = now;

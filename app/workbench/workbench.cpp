@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/joint_settings.h"
 #include "app/session/step_at_time.h"
 #include "sim/base/error.h"
 #include "sim/scene/tuning.h"
@@ -128,11 +129,15 @@ void Workbench::carry_out(const command::Restart&) {
 }
 
 void Workbench::carry_out(const command::Compare& c) {
-  const Params params = tuned(b_ ? b_->params() : a_->params(), c.values);
-  if (b_) return change(Side::b, "parameters of B", params);
-  b_.emplace(a_->fork());
+  std::vector<std::string> values = c.values;
+  const std::vector<std::string> joints = take_joint_settings(values);
+  const Params params = tuned(b_ ? b_->params() : a_->params(), values);
+  if (b_) return change_b("parameters of B", params, joints);
+  Run b = a_->fork();
+  if (!joints.empty()) b.continue_as(read_with_joints(source_, *scene_, scene_->joint_law, joints));
+  b.set_params(params);
+  b_.emplace(std::move(b));
   distances_ = {};
-  b_->set_params(params);
   measure_distance();
 }
 
@@ -243,9 +248,12 @@ RunView Workbench::view(const Run& run, ChangedKeys& changed) const {
     changed = {scene_serial_, run.params(), differences(scene_->params, run.params())};
   RunView v;
   static_cast<FrameView&>(v) = run.view();
+  v.scene = run.shared_scene();
   v.history = run.timeline().reports();
   v.made_with = *run.timeline()[run.cursor()].params;
   v.changed = changed.keys;
+  for (const auto& one : joint_differences(scene_->joint_law, run.scene().joint_law))
+    v.changed.push_back(one);
   v.cursor = run.cursor();
   if (run.pulls()) v.pulls = *run.pulls();
   if (run.left()) v.left = run.left()->reports();

@@ -83,7 +83,8 @@ class Workbench {
   // What was last saved or loaded.
   struct Saved {
     Params a;
-    std::optional<Params> b;  // else as a
+    std::optional<Params> b;          // else as a
+    std::optional<BondLaw> joints_b;  // else as the scene has it
     std::vector<std::shared_ptr<const MadeEdit>> edits;
     std::uint64_t hands = 0;
   };
@@ -130,6 +131,13 @@ class Workbench {
 
   Run& run_of(Side side);
   void change(Side side, const std::string& what, const Params& after, bool more = false);
+  // B with parameters, and its joints with "joints_default.key=value" settings or as in that scene.
+  void change_b(const std::string& what, const Params& after, const std::vector<std::string>& settings);
+  void change_b(const std::string& what, const Params& after, std::shared_ptr<const Scene> scene);
+  // `scene`, which was read from `source`, with those settings after the law `now`. Throws Error(bad_input).
+  std::shared_ptr<const Scene> read_with_joints(const Source& source, const Scene& scene, const BondLaw& now,
+                                                const std::vector<std::string>& settings) const;
+  [[noreturn]] static void refuse_joints_of_a();
   Change make_edit(const ModelEdit& edit, const std::string& what);
   void edit_here(const ModelEdit& edit, const std::string& what);
   bool undo_edit(const Change& change);
