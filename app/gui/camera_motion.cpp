@@ -2,9 +2,32 @@
 // See camera_motion.h.
 #include "app/gui/camera_motion.h"
 
+#include <algorithm>
+
+#include "app/frames/camera_option.h"
 #include "render/visual/bounds.h"
 
 namespace pabd {
+FollowedView followed_view(const Snapshot& sim, const UiState& ui) {
+  FollowedView out{ui.camera, {}, Vec3::Zero()};
+  if (!ui.follow || *ui.follow >= sim.a.state.size() || !has_finite_pose(sim.a.state, *ui.follow)) return out;
+  const auto i = static_cast<std::size_t>(*ui.follow);
+  out.body = sim.a.model->name[i];
+  out.at = sim.a.state.c[i];
+  return out;
+}
+
+std::string camera_words(const FollowedView& view, const Model& model, const State& start) {
+  const auto named = std::find(model.name.begin(), model.name.end(), view.body);
+  if (view.body.empty() || named == model.name.end()) return camera_words(rounded(view.camera));
+  const auto i = static_cast<std::size_t>(named - model.name.begin());
+  CameraPose camera = view.camera;
+  camera.eye += start.c[i] - view.at;
+  camera.target += start.c[i] - view.at;
+  // A comma would end the name.
+  const bool plain = view.body.find(',') == std::string::npos;
+  return camera_words(rounded(camera)) + ",follow:" + (plain ? view.body : std::to_string(i));
+}
 
 void CameraMotion::follow(const State& state, UiState& ui) {
   const bool there = ui.follow && *ui.follow < state.size() && has_finite_pose(state, *ui.follow);

@@ -3,12 +3,24 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/gui/ui_state.h"
 #include "app/workbench/snapshot.h"
 
 namespace pabd {
+
+// The view, and the body that it goes along with: its name, and where it is as the view is that.
+struct FollowedView {
+  CameraPose camera;
+  std::string body;  // empty: none
+  Vec3 at = Vec3::Zero();
+};
+FollowedView followed_view(const Snapshot& sim, const UiState& ui);
+// As for --camera, of a run that begins with that state: there the view is as far from the body as here. A body that
+// is not there is not followed.
+std::string camera_words(const FollowedView& view, const Model& model, const State& start);
 
 class CameraMotion {
  public:

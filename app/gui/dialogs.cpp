@@ -183,7 +183,10 @@ void Dialogs::fields(GuiFrame& f, bool& go) {
     ImGui::Checkbox("with panels", &with_ui_);
     tooltip("Without: the scene alone, as 'pabd render' draws it");
   }
-  if (open_ == "record") draw_record_fields(f, record_, along_keys_);
+  if (open_ == "record") {
+    record_.path = text_;
+    draw_record_fields(f, record_, along_keys_);
+  }
 }
 
 // The folder of what is typed: a click takes a file or goes into a folder, a double-click on a file confirms it.

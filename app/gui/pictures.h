@@ -44,7 +44,7 @@ class Recorder {
   Recorder(GlContext& context, Runner& runner) : context_(context), runner_(runner) {}
 
   // Throws Error(bad_input) when it cannot be; what only turns out later, update() tells.
-  void start(const command::Record& record, const UiState& ui);
+  void start(const command::Record& record, const Snapshot& sim, const UiState& ui);
   // Ends it with the frames that are there, or without a file.
   void stop(bool keep);
 

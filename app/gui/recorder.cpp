@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "app/frames/frame_text.h"
 #include "app/frames/frame_thread.h"
+#include "app/gui/camera_motion.h"
 #include "app/gui/pictures.h"
 #include "app/workbench/check_output.h"
 #include "sim/base/counted.h"
@@ -17,13 +19,15 @@ namespace pabd {
 
 struct Recorder::Job {
   command::Record record;
+  VideoOptions video;
   std::string overlay_text, camera_text;
+  std::optional<FollowedView> view;  // of the camera, unless it flies along its keys
   TrailRecorder trails;
   OverlayChoice overlay;
   CameraOption camera;
   AbView ab_view = AbView::ghost;
   std::future<RunCopies> runs;
-  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Scene> scene, scene_b;
   std::unique_ptr<PastSource> source;
   std::unique_ptr<FrameThread> frames;
   std::unique_ptr<AbPainter> painter;
@@ -44,6 +48,22 @@ void check(const char* what, double value, double lo, double hi) {
               fmt::format("record: {}: expected {:g} to {:g}, got {:g}", what, lo, hi, value));
 }
 
+// How the file is encoded. Throws Error(bad_input) for what does not fit its kind.
+VideoOptions video_of(const command::Record& record) {
+  VideoOptions video;
+  try {
+    if (record.crf >= 0) video.crf = record.crf;
+    video.preset = record.preset;
+    if (record.loop != 0) video.plays = record.loop;
+    video.encoder = parse_video_encoder(record.encoder);
+    check_video_options(std::filesystem::path(record.path).extension().string(), video);
+  } catch (const Error& error) {
+    const std::string said = error.what();
+    throw Error(error.kind(), "record: " + (said.starts_with("--") ? said.substr(2) : said));
+  }
+  return video;
+}
+
 template <class T>
 bool ready(const std::future<T>& future) {
   return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
@@ -51,7 +71,7 @@ bool ready(const std::future<T>& future) {
 
 }  // namespace
 
-void Recorder::start(const command::Record& record, const UiState& ui) {
+void Recorder::start(const command::Record& record, const Snapshot& sim, const UiState& ui) {
   if (busy()) throw Error(ErrorKind::bad_input, "record: one video is being made; stop it first");
   check("fps", record.fps, 0.01, 1000);
   check("width", record.width, 16, 16384);
@@ -62,6 +82,7 @@ void Recorder::start(const command::Record& record, const UiState& ui) {
   check_output(record.path, record.force);
   std::unique_ptr<Job, JobDeleter> job(new Job);
   job->record = record;
+  job->video = video_of(record);
   job->overlay_text = record.overlay.empty() ? overlay_words(ui) : record.overlay;
   job->overlay = parse_overlay(job->overlay_text);
   job->overlay.theme = ui.theme;
@@ -69,8 +90,7 @@ void Recorder::start(const command::Record& record, const UiState& ui) {
   if (ui.fly && !ui.camera_keys.empty()) {
     job->camera.keys = ui.camera_keys;
   } else {
-    job->camera_text = camera_words(rounded(ui.camera));
-    job->camera = parse_camera(job->camera_text);
+    job->view = followed_view(sim, ui);
   }
   job->ab_view = ui.side_by_side ? AbView::side : AbView::ghost;
   job->runs = runner_.copy_runs();
@@ -80,6 +100,7 @@ void Recorder::start(const command::Record& record, const UiState& ui) {
 void Recorder::begin(RunCopies runs) {
   Job& job = *job_;
   job.scene = runs.a.shared_scene();
+  if (runs.b) job.scene_b = runs.b->shared_scene();
   const OverlayChoice& overlay = job.overlay;
   job.source = std::make_unique<PastSource>(std::move(runs.a), std::move(runs.b),
                                             PastRange{job.record.from, job.record.to, job.record.fps},
@@ -91,23 +112,32 @@ void Recorder::begin(RunCopies runs) {
 void Recorder::open(const Frame& first) {
   Job& job = *job_;
   const command::Record& r = job.record;
+  if (job.view) {
+    job.camera_text = camera_words(*job.view, *first.a.model, first.a.state);
+    job.camera = parse_camera(job.camera_text);
+  }
+  std::vector<std::string> trails;
+  for (const TrailPoint& point : job.trails.points()) trails.push_back(trail_words(point));
   job.painter = std::make_unique<AbPainter>(context_, job.scene, first, job.ab_view, r.width, r.height,
-                                            job.overlay, job.camera);
+                                            job.overlay, job.camera, job.scene_b);
   const ViewFacts facts{.width = r.width,
                         .height = r.height,
                         .fps = r.fps,
                         .overlay = job.overlay_text,
                         .camera = camera_text(job.camera, job.camera_text),
                         .gl_renderer = job.painter->gl_renderer(),
-                        .theme = std::string(job.overlay.theme->name)};
-  const PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
-                                     job.ab_view == AbView::side ? "side" : "ghost");
+                        .theme = std::string(job.overlay.theme->name),
+                        .trails = std::move(trails)};
+  PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
+                               job.ab_view == AbView::side ? "side" : "ghost");
+  if (first.b) add_joints_of_b(*job.scene, first.a, *job.scene_b, *first.b, common);
   SinkOptions options;
   options.width = r.width;
   options.height = r.height;
   options.fps = r.fps;
   options.force = r.force;
   options.about = common;
+  options.video = job.video;
   options.png_text = [common, source = job.source.get()](int frame) {
     return frame_text(common, frame, source->time(frame));
   };

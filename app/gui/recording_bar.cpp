@@ -6,11 +6,16 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iterator>
 
 #include "app/gui/panels.h"
 #include "app/gui/picture_notes.h"
 #include "app/gui/pictures.h"
+#include "app/gui/plot_reading.h"
 #include "app/gui/widgets.h"
+#include "render/output/video_options.h"
 #include "sim/base/counted.h"
 
 namespace pabd {
@@ -42,6 +47,62 @@ void draw_recording(GuiFrame& f, const Rect& view) {
   tooltip("No file");
   ImGui::End();
 }
+
+namespace {
+
+constexpr const char* kEncoders[] = {"software", "nvenc", "vaapi"};
+
+// How the file is encoded: what its kind has, the rest as if nobody had said it.
+void draw_video_fields(const GuiFrame& f, command::Record& r, const std::function<void(const char*)>& name) {
+  const std::string extension = std::filesystem::path(r.path).extension().string();
+  const bool mp4 = extension == ".mp4", video = mp4 || extension == ".webm";
+  if (!video) r.crf = -1;
+  if (!video || r.encoder == "vaapi") r.preset.clear();
+  if (!mp4) r.encoder = "software";
+  if (extension != ".gif") r.loop = 0;
+  if (extension == ".gif") {
+    name("play");
+    ImGui::SetNextItemWidth(f.px(84));
+    ImGui::InputInt("##loop", &r.loop, 0);
+    tooltip("How often the picture is played; 0: for ever");
+    ImGui::SameLine();
+    label(r.loop == 0 ? "for ever" : r.loop == 1 ? "time" : "times");
+  }
+  if (!video) return;
+  const VideoDefaults defaults = video_defaults(extension);
+  name("quality");
+  int crf = std::min(r.crf < 0 ? defaults.crf : r.crf, defaults.most_crf);
+  ImGui::SetNextItemWidth(f.px(84));
+  const bool changed = ImGui::InputInt("##crf", &crf, 0);
+  if (changed || r.crf >= 0) r.crf = std::clamp(crf, 0, defaults.most_crf);
+  tooltip(fmt::format("How much may be lost: 0 to {}, smaller is better and larger; {} where nobody says it",
+                      defaults.most_crf, defaults.crf));
+  ImGui::SameLine();
+  label(fmt::format("of 0 (best) to {}", defaults.most_crf));
+  name("preset");
+  ImGui::BeginDisabled(r.encoder == "vaapi");
+  std::vector<const char*> presets;
+  for (const std::string& preset : preset_names()) presets.push_back(preset.c_str());
+  const std::string preset = r.preset.empty() ? defaults.preset : r.preset;
+  const auto now = static_cast<std::size_t>(std::find(preset_names().begin(), preset_names().end(), preset) -
+                                            preset_names().begin());
+  if (const auto i = word_combo("##preset", presets.data(), presets.size(), now, f.px(110),
+                                "Time for a smaller file: the slower, the smaller"))
+    r.preset = presets[*i];
+  ImGui::EndDisabled();
+  if (!mp4) return;
+  ImGui::SameLine();
+  label("by");
+  ImGui::SameLine();
+  const auto* encoder = std::find(std::begin(kEncoders), std::end(kEncoders), r.encoder);
+  if (const auto i =
+          word_combo("##encoder", kEncoders, std::size(kEncoders),
+                     static_cast<std::size_t>(encoder - std::begin(kEncoders)), f.px(110),
+                     "software: libx264; nvenc, vaapi: the encoder of the GPU, where ffmpeg has it"))
+    r.encoder = kEncoders[*i];
+}
+
+}  // namespace
 
 void draw_record_fields(const GuiFrame& f, command::Record& r, bool& along_keys) {
   const auto& history = f.sim.a.history;
@@ -81,6 +142,7 @@ void draw_record_fields(const GuiFrame& f, command::Record& r, bool& along_keys)
   tooltip("Height in pixels");
   ImGui::SameLine();
   label("pixels");
+  draw_video_fields(f, r, name);
   ImGui::BeginDisabled(f.ui.camera_keys.empty());
   ImGui::Checkbox("along the camera keys", &along_keys);
   ImGui::EndDisabled();

@@ -55,7 +55,7 @@ void Studio::act(const ViewCommand& command, const Snapshot& sim, UiState& ui) {
     plots_.push_back(*plot);
   } else if (const auto* record = std::get_if<command::Record>(&command)) {
     check_output(record->path, record->force, sim.scene_path);
-    recorder_.start(*record, ui);
+    recorder_.start(*record, sim, ui);
     ui.dialog.clear();
   } else if (const auto* stop = std::get_if<command::StopRecord>(&command)) {
     recorder_.stop(stop->keep);

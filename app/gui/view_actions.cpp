@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/frames/camera_keys.h"
+#include "app/gui/camera_motion.h"
 #include "app/gui/pictures.h"
 #include "app/gui/scene_view.h"
 #include "render/visual/bounds.h"
@@ -317,7 +318,9 @@ std::string render_command(const Snapshot& sim, const UiState& ui) {
   std::string out = "pabd render " + quoted(sim.scene_path) + " -o " + quoted(sim.scene->name + ".mp4");
   for (const auto& [key, value] : sim.a.changed) out += " --set " + quoted(key + "=" + value);
   if (const std::string overlay = overlay_words(ui); overlay != "none") out += " --overlay " + overlay;
-  out += " --camera " + camera_words(rounded(ui.camera));
+  if (ui.theme != &kStudioTheme) out += " --theme " + std::string(ui.theme->name);
+  for (const TrailPoint& point : ui.trails) out += " --trail " + quoted(trail_words(point));
+  out += " --camera " + quoted(camera_words(followed_view(sim, ui), sim.scene->model, sim.scene->initial));
   return out;
 }
 

@@ -252,6 +252,10 @@ struct Record {
   double from = -1, to = -1, fps = 60;
   int width = 1280, height = 720;
   std::string overlay;
+  int crf = -1;  // negative: what suits the kind of file
+  std::string preset;
+  int loop = 0;
+  std::string encoder = "software";
   bool force = false;
   void fields(auto&& f) {
     f(need("path", ".mp4, .webm, .gif, or numbered .png files", R"("frames/{frame:04}.png")"), path);
@@ -261,6 +265,14 @@ struct Record {
     f(may("width", "pixels, 16 to 16384", "640"), width);
     f(may("height", "pixels, 16 to 16384", "360"), height);
     f(may("overlay", "as for 'pabd render'; without: what the view shows", R"("contacts,series")"), overlay);
+    f(may("crf",
+          "how much may be lost, smaller is better and larger: .mp4 0 to 51, .webm 0 to 63; negative: 18, 24",
+          "14"),
+      crf);
+    f(may("preset", "of .mp4 and .webm: time for a smaller file, ultrafast to veryslow", R"("slow")"),
+      preset);
+    f(may("loop", "how often a .gif is played; 0: for ever", "1"), loop);
+    f(may("encoder", "of .mp4: software, or that of the GPU: nvenc, vaapi", R"("nvenc")"), encoder);
     f(kForce, force);
   }
 };

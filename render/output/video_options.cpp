@@ -17,7 +17,7 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-constexpr int kDefaultCrfMp4 = 18, kDefaultCrfWebm = 24;
+constexpr VideoDefaults kMp4{18, 51, "veryfast"}, kWebm{24, 63, "fast"};
 constexpr int kMostPlays = 65535;
 constexpr double kTrialPatience = 30;  // s
 constexpr const char* kVaapiDevice = "/dev/dri/renderD128";
@@ -41,8 +41,8 @@ std::size_t preset_index(const std::string& name) {
 }
 
 Arguments h264(const VideoOptions& options) {
-  const std::string quality = std::to_string(options.crf.value_or(kDefaultCrfMp4));
-  const std::string preset = options.preset.empty() ? "veryfast" : options.preset;
+  const std::string quality = std::to_string(options.crf.value_or(kMp4.crf));
+  const std::string preset = options.preset.empty() ? kMp4.preset : options.preset;
   switch (options.encoder) {
     case VideoEncoder::nvenc: {
       constexpr const char* kPresets[] = {"p1", "p1", "p2", "p3", "p3", "p4", "p5", "p6", "p7"};
@@ -64,11 +64,11 @@ Arguments h264(const VideoOptions& options) {
 
 Arguments vp9(const VideoOptions& options) {
   // libvpx counts from 8, the fastest, to 0.
-  const std::string preset = options.preset.empty() ? "fast" : options.preset;
+  const std::string preset = options.preset.empty() ? kWebm.preset : options.preset;
   const std::size_t speed = preset_names().size() - 1 - preset_index(preset);
   return {"-vf",           std::string(to_bt709) + "yuv420p",
           "-c:v",          "libvpx-vp9",
-          "-crf",          std::to_string(options.crf.value_or(kDefaultCrfWebm)),
+          "-crf",          std::to_string(options.crf.value_or(kWebm.crf)),
           "-b:v",          "0",
           "-deadline",     "good",
           "-cpu-used",     std::to_string(speed),
@@ -88,6 +88,8 @@ const std::vector<std::string>& preset_names() {
   return names;
 }
 
+VideoDefaults video_defaults(const std::string& extension) { return extension == ".mp4" ? kMp4 : kWebm; }
+
 VideoEncoder parse_video_encoder(const std::string& word) {
   if (word == "software") return VideoEncoder::software;
   if (word == "nvenc") return VideoEncoder::nvenc;
@@ -100,7 +102,7 @@ void check_video_options(const std::string& extension, const VideoOptions& optio
   if (options.crf) {
     if (!mp4 && !webm)
       refuse(fmt::format("--crf {}: only for .mp4 and .webm; expected one of them", *options.crf));
-    const int most = mp4 ? 51 : 63;
+    const int most = video_defaults(extension).most_crf;
     if (*options.crf < 0 || *options.crf > most)
       refuse(
           fmt::format("--crf {}: expected 0 … {} for {}, smaller is better", *options.crf, most, extension));

@@ -19,6 +19,13 @@ struct VideoOptions {
   bool operator==(const VideoOptions&) const = default;
 };
 
+// What ".mp4" (else: ".webm") has where nothing is said, and the largest crf.
+struct VideoDefaults {
+  int crf, most_crf;
+  const char* preset;
+};
+VideoDefaults video_defaults(const std::string& extension);
+
 // From the fastest, with the largest files, to the slowest.
 const std::vector<std::string>& preset_names();
 // "software", "nvenc", "vaapi". Throws Error(bad_input) for another word.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -297,4 +298,59 @@ TEST_CASE("the copied command repeats what is seen") {
   CHECK_THAT(copied, Catch::StartsWith("pabd render ") && Catch::Contains("two_boxes.json -o ") &&
                          Catch::Contains("--set contact.kappa=50") &&
                          Catch::Contains("--camera eye=1,2,3,target=0,0.5,0,fov=40"));
+  CHECK_THAT(copied,
+             !Catch::Contains("--theme") && !Catch::Contains("--trail") && !Catch::Contains("follow"));
+}
+
+TEST_CASE("the copied command has theme, trails, and the body that the camera follows from the start on") {
+  std::string copied, printed, renderer;
+  const TempFolder folder;
+  carry_out(Script(R"([{"do":"load","scene":"four_bar","force":true},{"do":"background","theme":"dark"},
+                       {"do":"trail","of":"com"},{"do":"trail","of":"pen@0.1,0,0"},
+                       {"do":"look","eye":[1,2,6],"target":[1,1,0],"fov":40},
+                       {"do":"print","at":"/ui/eye"},{"do":"follow","body":"pen"},{"do":"step","steps":90},
+                       {"do":"expect","at":"/ui/eye","is_not":[1,2,6]},{"do":"copy_command"}])",
+                   "s"),
+            folder, renderer, &copied, &printed);
+  std::erase(copied, '\'');
+  CHECK_THAT(copied, Catch::Contains(" --theme dark ") &&
+                         Catch::Contains(" --trail com --trail pen@0.1,0,0 ") &&
+                         Catch::Contains(",follow:pen"));
+  // Where the camera was when the body was where the run begins; it is rounded to floats on the way.
+  const std::size_t eye = copied.find("eye=");
+  REQUIRE(eye != std::string::npos);
+  double x = 0, y = 0, z = 0;
+  REQUIRE(std::sscanf(copied.c_str() + eye, "eye=%lf,%lf,%lf", &x, &y, &z) == 3);
+  CHECK(x == Approx(1).margin(1e-5));
+  CHECK(y == Approx(2).margin(1e-5));
+  CHECK(z == Approx(6).margin(1e-5));
+}
+
+TEST_CASE("a recording takes what render takes for its video, and refuses what does not fit its kind") {
+  CHECK_THAT(refusal(R"([{"do":"step"},{"do":"record","path":"{out}/a.mp4","crf":52}])"),
+             Catch::Contains("record: crf 52") && Catch::Contains("51"));
+  CHECK_THAT(refusal(R"([{"do":"step"},{"do":"record","path":"{out}/a.webm","preset":"quick"}])"),
+             Catch::Contains("record: preset quick") && Catch::Contains("veryfast"));
+  CHECK_THAT(refusal(R"([{"do":"step"},{"do":"record","path":"{out}/a.mp4","loop":2}])"),
+             Catch::Contains("record: loop 2") && Catch::Contains(".gif"));
+  CHECK_THAT(refusal(R"([{"do":"step"},{"do":"record","path":"{out}/a.webm","encoder":"nvenc"}])"),
+             Catch::Contains("record: encoder nvenc"));
+  CHECK_THAT(refusal(R"([{"do":"step"},{"do":"record","path":"{out}/a.mp4","encoder":"x265"}])"),
+             Catch::Contains("record: encoder x265"));
+  const TempFolder folder;
+  std::string renderer;
+  carry_out(Script(R"([{"do":"step","steps":20},
+      {"do":"record","path":"{out}/fine.mp4","width":160,"height":90,"crf":4,"preset":"slow"},
+      {"do":"record","path":"{out}/coarse.mp4","width":160,"height":90,"crf":45},
+      {"do":"record","path":"{out}/once.gif","width":160,"height":90,"fps":20,"loop":1},
+      {"do":"record","path":"{out}/ever.gif","width":160,"height":90,"fps":20},
+      {"do":"expect","at":"/message","contains":"saved"}])",
+                   "s"),
+            folder, renderer);
+  CHECK(fs::file_size(folder.path() / "fine.mp4") > 2 * fs::file_size(folder.path() / "coarse.mp4"));
+  const auto repeats = [&](const char* name) {
+    return read_bytes(folder.path() / name).find("NETSCAPE2.0") != std::string::npos;
+  };
+  CHECK(repeats("ever.gif"));
+  CHECK_FALSE(repeats("once.gif"));
 }
