@@ -6,15 +6,18 @@
 #include <cmath>
 
 #include "app/gui/panels.h"
+#include "app/gui/track_events.h"
 #include "app/gui/widgets.h"
 #include "sim/base/counted.h"
 
 namespace pabd {
 namespace {
 
-constexpr double kGrip = 6;         // pixels beside the playhead where it can be taken hold of
-constexpr double kShortest = 1e-3;  // s: of the track
-constexpr double kSmall = 10.5;     // pixels: text on the track
+constexpr double kGrip = 6;                   // pixels beside the playhead where it can be taken hold of
+constexpr double kShortest = 1e-3;            // s: of the track
+constexpr double kSmall = 10.5;               // pixels: text on the track
+constexpr double kMark = 4.5, kBeside = 6.5;  // pixels: half of a mark, and from it to its name
+constexpr double kRoomForName = 110;          // pixels between two times
 constexpr double kSpeeds[] = {0.01, 0.1, 0.25, 0.5, 1, 2, 0};
 
 std::string speed_text(double factor) {
@@ -55,11 +58,13 @@ void draw_marks(const GuiFrame& f, const Track& track, const Reports& history, I
   }
 }
 
-// Times along the track, as far apart as their labels need.
-void draw_times(const GuiFrame& f, const Track& track, ImDrawList& list) {
+// Times along the track, as far apart as their labels need, with names farther. Returns where they stand.
+std::vector<Span> draw_times(const GuiFrame& f, const Track& track, bool names, ImDrawList& list) {
+  std::vector<Span> out;
   const ImFont* font = f.fonts.font(kSmall * f.unit);
-  if (font == nullptr || track.t1 - track.t0 < 2 * kShortest) return;  // no step yet
-  const float width = font->CalcTextSizeA(font->FontSize, 1e4f, 0, "00.00 s").x + f.px(20);
+  if (font == nullptr || track.t1 - track.t0 < 2 * kShortest) return out;  // no step yet
+  const float width =
+      font->CalcTextSizeA(font->FontSize, 1e4f, 0, "00.00 s").x + f.px(names ? kRoomForName : 20);
   const double step =
       time_step((track.t1 - track.t0) * static_cast<double>(width / (track.hi.x - track.lo.x)));
   const ImU32 ink = packed(f.theme().muted);
@@ -70,20 +75,44 @@ void draw_times(const GuiFrame& f, const Track& track, ImDrawList& list) {
     list.AddRectFilled({x, track.hi.y - f.px(7)}, {x + std::max(1.0f, f.px(1)), track.hi.y}, ink);
     const float end = x + f.px(4) + font->CalcTextSizeA(font->FontSize, 1e4f, 0, text.c_str()).x;
     if (end <= track.hi.x) list.AddText(font, font->FontSize, {x + f.px(4), y}, ink, text.c_str());
+    if (end <= track.hi.x) out.push_back({x - f.px(2), end + f.px(6)});
+  }
+  return out;
+}
+
+// Names of what happened where there is room between the times, which `taken` are.
+void draw_names(const GuiFrame& f, const Track& track, const std::vector<TrackEvent>& events,
+                std::vector<Span> taken, ImDrawList& list) {
+  const ImFont* font = f.fonts.font(kSmall * f.unit);
+  if (font == nullptr) return;
+  const auto width = [&](const std::string& text) {
+    return font->CalcTextSizeA(font->FontSize, 1e4f, 0, text.c_str()).x;
+  };
+  std::vector<NameAt> names;
+  for (const TrackEvent& event : events) {
+    const float x = std::round(track.x(event.time));
+    names.push_back({x, width(event.name), event.brief.empty() ? 0 : width(event.brief)});
+    if (event.marked) taken.push_back({x - f.px(kMark), x + f.px(kMark)});  // as high as the track
+    if (!event.marked)
+      list.AddRectFilled({x, track.lo.y}, {x + std::max(1.0f, f.px(1)), track.lo.y + f.px(7)},
+                         packed(event.warning ? f.theme().color(1) : f.theme().text));
+  }
+  const float y = std::round(0.5f * (track.lo.y + track.hi.y - font->FontSize));
+  for (const PlacedName& placed : place_names(names, taken, {track.lo.x, track.hi.x}, f.px(kBeside))) {
+    const TrackEvent& event = events[placed.number];
+    list.AddText(font, font->FontSize, {std::round(placed.left), y},
+                 packed(event.warning ? f.theme().color(1) : f.theme().text),
+                 (placed.brief ? event.brief : event.name).c_str());
   }
 }
 
 // What happened about a place of the track, in words; pixels.
-std::string events_at(const GuiFrame& f, const Track& track, float x) {
+std::string events_at(const GuiFrame& f, const Track& track, const std::vector<TrackEvent>& events, float x) {
   const auto near = [&](double time) { return std::abs(track.x(time) - x) <= f.px(kGrip); };
   std::string out;
   const auto say = [&](const std::string& words) { out += "\n" + words; };
-  if (const auto& p = f.sim.a.parting) {
-    if (near(p->time)) say("here this run leaves the one before");
-    if (p->parted && near(*p->parted)) say("parts from the run before: a body is more than d̂ away");
-  }
-  for (const CameraKey& key : f.ui.camera_keys) {
-    if (near(key.time)) say(fmt::format("camera key at {:.3f} s", key.time));
+  for (const TrackEvent& event : events) {
+    if (near(event.time)) say(event.words);
   }
   double deepest = 0;
   std::int64_t unsolved = 0;
@@ -197,8 +226,10 @@ void TimelineBar::draw(GuiFrame& f) {
   list.AddRectFilled(at, {at.x + size.x, track.hi.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), f.px(4));
   list.AddRectFilled(at, {track.x(history.back().time) + room, track.hi.y},
                      ImGui::GetColorU32(ImGuiCol_FrameBgHovered), f.px(4));
-  draw_times(f, track, list);
+  const std::vector<TrackEvent> events = track_events(f.sim, f.ui);
+  const std::vector<Span> times = draw_times(f, track, !events.empty(), list);
   draw_marks(f, track, history, list);
+  draw_names(f, track, events, times, list);
   if (f.sim.a.parting) {
     draw_flag(f, track, f.sim.a.parting->time, f.theme().muted, list);
     if (f.sim.a.parting->parted) draw_flag(f, track, *f.sim.a.parting->parted, f.theme().color(1), list);
@@ -229,7 +260,8 @@ void TimelineBar::draw(GuiFrame& f) {
       f.out.send(Command(command::Seek{t}));
       wanted_ = t;
     }
-    tooltip(fmt::format("{:.3f} s", t) + events_at(f, track, ImGui::IsItemActive() ? track.x(t) : mouse));
+    tooltip(fmt::format("{:.3f} s", t) +
+            events_at(f, track, events, ImGui::IsItemActive() ? track.x(t) : mouse));
   }
 }
 
