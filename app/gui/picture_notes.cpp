@@ -114,8 +114,9 @@ void draw_picture_notes(GuiFrame& f, const GuiLayout& layout) {
   if (f.ui.marks.axes || f.ui.marks.scale) {
     ImGuiCanvas canvas(f.metrics, f.fonts, *ImGui::GetBackgroundDrawList());
     const Camera camera = rounded(f.ui.camera);
-    if (f.ui.marks.axes) paint_axes(camera, layout.views[0], f.unit, canvas);
-    if (f.ui.marks.scale) paint_scale_bar(camera, layout.views[0].h, layout.views[0], f.unit, canvas);
+    if (f.ui.marks.axes) paint_axes(camera, f.ui.theme->inks, layout.views[0], f.unit, canvas);
+    if (f.ui.marks.scale)
+      paint_scale_bar(camera, f.ui.theme->inks, layout.views[0].h, layout.views[0], f.unit, canvas);
   }
   pulls(f, f.sim.a, layout.views[0]);
   if (two) pulls(f, *f.sim.b, layout.views[1]);

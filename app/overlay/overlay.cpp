@@ -79,8 +79,8 @@ const ImDrawData* Overlay::frame(const OverlayOptions& options, const OverlayDat
     if (scene) {
       paint_labels(*scene, width, height, scale, canvas);
       const Rect free = layout.panels.empty() ? Rect{0, 0, double(width), double(height)} : layout.free;
-      if (data.axes) paint_axes(scene->camera, free, scale, canvas);
-      if (data.scale) paint_scale_bar(scene->camera, height, free, scale, canvas);
+      if (data.axes) paint_axes(scene->camera, scene->theme->inks, free, scale, canvas);
+      if (data.scale) paint_scale_bar(scene->camera, scene->theme->inks, height, free, scale, canvas);
     }
     paint_panels(layout, data, canvas);
   });

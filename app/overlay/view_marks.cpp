@@ -17,8 +17,9 @@ namespace {
 // px at scale 1
 constexpr double kMargin = 16, kArm = 30, kLetter = 11, kHead = 7;
 constexpr double kLongest = 150, kTick = 7, kText = 11.5;
-constexpr std::array<Color, 3> kInks = {{{200, 50, 47}, {46, 135, 60}, {38, 92, 190}}};
-constexpr Color kHalo{255, 255, 255, 200};
+
+Color ink_of(const std::uint8_t (&c)[3]) { return {c[0], c[1], c[2]}; }
+Color halo_of(const MarkInks& inks) { return {inks.halo[0], inks.halo[1], inks.halo[2], inks.halo[3]}; }
 
 }  // namespace
 
@@ -40,9 +41,10 @@ std::string length_text(double metres) {
   return fmt::format("{:.6g} mm", 1000 * metres);
 }
 
-void paint_axes(const Camera& camera, const Rect& free, double scale, Canvas& canvas) {
+void paint_axes(const Camera& camera, const MarkInks& inks, const Rect& free, double scale, Canvas& canvas) {
   const double reach = (kArm + kLetter + kMargin) * scale;
   if (free.w < 2 * reach || free.h < 2 * reach) return;
+  const Color halo = halo_of(inks);
   const Mat4f view = view_matrix(camera);
   const Point origin{std::round(free.x + reach), std::round(free.bottom() - reach)};
   struct Arm {
@@ -56,42 +58,42 @@ void paint_axes(const Camera& camera, const Rect& free, double scale, Canvas& ca
   for (const Arm& arm : arms) {
     const double x = static_cast<double>(view(0, arm.axis)), y = -static_cast<double>(view(1, arm.axis));
     const double length = std::hypot(x, y);
-    const Color ink = kInks[static_cast<std::size_t>(arm.axis)];
+    const Color ink = ink_of(inks.axes[arm.axis]);
     const Point tip{origin.x + kArm * scale * x, origin.y + kArm * scale * y};
     const char* name = arm.axis == 0 ? "x" : arm.axis == 1 ? "y" : "z";
-    TextStyle text{kLetter * scale, ink, AlignX::center, AlignY::middle, false, 2.5 * scale, kHalo};
+    TextStyle text{kLetter * scale, ink, AlignX::center, AlignY::middle, false, 2.5 * scale, halo};
     if (length < 0.12) {  // along the line of sight: a dot, with its letter beside it
-      canvas.fill_circle(origin, 4.5 * scale, kHalo);
+      canvas.fill_circle(origin, 4.5 * scale, halo);
       canvas.fill_circle(origin, 3.2 * scale, ink);
       canvas.text({origin.x + 10 * scale, origin.y + 10 * scale}, name, text);
       continue;
     }
     const std::array<Point, 2> line{origin, tip};
-    canvas.polyline(line, {kHalo, 4.5 * scale});
+    canvas.polyline(line, {halo, 4.5 * scale});
     canvas.arrow(origin, tip, {ink, 2 * scale}, std::min(kHead, 0.7 * kArm * length) * scale);
     const double out = kArm + 0.8 * kLetter / std::max(length, 0.3);
     canvas.text({origin.x + out * scale * x, origin.y + out * scale * y}, name, text);
   }
 }
 
-void paint_scale_bar(const Camera& camera, double picture_height, const Rect& free, double scale,
-                     Canvas& canvas) {
+void paint_scale_bar(const Camera& camera, const MarkInks& inks, double picture_height, const Rect& free,
+                     double scale, Canvas& canvas) {
   const double margin = kMargin * scale, most = std::min(kLongest * scale, 0.4 * free.w);
   const double distance = static_cast<double>((camera.eye - camera.target).norm());
   const double pixel =
       2 * static_cast<double>(half_height(camera)) * (camera.orthographic ? 1 : distance) / picture_height;
   const double length = round_length(pixel, most);
   if (!(length > 0) || free.h < 4 * margin || most < 20 * scale) return;
+  const Color halo = halo_of(inks), ink = ink_of(inks.text);
   const double right = std::round(free.right() - margin), left = right - length / pixel;
   const double y = std::round(free.bottom() - margin), tick = kTick * scale;
   const std::array<Point, 4> bar{Point{left, y - tick}, {left, y}, {right, y}, {right, y - tick}};
-  canvas.polyline(bar, {kHalo, 5 * scale});
-  canvas.polyline(bar, {ink::text, 1.8 * scale});
+  canvas.polyline(bar, {halo, 5 * scale});
+  canvas.polyline(bar, {ink, 1.8 * scale});
   const std::string text = length_text(length) + (camera.orthographic ? "" : " in the middle");
   const bool fits = text_width(canvas.font(), text, kText * scale) <= length / pixel - 6 * scale;
-  const TextStyle style{
-      kText * scale, ink::text, fits ? AlignX::center : AlignX::right, AlignY::baseline, false,
-      2.5 * scale,   kHalo};
+  const TextStyle style{kText * scale, ink, fits ? AlignX::center : AlignX::right, AlignY::baseline, false,
+                        2.5 * scale,   halo};
   canvas.text({fits ? 0.5 * (left + right) : right, y - (fits ? 5 * scale : tick + 4 * scale)}, text, style);
 }
 

@@ -10,12 +10,12 @@
 namespace pabd {
 
 // x, y and z as the camera sees them, in the bottom left corner of `free`. `scale` is of texts and lines.
-void paint_axes(const Camera& camera, const Rect& free, double scale, Canvas& canvas);
+void paint_axes(const Camera& camera, const MarkInks& inks, const Rect& free, double scale, Canvas& canvas);
 
 // A bar in the bottom right corner of `free`, as long as 1, 2 or 5 times a power of ten metres is at the target, in a
 // picture of so many pixels' height.
-void paint_scale_bar(const Camera& camera, double picture_height, const Rect& free, double scale,
-                     Canvas& canvas);
+void paint_scale_bar(const Camera& camera, const MarkInks& inks, double picture_height, const Rect& free,
+                     double scale, Canvas& canvas);
 
 // The longest round length, m, of at most `most` pixels of `pixel` m.
 double round_length(double pixel, double most);

@@ -2,10 +2,21 @@
 // Light and background of pictures. Linear-light RGB.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 namespace pabd {
+
+// Of what is written on the picture: axes x, y and z, lines and words, and what lies around them. sRGB, 0 … 255; the
+// halo's fourth number is its opacity.
+struct MarkInks {
+  std::uint8_t axes[3][3], text[3], halo[4];
+};
+inline constexpr MarkInks kInksOnLight{
+    {{200, 50, 47}, {46, 135, 60}, {38, 92, 190}}, {31, 41, 51}, {255, 255, 255, 200}};
+inline constexpr MarkInks kInksOnDark{
+    {{255, 120, 112}, {104, 214, 124}, {122, 172, 255}}, {232, 235, 240}, {10, 12, 16, 200}};
 
 //   displayed = albedo · (ambient(n) + sun · max(n·l, 0) · visibility) + highlight
 //   ambient(n) = mix(bounce, sky, ½ + ½ n·up)
@@ -15,6 +26,7 @@ struct PictureTheme {
   float top[3], bottom[3];   // of the background
   float floor[3];            // where it is fully lit
   bool transparent = false;  // no floor, and nothing behind the bodies
+  MarkInks inks = kInksOnLight;
 };
 
 inline constexpr PictureTheme kStudioTheme{"studio",
@@ -32,7 +44,9 @@ inline constexpr PictureTheme kDarkTheme{"dark",
                                          {0.16f, 0.16f, 0.18f},
                                          {0.010f, 0.012f, 0.017f},
                                          {0.030f, 0.034f, 0.042f},
-                                         {0.040f, 0.043f, 0.050f}};
+                                         {0.040f, 0.043f, 0.050f},
+                                         false,
+                                         kInksOnDark};
 inline constexpr PictureTheme kPaperTheme{"paper",
                                           "white, for print",
                                           {0.92f, 0.88f, 0.83f},

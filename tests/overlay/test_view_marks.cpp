@@ -57,7 +57,7 @@ TEST_CASE("the bar is as long as its length is at the target, in every picture")
       Camera camera;
       camera.orthographic = parallel;
       Notes notes(font);
-      paint_scale_bar(camera, height, {0, 0, 1.5 * height, height}, height / 720, notes);
+      paint_scale_bar(camera, kInksOnLight, height, {0, 0, 1.5 * height, height}, height / 720, notes);
       REQUIRE(notes.words.size() == 1);
       REQUIRE_FALSE(notes.lines.empty());
       const std::vector<Point>& bar = notes.lines.back();
@@ -76,13 +76,36 @@ TEST_CASE("the bar is as long as its length is at the target, in every picture")
   }
 }
 
+TEST_CASE("every theme has inks that stand out from its background") {
+  // Relative luminance of sRGB, and contrast as WCAG 2 defines it: 3 is asked of drawings, 4.5 of text.
+  const auto linear = [](std::uint8_t c) {
+    const double v = c / 255.0;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
+  const auto luminance = [](double r, double g, double b) { return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+  for (const PictureTheme* theme : picture_themes()) {
+    if (theme->transparent) continue;  // nobody knows what will be behind it
+    CAPTURE(theme->name);
+    for (const auto& behind : {theme->top, theme->bottom, theme->floor}) {
+      const double paper = luminance(static_cast<double>(behind[0]), static_cast<double>(behind[1]),
+                                     static_cast<double>(behind[2]));
+      const auto contrast = [&](const std::uint8_t(&c)[3]) {
+        const double of = luminance(linear(c[0]), linear(c[1]), linear(c[2]));
+        return (std::max(of, paper) + 0.05) / (std::min(of, paper) + 0.05);
+      };
+      for (const auto& axis : theme->inks.axes) CHECK(contrast(axis) > 3);
+      CHECK(contrast(theme->inks.text) > 4.5);
+    }
+  }
+}
+
 TEST_CASE("axes: letters to the sides that their axes point to; the one along the line of sight is a dot") {
   const FontMetrics font;
   Camera camera;
   camera.target = {0, 0, 0};
   camera.eye = {0, 0, 5};
   Notes notes(font);
-  paint_axes(camera, {0, 0, 800, 600}, 1, notes);
+  paint_axes(camera, kInksOnLight, {0, 0, 800, 600}, 1, notes);
   REQUIRE(notes.words.size() == 3);
   const auto at = [&](const std::string& name) {
     for (const auto& [word, place] : notes.words)
@@ -95,6 +118,6 @@ TEST_CASE("axes: letters to the sides that their axes point to; the one along th
   CHECK(std::hypot(at("z").x - at("y").x, at("z").y - at("x").y) < 20);
   // Too small a picture has none.
   Notes none(font);
-  paint_axes(camera, {0, 0, 80, 600}, 1, none);
+  paint_axes(camera, kInksOnLight, {0, 0, 80, 600}, 1, none);
   CHECK(none.words.empty());
 }
