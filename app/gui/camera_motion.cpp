@@ -8,6 +8,12 @@
 #include "render/visual/bounds.h"
 
 namespace pabd {
+namespace {
+
+constexpr double kOneStep = 1.5;  // in steps: less is the next one, rounded
+
+}  // namespace
+
 FollowedView followed_view(const Snapshot& sim, const UiState& ui) {
   FollowedView out{ui.camera, {}, Vec3::Zero()};
   if (!ui.follow || *ui.follow >= sim.a.state.size() || !has_finite_pose(sim.a.state, *ui.follow)) return out;
@@ -46,8 +52,11 @@ void CameraMotion::move(const Snapshot& sim, UiState& ui) {
   if (trails_.points() != ui.trails || scene_ != sim.scene_serial)
     trails_ = TrailRecorder(ui.trails, kTrailTime);
   scene_ = sim.scene_serial;
-  trails_.add(*sim.a.model, sim.a.state);
   const double time = sim.a.state.time;
+  const bool jumped = sim.jumps != jumps_ && time > shown_ + kOneStep * sim.a.made_with.h;
+  trails_.add(*sim.a.model, sim.a.state, jumped);
+  jumps_ = sim.jumps;
+  shown_ = time;
   if (ui.fly && !ui.camera_keys.empty() && time != flown_to_) ui.camera = camera_at(ui.camera_keys, time);
   flown_to_ = ui.fly ? time : -1;
 }

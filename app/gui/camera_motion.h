@@ -27,7 +27,7 @@ class CameraMotion {
   // Once a frame. The camera goes as far as the body that it follows; while time goes on it follows its keys, at rest
   // it may be moved by hand.
   void move(const Snapshot& sim, UiState& ui);
-  // Of what ui.trails asks for, as far as it was seen.
+  // Of what ui.trails asks for, as far as it was seen: broken where the run was wound on.
   std::vector<Trail> trails() const { return trails_.trails(); }
 
  private:
@@ -37,6 +37,8 @@ class CameraMotion {
   Vec3 followed_at_ = Vec3::Zero();  // where it was then; m
   double flown_to_ = -1;             // time that the camera has followed its keys to; s
   std::uint64_t scene_ = 0;          // of the trails
+  std::uint64_t jumps_ = 0;          // that the trails know of
+  double shown_ = 0;                 // s: time of the latest state that they have
   TrailRecorder trails_;
 };
 

@@ -79,14 +79,18 @@ void check_trail(const TrailPoint& point, const Model& model, const std::string&
 TrailRecorder::TrailRecorder(std::vector<TrailPoint> points, double seconds)
     : points_(std::move(points)), seconds_(seconds) {}
 
-void TrailRecorder::add(const Model& model, const State& state) {
+void TrailRecorder::add(const Model& model, const State& state, bool unseen) {
   if (points_.empty()) return;
-  while (!moments_.empty() && moments_.back().time >= state.time) moments_.pop_back();
+  // What took the way past here showed it: only a gap that this place lies in stays one.
+  bool gap = unseen;
+  for (; !moments_.empty() && moments_.back().time >= state.time; moments_.pop_back())
+    gap = moments_.back().gap;
   // The last one moves along until it is far enough from the one before.
   const std::size_t count = moments_.size();
-  if (count > 1 && moments_[count - 1].time - moments_[count - 2].time < seconds_ / kPieces)
+  if (count > 1 && !gap && !moments_[count - 1].gap &&
+      moments_[count - 1].time - moments_[count - 2].time < seconds_ / kPieces)
     moments_.pop_back();
-  Moment now{state.time, {}};
+  Moment now{state.time, gap, {}};
   for (const TrailPoint& point : points_) now.at.push_back(place_of(point, model, state));
   moments_.push_back(std::move(now));
   const auto first = std::find_if(moments_.begin(), moments_.end(),
@@ -97,7 +101,11 @@ void TrailRecorder::add(const Model& model, const State& state) {
 std::vector<Trail> TrailRecorder::trails() const {
   std::vector<Trail> out(points_.size());
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    for (const Moment& moment : moments_) out[k].path.push_back(moment.at[k]);
+    for (const Moment& moment : moments_) {
+      if (moment.gap && !out[k].path.empty())
+        out[k].path.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+      out[k].path.push_back(moment.at[k]);
+    }
   }
   return out;
 }

@@ -26,7 +26,7 @@ std::string trail_words(const TrailPoint& point);
 void check_trail(const TrailPoint& point, const Model& model, const std::string& option);
 
 struct Trail {
-  std::vector<Vec3> path;  // oldest first; world, m
+  std::vector<Vec3> path;  // oldest first; world, m. Where one is no number the trail is broken
 };
 
 class TrailRecorder {
@@ -36,13 +36,15 @@ class TrailRecorder {
 
   const std::vector<TrailPoint>& points() const { return points_; }
   // Where the points are now. What is later or older than the recorder's time is dropped: a run may be wound back.
-  // A body that is gone ends its trail.
-  void add(const Model& model, const State& state);
+  // A body that is gone ends its trail. `unseen`: the run went from the last place to this one without showing the way;
+  // the trail has a gap there.
+  void add(const Model& model, const State& state, bool unseen = false);
   std::vector<Trail> trails() const;
 
  private:
   struct Moment {
     double time;  // s
+    bool gap;     // before it
     std::vector<Vec3> at;
   };
   std::vector<TrailPoint> points_;

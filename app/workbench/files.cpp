@@ -291,6 +291,7 @@ void Workbench::carry_out(const command::LoadRecording& c) {
   redo_.clear();
   held_.clear();
   playing_ = diverged_ = false;
+  ++jumps_;
   saved_ = {a_->params(), {}, {}, a_->timeline().edits(), hands_};
   const std::string what = fmt::format("{}: {}", c.path, counted(a_->timeline().size(), "moment"));
   if (!differs) return tell(Severity::note, what);

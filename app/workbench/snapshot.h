@@ -60,6 +60,7 @@ struct Snapshot {
   RunView a;
   std::optional<RunView> b;
   SharedList<RunDistance>::View distances;  // of A and B at common times
+  std::uint64_t jumps = 0;                  // rises when A goes elsewhere than by steps
   bool playing = false;
   double speed = 1;             // asked for
   double real_time_factor = 0;  // simulated seconds a second of late; 0 when not playing

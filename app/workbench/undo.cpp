@@ -60,6 +60,7 @@ std::shared_ptr<Workbench::GivenUp> Workbench::copy_runs(bool with_a, bool with_
 void Workbench::exchange(GivenUp& other) {
   if (other.held) std::swap(held_, *other.held);
   if (!other.with_a && !other.with_b) return;
+  if (other.with_a) ++jumps_;
   std::swap(distances_, other.distances);
   if (other.with_a) std::swap(a_, other.a);
   if (other.with_b) std::swap(b_, other.b);

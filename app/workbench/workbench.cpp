@@ -102,6 +102,7 @@ void Workbench::carry_out(const command::Seek& c) {
 }
 
 void Workbench::seek_to(std::size_t i) {
+  ++jumps_;
   a_->seek(i);
   if (b_) b_->seek(moment_in_step(a_->timeline(), i, b_->timeline()));
   measure_distance();
@@ -224,6 +225,7 @@ Snapshot Workbench::snapshot() {
     s.b = view(*b_, changed_b_);
     s.distances = distances_.view();
   }
+  s.jumps = jumps_;
   s.playing = playing_;
   s.speed = speed_;
   s.diverged = diverged_;

@@ -172,7 +172,7 @@ class Workbench {
   WorkbenchOptions options_;
   Source source_;
   std::shared_ptr<const Scene> scene_;
-  std::uint64_t scene_serial_ = 0, serial_ = 0, message_number_ = 0;
+  std::uint64_t scene_serial_ = 0, serial_ = 0, message_number_ = 0, jumps_ = 0;
   std::optional<Run> a_, b_;
   bool playing_ = false, diverged_ = false;
   bool file_changed_ = false;

@@ -55,3 +55,39 @@ TEST_CASE("trails follow a point of a body and the centre of mass, for the time 
   CHECK((recorder.trails()[0].path.back() - Vec3(std::cos(2.5), std::sin(2.5), 0)).norm() < 1e-9);
   CHECK(recorder.trails()[0].path.size() < 60);
 }
+
+TEST_CASE("a trail is broken where the way was not seen, and whole again where it was gone back to") {
+  TinyModel tiny;
+  tiny.add(Box{{1, 1, 1}}, Vec3::Zero());
+  TrailRecorder recorder({{"body 0", Vec3::Zero()}}, 2);
+  const auto at = [&](double t, bool unseen = false) {
+    tiny.state.time = t;
+    tiny.state.c[0] = Vec3(t, 0, 0);
+    recorder.add(tiny.model, tiny.state, unseen);
+  };
+  // Lengths of the pieces that are drawn; a chord over the gap would be 0.5.
+  const auto longest = [&] {
+    double most = 0;
+    const std::vector<Vec3> path = recorder.trails()[0].path;
+    for (std::size_t k = 0; k + 1 < path.size(); ++k)
+      if (path[k].allFinite() && path[k + 1].allFinite())
+        most = std::max(most, (path[k + 1] - path[k]).norm());
+    return most;
+  };
+  for (int k = 0; k <= 50; ++k) at(0.01 * k);
+  at(1, true);
+  at(1);  // shown again, as a window at rest does
+  CHECK(longest() < 0.011);
+  for (int k = 1; k <= 50; ++k) at(1 + 0.001 * k);  // in pieces that are put together
+  CHECK(longest() < 0.011);
+  CHECK(recorder.trails()[0].path.back().x() == Approx(1.05));
+  at(1.02);  // back on the way that was seen
+  CHECK(longest() < 0.011);
+  at(0.7);  // and into the gap: nothing leads there
+  CHECK(longest() < 0.011);
+  at(0.3);
+  at(0.31);
+  CHECK(longest() < 0.011);
+  const std::vector<Vec3> path = recorder.trails()[0].path;
+  for (const Vec3& p : path) CHECK(p.allFinite());
+}
