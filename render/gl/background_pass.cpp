@@ -10,7 +10,7 @@ namespace pabd {
 BackgroundPass::BackgroundPass(const GlFunctions& gl)
     : gl_(gl),
       program_(gl, "background", {shaders::corner, shaders::background_vert},
-               {frame_block(), shaders::lighting, shaders::background_frag}),
+               {frame_block(), shaders::background_frag}),
       array_(gl) {}
 
 void BackgroundPass::draw() const {

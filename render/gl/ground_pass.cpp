@@ -27,11 +27,15 @@ constexpr float kExtent = 9.0f;  // half width of the quad, in R
 }  // namespace
 
 GroundPass::Program::Program(const GlFunctions& gl, const char* name, const std::string& defines)
-    : program(gl, name, {frame_block(), shaders::ground_vert},
+    : program(gl, name,
+              {{"defines", defines.c_str()},
+               frame_block(),
+               shaders::lighting,
+               shaders::light_places,
+               shaders::ground_vert},
               {{"defines", defines.c_str()},
                frame_block(),
                shaders::shadow_depths,
-               shaders::lighting,
                shaders::sun_visibility,
                shaders::ground_frag}),
       normal(program.uniform("normal")),

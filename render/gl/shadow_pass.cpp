@@ -17,6 +17,12 @@ void plain_texture(const GlFunctions& gl, const GlTexture& texture, GLint format
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+constexpr int kNearUnit = 3;  // the range's, which is made of it
+
+bool is_flat_sided(Primitive primitive) {
+  return primitive == Primitive::cube || primitive == Primitive::mesh;
+}
+
 }  // namespace
 
 ShadowPass::ShadowPass(const GlFunctions& gl)
@@ -27,11 +33,14 @@ ShadowPass::ShadowPass(const GlFunctions& gl)
                      {frame_block(), shaders::shadow_depths, shaders::shadow_range_frag}),
       array_(gl),
       map_(gl),
+      near_(gl),
       range_(gl),
       framebuffer_(gl),
+      near_framebuffer_(gl),
       range_framebuffer_(gl) {
   range_program_.use();
   pabd::bind_maps(gl, range_program_);
+  gl.Uniform1i(range_program_.uniform("near_map"), kNearUnit);
 }
 
 void ShadowPass::allocate(int texels) {
@@ -43,16 +52,20 @@ void ShadowPass::allocate(int texels) {
   };
   texels_ = 0;
   gl_.ActiveTexture(GL_TEXTURE0);
-  plain_texture(gl_, map_, GL_DEPTH_COMPONENT32F, texels, GL_DEPTH_COMPONENT);
-  gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map_.id(), 0);
-  gl_.DrawBuffer(GL_NONE);
-  gl_.ReadBuffer(GL_NONE);
-  check("depth-only");
-  plain_texture(gl_, range_, GL_RG32F, texels / kRangeCell, GL_RG);
+  const auto depth_map = [&](const GlTexture& map, const GlFramebuffer& framebuffer) {
+    plain_texture(gl_, map, GL_DEPTH_COMPONENT32F, texels, GL_DEPTH_COMPONENT);
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.id(), 0);
+    gl_.DrawBuffer(GL_NONE);
+    gl_.ReadBuffer(GL_NONE);
+    check("depth-only");
+  };
+  depth_map(map_, framebuffer_);
+  depth_map(near_, near_framebuffer_);
+  plain_texture(gl_, range_, GL_RGBA32F, texels / kRangeCell, GL_RGBA);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, range_framebuffer_.id());
   gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, range_.id(), 0);
-  check("two-channel");
+  check("four-channel");
   texels_ = texels;
 }
 
@@ -71,10 +84,18 @@ void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int te
   drawer.draw(list, list.casters);
   if (!with_range) return;
 
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, near_framebuffer_.id());
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  gl_.CullFace(GL_FRONT);
+  drawer.draw(list, list.casters, is_flat_sided);
+  gl_.CullFace(GL_BACK);
+
   gl_.BindFramebuffer(GL_FRAMEBUFFER, range_framebuffer_.id());
   gl_.Viewport(0, 0, texels / kRangeCell, texels / kRangeCell);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);
+  gl_.ActiveTexture(GL_TEXTURE0 + kNearUnit);
+  gl_.BindTexture(GL_TEXTURE_2D, near_.id());
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, map_.id());
   gl_.BindVertexArray(array_.id());

@@ -23,8 +23,8 @@ class ShadowPass {
   const GlFunctions& gl_;
   GlProgram program_, range_program_;
   GlVertexArray array_;
-  GlTexture map_, range_;
-  GlFramebuffer framebuffer_, range_framebuffer_;
+  GlTexture map_, near_, range_;
+  GlFramebuffer framebuffer_, near_framebuffer_, range_framebuffer_;
   int texels_ = 0;
 };
 

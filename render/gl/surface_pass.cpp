@@ -29,11 +29,16 @@ bool is_solid(Primitive primitive) { return primitive != Primitive::disc; }
 
 SurfacePass::Program::Program(const GlFunctions& gl, const char* name, const std::string& defines)
     : program(gl, name,
-              {{"defines", defines.c_str()}, frame_block(), shaders::instance, shaders::surface_vert},
+              {{"defines", defines.c_str()},
+               frame_block(),
+               shaders::instance,
+               shaders::light_places,
+               shaders::surface_vert},
               {{"defines", defines.c_str()},
                frame_block(),
                shaders::shadow_depths,
                shaders::lighting,
+               shaders::light_places,
                shaders::sun_visibility,
                shaders::surface_frag}),
       opacity(program.uniform("opacity")),

@@ -1,43 +1,49 @@
 // SPDX-License-Identifier: MIT
 // A studio floor with its grid. SHADOWED: shadows may fall here, or bodies be near; LIVE: in a hurry.
-in vec3 world;
-uniform vec4 normal;  // w: offset
-uniform vec4 axis_u;  // xyz: unit; w: of the point below the scene's centre
-uniform vec4 axis_v;
-uniform vec4 grid;    // spacing of the fine grid, its weight, 1 for the first floor, -
+in vec2 at;           // in spacings of the fine grid
+in vec2 from_centre;  // in radii of the scene
+flat in float fine_weight;
+flat in vec3 far_bottom;  // what is behind everything: at the lower border of the picture, and how it changes to the upper one
+flat in vec3 far_change;
+flat in float picture_height;
+flat in vec3 sky_part;  // of the floor's colour: what the sky gives, and the sun
+#ifdef SHADOWED
+flat in vec3 sun_part;
+flat in float closeness;  // how much of the sky's part bodies may take
+in vec2 shade_at;
+in vec3 sun_at;  // sun_place()
+flat in vec3 sloping;  // of the floor: sun_slope()
+uniform sampler2D floor_map;
+#endif
 out vec4 fragment;
 
-// Part of a pixel of size `pixel` that lines of the given width every `spacing` metres cover, along both axes.
-float lines(vec2 at, vec2 pixel, float spacing, float width) {
-  vec2 d = abs(fract(at / spacing - 0.5) - 0.5) * spacing;
+// Part of a pixel of size `pixel` that lines of the given width cover, along both axes; all in spacings of the lines.
+float lines(vec2 place, vec2 pixel, vec2 pixels, float width) {
+  vec2 d = abs(fract(place - 0.5) - 0.5);
   vec2 wide = max(vec2(width), pixel);
-  vec2 cover = clamp((0.5 * (wide + pixel) - d) / pixel, 0.0, 1.0) * (width / wide);
+  vec2 cover = clamp((0.5 * (wide + pixel) - d) * pixels, 0.0, 1.0) * min(width * pixels, 1.0);
   // Where lines come closer than a few pixels: their mean, instead of a moiré.
-  cover = mix(cover, vec2(width / spacing), smoothstep(0.2, 0.5, pixel / spacing));
+  cover = mix(cover, vec2(width), smoothstep(0.2, 0.5, pixel));
   return max(cover.x, cover.y);
 }
 
 void main() {
-  vec3 n = normal.xyz;
-  vec2 at = vec2(dot(world, axis_u.xyz), dot(world, axis_v.xyz));
-  float r = length(at - vec2(axis_u.w, axis_v.w)) / frame.centre.w;
-  vec2 pixel = max(fwidth(at), vec2(1e-9));
+  float r = length(from_centre);
+  vec2 pixel = max(fwidth(at), vec2(1e-9)), pixels = 1.0 / pixel;
 
   float near = 1.0 - smoothstep(1.0, 5.5, r);
-  float fine = lines(at, pixel, grid.x, 0.018 * grid.x) * grid.y;
-  float coarse = lines(at, pixel, 10.0 * grid.x, 0.03 * grid.x);
+  float fine = lines(at, pixel, pixels, 0.018) * fine_weight;
+  float coarse = lines(0.1 * at, 0.1 * pixel, 10.0 * pixels, 0.003);
   float line = max(0.30 * fine, 0.42 * coarse) * near;
 
+  vec3 color = sky_part;
 #ifdef SHADOWED
-  vec3 sky = ambient(n), sunlight = frame.sun.rgb * max(dot(n, frame.light.xyz), 0.0);
-  vec3 lit = sunlight * sun_visibility(world, n);
 #ifndef LIVE
-  sky *= 1.0 - 0.8 * floor_shade(world) * grid.z;
+  color *= 1.0 - closeness * texture(floor_map, shade_at).r;
 #endif
-  vec3 shade = (sky + lit) / (ambient(n) + sunlight);
-#else
-  float shade = 1.0;
+  color += sun_part * sun_visibility(sun_at, sloping);
 #endif
-  vec3 color = frame.floor_color.rgb * shade * (1.0 - line);
-  fragment = vec4(mix(color, background(gl_FragCoord.y), smoothstep(1.5, 9.0, r)), 0.0);
+  color *= 1.0 - line;
+  vec3 far = far_bottom + far_change * smoothstep(0.0, 1.0, gl_FragCoord.y / picture_height);
+  fragment = vec4(mix(color, far, smoothstep(1.5, 9.0, r)), 0.0);
 }

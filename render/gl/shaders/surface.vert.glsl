@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Bodies and glyphs. CUBE: with what softened edges need; TAGGED: with what tells things apart (outline_smoother.h).
-out vec3 world;
+out vec3 to_eye;
+out vec3 sun_at;    // sun_place()
+out float height;  // above the floor, as near_floor() wants it
+#ifdef CUBE
+flat out vec3 world_n;
+flat out vec4 sunny;  // sun_slope(), and how much of the sun the side may get
+#else
 out vec3 world_n;
+#endif
 flat out vec4 color;
 flat out float shaded;
 #ifdef TAGGED
@@ -24,33 +31,42 @@ float tag_of(vec3 place, vec3 n) {
   return float(1u + (h >> 17)) / 65535.0;  // 0 is the floor and what is behind it
 }
 #endif
-#ifndef GLYPH
+#if !defined(GLYPH) && !defined(CUBE)
 out vec3 local;
 #endif
 #ifdef CUBE
-flat out vec3 face;
-flat out vec3 half_size;
-flat out vec3 axis_x;
-flat out vec3 axis_y;
-flat out vec3 axis_z;
+out vec2 across;        // from the middle of the face, along its two axes; m
+flat out vec2 half_face;
+flat out vec3 axis_u;
+flat out vec3 axis_v;
+flat out vec3 constant;  // width of the soft edge in m; under_floor(); 1 on the three sides of a checker that begin dark
 #endif
 void main() {
-  world = world_position(position);
+  vec3 world = world_position(position);
+  to_eye = frame.eye.xyz - world;
+  sun_at = sun_place(world);
+  height = floor_height(world);
   world_n = world_normal(normal);
   color = instance_color;
   shaded = instance_shaded;
 #ifdef TAGGED
   tag = tag_of(vec3(row_x.w, row_y.w, row_z.w), normal);
 #endif
-#ifndef GLYPH
+#if !defined(GLYPH) && !defined(CUBE)
   local = position;
 #endif
 #ifdef CUBE
-  face = abs(normal);
-  half_size = sqrt(squared_scale());
-  axis_x = vec3(row_x.x, row_y.x, row_z.x) / half_size.x;
-  axis_y = vec3(row_x.y, row_y.y, row_z.y) / half_size.y;
-  axis_z = vec3(row_x.z, row_y.z, row_z.z) / half_size.z;
+  sunny = vec4(sun_slope(world_n), smoothstep(0.0, 0.12, dot(world_n, frame.light.xyz)));
+  vec3 half_size = sqrt(squared_scale());
+  mat3 axes = mat3(vec3(row_x.x, row_y.x, row_z.x) / half_size.x, vec3(row_x.y, row_y.y, row_z.y) / half_size.y,
+                   vec3(row_x.z, row_y.z, row_z.z) / half_size.z);
+  vec3 along_u = abs(normal.zxy), along_v = abs(normal.yzx);
+  axis_u = axes * along_u;
+  axis_v = axes * along_v;
+  half_face = vec2(dot(half_size, along_u), dot(half_size, along_v));
+  across = half_face * vec2(dot(position, along_u), dot(position, along_v));
+  constant = vec3(0.06 * min(half_size.x, min(half_size.y, half_size.z)), under_floor(world_n),
+                  step(0.0, dot(normal, vec3(1.0))));
 #endif
   gl_Position = frame.world_to_clip * vec4(world, 1.0);
 }
