@@ -58,15 +58,16 @@ void draw_and_read(benchmark::State& bench) {
 }
 BENCHMARK(draw_and_read)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-// The pile of 1000 bodies as a window shows it. Run with LP_NUM_THREADS=0 for what it takes on one core.
-void window_view(benchmark::State& bench, const RenderQuality& quality, int width, int height) {
+// A scene as a window shows it, pass by pass. Run with LP_NUM_THREADS=0 for what it takes on one core.
+void window_view(benchmark::State& bench, const char* name, int steps, const RenderQuality& quality,
+                 int width, int height) {
   std::vector<ContextAttempt> attempts;
   const std::unique_ptr<GlContext> context = create_headless_context(Backend::automatic, attempts);
   Renderer renderer(*context, width, height);
-  Scene file = load_scene(PABD_SCENES "/pile.json");
+  Scene file = load_scene(std::string(PABD_SCENES "/") + name + ".json");
   StepWorkspace workspace;
   StepReport report;
-  for (int k = 0; k < 240; ++k)
+  for (int k = 0; k < steps; ++k)
     step(file.model, file.params, {false, false, 2}, file.initial, workspace, report);
   VisualScene scene;
   scene.camera = frame_camera(file.model, file.initial, double(width) / height);
@@ -75,20 +76,25 @@ void window_view(benchmark::State& bench, const RenderQuality& quality, int widt
   renderer.measure_passes(true);
   renderer.draw_view(0, scene, width, height, quality);
   const PassTimes t = renderer.pass_times();
-  for (const auto& [name, ms] : {std::pair{"prepare", t.prepare},
+  for (const auto& [pass, ms] : {std::pair{"prepare", t.prepare},
                                  {"shadow", t.shadow},
                                  {"contact_shade", t.contact_shade},
                                  {"bodies", t.bodies},
                                  {"ground", t.ground},
                                  {"glyphs", t.glyphs},
                                  {"resolve", t.resolve}})
-    bench.counters[name] = ms;
+    bench.counters[pass] = ms;
 }
-BENCHMARK_CAPTURE(window_view, full_1280x720, RenderQuality{}, 1280, 720)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(window_view, live_1280x720, RenderQuality::live(), 1280, 720)
+BENCHMARK_CAPTURE(window_view, pyramid_1280x720, "pyramid", 6, RenderQuality{}, 1280, 720)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(window_view, full_680x600, RenderQuality{}, 680, 600)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(window_view, live_680x600, RenderQuality::live(), 680, 600)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(window_view, full_1280x720, "pile", 240, RenderQuality{}, 1280, 720)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(window_view, live_1280x720, "pile", 240, RenderQuality::live(), 1280, 720)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(window_view, full_680x600, "pile", 240, RenderQuality{}, 680, 600)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(window_view, live_680x600, "pile", 240, RenderQuality::live(), 680, 600)
+    ->Unit(benchmark::kMillisecond);
 
 void encode(benchmark::State& bench, const char* extension) {
   Picture picture;
