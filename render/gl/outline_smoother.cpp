@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 #include "sim/base/srgb.h"
 
@@ -32,43 +34,75 @@ int part_taken(int k, int run) {
 
 }  // namespace
 
-// The runs between each of `count` rows and the next one. A row has `length` pixels, `step` pixels apart; the next row
-// is `across` pixels away.
-void OutlineSmoother::follow_runs(const std::uint16_t* pixels, int count, int length, int step, int across) {
-  const bool level = step == 1;  // rows, not columns
-  const std::ptrdiff_t pixel = 4 * static_cast<std::ptrdiff_t>(step);
-  for (int row = 0; row + 1 < count; ++row) {
-    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(row) * across;
-    const std::uint16_t* a = pixels + 4 * first + 3;                       // tags of this row
-    const std::uint16_t* b = a + 4 * static_cast<std::ptrdiff_t>(across);  // and of the next
-    std::uint8_t* to = taken_.data() + 4 * first;
-    std::uint8_t* to_next = to + 4 * static_cast<std::ptrdiff_t>(across);
-    for (int i = 0; i < length;) {
-      if (a[i * pixel] == b[i * pixel]) {
-        ++i;
+// A run between two rows of pixels, or two columns: a(k) and b(k) are the tags of its pixel number k on either side.
+struct OutlineSmoother::Seam {
+  const std::uint16_t* tags;  // of pixel number 0 of the row
+  std::ptrdiff_t step;        // to the next pixel of the row
+  std::ptrdiff_t across;      // to the pixel beside it in the next row
+  int length;
+
+  std::uint16_t a(int k) const { return tags[k * step]; }
+  std::uint16_t b(int k) const { return tags[k * step + across]; }
+  bool differ(int k) const { return a(k) != b(k); }
+  bool both_change(int k) const { return a(k) != a(k - 1) && b(k) != b(k - 1); }
+  bool begins(int k) const { return differ(k) && (k == 0 || !differ(k - 1) || both_change(k)); }
+};
+
+// Follows the run that begins at pixel number `begin` of a seam; returns where it ends.
+int OutlineSmoother::follow_run(const Seam& seam, int begin) {
+  int stop = begin + 1;
+  while (stop < seam.length && seam.differ(stop) && !seam.both_change(stop)) ++stop;
+  const int run = stop - begin;
+  const bool level = seam.step == 1;  // rows, not columns
+  // At each end: whose thing goes on beyond it? The other row's pixels lose there.
+  const auto end = [&](int inside, int outside, int towards) {
+    if (outside < 0 || outside >= seam.length || seam.differ(outside)) return;
+    const std::uint16_t beyond = seam.a(outside);
+    const bool a_loses = beyond == seam.b(inside), b_loses = beyond == seam.a(inside);
+    if (!a_loses && !b_loses) return;
+    const std::ptrdiff_t first = seam.tags - tags_.data() + (a_loses ? 0 : seam.across);
+    const std::size_t from = level ? (a_loses ? kAbove : kBelow) : (a_loses ? kRight : kLeft);
+    for (int k = 0; 2 * k < run; ++k) {
+      const auto pixel = static_cast<std::size_t>(first + (inside + k * towards) * seam.step);
+      Taken& taken = taken_[pixel];
+      const int part = part_taken(k, run);
+      if (part > 0 && std::bit_cast<std::uint32_t>(taken) == 0) touched_.push_back(pixel);
+      taken[from] = static_cast<std::uint8_t>(std::min(taken[from] + part, 127));
+    }
+  };
+  end(begin, begin - 1, 1);
+  end(stop - 1, stop, -1);
+  return stop;
+}
+
+void OutlineSmoother::follow_runs(int width, int height) {
+  // Most pixels are of one thing with their neighbours: four of them at a time are passed over.
+  const auto same = [](const std::uint16_t* a, const std::uint16_t* b) {
+    std::uint64_t p = 0, q = 0;
+    std::memcpy(&p, a, sizeof(p));
+    std::memcpy(&q, b, sizeof(q));
+    return p == q;
+  };
+  for (int y = 0; y < height; ++y) {
+    const std::uint16_t* const row = tags_.data() + static_cast<std::ptrdiff_t>(y) * width;
+    if (y + 1 < height) {
+      const Seam below{row, 1, width, width};
+      for (int x = 0; x < width;) {
+        if (x + 4 <= width && same(row + x, row + width + x)) {
+          x += 4;
+        } else {
+          x = below.differ(x) ? follow_run(below, x) : x + 1;
+        }
+      }
+    }
+    for (int x = 0; x + 1 < width;) {
+      if (x + 5 <= width && same(row + x, row + x + 1)) {
+        x += 4;
         continue;
       }
-      const int begin = i;
-      const auto both_change = [&](int j, int k) {
-        return a[j * pixel] != a[k * pixel] && b[j * pixel] != b[k * pixel];
-      };
-      for (++i; i < length && a[i * pixel] != b[i * pixel] && !both_change(i, i - 1);) ++i;
-      const int run = i - begin;
-      // At each end: whose thing goes on beyond it? The other row's pixels lose there.
-      const auto end = [&](int inside, int outside, int towards) {
-        if (outside < 0 || outside >= length || a[outside * pixel] != b[outside * pixel]) return;
-        const std::uint16_t beyond = a[outside * pixel];
-        const bool a_loses = beyond == b[inside * pixel], b_loses = beyond == a[inside * pixel];
-        if (!a_loses && !b_loses) return;
-        std::uint8_t* const loser =
-            (a_loses ? to : to_next) + (level ? (a_loses ? kAbove : kBelow) : (a_loses ? kRight : kLeft));
-        for (int k = 0; 2 * k < run; ++k) {
-          std::uint8_t& taken = loser[(inside + k * towards) * pixel];
-          taken = static_cast<std::uint8_t>(std::min(taken + part_taken(k, run), 127));
-        }
-      };
-      end(begin, begin - 1, 1);
-      end(i - 1, i, -1);
+      const Seam beside{tags_.data() + x, width, 1, height};
+      if (beside.begins(y)) follow_run(beside, y);
+      ++x;
     }
   }
 }
@@ -77,25 +111,29 @@ void OutlineSmoother::encode(const std::uint16_t* pixels, int width, int height,
                              std::uint8_t* out) {
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::uint8_t* const bytes = bytes_of_light().data();
-  for (std::size_t i = 0; i < 4 * count; i += 4) {
-    for (std::size_t c = 0; c < 3; ++c) out[i + c] = bytes[pixels[i + c]];
-    out[i + 3] = 255;
+  tags_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint16_t* const from = pixels + 4 * i;
+    // One store a pixel: compilers make four of an array.
+    const auto shifted = [](std::uint32_t byte, int c) {
+      return byte << (std::endian::native == std::endian::little ? 8 * c : 24 - 8 * c);
+    };
+    const std::uint32_t to = shifted(bytes[from[0]], 0) | shifted(bytes[from[1]], 1) |
+                             shifted(bytes[from[2]], 2) | shifted(255, 3);
+    std::memcpy(out + 4 * i, &to, sizeof(to));
+    tags_[i] = from[3];
   }
   if (!smooth) return;
 
-  taken_.assign(4 * count, 0);
-  follow_runs(pixels, height, width, 1, width);
-  follow_runs(pixels, width, height, width, 1);
+  taken_.resize(count);  // all zero, here and after each frame
+  follow_runs(width, height);
   const std::array<std::ptrdiff_t, 4> places = {-4, 4, -4 * static_cast<std::ptrdiff_t>(width),
                                                 4 * static_cast<std::ptrdiff_t>(width)};
-  for (std::size_t i = 0; i < 4 * count; i += 4) {
-    const std::uint8_t* const taken = &taken_[i];
-    std::uint32_t any = 0;
-    std::memcpy(&any, taken, sizeof(any));
-    if (any == 0) continue;
+  for (const std::size_t pixel : touched_) {
+    const Taken taken = std::exchange(taken_[pixel], {});
     // A pixel at a steep outline has runs both ways, which tell the same: the one that says more counts.
     const std::size_t first = taken[kLeft] + taken[kRight] > taken[kBelow] + taken[kAbove] ? kLeft : kBelow;
-    const std::uint16_t* const here = pixels + i;
+    const std::uint16_t* const here = pixels + 4 * pixel;
     const int sum = taken[first] + taken[first + 1];
     const int whole = std::max(254, sum + 64);  // a speck keeps something of itself
     for (std::size_t c = 0; c < 3; ++c) {
@@ -103,9 +141,10 @@ void OutlineSmoother::encode(const std::uint16_t* pixels, int width, int height,
       for (const std::size_t n : {first, first + 1}) {
         if (taken[n] > 0) light += here[places[n] + static_cast<std::ptrdiff_t>(c)] * taken[n];
       }
-      out[i + c] = bytes[static_cast<std::size_t>(light / whole)];
+      out[4 * pixel + c] = bytes[static_cast<std::size_t>(light / whole)];
     }
   }
+  touched_.clear();
 }
 
 }  // namespace pabd

@@ -11,12 +11,14 @@
 // After A. Reshetov, Morphological antialiasing, HPG 2009; tags in place of colours, so that nothing else is blurred.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace pabd {
 
-// Keeps its buffer from frame to frame.
+// Keeps its buffers from frame to frame.
 class OutlineSmoother {
  public:
   // `pixels`: width × height × (r, g, b, tag), linear light of 16 bits. `out`: as many × (r, g, b, 255), sRGB.
@@ -24,10 +26,16 @@ class OutlineSmoother {
   void encode(const std::uint16_t* pixels, int width, int height, bool smooth, std::uint8_t* out);
 
  private:
-  void follow_runs(const std::uint16_t* pixels, int count, int length, int step, int across);
+  struct Seam;
+  // What a pixel takes from the neighbours to its left and right, below and above it, in 1/254.
+  using Taken = std::array<std::uint8_t, 4>;
 
-  // Of every pixel: what it takes from the neighbours to its left and right, below and above it, in 1/254.
-  std::vector<std::uint8_t> taken_;
+  int follow_run(const Seam& seam, int begin);
+  void follow_runs(int width, int height);
+
+  std::vector<std::uint16_t> tags_;
+  std::vector<Taken> taken_;
+  std::vector<std::size_t> touched_;  // pixels that take anything
 };
 
 }  // namespace pabd
