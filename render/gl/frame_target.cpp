@@ -6,8 +6,10 @@
 
 #include <algorithm>
 
+#include "render/gl/drop_alpha.h"
 #include "render/gl/encode_pass.h"
 #include "render/gl/outline_smoother.h"
+#include "sim/base/available_cpus.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -37,7 +39,8 @@ FrameTarget::FrameTarget(const GlFunctions& gl, int width, int height, int sampl
       samples_(samples),
       drawn_(gl),
       resolved_(gl),
-      slots_{Slot(gl), Slot(gl)} {
+      slots_{Slot(gl), Slot(gl)},
+      cpus_(available_cpus()) {
   allocate();
 }
 
@@ -187,16 +190,8 @@ bool FrameTarget::fetch(Image& out) {
     throw Error(ErrorKind::no_context, "the driver does not hand out the frame; " + driver_remedy());
   }
   out.resize(slot.width, slot.height);
-  const auto width = static_cast<std::size_t>(slot.width);
-  for (int y = 0; y < slot.height; ++y) {  // GL counts rows from the bottom
-    const std::uint8_t* from = pixels + static_cast<std::size_t>(slot.height - 1 - y) * width * 4;
-    std::uint8_t* to = out.rgb.data() + static_cast<std::size_t>(y) * width * 3;
-    for (std::size_t x = 0; x < width; ++x) {  // compilers make shuffles of it; words and shifts are slower
-      to[3 * x] = from[4 * x];
-      to[3 * x + 1] = from[4 * x + 1];
-      to[3 * x + 2] = from[4 * x + 2];
-    }
-  }
+  drop_alpha(pixels, slot.width, slot.height, team_, drop_alpha_threads(slot.width, slot.height, cpus_),
+             out.rgb.data());
   gl_.UnmapBuffer(GL_PIXEL_PACK_BUFFER);
   gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   oldest_ = 1 - oldest_;

@@ -9,6 +9,7 @@
 
 #include "render/gl/gl_objects.h"
 #include "render/output/image.h"
+#include "sim/math/team.h"
 
 namespace pabd {
 
@@ -74,6 +75,8 @@ class FrameTarget {
   Slot slots_[2];
   int oldest_ = 0;
   int queued_ = 0;
+  int cpus_;
+  Team team_;  // for copying large frames
 };
 
 }  // namespace pabd

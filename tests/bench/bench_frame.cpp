@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "render/context/context.h"
+#include "render/gl/drop_alpha.h"
 #include "render/gl/renderer.h"
 #include "render/output/frame_sink.h"
 #include "render/visual/build_visual.h"
@@ -95,6 +96,21 @@ BENCHMARK_CAPTURE(window_view, full_680x600, "pile", 240, RenderQuality{}, 680, 
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(window_view, live_680x600, "pile", 240, RenderQuality::live(), 680, 600)
     ->Unit(benchmark::kMillisecond);
+
+// What fetching a frame costs beside waiting for it.
+void copy_without_alpha(benchmark::State& bench, int width, int height, int threads) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::vector<std::uint8_t> rgba(4 * pixels, 77);
+  std::vector<std::uint8_t> rgb(3 * pixels);
+  Team team;
+  for (auto _ : bench) drop_alpha(rgba.data(), width, height, team, threads, rgb.data());
+}
+BENCHMARK_CAPTURE(copy_without_alpha, 3840x2160_1, 3840, 2160, 1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(copy_without_alpha, 3840x2160_2, 3840, 2160, 2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void encode(benchmark::State& bench, const char* extension) {
   Picture picture;
