@@ -15,6 +15,8 @@
 namespace pabd {
 namespace {
 
+constexpr std::size_t kRows = 16;  // that a thread encodes at a time
+
 enum Neighbour { kLeft, kRight, kBelow, kAbove };
 
 const std::vector<std::uint8_t>& bytes_of_light() {
@@ -30,6 +32,21 @@ const std::vector<std::uint8_t>& bytes_of_light() {
 int part_taken(int k, int run) {
   const double x0 = k, x1 = std::min(k + 1.0, 0.5 * run);
   return static_cast<int>(std::lround(254 * (x1 - x0) * (0.5 - 0.5 * (x0 + x1) / run)));
+}
+
+// Bytes of a row, and its tags.
+void encode_row(const std::uint8_t* bytes, const std::uint16_t* from, std::size_t width, std::uint8_t* out,
+                std::uint16_t* tags) {
+  // One store a pixel: compilers make four of an array.
+  const auto shifted = [](std::uint32_t byte, int c) {
+    return byte << (std::endian::native == std::endian::little ? 8 * c : 24 - 8 * c);
+  };
+  for (std::size_t x = 0; x < width; ++x, from += 4) {
+    const std::uint32_t to = shifted(bytes[from[0]], 0) | shifted(bytes[from[1]], 1) |
+                             shifted(bytes[from[2]], 2) | shifted(255, 3);
+    std::memcpy(out + 4 * x, &to, sizeof(to));
+    tags[x] = from[3];
+  }
 }
 
 }  // namespace
@@ -109,20 +126,13 @@ void OutlineSmoother::follow_runs(int width, int height) {
 
 void OutlineSmoother::encode(const std::uint16_t* pixels, int width, int height, bool smooth,
                              std::uint8_t* out) {
-  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const auto columns = static_cast<std::size_t>(width), rows = static_cast<std::size_t>(height);
+  const std::size_t count = columns * rows;
   const std::uint8_t* const bytes = bytes_of_light().data();
   tags_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint16_t* const from = pixels + 4 * i;
-    // One store a pixel: compilers make four of an array.
-    const auto shifted = [](std::uint32_t byte, int c) {
-      return byte << (std::endian::native == std::endian::little ? 8 * c : 24 - 8 * c);
-    };
-    const std::uint32_t to = shifted(bytes[from[0]], 0) | shifted(bytes[from[1]], 1) |
-                             shifted(bytes[from[2]], 2) | shifted(255, 3);
-    std::memcpy(out + 4 * i, &to, sizeof(to));
-    tags_[i] = from[3];
-  }
+  team_.for_each(threads_, rows, kRows, [&](std::size_t y) {
+    encode_row(bytes, pixels + 4 * y * columns, columns, out + 4 * y * columns, tags_.data() + y * columns);
+  });
   if (!smooth) return;
 
   taken_.resize(count);  // all zero, here and after each frame

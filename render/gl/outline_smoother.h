@@ -16,11 +16,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/math/team.h"
+
 namespace pabd {
 
 // Keeps its buffers from frame to frame.
 class OutlineSmoother {
  public:
+  // The bytes do not depend on `threads`.
+  explicit OutlineSmoother(int threads = 1) : threads_(threads) {}
+
   // `pixels`: width × height × (r, g, b, tag), linear light of 16 bits. `out`: as many × (r, g, b, 255), sRGB.
   // Without `smooth` the tags do not count.
   void encode(const std::uint16_t* pixels, int width, int height, bool smooth, std::uint8_t* out);
@@ -33,6 +38,8 @@ class OutlineSmoother {
   int follow_run(const Seam& seam, int begin);
   void follow_runs(int width, int height);
 
+  int threads_;
+  Team team_;
   std::vector<std::uint16_t> tags_;
   std::vector<Taken> taken_;
   std::vector<std::size_t> touched_;  // pixels that take anything

@@ -2,6 +2,7 @@
 // The conductor: which pass comes after which.
 #include "render/gl/renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "render/gl/overlay_pass.h"
 #include "render/gl/shadow_pass.h"
 #include "render/gl/surface_pass.h"
+#include "sim/base/available_cpus.h"
 #include "sim/base/error.h"
 #include "sim/base/srgb.h"
 
@@ -23,6 +25,8 @@ namespace pabd {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr int kMostEncoding = 4;  // threads: then it is memory that is slow
 
 double milliseconds(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -50,6 +54,7 @@ struct Renderer::Impl {
         line_pass(gl),
         encode_pass(gl),
         overlay_pass(gl),
+        smoother(std::min(available_cpus(), kMostEncoding)),
         uniforms(gl) {
     gl.check("setting up the renderer");
   }

@@ -2,6 +2,7 @@
 // Smoothed outlines against the exact area that a half plane covers of each pixel.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "render/gl/outline_smoother.h"
@@ -150,4 +151,63 @@ TEST_CASE("every byte is that of the sRGB function") {
     REQUIRE(bytes[static_cast<std::size_t>(4 * i)] == srgb_byte(16 * i / 65535.0));
     REQUIRE(bytes[static_cast<std::size_t>(4 * i + 3)] == 255);
   }
+}
+
+namespace {
+
+// Larger than what one thread encodes at a time.
+struct Large {
+  static constexpr int kWidth = 700, kHeight = 160;
+  std::vector<std::uint16_t> pixels = std::vector<std::uint16_t>(4 * kWidth * kHeight);
+  void set(int x, int y, std::uint16_t light, std::uint16_t tag) {
+    std::uint16_t* const p = &pixels[static_cast<std::size_t>(4 * (y * kWidth + x))];
+    p[0] = p[1] = p[2] = light;
+    p[3] = tag;
+  }
+  std::vector<std::uint8_t> encoded(OutlineSmoother& smoother) const {
+    std::vector<std::uint8_t> bytes(pixels.size());
+    smoother.encode(pixels.data(), kWidth, kHeight, true, bytes.data());
+    return bytes;
+  }
+};
+
+// Discs over each other.
+Large discs(int count) {
+  Large picture;
+  for (int k = 0; k < count; ++k) {
+    const int cx = 97 * k % Large::kWidth, cy = 53 * k % Large::kHeight, r = 5 + 11 * k % 37;
+    for (int y = 0; y < Large::kHeight; ++y) {
+      for (int x = 0; x < Large::kWidth; ++x) {
+        if ((x - cx) * (x - cx) + (y - cy) * (y - cy) < r * r)
+          picture.set(x, y, static_cast<std::uint16_t>(9001 * k), static_cast<std::uint16_t>(k + 1));
+      }
+    }
+  }
+  return picture;
+}
+
+}  // namespace
+
+TEST_CASE("the bytes depend neither on threads nor on the picture before") {
+  const Large picture = discs(40);
+  OutlineSmoother alone, many(3);
+  const auto expected = picture.encoded(alone);
+  CHECK(picture.encoded(many) == expected);
+  CHECK(discs(7).encoded(alone) != expected);
+  CHECK(picture.encoded(alone) == expected);
+}
+
+// A run of 600 pixels along the upper side of row 80 has nothing to give to the pixel in its middle; one of 400 along the
+// lower side gives it half.
+TEST_CASE("a run that gives a pixel nothing does not keep another one from it") {
+  Large picture;
+  for (int y = 0; y < Large::kHeight; ++y) {
+    for (int x = 0; x < Large::kWidth; ++x) {
+      const bool above = y < 80 || (y == 80 && x >= 600), gap = y == 80 && x >= 300 && x < 600;
+      picture.set(x, y, above || gap ? 0 : 40000, above ? 1 : gap ? 2 : 3);
+    }
+  }
+  OutlineSmoother smoother;
+  const int byte = picture.encoded(smoother)[4 * (80 * Large::kWidth + 300)];
+  CHECK(std::abs(byte - srgb_byte(20000 / 65535.0)) <= 1);
 }
