@@ -19,6 +19,12 @@ struct ContextCandidate {
 inline constexpr int kGlMajor = 3;
 inline constexpr int kGlMinor = 3;
 
+// What is asked for, in this order: some drivers give no more than that, and compute shaders need 4.3.
+struct GlVersion {
+  int major, minor;
+};
+inline constexpr GlVersion kAskedVersions[] = {{4, 3}, {kGlMajor, kGlMinor}};
+
 // Appends the candidates of EGL: each device (hardware first), then surfaceless. Never throws for a machine
 // without.
 void add_egl_candidates(std::vector<ContextCandidate>& out);

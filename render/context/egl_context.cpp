@@ -48,14 +48,17 @@ class EglContext final : public GlContext {
       return egl_->describe_error("eglChooseConfig");
     }
     if (count == 0) return "the driver offers no configuration for OpenGL";
-    const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                         kGlMajor,
-                                         EGL_CONTEXT_MINOR_VERSION,
-                                         kGlMinor,
-                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                         EGL_NONE};
-    context_ = egl_->create_context(display_, config, EGL_NO_CONTEXT, context_attributes);
+    for (const auto [wanted_major, wanted_minor] : kAskedVersions) {
+      const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                   wanted_major,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   wanted_minor,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   EGL_NONE};
+      context_ = egl_->create_context(display_, config, EGL_NO_CONTEXT, attributes);
+      if (context_ != EGL_NO_CONTEXT) break;
+    }
     if (context_ == EGL_NO_CONTEXT) return egl_->describe_error("eglCreateContext");
     if (!has_word(egl_->query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
       const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};

@@ -196,8 +196,6 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : glfw_(options.display_los
 std::string GlfwWindow::create(const WindowOptions& options, int api, const char* name) {
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, kGlMajor);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, kGlMinor);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
@@ -207,8 +205,13 @@ std::string GlfwWindow::create(const WindowOptions& options, int api, const char
     glfwWindowHint(hint, 0);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "pabd");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "pabd");
-  window_ = glfwCreateWindow(std::max(options.width, 1), std::max(options.height, 1), options.title.c_str(),
-                             nullptr, nullptr);
+  for (const auto [major, minor] : kAskedVersions) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+    window_ = glfwCreateWindow(std::max(options.width, 1), std::max(options.height, 1), options.title.c_str(),
+                               nullptr, nullptr);
+    if (window_ != nullptr) break;
+  }
   if (window_ == nullptr) return last_error();
   context_ =
       std::make_unique<GlfwContext>(glfw_, window_, api == GLFW_EGL_CONTEXT_API ? "window (EGL)" : "window");

@@ -54,16 +54,19 @@ class OsMesaContext final : public GlContext {
 
   // Empty on success, otherwise the reason.
   std::string open() {
-    const int attributes[] = {OSMESA_FORMAT,
-                              OSMESA_RGBA,
-                              OSMESA_PROFILE,
-                              OSMESA_CORE_PROFILE,
-                              OSMESA_CONTEXT_MAJOR_VERSION,
-                              kGlMajor,
-                              OSMESA_CONTEXT_MINOR_VERSION,
-                              kGlMinor,
-                              0};
-    context_ = library_->create(attributes, nullptr);
+    for (const auto [major, minor] : kAskedVersions) {
+      const int attributes[] = {OSMESA_FORMAT,
+                                OSMESA_RGBA,
+                                OSMESA_PROFILE,
+                                OSMESA_CORE_PROFILE,
+                                OSMESA_CONTEXT_MAJOR_VERSION,
+                                major,
+                                OSMESA_CONTEXT_MINOR_VERSION,
+                                minor,
+                                0};
+      context_ = library_->create(attributes, nullptr);
+      if (context_ != nullptr) break;
+    }
     if (context_ == nullptr) return "OSMesaCreateContextAttribs refused OpenGL 3.3 core";
     if (!bind()) return "OSMesaMakeCurrent failed";
     return check_gl_version(*this);
