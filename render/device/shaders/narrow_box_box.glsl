@@ -38,12 +38,18 @@ EdgePair edges_towards(int i, int j, dvec3 n) {
   return pair;
 }
 
-// Contacts along two edges that run side by side no farther apart than `nearest`. False when there are none.
-bool add_side_contacts(EdgePair pair, double nearest) {
+// Contacts along two edges that run side by side no farther apart than `nearest`; `replacing` of them in reach, or more,
+// replace all others. False when there are none.
+bool add_side_contacts(EdgePair pair, double nearest, int replacing) {
   int count = side_by_side(pair.on_a, pair.on_b, 0.5lf * preference(nearest, smallest), 0.0lf);
   double lowest = NONE;
-  for (int k = 0; k < count; ++k) lowest = min(lowest, side_place[k].apart);
+  int in_reach = 0;
+  for (int k = 0; k < count; ++k) {
+    lowest = min(lowest, side_place[k].apart);
+    if (side_place[k].apart < the_reach) ++in_reach;
+  }
   if (!(lowest <= nearest + preference(nearest, smallest))) return false;
+  if (in_reach >= replacing) found_count = 0;
   for (int k = 0; k < count; ++k) {
     SidePlace p = side_place[k];
     if (p.apart < the_reach)
@@ -52,8 +58,29 @@ bool add_side_contacts(EdgePair pair, double nearest) {
   return true;
 }
 
+// Contacts along the edges of axes i and j that n, from a to b, looks at, or, where i < 0, along any two that run side by
+// side; in the frame of a. False when there are none.
+bool add_along_edges(int i, int j, dvec3 n, double nearest, int replacing) {
+  int begin = i < 0 ? 0 : 3 * i + j, end = i < 0 ? 9 : begin + 1;
+  for (int k = begin; k < end; ++k) {
+    int e = k / 3, g = k % 3;
+    if (i < 0 && 1 - C[g][e] * C[g][e] > ALONG_SINE * ALONG_SINE) continue;
+    if (add_side_contacts(edges_towards(e, g, n), nearest, replacing)) return true;
+  }
+  return false;
+}
+
+// Where an edge pair or a corner touches.
+struct Place {
+  dvec3 y_b, n;     // world
+  dvec3 n_from_a;   // from a to b, in the frame of a
+  double d;
+  uint feature;
+  bool second_owns;
+};
+
 // Nearest points of the edges along axis i of a and axis j of b. False when they lie beyond the ends of an edge.
-bool add_edge_contact(int i, int j) {
+bool place_of_edges(int i, int j, out Place place) {
   dvec3 n = cross(unit_axis(i), C[j]);
   double sine2 = dot(n, n);
   n *= sign_of(dot(n, t)) / sqrt(sine2);
@@ -61,22 +88,9 @@ bool add_edge_contact(int i, int j) {
   dvec3 v = pair.on_b.direction, w = pair.on_b.middle - pair.on_a.middle;
   double uv = C[j][i], uw = w[i], vw = dot(v, w);
   double on_a = (uw - uv * vw) / sine2, on_b = (uv * uw - vw) / sine2;
+  place = Place(a.c + a.R * (pair.on_b.middle + on_b * v), a.R * n, n, dot(w, n), pair.name, false);
   const double END = 1 + 1e-9lf;
-  if (abs(on_a) > pair.on_a.half_length * END || abs(on_b) > pair.on_b.half_length * END) return false;
-  double d = dot(w, n);
-  if (d > 0 && add_side_contacts(pair, d)) return true;
-  if (d < the_reach) add_contact(false, a.c + a.R * (pair.on_b.middle + on_b * v), a.R * n, d, pair.name);
-  return true;
-}
-
-// Along edges through the nearest points that run side by side; n from a to b, in the frame of a.
-bool add_parallel_edges(dvec3 n, double d) {
-  for (int k = 0; k < 9; ++k) {
-    int i = k / 3, j = k % 3;
-    if (1 - C[j][i] * C[j][i] > ALONG_SINE * ALONG_SINE) continue;
-    if (add_side_contacts(edges_towards(i, j, n), d)) return true;
-  }
-  return false;
+  return abs(on_a) <= pair.on_a.half_length * END && abs(on_b) <= pair.on_b.half_length * END;
 }
 
 struct NearestCorner {
@@ -99,11 +113,19 @@ NearestCorner nearest_corner(dvec3 h, dvec3 g, dmat3 C, dvec3 t) {
   return best;
 }
 
-// Contacts of a face of a or of b.
-double add_face(bool of_b, int axis) {
+Place place_of_corner(NearestCorner c, bool corner_of_b) {
+  double apart = sqrt(c.apart2);
+  dvec3 n = (c.corner - c.foot) / apart;
+  dvec3 corner = corner_of_b ? a.c + a.R * c.corner : b.c + b.R * c.corner;
+  return Place(corner, corner_of_b ? a.R * n : b.R * n, corner_of_b ? n : -(C * n), apart,
+               CORNER_FEATURE | (corner_of_b ? 8u : 0u) | c.number, !corner_of_b);
+}
+
+// Clips against a face of a or of b, for add_box_face.
+double clip_to_face(bool of_b, int axis) {
   FaceQuery q = FaceQuery(a.c, a.R, h, g, C, t, false);
   if (of_b) q = FaceQuery(b.c, b.R, g, h, transpose(C), -s, true);
-  return add_face_contacts(q, axis, the_reach);
+  return clip_box_face(q, axis);
 }
 
 // The edge pair that separates best and better than `face`; false: not within reach.
@@ -130,17 +152,6 @@ bool best_edge(double face, out double separation, out int edge_i, out int edge_
     }
   }
   return true;
-}
-
-// What add_apart of box_box.cpp does after the other face and the edges: a corner of one, or edges through it. True:
-// they say all there is to say.
-bool add_corner(NearestCorner c, bool corner_of_b, double apart) {
-  dvec3 n = (c.corner - c.foot) / apart;
-  if (add_parallel_edges(corner_of_b ? n : -(C * n), apart)) return true;
-  dvec3 corner = corner_of_b ? a.c + a.R * c.corner : b.c + b.R * c.corner;
-  add_contact(!corner_of_b, corner, corner_of_b ? a.R * n : b.R * n, apart,
-              CORNER_FEATURE | (corner_of_b ? 8u : 0u) | c.number);
-  return false;
 }
 
 void find_contacts(Placed first, Placed second, double reach) {
@@ -178,56 +189,62 @@ void find_contacts(Placed first, Placed second, double reach) {
 
   double bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
   bool clearly_edge = edge > bound, apart = max(face, edge) > 0;
-  // In turns, so that each kind of contact is made at one place of the shader. Turn 0: the edge pair that is clearly
-  // best, the chosen face. Turn 1 of boxes that overlap: the edge pair, the other face. Turn 1 of those that are apart:
-  // the other face; turn 2: the edge pair, a corner.
-  bool try_edge = clearly_edge, corner_of_b = false;
-  bool try_face = true;
+  // In turns, so that each kind of contact is made at one place of the shader, which saves a driver's time. Turn 0: the
+  // edge pair that is clearly best, the chosen face. Turn 1 of boxes that overlap: the edge pair, the other face. Turn 1
+  // of those that are apart: the other face; turn 2: the edge pair; turn 3: a corner.
+  bool try_edge = clearly_edge, try_face = true, corner_of_b = false;
   double d = NONE, nearest = NONE;
   NearestCorner corner;
-  int dropped = 0;  // contacts that those after them replace
-  int turn = 0;
-  for (; turn < 3; ++turn) {
-    int before = found_count;
-    if (try_edge) {
-      if (add_edge_contact(edge_i, edge_j)) {
-        if (turn == 2 && found_count > before + 1) dropped = before;
-        break;
+  for (int turn = 0; turn < 4; ++turn) {
+    bool at_corner = turn == 3;
+    if (try_edge || at_corner) {
+      Place place;
+      bool is_there;
+      if (at_corner) {
+        place = place_of_corner(corner, corner_of_b);
+        is_there = nearest < d && nearest > 1e-12lf * smallest;
+      } else {
+        is_there = place_of_edges(edge_i, edge_j, place);
       }
+      if (is_there) {
+        // Contacts along edges replace those of the face at a corner, and where there are several.
+        int replacing = at_corner ? 0 : turn == 2 ? 2 : MOST_FOUND;
+        if (!(place.d > 0 && add_along_edges(at_corner ? -1 : edge_i, edge_j, place.n_from_a, place.d, replacing)) &&
+            place.d < reach)
+          add_contact(place.second_owns, place.y_b, place.n, place.d, place.feature);
+      }
+      if (is_there || at_corner) break;
       edge_j = -1;  // its places are beyond the ends
     }
     if (turn == 0) try_face = !(clearly_edge && edge > 0 && face <= 0);
     bool of_b = b_owns != (turn > 0);
-    double over = try_face ? add_face(of_b, of_b ? axis_b : axis_a) : NONE;
-
+    double over = try_face ? clip_to_face(of_b, of_b ? axis_b : axis_a) : NONE;
+    bool better = turn == 0 || (apart ? over <= rival_bound : over < d);
+    if (try_face && better) {
+      found_count = 0;
+      add_box_face(reach);
+    }
     if (turn == 0) {
       d = over;
       if (d <= bound) break;
       // The deepest or nearest part is not over that face.
       if (apart) {
+        d = min(d, reach);
         NearestCorner on_b = nearest_corner(h, g, C, t), on_a = nearest_corner(g, h, transpose(C), -s);
         corner_of_b = on_b.apart2 <= on_a.apart2 * (1 + 1e-9lf);
         corner = on_a;
         if (corner_of_b) corner = on_b;
         nearest = sqrt(corner.apart2);
         try_edge = false;
-        try_face = corner_of_b == b_owns && nearest < min(d, reach) && nearest <= rival_bound;
+        try_face = corner_of_b == b_owns && nearest < d && nearest <= rival_bound;
       } else {
         try_edge = edge_j >= 0;
         try_face = !(d < NONE) || rival > face;
       }
     } else if (turn == 1) {
-      bool better = try_face && (apart ? over <= rival_bound : over < d);
-      if (better) dropped = before;
-      else found_count = before;
-      if (better || !apart) break;
+      if ((try_face && better) || !apart) break;
       try_edge = edge_j >= 0 && edge < nearest - 1e-9lf * smallest;
       try_face = false;
     }
   }
-  if (turn == 3 && nearest < min(d, reach) && nearest > 1e-12lf * smallest) {
-    int before = found_count;
-    if (add_corner(corner, corner_of_b, nearest)) dropped = before;
-  }
-  if (dropped > 0) drop_contacts(dropped);
 }

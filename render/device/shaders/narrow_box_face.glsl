@@ -27,6 +27,14 @@ uint pick_name[MOST_CORNERS];
 int pick_count;
 double pick_lowest;
 
+struct ClippedFace {
+  dmat3 M;  // frame of the reference face, its normal last, and origin; world
+  dvec3 m;
+  uint base;  // of the names
+  bool of_second;
+};
+ClippedFace clipped_face;
+
 // Keeps the part of the polygon of `size` corners from `in_at` on with sign·(x or y) ≤ bound; returns its size.
 int clip_polygon(int in_at, int size, int out_at, bool along_x, double side_sign, double bound, int side) {
   int count = 0;
@@ -88,9 +96,9 @@ void add_pick(int at, uint name, double clearly) {
   ++pick_count;
 }
 
-// Adds up to 8 contacts for the face across `axis`. Returns the smallest d over the face, in reach or not; NONE when
-// nothing of the incident face is over it.
-double add_face_contacts(FaceQuery q, int axis, double reach) {
+// Clips the incident face to the face across `axis`, for add_box_face. Returns the smallest d over the face, in reach or
+// not; NONE when nothing of the incident face is over it.
+double clip_box_face(FaceQuery q, int axis) {
   int k = axis, k1 = (k + 1) % 3, k2 = (k + 2) % 3;
   double up = sign_of(q.t[k]);
   dvec2 size = dvec2(q.h[k1], q.h[k2]);
@@ -149,13 +157,19 @@ double add_face_contacts(FaceQuery q, int axis, double reach) {
     }
   }
 
-  dvec3 along_x = q.R[k1], along_y = q.R[k2], n = up * q.R[k];
-  dvec3 face = q.c + q.h[k] * n;
+  dvec3 n = up * q.R[k];
+  clipped_face.M = dmat3(q.R[k1], q.R[k2], n);
+  clipped_face.m = q.c + q.h[k] * n;
+  clipped_face.base = base;
+  clipped_face.of_second = q.of_second;
+  return pick_lowest;
+}
+
+// Adds up to 8 contacts of the faces that were clipped last.
+void add_box_face(double reach) {
+  ClippedFace face = clipped_face;
   for (int i = 0; i < pick_count; ++i) {
     dvec3 p = clipped[pick[i]].p;
-    if (!(p.z < reach)) continue;
-    dvec3 y_a = face + p.x * along_x + p.y * along_y;
-    add_contact(q.of_second, y_a + p.z * n, n, p.z, base | pick_name[i]);
+    if (p.z < reach) add_contact(face.of_second, face.m + face.M * p, face.M[2], p.z, face.base | pick_name[i]);
   }
-  return pick_lowest;
 }

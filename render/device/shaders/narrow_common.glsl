@@ -55,12 +55,6 @@ void add_contact(bool second_owns, dvec3 y_b, dvec3 n, double d, uint feature) {
   ++found_count;
 }
 
-// Without the first ones, which those after them replace. Costly to compile: call it once.
-void drop_contacts(int dropped) {
-  found_count -= dropped;
-  for (int k = 0; k < found_count; ++k) found[k] = found[dropped + k];
-}
-
 dvec3 unit(dvec3 v) { return v / sqrt(dot(v, v)); }
 double sign_of(double x) { return x < 0 ? -1.0lf : 1.0lf; }
 dvec3 signs_of(dvec3 v) { return dvec3(sign_of(v.x), sign_of(v.y), sign_of(v.z)); }

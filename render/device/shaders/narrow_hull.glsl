@@ -16,8 +16,9 @@ struct HullFace {
 
 const double ON_SURFACE = 5e-4lf;
 
-double double_at(uint at) { return packDouble2x32(hull_words[at]); }
-dvec3 vector_at(uint at) { return dvec3(double_at(at), double_at(at + 1u), double_at(at + 2u)); }
+// Every place that reads the buffer costs time to compile.
+dvec3 vector_at(uint at) { return dvec3(hull_words[at], hull_words[at + 1u], hull_words[at + 2u]); }
+uvec2 pair_at(uint at) { return unpackDouble2x32(hull_words[at]); }
 
 HullView view_of(uint shape) {
   ShapeRecord record = shapes[shape];
@@ -38,20 +39,20 @@ HullView view_of(uint shape) {
 dvec3 vertex_of(HullView view, uint k) { return view.scale * vector_at(view.vertex_at + 3u * k); }
 dvec3 normal_of(HullView view, uint f) { return vector_at(view.face_at + 5u * f); }
 double offset_of(HullView view, uint f, dvec3 normal) {
-  return view.is_box ? dot(abs(normal), view.scale) : double_at(view.face_at + 5u * f + 3u);
+  return view.is_box ? dot(abs(normal), view.scale) : hull_words[view.face_at + 5u * f + 3u];
 }
 HullFace face_of(HullView view, uint f) {
   dvec3 normal = normal_of(view, f);
-  uvec2 corners = hull_words[view.face_at + 5u * f + 4u];
+  uvec2 corners = pair_at(view.face_at + 5u * f + 4u);
   return HullFace(normal, offset_of(view, f, normal), corners.x, corners.y);
 }
 // Vertex, and the edge that leaves it.
 uvec2 corner_of(HullView view, HullFace face, uint k) {
-  return hull_words[view.corner_at + face.first + (k < face.count ? k : k - face.count)];
+  return pair_at(view.corner_at + face.first + (k < face.count ? k : k - face.count));
 }
 // From, to, left, right.
 uvec4 edge_of(HullView view, uint e) {
-  return uvec4(hull_words[view.edge_at + 2u * e], hull_words[view.edge_at + 2u * e + 1u]);
+  return uvec4(pair_at(view.edge_at + 2u * e), pair_at(view.edge_at + 2u * e + 1u));
 }
 
 double nearest_point(HullView hull, dvec3 x, double limit, out dvec3 foot) {

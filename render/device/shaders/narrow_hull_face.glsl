@@ -25,21 +25,25 @@ struct FaceQuery {
 
 const uint CLIPPED = 1u << 31, RUNS_ON = 1u << 30;  // beside the name; neither is part of it
 
-HullFace top, bottom;  // both walked anticlockwise from above
+// Both faces, walked anticlockwise from above: where the corners are, their vertices and the edges that leave them.
+int sides, corners;
 dvec2 top_corner[MOST_SIDES];
 dvec3 bottom_corner[MOST_SIDES];
+uvec2 top_name[MOST_SIDES], bottom_name[MOST_SIDES];
 Corner clipped[2 * MOST_CORNERS];  // two polygons in turns
 int pick[MOST_CORNERS];            // the corners that become contacts, one a name
 uint pick_name[MOST_CORNERS];
 int pick_count;
 double pick_lowest;
 
-// The corner k of the bottom face and the edge to the next one, in the order of `bottom_corner`.
-uint bottom_vertex(HullView incident, int k) { return corner_of(incident, bottom, bottom.count - 1u - uint(k)).x; }
-uint bottom_edge(HullView incident, int k) {
-  int next = k + 1 == int(bottom.count) ? 0 : k + 1;
-  return corner_of(incident, bottom, bottom.count - 1u - uint(next)).y;
-}
+struct ClippedFace {
+  dmat3 M;  // frame of the reference face, its normal last, and origin; world
+  dvec3 m;
+  double clearly;  // what decides between two corners
+  uint number;
+  bool of_second;
+};
+ClippedFace clipped_face;
 
 // The face of those with vertex `lowest`, or of all (−1), that looks most nearly against n, in the hull's own frame.
 uint facing(HullView hull, dvec3 n, int lowest_vertex) {
@@ -93,29 +97,30 @@ int clip_polygon(int in_at, int size, int out_at, dvec2 a, dvec2 u, int line) {
 }
 
 bool edge_runs_on(int edge, int side) {
-  dvec2 e = bottom_corner[edge + 1 == int(bottom.count) ? 0 : edge + 1].xy - bottom_corner[edge].xy;
-  dvec2 g = top_corner[side + 1 == int(top.count) ? 0 : side + 1] - top_corner[side];
+  dvec2 e = bottom_corner[edge + 1 == corners ? 0 : edge + 1].xy - bottom_corner[edge].xy;
+  dvec2 g = top_corner[side + 1 == sides ? 0 : side + 1] - top_corner[side];
   double along = dot(e, g), across = e.x * g.y - e.y * g.x;
   return along > 0 && abs(across) < RUN_ON * along;
 }
 
 double distance2(dvec3 p, dvec2 q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
 
-uint name_of(FaceQuery q, Corner p, int line_in, double snap2) {
-  if (line_in < SIDE && p.line < SIDE) return hull_feature(INCIDENT_CORNER, 0u, bottom_vertex(q.incident, p.line));
-  for (int v = 0; v < int(bottom.count); ++v) {
+uint name_of(Corner p, int line_in, double snap2) {
+  if (line_in < SIDE && p.line < SIDE) return hull_feature(INCIDENT_CORNER, 0u, bottom_name[p.line].x);
+  for (int v = 0; v < corners; ++v) {
     if (distance2(p.p, bottom_corner[v].xy) <= snap2)
-      return CLIPPED | hull_feature(INCIDENT_CORNER, 0u, bottom_vertex(q.incident, v));
+      return CLIPPED | hull_feature(INCIDENT_CORNER, 0u, bottom_name[v].x);
   }
-  for (int v = 0; v < int(top.count); ++v) {
-    if (distance2(p.p, top_corner[v]) <= snap2)
-      return CLIPPED | hull_feature(REFERENCE_CORNER, 0u, corner_of(q.reference, top, uint(v)).x);
+  int at = line_in >= SIDE && p.line >= SIDE ? p.line - SIDE : -1;
+  for (int v = 0; v < sides; ++v) {
+    if (distance2(p.p, top_corner[v]) > snap2) continue;
+    at = v;
+    break;
   }
-  if (line_in >= SIDE && p.line >= SIDE)
-    return CLIPPED | hull_feature(REFERENCE_CORNER, 0u, corner_of(q.reference, top, uint(p.line - SIDE)).x);
+  if (at >= 0) return CLIPPED | hull_feature(REFERENCE_CORNER, 0u, top_name[at].x);
   int edge = min(p.line, line_in), side = max(p.line, line_in) - SIDE;
   return CLIPPED | (edge_runs_on(edge, side) ? RUNS_ON : 0u) |
-         hull_feature(CROSSING, 0u, bottom_edge(q.incident, edge) << 10 | corner_of(q.reference, top, uint(side)).y);
+         hull_feature(CROSSING, 0u, bottom_name[edge].y << 10 | top_name[side].y);
 }
 
 void add_pick(int at, uint name, double clearly) {
@@ -131,34 +136,45 @@ void add_pick(int at, uint name, double clearly) {
   ++pick_count;
 }
 
-// Adds up to 8 contacts for that face of the reference and that one of the incident hull, or only tells: the smallest
-// d over the face, in reach or not; NONE when nothing of the incident face is over it.
-double add_hull_face(FaceQuery q, uint face, uint incident_face, double reach, bool adds) {
-  top = face_of(q.reference, face);
-  bottom = face_of(q.incident, incident_face);
-  // The frame of the reference face.
-  dvec3 n = top.normal, origin = vertex_of(q.reference, corner_of(q.reference, top, 0u).x);
-  dvec3 e = vertex_of(q.reference, corner_of(q.reference, top, 1u).x) - origin;
-  dvec3 along_x = unit(e - dot(e, n) * n), along_y = cross(n, along_x);
-  origin += (top.offset - dot(n, origin)) * n;
-
-  int sides = min(int(top.count), MOST_SIDES), corners = min(int(bottom.count), MOST_SIDES);
-  double shortest2 = NONE;
+// Clips that face of the incident hull to that one of the reference, for add_hull_face. Returns the smallest d over the
+// face, in reach or not; NONE when nothing of the incident face is over it.
+double clip_hull_face(FaceQuery q, uint face, uint incident_face) {
+  HullFace top = face_of(q.reference, face), bottom = face_of(q.incident, incident_face);
+  sides = min(int(top.count), MOST_SIDES);
+  corners = min(int(bottom.count), MOST_SIDES);
+  // The first corner becomes the origin.
+  dvec3 n = top.normal, origin = dvec3(0), along_x = dvec3(0), along_y = dvec3(0);
   for (int k = 0; k < sides; ++k) {
-    dvec3 r = vertex_of(q.reference, corner_of(q.reference, top, uint(k)).x) - origin;
+    top_name[k] = corner_of(q.reference, top, uint(k));
+    dvec3 x = vertex_of(q.reference, top_name[k].x);
+    if (k == 0) origin = x;
+    dvec3 r = x - origin;
+    if (k == 1) {
+      along_x = unit(r - dot(r, n) * n);
+      along_y = cross(n, along_x);
+    }
     top_corner[k] = dvec2(dot(along_x, r), dot(along_y, r));
   }
+  origin += (top.offset - dot(n, origin)) * n;
+  double shortest2 = NONE;
   for (int k = 0; k < sides; ++k) {
     dvec2 side = top_corner[k + 1 == sides ? 0 : k + 1] - top_corner[k];
     shortest2 = min(shortest2, dot(side, side));
   }
-  dvec3 last = vertex_of(q.incident, bottom_vertex(q.incident, corners - 1));
-  for (int k = 0; k < corners; ++k) {
-    dvec3 x = vertex_of(q.incident, bottom_vertex(q.incident, k)), r = q.m + q.M * x - origin;
-    shortest2 = min(shortest2, dot(x - last, x - last));
+  // Backwards: the edge that leaves a corner is that of the next corner of the loop.
+  dvec3 last = dvec3(0);
+  for (int k = -1; k < corners; ++k) {
+    uvec2 name = corner_of(q.incident, bottom, uint(k < 0 ? 0 : corners - 1 - k));
+    dvec3 x = vertex_of(q.incident, name.x);
+    if (k >= 0) {
+      shortest2 = min(shortest2, dot(x - last, x - last));
+      dvec3 r = q.m + q.M * x - origin;
+      bottom_corner[k] = dvec3(dot(along_x, r), dot(along_y, r), dot(n, r));
+      clipped[k] = Corner(bottom_corner[k], k);
+      bottom_name[k].x = name.x;
+      bottom_name[k == 0 ? corners - 1 : k - 1].y = name.y;
+    }
     last = x;
-    bottom_corner[k] = dvec3(dot(along_x, r), dot(along_y, r), dot(n, r));
-    clipped[k] = Corner(bottom_corner[k], k);
   }
   double snap = 0.5lf * SNAP * sqrt(shortest2), clearly = DEEPER * snap;
 
@@ -176,7 +192,7 @@ double add_hull_face(FaceQuery q, uint face, uint incident_face, double reach, b
   for (int pass = 0; pass < 3; ++pass) {
     for (int i = 0; i < count; ++i) {
       if (pass == 0)
-        names[i] = name_of(q, clipped[at + i], clipped[at + (i == 0 ? count - 1 : i - 1)].line, snap * snap);
+        names[i] = name_of(clipped[at + i], clipped[at + (i == 0 ? count - 1 : i - 1)].line, snap * snap);
       uint name = names[i] & ~(CLIPPED | RUNS_ON), flags = names[i] & (CLIPPED | RUNS_ON);
       bool now = pass == 0   ? flags == 0u
                  : pass == 1 ? flags == CLIPPED
@@ -184,23 +200,29 @@ double add_hull_face(FaceQuery q, uint face, uint incident_face, double reach, b
       if (now) add_pick(at + i, name, clearly);
     }
   }
-  if (!adds) return pick_lowest;
+  clipped_face.m = q.c + q.R * origin;
+  clipped_face.M = dmat3(q.R * along_x, q.R * along_y, q.R * n);
+  clipped_face.clearly = clearly;
+  clipped_face.number = face;
+  clipped_face.of_second = q.of_second;
+  return pick_lowest;
+}
 
+// Adds up to 8 contacts of the faces that were clipped last.
+void add_hull_face(double reach) {
+  ClippedFace face = clipped_face;
   int candidates = 0;
   for (int i = 0; i < pick_count; ++i) {
     dvec3 p = clipped[pick[i]].p;
     if (!(p.z < reach)) continue;
-    candidate[candidates] = origin + p.x * along_x + p.y * along_y;
+    candidate[candidates] = face.m + p.x * face.M[0] + p.y * face.M[1];  // below it
     candidate_d[candidates] = p.z;
-    candidate_name[candidates] = pick_name[i] | hull_feature(0u, face, 0u);
+    candidate_name[candidates] = pick_name[i] | hull_feature(0u, face.number, 0u);
     ++candidates;
   }
-  int few = choose_spread(candidates, reach, clearly);
-  dvec3 world = q.R * n;
+  int few = choose_spread(candidates, reach, face.clearly);
   for (int i = 0; i < few; ++i) {
     int k = chosen[i];
-    dvec3 y_a = q.c + q.R * candidate[k];
-    add_contact(q.of_second, y_a + candidate_d[k] * world, world, candidate_d[k], candidate_name[k]);
+    add_contact(face.of_second, candidate[k] + candidate_d[k] * face.M[2], face.M[2], candidate_d[k], candidate_name[k]);
   }
-  return pick_lowest;
 }

@@ -63,8 +63,7 @@ BestEdge best_edge(double above) {
 }
 
 // An edge of a hull that stands at (M, m).
-EdgeLine edge_line(HullView hull, uint e, dmat3 M, dvec3 m) {
-  uvec4 edge = edge_of(hull, e);
+EdgeLine edge_line(HullView hull, uvec4 edge, dmat3 M, dvec3 m) {
   dvec3 from = vertex_of(hull, edge.x), to = vertex_of(hull, edge.y);
   double size = sqrt(dot(to - from, to - from));
   dvec3 u = (to - from) / size;
@@ -72,24 +71,37 @@ EdgeLine edge_line(HullView hull, uint e, dmat3 M, dvec3 m) {
                   M * cross(u, normal_of(hull, edge.w)));
 }
 
-// Contacts along two edges that run side by side no farther apart than `nearest`. False when there are none.
-bool add_side_contacts(uint e, uint g, double nearest) {
-  int count = side_by_side(edge_line(view_a, e, dmat3(1), dvec3(0)), edge_line(view_b, g, C, t),
-                           0.5lf * preference(nearest, smallest), 0.0lf);
+// Contacts along two edges that run side by side no farther apart than `nearest`; `replacing` of them in reach, or more,
+// replace all others. False when there are none.
+bool add_side_contacts(EdgeLine on_a, EdgeLine on_b, uint pair, double nearest, int replacing) {
+  int count = side_by_side(on_a, on_b, 0.5lf * preference(nearest, smallest), 0.0lf);
   double lowest = NONE;
-  for (int k = 0; k < count; ++k) lowest = min(lowest, side_place[k].apart);
+  int in_reach = 0;
+  for (int k = 0; k < count; ++k) {
+    lowest = min(lowest, side_place[k].apart);
+    if (side_place[k].apart < the_reach) ++in_reach;
+  }
   if (!(lowest <= nearest + preference(nearest, smallest))) return false;
+  if (in_reach >= replacing) found_count = 0;
   for (int k = 0; k < count; ++k) {
     SidePlace p = side_place[k];
     uint kind = p.where == SIDE_LOW ? LOW_END : p.where == SIDE_HIGH ? HIGH_END : EDGE_PAIR;
     if (p.apart < the_reach)
-      add_contact(false, a.c + a.R * p.y, a.R * p.n, p.apart, hull_feature(kind, 0u, e << 10 | g));
+      add_contact(false, a.c + a.R * p.y, a.R * p.n, p.apart, hull_feature(kind, 0u, pair));
   }
   return true;
 }
 
+// Where an edge pair or a corner touches. y, n in the world.
+struct Place {
+  dvec3 y_b, n;
+  double d;
+  uint feature;
+  bool second_owns;
+};
+
 // Nearest points of the two edges. False when they lie beyond the ends of an edge.
-bool add_edge_contact(BestEdge best) {
+bool place_of_edges(BestEdge best, out Place place) {
   uint e = uint(best.e), g = uint(best.g);
   uvec4 edge_a = edge_of(view_a, e), edge_b = edge_of(view_b, g);
   dvec3 p = vertex_of(view_a, edge_a.x), q = t + C * vertex_of(view_b, edge_b.x);
@@ -97,13 +109,10 @@ bool add_edge_contact(BestEdge best) {
   double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
   double det = uu * vv - uv * uv;
   double on_a = (uw * vv - uv * vw) / det, on_b = (uv * uw - uu * vw) / det;
+  place = Place(a.c + a.R * (q + on_b * v), a.R * best.n, dot(w, best.n), hull_feature(EDGE_PAIR, 0u, e << 10 | g),
+                false);
   const double END = 1e-9lf;
-  if (!(on_a >= -END && on_a <= 1 + END && on_b >= -END && on_b <= 1 + END)) return false;
-  double d = dot(w, best.n);
-  if (d > 0 && add_side_contacts(e, g, d)) return true;
-  if (d < the_reach)
-    add_contact(false, a.c + a.R * (q + on_b * v), a.R * best.n, d, hull_feature(EDGE_PAIR, 0u, e << 10 | g));
-  return true;
+  return on_a >= -END && on_a <= 1 + END && on_b >= -END && on_b <= 1 + END;
 }
 
 struct NearestCorner {
@@ -144,61 +153,54 @@ NearestCorner nearest_corner(double limit, out bool corner_of_b) {
   return best;
 }
 
-// Along an edge through that corner which runs side by side with an edge of the other hull.
-bool add_side_contacts_at(bool corner_of_b, uint corner, double nearest) {
-  for (uint e = 0u; e < view_a.edges; ++e) {
+// Contacts along that pair of edges, or, where there is none, along an edge through the corner which runs side by side
+// with an edge of the other hull. False when there are none.
+bool add_along_edges(bool one_pair, BestEdge pair, bool corner_of_b, uint corner, double nearest, int replacing) {
+  uint e_begin = one_pair ? uint(pair.e) : 0u, e_end = one_pair ? e_begin + 1u : view_a.edges;
+  uint g_begin = one_pair ? uint(pair.g) : 0u, g_end = one_pair ? g_begin + 1u : view_b.edges;
+  for (uint e = e_begin; e < e_end; ++e) {
     uvec4 edge_a = edge_of(view_a, e);
-    if (!corner_of_b && edge_a.x != corner && edge_a.y != corner) continue;
-    dvec3 u = vertex_of(view_a, edge_a.y) - vertex_of(view_a, edge_a.x);
-    for (uint g = 0u; g < view_b.edges; ++g) {
+    if (!one_pair && !corner_of_b && edge_a.x != corner && edge_a.y != corner) continue;
+    EdgeLine on_a = edge_line(view_a, edge_a, dmat3(1), dvec3(0));
+    for (uint g = g_begin; g < g_end; ++g) {
       uvec4 edge_b = edge_of(view_b, g);
-      if (corner_of_b && edge_b.x != corner && edge_b.y != corner) continue;
-      dvec3 v = C * (vertex_of(view_b, edge_b.y) - vertex_of(view_b, edge_b.x));
-      double uv = dot(u, v);
-      if (uv * uv < (1 - ALONG_SINE * ALONG_SINE) * (dot(u, u) * dot(v, v))) continue;
-      if (add_side_contacts(e, g, nearest)) return true;
+      if (!one_pair && corner_of_b && edge_b.x != corner && edge_b.y != corner) continue;
+      EdgeLine on_b = edge_line(view_b, edge_b, C, t);
+      double uv = dot(on_a.direction, on_b.direction);
+      if (!one_pair && uv * uv < 1 - ALONG_SINE * ALONG_SINE) continue;
+      if (add_side_contacts(on_a, on_b, e << 10 | g, nearest, replacing)) return true;
     }
   }
   return false;
 }
 
-// Contacts of that face of a or b. The face of the other that looks most nearly against it is taken, but where that has
-// not got the lowest corner and is above `bound`, one that has.
-double add_face(bool of_b, uint face, double bound) {
+// Clips against that face of a or b, for add_hull_face; returns the smallest d. The face of the other that looks most
+// nearly against it is taken, but where that has not got the lowest corner and is above `bound`, one that has.
+double clip_to_face(bool of_b, uint face, double bound) {
   FaceQuery q = FaceQuery(view_a, view_b, C, t, a.c, a.R, false);
   if (of_b) q = FaceQuery(view_b, view_a, C_back, t_back, b.c, b.R, true);
   dvec3 n = normal_of(q.reference, face) * q.M;
-  int start = found_count;
-  uint incident = 0u;
+  uint first = 0u, incident = 0u;
   double d = NONE;
-  // The face most nearly against it; what one with the lowest corner says; the contacts of that.
+  // The face most nearly against it; one with the lowest corner; the first again, which said more.
   for (int turn = 0; turn < 3; ++turn) {
-    if (turn < 2) {
-      uint wanted = facing(q.incident, n, turn == 0 ? -1 : lowest_vertex(q.incident, n));
-      if (turn == 1 && wanted == incident) break;
-      incident = wanted;
-    }
-    double over = add_hull_face(q, face, incident, the_reach, turn != 1);
-    if (turn == 0) {
-      d = over;
-      if (d <= bound) break;
-    } else if (turn == 1) {
-      if (!(over < d)) break;
-      d = over;
-      found_count = start;
-    }
+    if (turn < 2) incident = facing(q.incident, n, turn == 0 ? -1 : lowest_vertex(q.incident, n));
+    if (turn == 0) first = incident;
+    else if (turn == 1 && incident == first) break;
+    else if (turn == 2) incident = first;
+    double over = clip_hull_face(q, face, incident);
+    if (turn == 1 && !(over < d)) continue;
+    d = over;
+    if (turn > 0 || d <= bound) break;
   }
   return d;
 }
 
-// The corner, or edges through it. True: these say all there is to say.
-bool add_corner(NearestCorner c, bool corner_of_b) {
-  if (add_side_contacts_at(corner_of_b, c.number, c.apart)) return true;
+Place place_of_corner(NearestCorner c, bool corner_of_b) {
   Placed owner = a;
   if (!corner_of_b) owner = b;
-  add_contact(!corner_of_b, owner.c + owner.R * c.corner, owner.R * ((c.corner - c.foot) / c.apart), c.apart,
-              hull_feature(CORNER, 0u, (corner_of_b ? 1024u : 0u) | c.number));
-  return false;
+  return Place(owner.c + owner.R * c.corner, owner.R * ((c.corner - c.foot) / c.apart), c.apart,
+               hull_feature(CORNER, 0u, (corner_of_b ? 1024u : 0u) | c.number), !corner_of_b);
 }
 
 void find_contacts(Placed first, Placed second, double reach) {
@@ -236,26 +238,42 @@ void find_contacts(Placed first, Placed second, double reach) {
 
   double bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
   bool clearly_edge = edge.separation > bound, apart = edge.separation > 0;
-  // In turns, as box_box.
+  // In turns, so that each kind of contact is made at one place of the shader. Turn 0: the edge pair that is clearly
+  // best, the chosen face. Turn 1 of hulls that overlap: the edge pair, the other face. Turn 1 of those that are apart:
+  // the other face; turn 2: the edge pair; turn 3: a corner.
   bool try_edge = clearly_edge, try_face = true, corner_of_b = false;
   double d = NONE;
   NearestCorner corner;
-  int dropped = 0;  // contacts that those after them replace
-  int turn = 0;
-  for (; turn < 3; ++turn) {
-    int before = found_count;
-    if (try_edge) {
-      if (add_edge_contact(edge)) {
-        if (turn == 2 && found_count > before + 1) dropped = before;
-        break;
+  for (int turn = 0; turn < 4; ++turn) {
+    bool at_corner = turn == 3;
+    if (try_edge || at_corner) {
+      Place place;
+      bool is_there;
+      if (at_corner) {
+        place = place_of_corner(corner, corner_of_b);
+        is_there = place.d < d && place.d > 1e-12lf * smallest;
+      } else {
+        is_there = place_of_edges(edge, place);
       }
+      if (is_there) {
+        // Contacts along edges replace those of the face at a corner, and where there are several.
+        int replacing = at_corner ? 0 : turn == 2 ? 2 : MOST_FOUND;
+        if (!(place.d > 0 && add_along_edges(!at_corner, edge, corner_of_b, corner.number, place.d, replacing)) &&
+            place.d < reach)
+          add_contact(place.second_owns, place.y_b, place.n, place.d, place.feature);
+      }
+      if (is_there || at_corner) break;
       edge.g = -1;  // its places are beyond the ends
     }
     if (turn == 0) try_face = !(clearly_edge && apart && face <= 0);
     bool of_b = b_owns != (turn > 0);
     double face_bound = apart ? NONE : turn == 0 ? bound : rival_bound, over = NONE;
-    if (try_face) over = add_face(of_b, number_of_side[of_b ? 1 : 0], face_bound);
-
+    if (try_face) over = clip_to_face(of_b, number_of_side[of_b ? 1 : 0], face_bound);
+    bool better = turn == 0 || (apart ? over <= rival_bound : over < d);
+    if (try_face && better) {
+      found_count = 0;
+      add_hull_face(reach);
+    }
     if (turn == 0) {
       d = over;
       if (d <= bound) break;
@@ -270,17 +288,9 @@ void find_contacts(Placed first, Placed second, double reach) {
         try_face = !(d < NONE) || rival > face;
       }
     } else if (turn == 1) {
-      bool better = try_face && (apart ? over <= rival_bound : over < d);
-      if (better) dropped = before;
-      else found_count = before;
-      if (better || !apart) break;
+      if ((try_face && better) || !apart) break;
       try_edge = edge.g >= 0 && edge.separation < corner.apart - 1e-9lf * smallest;
       try_face = false;
     }
   }
-  if (turn == 3 && corner.apart < d && corner.apart > 1e-12lf * smallest) {
-    int before = found_count;
-    if (add_corner(corner, corner_of_b)) dropped = before;
-  }
-  if (dropped > 0) drop_contacts(dropped);
 }

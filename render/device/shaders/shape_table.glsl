@@ -22,5 +22,6 @@ struct ShapeRecord {
 
 layout(std430, binding = SHAPES_BINDING) readonly buffer Shapes { ShapeRecord shapes[]; };
 // Of a polyhedron: vertices (3 doubles each), faces (normal, offset, (first corner, count)), corners of the faces
-// (vertex, edge that leaves it), edges ((from, to), (left, right)). All boxes are the first one, of half edges 1.
-layout(std430, binding = HULLS_BINDING) readonly buffer Hulls { uvec2 hull_words[]; };
+// (vertex, edge that leaves it), edges ((from, to), (left, right)); a pair of whole numbers is the bits of a double. All
+// boxes are the first one, of half edges 1.
+layout(std430, binding = HULLS_BINDING) readonly buffer Hulls { double hull_words[]; };
