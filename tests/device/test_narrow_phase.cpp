@@ -18,9 +18,9 @@ using pabd::testing::PlacedPair;
 namespace {
 
 #ifdef PABD_SANITIZED
-constexpr int kPairs = 240;
+constexpr int kPairs = 320;
 #else
-constexpr int kPairs = 2000;
+constexpr int kPairs = 4000;
 #endif
 constexpr double kSame = 1e-10, kHair = 1e-12;
 constexpr double kReach = 0.05;  // of each body
@@ -62,8 +62,19 @@ Mat3 quarter_turns(Random& random) {
   return R;
 }
 
-enum Placement { kAnyhow, kTouching, kAligned, kNearlyAligned, kNearlyParallel, kDeep, kPlacements };
-const char* const kNames[] = {"anyhow", "touching", "aligned", "nearly aligned", "nearly parallel", "deep"};
+enum Placement {
+  kAnyhow,
+  kTouching,
+  kAligned,
+  kNearlyAligned,
+  kNearlyParallel,
+  kEdges,
+  kTouchingEdges,
+  kDeep,
+  kPlacements
+};
+const char* const kNames[] = {"anyhow",          "touching", "aligned",        "nearly aligned",
+                              "nearly parallel", "edges",    "touching edges", "deep"};
 
 double smallest_d(const std::vector<ContactPoint>& contacts) {
   double d = 1e300;
@@ -89,6 +100,29 @@ void make_touch(const Shape (&shape)[2], Random& random, PlacedPair& pair) {
       if (p.d == d) pair.c[moved] += (wanted - d) * (p.b == moved ? p.n : Vec3(-p.n));
     }
   }
+}
+
+// A turn that has one axis along z and looks with an edge beside it along `way`·y, if it turns a box, or with a side, if
+// a capsule that lies.
+Mat3 edge_up(const Shape& shape, double way, Random& random) {
+  const double lean = random.uniform(0.2, 1.3);
+  const Mat3 lying = std::holds_alternative<Capsule>(shape)
+                         ? Mat3(Eigen::AngleAxisd(kPi / 2, Vec3::UnitX()).toRotationMatrix())
+                         : quarter_turns(random);
+  return Eigen::AngleAxisd(way > 0 ? lean : lean + kPi, Vec3::UnitZ()).toRotationMatrix() * lying;
+}
+
+// Edge over edge, along z in a frame of their own.
+void place_edges(const Shape (&shape)[2], Random& random, PlacedPair& pair) {
+  const Mat3 frame = random.rotation();
+  const double angle = std::pow(10.0, random.uniform(-6, -0.5)), gap = random.uniform(-0.01, 0.05);
+  const Mat3 lower = edge_up(shape[0], 1, random), upper = edge_up(shape[1], -1, random);
+  pair.R[0] = frame * lower;
+  pair.R[1] = frame * random.turn(angle) * upper;
+  const double below = support(shape[0], Vec3::Zero(), pair.R[0], frame.col(1));
+  const double above = support(shape[1], Vec3::Zero(), pair.R[1], -frame.col(1));
+  const Vec3 aside = random.within(-0.5, 0.5);
+  pair.c[1] = pair.c[0] + frame * Vec3(0.05 * aside.x(), below + above + gap, aside.z());
 }
 
 PlacedPair place(Placement placement, const Shape (&shape)[2], Random& random) {
@@ -129,7 +163,8 @@ PlacedPair place(Placement placement, const Shape (&shape)[2], Random& random) {
     const Vec3 middle = plane ? Vec3(plane->offset * n) : pair.c[low];
     pair.c[high] = upright && aside.x() > 0.2 ? middle : Vec3(middle + offset);
   }
-  if (placement == kTouching) make_touch(shape, random, pair);
+  if (!plane && (placement == kEdges || placement == kTouchingEdges)) place_edges(shape, random, pair);
+  if (placement == kTouching || placement == kTouchingEdges) make_touch(shape, random, pair);
   return pair;
 }
 
