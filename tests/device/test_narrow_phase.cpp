@@ -17,12 +17,13 @@ using pabd::testing::PlacedPair;
 
 namespace {
 
+// Of each pair of kinds; and of boxes and hulls, where some branches are for one pair in thirty thousand.
 #ifdef PABD_SANITIZED
-constexpr int kPairs = 320;
+constexpr int kPairs = 320, kRarePairs = kPairs;
 #else
-constexpr int kPairs = 4000;
+constexpr int kPairs = 4000, kRarePairs = 60000;
 #endif
-constexpr double kSame = 1e-10, kHair = 1e-12;
+constexpr double kSame = 1e-10;
 constexpr double kReach = 0.05;  // of each body
 
 Shape prism(int sides, double radius, double half_height) {
@@ -73,6 +74,8 @@ enum Placement {
   kDeep,
   kPlacements
 };
+// Where little hangs on the last bit.
+constexpr Placement kUndoubted[] = {kTouching, kNearlyParallel, kEdges, kTouchingEdges, kDeep};
 const char* const kNames[] = {"anyhow",          "touching", "aligned",        "nearly aligned",
                               "nearly parallel", "edges",    "touching edges", "deep"};
 
@@ -184,10 +187,11 @@ bool same_nearby(const std::vector<ContactPoint>& contacts, const Shape (&shape)
                  Random& random) {
   for (int trial = 0; trial < 2000; ++trial) {
     PlacedPair near = pair;
+    const double hair = std::pow(10.0, random.uniform(-17, -12));  // at most 1e-12 m and rad
     for (int body = 0; body < 2; ++body) {
       if (is_plane(shape[body])) continue;
-      near.c[body] += random.within(-kHair, kHair);
-      near.R[body] *= random.turn(kHair);
+      near.c[body] += random.within(-hair, hair);
+      near.R[body] *= random.turn(hair);
     }
     if (same(contacts, setup_of(shape[0], shape[1], near).contacts())) return true;
   }
@@ -196,24 +200,17 @@ bool same_nearby(const std::vector<ContactPoint>& contacts, const Shape (&shape)
 
 struct Pair {
   const char* name;
-  int kind_0, kind_1;
+  int kind_0, kind_1, pairs = kPairs;
 };
 
 const Pair kKinds[] = {
-    {"sphere sphere", kDeviceSphere, kDeviceSphere},
-    {"capsule sphere", kDeviceCapsule, kDeviceSphere},
-    {"capsule capsule", kDeviceCapsule, kDeviceCapsule},
-    {"plane sphere", kDevicePlane, kDeviceSphere},
-    {"plane capsule", kDevicePlane, kDeviceCapsule},
-    {"plane box", kDevicePlane, kDeviceBox},
-    {"box sphere", kDeviceBox, kDeviceSphere},
-    {"box capsule", kDeviceBox, kDeviceCapsule},
-    {"box box", kDeviceBox, kDeviceBox},
-    {"plane hull", kDevicePlane, kDeviceHull},
-    {"hull sphere", kDeviceHull, kDeviceSphere},
-    {"hull capsule", kDeviceHull, kDeviceCapsule},
-    {"hull box", kDeviceHull, kDeviceBox},
-    {"hull hull", kDeviceHull, kDeviceHull},
+    {"sphere sphere", kDeviceSphere, kDeviceSphere},     {"capsule sphere", kDeviceCapsule, kDeviceSphere},
+    {"capsule capsule", kDeviceCapsule, kDeviceCapsule}, {"plane sphere", kDevicePlane, kDeviceSphere},
+    {"plane capsule", kDevicePlane, kDeviceCapsule},     {"plane box", kDevicePlane, kDeviceBox},
+    {"box sphere", kDeviceBox, kDeviceSphere},           {"box capsule", kDeviceBox, kDeviceCapsule},
+    {"box box", kDeviceBox, kDeviceBox, kRarePairs},     {"plane hull", kDevicePlane, kDeviceHull},
+    {"hull sphere", kDeviceHull, kDeviceSphere},         {"hull capsule", kDeviceHull, kDeviceCapsule},
+    {"hull box", kDeviceHull, kDeviceBox, kRarePairs},   {"hull hull", kDeviceHull, kDeviceHull, kRarePairs},
 };
 
 }  // namespace
@@ -232,7 +229,8 @@ TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pa
       std::vector<std::vector<ContactPoint>> expected;
       std::vector<std::array<Shape, 2>> shape_of;
       std::vector<Vec3> origins;
-      for (int trial = 0; trial < kPairs; ++trial) {
+      std::vector<Placement> placements;
+      for (int trial = 0; trial < kinds.pairs; ++trial) {
         std::size_t number[2];
         for (int i = 0; i < 2; ++i)
           number[i] = static_cast<std::size_t>(random.uniform(0, static_cast<double>(list[i].size())));
@@ -243,7 +241,9 @@ TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pa
           std::swap(shape[0], shape[1]);
           std::swap(of_table[0], of_table[1]);
         }
-        PlacedPair pair = place(static_cast<Placement>(trial % kPlacements), shape, random);
+        placements.push_back(trial < kPairs ? static_cast<Placement>(trial % kPlacements)
+                                            : kUndoubted[trial % std::size(kUndoubted)]);
+        PlacedPair pair = place(placements.back(), shape, random);
         std::copy(of_table, of_table + 2, pair.shape);
         expected.push_back(setup_of(shape[0], shape[1], pair).contacts());
         shape_of.push_back({shape[0], shape[1]});
@@ -266,16 +266,16 @@ TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pa
         touching += expected[k].empty() ? 0 : 1;
         if (same(found[k], expected[k])) continue;
         const Shape shape[2] = {shape_of[k][0], shape_of[k][1]};
-        INFO("pair " << k << ", " << kNames[k % kPlacements] << ", shapes " << pairs[k].shape[0] << ", "
+        INFO("pair " << k << ", " << kNames[placements[k]] << ", shapes " << pairs[k].shape[0] << ", "
                      << pairs[k].shape[1] << ", contacts of the CPU " << expected[k].size()
                      << ", of the device " << found[k].size());
         CHECK(same_nearby(found[k], shape, pairs[k], random));
         ++decided_otherwise;
       }
       CAPTURE(contacts, decided_otherwise);
-      CHECK(touching > kPairs / 2);
+      CHECK(touching > kinds.pairs / 2);
       CHECK(contacts >= touching);
-      CHECK(decided_otherwise <= kPairs / 100);
+      CHECK(decided_otherwise <= kinds.pairs / 400);
     }
   }
 }
