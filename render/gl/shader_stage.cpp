@@ -3,6 +3,7 @@
 #include "render/gl/shader_stage.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,10 +14,31 @@
 namespace pabd {
 namespace {
 
-[[noreturn]] void refuse(const GlFunctions& gl, const char* name, const char* how, std::string_view log,
+// The lines that name an error, where there are any: some drivers warn of a hundred things first.
+std::string errors_of(const std::string& log) {
+  std::istringstream lines(log);
+  std::string errors;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("error") != std::string::npos) errors += line + "\n";
+  }
+  return errors.empty() ? log : errors;
+}
+
+[[noreturn]] void refuse(const GlFunctions& gl, const char* name, const char* how, const std::string& log,
                          std::span<const SourceLines> lines) {
   throw Error(ErrorKind::no_context, std::string("shader '") + name + "' " + how + gl.string(GL_RENDERER) +
-                                         ": " + with_file_names(log, lines) + "; " + driver_remedy());
+                                         ": " + with_file_names(errors_of(log), lines) + "; " +
+                                         driver_remedy());
+}
+
+// `length` characters at most, as the driver says.
+template <class Get>
+std::string log_of(GLint length, const Get& get) {
+  std::string log(static_cast<std::size_t>(std::clamp(length, 1, 1 << 20)), '\0');
+  GLsizei written = 0;
+  get(static_cast<GLsizei>(log.size()), &written, log.data());
+  log.resize(static_cast<std::size_t>(std::max(written, 0)));
+  return log;
 }
 
 }  // namespace
@@ -37,8 +59,11 @@ GLuint compile_stage(const GlFunctions& gl, const char* name, GLenum stage,
   GLint ok = GL_FALSE;
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
   if (ok == GL_TRUE) return shader;
-  std::string log(2048, ' ');
-  gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  GLint length = 0;
+  gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  const std::string log = log_of(length, [&](GLsizei size, GLsizei* written, char* to) {
+    gl.GetShaderInfoLog(shader, size, written, to);
+  });
   gl.DeleteShader(shader);
   refuse(gl, name, "was refused by ", log, lines);
 }
@@ -51,8 +76,11 @@ GLuint link_stages(const GlFunctions& gl, const char* name, std::span<const GLui
   GLint ok = GL_FALSE;
   gl.GetProgramiv(program, GL_LINK_STATUS, &ok);
   if (ok == GL_TRUE) return program;
-  std::string log(2048, ' ');
-  gl.GetProgramInfoLog(program, static_cast<GLsizei>(log.size()), nullptr, log.data());
+  GLint length = 0;
+  gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+  const std::string log = log_of(length, [&](GLsizei size, GLsizei* written, char* to) {
+    gl.GetProgramInfoLog(program, size, written, to);
+  });
   gl.DeleteProgram(program);
   refuse(gl, name, "does not link on ", log, {});
 }

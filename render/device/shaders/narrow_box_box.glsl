@@ -25,7 +25,7 @@ EdgePair edges_towards(int i, int j, dvec3 n) {
     int ka = (i + k + 1) % 3, kb = (j + k + 1) % 3;
     dvec3 w = C[kb];
     double sign_a = sign_of(n[ka]), sign_b = -sign_of(dot(n, w));
-    middle_a[ka] = sign_a * h[ka];
+    middle_a += sign_a * h[ka] * unit_axis(ka);
     middle_b += sign_b * g[kb] * w;
     into_a[k] = -sign_a * unit_axis(ka);
     into_b[k] = -sign_b * w;

@@ -171,11 +171,9 @@ double best_edge(out int axis, out dvec3 n) {
 }
 
 void add_pierced_edge(int axis, dvec3 n) {
-  dvec3 corner = signs_of(n) * h;
-  corner[axis] = 0;
-  dvec3 across = seg_e, offset = corner - seg_p;
-  across[axis] = 0;
-  offset[axis] = 0;
+  dvec3 beside = dvec3(1) - unit_axis(axis);
+  dvec3 corner = signs_of(n) * h * beside;
+  dvec3 across = seg_e * beside, offset = (corner - seg_p) * beside;
   double t = clamp(dot(offset, across) / dot(across, across), 0.0lf, 1.0lf);
   dvec3 y = seg_at(t) - capsule_radius * n;
   add_in_box(y, n, dot(n, y - corner), PIERCE_BASE + edge_number(axis, n));

@@ -9,6 +9,7 @@
 // Which body is the first: the one with the lower number. It matters for two of one kind, for a capsule with a
 // sphere and for a hull with a box, whose contacts depend on it; any other two may come in any order.
 //
+// Components of a vector are never written by a variable index: one driver cannot do that for double.
 // Everything is relative to an origin near the bodies, the same for both. A plane too is where its c says, 0 in the
 // world; its R does not count.
 struct Placed {
