@@ -71,7 +71,7 @@ bool add_along_edges(int i, int j, dvec3 n, double nearest, int replacing) {
 }
 
 // Where an edge pair or a corner touches.
-struct Place {
+struct ContactPlace {
   dvec3 y_b, n;     // world
   dvec3 n_from_a;   // from a to b, in the frame of a
   double d;
@@ -80,7 +80,7 @@ struct Place {
 };
 
 // Nearest points of the edges along axis i of a and axis j of b. False when they lie beyond the ends of an edge.
-bool place_of_edges(int i, int j, out Place place) {
+bool place_of_edges(int i, int j, out ContactPlace place) {
   dvec3 n = cross(unit_axis(i), C[j]);
   double sine2 = dot(n, n);
   n *= sign_of(dot(n, t)) / sqrt(sine2);
@@ -88,7 +88,7 @@ bool place_of_edges(int i, int j, out Place place) {
   dvec3 v = pair.on_b.direction, w = pair.on_b.middle - pair.on_a.middle;
   double uv = C[j][i], uw = w[i], vw = dot(v, w);
   double on_a = (uw - uv * vw) / sine2, on_b = (uv * uw - vw) / sine2;
-  place = Place(a.c + a.R * (pair.on_b.middle + on_b * v), a.R * n, n, dot(w, n), pair.name, false);
+  place = ContactPlace(a.c + a.R * (pair.on_b.middle + on_b * v), a.R * n, n, dot(w, n), pair.name, false);
   const double END = 1 + 1e-9lf;
   return abs(on_a) <= pair.on_a.half_length * END && abs(on_b) <= pair.on_b.half_length * END;
 }
@@ -113,11 +113,11 @@ NearestCorner nearest_corner(dvec3 h, dvec3 g, dmat3 C, dvec3 t) {
   return best;
 }
 
-Place place_of_corner(NearestCorner c, bool corner_of_b) {
+ContactPlace place_of_corner(NearestCorner c, bool corner_of_b) {
   double apart = sqrt(c.apart2);
   dvec3 n = (c.corner - c.foot) / apart;
   dvec3 corner = corner_of_b ? a.c + a.R * c.corner : b.c + b.R * c.corner;
-  return Place(corner, corner_of_b ? a.R * n : b.R * n, corner_of_b ? n : -(C * n), apart,
+  return ContactPlace(corner, corner_of_b ? a.R * n : b.R * n, corner_of_b ? n : -(C * n), apart,
                CORNER_FEATURE | (corner_of_b ? 8u : 0u) | c.number, !corner_of_b);
 }
 
@@ -198,7 +198,7 @@ void find_contacts(Placed first, Placed second, double reach) {
   for (int turn = 0; turn < 4; ++turn) {
     bool at_corner = turn == 3;
     if (try_edge || at_corner) {
-      Place place;
+      ContactPlace place;
       bool is_there;
       if (at_corner) {
         place = place_of_corner(corner, corner_of_b);

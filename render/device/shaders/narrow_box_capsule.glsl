@@ -25,7 +25,7 @@ dvec3 gap_at(double t) {
   return gap;
 }
 
-// Place of the point nearest to the box.
+// ContactPlace of the point nearest to the box.
 double nearest_to_box() {
   double kink[8];  // sorted
   kink[0] = 0;

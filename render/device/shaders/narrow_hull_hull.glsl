@@ -93,7 +93,7 @@ bool add_side_contacts(EdgeLine on_a, EdgeLine on_b, uint pair, double nearest, 
 }
 
 // Where an edge pair or a corner touches. y, n in the world.
-struct Place {
+struct ContactPlace {
   dvec3 y_b, n;
   double d;
   uint feature;
@@ -101,7 +101,7 @@ struct Place {
 };
 
 // Nearest points of the two edges. False when they lie beyond the ends of an edge.
-bool place_of_edges(BestEdge best, out Place place) {
+bool place_of_edges(BestEdge best, out ContactPlace place) {
   uint e = uint(best.e), g = uint(best.g);
   uvec4 edge_a = edge_of(view_a, e), edge_b = edge_of(view_b, g);
   dvec3 p = vertex_of(view_a, edge_a.x), q = t + C * vertex_of(view_b, edge_b.x);
@@ -109,7 +109,7 @@ bool place_of_edges(BestEdge best, out Place place) {
   double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
   double det = uu * vv - uv * uv;
   double on_a = (uw * vv - uv * vw) / det, on_b = (uv * uw - uu * vw) / det;
-  place = Place(a.c + a.R * (q + on_b * v), a.R * best.n, dot(w, best.n), hull_feature(EDGE_PAIR, 0u, e << 10 | g),
+  place = ContactPlace(a.c + a.R * (q + on_b * v), a.R * best.n, dot(w, best.n), hull_feature(EDGE_PAIR, 0u, e << 10 | g),
                 false);
   const double END = 1e-9lf;
   return on_a >= -END && on_a <= 1 + END && on_b >= -END && on_b <= 1 + END;
@@ -196,10 +196,10 @@ double clip_to_face(bool of_b, uint face, double bound) {
   return d;
 }
 
-Place place_of_corner(NearestCorner c, bool corner_of_b) {
+ContactPlace place_of_corner(NearestCorner c, bool corner_of_b) {
   Placed owner = a;
   if (!corner_of_b) owner = b;
-  return Place(owner.c + owner.R * c.corner, owner.R * ((c.corner - c.foot) / c.apart), c.apart,
+  return ContactPlace(owner.c + owner.R * c.corner, owner.R * ((c.corner - c.foot) / c.apart), c.apart,
                hull_feature(CORNER, 0u, (corner_of_b ? 1024u : 0u) | c.number), !corner_of_b);
 }
 
@@ -247,7 +247,7 @@ void find_contacts(Placed first, Placed second, double reach) {
   for (int turn = 0; turn < 4; ++turn) {
     bool at_corner = turn == 3;
     if (try_edge || at_corner) {
-      Place place;
+      ContactPlace place;
       bool is_there;
       if (at_corner) {
         place = place_of_corner(corner, corner_of_b);
