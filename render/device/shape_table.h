@@ -20,9 +20,7 @@ enum DeviceShape : int {
   kDeviceShapes
 };
 
-inline constexpr std::size_t kMostDeviceHullFaces = 32;
-inline constexpr std::size_t kMostDeviceHullVertices =
-    2 * kMostDeviceHullFaces - 4;  // Euler, three faces a vertex
+inline constexpr std::size_t kMostDeviceHullFaces = 32;  // which have at most 60 vertices (Euler)
 
 // One shape; what is in `size` is in shape_table.glsl. m.
 struct ShapeRecord {

@@ -72,6 +72,9 @@ TEST_CASE("bodies that the GPU cannot take are named") {
   CHECK(why_not_on_device(Model{}).empty());
   CHECK(why_not_on_device(model_of({Sphere{1}, many, make_shape("cone", {1, 1})})) ==
         "body 'body 1' has 33 faces, the GPU takes at most 32");
+  const Shape rocks = make_compound({std::get<Hull>(rock(8, 0.5, 1)), std::get<Hull>(rock(8, 0.5, 2))});
+  CHECK(why_not_on_device(model_of({rocks, many})) ==
+        "body 'body 0' is a mesh of several parts, which the GPU cannot take");
   CHECK(why_not_on_device(model_of({Sphere{1}, make_shape("cylinder", {1, 1})})) ==
         "body 'body 1' is a cylinder, which the GPU cannot take");
 }

@@ -2,7 +2,7 @@
 // hull_face.cpp: the incident face of a hull, clipped against the sides of the face of another.
 const double SNAP = 0.02lf, RUN_ON = 0.05lf, DEEPER = 0.02lf;
 const int MOST_SIDES = 32;    // of a face
-const int MOST_CORNERS = 64;  // of a clipped one; no more than MOST_CANDIDATES
+const int MOST_CORNERS = 64;  // of a clipped one, two faces of 31 together; no more than MOST_CANDIDATES
 const int SIDE = 512;         // lines from here on are sides of the reference face
 
 const uint INCIDENT_CORNER = 0u, REFERENCE_CORNER = 1u, CROSSING = 2u, EDGE_PAIR = 3u, CORNER = 4u, LOW_END = 5u,
