@@ -47,6 +47,8 @@ enum class Slot : std::uint32_t {
   huge,
   parts,
   told,
+  raw_geometry,
+  kept_geometry,
   count
 };
 
@@ -70,7 +72,7 @@ struct Counters {
   std::uint32_t color_size[kColors], color_first[kColors], color_next[kColors];
   std::uint32_t residual, unsettled;
   std::uint32_t done, sweeps, pushing, min_gap, friction_excess, friction_error, bad;
-  std::uint32_t pad;
+  std::uint32_t kept;
   double kinetic, potential, elastic;
 };
 static_assert(sizeof(Counters) == 928);
@@ -87,9 +89,13 @@ struct Pose {
   double c[4], q[4];  // q: x, y, z, w
 };
 
+// Real: float or double, as the shaders compute.
+template <class Real>
 struct Pair {
   std::uint32_t emitter, other, first, count;
+  alignas(4 * sizeof(Real)) Real seen[4], turned[4];
 };
+static_assert(sizeof(Pair<float>) == 48 && sizeof(Pair<double>) == 96);
 
 struct ContactTold {
   std::uint32_t ends[4], pad[4];

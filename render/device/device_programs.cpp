@@ -55,16 +55,22 @@ class Compiler {
   std::string common_;
 };
 
+std::vector<ShaderPart> with_kept(std::vector<ShaderPart> narrow) {
+  narrow.insert(narrow.begin(), shaders::device_kept);
+  return narrow;
+}
+
 std::vector<ComputeProgram> touch_programs(const Compiler& compile, const std::set<int>& shapes) {
   std::vector<ComputeProgram> out;
   for (const int first : shapes) {
     for (const int second : shapes) {
       const std::vector<ShaderPart> narrow = narrow_parts(first, second);
       if (second < first || narrow.empty()) continue;
-      out.push_back(compile("contacts of a pair",
-                            {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST"},
-                            fmt::format("#define KIND_FIRST {}\n#define KIND_SECOND {}\n", first, second),
-                            narrow, shaders::device_touch_comp, 64));
+      out.push_back(
+          compile("contacts of a pair",
+                  {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST", "GEOMETRY"},
+                  fmt::format("#define KIND_FIRST {}\n#define KIND_SECOND {}\n", first, second),
+                  with_kept(narrow), shaders::device_touch_comp, 64));
     }
   }
   return out;
@@ -106,10 +112,14 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const st
                          device_scatter_comp),
       .count_pairs = pairs(""),
       .list_pairs = pairs("#define EMIT\n"),
+      .reuse = compile("contacts that last",
+                       {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST", "GEOMETRY",
+                        "KEPT_PAIRS", "KEPT_FEATURE"},
+                       "", {device_kept}, device_reuse_comp),
       .touch = touch_programs(compile, shapes),
       .place = compile("contacts",
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",
-                        "END_FIRST", "KEPT_PAIRS", "KEPT"},
+                        "END_FIRST", "KEPT_PAIRS", "KEPT_STRETCH", "KEPT_FEATURE"},
                        "", {device_barrier, device_recovery}, device_place_comp),
       .fill_ends = ends("0"),
       .sort_ends = ends("1"),
@@ -126,9 +136,10 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const st
                         "COLORS", "STEPS"},
                        "", {device_barrier, device_contact, device_inertia}, device_sweep_comp, kSweepGroup),
       .between = compile("between sweeps", {"COUNTERS", "COLORS"}, "", {}, device_between_comp, 1),
-      .tell = compile(
-          "report", {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "KEPT", "PARTS"},
-          "", contact, device_tell_comp),
+      .tell = compile("report",
+                      {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "KEPT_STRETCH",
+                       "KEPT_FEATURE", "GEOMETRY", "PARTS"},
+                      "", contact, device_tell_comp),
       .reports = compile("contact reports",
                          {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "TOLD"}, "",
                          contact, device_reports_comp),

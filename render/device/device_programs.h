@@ -25,6 +25,7 @@ struct Programs {
     ComputeProgram check, take, round, rest, sizes, starts, lists;
   };
   ComputeProgram fly, scatter, count_pairs, list_pairs;
+  ComputeProgram reuse;
   std::vector<ComputeProgram> touch;  // one a pair of kinds of shapes
   ComputeProgram place, fill_ends, sort_ends;
   Scan scan;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "render/device/body_kinds.h"
@@ -38,6 +39,9 @@ std::uint32_t groups(std::size_t items, unsigned size) {
   return static_cast<std::uint32_t>(std::max<std::size_t>(1, (items + size - 1) / size));
 }
 
+// Shorter steps over d̂ are those of rounding.
+double least_tolerance(Precision precision) { return precision == Precision::single ? 1e-6 : 0; }
+
 std::set<int> shapes_of(const ShapeTable& table) {
   std::set<int> out;
   for (const ShapeRecord& shape : table.shapes) out.insert(static_cast<int>(shape.kind));
@@ -67,6 +71,7 @@ struct DeviceSolver::Impl {
   }
 
   std::size_t vec4() const { return 4 * real_bytes; }
+  std::size_t pair_bytes() const { return pair_size(precision); }
   std::size_t contact_bytes() const {  // of struct Contact
     const std::size_t head = precision == Precision::single ? 16 : 32;
     return head + (any_round(shapes) ? 5 : 4) * vec4();
@@ -89,13 +94,14 @@ struct DeviceSolver::Impl {
 
   struct Asked {
     Params params;
+    double kappa;
     GlBuffer copy;  // of the counters, when the step is done
     GLsync done;
   };
   void ask(const Params& params);
   void take_oldest();
   void make_room(const Counters& late);
-  void report(const Params& params, const Counters& late);
+  void report(const Asked& step, const Counters& late);
 
   ComputeFunctions gl;
   Buffers buffers;
@@ -115,6 +121,8 @@ struct DeviceSolver::Impl {
   StepSummary summary;
   Counters last{};
   DeviceTimes times;
+  ContactLaw law{};
+  std::optional<Params> law_of;
   double d_hat = 0;  // of the last step
   std::int64_t step_number = 0;
   double time = 0;
@@ -159,31 +167,36 @@ void DeviceSolver::Impl::make_body_buffers() {
 
 void DeviceSolver::Impl::make_pair_buffers(std::uint32_t room) {
   pair_room = room;
-  buffers.make(Slot::pairs, std::size_t{room} * sizeof(Pair));
+  buffers.make(Slot::pairs, room * pair_bytes());
   buffers.make(Slot::contact_first, (std::size_t{room} + 1) * sizeof(std::uint32_t));
   buffers.make(
       Slot::sums,
       (groups(std::max({std::size_t{room}, std::size_t{bodies}, std::size_t{buckets}}) + 1, kScanned) + 1) *
           sizeof(std::uint32_t));
-  buffers.grow(Slot::kept_pairs, std::size_t{room} * sizeof(Pair));
+  buffers.grow(Slot::kept_pairs, room * pair_bytes());
 }
 
 void DeviceSolver::Impl::make_contact_buffers(std::uint32_t room) {
   contact_room = room;
   buffers.make(Slot::raw, room * contact_bytes());
   buffers.make(Slot::contacts, room * contact_bytes());
+  buffers.make(Slot::raw_geometry, room * 2 * vec4());
   buffers.make(Slot::grips, room * vec4());
   buffers.make(Slot::ends, std::size_t{room} * 2 * sizeof(std::uint32_t));
   buffers.make(Slot::parts, std::size_t{groups(std::max(room, bodies), kGroup)} * 4 * sizeof(double));
   if (options.report_contacts) buffers.make(Slot::told, room * sizeof(ContactTold));
   buffers.grow(Slot::kept_stretch, room * vec4());
+  buffers.grow(Slot::kept_geometry, room * 2 * vec4());
   buffers.grow(Slot::kept_feature, room * sizeof(std::uint32_t));
 }
 
 // --- one step --------------------------------------------------------------------------------------------
 
 void DeviceSolver::Impl::set_params(const Params& params) {
-  const ContactLaw law = contact_law(model, params);
+  if (!law_of || !(*law_of == params)) {  // κ looks at every mass
+    law = contact_law(model, params);
+    law_of = params;
+  }
   StepParams p{};
   std::copy_n(params.gravity.data(), 3, p.gravity);
   p.least_load = kLeastLoad * kinds.heaviest * weight_per_mass(params);
@@ -247,6 +260,7 @@ void DeviceSolver::Impl::find_pairs() {
 
 void DeviceSolver::Impl::find_contacts() {
   buffers.clear(Slot::contact_first);
+  if (options.keep_contacts) dispatch(programs.reuse, groups(pair_room, kGroup));
   for (const ComputeProgram& touch : programs.touch) dispatch(touch, groups(pair_room, 64));
 }
 
@@ -282,7 +296,8 @@ void DeviceSolver::Impl::sweep(const Params& params) {
               limits = gl.GetUniformLocation(sweeping, "move_limits");
   const GLint last_place = gl.GetUniformLocation(between, "last_");
   programs.between.use();
-  gl.Uniform4f(gl.GetUniformLocation(between, "tolerance"), static_cast<float>(params.solver.tolerance),
+  gl.Uniform4f(gl.GetUniformLocation(between, "tolerance"),
+               static_cast<float>(std::max(params.solver.tolerance, least_tolerance(precision))),
                static_cast<float>(kFrictionTolerance), 0, 0);
   gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffers.id(Slot::arguments));
   gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
@@ -333,7 +348,7 @@ void DeviceSolver::Impl::make_step(const Params& params) {
 
 void DeviceSolver::Impl::ask(const Params& params) {
   make_step(params);
-  Asked now{params, GlBuffer(gl), nullptr};
+  Asked now{params, law.barrier.kappa, GlBuffer(gl), nullptr};
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   gl.BindBuffer(GL_COPY_WRITE_BUFFER, now.copy.id());
   gl.BufferData(GL_COPY_WRITE_BUFFER, sizeof(Counters), nullptr, GL_STREAM_READ);
@@ -344,7 +359,8 @@ void DeviceSolver::Impl::ask(const Params& params) {
   asked.push_back(std::move(now));
 }
 
-void DeviceSolver::Impl::report(const Params& params, const Counters& c) {
+void DeviceSolver::Impl::report(const Asked& step, const Counters& c) {
+  const Params& params = step.params;
   ++step_number;
   time += params.h;
   summary = {};
@@ -355,7 +371,7 @@ void DeviceSolver::Impl::report(const Params& params, const Counters& c) {
   summary.kinetic = c.kinetic;
   summary.potential = c.potential;
   summary.elastic = c.elastic;
-  summary.kappa = resolve_kappa(model, params);
+  summary.kappa = step.kappa;
   summary.contacts = static_cast<int>(c.pushing);
   summary.min_gap = c.min_gap != 0 ? static_cast<double>(from_ordered(~c.min_gap)) : INFINITY;
   summary.max_penetration = std::max(0.0, -summary.min_gap);
@@ -363,7 +379,7 @@ void DeviceSolver::Impl::report(const Params& params, const Counters& c) {
   summary.friction_excess =
       c.friction_excess != 0 ? std::max(0.0, static_cast<double>(from_ordered(c.friction_excess))) : 0;
   const bool settled =
-      c.friction_error == 0 || from_ordered(c.friction_error) < static_cast<float>(kFrictionTolerance);
+      c.friction_error == 0 || from_ordered(c.friction_error) < static_cast<float>(2 * kFrictionTolerance);
   const bool done = c.done != 0 || c.contacts == 0;
   summary.status = c.bad > 0         ? StepStatus::non_finite
                    : done && settled ? StepStatus::converged
@@ -412,7 +428,7 @@ void DeviceSolver::Impl::take_oldest() {
   gl.GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof c, &c);
   if (c.overflow == 0) {
     clock.read();
-    report(oldest.params, c);
+    report(oldest, c);
     return;
   }
   // Neither this step was made nor those that were asked for after it: all again, with more room.
@@ -493,6 +509,7 @@ std::size_t DeviceSolver::bytes() const { return impl_->buffers.total(); }
 int DeviceSolver::colors() const { return static_cast<int>(impl_->last.colors); }
 std::uint32_t DeviceSolver::pairs() const { return impl_->last.pairs; }
 std::uint32_t DeviceSolver::contacts() const { return impl_->last.contacts; }
+std::uint32_t DeviceSolver::kept_pairs() const { return impl_->last.kept; }
 int DeviceSolver::repeated() const { return impl_->repeated; }
 unsigned DeviceSolver::pose_buffer() const { return impl_->buffers.id(Slot::poses); }
 

@@ -24,6 +24,9 @@ struct DeviceOptions {
   std::uint32_t pairs = 0, contacts = 0;
   bool time_phases = false;      // fills DeviceTimes
   bool report_contacts = false;  // for read_contacts()
+  // Flat bodies that moved against each other by less than 0.05 d̂ since their contacts were found keep them: a point of
+  // one over a plane of the other.
+  bool keep_contacts = true;
 };
 
 // On the GPU's own clock; ms. Of the last step that was made.
@@ -68,12 +71,13 @@ class DeviceSolver {
   void read_colors(std::vector<int>& out);
 
   const DeviceTimes& times() const;
-  std::size_t bytes() const;       // of all buffers
-  int colors() const;              // of the last step
-  std::uint32_t pairs() const;     // of the last step
-  std::uint32_t contacts() const;  // within reach
-  int repeated() const;            // steps that had to be made again with larger buffers
-  unsigned pose_buffer() const;    // GL name: a body's c (4 doubles), q (4 doubles: x, y, z, w)
+  std::size_t bytes() const;         // of all buffers
+  int colors() const;                // of the last step
+  std::uint32_t pairs() const;       // of the last step
+  std::uint32_t contacts() const;    // within reach
+  std::uint32_t kept_pairs() const;  // whose contacts were kept in the last step
+  int repeated() const;              // steps that had to be made again with larger buffers
+  unsigned pose_buffer() const;      // GL name: a body's c (4 doubles), q (4 doubles: x, y, z, w)
 
  private:
   struct Impl;

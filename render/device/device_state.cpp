@@ -48,6 +48,10 @@ void write_items(Buffers& buffers, Slot slot, const std::vector<Item>& items) {
 
 }  // namespace
 
+std::size_t pair_size(Precision precision) {
+  return precision == Precision::single ? sizeof(Pair<float>) : sizeof(Pair<double>);
+}
+
 void write_poses(const State& state, Precision precision, Buffers& buffers) {
   const std::size_t n = state.c.size();
   std::vector<device::Pose> poses(n);
@@ -105,40 +109,48 @@ void write_memory(const State& state, const Model& model, Precision precision, B
     return std::tie(x.emitter, x.other) < std::tie(y.emitter, y.other);
   });
   std::vector<std::uint32_t> first(state.c.size() + 1, 0), feature;
-  std::vector<Pair> pairs;
-  for (const Entry& entry : entries) {
-    const bool same =
-        !pairs.empty() && pairs.back().emitter == entry.emitter && pairs.back().other == entry.other;
-    const std::uint32_t flags =
-        (entry.memory->sliding ? kSlides : 0) | (entry.memory->recovers ? kRecovers : 0);
-    if (!same) {
-      pairs.push_back({entry.emitter, entry.other, static_cast<std::uint32_t>(feature.size()), flags << 16});
-      ++first[entry.emitter + 1];
-    }
-    ++pairs.back().count;
-    feature.push_back(entry.memory->feature);
-  }
-  counters.pairs = static_cast<std::uint32_t>(pairs.size());
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  write_items(buffers, Slot::kept_first, first);
-  write_items(buffers, Slot::kept_pairs, pairs);
-  write_items(buffers, Slot::kept_feature, feature);
   with_real(precision, [&](auto real) {
-    std::vector<Vec4r<decltype(real)>> stretch;
-    for (const Entry& entry : entries) stretch.push_back(packed<decltype(real)>(entry.memory->stretch, 1));
+    using Real = decltype(real);
+    std::vector<Pair<Real>> pairs;
+    std::vector<Vec4r<Real>> stretch;
+    for (const Entry& entry : entries) {
+      const bool same =
+          !pairs.empty() && pairs.back().emitter == entry.emitter && pairs.back().other == entry.other;
+      if (!same) {
+        const std::uint32_t flags =
+            (entry.memory->sliding ? kSlides : 0) | (entry.memory->recovers ? kRecovers : 0);
+        // Where they were found is not known: they are found anew.
+        pairs.push_back({entry.emitter,
+                         entry.other,
+                         static_cast<std::uint32_t>(feature.size()),
+                         flags << 16,
+                         {0, 0, 0, -1},
+                         {0, 0, 0, 1}});
+        ++first[entry.emitter + 1];
+      }
+      ++pairs.back().count;
+      feature.push_back(entry.memory->feature);
+      stretch.push_back(packed<Real>(entry.memory->stretch, 1));
+    }
+    counters.pairs = static_cast<std::uint32_t>(pairs.size());
+    write_items(buffers, Slot::kept_pairs, pairs);
     write_items(buffers, Slot::kept_stretch, stretch);
   });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  write_items(buffers, Slot::kept_first, first);
+  write_items(buffers, Slot::kept_feature, feature);
 }
 
 void read_memory(std::uint32_t pairs, Precision precision, const Buffers& buffers, State& out) {
-  const auto kept = read_items<Pair>(buffers, Slot::kept_pairs, pairs);
-  std::uint32_t contacts = 0;
-  for (const Pair& pair : kept) contacts = std::max(contacts, pair.first + (pair.count & 0xffffu));
-  const auto feature = read_items<std::uint32_t>(buffers, Slot::kept_feature, contacts);
   out.contacts.clear();
   with_real(precision, [&](auto real) {
-    const auto stretch = read_items<Vec4r<decltype(real)>>(buffers, Slot::kept_stretch, contacts);
-    for (const Pair& pair : kept) {
+    using Real = decltype(real);
+    const auto kept = read_items<Pair<Real>>(buffers, Slot::kept_pairs, pairs);
+    std::uint32_t contacts = 0;
+    for (const Pair<Real>& pair : kept) contacts = std::max(contacts, pair.first + (pair.count & 0xffffu));
+    const auto feature = read_items<std::uint32_t>(buffers, Slot::kept_feature, contacts);
+    const auto stretch = read_items<Vec4r<Real>>(buffers, Slot::kept_stretch, contacts);
+    for (const Pair<Real>& pair : kept) {
       const std::uint32_t flags = pair.count >> 16, end = pair.first + (pair.count & 0xffffu);
       for (std::uint32_t k = pair.first; k < end; ++k) {
         if (stretch[k].w == 0 && (flags & kRecovers) == 0) continue;

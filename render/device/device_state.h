@@ -10,6 +10,8 @@
 
 namespace pabd::device {
 
+std::size_t pair_size(Precision precision);  // bytes of a Pair
+
 void write_poses(const State& state, Precision precision, Buffers& buffers);
 void read_poses(Precision precision, const Buffers& buffers, std::uint32_t bodies, State& out);
 

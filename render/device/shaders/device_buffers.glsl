@@ -68,8 +68,10 @@ AT(23) buffer Steps { real4 last_step[]; };  // two a body: last step of a sweep
 AT(24) buffer KeptFirst { uint kept_first[]; };  // pair_first of the last step
 AT(25) buffer KeptPairs { Pair kept_pairs[]; };
 #endif
-#ifdef USES_KEPT
+#ifdef USES_KEPT_STRETCH
 AT(26) buffer KeptStretch { real4 kept_stretch[]; };  // frame of the owner. w: 1 held, 0 not
+#endif
+#ifdef USES_KEPT_FEATURE
 AT(27) buffer KeptFeature { uint kept_feature[]; };
 #endif
 #ifdef USES_VALUES
@@ -83,6 +85,10 @@ AT(34) buffer Huge { uint huge_body[]; };
 #endif
 #ifdef USES_PARTS
 AT(35) buffer Parts { dvec4 part[]; };  // sums of work groups
+#endif
+#ifdef USES_GEOMETRY
+AT(37) buffer RawGeometry { ContactGeometry raw_geometry[]; };  // as Raw
+AT(38) buffer KeptGeometry { ContactGeometry kept_geometry[]; };  // as KeptStretch
 #endif
 #ifdef USES_TOLD
 AT(36) buffer Told { ContactTold contact_told[]; };

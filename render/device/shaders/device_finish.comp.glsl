@@ -23,9 +23,9 @@ void main() {
       omega = rotate(E, solve_symmetric(trace - d, -o, rotate(conjugate(E), spin)));
       q = dvec4(at.q);
     }
-    q = product_d(normalize(q), pose[i].q);
+    q = product_d(unit_d(q), pose[i].q);
     const dvec3 c = pose[i].c.xyz + dvec3(at.u.xyz);
-    const real3 in_body = rotate(real4(conjugate_d(normalize(q))), omega);
+    const real3 in_body = rotate(real4(conjugate_d(unit_d(q))), omega);
     const real3 moments = real3(k.J[0] + k.J[1] + k.J[2]) - real3(k.J[0], k.J[1], k.J[2]);
     const real3 L = times_symmetric(moments, -real3(k.J[3], k.J[4], k.J[5]), in_body);
     const dvec3 g = dvec3(params.gravity[0], params.gravity[1], params.gravity[2]);
@@ -35,7 +35,7 @@ void main() {
     const bool finite = !isnan(all_) && !isinf(all_) && all_ < 1e30lf;
     if (!finite) atomicAdd(counters.bad, 1u);
     pose[i].c.xyz = c;
-    pose[i].q = normalize(q);
+    pose[i].q = unit_d(q);
     motion[i].v = real4(v, 0);
     motion[i].omega = real4(omega, 0);
   }

@@ -15,7 +15,7 @@ real3 flight_turn(BodyKind k, dmat3 Rd, inout real3 omega, out real4 q) {
   const real3 d = real3(k.J[0], k.J[1], k.J[2]), o = real3(k.J[3], k.J[4], k.J[5]);
   const real trace = d.x + d.y + d.z;
   const real3 moments = trace - d;  // I = tr(J) 1 − J
-  if (k.symmetry >= 0 && h * length(omega) > 1) {
+  if (k.symmetry >= 0 && h * norm(omega) > 1) {
     const int axis = k.symmetry;
     const real3 along = R[axis];
     const real spin = dot(omega, along), own = spin * (1 - moments[axis] / moments[(axis + 1) % 3]);
@@ -70,7 +70,7 @@ void main() {
     f.turn.xyz = flight_turn(k, R, omega, f.q);
     f.omega.xyz = omega;
     const real3 turn = k.round_about_y != 0 ? cross(f.turn.xyz, real3(R[1])) : f.turn.xyz;
-    const real way = length(f.u.xyz) + length(turn) * real(k.rolling > 0 ? k.core : k.bounding);
+    const real way = norm(f.u.xyz) + norm(turn) * real(k.rolling > 0 ? k.core : k.bounding);
     f.turn.w += way;
     at_start = way > real(k.inner) / 2;
     const mat_real3 star = matrix_less(f.q) * mat_real3(R) + mat_real3(R);

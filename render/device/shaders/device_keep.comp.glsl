@@ -16,7 +16,7 @@ void main() {
     const ContactNow s = contact_now(c, place[c.id.x], place[c.id.y]);
     const real limit = max(grips[k].x, real(0));
     bound += limit;
-    used += min(real(params.k_t) * length(s.u), limit);
+    used += min(real(params.k_t) * norm(s.u), limit);
     const real opens = way(c.n.w);
     const bool rests = s.d >= 0 && abs(s.d - c.n.w) <= opens / 10;
     if (s.d < real(params.d_hat) - opens && !rests) goes_on = true;

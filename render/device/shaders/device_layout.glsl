@@ -40,16 +40,23 @@ struct Flight {
   real4 W_diag, W_off;  // R* J R*ᵀ: xx yy zz, xy xz yz; kg m². W_diag.w: mass
 };
 struct Place {
-  real4 u, q;
+  real4 u, q;  // u.w: mass, 0 for who does not move
 };
 // A candidate: bodies whose bounds meet. `emitter` lists it.
 struct Pair {
   uint emitter, other;
   uint first, count;  // contacts: of the raw ones, then of the placed
+  // Where its contacts were found: the other body as the emitter sees it. seen.w: within which reach; < 0: never
+  real4 seen, turned;
+};
+const uint KEPT_CONTACTS = 0x80000000u;  // in count: those of the last step stand for this one
+// A contact in the frames of its bodies, for as long as it is kept: normal and offset of a's plane, b's point.
+struct ContactGeometry {
+  real4 plane, point;
 };
 // A contact of S(17), at the start of the step, world axes.
 struct Contact {
-  uvec4 id;     // a (owner of the normal), b, feature, pair
+  uvec4 id;     // a (owner of the normal), b, feature, number of its geometry
   real4 n;      // w: d where the step starts
   real4 r_b;    // from b's centre to its normal point. w: shift of the barrier while overlap recovers
   real4 apart;  // from a's centre to b's. w: scale of the barrier
@@ -94,7 +101,7 @@ struct Counters {
   uint min_gap;   // inverted, so that the largest is the least gap; 0: there is none
   uint friction_excess, friction_error;  // floats, ordered
   uint bad;  // bodies that left the numbers
-  uint pad_;
+  uint kept;  // pairs whose contacts were kept
   double kinetic, potential, elastic;
 };
 const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u;

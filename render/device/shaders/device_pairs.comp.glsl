@@ -33,7 +33,7 @@ void take(uint i, uint j) {
     pairs[k] = pairs[k - 1u];
     --k;
   }
-  pairs[k] = Pair(i, j, 0u, 0u);
+  pairs[k] = Pair(i, j, 0u, 0u, real4(0, 0, 0, -1), real4(0, 0, 0, 1));
 #endif
   ++found_;
 }

@@ -14,7 +14,7 @@ void main() {
   const uint p = gl_GlobalInvocationID.x;
   if (p == 0u) counters.contacts = contact_first[params.pair_room];
   if (p >= counters.pairs || counters.overflow != 0u) return;
-  const uint from = pairs[p].first, count = pairs[p].count, to = contact_first[p];
+  const uint from = pairs[p].first, count = pairs[p].count & 0xffffu, to = contact_first[p];
   const uint emitter = pairs[p].emitter, other = pairs[p].other;
   uint flags = 0u, kept_at = 0u, kept_count = 0u;
   uint kept = kept_pair(emitter, other);

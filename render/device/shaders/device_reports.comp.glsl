@@ -7,7 +7,7 @@ void main() {
   const Contact c = contacts[k];
   const ContactNow s = contact_now(c, place[c.id.x], place[c.id.y]);
   const Push push = normal_push(c, s.d);
-  const real limit = grips[k].x, slip = length(s.u), weight = friction_weight(limit, slip);
+  const real limit = grips[k].x, slip = norm(s.u), weight = friction_weight(limit, slip);
   const dvec3 a = pose[c.id.x].c.xyz + dvec3(place[c.id.x].u.xyz);
   ContactTold told;
   told.ends = uvec4(c.id.xy, limit > 0 && real(params.k_t) * slip <= limit ? 1u : 0u, 0u);

@@ -1,6 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Quaternions (x, y, z, w), without sines: GLSL has none for double.
 
+// Roots of doubles are good to the digits of a float only on some GPUs: one step of Heron's.
+real root(real x) {
+  const real y = sqrt(x);
+  return y > 0 ? (y + x / y) / 2 : y;
+}
+real norm(real3 v) {
+  return root(dot(v, v));
+}
+real norm(real4 v) {
+  return root(dot(v, v));
+}
+// Of a quaternion that is nearly one: without a root.
+dvec4 unit_d(dvec4 q) {
+  q *= 1.5lf - 0.5lf * dot(q, q);
+  return q * (1.5lf - 0.5lf * dot(q, q));
+}
+
 real3 rotate(real4 q, real3 r) {
   return r + 2 * cross(q.xyz, cross(q.xyz, r) + q.w * r);
 }
@@ -46,7 +63,7 @@ real4 exp_turn(real3 w) {
   const real cosine = 1 - a2 / 2 * (1 - a2 / 12 * (1 - a2 / 30 * (1 - a2 / 56 * (1 - a2 / 90 * (1 - a2 / 132)))));
   real4 q = real4(w * (scale * sine), cosine);
   for (int k = 0; k < halvings; ++k) q = product(q, q);
-  return q / length(q);
+  return q / norm(q);
 }
 
 // The rotation vector of a quaternion, at most π long.
@@ -54,11 +71,11 @@ real3 log_turn(real4 q) {
   if (q.w < 0) q = -q;
   const real sine2 = dot(q.xyz, q.xyz);
   if (sine2 < real(1e-24lf)) return 2 * q.xyz;
-  const real sine = sqrt(sine2);
+  const real sine = root(sine2);
   // atan(x) = 2 atan(x/(1 + √(1 + x²))), until the series is good to rounding.
   real x = sine, y = q.w;
   for (int k = 0; k < 4; ++k) {  // the angle of (y, x), halved
-    y += sqrt(x * x + y * y);
+    y += root(x * x + y * y);
   }
   const real t = x / y, t2 = t * t;
   const real series =
@@ -68,7 +85,7 @@ real3 log_turn(real4 q) {
 
 // The rotation by 2 atan(‖w‖/2) about w.
 real4 cayley_turn(real3 w) {
-  return real4(w / 2, 1) / sqrt(1 + dot(w, w) / 4);
+  return real4(w / 2, 1) / root(1 + dot(w, w) / 4);
 }
 
 // Of J = diag and off (xy, xz, yz).

@@ -7,7 +7,7 @@ void main() {
   const uint i = gl_GlobalInvocationID.x;
   if (i >= params.bodies || counters.overflow != 0u) return;
   const Flight f = flight[i];
-  Place at = Place(real4(f.u.xyz, 0), f.q);
+  Place at = Place(real4(f.u.xyz, f.W_diag.w), f.q);
   const real h = real(params.h);
   if (f.v.w != 0 && kinds[kind_number[i]].fixed_ == 0)
     at.u.xyz -= h * h * real3(params.gravity[0], params.gravity[1], params.gravity[2]);

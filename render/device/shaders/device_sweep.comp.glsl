@@ -34,7 +34,7 @@ real local_energy(uint i, Flight f, real inv_h2, Place trial) {
     }
     const real limit = grips[k].x;
     if (s.d + c.r_b.w >= real(params.d_hat) && !(limit > 0)) continue;
-    energy += normal_push(c, s.d).value + friction_energy(limit, length(s.u));
+    energy += normal_push(c, s.d).value + friction_energy(limit, norm(s.u));
   }
   return energy;
 }
@@ -98,7 +98,7 @@ bool minimum(Model6 m, out real3 dc, out real3 dw) {
 
 Place moved_by(Place at, real3 dc, real3 dw) {
   const real4 q = product(cayley_turn(dw), at.q);
-  return Place(real4(at.u.xyz + dc, 0), q / length(q));
+  return Place(real4(at.u.xyz + dc, at.u.w), q / norm(q));
 }
 
 // Relaxes body i; the way of its step over d̂.
@@ -124,7 +124,6 @@ real relax(uint i) {
     const Contact c = contacts[k];
     const uint j = other_end(c.id, is_a);
     const Place other = place[j];
-    const real lighter = flight[j].W_diag.w;  // 0: it does not move
     ContactNow s;
     if (is_a) {
       s = contact_now(c, at, other);
@@ -135,13 +134,13 @@ real relax(uint i) {
     const real beyond = s.d - d_hat;
     if (beyond >= 0) room = min(room, beyond);
     // Of the ends that move, the owner of the normal moves the bound.
-    const bool mover = is_a || kinds[kind_number[j]].fixed_ != 0;
+    const bool mover = is_a || other.u.w == 0;
     const bool nothing = s.d + c.r_b.w >= d_hat && !(grip.x > 0);
     if (nothing && !mover) continue;
     const Push push = normal_push(c, s.d);
-    const real slip = length(s.u);
+    const real slip = norm(s.u);
     if (mover && c.before.w > 0) {
-      const real least = real(params.least_share) * (lighter > 0 && lighter < f.W_diag.w ? lighter : f.W_diag.w);
+      const real least = real(params.least_share) * (other.u.w > 0 ? min(other.u.w, at.u.w) : at.u.w);
       const real pull = real(params.k_t) * slip, law = -c.before.w * push.first;
       const real error = abs(min(pull, max(grip.x, real(0))) - min(pull, law));
       friction_error = max(friction_error, float(error / max(law, c.before.w * least)));
@@ -161,19 +160,19 @@ real relax(uint i) {
 
   real3 dc, dw;
   const bool definite = minimum(m, dc, dw);
-  const real angle = length(dw);
+  const real angle = norm(dw);
   if (angle > 1) {  // the tangent model says nothing that far away
     dc /= angle;
     dw /= angle;
   }
   const real3 last_c = last_step[2u * i].xyz, last_w = last_step[2u * i + 1u].xyz;
   const real last_moved = last_step[2u * i + 1u].w;
-  const real moved = (length(dc) + radius * length(dw)) / d_hat;
+  const real moved = (norm(dc) + radius * norm(dw)) / d_hat;
 
   // A body that keeps moving the same way goes farther.
   const real r2 = radius * radius, squared = dot(dc, dc) + r2 * dot(dw, dw);
   const real last_squared = dot(last_c, last_c) + r2 * dot(last_w, last_w);
-  const bool same_way = dot(dc, last_c) + r2 * dot(dw, last_w) > real(0.5lf) * sqrt(squared * last_squared);
+  const bool same_way = dot(dc, last_c) + r2 * dot(dw, last_w) > real(0.5lf) * root(squared * last_squared);
   const real factor = same_way ? min(real(1.5lf), last_step[2u * i].w + real(0.2lf)) : real(1);
   last_step[2u * i] = real4(dc, factor);
   last_step[2u * i + 1u] = real4(dw, moved);
@@ -181,9 +180,11 @@ real relax(uint i) {
   dw *= factor;
 
   Place trial = moved_by(at, dc, dw);
-  // So short that Ψ'' hardly changes along it, and that no other contact begins to push.
-  const bool is_small = moved * max(params.N, 1) < real(0.06lf) && moved * d_hat < room;
-  if (definite && factor == 1 && moved < last_moved && is_small) {
+  // So short that Ψ'' hardly changes along it, and that no other contact begins to push: the model is good there, and
+  // going up to half as far again lowers it too.
+  const real way = factor * moved;
+  const bool is_small = way * max(params.N, 1) < real(0.06lf) && way * d_hat < room;
+  if (definite && moved < last_moved && is_small) {
     place[i] = trial;
     return moved;
   }

@@ -10,7 +10,7 @@ void main() {
     const Contact c = contacts[k];
     const ContactNow s = contact_now(c, place[c.id.x], place[c.id.y]);
     const Push push = normal_push(c, s.d);
-    const real limit = grips[k].x, slip = length(s.u), weight = friction_weight(limit, slip), mu = c.before.w;
+    const real limit = grips[k].x, slip = norm(s.u), weight = friction_weight(limit, slip), mu = c.before.w;
     grips[k].w = s.d;
     if (s.d < real(params.d_hat)) {
       total[t].x = double(push.value + friction_energy(limit, slip));
@@ -31,10 +31,11 @@ void main() {
 #else
     const bool turns = true;
 #endif
-    const dvec4 q = product_d(normalize(dvec4(place[c.id.x].q)), pose[c.id.x].q);
+    const dvec4 q = product_d(unit_d(dvec4(place[c.id.x].q)), pose[c.id.x].q);
     const real3 kept = turns ? real3(transpose(matrix_of(q)) * dvec3(stretch)) : stretch;
     kept_stretch[k] = real4(kept, limit > 0 ? 1 : 0);
     kept_feature[k] = c.id.z;
+    kept_geometry[k] = raw_geometry[c.id.w];
   }
   barrier();
   for (uint reach = GROUP / 2u; reach > 0u; reach /= 2u) {

@@ -8,7 +8,7 @@ Placed placed_body(uint i, dvec3 origin) {
   const dmat3 R = matrix_of(pose[i].q);
   Placed body;
   body.c = pose[i].c.xyz - origin + (at_start ? dvec3(0) : dvec3(f.u.xyz));
-  body.R = at_start ? R : matrix_of(normalize(dvec4(f.q))) * R;
+  body.R = at_start ? R : matrix_of(unit_d(dvec4(f.q))) * R;
   body.shape = uint(kinds[kind_number[i]].shape);
   return body;
 }
@@ -16,13 +16,13 @@ Placed placed_body(uint i, dvec3 origin) {
 dvec3 turned_back(uint i, dvec3 x) {
   const Flight f = flight[i];
   if (f.u.w != 0) return x;
-  const dvec4 q = normalize(dvec4(f.q));
+  const dvec4 q = unit_d(dvec4(f.q));
   return x + 2 * cross(-q.xyz, cross(-q.xyz, x) + q.w * x);
 }
 
 void main() {
   const uint p = gl_GlobalInvocationID.x;
-  if (p >= counters.pairs || counters.overflow != 0u) return;
+  if (p >= counters.pairs || counters.overflow != 0u || (pairs[p].count & KEPT_CONTACTS) != 0u) return;
   uint first = pairs[p].emitter, second = pairs[p].other;
   const int kind_first = kinds[kind_number[first]].form, kind_second = kinds[kind_number[second]].form;
   if (kind_first != KIND_FIRST || kind_second != KIND_SECOND) {
@@ -34,7 +34,9 @@ void main() {
     second = swap;
   }
   const dvec3 origin = pose[first].c.xyz;
-  const double reach = double(flight[first].turn.w) + double(flight[second].turn.w);
+  // A little farther than now, so that they may be kept while the bodies move a little.
+  const double reach =
+      double(flight[first].turn.w) + double(flight[second].turn.w) + double(KEPT_REACH) * params.d_hat;
   begin_contacts();
   const Placed placed_first = placed_body(first, origin), placed_second = placed_body(second, origin);
   find_contacts(placed_first, placed_second, reach);
@@ -44,6 +46,7 @@ void main() {
   pairs[p].first = at;
   pairs[p].count = count;
   contact_first[p] = count;
+  see(p, real(reach));
   if (at + count > params.contact_room) return;
 
   for (uint k = 0u; k < count; ++k) {
@@ -58,7 +61,7 @@ void main() {
     const dvec3 n = turns ? turned_back(a, f.n) : f.n;
     const dvec3 y_a = f.y_b - f.d * f.n;
     Contact c;
-    c.id = uvec4(a, b, f.feature & 0x7fffffffu | (a > b ? 0x80000000u : 0u), p);
+    c.id = uvec4(a, b, f.feature & 0x7fffffffu | (a > b ? 0x80000000u : 0u), at + k);
     const real3 turn_a = flight[a].turn.xyz, turn_b = flight[b].turn.xyz;
     double start_d;
     real3 before = real3(0, 0, 0);
@@ -80,5 +83,8 @@ void main() {
     c.r_a = real4(real3(r_a), 0);
 #endif
     raw[at + k] = c;
+    raw_geometry[at + k] = ContactGeometry(
+        real4(real3(transpose(placed_a.R) * f.n), real(dot(f.n, y_a - placed_a.c))),
+        real4(real3(transpose(placed_b.R) * (f.y_b - placed_b.c)), 0));
   }
 }
