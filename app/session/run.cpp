@@ -95,6 +95,16 @@ void Run::observe(bool iterations, bool contacts, bool bodies) {
   session_.report_bodies(bodies);
 }
 
+void Run::solve_with(std::shared_ptr<StepEngine> engine) {
+  if (engine && timeline_.budget() != kNoPast) {
+    throw Error(ErrorKind::bad_input,
+                engine->name() +
+                    ": what can be wound back is computed on the processor; only 'run', 'bench' and 'render' "
+                    "take another device");
+  }
+  session_.solve_with(std::move(engine));
+}
+
 void Run::stop_when(const std::function<bool()>& stop) {
   stop_ = stop;
   session_.stop_when(stop);

@@ -54,6 +54,10 @@ class Run {
   // What reports carry from the next step or seek on.
   void observe(bool iterations, bool contacts, bool bodies = false);
 
+  // New steps are made by `engine`; null: by this processor. What replays the past computes on the processor, so
+  // that a run with an engine keeps none: throws Error(bad_input) where this one does. A fork has no engine.
+  void solve_with(std::shared_ptr<StepEngine> engine);
+
   // A step that is under way ends when it says true, as do the steps of forks (StepOptions::stop).
   void stop_when(const std::function<bool()>& stop);
 

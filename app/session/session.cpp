@@ -26,13 +26,35 @@ double Session::kappa() const { return resolve_kappa(*model_, *params_); }
 
 FrameView Session::view() const { return {model_, *params_, kappa(), state_, report_, {}, {}, {}}; }
 
+void Session::solve_with(std::shared_ptr<StepEngine> engine) {
+  if (engine_ && engine_ != engine) engine_->complete(state_);
+  engine_ = std::move(engine);
+}
+
+void Session::prepare() {
+  if (engine_) engine_->prepare(*model_, *params_, state_);
+}
+
+void Session::complete_state() {
+  if (engine_) engine_->complete(state_);
+}
+
 const StepReport& Session::step() {
-  pabd::step(*model_, *params_, options_, state_, workspace_, report_);
+  if (engine_) {
+    engine_->step(*model_, *params_, options_, state_, report_);
+  } else {
+    pabd::step(*model_, *params_, options_, state_, workspace_, report_);
+  }
   return report_;
 }
 
+void Session::take(std::shared_ptr<const Model> model) {
+  if (engine_ && model != model_) engine_->forget();
+  model_ = std::move(model);
+}
+
 void Session::reset() {
-  model_ = {scene_, &scene_->model};
+  take({scene_, &scene_->model});
   params_ = {scene_, &scene_->params};
   state_ = scene_->initial;
   describe_start();
@@ -55,15 +77,16 @@ void Session::restore(std::shared_ptr<const Model> model, State state) {
                                           " bodies, the scene has " + std::to_string(model->size()) +
                                           "; use a state of this scene");
   }
-  model_ = std::move(model);
+  take(std::move(model));
   state_ = std::move(state);
   describe_start();
 }
 
 void Session::edit(const ModelEdit& edit) {
+  complete_state();
   auto model = std::make_shared<Model>(*model_);
   apply_edit(edit, scene_->joint_law, *model, state_);
-  model_ = std::move(model);
+  take(std::move(model));
   options_.pulls.clear();  // their numbers may have moved
   describe_start();
 }

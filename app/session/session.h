@@ -11,7 +11,7 @@
 #include "app/session/frame_view.h"
 #include "app/session/model_edit.h"
 #include "sim/scene/scene.h"
-#include "sim/solver/time_step.h"
+#include "sim/solver/step_engine.h"
 
 namespace pabd {
 
@@ -45,6 +45,15 @@ class Session {
   // Hands on bodies in later steps, until they are set anew. Precondition: as for step().
   void set_pulls(std::vector<Pull> pulls) { options_.pulls = std::move(pulls); }
 
+  // Later steps are made by it; null: by this processor, as unless this is called. What it throws step() throws.
+  // Precondition: it knows no model that is gone (StepEngine::forget).
+  void solve_with(std::shared_ptr<StepEngine> engine);
+  bool has_engine() const { return engine_ != nullptr; }
+  // What the engine does before the first step, before that is asked for. Throws as it does.
+  void prepare();
+  // After this, state() has all that the next step depends on: an engine may leave something out of it.
+  void complete_state();
+
   // One time step. A step that left the numbers says so in its report, which knows nothing else of where it
   // ends (NaN); that one and a step that was stopped leave the state as it was.
   const StepReport& step();
@@ -68,6 +77,7 @@ class Session {
 
  private:
   void describe_start();
+  void take(std::shared_ptr<const Model> model);
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Model> model_;  // the scene's own until it is edited
@@ -75,6 +85,7 @@ class Session {
   State state_;
   StepOptions options_;
   StepWorkspace workspace_;
+  std::shared_ptr<StepEngine> engine_;  // null: this processor
   StepReport report_;
 };
 

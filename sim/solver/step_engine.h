@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Who makes the steps of a run: this processor (time_step.h), or a device that a program brings.
+#pragma once
+
+#include <string>
+
+#include "sim/solver/time_step.h"
+
+namespace pabd {
+
+// What it makes differs from what step() makes by its rounding, and by no more than the tolerance of a solve. One
+// thread at a time may call it, not always the same.
+class StepEngine {
+ public:
+  virtual ~StepEngine() = default;
+
+  virtual std::string name() const = 0;  // of the device, as its driver says it
+
+  // What the first step would begin with, such as compiling for the model. Throws as step().
+  virtual void prepare(const Model& model, const Params& params, const State& state) = 0;
+
+  // As step() of time_step.h, with its preconditions. It may leave the memory of contacts out of `state`: complete().
+  // Throws Error(bad_input), with the remedy, where it does not take the model, the parameters or what is asked of
+  // the report, and Error(no_context) when the device is lost; the state is then as it was.
+  virtual void step(const Model& model, const Params& params, const StepOptions& options, State& state,
+                    StepReport& report) = 0;
+
+  // Puts in what step() left out. Precondition: `state` is as the last step left it, or another that is complete.
+  virtual void complete(State& state) = 0;
+
+  // The model comes to an end, or another one will be where it is: to be called before.
+  virtual void forget() = 0;
+};
+
+}  // namespace pabd
