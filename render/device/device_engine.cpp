@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// See device_engine.h.
+#include "render/device/device_engine.h"
+
+#include <chrono>
+#include <cstring>
+#include <limits>
+#include <thread>
+
+#include "sim/base/error.h"
+
+namespace pabd {
+namespace {
+
+// A context is current while this lives.
+class Current {
+ public:
+  explicit Current(GlContext& context) : context_(context) { context_.make_current(); }
+  ~Current() { context_.release(); }
+  Current(const Current&) = delete;
+  Current& operator=(const Current&) = delete;
+
+ private:
+  GlContext& context_;
+};
+
+class Stopwatch {
+ public:
+  // ms since it was made, or since the last call.
+  double lap() {
+    const auto now = Clock::now();
+    return std::chrono::duration<double, std::milli>(now - std::exchange(start_, now)).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0);
+}
+
+std::unique_ptr<GlContext> open_context(Backend backend) {
+  std::vector<ContextAttempt> attempts;
+  return create_headless_context(backend, attempts);
+}
+
+// As far as it is known of a step that was not made.
+StepReport not_made(StepStatus status, const Model& model, const Params& params, const State& state) {
+  StepReport report;
+  report.step = state.step + 1;
+  report.time = state.time + params.h;
+  report.method = SolverMethod::descent;
+  report.status = status;
+  report.kappa = resolve_kappa(model, params);
+  return report;
+}
+
+StepReport failed(const StepSummary& summary) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  StepReport report;
+  static_cast<StepSummary&>(report) = summary;
+  report.status = StepStatus::non_finite;
+  for (double* quantity : {&report.kinetic, &report.potential, &report.elastic, &report.max_penetration,
+                           &report.min_gap, &report.residual, &report.friction_excess})
+    *quantity = kUnknown;
+  return report;
+}
+
+// What the GPU's clock does not see: before its part of a step, and after it; ms.
+void add_times(double before, double solving, double after, PhaseTimes& times) {
+  const double on_gpu = times.detect + times.set_up + times.solve + times.velocities;
+  times.set_up += before;
+  times.velocities += after + std::max(0.0, solving - on_gpu);  // launches, and the wait for them
+  times.total = times.detect + times.set_up + times.solve + times.velocities;
+}
+
+}  // namespace
+
+void DeviceEngine::Left::set(const State& state) {
+  step = state.step;
+  time = state.time;
+  c = state.c;
+  v = state.v;
+}
+
+bool DeviceEngine::Left::is(const State& state) const {
+  return step == state.step && time == state.time && same_bits(c, state.c) && same_bits(v, state.v);
+}
+
+DeviceCapacity DeviceEngine::capacity(Backend backend) {
+  const auto context = open_context(backend);
+  const Current current(*context);
+  return device_capacity(*context);
+}
+
+std::string DeviceEngine::why_not(const Model& model, const Params& params, const StepOptions& options) {
+  const SolverMethod method = params.solver.method;
+  if (method != SolverMethod::automatic && method != SolverMethod::descent)
+    return std::string("the GPU solves by descent, not by ") + to_string(method) +
+           ": --device cpu, or --set solver.method=auto";
+  if (options.record_iterations)
+    return "the GPU does not tell of its iterations (--iterations, convergence plot): --device cpu";
+  if (options.report_contacts)
+    return "the GPU does not tell of single contacts (their marks and plots): --device cpu";
+  if (options.report_bodies) return "the GPU does not tell of single bodies: --device cpu";
+  if (options.report_joints) return "the GPU knows of no joints (--joints): --device cpu";
+  if (!options.pulls.empty()) return "the GPU takes no hands on bodies: --device cpu";
+  return DeviceSolver::why_not(model, params);
+}
+
+DeviceEngine::DeviceEngine(Backend backend) : context_(open_context(backend)) {
+  const Current current(*context_);
+  const DeviceCapacity found = device_capacity(*context_);
+  if (!found.why_not.empty()) throw Error(ErrorKind::no_context, found.why_not);
+  name_ = found.renderer;
+}
+
+// In a thread of its own, so that the context of whoever draws in this one stays current.
+DeviceEngine::~DeviceEngine() {
+  std::thread([this] {
+    context_->make_current();
+    solver_.reset();
+    context_.reset();
+  }).join();
+}
+
+void DeviceEngine::check(const Model& model, const Params& params, const StepOptions& options) {
+  const bool known = checked_ == &model && model_ == &model && checked_params_ == params;
+  const bool plain = !options.record_iterations && !options.report_contacts && !options.report_bodies &&
+                     !options.report_joints && options.pulls.empty();
+  if (known && plain) return;
+  if (const std::string why = why_not(model, params, options); !why.empty())
+    throw Error(ErrorKind::bad_input, why);
+  checked_ = &model;
+  checked_params_ = params;
+}
+
+void DeviceEngine::make_ready(const Model& model, const State& state) {
+  if (solver_ == nullptr || model_ != &model) {
+    solver_.reset();
+    solver_ = std::make_unique<DeviceSolver>(
+        *context_, model, state,
+        DeviceOptions{.precision = DevicePrecision::single, .pairs = 0, .contacts = 0, .time_phases = true});
+    model_ = &model;
+    left_.set(state);
+  } else if (!left_.is(state)) {
+    solver_->set_state(state);
+    left_.set(state);
+  }
+}
+
+void DeviceEngine::prepare(const Model& model, const Params& params, const State& state) {
+  check(model, params, {});
+  const Current current(*context_);
+  make_ready(model, state);
+}
+
+void DeviceEngine::step(const Model& model, const Params& params, const StepOptions& options, State& state,
+                        StepReport& report) {
+  check(model, params, options);
+  if (options.stop && options.stop()) {
+    report = not_made(StepStatus::interrupted, model, params, state);
+    return;
+  }
+  const Current current(*context_);
+  Stopwatch watch;
+  make_ready(model, state);
+  const double before = watch.lap();
+  const StepSummary& summary = solver_->step(params);
+  const double solving = watch.lap();
+  if (summary.status == StepStatus::non_finite) {
+    left_ = {};  // the GPU has it no more
+    report = failed(summary);
+    return;
+  }
+  solver_->read_state(state);
+  left_.set(state);
+  report = {};
+  static_cast<StepSummary&>(report) = summary;
+  add_times(before, solving, watch.lap(), report.times);
+}
+
+void DeviceEngine::complete(State& state) {
+  if (solver_ == nullptr || !left_.is(state)) return;
+  const Current current(*context_);
+  solver_->read_state(state);
+}
+
+}  // namespace pabd

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The solver on the GPU as the maker of the steps of a run, in an OpenGL context of its own.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/context/context.h"
+#include "render/device/device_capacity.h"
+#include "render/device/device_solver.h"
+#include "sim/solver/step_engine.h"
+
+namespace pabd {
+
+class DeviceEngine : public StepEngine {
+ public:
+  // What a GPU would take here: a context is made and dropped again; none is current afterwards. Throws
+  // Error(no_context) where there is no OpenGL at all.
+  static DeviceCapacity capacity(Backend backend);
+
+  // Why it does not take the scene, or cannot tell what is asked of its reports: one line with the remedy; empty: it
+  // does. Linear in the number of bodies.
+  static std::string why_not(const Model& model, const Params& params, const StepOptions& options);
+
+  // Throws Error(no_context), with the remedy, where there is no context that can take it.
+  explicit DeviceEngine(Backend backend);
+  // From any thread; what is current in it stays.
+  ~DeviceEngine() override;
+  DeviceEngine(const DeviceEngine&) = delete;
+  DeviceEngine& operator=(const DeviceEngine&) = delete;
+
+  std::string name() const override { return name_; }
+
+  // prepare(), step() and complete() leave no context current in their thread. The solver is compiled for the model
+  // that comes first. A state that is not the one that the last step left is taken over whole; it is known by its
+  // step, its time, and where bodies are and how they move. Phases are times of the GPU.
+  void prepare(const Model& model, const Params& params, const State& state) override;
+  void step(const Model& model, const Params& params, const StepOptions& options, State& state,
+            StepReport& report) override;
+  void complete(State& state) override;
+  void forget() override { model_ = nullptr; }
+
+ private:
+  // What tells one state from another.
+  struct Left {
+    std::int64_t step = -1;
+    double time = 0;
+    std::vector<Vec3> c, v;
+
+    void set(const State& state);
+    bool is(const State& state) const;
+  };
+
+  void check(const Model& model, const Params& params, const StepOptions& options);
+  void make_ready(const Model& model, const State& state);
+
+  std::unique_ptr<GlContext> context_;  // current only while this works
+  std::string name_;
+  std::unique_ptr<DeviceSolver> solver_;
+  const Model* model_ = nullptr;  // that the solver is compiled for
+  const Model* checked_ = nullptr;
+  Params checked_params_;
+  Left left_;
+};
+
+}  // namespace pabd

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// The GPU as the maker of steps: the processor's motion, known states, refusals, any thread.
+#include <catch2/catch.hpp>
+#include <optional>
+#include <thread>
+
+#include "render/device/device_engine.h"
+#include "render/gl/gl_objects.h"
+#include "sim/solver/step_summary.h"
+#include "tests/support/errors.h"
+#include "tests/support/tiny_model.h"
+
+using namespace pabd;
+
+namespace {
+
+// A ball that skids on a floor, and one above it that falls on it.
+TinyModel balls() {
+  TinyModel tiny;
+  tiny.add_fixed(Plane{Vec3::UnitY(), 0}, Vec3::Zero());
+  tiny.add(Sphere{0.5}, Vec3(0, 0.505, 0));
+  tiny.add(Sphere{0.4}, Vec3(0.1, 1.45, 0));
+  tiny.state.v[1] = Vec3(1, 0, 0.5);
+  return tiny;
+}
+
+Params fine() {
+  Params params;
+  params.h = 0.005;
+  return params;
+}
+
+std::shared_ptr<DeviceEngine> shared_engine() {
+  static const auto engine = std::make_shared<DeviceEngine>(Backend::automatic);
+  return engine;
+}
+
+// So many steps on from a state; the reports.
+std::vector<StepReport> advance(StepEngine& engine, const Model& model, int steps, State& state) {
+  std::vector<StepReport> reports;
+  for (int k = 0; k < steps; ++k) {
+    reports.emplace_back();
+    engine.step(model, fine(), {}, state, reports.back());
+  }
+  return reports;
+}
+
+double energy(const StepSummary& s) { return s.kinetic + s.potential + s.elastic; }
+
+}  // namespace
+
+TEST_CASE("the engine's steps are those of the processor") {
+  const TinyModel tiny = balls();
+  State gpu = tiny.state, cpu = tiny.state;
+  const auto reports = advance(*shared_engine(), tiny.model, 60, gpu);
+  StepWorkspace workspace;
+  StepReport report;
+  StepOptions options;
+  for (const StepReport& of_gpu : reports) {
+    step(tiny.model, fine(), options, cpu, workspace, report);
+    CAPTURE(report.step, of_gpu.kinetic, report.kinetic);
+    CHECK(of_gpu.step == report.step);
+    CHECK(of_gpu.time == Approx(report.time));
+    CHECK(of_gpu.kappa == report.kappa);
+    CHECK(energy(of_gpu) == Approx(energy(report)).epsilon(1e-3));
+    const PhaseTimes& t = of_gpu.times;
+    CHECK(t.total > 0);
+    CHECK(t.detect + t.set_up + t.solve + t.velocities == Approx(t.total));
+  }
+  CHECK(gpu.step == 60);
+  CHECK(gpu.time == cpu.time);
+  for (std::size_t i = 0; i < gpu.c.size(); ++i) CHECK((gpu.c[i] - cpu.c[i]).norm() < 1e-3);
+  CHECK(kinetic_energy(tiny.model, gpu) == Approx(reports.back().kinetic).epsilon(1e-4));
+}
+
+TEST_CASE("a state that is not the one it left is taken over: the same start gives the same bits") {
+  const TinyModel tiny = balls();
+  const auto engine = shared_engine();
+  State first = tiny.state;
+  advance(*engine, tiny.model, 8, first);
+  const State at_8 = first;
+  advance(*engine, tiny.model, 8, first);
+  State again = tiny.state;  // another step
+  advance(*engine, tiny.model, 16, again);
+  CHECK(same_bits(first, again));
+  State moved = tiny.state;
+  advance(*engine, tiny.model, 8, moved);
+  REQUIRE(same_bits(moved, at_8));
+  moved.c[2].y() += 1;  // the same step, elsewhere
+  advance(*engine, tiny.model, 1, moved);
+  CHECK(moved.c[2].y() > at_8.c[2].y() + 0.9);
+  State faster = tiny.state;
+  advance(*engine, tiny.model, 8, faster);
+  faster.v[2].x() += 10;
+  advance(*engine, tiny.model, 1, faster);
+  CHECK(faster.c[2].x() > at_8.c[2].x() + 0.04);
+}
+
+TEST_CASE("the state has what contacts remember, after complete() at the latest") {
+  const TinyModel tiny = balls();
+  State state = tiny.state;
+  advance(*shared_engine(), tiny.model, 20, state);
+  shared_engine()->complete(state);
+  CHECK_FALSE(state.contacts.empty());
+  const State whole = state;
+  shared_engine()->complete(state);
+  CHECK(same_bits(state, whole));
+}
+
+TEST_CASE("another model is compiled anew") {
+  const auto engine = shared_engine();
+  std::optional<TinyModel> tiny = balls();
+  State state = tiny->state;
+  advance(*engine, tiny->model, 3, state);
+  tiny->add(Sphere{0.2}, Vec3(5, 3, 0));  // where the old one was
+  engine->forget();
+  state = tiny->state;
+  const auto reports = advance(*engine, tiny->model, 10, state);
+  REQUIRE(state.size() == 4);
+  const double t = 10 * fine().h;
+  CHECK(state.c[3].y() == Approx(3 - 9.81 * t * (t + fine().h) / 2).epsilon(1e-5));
+}
+
+TEST_CASE("what it cannot do is refused with the remedy, and the state stays") {
+  const auto engine = shared_engine();
+  const TinyModel tiny = balls();
+  const State start = tiny.state;
+  const auto refused = [&](const char* words, const Params& params, const StepOptions& options) {
+    State state = start;
+    StepReport report;
+    const Caught error = caught([&] { engine->step(tiny.model, params, options, state, report); });
+    CAPTURE(words, error.text);
+    CHECK(error.kind == bad_input);
+    CHECK(error.says(words));
+    CHECK(error.says("--device cpu"));
+    CHECK(same_bits(state, start));
+  };
+  StepOptions options;
+  options.record_iterations = true;
+  refused("iterations", fine(), options);
+  options = {};
+  options.report_contacts = true;
+  refused("contacts", fine(), options);
+  options = {};
+  options.report_bodies = true;
+  refused("bodies", fine(), options);
+  options = {};
+  options.report_joints = true;
+  refused("joints", fine(), options);
+  options = {};
+  options.pulls = {Pull{1, Vec3::Zero(), Vec3::Zero(), 1}};
+  refused("hands", fine(), options);
+  // Also after steps that it made.
+  State state = start;
+  advance(*engine, tiny.model, 1, state);
+  Params params = fine();
+  params.solver.method = SolverMethod::newton;
+  refused("not by newton", params, {});
+  params = fine();
+  params.contact.barrier = BarrierKind::log;
+  refused("log barrier", params, {});
+  TinyModel joined = balls();
+  joined.model.joints.emplace_back();
+  CHECK(DeviceEngine::why_not(joined.model, fine(), {}).find("joints") != std::string::npos);
+  CHECK(DeviceEngine::why_not(tiny.model, fine(), {}).empty());
+}
+
+TEST_CASE("a step that is stopped before it begins is interrupted") {
+  const TinyModel tiny = balls();
+  State state = tiny.state;
+  StepOptions options;
+  options.stop = [] { return true; };
+  StepReport report;
+  shared_engine()->step(tiny.model, fine(), options, state, report);
+  CHECK(report.status == StepStatus::interrupted);
+  CHECK(report.step == 1);
+  CHECK(same_bits(state, tiny.state));
+}
+
+TEST_CASE("steps come from any thread, and who draws in another keeps his context, also at the end") {
+  const TinyModel tiny = balls();
+  std::vector<ContextAttempt> attempts;
+  auto engine = std::make_unique<DeviceEngine>(Backend::automatic);
+  const auto drawing = create_headless_context(Backend::automatic, attempts);
+  const GlFunctions gl(*drawing);
+  std::optional<GlBuffer> buffer(gl);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer->id());
+  gl.BufferData(GL_ARRAY_BUFFER, 16, nullptr, GL_STATIC_DRAW);
+  State here = tiny.state, there = tiny.state;
+  std::thread([&] { advance(*engine, tiny.model, 3, there); }).join();
+  std::thread([&] { advance(*engine, tiny.model, 3, there); }).join();
+  engine.reset();
+  CHECK(gl.integer(GL_ARRAY_BUFFER_BINDING) == static_cast<GLint>(buffer->id()));
+  gl.check("drawing on");
+  buffer.reset();
+  drawing->release();
+  advance(*shared_engine(), tiny.model, 6, here);
+  CHECK(same_bits(here, there));
+}
+
+TEST_CASE("there is room for as many bodies as buffers and memory have") {
+  constexpr std::int64_t kMiB = 1024 * 1024;
+  CHECK(bodies_in(128 * kMiB, 0) == 128 * 1024);
+  CHECK(bodies_in(4096 * kMiB, 35 * 1024 * kMiB) == 4096 * 1024);
+  CHECK(bodies_in(4096 * kMiB, 3500 * kMiB) == 1024000);
+  const DeviceCapacity here = DeviceEngine::capacity(Backend::automatic);
+  CHECK(here.why_not.empty());
+  CHECK(here.renderer == shared_engine()->name());
+  CHECK(here.bodies == bodies_in(here.largest_buffer, here.memory));
+  CHECK(here.bodies > 1000);
+}
