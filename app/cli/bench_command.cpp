@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "app/cli/bench_table.h"
+#include "app/cli/device_option.h"
 #include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
@@ -37,6 +38,7 @@ struct BenchOptions {
   std::optional<std::int64_t> steps;
   std::int64_t repeat = 1;
   std::string json;
+  std::string device = "cpu";
   bool force = false;
   bool solvers = false;
 };
@@ -46,6 +48,7 @@ struct BenchScene {
   std::string asked;  // the solver, where several are compared
   std::shared_ptr<const Scene> scene;
   std::int64_t steps;
+  DeviceChoice device;
 };
 
 void check_options(const BenchOptions& options) {
@@ -53,6 +56,8 @@ void check_options(const BenchOptions& options) {
   if (options.steps)
     check_range("--steps", static_cast<double>(*options.steps), 1, static_cast<double>(kMostSteps));
   check_range("--repeat", static_cast<double>(options.repeat), 1, 1000);
+  if (options.solvers && options.device != "cpu")
+    throw Error(ErrorKind::bad_input, "--solvers: compares solvers of the processor: leave out --device");
 }
 
 std::int64_t step_count(const BenchOptions& options, const std::string& name, const Scene& scene) {
@@ -82,13 +87,15 @@ std::vector<BenchScene> open_scenes(const BenchOptions& options, InputFiles& inp
     for (const auto& read : scene->files) inputs.add(read);
     const std::int64_t steps = step_count(options, name, *scene);
     if (!options.solvers) {
-      scenes.push_back({name, "", std::move(scene), steps});
+      DeviceChoice device =
+          choose_device(options.device, Backend::automatic, name, {{&scene->model, &scene->params}}, {});
+      scenes.push_back({name, "", std::move(scene), steps, std::move(device)});
       continue;
     }
     for (const SolverMethod method : {SolverMethod::automatic, SolverMethod::descent, SolverMethod::newton}) {
       auto with = std::make_shared<Scene>(*scene);
       with->params.solver.method = method;
-      scenes.push_back({name, to_string(method), std::move(with), steps});
+      scenes.push_back({name, to_string(method), std::move(with), steps, {}});
     }
   }
   return scenes;
@@ -121,10 +128,12 @@ class Bench {
     row.asked = scene.asked;
     row.bodies = scene.scene->model.size();
     row.joints = scene.scene->model.joints.size();
+    row.device = scene.device.name;
+    const auto engine = scene.device.engine(Backend::automatic);  // the repetitions share what is compiled
     Progress progress(printable(scene.name) + ", step", scene.steps * options_.repeat,
                       !options_.common.quiet);
     for (std::int64_t k = 0; k < options_.repeat && !interrupt_.requested(); ++k)
-      run(scene, k, progress, row);
+      run(scene, k, engine, progress, row);
     if (row.statistics.steps > 0) rows_.push_back(std::move(row));
   }
 
@@ -133,9 +142,12 @@ class Bench {
   const InterruptGuard& interrupt() const { return interrupt_; }
 
  private:
-  void run(const BenchScene& scene, std::int64_t repetition, Progress& progress, BenchRow& row) {
+  void run(const BenchScene& scene, std::int64_t repetition, const std::shared_ptr<StepEngine>& engine,
+           Progress& progress, BenchRow& row) {
     using Clock = std::chrono::steady_clock;
     Session session(scene.scene, threads_);
+    session.solve_with(engine);
+    session.prepare();
     session.stop_when([this] { return interrupt_.requested(); });
     for (std::int64_t done = 0; done < scene.steps && !interrupt_.requested();) {
       const double cpu = process_cpu_ms();
@@ -152,6 +164,7 @@ class Bench {
       break;
     }
     if (interrupt_.requested() && repetition > 0) return;
+    session.complete_state();
     const std::string hash = state_hash(session.state());
     if (repetition > 0 && hash != row.hash)
       throw std::logic_error(
@@ -196,11 +209,12 @@ int bench(const BenchOptions& options) {
 
 void add_bench_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command = add_command(
-      app, "bench", "measure scenes: a Markdown table of times, solvers and errors, for a report",
-      {"pabd bench", "pabd bench pyramid bridge --steps 60 --json bench.json",
-       "pabd bench pile --time 5 --threads 1 --repeat 3", "pabd bench wall --set solver.method=newton"},
-      options->common);
+  CLI::App* command =
+      add_command(app, "bench", "measure scenes: a Markdown table of times, solvers and errors, for a report",
+                  {"pabd bench", "pabd bench pyramid bridge --steps 60 --json bench.json",
+                   "pabd bench pile --time 5 --threads 1 --repeat 3",
+                   "pabd bench wall --set solver.method=newton", "pabd bench pile --device gpu --steps 100"},
+                  options->common);
   command->add_option("SCENE", options->scenes,
                       "scene files, or names of shipped scenes (default: all shipped ones)");
   auto* time = command->add_option("--time", options->time, "simulated time of each scene")
@@ -225,6 +239,7 @@ void add_bench_command(CLI::App& app, Action& action) {
                     "measure every scene with auto, descent and newton; a second table tells what auto costs "
                     "against the cheaper of the two");
   add_scene_options(*command, options->common);
+  add_device_option(*command, options->device);
   command->callback([options, &action] { action = [options] { return bench(*options); }; });
 }
 

@@ -38,6 +38,22 @@ nlohmann::ordered_json to_json(const StepCounts& counts) {
   return json;
 }
 
+// "on a GPU: NVIDIA H200", with the scenes where not all are; a line of the head.
+std::string device_line(const std::vector<BenchRow>& rows) {
+  std::string device, scenes;
+  bool all = true;
+  for (const BenchRow& row : rows) {
+    if (row.device == "cpu") {
+      all = false;
+      continue;
+    }
+    device = row.device;
+    scenes += (scenes.empty() ? "" : ", ") + printable(row.scene);
+  }
+  if (device.empty()) return "";
+  return fmt::format("  \nsteps by {}{}", printable(device), all ? "" : ": " + scenes);
+}
+
 std::string name_of(const BenchRow& row) {
   return row.asked.empty() ? cell(row.scene) : fmt::format("{}, {}", cell(row.scene), row.asked);
 }
@@ -62,10 +78,10 @@ double median(std::vector<double> values) {
 
 std::string bench_markdown(const BenchHead& head, const std::vector<BenchRow>& rows) {
   // Two blanks at the end of a line break it.
-  std::string text =
-      fmt::format("pabd {}, {}, {}, {}  \n{}, load {}  \n{}\n\n", PABD_VERSION, head.date,
-                  counted(head.threads, "thread"), counted(head.repeat, "repetition"), describe(head.cpu),
-                  head.load < 0 ? "unknown" : fmt::format("{:.1f}", head.load), build_text());
+  std::string text = fmt::format(
+      "pabd {}, {}, {}, {}  \n{}, load {}{}  \n{}\n\n", PABD_VERSION, head.date,
+      counted(head.threads, "thread"), counted(head.repeat, "repetition"), describe(head.cpu),
+      head.load < 0 ? "unknown" : fmt::format("{:.1f}", head.load), device_line(rows), build_text());
   text +=
       "| scene | bodies | joints | solver | steps | ms/step | CPU ms/step | iterations a step | contacts | "
       "largest overlap, mm | largest joint error, m | kinetic energy at the end, J | status |\n"
@@ -99,6 +115,7 @@ nlohmann::ordered_json bench_json(const BenchHead& head, const std::vector<Bench
     scenes.push_back({{"scene", row.scene},
                       {"bodies", row.bodies},
                       {"joints", row.joints},
+                      {"device", row.device},
                       {"steps", s.steps},
                       {"solver", to_json(s.solvers())},
                       {"status", to_json(s.outcomes())},

@@ -17,6 +17,7 @@ struct BenchRow {
   std::string asked;  // the solver that was asked for, where several are compared
   int bodies = 0;
   std::size_t joints = 0;
+  std::string device = "cpu";   // that made the steps, or the name of a GPU
   StepStatistics statistics;    // of the first repetition
   std::vector<double> wall_ms;  // of every step of every repetition
   std::vector<double> cpu_ms;   // the same, of all threads of the process together

@@ -23,6 +23,42 @@ struct DoctorOptions {
 const char* const kGlRemedy = "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6";
 const char* const kFfmpegRemedy = "apt-get install ffmpeg (videos only; PNG frames and raw RGB need none)";
 
+// Two digits of it: 131072 is about 130000.
+std::int64_t rounded(std::int64_t bodies) {
+  std::int64_t unit = 1;
+  while (bodies / unit >= 100) unit *= 10;
+  return (bodies + unit / 2) / unit * unit;
+}
+
+// "yes: NVIDIA H200, OpenGL 4.6, buffers of up to 4 GiB, about 1.2 million bodies".
+std::string solver_text(const GlFacts& gl) {
+  const DeviceCapacity& solver = gl.solver;
+  if (gl.context.empty()) return "no: there is no OpenGL";
+  if (!solver.why_not.empty()) return "no: " + solver.why_not;
+  constexpr double kGiB = 1024.0 * 1024 * 1024;
+  const std::string free =
+      solver.memory > 0 ? fmt::format(", {:.1f} GiB free", static_cast<double>(solver.memory) / kGiB) : "";
+  return fmt::format("yes: {}, OpenGL {}, buffers of up to {:.3g} GiB{}, about {} bodies{}", solver.renderer,
+                     solver.version, static_cast<double>(solver.largest_buffer) / kGiB, free,
+                     rounded(solver.bodies), solver.hardware ? "" : "; software: for tests only");
+}
+
+nlohmann::ordered_json solver_json(const GlFacts& gl) {
+  const DeviceCapacity& solver = gl.solver;
+  const bool can = !gl.context.empty() && solver.why_not.empty();
+  const auto or_null = [](std::int64_t value) {
+    return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+  };
+  return {{"available", can},
+          {"hardware", can && solver.hardware},
+          {"renderer", solver.renderer},
+          {"version", solver.version},
+          {"largest_buffer_bytes", or_null(solver.largest_buffer)},
+          {"free_memory_bytes", or_null(solver.memory)},
+          {"bodies", or_null(solver.bodies)},
+          {"why_not", gl.context.empty() ? "there is no OpenGL" : solver.why_not}};
+}
+
 nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts& cpu) {
   auto attempts = nlohmann::ordered_json::array();
   for (const ContextAttempt& attempt : gl.attempts) {
@@ -36,6 +72,7 @@ nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, con
         {"renderer", gl.renderer},
         {"version", gl.version},
         {"attempts", attempts}}},
+      {"gpu_solver", solver_json(gl)},
       {"ffmpeg",
        {{"available", ffmpeg.found},
         {"version", ffmpeg.version},
@@ -54,25 +91,26 @@ std::string to_text(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts
   const auto present = [](bool yes) { return yes ? "yes" : "no"; };
   std::string text = "pabd " PABD_VERSION "\n";
   text += gl.context.empty()
-              ? fmt::format("OpenGL   none; {}\n", kGlRemedy)
-              : fmt::format("OpenGL   {}\n         {} · {}\n", gl.context, gl.renderer, gl.version);
+              ? fmt::format("OpenGL      none; {}\n", kGlRemedy)
+              : fmt::format("OpenGL      {}\n            {} · {}\n", gl.context, gl.renderer, gl.version);
   for (const ContextAttempt& attempt : gl.attempts) {
-    text +=
-        fmt::format("         {}: {}\n", attempt.name, attempt.failure.empty() ? "works" : attempt.failure);
+    text += fmt::format("            {}: {}\n", attempt.name,
+                        attempt.failure.empty() ? "works" : attempt.failure);
   }
-  text +=
-      ffmpeg.found
-          ? fmt::format(
-                "ffmpeg   {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {} · h264_nvenc {} · h264_vaapi {}\n",
-                ffmpeg.version, present(ffmpeg.h264), present(ffmpeg.vp9), present(ffmpeg.nvenc),
-                present(ffmpeg.vaapi))
-          : fmt::format("ffmpeg   none; {}\n", kFfmpegRemedy);
-  text += fmt::format("CPU      {} · {} · {} · {:.1f} GiB\n", cpu.model.empty() ? "unknown" : cpu.model,
+  text += fmt::format("GPU solver  {}\n", solver_text(gl));
+  text += ffmpeg.found ? fmt::format(
+                             "ffmpeg      {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {} · h264_nvenc {} · "
+                             "h264_vaapi {}\n",
+                             ffmpeg.version, present(ffmpeg.h264), present(ffmpeg.vp9), present(ffmpeg.nvenc),
+                             present(ffmpeg.vaapi))
+                       : fmt::format("ffmpeg      none; {}\n", kFfmpegRemedy);
+  text += fmt::format("CPU         {} · {} · {} · {:.1f} GiB\n", cpu.model.empty() ? "unknown" : cpu.model,
                       counted(cpu.limits.cores, "core"), cpu.simd, cpu.memory_gib);
-  text += fmt::format("threads  {} by default: {}\n", default_threads(cpu.limits), thread_reason(cpu.limits));
-  text += fmt::format("build    {}\n", build_text());
-  text += fmt::format("font     DejaVu Sans, embedded ({} kB)\n", font_bytes().size() / 1000);
-  text += fmt::format("scenes   {} shipped\n", shipped_scenes().size());
+  text +=
+      fmt::format("threads     {} by default: {}\n", default_threads(cpu.limits), thread_reason(cpu.limits));
+  text += fmt::format("build       {}\n", build_text());
+  text += fmt::format("font        DejaVu Sans, embedded ({} kB)\n", font_bytes().size() / 1000);
+  text += fmt::format("scenes      {} shipped\n", shipped_scenes().size());
   return text;
 }
 

@@ -53,6 +53,7 @@ GlFacts find_gl() {
     const Renderer renderer(*context, 64, 64);
     facts.renderer = renderer.gl_renderer();
     facts.version = renderer.gl_version();
+    facts.solver = device_capacity(*context);
   } catch (const Error& error) {
     if (facts.attempts.empty() || !facts.context.empty())
       facts.attempts.push_back({facts.context, error.what()});

@@ -7,15 +7,17 @@
 #include <vector>
 
 #include "render/context/context.h"
+#include "render/device/device_capacity.h"
 #include "sim/base/available_cpus.h"
 
 namespace pabd::cli {
 
 struct GlFacts {
   std::vector<ContextAttempt> attempts;
-  std::string context;   // name of the one taken; empty: none
-  std::string renderer;  // GL_RENDERER
-  std::string version;   // GL_VERSION
+  std::string context;    // name of the one taken; empty: none
+  std::string renderer;   // GL_RENDERER
+  std::string version;    // GL_VERSION
+  DeviceCapacity solver;  // of a context that there is
 };
 
 struct FfmpegFacts {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/cli/backend_option.h"
+#include "app/cli/device_option.h"
 #include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
@@ -47,6 +48,7 @@ struct RenderOptions {
   std::string overlay = "none";
   std::string camera;
   std::string backend = "auto";
+  std::string device = "cpu";
   std::string from;
   std::string timings;
   double encoder_timeout = SinkOptions{}.encoder_timeout;
@@ -211,6 +213,9 @@ int render(const RenderOptions& asked) {
     b.emplace(open_patched(options, a, inputs));
     b->observe(overlay.needs_iterations(), overlay.needs_contacts());
   }
+  const DeviceChoice device = solve_on_device(
+      options.device, parse_backend(options.backend), options.scene, a, b ? &*b : nullptr,
+      {.record_iterations = overlay.needs_iterations(), .report_contacts = overlay.needs_contacts()});
   std::optional<FrameView> start_b;
   if (b) start_b = b->view();
   const Frame start = make_frame(0, a.view(), std::move(start_b), {});
@@ -234,6 +239,7 @@ int render(const RenderOptions& asked) {
                                 .trails = options.trails},
                                start.a, start.b ? &*start.b : nullptr, options.ab_view);
   if (b) add_joints_of_b(a.scene(), start.a, b->scene(), *start.b, common);
+  if (device.gpu) common["device"] = device.name;
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
     if (!options.common.quiet)
@@ -265,9 +271,9 @@ int render(const RenderOptions& asked) {
   }
   if (!options.common.quiet) {
     write_stderr(written_text(options, range, result.frames));
-    write_stderr(fmt::format("{:.1f} s (simulating {:.1f}, drawing {:.1f}, encoding {:.1f}) · {} · {}\n",
+    write_stderr(fmt::format("{:.1f} s (simulating {:.1f}, drawing {:.1f}, encoding {:.1f}) · {} · {}{}\n",
                              result.times.total, result.times.simulate, result.times.draw,
-                             result.times.encode, context->name(), painter.gl_renderer()));
+                             result.times.encode, context->name(), painter.gl_renderer(), device.words()));
   }
   if (const auto diverged = source.diverged())
     throw diverged_error(options.scene + (diverged->in_b ? " with " + options.ab : ""), diverged->step);
@@ -351,6 +357,7 @@ void add_render_command(CLI::App& app, Action& action) {
 
   option(kSimulation, "--from", options->from, "start at a state file of this scene", "STATE.json");
   add_scene_options(*command, options->common);
+  add_device_option(*command, options->device);
   command->callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pabd run: simulate without any GL, and write what happened.
+// pabd run: simulate without drawing, and write what happened.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "app/cli/device_option.h"
 #include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
@@ -32,6 +33,7 @@ struct RunOptions {
   std::string iterations;
   std::string joints;
   std::string state;
+  std::string device = "cpu";
   bool profile = false;
   bool json = false;
   bool force = false;
@@ -104,20 +106,34 @@ void check_options(const RunOptions& options) {
   }
 }
 
+// Who makes the steps, ready to make the first one.
+void solve_on_device(const RunOptions& options, Session& session, RunFacts& facts) {
+  StepOptions wanted;
+  wanted.record_iterations = !options.iterations.empty();
+  wanted.report_joints = !options.joints.empty();
+  facts.device = choose_device(options.device, Backend::automatic, options.scene,
+                               {{&session.model(), &session.params()}}, wanted);
+  const auto start = std::chrono::steady_clock::now();
+  session.solve_with(facts.device.engine(Backend::automatic));
+  session.prepare();
+  facts.preparing = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 int run(const RunOptions& options) {
   check_options(options);
   InputFiles inputs;
   Session session = open_session(options.scene, options.common, options.from, inputs);
   const double time = options.time.value_or(session.scene().duration.value_or(5.0));
   const std::int64_t steps = options.steps.value_or(steps_until(time, session.params().h));
+  RunFacts facts;
+  facts.threads = options.common.thread_count();
+  solve_on_device(options, session, facts);
   RunOutputs outputs(options, inputs);
   session.record_iterations(!options.iterations.empty());
   session.report_joints(!options.joints.empty());
 
   const InterruptGuard interrupt;
   session.stop_when([&] { return interrupt.requested(); });
-  RunFacts facts;
-  facts.threads = options.common.thread_count();
   std::int64_t done = 0;
   bool diverged = false;
   const auto start = std::chrono::steady_clock::now();
@@ -136,6 +152,7 @@ int run(const RunOptions& options) {
   facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   facts.steps = done - (diverged ? 1 : 0);
   facts.status = diverged ? "diverged" : done < steps ? "interrupted" : "done";
+  session.complete_state();
   outputs.finish(session);
   if (options.json) {
     write_stdout(summary_json(session, facts).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
@@ -159,7 +176,8 @@ void add_run_command(CLI::App& app, Action& action) {
                    "pabd run pyramid --from end.json --steps 60 --trace -",
                    "pabd run two_boxes --steps 1 --iterations iterations.csv --set solver.method=sissm",
                    "pabd run bridge --time 10 --joints joints.csv", "pabd run pile --steps 300 --profile",
-                   "pabd run pyramid --time 5 --quiet --json > summary.json"},
+                   "pabd run pyramid --time 5 --quiet --json > summary.json",
+                   "pabd run large.json --steps 600 --device auto"},
                   options->common);
   command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
   auto* time =
@@ -193,6 +211,7 @@ void add_run_command(CLI::App& app, Action& action) {
       ->type_name("STATE.json")
       ->group(group::kSimulation);
   add_scene_options(*command, options->common);
+  add_device_option(*command, options->device);
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

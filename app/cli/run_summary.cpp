@@ -37,6 +37,11 @@ Json times_json(const PhaseTimes& sums, std::int64_t steps) {
           {"velocities", mean(sums.velocities)}};
 }
 
+std::string device_text(const RunFacts& facts) {
+  return facts.device.words() +
+         (facts.device.gpu ? fmt::format(", ready after {:.1f} s", facts.preparing) : "");
+}
+
 }  // namespace
 
 void Extremes::add(const StepSummary& report) {
@@ -71,9 +76,10 @@ std::string summary_text(const Session& session, const RunFacts& facts) {
   if (worst.held > 0)
     left += fmt::format(" · {} shortened, which would have made energy", counted(worst.held, "step"));
   return fmt::format(
-      "{} to t = {:.6g} s{}, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J{} · state {}\n",
+      "{} to t = {:.6g} s{}, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J{}{} · state {}\n",
       counted(facts.steps, "step"), session.state().time, limit, ms_a_step(facts), gap, joints,
-      kinetic_energy(session.model(), session.state()), left, state_hash(session.state()));
+      kinetic_energy(session.model(), session.state()), left, device_text(facts),
+      state_hash(session.state()));
 }
 
 nlohmann::ordered_json summary_json(const Session& session, const RunFacts& facts) {
@@ -89,6 +95,7 @@ nlohmann::ordered_json summary_json(const Session& session, const RunFacts& fact
           {"bodies", session.model().size()},
           {"joints", session.model().joints.size()},
           {"threads", facts.threads},
+          {"device", facts.device.name},
           {"steps", facts.steps},
           {"time", session.state().time},
           {"wall_time", facts.seconds},

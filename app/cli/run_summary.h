@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "app/cli/device_option.h"
 #include "app/cli/step_statistics.h"
 #include "app/session/session.h"
 
@@ -28,7 +29,9 @@ struct RunFacts {
   std::int64_t steps = 0;  // that were made
   double seconds = 0;      // that they took; wall clock
   int threads = 1;
-  std::string status;  // "done", "interrupted", "diverged"
+  DeviceChoice device;
+  double preparing = 0;  // of the device, before the first step; s
+  std::string status;    // "done", "interrupted", "diverged"
   Extremes worst;
   StepStatistics statistics;
 };

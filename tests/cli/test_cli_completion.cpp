@@ -115,6 +115,7 @@ TEST_CASE("bash offers words, lists, scenes and parameters where they belong") {
   write_text(folder / "own.json", "{}");
   using Words = std::vector<std::string>;
   CHECK(bash_offers(folder, "pabd render --quality ''") == Words{"best", "draft", "good"});
+  CHECK(bash_offers(folder, "pabd run --device ''") == Words{"auto", "cpu", "gpu"});
   CHECK(bash_offers(folder, "pabd render --preset very") == Words{"veryfast", "veryslow"});
   CHECK(bash_offers(folder, "pabd render --set contact.kap") == Words{"contact.kappa="});
   CHECK(bash_offers(folder, "pabd render --overlay params,ser") == Words{"params,series"});

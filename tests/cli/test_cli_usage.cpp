@@ -241,7 +241,7 @@ TEST_CASE("the doctor tells how many threads a command takes, and the help where
   const std::vector<std::string> kept = {"taskset", "-c", std::to_string(first), PABD_PROGRAM, "doctor"};
   const Outcome text = run_command(kept);
   CAPTURE(text.err);
-  CHECK(text.out.find("\nthreads  1 by default: ") != std::string::npos);
+  CHECK(text.out.find("\nthreads     1 by default: ") != std::string::npos);
   if (free["cores"] > 1) CHECK(text.out.find("may run on 1 of ") != std::string::npos);
   Setting wide;
   wide.environment = {{"COLUMNS", "120"}};
