@@ -168,10 +168,10 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
   Stopwatch watch;
   make_ready(model, state);
   const double before = watch.lap();
+  left_.step = kNone;  // until the state is whole again
   const StepSummary& summary = solver_->step(params);
   const double solving = watch.lap();
   if (summary.status == StepStatus::non_finite) {
-    left_ = {};  // the GPU has it no more
     report = failed(summary);
     return;
   }

@@ -42,9 +42,11 @@ class DeviceEngine : public StepEngine {
   void forget() override { model_ = nullptr; }
 
  private:
+  static constexpr std::int64_t kNone = -1;  // no state is at this step
+
   // What tells one state from another.
   struct Left {
-    std::int64_t step = -1;
+    std::int64_t step = kNone;
     double time = 0;
     std::vector<Vec3> c, v;
 

@@ -177,6 +177,47 @@ TEST_CASE("a step that is stopped before it begins is interrupted") {
   CHECK(same_bits(state, tiny.state));
 }
 
+TEST_CASE("a step that leaves the numbers says so, keeps the state, and is no hindrance") {
+  const TinyModel tiny = balls();
+  const auto engine = shared_engine();
+  State good = tiny.state, fresh = tiny.state;
+  advance(*engine, tiny.model, 5, fresh);
+  State wild = tiny.state;
+  wild.v[2] = Vec3(1e300, 0, 0);
+  const State before = wild;
+  for (int k = 0; k < 2; ++k) {  // the second time from the same state
+    const StepReport report = advance(*engine, tiny.model, 1, wild).front();
+    CHECK(report.status == StepStatus::non_finite);
+    CHECK(report.step == 1);
+    CHECK(std::isnan(report.kinetic));
+    CHECK(same_bits(wild, before));
+  }
+  advance(*engine, tiny.model, 5, good);
+  CHECK(same_bits(good, fresh));
+}
+
+TEST_CASE("threads that are all there take turns") {
+  const TinyModel tiny = balls();
+  DeviceEngine engine(Backend::automatic);
+  State here = tiny.state, turns = tiny.state;
+  engine.prepare(tiny.model, fine(), turns);
+  for (int k = 0; k < 3; ++k) {
+    std::exception_ptr failure;
+    std::thread([&] {
+      try {
+        advance(engine, tiny.model, 1, turns);
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    }).join();
+    if (failure) std::rethrow_exception(failure);
+    advance(engine, tiny.model, 1, turns);
+    engine.complete(turns);
+  }
+  advance(*shared_engine(), tiny.model, 6, here);
+  CHECK(same_bits(here, turns));
+}
+
 TEST_CASE("steps come from any thread, and who draws in another keeps his context, also at the end") {
   const TinyModel tiny = balls();
   std::vector<ContextAttempt> attempts;
