@@ -220,6 +220,20 @@ TEST_CASE("a picture of a run on the GPU is that of the processor, and says wher
   CHECK(run_pabd({"compare", folder / "ab_gpu.png", folder / "ab_cpu.png"}).exit_code == 0);
 }
 
+TEST_CASE("the plots of a run on the GPU are of its own steps") {
+  const TempFolder folder;
+  const auto render = [&](const char* device, const char* name) {
+    REQUIRE(run_pabd({"render", "stack", "-o", folder / name, "--time", "0.3", "--size", "640x360",
+                      "--overlay", "series", "--set", "solver.iterations=5", "--device", device})
+                .exit_code == 0);
+  };
+  render("gpu", "gpu.png");
+  render("cpu", "cpu.png");
+  render("cpu", "again.png");
+  CHECK(run_pabd({"compare", folder / "again.png", folder / "cpu.png"}).exit_code == 0);
+  CHECK(run_pabd({"compare", folder / "gpu.png", folder / "cpu.png"}).exit_code == 7);
+}
+
 TEST_CASE("the doctor tells whether there is a GPU for the steps, and for how many bodies") {
   const Outcome yes = run_pabd({"doctor"}, software());
   CHECK(yes.out.find("\nGPU solver  yes: ") != std::string::npos);
