@@ -239,7 +239,7 @@ int render(const RenderOptions& asked) {
                                 .trails = options.trails},
                                start.a, start.b ? &*start.b : nullptr, options.ab_view);
   if (b) add_joints_of_b(a.scene(), start.a, b->scene(), *start.b, common);
-  if (device.gpu) common["device"] = device.name;
+  if (device.gpu) common["Device"] = device.name;
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
     if (!options.common.quiet)

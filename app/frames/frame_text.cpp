@@ -15,6 +15,9 @@
 namespace pabd {
 namespace {
 
+// What each frame has of its own.
+constexpr const char *kFrame = "Frame", *kTime = "Time";
+
 using Json = nlohmann::ordered_json;
 
 // Invalid UTF-8 in a name must not end a run.
@@ -85,8 +88,8 @@ void add_joints_of_b(const Scene& scene_a, const FrameView& a, const Scene& scen
 
 PngText frame_text(const PngText& common, int frame, double time) {
   PngText text = common;
-  text["Frame"] = std::to_string(frame);
-  text["Time"] = fmt::format("{:.6f} s", time);
+  text[kFrame] = std::to_string(frame);
+  text[kTime] = fmt::format("{:.6f} s", time);
   return text;
 }
 
@@ -100,16 +103,20 @@ int find_resume_frame(const std::string& out, int frames, const PngText& common)
     } catch (const Error&) {
       break;  // not whole: drawn again
     }
-    for (const auto& [key, value] : common) {
-      const auto entry = found.find(key);
-      if (entry == found.end() || entry->second != value) {
-        throw Error(
-            ErrorKind::bad_input,
-            fmt::format(
-                "--resume: {} comes from another run (its chunk '{}' is '{}', here it is '{}'); use the "
-                "same command line, or --force without --resume to start over",
-                path, key, entry == found.end() ? "" : entry->second, value));
-      }
+    found.erase(kFrame);
+    found.erase(kTime);
+    const auto [here, there] = std::mismatch(common.begin(), common.end(), found.begin(), found.end());
+    if (here != common.end() || there != found.end()) {
+      // The first key in which the two differ; the other one may not have it.
+      const bool ours = there == found.end() || (here != common.end() && here->first <= there->first);
+      const std::string& key = ours ? here->first : there->first;
+      const auto value = [&](const PngText& text) { return text.count(key) > 0 ? text.at(key) : ""; };
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format(
+              "--resume: {} comes from another run (its chunk '{}' is '{}', here it is '{}'); use the "
+              "same command line, or --force without --resume to start over",
+              path, key, value(found), value(common)));
     }
     ++next;
   }

@@ -211,13 +211,30 @@ TEST_CASE("a picture of a run on the GPU is that of the processor, and says wher
   const Outcome compared = run_pabd({"compare", folder / "gpu.png", folder / "cpu.png"});
   CAPTURE(compared.out, compared.err);
   CHECK(compared.exit_code == 0);
-  CHECK(read_text(folder / "gpu.png").find("device") != std::string::npos);
-  CHECK(read_text(folder / "cpu.png").find("device") == std::string::npos);
+  CHECK(read_text(folder / "gpu.png").find("Device") != std::string::npos);
+  CHECK(read_text(folder / "cpu.png").find("Device") == std::string::npos);
   // Two runs side by side have an engine each.
   write_text(folder / "b.json", R"({"gravity": [0, 0, 0]})");
   render("gpu", folder / "ab_gpu.png", {"--ab", folder / "b.json"});
   render("cpu", folder / "ab_cpu.png", {"--ab", folder / "b.json"});
   CHECK(run_pabd({"compare", folder / "ab_gpu.png", folder / "ab_cpu.png"}).exit_code == 0);
+}
+
+TEST_CASE("frames of the GPU are not continued by the processor, nor the other way round") {
+  const TempFolder folder;
+  write_text(folder / "ball.json", kBall);
+  for (const auto& [first, second] : {std::pair("gpu", "cpu"), std::pair("cpu", "gpu")}) {
+    const auto render = [&](const char* device) {
+      return run_pabd({"render", folder / "ball.json", "-o", folder / (std::string(first) + "{frame}.png"),
+                       "--frames", "2", "--size", "64x36", "--resume", "--device", device});
+    };
+    REQUIRE(render(first).exit_code == 0);
+    CHECK(render(first).exit_code == 0);
+    const Outcome other = render(second);
+    CAPTURE(first, other.err);
+    CHECK(other.exit_code == 2);
+    CHECK(is_error_line(other.err, {"--resume", "another run", "'Device'"}));
+  }
 }
 
 TEST_CASE("the plots of a run on the GPU are of its own steps") {
