@@ -52,6 +52,12 @@ bool equal(const std::vector<Pull>& a, const std::vector<Pull>& b) {
   });
 }
 
+Error past_error() {
+  return Error(ErrorKind::bad_input,
+               "what can be wound back is computed on the processor: a run that has another device make its "
+               "steps keeps no past; leave out the device");
+}
+
 }  // namespace
 
 Run::Run(std::shared_ptr<const Scene> scene, int threads, std::size_t memory,
@@ -72,6 +78,7 @@ Run::Run(std::shared_ptr<const Scene> scene, int threads, Timeline past)
 }
 
 Run Run::fork() const {
+  needs_processor();
   Run out(scene_, threads_, timeline_.budget());
   out.observe(iterations_, contacts_, bodies_);
   out.stop_when(stop_);
@@ -96,13 +103,12 @@ void Run::observe(bool iterations, bool contacts, bool bodies) {
 }
 
 void Run::solve_with(std::shared_ptr<StepEngine> engine) {
-  if (engine && timeline_.budget() != kNoPast) {
-    throw Error(ErrorKind::bad_input,
-                engine->name() +
-                    ": what can be wound back is computed on the processor; only 'run', 'bench' and 'render' "
-                    "take another device");
-  }
+  if (engine && timeline_.budget() != kNoPast) throw past_error();
   session_.solve_with(std::move(engine));
+}
+
+void Run::needs_processor() const {
+  if (session_.has_engine()) throw past_error();
 }
 
 void Run::stop_when(const std::function<bool()>& stop) {
@@ -126,6 +132,7 @@ bool Run::advance() {
 // A moment is reached by the step that led to it, so that its report is whole. To the next moment no state is
 // looked up: this one is where the session is.
 void Run::seek(std::size_t i) {
+  needs_processor();
   const Moment& m = timeline_[i];
   if (at_end()) newest_ = session_.shared_params();
   if (m.start || i == 0) {

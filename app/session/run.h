@@ -55,7 +55,8 @@ class Run {
   void observe(bool iterations, bool contacts, bool bodies = false);
 
   // New steps are made by `engine`; null: by this processor. What replays the past computes on the processor, so
-  // that a run with an engine keeps none: throws Error(bad_input) where this one does. A fork has no engine.
+  // that a run with an engine keeps none: throws Error(bad_input) where this one does, and fork(), seek() and
+  // restart() do so afterwards.
   void solve_with(std::shared_ptr<StepEngine> engine);
 
   // A step that is under way ends when it says true, as do the steps of forks (StepOptions::stop).
@@ -97,6 +98,7 @@ class Run {
   std::vector<IterationRecord> records_with(SolverMethod method) const;
 
  private:
+  void needs_processor() const;
   void branch();
   bool continued_after_now() const;
   void take_model_of_scene();

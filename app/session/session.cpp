@@ -32,7 +32,7 @@ void Session::solve_with(std::shared_ptr<StepEngine> engine) {
 }
 
 void Session::prepare() {
-  if (engine_) engine_->prepare(*model_, *params_, state_);
+  if (engine_) engine_->prepare(*model_, *params_, options_, state_);
 }
 
 void Session::complete_state() {

@@ -102,8 +102,6 @@ std::string DeviceEngine::why_not(const Model& model, const Params& params, cons
            ": --device cpu, or --set solver.method=auto";
   if (options.record_iterations)
     return "the GPU does not tell of its iterations (--iterations, convergence plot): --device cpu";
-  if (options.report_contacts)
-    return "the GPU does not tell of single contacts (their marks and plots): --device cpu";
   if (options.report_bodies) return "the GPU does not tell of single bodies: --device cpu";
   if (options.report_joints) return "the GPU knows of no joints (--joints): --device cpu";
   if (!options.pulls.empty()) return "the GPU takes no hands on bodies: --device cpu";
@@ -128,8 +126,8 @@ DeviceEngine::~DeviceEngine() {
 
 void DeviceEngine::check(const Model& model, const Params& params, const StepOptions& options) {
   const bool known = checked_ == &model && model_ == &model && checked_params_ == params;
-  const bool plain = !options.record_iterations && !options.report_contacts && !options.report_bodies &&
-                     !options.report_joints && options.pulls.empty();
+  const bool plain =
+      !options.record_iterations && !options.report_bodies && !options.report_joints && options.pulls.empty();
   if (known && plain) return;
   if (const std::string why = why_not(model, params, options); !why.empty())
     throw Error(ErrorKind::bad_input, why);
@@ -137,24 +135,32 @@ void DeviceEngine::check(const Model& model, const Params& params, const StepOpt
   checked_params_ = params;
 }
 
-void DeviceEngine::make_ready(const Model& model, const State& state) {
-  if (solver_ == nullptr || model_ != &model) {
+void DeviceEngine::make_ready(const Model& model, bool contacts, const State& state) {
+  const bool known = left_.is(state);
+  if (solver_ != nullptr && model_ == &model && (contacts_ || !contacts)) {
+    if (!known) solver_->set_state(state);
+  } else {
+    State whole = state;
+    if (solver_ != nullptr && known && model_ == &model) solver_->read_state(whole);
+    left_.step = kNone;
     solver_.reset();
-    solver_ = std::make_unique<DeviceSolver>(
-        *context_, model, state,
-        DeviceOptions{.precision = DevicePrecision::single, .pairs = 0, .contacts = 0, .time_phases = true});
+    solver_ = std::make_unique<DeviceSolver>(*context_, model, whole,
+                                             DeviceOptions{.precision = DevicePrecision::single,
+                                                           .pairs = 0,
+                                                           .contacts = 0,
+                                                           .time_phases = true,
+                                                           .report_contacts = contacts});
     model_ = &model;
-    left_.set(state);
-  } else if (!left_.is(state)) {
-    solver_->set_state(state);
-    left_.set(state);
+    contacts_ = contacts;
   }
+  left_.set(state);
 }
 
-void DeviceEngine::prepare(const Model& model, const Params& params, const State& state) {
-  check(model, params, {});
+void DeviceEngine::prepare(const Model& model, const Params& params, const StepOptions& options,
+                           const State& state) {
+  check(model, params, options);
   const Current current(*context_);
-  make_ready(model, state);
+  make_ready(model, options.report_contacts, state);
 }
 
 void DeviceEngine::step(const Model& model, const Params& params, const StepOptions& options, State& state,
@@ -166,7 +172,7 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
   }
   const Current current(*context_);
   Stopwatch watch;
-  make_ready(model, state);
+  make_ready(model, options.report_contacts, state);
   const double before = watch.lap();
   left_.step = kNone;  // until the state is whole again
   const StepSummary& summary = solver_->step(params);
@@ -175,10 +181,11 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
     report = failed(summary);
     return;
   }
-  solver_->read_state(state);
+  solver_->read_state(state, false);
   left_.set(state);
   report = {};
   static_cast<StepSummary&>(report) = summary;
+  if (options.report_contacts) solver_->read_contacts(report.contact_reports);
   add_times(before, solving, watch.lap(), report.times);
 }
 

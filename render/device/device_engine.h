@@ -33,9 +33,11 @@ class DeviceEngine : public StepEngine {
   std::string name() const override { return name_; }
 
   // prepare(), step() and complete() leave no context current in their thread. The solver is compiled for the model
-  // that comes first. A state that is not the one that the last step left is taken over whole; it is known by its
-  // step, its time, and where bodies are and how they move. Phases are times of the GPU.
-  void prepare(const Model& model, const Params& params, const State& state) override;
+  // that comes first, and anew where contacts are to be told of that were not before. step() leaves the memory of
+  // contacts on the GPU. A state that is not the one that it left is taken over whole; it is known by its step, its
+  // time, and where bodies are and how they move. Phases are times of the GPU.
+  void prepare(const Model& model, const Params& params, const StepOptions& options,
+               const State& state) override;
   void step(const Model& model, const Params& params, const StepOptions& options, State& state,
             StepReport& report) override;
   void complete(State& state) override;
@@ -55,12 +57,13 @@ class DeviceEngine : public StepEngine {
   };
 
   void check(const Model& model, const Params& params, const StepOptions& options);
-  void make_ready(const Model& model, const State& state);
+  void make_ready(const Model& model, bool contacts, const State& state);
 
   std::unique_ptr<GlContext> context_;  // current only while this works
   std::string name_;
   std::unique_ptr<DeviceSolver> solver_;
   const Model* model_ = nullptr;  // that the solver is compiled for
+  bool contacts_ = false;         // it tells of them
   const Model* checked_ = nullptr;
   Params checked_params_;
   Left left_;

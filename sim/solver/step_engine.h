@@ -17,9 +17,11 @@ class StepEngine {
   virtual std::string name() const = 0;  // of the device, as its driver says it
 
   // What the first step would begin with, such as compiling for the model. Throws as step().
-  virtual void prepare(const Model& model, const Params& params, const State& state) = 0;
+  virtual void prepare(const Model& model, const Params& params, const StepOptions& options,
+                       const State& state) = 0;
 
-  // As step() of time_step.h, with its preconditions. It may leave the memory of contacts out of `state`: complete().
+  // As step() of time_step.h, with its preconditions. It may leave the memory of contacts out of `state`, as long as
+  // it has it itself for the next step: complete().
   // Throws Error(bad_input), with the remedy, where it does not take the model, the parameters or what is asked of
   // the report, and Error(no_context) when the device is lost; the state is then as it was.
   virtual void step(const Model& model, const Params& params, const StepOptions& options, State& state,
