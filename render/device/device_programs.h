@@ -15,7 +15,12 @@ namespace pabd::device {
 enum class Precision { single, twofold };
 
 inline constexpr unsigned kGroup = 256, kSweepGroup = 64;  // threads of a work group
-inline constexpr unsigned kScanned = 8 * kGroup;           // values a work group of a scan
+// How many work groups of `size` threads that many items need; at least one.
+constexpr std::uint32_t groups(std::size_t items, unsigned size) {
+  return items == 0 ? 1 : static_cast<std::uint32_t>((items + size - 1) / size);
+}
+
+inline constexpr unsigned kScanned = 8 * kGroup;  // values a work group of a scan
 
 struct Programs {
   struct Scan {

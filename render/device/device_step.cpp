@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+// A step on the GPU, in the order of the algorithm: enqueue(). What each program does is said in its shader.
+#include "render/device/device_step.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "sim/solver/contact_setup.h"
+#include "sim/solver/friction.h"
+
+namespace pabd::device {
+namespace {
+
+// Shorter steps over d̂ are those of rounding.
+double least_tolerance(Precision precision) { return precision == Precision::single ? 1e-6 : 0; }
+
+std::set<int> shapes_of(const ShapeTable& table) {
+  std::set<int> out;
+  for (const ShapeRecord& shape : table.shapes) out.insert(static_cast<int>(shape.kind));
+  return out;
+}
+
+}  // namespace
+
+DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptions& options)
+    : gl(context),
+      buffers(gl),
+      clock(gl, options.time_phases),
+      model_(model),
+      options_(options),
+      precision_(options.precision == DevicePrecision::single ? Precision::single : Precision::twofold),
+      table_(make_shape_table(model)),
+      kinds_(make_body_kinds(model, table_)),
+      shapes_(shapes_of(table_)),
+      programs_(make_programs(gl, precision_, shapes_)),
+      bodies_(static_cast<std::uint32_t>(model.size())),
+      buckets_(std::bit_ceil(std::max(1024u, bodies_))) {
+  make_body_buffers();
+  make_pair_buffers(options.pairs > 0 ? options.pairs : 4 * bodies_ + 1024);
+  make_contact_buffers(options.contacts > 0 ? options.contacts : 8 * bodies_ + 1024);
+}
+
+void DeviceStep::expect(const Counters& counters) {
+  rounds_ = std::clamp(counters.rounds + 2, 4u, 64u);
+  color_limit_ = std::min(counters.colors + 2, kColors);
+}
+
+void DeviceStep::set_params(const Params& params, bool starts) {
+  if (!law_of_ || !(*law_of_ == params)) {  // κ looks at every mass
+    law_ = contact_law(model_, params);
+    law_of_ = params;
+  }
+  StepParams p{};
+  std::copy_n(params.gravity.data(), 3, p.gravity);
+  p.least_load = kLeastLoad * kinds_.heaviest * weight_per_mass(params);
+  p.least_share = kLeastLoad * weight_per_mass(params);
+  p.h = params.h;
+  p.d_hat = law_.barrier.d_hat;
+  p.kappa = law_.barrier.kappa;
+  p.k_t = law_.k_t;
+  p.mu_static = law_.mu_static;
+  p.mu_dynamic = law_.mu_dynamic;
+  p.onset = law_.barrier.onset;
+  p.recovery_speed = params.contact.recovery_speed;
+  p.cell = 2 * (1.05 * kinds_.smallest_radius + law_.barrier.d_hat);
+  p.N = law_.barrier.N;
+  p.barrier = static_cast<std::int32_t>(law_.barrier.kind);
+  p.first_step = starts;
+  p.color_limit = static_cast<std::int32_t>(color_limit_);
+  p.bodies = bodies_;
+  p.buckets = buckets_;
+  p.planes = static_cast<std::uint32_t>(kinds_.planes.size());
+  p.skips = static_cast<std::uint32_t>(model_.no_collide.size());
+  p.pair_room = pair_room_;
+  p.contact_room = contact_room_;
+  buffers.write(Slot::params, 0, std::as_bytes(std::span(&p, 1)));
+}
+
+void DeviceStep::dispatch(const ComputeProgram& program, std::uint32_t work_groups) {
+  program.use();
+  gl.DispatchCompute(work_groups, 1, 1);
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void DeviceStep::set(const ComputeProgram& program, const char* name, std::uint32_t value) {
+  program.use();
+  gl.Uniform1ui(gl.GetUniformLocation(program.id(), name), value);
+}
+
+// values[k] becomes the sum of values[0 … k).
+void DeviceStep::scan(Slot slot, std::size_t count) {
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(Slot::values), buffers.id(slot));
+  const std::uint32_t blocks = groups(count, kScanned);
+  for (const ComputeProgram* pass : {&programs_.scan.blocks, &programs_.scan.sums, &programs_.scan.add}) {
+    set(*pass, "count", static_cast<std::uint32_t>(count));
+    dispatch(*pass, pass == &programs_.scan.sums ? 1 : blocks);
+  }
+  buffers.bind(Slot::values);
+}
+
+void DeviceStep::find_pairs() {
+  const std::uint32_t body_groups = groups(bodies_, kGroup);
+  buffers.clear(Slot::cell_first);
+  buffers.clear(Slot::cursors);
+  dispatch(programs_.fly, body_groups);
+  scan(Slot::cell_first, buckets_ + 1);
+  dispatch(programs_.scatter, body_groups);
+  buffers.clear(Slot::pair_first, bodies_ * sizeof(std::uint32_t), sizeof(std::uint32_t));
+  dispatch(programs_.count_pairs, body_groups);
+  scan(Slot::pair_first, bodies_ + 1);
+  dispatch(programs_.list_pairs, body_groups);
+}
+
+void DeviceStep::find_contacts() {
+  buffers.clear(Slot::contact_first);
+  if (options_.keep_contacts) dispatch(programs_.reuse, groups(pair_room_, kGroup));
+  for (const ComputeProgram& touch : programs_.touch) dispatch(touch, groups(pair_room_, 64));
+}
+
+void DeviceStep::list_ends() {
+  scan(Slot::contact_first, std::size_t{pair_room_} + 1);
+  buffers.clear(Slot::end_first);
+  buffers.clear(Slot::cursors);
+  dispatch(programs_.place, groups(pair_room_, kGroup));
+  scan(Slot::end_first, bodies_ + 1);
+  dispatch(programs_.fill_ends, groups(contact_room_, kGroup));
+  dispatch(programs_.sort_ends, groups(bodies_, kGroup));
+}
+
+void DeviceStep::color_bodies() {
+  const std::uint32_t body_groups = groups(bodies_, kGroup);
+  const Programs::Colors& colors = programs_.colors;
+  dispatch(colors.check, body_groups);
+  dispatch(colors.take, body_groups);
+  for (std::uint32_t r = 1; r <= rounds_; ++r) {
+    set(colors.round, "round_", r);
+    dispatch(colors.round, body_groups);
+  }
+  set(colors.rest, "round_", rounds_ + 1);
+  dispatch(colors.rest, 1);
+  dispatch(colors.sizes, body_groups);
+  dispatch(colors.starts, 1);
+  dispatch(colors.lists, body_groups);
+}
+
+void DeviceStep::sweep(const Params& params) {
+  const GLuint sweeping = programs_.sweep.id(), between = programs_.between.id();
+  const GLint color = gl.GetUniformLocation(sweeping, "color_"),
+              limits = gl.GetUniformLocation(sweeping, "move_limits");
+  const GLint last_place = gl.GetUniformLocation(between, "last_");
+  programs_.between.use();
+  gl.Uniform4f(gl.GetUniformLocation(between, "tolerance"),
+               static_cast<float>(std::max(params.solver.tolerance, least_tolerance(precision_))),
+               static_cast<float>(kFrictionTolerance), 0, 0);
+  gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffers.id(Slot::arguments));
+  gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  for (int k = 0; k < params.solver.iterations; ++k) {
+    programs_.sweep.use();
+    gl.Uniform1i(limits, k > 0 && params.contact.mu_static > 0);
+    for (std::uint32_t c = 0; c < color_limit_; ++c) {
+      gl.Uniform1ui(color, c);
+      gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * c));
+      gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
+    programs_.between.use();
+    gl.Uniform1i(last_place, k + 1 == params.solver.iterations);
+    gl.DispatchCompute(1, 1, 1);
+    gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  }
+}
+
+void DeviceStep::enqueue(const Params& params, bool starts, DeviceTimes& times) {
+  const std::uint32_t body_groups = groups(bodies_, kGroup), contact_groups = groups(contact_room_, kGroup);
+  set_params(params, starts);
+  constexpr std::size_t kKept = sizeof(Counters::overflow);
+  buffers.clear(Slot::counters, kKept, sizeof(Counters) - kKept);
+  clock.start();
+  find_pairs();  // 1. free flight: Q*; who may touch whom
+  clock.lap(times.broad_phase);
+  find_contacts();  // 2. bonds of this step, S(17)
+  clock.lap(times.narrow_phase);
+  list_ends();
+  color_bodies();
+  dispatch(programs_.start_bodies, body_groups);
+  dispatch(programs_.start_contacts, contact_groups);
+  clock.lap(times.set_up);
+  sweep(params);  // 3. minimise E
+  clock.lap(times.solve);
+  dispatch(programs_.tell, contact_groups);
+  if (options_.report_contacts) dispatch(programs_.reports, contact_groups);
+  set(programs_.total_contacts, "count", contact_groups);
+  dispatch(programs_.total_contacts, 1);
+  dispatch(programs_.keep, groups(std::max(pair_room_, bodies_ + 1), kGroup));
+  dispatch(programs_.finish, body_groups);  // 4. velocities
+  set(programs_.total_bodies, "count", body_groups);
+  dispatch(programs_.total_bodies, 1);
+  clock.lap(times.velocities);
+}
+
+}  // namespace pabd::device
