@@ -11,9 +11,6 @@
 namespace pabd::device {
 namespace {
 
-// Shorter steps over d̂ are those of rounding.
-double least_tolerance(Precision precision) { return precision == Precision::single ? 1e-6 : 0; }
-
 std::set<int> shapes_of(const ShapeTable& table) {
   std::set<int> out;
   for (const ShapeRecord& shape : table.shapes) out.insert(static_cast<int>(shape.kind));
@@ -149,8 +146,7 @@ void DeviceStep::sweep(const Params& params) {
               limits = gl.GetUniformLocation(sweeping, "move_limits");
   const GLint last_place = gl.GetUniformLocation(between, "last_");
   programs_.between.use();
-  gl.Uniform4f(gl.GetUniformLocation(between, "tolerance"),
-               static_cast<float>(std::max(params.solver.tolerance, least_tolerance(precision_))),
+  gl.Uniform4f(gl.GetUniformLocation(between, "tolerance"), static_cast<float>(params.solver.tolerance),
                static_cast<float>(kFrictionTolerance), 0, 0);
   gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffers.id(Slot::arguments));
   gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
