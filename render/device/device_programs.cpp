@@ -22,7 +22,8 @@ constexpr const char* kTwofold =
 class Compiler {
  public:
   Compiler(const ComputeFunctions& gl, Precision precision, bool round) : gl_(gl) {
-    common_ = precision == Precision::single ? kSingle : kTwofold;
+    const bool single = precision == Precision::single;
+    common_ = std::string(single ? kSingle : kTwofold) + kWideIsDouble;
     const auto number = [](BarrierKind kind) { return static_cast<int>(kind); };
     common_ += fmt::format("#define POLYNOMIAL {}\n#define EVEN {}\n#define QUADRATIC {}\n",
                            number(BarrierKind::polynomial), number(BarrierKind::even),
@@ -44,7 +45,8 @@ class Compiler {
     std::string defines = common_ + fmt::format("#define GROUP {}u\n", group);
     for (const char* array : uses) defines += fmt::format("#define USES_{}\n", array);
     defines += more;
-    std::vector<ShaderPart> all = {shaders::device_layout, shaders::device_buffers, shaders::device_rotation};
+    std::vector<ShaderPart> all = {shaders::root, shaders::device_layout, shaders::device_buffers,
+                                   shaders::device_rotation};
     all.insert(all.end(), parts.begin(), parts.end());
     all.push_back(main);
     return {gl_, name, defines, all};
@@ -55,7 +57,9 @@ class Compiler {
   std::string common_;
 };
 
+// What the narrow phase brings, less the roots that all programs have.
 std::vector<ShaderPart> with_kept(std::vector<ShaderPart> narrow) {
+  std::erase_if(narrow, [](const ShaderPart& part) { return part.text == shaders::root.text; });
   narrow.insert(narrow.begin(), shaders::device_kept);
   return narrow;
 }

@@ -10,9 +10,10 @@ namespace pabd {
 
 std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second) {
   using namespace shaders;
-  std::vector<ShaderPart> parts = {shape_table, narrow_common};
+  std::vector<ShaderPart> parts = {shape_table, root, narrow_common};
   const auto add = [&](std::initializer_list<ShaderPart> more) {
     parts.insert(parts.end(), more);
+    parts.push_back(narrow_found);
     return parts;
   };
   const auto both = [](int i, int j) { return kDeviceShapes * std::min(i, j) + std::max(i, j); };

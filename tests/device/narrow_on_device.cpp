@@ -23,34 +23,31 @@ layout(std430, binding = 4) writeonly buffer Numbers { double number[]; };
 layout(std430, binding = 5) writeonly buffer Words { uint word[]; };
 uniform uint pair_count;
 
-Placed read_placed(uint at, uint shape) {
-  Placed body;
-  body.c = dvec3(placement[at], placement[at + 1u], placement[at + 2u]);
-  for (uint j = 0u; j < 3u; ++j) {
-    uint column = at + 3u + 3u * j;
-    body.R[j] = dvec3(placement[column], placement[column + 1u], placement[column + 2u]);
-  }
-  body.shape = shape;
-  return body;
-}
+dvec3 vector_of(uint at) { return dvec3(placement[at], placement[at + 1u], placement[at + 2u]); }
+dmat3 matrix_of(uint at) { return dmat3(vector_of(at), vector_of(at + 3u), vector_of(at + 6u)); }
 
 void main() {
   uint k = gl_GlobalInvocationID.x;
   if (k >= pair_count) return;
   found_count = 7;  // of an earlier pair
-  uint at = 25u * k;
-  find_contacts(read_placed(at, shapes_of[k].x), read_placed(at + 12u, shapes_of[k].y), placement[at + 24u]);
-  word[33u * k] = uint(found_count);
-  for (int i = 0; i < found_count; ++i) {
-    FoundContact p = found[i];
-    uint place = 7u * (16u * k + uint(i));
+  uint place = 25u * k;
+  bool first_is_plane = shapes[shapes_of[k].x].kind == uint(PLANE);
+  dvec3 c_first = vector_of(place), c_second = vector_of(place + 12u), origin = first_is_plane ? c_second : c_first;
+  place_pair(shapes_of[k].x, c_first - origin, matrix_of(place + 3u), shapes_of[k].y, c_second - origin,
+             matrix_of(place + 15u));
+  find_contacts(wide(placement[place + 24u]));
+  word[33u * k] = uint(contacts_found());
+  for (int i = 0; i < contacts_found(); ++i) {
+    FoundContact p = found_contact(i);
+    dvec3 y_b = origin + dvec3(p.y_b);
+    uint at = 7u * (16u * k + uint(i));
     for (int j = 0; j < 3; ++j) {
-      number[place + uint(j)] = p.y_b[j];
-      number[place + 3u + uint(j)] = p.n[j];
+      number[at + uint(j)] = y_b[j];
+      number[at + 3u + uint(j)] = double(p.n[j]);
     }
-    number[place + 6u] = p.d;
-    word[33u * k + 1u + 2u * uint(i)] = p.feature;
-    word[33u * k + 2u + 2u * uint(i)] = p.second_owns ? 1u : 0u;
+    number[at + 6u] = double(p.d);
+    word[33u * k + 1u + 2u * uint(i)] = p.feature & ~SECOND_OWNS;
+    word[33u * k + 2u + 2u * uint(i)] = (p.feature & SECOND_OWNS) != 0u ? 1u : 0u;
   }
 }
 )glsl"};
@@ -91,16 +88,19 @@ class Buffer {
 struct NarrowOnDevice::Inside {
   std::unique_ptr<GlContext> context = some_context();
   ComputeFunctions gl{*context};
+  const char* numbers = nullptr;
 };
 
-NarrowOnDevice::NarrowOnDevice() : inside_(std::make_unique<Inside>()) {}
+NarrowOnDevice::NarrowOnDevice(const char* numbers) : inside_(std::make_unique<Inside>()) {
+  inside_->numbers = numbers;
+}
 NarrowOnDevice::~NarrowOnDevice() = default;
 
 std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable& table, int kind_0,
                                                                 int kind_1,
                                                                 const std::vector<PlacedPair>& pairs) {
   const ComputeFunctions& gl = inside_->gl;
-  std::vector<ShaderPart> parts = {{"header", "#version 430 core\n"}};
+  std::vector<ShaderPart> parts = {{"header", "#version 430 core\n"}, {"numbers", inside_->numbers}};
   const std::vector<ShaderPart> narrow = narrow_parts(kind_0, kind_1);
   parts.insert(parts.end(), narrow.begin(), narrow.end());
   parts.push_back(kMain);

@@ -21,7 +21,8 @@ struct PlacedPair {
 
 class NarrowOnDevice {
  public:
-  NarrowOnDevice();
+  // `numbers`: kWideIsFloat or kWideIsDouble.
+  explicit NarrowOnDevice(const char* numbers);
   ~NarrowOnDevice();
 
   // The contacts of each pair as `detect` has them, those of one pair sorted by feature; bodies 0 and 1. All shapes of

@@ -6,6 +6,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 
+#include "render/device/narrow_parts.h"
 #include "sim/body/convex_hull.h"
 #include "tests/collision/reference.h"
 #include "tests/device/narrow_on_device.h"
@@ -216,7 +217,7 @@ const Pair kKinds[] = {
 }  // namespace
 
 TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pair of kinds") {
-  NarrowOnDevice device;
+  NarrowOnDevice device(kWideIsDouble);
   for (const Pair& kinds : kKinds) {
     DYNAMIC_SECTION(kinds.name) {
       Random random(2027);

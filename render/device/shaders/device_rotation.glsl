@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Quaternions (x, y, z, w), without sines: GLSL has none for double.
 
-// Roots of doubles are good to the digits of a float only on some GPUs: one step of Heron's.
-real root(real x) {
-  const real y = sqrt(x);
-  return y > 0 ? (y + x / y) / 2 : y;
-}
 real norm(real3 v) {
   return root(dot(v, v));
 }

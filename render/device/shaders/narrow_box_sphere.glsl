@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // box_sphere.cpp.
-void find_contacts(Placed first, Placed second, double reach) {
-  put_first(BOX, first, second);
-  dvec4 size = shapes[first.shape].size;
-  double radius = shapes[second.shape].size.x;
-  dvec3 p = (second.c - first.c) * first.R, outside = p - clamp(p, -size.xyz, size.xyz);
-  double apart = sqrt(dot(outside, outside));
-  dvec3 n;
-  if (apart > 1e-9lf * size.w) {
-    n = first.R * (outside / apart);
+#define MOST_FOUND 1
+
+void find_contacts(wide reach) {
+  put_first(BOX);
+  wide4 size = size_of(a);
+  wide radius = size_of(b).x;
+  wide3 p = (b.c - a.c) * a.R, outside = p - clamp(p, -size.xyz, size.xyz);
+  wide apart = root(dot(outside, outside));
+  wide3 n;
+  if (apart > beyond_rounding(1e-9lf) * size.w) {
+    n = a.R * (outside / apart);
   } else {
-    dvec3 depth = abs(p) - size.xyz;
+    wide3 depth = abs(p) - size.xyz;
     int axis = largest_axis(depth);
-    apart = depth[axis];
-    n = sign_of(p[axis]) * first.R[axis];
+    apart = at(depth, axis);
+    n = sign_of(at(p, axis)) * column(a.R, axis);
   }
-  double d = apart - radius;
-  if (d < reach) add_contact(false, second.c - radius * n, n, d, 0u);
+  wide d = apart - radius;
+  if (d < reach) add_contact(false, b.c - radius * n, n, d, 0u);
 }

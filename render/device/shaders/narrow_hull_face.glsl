@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // hull_face.cpp: the incident face of a hull, clipped against the sides of the face of another.
-const double SNAP = 0.02lf, RUN_ON = 0.05lf, DEEPER = 0.02lf;
+const wide SNAP = wide(0.02lf), RUN_ON = wide(0.05lf), DEEPER = wide(0.02lf);
 const int MOST_SIDES = 32;    // of a face
 const int MOST_CORNERS = 64;  // of a clipped one, two faces of 31 together; no more than MOST_CANDIDATES
 const int SIDE = 512;         // lines from here on are sides of the reference face
@@ -10,16 +10,16 @@ const uint INCIDENT_CORNER = 0u, REFERENCE_CORNER = 1u, CROSSING = 2u, EDGE_PAIR
 uint hull_feature(uint kind, uint face, uint place) { return kind << 28 | (face & 255u) << 20 | place; }
 
 struct Corner {
-  dvec3 p;   // along the reference face and above it
+  wide3 p;   // along the reference face and above it
   int line;  // of the polygon's side that leaves this corner: incident edge, or SIDE + reference side
 };
 
 struct FaceQuery {
   HullView reference, incident;
-  dmat3 M;  // pose of the incident hull in the frame of the reference
-  dvec3 m;
-  dvec3 c;  // pose of the reference
-  dmat3 R;
+  mat_wide3 M;  // pose of the incident hull in the frame of the reference
+  wide3 m;
+  wide3 c;  // pose of the reference
+  mat_wide3 R;
   bool of_second;  // the reference is the second body
 };
 
@@ -27,32 +27,32 @@ const uint CLIPPED = 1u << 31, RUNS_ON = 1u << 30;  // beside the name; neither 
 
 // Both faces, walked anticlockwise from above: where the corners are, their vertices and the edges that leave them.
 int sides, corners;
-dvec2 top_corner[MOST_SIDES];
-dvec3 bottom_corner[MOST_SIDES];
+wide2 top_corner[MOST_SIDES];
+wide3 bottom_corner[MOST_SIDES];
 uvec2 top_name[MOST_SIDES], bottom_name[MOST_SIDES];
 Corner clipped[2 * MOST_CORNERS];  // two polygons in turns
 int pick[MOST_CORNERS];            // the corners that become contacts, one a name
 uint pick_name[MOST_CORNERS];
 int pick_count;
-double pick_lowest;
+wide pick_lowest;
 
 struct ClippedFace {
-  dmat3 M;  // frame of the reference face, its normal last, and origin; world
-  dvec3 m;
-  double clearly;  // what decides between two corners
+  mat_wide3 M;  // frame of the reference face, its normal last, and origin; world
+  wide3 m;
+  wide clearly;  // what decides between two corners
   uint number;
   bool of_second;
 };
 ClippedFace clipped_face;
 
 // The face of those with vertex `lowest`, or of all (−1), that looks most nearly against n, in the hull's own frame.
-uint facing(HullView hull, dvec3 n, int lowest_vertex) {
+uint facing(HullView hull, wide3 n, int lowest_vertex) {
   uint best = 0u;
-  double lowest = NONE;
+  wide lowest = NONE;
   for (uint f = 0u; f < hull.faces; ++f) {
     HullFace face = face_of(hull, f);
-    double c = dot(n, face.normal);
-    if (c >= lowest - 1e-6lf) continue;
+    wide c = dot(n, face.normal);
+    if (c >= lowest - wide(1e-6lf)) continue;
     bool counts = lowest_vertex < 0;
     for (uint k = 0u; k < face.count && !counts; ++k) counts = int(corner_of(hull, face, k).x) == lowest_vertex;
     if (!counts) continue;
@@ -62,11 +62,11 @@ uint facing(HullView hull, dvec3 n, int lowest_vertex) {
   return best;
 }
 
-int lowest_vertex(HullView hull, dvec3 n) {
+int lowest_vertex(HullView hull, wide3 n) {
   int best = 0;
-  double lowest = NONE;
+  wide lowest = NONE;
   for (uint v = 0u; v < hull.vertices; ++v) {
-    double height = dot(n, vertex_of(hull, v));
+    wide height = dot(n, vertex_of(hull, v));
     if (!(height < lowest)) continue;
     best = int(v);
     lowest = height;
@@ -75,13 +75,13 @@ int lowest_vertex(HullView hull, dvec3 n) {
 }
 
 // Keeps the part to the left of the line through a along u, unit; returns its size.
-int clip_polygon(int in_at, int size, int out_at, dvec2 a, dvec2 u, int line) {
+int clip_polygon(int in_at, int size, int out_at, wide2 a, wide2 u, int line) {
   int count = 0;
   Corner p = clipped[in_at + size - 1];
-  double past_p = u.y * (p.p.x - a.x) - u.x * (p.p.y - a.y);
+  wide past_p = u.y * (p.p.x - a.x) - u.x * (p.p.y - a.y);
   for (int i = 0; i < size; ++i) {
     Corner q = clipped[in_at + i];
-    double past_q = u.y * (q.p.x - a.x) - u.x * (q.p.y - a.y);
+    wide past_q = u.y * (q.p.x - a.x) - u.x * (q.p.y - a.y);
     if ((past_p <= 0) != (past_q <= 0) && count < MOST_CORNERS) {
       clipped[out_at + count] = Corner(p.p + (past_p / (past_p - past_q)) * (q.p - p.p), past_p <= 0 ? line : p.line);
       ++count;
@@ -97,15 +97,15 @@ int clip_polygon(int in_at, int size, int out_at, dvec2 a, dvec2 u, int line) {
 }
 
 bool edge_runs_on(int edge, int side) {
-  dvec2 e = bottom_corner[edge + 1 == corners ? 0 : edge + 1].xy - bottom_corner[edge].xy;
-  dvec2 g = top_corner[side + 1 == sides ? 0 : side + 1] - top_corner[side];
-  double along = dot(e, g), across = e.x * g.y - e.y * g.x;
+  wide2 e = bottom_corner[edge + 1 == corners ? 0 : edge + 1].xy - bottom_corner[edge].xy;
+  wide2 g = top_corner[side + 1 == sides ? 0 : side + 1] - top_corner[side];
+  wide along = dot(e, g), across = e.x * g.y - e.y * g.x;
   return along > 0 && abs(across) < RUN_ON * along;
 }
 
-double distance2(dvec3 p, dvec2 q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
+wide distance2(wide3 p, wide2 q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
 
-uint name_of(Corner p, int line_in, double snap2) {
+uint name_of(Corner p, int line_in, wide snap2) {
   if (line_in < SIDE && p.line < SIDE) return hull_feature(INCIDENT_CORNER, 0u, bottom_name[p.line].x);
   for (int v = 0; v < corners; ++v) {
     if (distance2(p.p, bottom_corner[v].xy) <= snap2)
@@ -123,8 +123,8 @@ uint name_of(Corner p, int line_in, double snap2) {
          hull_feature(CROSSING, 0u, bottom_name[edge].y << 10 | top_name[side].y);
 }
 
-void add_pick(int at, uint name, double clearly) {
-  double z = clipped[at].p.z;
+void add_pick(int at, uint name, wide clearly) {
+  wide z = clipped[at].p.z;
   pick_lowest = min(pick_lowest, z);
   for (int i = 0; i < pick_count; ++i) {
     if (pick_name[i] != name) continue;
@@ -138,50 +138,50 @@ void add_pick(int at, uint name, double clearly) {
 
 // Clips that face of the incident hull to that one of the reference, for add_hull_face. Returns the smallest d over the
 // face, in reach or not; NONE when nothing of the incident face is over it.
-double clip_hull_face(FaceQuery q, uint face, uint incident_face) {
+wide clip_hull_face(FaceQuery q, uint face, uint incident_face) {
   HullFace top = face_of(q.reference, face), bottom = face_of(q.incident, incident_face);
   sides = min(int(top.count), MOST_SIDES);
   corners = min(int(bottom.count), MOST_SIDES);
   // The first corner becomes the origin.
-  dvec3 n = top.normal, origin = dvec3(0), along_x = dvec3(0), along_y = dvec3(0);
+  wide3 n = top.normal, origin = wide3(0), along_x = wide3(0), along_y = wide3(0);
   for (int k = 0; k < sides; ++k) {
     top_name[k] = corner_of(q.reference, top, uint(k));
-    dvec3 x = vertex_of(q.reference, top_name[k].x);
+    wide3 x = vertex_of(q.reference, top_name[k].x);
     if (k == 0) origin = x;
-    dvec3 r = x - origin;
+    wide3 r = x - origin;
     if (k == 1) {
       along_x = unit(r - dot(r, n) * n);
       along_y = cross(n, along_x);
     }
-    top_corner[k] = dvec2(dot(along_x, r), dot(along_y, r));
+    top_corner[k] = wide2(dot(along_x, r), dot(along_y, r));
   }
   origin += (top.offset - dot(n, origin)) * n;
-  double shortest2 = NONE;
+  wide shortest2 = NONE;
   for (int k = 0; k < sides; ++k) {
-    dvec2 side = top_corner[k + 1 == sides ? 0 : k + 1] - top_corner[k];
+    wide2 side = top_corner[k + 1 == sides ? 0 : k + 1] - top_corner[k];
     shortest2 = min(shortest2, dot(side, side));
   }
   // Backwards: the edge that leaves a corner is that of the next corner of the loop.
-  dvec3 last = dvec3(0);
+  wide3 last = wide3(0);
   for (int k = -1; k < corners; ++k) {
     uvec2 name = corner_of(q.incident, bottom, uint(k < 0 ? 0 : corners - 1 - k));
-    dvec3 x = vertex_of(q.incident, name.x);
+    wide3 x = vertex_of(q.incident, name.x);
     if (k >= 0) {
       shortest2 = min(shortest2, dot(x - last, x - last));
-      dvec3 r = q.m + q.M * x - origin;
-      bottom_corner[k] = dvec3(dot(along_x, r), dot(along_y, r), dot(n, r));
+      wide3 r = q.m + q.M * x - origin;
+      bottom_corner[k] = wide3(dot(along_x, r), dot(along_y, r), dot(n, r));
       clipped[k] = Corner(bottom_corner[k], k);
       bottom_name[k].x = name.x;
       bottom_name[k == 0 ? corners - 1 : k - 1].y = name.y;
     }
     last = x;
   }
-  double snap = 0.5lf * SNAP * sqrt(shortest2), clearly = DEEPER * snap;
+  wide snap = wide(0.5lf) * SNAP * root(shortest2), clearly = DEEPER * snap;
 
   int count = corners, at = 0;
   for (int k = 0; k < sides; ++k) {
-    dvec2 side = top_corner[k + 1 == sides ? 0 : k + 1] - top_corner[k];
-    count = clip_polygon(at, count, MOST_CORNERS - at, top_corner[k], side / sqrt(dot(side, side)), SIDE + k);
+    wide2 side = top_corner[k + 1 == sides ? 0 : k + 1] - top_corner[k];
+    count = clip_polygon(at, count, MOST_CORNERS - at, top_corner[k], side / root(dot(side, side)), SIDE + k);
     at = MOST_CORNERS - at;
     if (count == 0) return NONE;
   }
@@ -201,7 +201,7 @@ double clip_hull_face(FaceQuery q, uint face, uint incident_face) {
     }
   }
   clipped_face.m = q.c + q.R * origin;
-  clipped_face.M = dmat3(q.R * along_x, q.R * along_y, q.R * n);
+  clipped_face.M = mat_wide3(q.R * along_x, q.R * along_y, q.R * n);
   clipped_face.clearly = clearly;
   clipped_face.number = face;
   clipped_face.of_second = q.of_second;
@@ -209,11 +209,11 @@ double clip_hull_face(FaceQuery q, uint face, uint incident_face) {
 }
 
 // Adds up to 8 contacts of the faces that were clipped last.
-void add_hull_face(double reach) {
+void add_hull_face(wide reach) {
   ClippedFace face = clipped_face;
   int candidates = 0;
   for (int i = 0; i < pick_count; ++i) {
-    dvec3 p = clipped[pick[i]].p;
+    wide3 p = clipped[pick[i]].p;
     if (!(p.z < reach)) continue;
     candidate[candidates] = face.m + p.x * face.M[0] + p.y * face.M[1];  // below it
     candidate_d[candidates] = p.z;

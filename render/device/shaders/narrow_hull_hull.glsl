@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
 // hull_hull.cpp. Two hulls, or a hull and a box, a and b, a the lower number.
 //
+// Eight over a face and up to three along edges, which replace them or not.
+//
 //   C, t   pose of b in the frame of a;  C_back, t_back   pose of a in the frame of b
-Placed a, b;
 HullView view_a, view_b;
-dmat3 C, C_back;
-dvec3 t, t_back;
-double smallest, the_reach;
+#define MOST_FOUND 11
+const int NEVER = MOST_FOUND + 1;
+mat_wide3 C_back;
+wide3 t, t_back;
+wide smallest, the_reach;
 
 // The face of the owner that separates best from the other, which stands at (M, m) in its frame. Stops as soon as one
 // separates by the reach.
-double best_face(HullView owner, HullView other, dmat3 M, dvec3 m, out uint face) {
-  double best = -NONE;
+wide best_face(HullView owner, HullView other, mat_wide3 M, wide3 m, out uint face) {
+  wide best = -NONE;
   face = 0u;
   for (uint f = 0u; f < owner.faces; ++f) {
-    dvec3 n = normal_of(owner, f), n_there = n * M;
-    double lowest = NONE;
+    wide3 n = normal_of(owner, f), n_there = n * M;
+    wide lowest = NONE;
     for (uint v = 0u; v < other.vertices; ++v) lowest = min(lowest, dot(n_there, vertex_of(other, v)));
-    double s = lowest + dot(n, m) - offset_of(owner, f, n);
+    wide s = lowest + dot(n, m) - offset_of(owner, f, n);
     if (s > best) {
       best = s;
       face = f;
@@ -28,33 +31,33 @@ double best_face(HullView owner, HullView other, dmat3 M, dvec3 m, out uint face
 }
 
 struct BestEdge {
-  double separation;
+  wide separation;
   int e, g;
-  dvec3 n;  // unit, from a towards b, in the frame of a
+  wide3 n;  // unit, from a towards b, in the frame of a
 };
 
 // Of the pairs whose arcs cross on the Gauss map, in the frame of b.
-BestEdge best_edge(double above) {
-  BestEdge best = BestEdge(above, -1, -1, dvec3(0));
+BestEdge best_edge(wide above) {
+  BestEdge best = BestEdge(above, -1, -1, wide3(0));
   for (uint i = 0u; i < view_a.edges; ++i) {
     uvec4 edge_a = edge_of(view_a, i);
-    dvec3 p_a = vertex_of(view_a, edge_a.x);
-    dvec3 e = (vertex_of(view_a, edge_a.y) - p_a) * C, up = p_a * C, p = t_back + up;
-    dvec3 A = normal_of(view_a, edge_a.z) * C, B = normal_of(view_a, edge_a.w) * C;
-    double ee = dot(e, e);
+    wide3 p_a = vertex_of(view_a, edge_a.x);
+    wide3 e = (vertex_of(view_a, edge_a.y) - p_a) * C, up = p_a * C, p = t_back + up;
+    wide3 A = normal_of(view_a, edge_a.z) * C, B = normal_of(view_a, edge_a.w) * C;
+    wide ee = dot(e, e);
     for (uint j = 0u; j < view_b.edges; ++j) {
       uvec4 edge_b = edge_of(view_b, j);
-      double C_e = -dot(normal_of(view_b, edge_b.z), e), D_e = -dot(normal_of(view_b, edge_b.w), e);
+      wide C_e = -dot(normal_of(view_b, edge_b.z), e), D_e = -dot(normal_of(view_b, edge_b.w), e);
       if (C_e * D_e >= 0) continue;
-      dvec3 q = vertex_of(view_b, edge_b.x), g = vertex_of(view_b, edge_b.y) - q;
-      double A_g = dot(A, g), B_g = dot(B, g);
+      wide3 q = vertex_of(view_b, edge_b.x), g = vertex_of(view_b, edge_b.y) - q;
+      wide A_g = dot(A, g), B_g = dot(B, g);
       if (A_g * B_g >= 0 || C_e * B_g <= 0) continue;
-      dvec3 n = cross(e, g);
-      double size2 = dot(n, n);
-      if (!(size2 / (ee * dot(g, g)) > 1e-8lf)) continue;  // parallel: a face direction says the same
-      n /= sqrt(size2);
+      wide3 n = cross(e, g);
+      wide size2 = dot(n, n);
+      if (!(size2 / (ee * dot(g, g)) > wide(1e-8lf))) continue;  // parallel: a face direction says the same
+      n /= root(size2);
       if (dot(n, up) < 0) n = -n;  // the centre of a lies below every one of its edges
-      double s = dot(n, q - p);
+      wide s = dot(n, q - p);
       if (s > best.separation) best = BestEdge(s, int(i), int(j), C * n);
       if (s >= the_reach) return best;
     }
@@ -63,28 +66,28 @@ BestEdge best_edge(double above) {
 }
 
 // An edge of a hull that stands at (M, m).
-EdgeLine edge_line(HullView hull, uvec4 edge, dmat3 M, dvec3 m) {
-  dvec3 from = vertex_of(hull, edge.x), to = vertex_of(hull, edge.y);
-  double size = sqrt(dot(to - from, to - from));
-  dvec3 u = (to - from) / size;
-  return EdgeLine(m + M * (0.5lf * (from + to)), M * u, 0.5lf * size, M * cross(normal_of(hull, edge.z), u),
+EdgeLine edge_line(HullView hull, uvec4 edge, mat_wide3 M, wide3 m) {
+  wide3 from = vertex_of(hull, edge.x), to = vertex_of(hull, edge.y);
+  wide size = root(dot(to - from, to - from));
+  wide3 u = (to - from) / size;
+  return EdgeLine(m + M * (wide(0.5lf) * (from + to)), M * u, wide(0.5lf) * size, M * cross(normal_of(hull, edge.z), u),
                   M * cross(u, normal_of(hull, edge.w)));
 }
 
 // Contacts along two edges that run side by side no farther apart than `nearest`; `replacing` of them in reach, or more,
 // replace all others. False when there are none.
-bool add_side_contacts(EdgeLine on_a, EdgeLine on_b, uint pair, double nearest, int replacing) {
-  int count = side_by_side(on_a, on_b, 0.5lf * preference(nearest, smallest), 0.0lf);
-  double lowest = NONE;
+bool add_side_contacts(EdgeLine on_a, EdgeLine on_b, uint pair, wide nearest, int replacing) {
+  int count = side_by_side(on_a, on_b, wide(0.5lf) * preference(nearest, smallest), wide(0.0lf));
+  wide lowest = NONE;
   int in_reach = 0;
   for (int k = 0; k < count; ++k) {
-    lowest = min(lowest, side_place[k].apart);
-    if (side_place[k].apart < the_reach) ++in_reach;
+    lowest = min(lowest, at(side_apart, k));
+    if (at(side_apart, k) < the_reach) ++in_reach;
   }
   if (!(lowest <= nearest + preference(nearest, smallest))) return false;
   if (in_reach >= replacing) found_count = 0;
   for (int k = 0; k < count; ++k) {
-    SidePlace p = side_place[k];
+    SidePlace p = side_place(on_a, on_b, k);
     uint kind = p.where == SIDE_LOW ? LOW_END : p.where == SIDE_HIGH ? HIGH_END : EDGE_PAIR;
     if (p.apart < the_reach)
       add_contact(false, a.c + a.R * p.y, a.R * p.n, p.apart, hull_feature(kind, 0u, pair));
@@ -94,8 +97,8 @@ bool add_side_contacts(EdgeLine on_a, EdgeLine on_b, uint pair, double nearest, 
 
 // Where an edge pair or a corner touches. y, n in the world.
 struct ContactPlace {
-  dvec3 y_b, n;
-  double d;
+  wide3 y_b, n;
+  wide d;
   uint feature;
   bool second_owns;
 };
@@ -104,48 +107,48 @@ struct ContactPlace {
 bool place_of_edges(BestEdge best, out ContactPlace place) {
   uint e = uint(best.e), g = uint(best.g);
   uvec4 edge_a = edge_of(view_a, e), edge_b = edge_of(view_b, g);
-  dvec3 p = vertex_of(view_a, edge_a.x), q = t + C * vertex_of(view_b, edge_b.x);
-  dvec3 u = vertex_of(view_a, edge_a.y) - p, v = t + C * vertex_of(view_b, edge_b.y) - q, w = q - p;
-  double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
-  double det = uu * vv - uv * uv;
-  double on_a = (uw * vv - uv * vw) / det, on_b = (uv * uw - uu * vw) / det;
+  wide3 p = vertex_of(view_a, edge_a.x), q = t + C * vertex_of(view_b, edge_b.x);
+  wide3 u = vertex_of(view_a, edge_a.y) - p, v = t + C * vertex_of(view_b, edge_b.y) - q, w = q - p;
+  wide uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), uw = dot(u, w), vw = dot(v, w);
+  wide det = uu * vv - uv * uv;
+  wide on_a = (uw * vv - uv * vw) / det, on_b = (uv * uw - uu * vw) / det;
   place = ContactPlace(a.c + a.R * (q + on_b * v), a.R * best.n, dot(w, best.n), hull_feature(EDGE_PAIR, 0u, e << 10 | g),
                 false);
-  const double END = 1e-9lf;
+  wide END = beyond_rounding(1e-9lf);
   return on_a >= -END && on_a <= 1 + END && on_b >= -END && on_b <= 1 + END;
 }
 
 struct NearestCorner {
-  double apart;
-  dvec3 corner, foot;  // in the frame of the hull that has the foot
+  wide apart;
+  wide3 corner, foot;  // in the frame of the hull that has the foot
   uint number;
 };
 
 // Nearest points where one is a corner, if nearer than `limit`.
-NearestCorner nearest_corner(double limit, out bool corner_of_b) {
-  NearestCorner best = NearestCorner(NONE, dvec3(0), dvec3(0), 0u);
+NearestCorner nearest_corner(wide limit, out bool corner_of_b) {
+  NearestCorner best = NearestCorner(NONE, wide3(0), wide3(0), 0u);
   corner_of_b = true;
   // First the corners of b, then those of a; two corners: that of b.
   for (int turn = 0; turn < 2; ++turn) {
     HullView hull = view_a, other = view_b;
-    dmat3 M = C;
-    dvec3 m = t;
+    mat_wide3 M = C;
+    wide3 m = t;
     if (turn == 1) {
       hull = view_b;
       other = view_a;
       M = C_back;
       m = t_back;
     }
-    NearestCorner on_other = NearestCorner(NONE, dvec3(0), dvec3(0), 0u);
+    NearestCorner on_other = NearestCorner(NONE, wide3(0), wide3(0), 0u);
     for (uint v = 0u; v < other.vertices; ++v) {
-      dvec3 x = m + M * vertex_of(other, v), foot;
-      double nearer = min(limit, on_other.apart), apart = nearest_point(hull, x, nearer, foot);
+      wide3 x = m + M * vertex_of(other, v), foot;
+      wide nearer = min(limit, on_other.apart), apart = nearest_point(hull, x, nearer, foot);
       if (apart < nearer) on_other = NearestCorner(apart, x, foot, v);
     }
     if (turn == 0) {
       best = on_other;
       limit = min(limit, best.apart);
-    } else if (!(best.apart <= on_other.apart * (1 + 1e-9lf))) {
+    } else if (!(best.apart <= on_other.apart * (1 + beyond_rounding(1e-9lf)))) {
       best = on_other;
       corner_of_b = false;
     }
@@ -155,18 +158,18 @@ NearestCorner nearest_corner(double limit, out bool corner_of_b) {
 
 // Contacts along that pair of edges, or, where there is none, along an edge through the corner which runs side by side
 // with an edge of the other hull. False when there are none.
-bool add_along_edges(bool one_pair, BestEdge pair, bool corner_of_b, uint corner, double nearest, int replacing) {
+bool add_along_edges(bool one_pair, BestEdge pair, bool corner_of_b, uint corner, wide nearest, int replacing) {
   uint e_begin = one_pair ? uint(pair.e) : 0u, e_end = one_pair ? e_begin + 1u : view_a.edges;
   uint g_begin = one_pair ? uint(pair.g) : 0u, g_end = one_pair ? g_begin + 1u : view_b.edges;
   for (uint e = e_begin; e < e_end; ++e) {
     uvec4 edge_a = edge_of(view_a, e);
     if (!one_pair && !corner_of_b && edge_a.x != corner && edge_a.y != corner) continue;
-    EdgeLine on_a = edge_line(view_a, edge_a, dmat3(1), dvec3(0));
+    EdgeLine on_a = edge_line(view_a, edge_a, mat_wide3(1), wide3(0));
     for (uint g = g_begin; g < g_end; ++g) {
       uvec4 edge_b = edge_of(view_b, g);
       if (!one_pair && corner_of_b && edge_b.x != corner && edge_b.y != corner) continue;
       EdgeLine on_b = edge_line(view_b, edge_b, C, t);
-      double uv = dot(on_a.direction, on_b.direction);
+      wide uv = dot(on_a.direction, on_b.direction);
       if (!one_pair && uv * uv < 1 - ALONG_SINE * ALONG_SINE) continue;
       if (add_side_contacts(on_a, on_b, e << 10 | g, nearest, replacing)) return true;
     }
@@ -176,19 +179,19 @@ bool add_along_edges(bool one_pair, BestEdge pair, bool corner_of_b, uint corner
 
 // Clips against that face of a or b, for add_hull_face; returns the smallest d. The face of the other that looks most
 // nearly against it is taken, but where that has not got the lowest corner and is above `bound`, one that has.
-double clip_to_face(bool of_b, uint face, double bound) {
+wide clip_to_face(bool of_b, uint face, wide bound) {
   FaceQuery q = FaceQuery(view_a, view_b, C, t, a.c, a.R, false);
   if (of_b) q = FaceQuery(view_b, view_a, C_back, t_back, b.c, b.R, true);
-  dvec3 n = normal_of(q.reference, face) * q.M;
+  wide3 n = normal_of(q.reference, face) * q.M;
   uint first = 0u, incident = 0u;
-  double d = NONE;
+  wide d = NONE;
   // The face most nearly against it; one with the lowest corner; the first again, which said more.
   for (int turn = 0; turn < 3; ++turn) {
     if (turn < 2) incident = facing(q.incident, n, turn == 0 ? -1 : lowest_vertex(q.incident, n));
     if (turn == 0) first = incident;
     else if (turn == 1 && incident == first) break;
     else if (turn == 2) incident = first;
-    double over = clip_hull_face(q, face, incident);
+    wide over = clip_hull_face(q, face, incident);
     if (turn == 1 && !(over < d)) continue;
     d = over;
     if (turn > 0 || d <= bound) break;
@@ -203,46 +206,50 @@ ContactPlace place_of_corner(NearestCorner c, bool corner_of_b) {
                hull_feature(CORNER, 0u, (corner_of_b ? 1024u : 0u) | c.number), !corner_of_b);
 }
 
-void find_contacts(Placed first, Placed second, double reach) {
-  begin_contacts();
-  a = first;
-  b = second;
+void find_contacts(wide reach) {
   the_reach = reach;
   view_a = view_of(a.shape);
   view_b = view_of(b.shape);
   smallest = min(view_a.inner_radius, view_b.inner_radius);
-  C = transpose(a.R) * b.R;
   t = (b.c - a.c) * a.R;
   C_back = transpose(C);
   t_back = -(C_back * t);
 
-  double face_of_side[2];
-  uint number_of_side[2];
+  wide face_a = wide(0), face_b = wide(0);
+  uint number_a = 0u, number_b = 0u;
   for (int side = 0; side < 2; ++side) {
     HullView owner = view_a, other = view_b;
-    dmat3 M = C;
-    dvec3 m = t;
+    mat_wide3 M = C;
+    wide3 m = t;
     if (side == 1) {
       owner = view_b;
       other = view_a;
       M = C_back;
       m = t_back;
     }
-    face_of_side[side] = best_face(owner, other, M, m, number_of_side[side]);
-    if (!(face_of_side[side] < reach)) return;
+    uint number;
+    wide best = best_face(owner, other, M, m, number);
+    if (!(best < reach)) return;
+    if (side == 0) {
+      face_a = best;
+      number_a = number;
+    } else {
+      face_b = best;
+      number_b = number;
+    }
   }
-  bool b_owns = face_of_side[1] > face_of_side[0] + preference(face_of_side[0], smallest);
-  double face = face_of_side[b_owns ? 1 : 0], rival = face_of_side[b_owns ? 0 : 1];
+  bool b_owns = face_b > face_a + preference(face_a, smallest);
+  wide face = b_owns ? face_b : face_a, rival = b_owns ? face_a : face_b;
   BestEdge edge = best_edge(face);
   if (!(edge.separation < reach)) return;
 
-  double bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
+  wide bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
   bool clearly_edge = edge.separation > bound, apart = edge.separation > 0;
   // In turns, so that each kind of contact is made at one place of the shader. Turn 0: the edge pair that is clearly
   // best, the chosen face. Turn 1 of hulls that overlap: the edge pair, the other face. Turn 1 of those that are apart:
   // the other face; turn 2: the edge pair; turn 3: a corner.
   bool try_edge = clearly_edge, try_face = true, corner_of_b = false;
-  double d = NONE;
+  wide d = NONE;
   NearestCorner corner;
   for (int turn = 0; turn < 4; ++turn) {
     bool at_corner = turn == 3;
@@ -251,13 +258,13 @@ void find_contacts(Placed first, Placed second, double reach) {
       bool is_there;
       if (at_corner) {
         place = place_of_corner(corner, corner_of_b);
-        is_there = place.d < d && place.d > 1e-12lf * smallest;
+        is_there = place.d < d && place.d > beyond_rounding(1e-12lf) * smallest;
       } else {
         is_there = place_of_edges(edge, place);
       }
       if (is_there) {
         // Contacts along edges replace those of the face at a corner, and where there are several.
-        int replacing = at_corner ? 0 : turn == 2 ? 2 : MOST_FOUND;
+        int replacing = at_corner ? 0 : turn == 2 ? 2 : NEVER;
         if (!(place.d > 0 && add_along_edges(!at_corner, edge, corner_of_b, corner.number, place.d, replacing)) &&
             place.d < reach)
           add_contact(place.second_owns, place.y_b, place.n, place.d, place.feature);
@@ -267,8 +274,8 @@ void find_contacts(Placed first, Placed second, double reach) {
     }
     if (turn == 0) try_face = !(clearly_edge && apart && face <= 0);
     bool of_b = b_owns != (turn > 0);
-    double face_bound = apart ? NONE : turn == 0 ? bound : rival_bound, over = NONE;
-    if (try_face) over = clip_to_face(of_b, number_of_side[of_b ? 1 : 0], face_bound);
+    wide face_bound = apart ? NONE : turn == 0 ? bound : rival_bound, over = NONE;
+    if (try_face) over = clip_to_face(of_b, of_b ? number_b : number_a, face_bound);
     bool better = turn == 0 || (apart ? over <= rival_bound : over < d);
     if (try_face && better) {
       found_count = 0;
@@ -289,7 +296,7 @@ void find_contacts(Placed first, Placed second, double reach) {
       }
     } else if (turn == 1) {
       if ((try_face && better) || !apart) break;
-      try_edge = edge.g >= 0 && edge.separation < corner.apart - 1e-9lf * smallest;
+      try_edge = edge.g >= 0 && edge.separation < corner.apart - beyond_rounding(1e-9lf) * smallest;
       try_face = false;
     }
   }

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: MIT
-// box_plane.cpp.
-void find_contacts(Placed first, Placed second, double reach) {
-  put_first(PLANE, first, second);
-  dvec4 plane = shapes[first.shape].size;
-  dvec3 n = plane.xyz, size = shapes[second.shape].size.xyz;
-  dvec3 along = (n * second.R) * size;  // height of each half edge
-  double centre = dot(n, second.c - first.c) - plane.w;
-  if (!(centre - (abs(along.x) + abs(along.y) + abs(along.z)) < reach)) return;
+// box_plane.cpp. Which corners touch is kept, not the contacts.
+#define MOST_FOUND 1  // none
+#define KEEPS_OTHERWISE
+uint touching_corners = 0u;  // a bit each
+
+wide corner_height(uint corner) {
+  wide3 n = size_of(a).xyz;
+  return dot(n, b.c - a.c) + dot(corner_signs(corner), (n * b.R) * size_of(b).xyz);
+}
+
+void find_contacts(wide reach) {
+  put_first(PLANE);
+  touching_corners = 0u;
   for (uint corner = 0u; corner < 8u; ++corner) {
-    dvec3 signs = corner_signs(corner);
-    double d = centre + dot(signs, along);
-    if (d < reach) add_contact(false, second.c + second.R * (size * signs), n, d, corner);
+    if (corner_height(corner) < reach) touching_corners |= 1u << corner;
   }
+}
+
+int contacts_found() { return bitCount(touching_corners); }
+FoundContact found_contact(int k) {
+  uint left = touching_corners;
+  for (int i = 0; i < k; ++i) left &= left - 1u;
+  uint corner = uint(findLSB(left));
+  return FoundContact(b.c + b.R * (size_of(b).xyz * corner_signs(corner)), size_of(a).xyz, corner_height(corner),
+                      corner | (found_swapped ? SECOND_OWNS : 0u));
 }

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
 // hull_plane.cpp.
-void find_contacts(Placed first, Placed second, double reach) {
-  put_first(PLANE, first, second);
-  dvec4 plane = shapes[first.shape].size;
-  dvec3 n = plane.xyz;
-  double centre = dot(n, second.c - first.c) - plane.w;
-  if (!(centre - shapes[second.shape].size.x < reach)) return;
-  HullView view = view_of(second.shape);
-  dvec3 up = n * second.R;
+#define MOST_FOUND 8  // MOST_POINTS
+
+void find_contacts(wide reach) {
+  put_first(PLANE);
+  wide4 plane = size_of(a);
+  wide3 n = plane.xyz;
+  wide centre = dot(n, b.c - a.c);
+  if (!(centre - size_of(b).x < reach)) return;
+  HullView view = view_of(b.shape);
+  wide3 up = n * b.R;
   int count = 0;
   for (uint v = 0u; v < view.vertices; ++v) {
-    dvec3 x = vertex_of(view, v);
-    double height = centre + dot(up, x);
+    wide3 x = vertex_of(view, v);
+    wide height = centre + dot(up, x);
     if (!(height < reach) || count == MOST_CANDIDATES) continue;
     candidate[count] = x;
     candidate_d[count] = height;
     candidate_name[count] = v;
     ++count;
   }
-  int few = choose_spread(count, reach, 1e-6lf * view.inner_radius);
+  int few = choose_spread(count, reach, beyond_rounding(1e-6lf) * view.inner_radius);
   for (int i = 0; i < few; ++i) {
     int k = chosen[i];
-    add_contact(false, second.c + second.R * candidate[k], n, candidate_d[k], candidate_name[k]);
+    add_contact(false, b.c + b.R * candidate[k], n, candidate_d[k], candidate_name[k]);
   }
 }

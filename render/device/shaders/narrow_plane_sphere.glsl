@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // sphere_plane.cpp.
-void find_contacts(Placed first, Placed second, double reach) {
-  put_first(PLANE, first, second);
-  dvec4 plane = shapes[first.shape].size;
-  double radius = shapes[second.shape].size.x;
-  double d = dot(plane.xyz, second.c - first.c) - plane.w - radius;
-  if (d < reach) add_contact(false, second.c - radius * plane.xyz, plane.xyz, d, 0u);
+#define MOST_FOUND 1
+
+void find_contacts(wide reach) {
+  put_first(PLANE);
+  wide4 plane = size_of(a);
+  wide radius = size_of(b).x;
+  wide d = dot(plane.xyz, b.c - a.c) - radius;
+  if (d < reach) add_contact(false, b.c - radius * plane.xyz, plane.xyz, d, 0u);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sphere_sphere.cpp.
-void find_contacts(Placed first, Placed second, double reach) {
-  begin_contacts();
-  add_round_contact(false, first.c, shapes[first.shape].size.x, second.c, shapes[second.shape].size.x, dvec3(0, 1, 0),
-                    reach, 0u);
+#define MOST_FOUND 1
+
+void find_contacts(wide reach) {
+  add_round_contact(false, a.c, size_of(a).x, b.c, size_of(b).x, wide3(0, 1, 0), reach, 0u);
 }

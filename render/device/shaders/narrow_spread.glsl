@@ -2,19 +2,19 @@
 // spread.h: a few of many points.
 const int MOST_POINTS = 8, MOST_CANDIDATES = 64;  // 32 faces have at most 60 vertices
 
-dvec3 candidate[MOST_CANDIDATES];
-double candidate_d[MOST_CANDIDATES];
+wide3 candidate[MOST_CANDIDATES];
+wide candidate_d[MOST_CANDIDATES];
 uint candidate_name[MOST_CANDIDATES];
 int chosen[MOST_POINTS];  // of the candidates
 
 // Returns how many are chosen.
-int choose_spread(int count, double reach, double same) {
+int choose_spread(int count, wide reach, wide same) {
   if (count <= MOST_POINTS) {
     for (int k = 0; k < count; ++k) chosen[k] = k;
     return count;
   }
-  double apart2[MOST_CANDIDATES];
-  double lowest = NONE;
+  wide apart2[MOST_CANDIDATES];
+  wide lowest = NONE;
   for (int k = 0; k < count; ++k) {
     apart2[k] = NONE;
     lowest = min(lowest, candidate_d[k]);
@@ -23,19 +23,19 @@ int choose_spread(int count, double reach, double same) {
   while (candidate_d[next] > lowest + same) ++next;
   for (int size = 0; size < MOST_POINTS; ++size) {
     chosen[size] = next;
-    apart2[next] = -1.0lf;
-    dvec3 last = candidate[next];
+    apart2[next] = -wide(1.0lf);
+    wide3 last = candidate[next];
     next = -1;
-    double best = 0;
+    wide best = 0;
     for (int k = 0; k < count; ++k) {
-      double nearest2 = apart2[k];
+      wide nearest2 = apart2[k];
       if (nearest2 < 0) continue;
-      dvec3 between = candidate[k] - last;
+      wide3 between = candidate[k] - last;
       nearest2 = min(nearest2, dot(between, between));
       apart2[k] = nearest2;
-      double weight = 1 - 0.9lf * (candidate_d[k] - lowest) / (reach - lowest);
-      double score = weight * weight * nearest2;
-      if (next < 0 || score > best * (1 + 1e-6lf)) {
+      wide weight = 1 - wide(0.9lf) * (candidate_d[k] - lowest) / (reach - lowest);
+      wide score = weight * weight * nearest2;
+      if (next < 0 || score > best * (1 + beyond_rounding(1e-6lf))) {
         next = k;
         best = score;
       }
