@@ -9,6 +9,7 @@
 #include <cassert>
 
 #include "render/visual/body_marks.h"
+#include "render/visual/body_parts.h"
 #include "render/visual/bounds.h"
 #include "render/visual/contact_glyphs.h"
 #include "render/visual/joint_glyphs.h"
@@ -25,49 +26,13 @@ constexpr double kApart = 4;  // pixels between two rings that do not blur into 
 
 constexpr double kStandardGravity = 9.81;  // m/s², for the weight that arrows are measured against
 
-// The triangles of a hull, face by face, scaled to radius 1.
-std::shared_ptr<const MeshData> triangles(const HullData& hull) {
-  auto mesh = std::make_shared<MeshData>();
-  for (const HullFace& face : hull.faces) {
-    const auto corner = [&](int k) -> Vec3f {
-      return (hull.vertices[hull.loop[face.first + k]] / hull.bounding_radius).cast<float>();
-    };
-    for (int k = 1; k + 1 < face.count; ++k) {
-      for (const int j : {0, k, k + 1}) {
-        mesh->corners.push_back(corner(j));
-        mesh->normals.push_back(face.normal.cast<float>());
-      }
-    }
-  }
-  return mesh;
-}
-
 // The list of the hull's instances; the mesh is made when it is seen first.
 MeshInstances& mesh_of(const Hull& hull, VisualScene& out) {
   for (MeshInstances& mesh : out.meshes) {
     if (mesh.source == hull.data) return mesh;
   }
-  out.meshes.push_back({triangles(*hull.data), hull.data, {}});
+  out.meshes.push_back({triangles_of(*hull.data), hull.data, {}});
   return out.meshes.back();
-}
-
-Primitive primitive_of(SurfaceForm form) {
-  switch (form) {
-    case SurfaceForm::box:
-      return Primitive::cube;
-    case SurfaceForm::ball:
-      return Primitive::sphere;
-    case SurfaceForm::half_ball:
-      return Primitive::hemisphere;
-    case SurfaceForm::tube:
-    case SurfaceForm::cylinder:
-      return Primitive::cylinder;
-    case SurfaceForm::cone:
-      return Primitive::cone;
-    case SurfaceForm::polyhedron:
-      break;
-  }
-  return Primitive::mesh;
 }
 
 struct BodyPainter {
@@ -88,9 +53,7 @@ struct BodyPainter {
       mesh_of(*part.hull, out).instances.push_back({m, color, shadow, true, xray, checker});
       return;
     }
-    // Turned about x, not mirrored: the faces keep their orientation.
-    const double up = part.upside_down ? -1 : 1;
-    m.block<3, 3>(0, 0) = (R * part.size.cwiseProduct(Vec3(1, up, up)).asDiagonal()).cast<float>();
+    m.block<3, 3>(0, 0) = (R * scale_of(part).asDiagonal()).cast<float>();
     out.instances[static_cast<int>(primitive)].push_back({m, color, shadow, true, xray, checker});
   }
 };
@@ -116,19 +79,6 @@ double typical_weight(const Model& model) {
     ++count;
   }
   return mass > 0 ? kStandardGravity * mass / count : 1.0;
-}
-
-// Colour of a body as the options want it.
-Vec4f choose_color(const Model& model, const VisualOptions& options, Index body) {
-  const bool fixed = model.fixed[body] != 0;
-  if (!options.values.empty() && !fixed) {
-    const auto at = static_cast<std::size_t>(body);
-    const double value = at < options.values.size() ? options.values[at] : std::nan("");
-    return std::isfinite(value) ? value_color(options.value_range.place(value)) : no_value_color();
-  }
-  const auto at = static_cast<std::size_t>(body);
-  if (at < options.looks.size() && options.looks[at].color) return linear_color(*options.looks[at].color);
-  return body_color(body, fixed);
 }
 
 void add_selection(const Model& model, const State& state, const StepReport& report,
@@ -160,7 +110,7 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
   std::vector<SurfacePart> parts;
   for (Index i = 0; i < model.size(); ++i) {
     if (!has_finite_pose(state, i)) continue;  // nothing sensible can be drawn
-    Vec4f color = choose_color(model, options, i);
+    Vec4f color = color_of(model, options, i);
     bool checker = false;
     if (const auto at = static_cast<std::size_t>(i); at < options.looks.size()) {
       color.w() = static_cast<float>(options.looks[at].opacity);
