@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "render/gl/device_instances.h"
 #include "render/gl/gpu_mesh.h"
 #include "render/visual/visual_scene.h"
 
@@ -26,6 +27,7 @@ struct Batch {
 struct BatchRange {
   std::size_t begin = 0;
   std::size_t end = 0;
+  const DeviceBatches* device = nullptr;  // drawn after them; not owned
 };
 
 // Everything that is drawn from instances in one frame; one upload.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace pabd {
 namespace {
@@ -25,12 +24,11 @@ void for_each_instance(const VisualScene& scene, const F& f) {
 // Radius of a sphere around the transformed primitive: every one lies within the cube of edge 2.
 float reach(const Mat4f& m) { return std::sqrt(m.block<3, 3>(0, 0).colwise().squaredNorm().sum()); }
 
-// Scenery far outside the scene's sphere would leave nothing of the maps for what matters.
 bool casts(const VisualScene& scene, const Instance& instance) {
   if (!instance.shadow || instance.color.w() < 1 || !instance.transform.allFinite()) return false;
   const float r = reach(instance.transform);
   const float distance = (instance.transform.block<3, 1>(0, 3) - scene.centre).norm();
-  return distance - r <= 2 * scene.radius && r <= 4 * scene.radius;
+  return distance - r <= kCasterDistance * scene.radius && r <= kCasterReach * scene.radius;
 }
 
 void store(float (&out)[16], const Mat4f& m) { std::memcpy(out, m.data(), sizeof(out)); }
@@ -45,7 +43,13 @@ void store(float (&out)[4], const Vec3f& v, float w) {
   out[3] = w;
 }
 
-// Rotation whose third row points the way the light travels.
+}  // namespace
+
+Vec3f towards_light(const VisualScene& scene) {
+  const float length = scene.light_direction.norm();
+  return length > 1e-12f && std::isfinite(length) ? Vec3f(-scene.light_direction / length) : Vec3f(0, 1, 0);
+}
+
 Eigen::Matrix3f light_axes(const Vec3f& to_light) {
   const Vec3f z = -to_light;
   const Vec3f aside = std::abs(z.y()) < 0.99f ? Vec3f(0, 1, 0) : Vec3f(1, 0, 0);
@@ -57,18 +61,10 @@ Eigen::Matrix3f light_axes(const Vec3f& to_light) {
   return axes;
 }
 
-}  // namespace
-
-Vec3f towards_light(const VisualScene& scene) {
-  const float length = scene.light_direction.norm();
-  return length > 1e-12f && std::isfinite(length) ? Vec3f(-scene.light_direction / length) : Vec3f(0, 1, 0);
-}
-
-ShadowVolume fit_shadow(const VisualScene& scene, int texels) {
+ShadowVolume fit_shadow(const VisualScene& scene, int texels, const CasterBounds& more) {
   const Eigen::Matrix3f axes = light_axes(towards_light(scene));
-  const Vec3f far_away = Vec3f::Constant(std::numeric_limits<float>::max());
-  Vec3f lo = far_away;
-  Vec3f hi = -far_away;
+  Vec3f lo = more.lowest;
+  Vec3f hi = more.highest;
   for_each_instance(scene, [&](const Instance& instance) {
     if (!casts(scene, instance)) return;
     const Vec3f p = axes * instance.transform.block<3, 1>(0, 3);
@@ -102,7 +98,7 @@ void plane_axes(const Vec3f& n, Vec3f& u, Vec3f& v) {
   v = u.cross(n);
 }
 
-FloorVolume fit_floor(const VisualScene& scene) {
+FloorVolume fit_floor(const VisualScene& scene, const CasterBounds& more) {
   FloorVolume floor;
   if (scene.grounds.empty()) return floor;
   const Vec3f n = scene.grounds.front().normal.normalized();
@@ -110,17 +106,17 @@ FloorVolume fit_floor(const VisualScene& scene) {
   if (!n.allFinite() || !std::isfinite(offset)) return floor;
   Vec3f u, v;
   plane_axes(n, u, v);
-  float sum = 0;
-  int count = 0;
-  Eigen::Vector2f lo = Eigen::Vector2f::Constant(std::numeric_limits<float>::max());
-  Eigen::Vector2f hi = -lo;
+  float sum = more.reach_sum;
+  int count = more.count;
+  Eigen::Vector2f lo = more.floor_lowest;
+  Eigen::Vector2f hi = more.floor_highest;
   for_each_instance(scene, [&](const Instance& instance) {
     if (!casts(scene, instance)) return;
     const Vec3f p = instance.transform.block<3, 1>(0, 3);
     const float r = reach(instance.transform);
     sum += r;
     ++count;
-    if (n.dot(p) - offset > 3 * r) return;  // too high to matter
+    if (n.dot(p) - offset > kNearFloor * r) return;  // too high to matter
     const Eigen::Vector2f at(u.dot(p), v.dot(p));
     lo = lo.cwiseMin((at.array() - r).matrix());
     hi = hi.cwiseMax((at.array() + r).matrix());

@@ -5,6 +5,8 @@
 //   texel        size of a shadow texel; m
 #pragma once
 
+#include <limits>
+
 #include "render/gl/frame_block.h"
 #include "render/visual/visual_scene.h"
 
@@ -26,17 +28,36 @@ struct FloorVolume {
   float fall_off = 1;                      // m
   float blur = 0;                          // standard deviation, in parts of the map
 };
-FloorVolume fit_floor(const VisualScene& scene);
+
+// What casters that are in no VisualScene span (device_instances.h): those that fit_shadow() and fit_floor() would take
+// in, each as a ball. None: all lowest lie above all highest.
+struct CasterBounds {
+  static constexpr float kFar = std::numeric_limits<float>::max();
+  Vec3f lowest{kFar, kFar, kFar}, highest{-kFar, -kFar, -kFar};  // along light_axes(); m
+  // Along plane_axes() of the first floor, those that are near it.
+  Eigen::Vector2f floor_lowest{kFar, kFar}, floor_highest{-kFar, -kFar};
+  float reach_sum = 0;  // of all; m
+  int count = 0;
+};
+
+FloorVolume fit_floor(const VisualScene& scene, const CasterBounds& more = {});
 
 // Unit axes in a plane with unit normal n: the world's x and z on a level floor.
 void plane_axes(const Vec3f& n, Vec3f& u, Vec3f& v);
 
 // Fits the shadow map around the shadow-casting instances of the scene. Steps of size and place are quantised
 // so that shadows do not shimmer while the scene moves. `texels`: of a side of the map.
-ShadowVolume fit_shadow(const VisualScene& scene, int texels);
+ShadowVolume fit_shadow(const VisualScene& scene, int texels, const CasterBounds& more = {});
 
 // The direction towards the light, unit; straight up when the scene gives none.
 Vec3f towards_light(const VisualScene& scene);
+// Rotation whose third row points the way the light travels.
+Eigen::Matrix3f light_axes(const Vec3f& to_light);
+// How far an instance may be from the scene's centre, less its reach, and how large, to count for the maps; in radii of
+// the scene. Scenery beyond would leave nothing of them for what matters.
+inline constexpr float kCasterDistance = 2, kCasterReach = 4;
+// A caster is near the floor where its centre is no higher than so many times its reach.
+inline constexpr float kNearFloor = 3;
 
 FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor,
                              int width, int height);

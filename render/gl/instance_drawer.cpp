@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "sim/base/error.h"
+
 namespace pabd {
 namespace {
 
@@ -19,8 +21,8 @@ InstanceDrawer::InstanceDrawer(const GlFunctions& gl)
     for (int level = 0; level < kLevels; ++level) {
       const Mesh mesh = make_mesh(static_cast<Primitive>(kind), level);
       const auto base = static_cast<std::uint32_t>(vertices.size());
-      places_[kind][level] = {static_cast<GLsizei>(mesh.indices.size()),
-                              indices.size() * sizeof(std::uint32_t)};
+      places_[kind][level] = {static_cast<std::uint32_t>(mesh.indices.size()),
+                              static_cast<std::uint32_t>(indices.size())};
       for (const std::uint16_t i : mesh.indices) indices.push_back(base + i);
       vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     }
@@ -47,7 +49,7 @@ void InstanceDrawer::upload_meshes(const std::vector<std::shared_ptr<const MeshD
   mesh_places_.clear();
   for (const auto& mesh : meshes_) {
     mesh_places_.push_back(
-        {static_cast<GLsizei>(mesh->corners.size()), indices.size() * sizeof(std::uint32_t)});
+        {static_cast<std::uint32_t>(mesh->corners.size()), static_cast<std::uint32_t>(indices.size())});
     for (std::size_t k = 0; k < mesh->corners.size(); ++k) {
       const Vec3f &p = mesh->corners[k], &n = mesh->normals[k];
       indices.push_back(static_cast<std::uint32_t>(vertices.size()));
@@ -70,28 +72,58 @@ void InstanceDrawer::upload(const DrawList& list) {
   gl_.BufferData(GL_ARRAY_BUFFER, bytes, list.instances.data(), GL_STREAM_DRAW);
 }
 
+MeshRange InstanceDrawer::place(Primitive primitive, int level) const {
+  return primitive == Primitive::mesh ? mesh_places_[static_cast<std::size_t>(level)]
+                                      : places_[static_cast<int>(primitive)][level];
+}
+
+void InstanceDrawer::allow_device(GlContext& context) {
+  if (draw_indirect_ != nullptr) return;
+  draw_indirect_ =
+      reinterpret_cast<PFNGLDRAWELEMENTSINDIRECTPROC>(context.proc_address("glDrawElementsIndirect"));
+  const int version = 10 * gl_.integer(GL_MAJOR_VERSION) + gl_.integer(GL_MINOR_VERSION);
+  if (draw_indirect_ != nullptr && version >= 43) return;
+  draw_indirect_ = nullptr;
+  throw Error(ErrorKind::no_context, context.name() + ": " + gl_.string(GL_RENDERER) +
+                                         " cannot draw what is on the GPU, which takes OpenGL 4.3: --device "
+                                         "cpu, or: " +
+                                         driver_remedy());
+}
+
+// `first`: byte of the buffer.
+void InstanceDrawer::bind_instances(GLuint buffer, std::size_t first) const {
+  constexpr GLsizei kStride = sizeof(GpuInstance);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  for (GLuint r = 0; r < 3; ++r) {
+    gl_.VertexAttribPointer(kRowAttribute + r, 4, GL_FLOAT, GL_FALSE, kStride,
+                            offset(first + offsetof(GpuInstance, rows) + r * sizeof(float[4])));
+  }
+  gl_.VertexAttribPointer(kColorAttribute, 4, GL_FLOAT, GL_FALSE, kStride,
+                          offset(first + offsetof(GpuInstance, color)));
+  gl_.VertexAttribPointer(kShadedAttribute, 1, GL_FLOAT, GL_FALSE, kStride,
+                          offset(first + offsetof(GpuInstance, shaded)));
+}
+
 void InstanceDrawer::draw(const DrawList& list, const BatchRange& range, bool (*only)(Primitive)) const {
   gl_.BindVertexArray(array_.id());
-  gl_.BindBuffer(GL_ARRAY_BUFFER, instances_.id());
-  constexpr GLsizei kStride = sizeof(GpuInstance);
   for (std::size_t i = range.begin; i < range.end; ++i) {
     const Batch& batch = list.batches[i];
     if (only != nullptr && !only(batch.primitive)) continue;
     // GL 3.3 has no base instance: the pointers move instead.
-    const std::size_t base = batch.first * sizeof(GpuInstance);
-    for (GLuint r = 0; r < 3; ++r) {
-      gl_.VertexAttribPointer(kRowAttribute + r, 4, GL_FLOAT, GL_FALSE, kStride,
-                              offset(base + offsetof(GpuInstance, rows) + r * sizeof(float[4])));
-    }
-    gl_.VertexAttribPointer(kColorAttribute, 4, GL_FLOAT, GL_FALSE, kStride,
-                            offset(base + offsetof(GpuInstance, color)));
-    gl_.VertexAttribPointer(kShadedAttribute, 1, GL_FLOAT, GL_FALSE, kStride,
-                            offset(base + offsetof(GpuInstance, shaded)));
-    const MeshPlace& mesh = batch.primitive == Primitive::mesh
-                                ? mesh_places_[static_cast<std::size_t>(batch.level)]
-                                : places_[static_cast<int>(batch.primitive)][batch.level];
-    gl_.DrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, offset(mesh.index_offset),
-                              static_cast<GLsizei>(batch.count));
+    bind_instances(instances_.id(), batch.first * sizeof(GpuInstance));
+    const MeshRange mesh = place(batch.primitive, batch.level);
+    gl_.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(mesh.count), GL_UNSIGNED_INT,
+                              offset(mesh.first * sizeof(std::uint32_t)), static_cast<GLsizei>(batch.count));
+  }
+  if (range.device != nullptr) draw_device(*range.device, only);
+}
+
+void InstanceDrawer::draw_device(const DeviceBatches& device, bool (*only)(Primitive)) const {
+  bind_instances(device.instances, 0);
+  gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, device.commands);
+  for (std::size_t k = 0; k < device.classes.size(); ++k) {
+    if (only != nullptr && !only(device.classes[k].primitive)) continue;
+    draw_indirect_(GL_TRIANGLES, GL_UNSIGNED_INT, offset(device.first_command + k * kCommandBytes));
   }
 }
 

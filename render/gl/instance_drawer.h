@@ -19,26 +19,29 @@ class InstanceDrawer {
   explicit InstanceDrawer(const GlFunctions& gl);
 
   void upload(const DrawList& list);
+  // Where a mesh that upload() has put on the GPU lies in the buffer of indices. `level`: as in Batch.
+  MeshRange place(Primitive primitive, int level) const;
+  // Before a list with batches of the GPU is drawn. Throws Error(no_context) where the context cannot.
+  void allow_device(GlContext& context);
   // Draws the batches of `range` with the program in use. `only`: a filter on the primitive, or null.
   void draw(const DrawList& list, const BatchRange& range, bool (*only)(Primitive) = nullptr) const;
 
  private:
-  struct MeshPlace {
-    GLsizei index_count;
-    std::size_t index_offset;  // bytes
-  };
-
   const GlFunctions& gl_;
   GlVertexArray array_;
   GlBuffer vertices_;
   GlBuffer indices_;
   GlBuffer instances_;
-  MeshPlace places_[kPrimitiveCount][kLevels];
+  MeshRange places_[kPrimitiveCount][kLevels];
   std::vector<MeshVertex> primitive_vertices_;
   std::vector<std::uint32_t> primitive_indices_;
   std::vector<std::shared_ptr<const MeshData>> meshes_;  // on the GPU, after the primitives
-  std::vector<MeshPlace> mesh_places_;
+  std::vector<MeshRange> mesh_places_;
 
+  PFNGLDRAWELEMENTSINDIRECTPROC draw_indirect_ = nullptr;  // of OpenGL 4.3, which only this needs
+
+  void bind_instances(GLuint buffer, std::size_t first) const;
+  void draw_device(const DeviceBatches& device, bool (*only)(Primitive)) const;
   void upload_meshes(const std::vector<std::shared_ptr<const MeshData>>& meshes);
 };
 

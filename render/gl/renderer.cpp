@@ -9,6 +9,7 @@
 
 #include "render/gl/background_pass.h"
 #include "render/gl/contact_shade_pass.h"
+#include "render/gl/device_instances.h"
 #include "render/gl/encode_pass.h"
 #include "render/gl/frame_target.h"
 #include "render/gl/ground_pass.h"
@@ -59,7 +60,8 @@ struct Renderer::Impl {
     gl.check("setting up the renderer");
   }
 
-  void draw_scene(const VisualScene& scene, const RenderQuality& quality, FrameTarget& into);
+  void draw_scene(const VisualScene& scene, const RenderQuality& quality, DeviceInstances* device,
+                  FrameTarget& into);
 
   std::optional<FrameTarget>& view(int number) {
     if (number < 0 || number >= kViews) {
@@ -68,6 +70,8 @@ struct Renderer::Impl {
     }
     return views[static_cast<std::size_t>(number)];
   }
+
+  void add_device(DeviceInstances& device, const InstanceFrame& frame);
 
   void clear(const Vec3f& color) {
     target.bind_resolved();
@@ -131,7 +135,8 @@ void* Renderer::upload_texture(const Image& image) {
 
 void Renderer::free_texture(void* id) { impl_->overlay_pass.free_texture(id); }
 
-void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& quality, FrameTarget& into) {
+void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& quality,
+                                DeviceInstances* device, FrameTarget& into) {
   auto start = Clock::now();
   const auto lap = [&](double& time) {
     if (!measuring) return;
@@ -139,11 +144,20 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
     time = milliseconds(start);
     start = Clock::now();
   };
-  const ShadowVolume shadow = fit_shadow(scene, quality.shadow_texels());
-  const FloorVolume floor = quality.soft_light() ? fit_floor(scene) : FloorVolume{};
+  CasterBounds more;
+  if (device != nullptr) {
+    drawer.allow_device(context);
+    more = device->bounds(scene);
+  }
+  const ShadowVolume shadow = fit_shadow(scene, quality.shadow_texels(), more);
+  const FloorVolume floor = quality.soft_light() ? fit_floor(scene, more) : FloorVolume{};
   const FrameUniforms frame = frame_uniforms(scene, shadow, floor, into.width(), into.height());
   list.build(scene, into.height(), shadow.texel, quality.tolerance);
-  drawer.upload(list);
+  if (device == nullptr) {
+    drawer.upload(list);
+  } else {
+    add_device(*device, {scene, frame, shadow, floor, into.height(), quality.tolerance});
+  }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, uniforms.id());
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
   lap(passes.prepare);
@@ -178,17 +192,32 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   lap(passes.resolve);
 }
 
-void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay, const RenderQuality& quality) {
+// Uploads the list with the meshes of `device`, which then makes its instances.
+void Renderer::Impl::add_device(DeviceInstances& device, const InstanceFrame& frame) {
+  const int meshes = static_cast<int>(list.meshes.size());
+  list.meshes.insert(list.meshes.end(), device.meshes().begin(), device.meshes().end());
+  drawer.upload(list);
+  std::vector<MeshRange> places;
+  for (const InstanceClass& c : device.classes())
+    places.push_back(drawer.place(c.primitive, c.primitive == Primitive::mesh ? meshes + c.level : c.level));
+  device.make(frame, places);
+  list.bodies.device = &device.batches(DeviceList::bodies);
+  list.casters.device = &device.batches(DeviceList::casters);
+  list.floor_casters.device = &device.batches(DeviceList::floor_casters);
+}
+
+void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay, const RenderQuality& quality,
+                    DeviceInstances* device) {
   const auto start = Clock::now();
   FrameTarget& target = impl_->target;
   target.resize(target.width(), target.height(), quality.samples(impl_->software));
-  impl_->draw_scene(scene, quality, target);
+  impl_->draw_scene(scene, quality, device, target);
   impl_->draw_overlay(overlay);
   impl_->end_frame(start);
 }
 
 void Renderer::draw_view(int view, const VisualScene& scene, int width, int height,
-                         const RenderQuality& quality) {
+                         const RenderQuality& quality, DeviceInstances* device) {
   const auto start = Clock::now();
   std::optional<FrameTarget>& target = impl_->view(view);
   if (!target) {
@@ -196,7 +225,7 @@ void Renderer::draw_view(int view, const VisualScene& scene, int width, int heig
   } else {
     target->resize(width, height, quality.samples(impl_->software));
   }
-  impl_->draw_scene(scene, quality, *target);
+  impl_->draw_scene(scene, quality, device, *target);
   impl_->end_frame(start);
 }
 

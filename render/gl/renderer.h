@@ -40,6 +40,8 @@ struct ViewPlace {
   int width = 0, height = 0;
 };
 
+class DeviceInstances;  // device_instances.h
+
 // One at a time for a context. Frames are RGB, 8 bits a channel, sRGB, in rows from the top.
 class Renderer {
  public:
@@ -61,8 +63,10 @@ class Renderer {
   void* upload_texture(const Image& image);
   void free_texture(void* id);
 
-  // Draws one frame. `overlay` may be null. Pixel (0,0) of the overlay is the top left corner.
-  void draw(const VisualScene& scene, const ImDrawData* overlay, const RenderQuality& quality = {});
+  // Draws one frame. `overlay` may be null. Pixel (0,0) of the overlay is the top left corner. `device`: more opaque
+  // bodies, which the GPU itself places; then throws Error(no_context) where it lacks OpenGL 4.3.
+  void draw(const VisualScene& scene, const ImDrawData* overlay, const RenderQuality& quality = {},
+            DeviceInstances* device = nullptr);
   // Only the overlay, over a plain background (linear RGB): plots.
   void draw_plain(const ImDrawData* overlay, const Vec3f& background);
 
@@ -71,8 +75,8 @@ class Renderer {
   // (resizing as resize() does) with `background` (linear RGB), the views at their places and the interface
   // over them. The frame is then read back or shown as any other. `view`: 0 … kViews − 1; one that was never
   // drawn shows the background. Throws as the constructor does, Error(defect) for a view out of range.
-  void draw_view(int view, const VisualScene& scene, int width, int height,
-                 const RenderQuality& quality = {});
+  void draw_view(int view, const VisualScene& scene, int width, int height, const RenderQuality& quality = {},
+                 DeviceInstances* device = nullptr);
   void compose(int width, int height, std::span<const ViewPlace> places, const Vec3f& background,
                const ImDrawData* interface);
   // What is in a view, waiting for it. Throws Error(defect) for one that was never drawn.

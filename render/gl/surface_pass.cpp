@@ -25,6 +25,11 @@ bool is_round(Primitive primitive) { return !is_cube(primitive) && !is_mesh(prim
 bool is_disc(Primitive primitive) { return primitive == Primitive::disc; }
 bool is_solid(Primitive primitive) { return primitive != Primitive::disc; }
 
+bool has_kind(const DeviceBatches& device, bool (*kind)(Primitive)) {
+  return std::any_of(device.classes.begin(), device.classes.end(),
+                     [&](const InstanceClass& c) { return kind(c.primitive); });
+}
+
 }  // namespace
 
 SurfacePass::Program::Program(const GlFunctions& gl, const char* name, const std::string& defines)
@@ -60,7 +65,8 @@ void SurfacePass::draw_lit(const DrawList& list, const BatchRange& range, const 
   const auto begin = list.batches.begin() + static_cast<std::ptrdiff_t>(range.begin);
   const auto end = list.batches.begin() + static_cast<std::ptrdiff_t>(range.end);
   const auto draw = [&](const Program& program, bool (*kind)(Primitive)) {
-    if (std::none_of(begin, end, [&](const Batch& b) { return kind(b.primitive); })) return;
+    const bool here = std::any_of(begin, end, [&](const Batch& b) { return kind(b.primitive); });
+    if (!here && (range.device == nullptr || !has_kind(*range.device, kind))) return;
     program.program.use();
     if (program.faceted >= 0) gl_.Uniform1i(program.faceted, kind == is_mesh);
     drawer.draw(list, range, kind);
