@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Bodies that are drawn from where the solver on the GPU leaves their poses: compute shaders make what
+// render/gl/draw_list.h makes on the processor, and nothing of it is read back but what the casters span, late.
+#pragma once
+
+#include <memory>
+
+#include "render/context/context.h"
+#include "render/gl/device_instances.h"
+
+namespace pabd {
+
+struct BodyParts;  // render/visual/body_parts.h
+
+struct DeviceBodiesOptions {
+  // The maps of light fit the bodies as they were up to three frames before, so that nobody waits for the GPU. False:
+  // they are those of this very frame, and the picture is that of the processor.
+  bool late_bounds = true;
+};
+
+// Opaque bodies of a model. Where scene and camera are the same, the picture is the one that build_visual() leads to,
+// but for the last bits of places. Order: none; bodies out of sight are not drawn.
+class DeviceBodies : public DeviceInstances {
+ public:
+  // `poses`: GL name of a buffer with a pose a body (DeviceSolver::pose_buffer()), which outlives this, and is written
+  // in the same context, which is current in all calls. Throws Error(no_context) where the context lacks compute
+  // shaders, a buffer is larger than it allows, or there are more hulls than it can tell apart.
+  DeviceBodies(GlContext& context, const BodyParts& bodies, unsigned poses,
+               const DeviceBodiesOptions& options = {});
+  ~DeviceBodies() override;
+
+  std::span<const InstanceClass> classes() const override;
+  const std::vector<std::shared_ptr<const MeshData>>& meshes() const override;
+  CasterBounds bounds(const VisualScene& scene) override;
+  void make(const InstanceFrame& frame, std::span<const MeshRange> meshes) override;
+  const DeviceBatches& batches(DeviceList list) const override;
+
+  std::size_t bytes() const;  // of all buffers, without the poses
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pabd

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Which parts of bodies are drawn in which lists and with which meshes, as render/gl/draw_list.cpp has it, without those
+// that are out of sight. A thread a body.
+//   (none)   counts each class of each list
+//   EMIT     writes the instances, those of a class side by side, in any order
+layout(std430, binding = DRAW_COUNTS) buffer DrawCounts { uint class_count[]; };  // list · CLASSES + class; EMIT: next
+#ifdef EMIT
+layout(std430, binding = DRAW_COLORS) readonly buffer DrawColors { vec4 body_color[]; };  // w: GpuInstance::shaded
+layout(std430, binding = DRAW_BODIES) writeonly buffer DrawBodies { float bodies_out[]; };
+layout(std430, binding = DRAW_CASTERS) writeonly buffer DrawCasters { float casters_out[]; };
+layout(std430, binding = DRAW_FLOOR_CASTERS) writeonly buffer DrawFloorCasters { float floor_casters_out[]; };
+#endif
+
+shared uint here[LISTS * CLASSES];  // of this work group; EMIT: then where its next one goes
+
+bool in_sight(vec3 at, float radius) {
+  for (int k = 0; k < 6; ++k) {
+    if (dot(view.clip[k].xyz, at) + view.clip[k].w < -radius) return false;
+  }
+  return true;
+}
+
+// Whether a ball meets a map whose sides go from 0 to 1; `room`: its radius there.
+bool meets(vec4 rows[2], vec3 at, float room) {
+  const vec2 q = vec2(dot(rows[0], vec4(at, 1.0)), dot(rows[1], vec4(at, 1.0)));
+  return all(greaterThan(q, vec2(-room))) && all(lessThan(q, vec2(1.0 + room)));
+}
+
+uint level_of(float radius) {
+  return uint(radius > view.rounder.x) + uint(radius > view.rounder.y) + uint(radius > view.rounder.z) +
+         uint(radius > view.rounder.w);
+}
+
+// In each list: NONE where it is not in it.
+uvec3 classes_of(Part p, vec3 at) {
+  uvec3 found = uvec3(NONE);
+  const float scale = p.size.w, around = p.at.w;
+  if (in_sight(at, around)) {
+    const float depth = dot(view.away, vec4(at, 1.0));
+    const float distance_ = view.sizes.y != 0.0 ? 1.0 : max(depth - scale, 1e-3 * scale + 1e-12);
+    found.x = p.first_class + min(p.levels - 1u, level_of(view.sizes.x * scale / distance_));
+  }
+  const uint coarse = level_of(0.5 * scale / view.sizes.z);
+  vec4 rows[2] = view.shadow;
+  if (meets(rows, at, around / view.sizes.w))
+    found.y = p.first_class + min(p.levels - 1u, min(2u, coarse));
+  if (view.floor_size.y == 0.0 || dot(view.floor_.xyz, at) - view.floor_.w >= 3.0 * scale) return found;
+  rows = view.floor_map;
+  if (meets(rows, at, around / view.floor_size.x))
+    found.z = p.first_class + min(p.levels - 1u, min(1u, coarse));
+  return found;
+}
+
+#ifdef EMIT
+#define WRITE(out_)                                                            \
+  {                                                                            \
+    const uint to = 17u * place;                                               \
+    for (uint r = 0u; r < 3u; ++r) {                                           \
+      out_[to + 4u * r] = columns[0][r];                                        \
+      out_[to + 4u * r + 1u] = columns[1][r];                                   \
+      out_[to + 4u * r + 2u] = columns[2][r];                                   \
+      out_[to + 4u * r + 3u] = at[r];                                          \
+    }                                                                          \
+    for (uint k = 0u; k < 4u; ++k) out_[to + 12u + k] = k < 3u ? color[k] : 1.0; \
+    out_[to + 16u] = color.w;                                                  \
+  }
+#endif
+
+void main() {
+  const uint t = gl_LocalInvocationID.x, body = gl_GlobalInvocationID.x;
+  for (uint k = t; k < LISTS * CLASSES; k += GROUP) here[k] = 0u;
+  barrier();
+  const uint range = range_of(body), first = range >> 8u, end = first + (range & 255u);
+  for (uint k = first; k < end; ++k) {
+    const uvec3 found = classes_of(parts[k], place_of(parts[k], pose[body]));
+    for (uint list = 0u; list < LISTS; ++list) {
+      if (found[list] != NONE) atomicAdd(here[list * CLASSES + found[list]], 1u);
+    }
+  }
+  barrier();
+  for (uint k = t; k < LISTS * CLASSES; k += GROUP) {
+    if (here[k] != 0u) here[k] = atomicAdd(class_count[k], here[k]);
+  }
+#ifdef EMIT
+  barrier();
+  for (uint k = first; k < end; ++k) {
+    const Part p = parts[k];
+    const Pose q = pose[body];
+    const vec3 at = place_of(p, q);
+    const uvec3 found = classes_of(p, at);
+    if (found == uvec3(NONE)) continue;
+    const dmat3 R = matrix_of(q.q);
+    const vec3 columns[3] = vec3[3](vec3(R[0] * double(p.size.x)), vec3(R[1] * double(p.size.y)),
+                                 vec3(R[2] * double(p.size.z)));
+    const vec4 color = body_color[body];
+    for (uint list = 0u; list < LISTS; ++list) {
+      if (found[list] == NONE) continue;
+      const uint place = atomicAdd(here[list * CLASSES + found[list]], 1u);
+      if (list == 0u) WRITE(bodies_out)
+      if (list == 1u) WRITE(casters_out)
+      if (list == 2u) WRITE(floor_casters_out)
+    }
+  }
+#endif
+}
