@@ -8,9 +8,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <cstdlib>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -18,10 +16,11 @@
 #include "render/device/device_solver.h"
 #include "sim/base/available_cpus.h"
 #include "sim/base/error.h"
-#include "sim/body/mass_properties.h"
 #include "sim/solver/time_step.h"
+#include "tests/bench/device_settings.h"
 
 using namespace pabd;
+using namespace pabd::bench;
 
 namespace {
 
@@ -29,52 +28,6 @@ using Clock = std::chrono::steady_clock;
 
 double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-struct Setting {
-  Model model;
-  State state;
-  Params params;
-};
-
-void add(Setting& out, const Shape& shape, double density, const Vec3& c, const Mat3& R) {
-  const bool fixed = is_plane(shape);
-  const MassProperties mass = fixed ? MassProperties{0, Mat3::Zero()} : mass_properties(shape, density);
-  out.model.name.push_back("");
-  out.model.shape.push_back(shape);
-  out.model.mass.push_back(mass.mass);
-  out.model.J.push_back(mass.J);
-  out.model.fixed.push_back(fixed);
-  out.state.c.push_back(c);
-  out.state.R.push_back(R);
-  out.state.v.push_back(Vec3::Zero());
-  out.state.omega.push_back(Vec3::Zero());
-}
-
-Setting make_setting(bool heap, int bodies) {
-  constexpr int kHeight = 10;
-  Setting out;
-  out.params.solver.method = SolverMethod::descent;
-  out.params.solver.iterations = 10;
-  out.params.solver.tolerance = 0;
-  add(out, Plane{{0, 1, 0}, 0}, 0, Vec3::Zero(), Mat3::Identity());
-  const int side = static_cast<int>(std::ceil(std::sqrt(bodies / kHeight)));
-  std::mt19937 random(1);
-  const auto draw = [&] { return 2.0 * random() / 4294967296.0 - 1; };
-  for (int k = 0; k < bodies; ++k) {
-    const int column = k / kHeight, floor = k % kHeight;
-    const double pitch = heap ? 0.8 : 1;
-    Vec3 c(pitch * (column % side), 0.25 + 0.5 * floor + 0.0098 * (floor + 1), pitch * (column / side));
-    Mat3 R = Mat3::Identity();
-    if (!heap) c.x() += 0.02 * (floor % 2);
-    if (heap) {
-      c.y() += 0.5 + 0.4 * floor;
-      const double x = draw(), y = draw(), z = draw(), angle = 3 * draw();
-      R = Eigen::AngleAxisd(angle, Vec3(x, y, z).normalized()).toRotationMatrix();
-    }
-    add(out, Box{{0.25, 0.25, 0.25}}, 1000, c, R);
-  }
-  return out;
 }
 
 // Milliseconds of a step of the processor.
@@ -143,8 +96,7 @@ int main(int argc, char** argv) try {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(Backend::automatic, attempts);
   const ComputeLimits limits = compute_limits(ComputeFunctions(*context));
-  fmt::print("{}, OpenGL {}; processor: {} threads\n\n", limits.renderer, limits.version,
-             available_cpus());
+  fmt::print("{}, OpenGL {}; processor: {} threads\n\n", limits.renderer, limits.version, available_cpus());
   fmt::print(
       "| scene | bodies | pairs | contacts | colors | ms a step | broad | narrow | set up | solve | end | "
       "bytes a body | "

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Bodies that are solved and drawn on the GPU, their state never on the processor: ms a frame of a step, of a picture,
+// of both, and of both with the picture read back.
+//
+//   bench_million [towers|avalanche] N frames [--png DIR every] [--size W H] [--close] [--shadow SIDE] [--steps K]
+//
+// towers: columns of ten boxes and a ball of steel that rolls through them. avalanche: boxes, balls, capsules and hulls
+// on a slope. --png writes every so many frames of the last run. --close looks at where things happen first. --shadow:
+// texels of a side of the shadow map, 4096; --steps: of a frame, 1 (1/60 s each). Every run starts anew.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/device/compute_functions.h"
+#include "render/device/device_bodies.h"
+#include "render/device/device_solver.h"
+#include "render/gl/renderer.h"
+#include "render/output/png.h"
+#include "render/visual/body_parts.h"
+#include "render/visual/framing.h"
+#include "sim/base/error.h"
+#include "tests/bench/device_settings.h"
+
+using namespace pabd;
+using namespace pabd::bench;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+struct Options {
+  bool avalanche = false, close = false;
+  int bodies = 0, frames = 0, steps = 1;
+  int width = 1920, height = 1080, shadow = 4096;
+  std::string folder;
+  int every = 0;
+};
+
+Options parse(int argc, char** argv) {
+  Options out;
+  std::vector<int> numbers;
+  const auto next = [&](int& k) {
+    if (k + 1 >= argc) throw Error(ErrorKind::bad_input, std::string(argv[k]) + " needs a value");
+    return std::string(argv[++k]);
+  };
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = argv[k];
+    if (word == "towers" || word == "avalanche") {
+      out.avalanche = word == "avalanche";
+    } else if (word == "--png") {
+      out.folder = next(k);
+      out.every = std::max(1, std::atoi(next(k).c_str()));
+    } else if (word == "--size") {
+      out.width = std::atoi(next(k).c_str());
+      out.height = std::atoi(next(k).c_str());
+    } else if (word == "--close") {
+      out.close = true;
+    } else if (word == "--shadow") {
+      out.shadow = std::atoi(next(k).c_str()) / 8 * 8;
+    } else if (word == "--steps") {
+      out.steps = std::max(1, std::atoi(next(k).c_str()));
+    } else {
+      numbers.push_back(std::atoi(argv[k]));
+    }
+  }
+  if (numbers.size() != 2 || numbers[0] < 1 || numbers[1] < 1 || out.width < 1 || out.height < 1) {
+    throw Error(
+        ErrorKind::bad_input,
+        "expected: bench_million [towers|avalanche] N frames [--png DIR every] [--size W H] [--close] "
+        "[--shadow SIDE] [--steps K]");
+  }
+  out.bodies = numbers[0];
+  out.frames = numbers[1];
+  return out;
+}
+
+// The scene without its bodies: floors, light, and a camera that sees where things happen.
+VisualScene bare_scene(const Setting& setting, const Options& options) {
+  VisualScene scene;
+  add_grounds(setting.model, scene);
+  const Vec3 middle = 0.5 * (setting.lowest + setting.highest), size = setting.highest - setting.lowest;
+  scene.centre = middle.cast<float>();
+  scene.radius = static_cast<float>(0.5 * size.norm());
+  Vec3 lowest = setting.lowest, highest = setting.highest;
+  if (options.close) {  // where the ball comes in, or the lower end of what slides
+    const Vec3 at = options.avalanche ? Vec3(middle.x() - 0.1 * size.x(), 0.3 * size.y(), 0)
+                                      : Vec3(setting.lowest.x() + 0.15 * size.x(), 0, middle.z());
+    lowest = at - 0.1 * size;
+    highest = at + 0.1 * size;
+    lowest.y() = std::max(lowest.y(), setting.lowest.y());
+    if (!options.avalanche) highest.y() = setting.highest.y();
+  }
+  std::vector<Spot> spots;
+  for (int k = 0; k < 8; ++k) {
+    spots.push_back({Vec3((k & 1) != 0 ? highest.x() : lowest.x(), (k & 2) != 0 ? highest.y() : lowest.y(),
+                          (k & 4) != 0 ? highest.z() : lowest.z()),
+                     0});
+  }
+  Camera like = pleasing_side();
+  if (options.avalanche) like.eye.x() = std::abs(like.eye.x()) + 0.3f;  // from below
+  scene.camera = fit_camera(spots, like, static_cast<double>(options.width) / options.height);
+  return scene;
+}
+
+struct Bench {
+  explicit Bench(const Options& o)
+      : options(o),
+        context(make_context()),
+        gl(*context),
+        setting(o.avalanche ? avalanche(o.bodies) : towers_and_ball(o.bodies)),
+        solver(*context, setting.model, setting.state),
+        scene(bare_scene(setting, o)),
+        bodies(*context, body_parts(setting.model), solver.pose_buffer()),
+        renderer(*context, o.width, o.height) {
+    quality.shadow_side = o.shadow;
+  }
+
+  static std::unique_ptr<GlContext> make_context() {
+    std::vector<ContextAttempt> attempts;
+    return create_headless_context(Backend::automatic, attempts);
+  }
+
+  void step() {
+    for (int k = 0; k < options.steps; ++k) solver.enqueue(setting.params);
+  }
+  void draw() { renderer.draw(scene, nullptr, quality, &bodies); }
+  void read(int frame) {
+    renderer.queue_read();
+    if (renderer.queued() == 2) take(frame - 1);
+  }
+  void take(int frame) {
+    if (!renderer.fetch(image) || options.every == 0 || frame % options.every != 0) return;
+    const auto start = Clock::now();
+    write_png(
+        fmt::format("{}/{}_{:05}.png", options.folder, options.avalanche ? "avalanche" : "towers", frame),
+        image);
+    writing += ms_since(start);
+  }
+
+  // ms a frame.
+  double measure(bool steps, bool draws, bool reads) {
+    if (steps) solver.set_state(setting.state);
+    gl.Finish();
+    writing = 0;
+    const auto start = Clock::now();
+    for (int frame = 0; frame < options.frames; ++frame) {
+      if (steps) step();
+      if (draws) draw();
+      if (reads) read(frame);
+    }
+    if (reads) take(options.frames - 1);
+    if (steps) solver.finish();
+    gl.Finish();
+    return (ms_since(start) - writing) / options.frames;
+  }
+
+  Options options;
+  std::unique_ptr<GlContext> context;
+  ComputeFunctions gl;
+  Setting setting;
+  DeviceSolver solver;
+  VisualScene scene;
+  DeviceBodies bodies;
+  Renderer renderer;
+  RenderQuality quality;
+  Image image;
+  double writing = 0;  // ms of files
+};
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  const Options options = parse(argc, argv);
+  if (!options.folder.empty()) std::filesystem::create_directories(options.folder);
+  const auto start = Clock::now();
+  Bench bench(options);
+  bench.step();
+  bench.draw();
+  bench.solver.finish();
+  bench.gl.Finish();
+  fmt::print("{}, {} bodies, {}x{}, start {:.1f} s, solver {:.0f} MiB, pictures {:.0f} MiB\n",
+             bench.renderer.gl_renderer(), bench.setting.model.size(), options.width, options.height,
+             ms_since(start) / 1000, static_cast<double>(bench.solver.bytes()) / (1 << 20),
+             static_cast<double>(bench.bodies.bytes()) / (1 << 20));
+  const auto row = [&](const char* what, double ms) {
+    fmt::print("{:<28} {:9.2f} ms a frame {:8.1f} frames a second\n", what, ms, 1000 / ms);
+    std::fflush(stdout);
+  };
+  row("step", bench.measure(true, false, false));
+  row("draw (the last state)", bench.measure(false, true, false));
+  row("step and draw", bench.measure(true, true, false));
+  row("step, draw and read back", bench.measure(true, true, true));
+  const StepSummary& summary = bench.solver.finish();
+  fmt::print(
+      "last step: {} contacts, {} colors, kinetic {:.4g} J, least gap {:.3g} m, {}; {} steps repeated\n",
+      summary.contacts, bench.solver.colors(), summary.kinetic, summary.min_gap,
+      summary.status == StepStatus::non_finite ? "NOT FINITE" : "finite", bench.solver.repeated());
+  return 0;
+} catch (const Error& error) {
+  fmt::print(stderr, "bench_million: {}\n", error.what());
+  return 4;
+}
