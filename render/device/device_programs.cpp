@@ -23,7 +23,7 @@ class Compiler {
  public:
   Compiler(const ComputeFunctions& gl, Precision precision, bool round) : gl_(gl) {
     const bool single = precision == Precision::single;
-    common_ = std::string(single ? kSingle : kTwofold) + kWideIsDouble;
+    common_ = std::string(single ? kSingle : kTwofold) + (single ? kWideIsFloat : kWideIsDouble);
     const auto number = [](BarrierKind kind) { return static_cast<int>(kind); };
     common_ += fmt::format("#define POLYNOMIAL {}\n#define EVEN {}\n#define QUADRATIC {}\n",
                            number(BarrierKind::polynomial), number(BarrierKind::even),

@@ -13,7 +13,7 @@ std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second) {
   std::vector<ShaderPart> parts = {shape_table, root, narrow_common};
   const auto add = [&](std::initializer_list<ShaderPart> more) {
     parts.insert(parts.end(), more);
-    parts.push_back(narrow_found);
+    parts.insert(parts.end(), {narrow_found, narrow_again});
     return parts;
   };
   const auto both = [](int i, int j) { return kDeviceShapes * std::min(i, j) + std::max(i, j); };

@@ -11,7 +11,7 @@ namespace pabd {
 
 // The numbers that these shaders compute with: macros that come before them.
 inline constexpr const char* kWideIsFloat =
-    "#define wide float\n#define wide2 vec2\n#define wide3 vec3\n#define wide4 vec4\n"
+    "#define WIDE_IS_FLOAT\n#define wide float\n#define wide2 vec2\n#define wide3 vec3\n#define wide4 vec4\n"
     "#define mat_wide3 mat3\n#define WIDE_EPSILON wide(1.2e-7lf)\n";
 inline constexpr const char* kWideIsDouble =
     "#define wide double\n#define wide2 dvec2\n#define wide3 dvec3\n#define wide4 dvec4\n"

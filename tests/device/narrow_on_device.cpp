@@ -39,13 +39,21 @@ void main() {
   word[33u * k] = uint(contacts_found());
   for (int i = 0; i < contacts_found(); ++i) {
     FoundContact p = found_contact(i);
-    dvec3 y_b = origin + dvec3(p.y_b);
+    dvec3 y_b = dvec3(p.y_b), n = dvec3(p.n);
+    double d = double(p.d);
+#ifdef WIDE_IS_FLOAT
+    uint owner = (p.feature & SECOND_OWNS) != 0u ? 1u : 0u;
+    uint place_a = place + 12u * owner, place_b = place + 12u - 12u * owner;
+    d = measured_again(p, shapes_of[k][owner], vector_of(place_a) - origin, matrix_of(place_a + 3u),
+                       shapes_of[k][1u - owner], vector_of(place_b) - origin, matrix_of(place_b + 3u), y_b, n);
+#endif
+    y_b += origin;
     uint at = 7u * (16u * k + uint(i));
     for (int j = 0; j < 3; ++j) {
       number[at + uint(j)] = y_b[j];
-      number[at + 3u + uint(j)] = double(p.n[j]);
+      number[at + 3u + uint(j)] = n[j];
     }
-    number[at + 6u] = double(p.d);
+    number[at + 6u] = d;
     word[33u * k + 1u + 2u * uint(i)] = p.feature & ~SECOND_OWNS;
     word[33u * k + 2u + 2u * uint(i)] = (p.feature & SECOND_OWNS) != 0u ? 1u : 0u;
   }

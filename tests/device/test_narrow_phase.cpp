@@ -172,29 +172,31 @@ PlacedPair place(Placement placement, const Shape (&shape)[2], Random& random) {
   return pair;
 }
 
-bool same(const std::vector<ContactPoint>& x, const std::vector<ContactPoint>& y) {
+bool same(const std::vector<ContactPoint>& x, const std::vector<ContactPoint>& y, double within = kSame) {
   if (x.size() != y.size()) return false;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const ContactPoint &p = x[k], &q = y[k];
     if (p.a != q.a || p.feature != q.feature) return false;
-    if (!(std::abs(p.d - q.d) < kSame && (p.n - q.n).norm() < kSame && (p.y_b - q.y_b).norm() < kSame))
+    if (!(std::abs(p.d - q.d) < within && (p.n - q.n).norm() < within && (p.y_b - q.y_b).norm() < within))
       return false;
   }
   return true;
 }
 
-// Has the CPU these contacts somewhere within a hair?
-bool same_nearby(const std::vector<ContactPoint>& contacts, const Shape (&shape)[2], const PlacedPair& pair,
-                 Random& random) {
+// Has the CPU these contacts somewhere within a hair, 10^hair m and rad at most?
+bool same_nearby(const std::vector<ContactPoint>& contacts, const std::array<Shape, 2>& shapes,
+                 const PlacedPair& pair, Random& random, double least = -17, double most = -12,
+                 double within = kSame) {
+  const Shape shape[2] = {shapes[0], shapes[1]};
   for (int trial = 0; trial < 2000; ++trial) {
     PlacedPair near = pair;
-    const double hair = std::pow(10.0, random.uniform(-17, -12));  // at most 1e-12 m and rad
+    const double hair = std::pow(10.0, random.uniform(least, most));
     for (int body = 0; body < 2; ++body) {
       if (is_plane(shape[body])) continue;
       near.c[body] += random.within(-hair, hair);
       near.R[body] *= random.turn(hair);
     }
-    if (same(contacts, setup_of(shape[0], shape[1], near).contacts())) return true;
+    if (same(contacts, setup_of(shape[0], shape[1], near).contacts(), within)) return true;
   }
   return false;
 }
@@ -214,6 +216,65 @@ const Pair kKinds[] = {
     {"hull box", kDeviceHull, kDeviceBox, kRarePairs},   {"hull hull", kDeviceHull, kDeviceHull, kRarePairs},
 };
 
+// Many placements of two kinds, and what the CPU finds there.
+struct Placements {
+  ShapeTable table;
+  std::vector<PlacedPair> pairs, moved;  // the device may have another origin
+  std::vector<std::vector<ContactPoint>> expected;
+  std::vector<std::array<Shape, 2>> shapes;
+  std::vector<Vec3> origins;
+  std::vector<Placement> placements;
+
+  // Of the device, where the CPU has it.
+  std::vector<std::vector<ContactPoint>> found(NarrowOnDevice& device, const Pair& kinds) const {
+    auto found = device.contacts(table, kinds.kind_0, kinds.kind_1, moved);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      for (ContactPoint& p : found[k]) {
+        p.y_a += origins[k];
+        p.y_b += origins[k];
+      }
+    }
+    return found;
+  }
+  std::string named(std::size_t k) const {
+    return "pair " + std::to_string(k) + ", " + kNames[placements[k]] + ", shapes " +
+           std::to_string(pairs[k].shape[0]) + ", " + std::to_string(pairs[k].shape[1]) +
+           ", contacts of the CPU " + std::to_string(expected[k].size());
+  }
+};
+
+Placements placements_of(const Pair& kinds, Random& random) {
+  Placements out;
+  const std::vector<Shape> list[2] = {shapes_of(kinds.kind_0), shapes_of(kinds.kind_1)};
+  Model model;
+  for (const auto& shapes : list) model.shape.insert(model.shape.end(), shapes.begin(), shapes.end());
+  out.table = make_shape_table(model);
+  for (int trial = 0; trial < kinds.pairs; ++trial) {
+    std::size_t number[2];
+    for (int i = 0; i < 2; ++i)
+      number[i] = static_cast<std::size_t>(random.uniform(0, static_cast<double>(list[i].size())));
+    Shape shape[2] = {list[0][number[0]], list[1][number[1]]};
+    std::uint32_t of_table[2] = {out.table.of_body[number[0]], out.table.of_body[list[0].size() + number[1]]};
+    // Either kind may have the lower number.
+    if (random.uniform(0, 1) < 0.5) {
+      std::swap(shape[0], shape[1]);
+      std::swap(of_table[0], of_table[1]);
+    }
+    out.placements.push_back(trial < kPairs ? static_cast<Placement>(trial % kPlacements)
+                                            : kUndoubted[trial % std::size(kUndoubted)]);
+    PlacedPair pair = place(out.placements.back(), shape, random);
+    std::copy(of_table, of_table + 2, pair.shape);
+    out.expected.push_back(setup_of(shape[0], shape[1], pair).contacts());
+    out.shapes.push_back({shape[0], shape[1]});
+    const Vec3 near = random.within(-1, 1);
+    out.origins.push_back(trial / kPlacements % 2 == 0 ? Vec3::Zero() : near);
+    out.pairs.push_back(pair);
+    for (Vec3& c : pair.c) c -= out.origins.back();
+    out.moved.push_back(pair);
+  }
+  return out;
+}
+
 }  // namespace
 
 TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pair of kinds") {
@@ -221,62 +282,62 @@ TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pa
   for (const Pair& kinds : kKinds) {
     DYNAMIC_SECTION(kinds.name) {
       Random random(2027);
-      const std::vector<Shape> list[2] = {shapes_of(kinds.kind_0), shapes_of(kinds.kind_1)};
-      Model model;
-      for (const auto& shapes : list) model.shape.insert(model.shape.end(), shapes.begin(), shapes.end());
-      const ShapeTable table = make_shape_table(model);
-
-      std::vector<PlacedPair> pairs, moved;
-      std::vector<std::vector<ContactPoint>> expected;
-      std::vector<std::array<Shape, 2>> shape_of;
-      std::vector<Vec3> origins;
-      std::vector<Placement> placements;
-      for (int trial = 0; trial < kinds.pairs; ++trial) {
-        std::size_t number[2];
-        for (int i = 0; i < 2; ++i)
-          number[i] = static_cast<std::size_t>(random.uniform(0, static_cast<double>(list[i].size())));
-        Shape shape[2] = {list[0][number[0]], list[1][number[1]]};
-        std::uint32_t of_table[2] = {table.of_body[number[0]], table.of_body[list[0].size() + number[1]]};
-        // Either kind may have the lower number.
-        if (random.uniform(0, 1) < 0.5) {
-          std::swap(shape[0], shape[1]);
-          std::swap(of_table[0], of_table[1]);
-        }
-        placements.push_back(trial < kPairs ? static_cast<Placement>(trial % kPlacements)
-                                            : kUndoubted[trial % std::size(kUndoubted)]);
-        PlacedPair pair = place(placements.back(), shape, random);
-        std::copy(of_table, of_table + 2, pair.shape);
-        expected.push_back(setup_of(shape[0], shape[1], pair).contacts());
-        shape_of.push_back({shape[0], shape[1]});
-        // The device may have another origin.
-        const Vec3 near = random.within(-1, 1);
-        origins.push_back(trial / kPlacements % 2 == 0 ? Vec3::Zero() : near);
-        pairs.push_back(pair);
-        for (Vec3& c : pair.c) c -= origins.back();
-        moved.push_back(pair);
-      }
-
-      auto found = device.contacts(table, kinds.kind_0, kinds.kind_1, moved);
+      const Placements all = placements_of(kinds, random);
+      const auto found = all.found(device, kinds);
       int contacts = 0, touching = 0, decided_otherwise = 0;
-      for (std::size_t k = 0; k < pairs.size(); ++k) {
-        for (ContactPoint& p : found[k]) {
-          p.y_a += origins[k];
-          p.y_b += origins[k];
-        }
-        contacts += static_cast<int>(expected[k].size());
-        touching += expected[k].empty() ? 0 : 1;
-        if (same(found[k], expected[k])) continue;
-        const Shape shape[2] = {shape_of[k][0], shape_of[k][1]};
-        INFO("pair " << k << ", " << kNames[placements[k]] << ", shapes " << pairs[k].shape[0] << ", "
-                     << pairs[k].shape[1] << ", contacts of the CPU " << expected[k].size()
-                     << ", of the device " << found[k].size());
-        CHECK(same_nearby(found[k], shape, pairs[k], random));
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        contacts += static_cast<int>(all.expected[k].size());
+        touching += all.expected[k].empty() ? 0 : 1;
+        if (same(found[k], all.expected[k])) continue;
+        INFO(all.named(k) << ", of the device " << found[k].size());
+        CHECK(same_nearby(found[k], all.shapes[k], all.pairs[k], random));
         ++decided_otherwise;
       }
       CAPTURE(contacts, decided_otherwise);
       CHECK(touching > kinds.pairs / 2);
       CHECK(contacts >= touching);
       CHECK(decided_otherwise <= kinds.pairs / 400);
+    }
+  }
+}
+
+// In float a decision hangs on more: which of two faces, edges or corners that are as near as rounding tells has the
+// contact, and whether two corners that snap together do. Where one falls otherwise the points are others, and no
+// better or worse: the gap is the CPU's, to kSameGap. Two things are left. Where a face and an edge are equally good, the
+// one that is taken may be less near by as much as it is preferred (narrow_phase.h); and of edges that touch to the last
+// digit, where there is no direction from one to the other, one of the two may see nothing.
+TEST_CASE("in float the shaders of the narrow phase find the CPU's contacts but where rounding decides") {
+  constexpr double kFloat = 2e-6, kSameGap = 1e-5, kTouch = 1e-7, kLargest = 0.5;
+  NarrowOnDevice device(kWideIsFloat);
+  for (const Pair& kinds : kKinds) {
+    DYNAMIC_SECTION(kinds.name) {
+      Random random(2027);
+      const Placements all = placements_of(kinds, random);
+      const auto found = all.found(device, kinds);
+      int decided_otherwise = 0, other_gap = 0;
+      std::vector<double> errors;  // of the deepest d
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        const double reach = all.pairs[k].reach, d = smallest_d(found[k]),
+                     cpu_d = smallest_d(all.expected[k]);
+        const double error = std::abs(std::min(d, reach) - std::min(cpu_d, reach));
+        if (same(found[k], all.expected[k], kFloat)) {
+          errors.push_back(error);
+          continue;
+        }
+        ++decided_otherwise;
+        if (error < kSameGap) continue;
+        ++other_gap;
+        const bool one_sees_none = found[k].empty() != all.expected[k].empty();
+        const double allowed = 0.02 * std::abs(cpu_d) + 1e-3 * kLargest;
+        INFO(all.named(k) << ", of the device " << found[k].size() << ", deepest " << cpu_d << ", " << d);
+        CHECK((one_sees_none ? std::abs(std::min(d, cpu_d)) < kTouch : error < allowed));
+      }
+      std::sort(errors.begin(), errors.end());
+      const double usual = errors[errors.size() / 2];
+      CAPTURE(decided_otherwise, other_gap, usual);
+      CHECK(decided_otherwise <= kinds.pairs / 50);
+      CHECK(other_gap <= kinds.pairs / 1000);
+      CHECK(usual < 1e-10);  // gaps are measured again in double
     }
   }
 }

@@ -58,7 +58,13 @@ void main() {
     const uint a = second_owns ? second : first, b = second_owns ? first : second;
     const dvec3 c_a = second_owns ? c_second : c_first, c_b = second_owns ? c_first : c_second;
     const dmat3 R_a = second_owns ? R_second : R_first, R_b = second_owns ? R_first : R_second;
-    const dvec3 y_b = dvec3(f.y_b), f_n = dvec3(f.n), y_a = y_b - double(f.d) * f_n;
+    dvec3 y_b = dvec3(f.y_b), f_n = dvec3(f.n);
+    double f_d = double(f.d);
+#ifdef WIDE_IS_FLOAT
+    f_d = measured_again(f, uint(kinds[kind_number[a]].shape), c_a, R_a,
+                         uint(kinds[kind_number[b]].shape), c_b, R_b, y_b, f_n);
+#endif
+    const dvec3 y_a = y_b - f_d * f_n;
     const double radius_a = kinds[kind_number[a]].rolling, radius_b = kinds[kind_number[b]].rolling;
     const bool turns = radius_a == 0;
     const dvec3 r_b = turned_back(b, y_b + radius_b * f_n - c_b);

@@ -258,7 +258,7 @@ void find_contacts(wide reach) {
       bool is_there;
       if (at_corner) {
         place = place_of_corner(corner, corner_of_b);
-        is_there = place.d < d && place.d > beyond_rounding(1e-12lf) * smallest;
+        is_there = place.d < d && place.d > wide(1e-12lf) * smallest;
       } else {
         is_there = place_of_edges(edge, place);
       }
