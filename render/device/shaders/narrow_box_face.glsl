@@ -10,18 +10,19 @@ struct Corner {
 
 const uint NAME = 31u, CLIPPED = 32u, RUNS_ON = 64u;  // the name, and two flags beside it
 
-// The incident box as the reference box sees it, and the face: its middle and half edges, along and above the reference.
+// The incident box as the reference box sees it.
 struct FaceQuery {
-  wide3 h, g;      // half edges of the reference and of the incident box
-  mat_wide3 C;     // column j: axis j of the incident box, in the reference frame
+  wide3 h, g;   // half edges of the reference and of the incident box
+  mat_wide3 C;  // column j: axis j of the incident box, in the reference frame
   wide3 t;
   bool of_second;  // the reference is the second body
 };
+// Along and above the reference face; e_1, e_2: half edges.
 struct IncidentFace {
   wide3 middle, e_1, e_2;
 };
 
-wide3 h, g;  // half edges of the bodies a and b
+wide3 h, g;                    // half edges of the bodies a and b
 Corner clipped[MOST_CORNERS];  // from clip to clip in place
 Corner kept[MOST_CORNERS];     // those in reach of the face that was kept last
 int kept_count = 0;

@@ -102,7 +102,9 @@ void add_round_contact(bool b_owns, wide3 p_a, wide r_a, wide3 p_b, wide r_b, wi
 }
 
 // By how much a rival must be better than what is preferred.
-wide preference(wide separation, wide smallest_half) { return wide(0.02lf) * abs(separation) + wide(1e-3lf) * smallest_half; }
+wide preference(wide separation, wide smallest_half) {
+  return wide(0.02lf) * abs(separation) + wide(1e-3lf) * smallest_half;
+}
 
 // A unit vector normal to the unit vector u: +y where u allows it.
 wide3 any_normal(wide3 u) {
