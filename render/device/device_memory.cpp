@@ -87,11 +87,12 @@ void DeviceStep::make_room(const Counters& c) {
     make_contact_buffers(std::max(contact_room_, more(c.raw, contact_room_)));
   if ((c.overflow & too_many_colors) != 0) {
     if (color_limit_ == kColors) {
-      throw Error(ErrorKind::no_context, "the bodies_ that touch each other need more than " +
+      throw Error(ErrorKind::no_context, "the bodies that touch each other need more than " +
                                              std::to_string(kColors) + " colors: --device cpu");
     }
     color_limit_ = kColors;
   }
+  if ((c.overflow & too_few_rounds) != 0) rounds_ *= 2;
   buffers.clear(Slot::counters, 0, sizeof(Counters::overflow));
 }
 

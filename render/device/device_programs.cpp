@@ -128,7 +128,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const st
       .fill_ends = ends("0"),
       .sort_ends = ends("1"),
       .scan = {scan("0"), scan("1"), scan("2")},
-      .colors = {color("CHECK"), color("TAKE"), color("ROUND_OF_COLORS"), color("REST"), color("SIZES"),
+      .colors = {color("CHECK"), color("TAKE"), color("ROUND_OF_COLORS"), color("SIZES"),
                  color("STARTS"), color("LISTS")},
       .start_bodies = compile("first iterate", {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "STEPS"},
                               "#define BODIES\n", {}, device_start_comp),

@@ -27,7 +27,7 @@ struct Programs {
     ComputeProgram blocks, sums, add;
   };
   struct Colors {
-    ComputeProgram check, take, round, rest, sizes, starts, lists;
+    ComputeProgram check, take, round, sizes, starts, lists;
   };
   ComputeProgram fly, scatter, count_pairs, list_pairs;
   ComputeProgram reuse;

@@ -133,8 +133,6 @@ void DeviceStep::color_bodies() {
     set(colors.round, "round_", r);
     dispatch(colors.round, body_groups);
   }
-  set(colors.rest, "round_", rounds_ + 1);
-  dispatch(colors.rest, 1);
   dispatch(colors.sizes, body_groups);
   dispatch(colors.starts, 1);
   dispatch(colors.lists, body_groups);

@@ -24,8 +24,8 @@ class DeviceStep {
 
   // Larger buffers for what was too small in the step that these counters are of; steps are made again then.
   void make_room(const Counters& counters);
-  // How many colors and rounds of coloring the next steps are dispatched for. Changes no result: with too few colors
-  // the step is made again, too few rounds are followed by others.
+  // How many colors and rounds of coloring the next steps are dispatched for. Changes no result: with too few of
+  // either the step is made again.
   void expect(const Counters& counters);
 
   const Model& model() const { return model_; }

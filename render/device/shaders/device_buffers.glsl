@@ -23,7 +23,7 @@ AT(6) buffer Flights { Flight flight[]; };
 AT(7) buffer Places { Place place[]; };
 #endif
 #ifdef USES_BOUNDS
-AT(8) buffer Boxes { vec4 bounds[]; };  // two a body: lowest, highest corner; w of the first: level, as bits
+AT(8) buffer Boxes { vec4 bounds[]; };  // two a body: lowest, highest corner; w of the first: level
 #endif
 #ifdef USES_CELLS
 AT(9) buffer CellFirst { uint cell_first[]; };  // a bucket; then one more

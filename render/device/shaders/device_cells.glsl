@@ -6,7 +6,7 @@ vec3 middle_of(uint i) {
   return (bounds[2u * i].xyz + bounds[2u * i + 1u].xyz) / 2;
 }
 uint level_at(uint i) {
-  return floatBitsToUint(bounds[2u * i].w);
+  return uint(bounds[2u * i].w);
 }
 float cell_size(uint level) {
   return float(params.cell) * float(1u << level);

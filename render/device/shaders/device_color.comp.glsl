@@ -3,10 +3,10 @@
 //
 //   CHECK    a thread a body: who shares its color with a neighbor that goes first loses it;  TAKE  puts that down
 //   ROUND    who goes first among its neighbors without a color takes the least that is free
-//   REST     the same by one work group until all have one, where rounds were too few
 //   SIZES    of the colors;  STARTS  where they begin, and how to dispatch them;  LISTS  who is in which
 //
-// A color that was given in this round counts as none, so that all see the same.
+// A color that was given in this round counts as none, so that all see the same. Where the rounds were too few the step
+// is made again with more.
 uniform uint round_;
 
 // Who goes first: any order that is the same for all and mixes neighbors.
@@ -93,22 +93,6 @@ void main() {
   color(i, round_);
 }
 #endif
-#ifdef REST
-shared uint left;
-void main() {
-  const uint t = gl_LocalInvocationID.x;
-  for (uint r = round_;; ++r) {
-    if (t == 0u) left = counters.overflow != 0u ? 0u : atomicAdd(counters.uncolored, 0u);
-    memoryBarrierShared();
-    barrier();
-    if (left == 0u) return;
-    for (uint i = t; i < params.bodies; i += GROUP) color(i, r);
-    memoryBarrierBuffer();
-    barrier();
-    if (t == 0u) counters.rounds = r;
-  }
-}
-#endif
 #ifdef SIZES
 shared uint size[COLORS];
 void main() {
@@ -124,6 +108,7 @@ void main() {
 #ifdef STARTS
 void main() {
   if (gl_GlobalInvocationID.x != 0u) return;
+  if (counters.uncolored != 0u) atomicOr(counters.overflow, TOO_FEW_ROUNDS);
   uint first = 0u;
   for (uint c = 0u; c < COLORS; ++c) {
     const uint n = counters.overflow != 0u ? 0u : counters.color_size[c];

@@ -80,7 +80,7 @@ void main() {
   flight[i] = f;
 
   if (k.form == FORM_PLANE) {
-    bounds[2u * i].w = uintBitsToFloat(LEVELS);
+    bounds[2u * i].w = float(LEVELS);
     return;
   }
   // Rounded outwards.
@@ -93,7 +93,7 @@ void main() {
   const vec3 margin = vec3(1e-6) * vec3(abs(c) + extent);
   const float half_size = float(max(extent.x, max(extent.y, extent.z))) * 1.00001;
   const uint level = level_of(half_size);
-  bounds[2u * i] = vec4(vec3(c - extent) - margin, uintBitsToFloat(level));
+  bounds[2u * i] = vec4(vec3(c - extent) - margin, float(level));
   bounds[2u * i + 1u] = vec4(vec3(c + extent) + margin, 0);
   atomicAdd(counters.level[level], 1u);
   if (level + 1u == LEVELS) {

@@ -104,7 +104,7 @@ struct Counters {
   uint kept;  // pairs whose contacts were kept
   double kinetic, potential, elastic;
 };
-const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u;
+const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u, TOO_FEW_ROUNDS = 8u;
 
 // A float as bits that are in the order of the values.
 uint ordered(float x) {
