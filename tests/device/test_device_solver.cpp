@@ -254,6 +254,20 @@ TEST_CASE("the GPU refuses what it cannot solve, with words that help") {
   CHECK_FALSE(why("shapes").empty());
 }
 
+TEST_CASE("the large scenes are as large as they say, and the GPU takes them") {
+  const auto load = [](const char* name) {
+    return load_scene(std::string(PABD_SCENES) + "/../large/" + name + ".json");
+  };
+  const Scene avalanche = load("avalanche");
+  CHECK(avalanche.model.size() == 100'005);
+  CHECK(DeviceSolver::why_not(avalanche.model, avalanche.params).empty());
+#ifndef PABD_SANITIZED
+  const Scene million = load("million");
+  CHECK(million.model.size() > 1'000'000);
+  CHECK(DeviceSolver::why_not(million.model, million.params).empty());
+#endif
+}
+
 namespace {
 
 // A context whose GPU is lost while the solver waits.
