@@ -21,8 +21,8 @@ bool in_sight(vec3 at, float radius) {
 }
 
 // Whether a ball meets a map whose sides go from 0 to 1; `room`: its radius there.
-bool meets(vec4 rows[2], vec3 at, float room) {
-  const vec2 q = vec2(dot(rows[0], vec4(at, 1.0)), dot(rows[1], vec4(at, 1.0)));
+bool meets(vec4 row_x, vec4 row_y, vec3 at, float room) {
+  const vec2 q = vec2(dot(row_x, vec4(at, 1.0)), dot(row_y, vec4(at, 1.0)));
   return all(greaterThan(q, vec2(-room))) && all(lessThan(q, vec2(1.0 + room)));
 }
 
@@ -41,12 +41,10 @@ uvec3 classes_of(Part p, vec3 at) {
     found.x = p.first_class + min(p.levels - 1u, level_of(view.sizes.x * scale / distance_));
   }
   const uint coarse = level_of(0.5 * scale / view.sizes.z);
-  vec4 rows[2] = view.shadow;
-  if (meets(rows, at, around / view.sizes.w))
+  if (meets(view.shadow[0], view.shadow[1], at, around / view.sizes.w))
     found.y = p.first_class + min(p.levels - 1u, min(2u, coarse));
   if (view.floor_size.y == 0.0 || dot(view.floor_.xyz, at) - view.floor_.w >= 3.0 * scale) return found;
-  rows = view.floor_map;
-  if (meets(rows, at, around / view.floor_size.x))
+  if (meets(view.floor_map[0], view.floor_map[1], at, around / view.floor_size.x))
     found.z = p.first_class + min(p.levels - 1u, min(1u, coarse));
   return found;
 }
