@@ -2,11 +2,13 @@
 // Bodies that are solved and drawn on the GPU, their state never on the processor: ms a frame of a step, of a picture,
 // of both, and of both with the picture read back.
 //
-//   bench_million [towers|avalanche] N frames [--png DIR every] [--size W H] [--close] [--shadow SIDE] [--steps K]
+//   bench_million [towers|avalanche] N frames [--png DIR every] [--size W H] [--close] [--shadow SIDE] [--steps K] [--sweeps K]
+//                [--kappa J]
 //
 // towers: columns of ten boxes and a ball of steel that rolls through them. avalanche: boxes, balls, capsules and hulls
 // on a slope. --png writes every so many frames of the last run. --close looks at where things happen first. --shadow:
-// texels of a side of the shadow map, 4096; --steps: of a frame, 1 (1/60 s each). Every run starts anew.
+// texels of a side of the shadow map, 4096. --steps: of a frame of 1/60 s, 4 for towers, else 1. --sweeps: of a step,
+// 10. --kappa: stiffness of contacts. Every run starts anew.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -39,8 +41,9 @@ double ms_since(Clock::time_point start) {
 
 struct Options {
   bool avalanche = false, close = false;
-  int bodies = 0, frames = 0, steps = 1;
+  int bodies = 0, frames = 0, steps = 0, sweeps = 10;
   int width = 1920, height = 1080, shadow = 4096;
+  double kappa = 0;  // J; 0: as the setting has it
   std::string folder;
   int every = 0;
 };
@@ -66,6 +69,10 @@ Options parse(int argc, char** argv) {
       out.close = true;
     } else if (word == "--shadow") {
       out.shadow = std::atoi(next(k).c_str()) / 8 * 8;
+    } else if (word == "--kappa") {
+      out.kappa = std::atof(next(k).c_str());
+    } else if (word == "--sweeps") {
+      out.sweeps = std::max(1, std::atoi(next(k).c_str()));
     } else if (word == "--steps") {
       out.steps = std::max(1, std::atoi(next(k).c_str()));
     } else {
@@ -76,7 +83,7 @@ Options parse(int argc, char** argv) {
     throw Error(
         ErrorKind::bad_input,
         "expected: bench_million [towers|avalanche] N frames [--png DIR every] [--size W H] [--close] "
-        "[--shadow SIDE] [--steps K]");
+        "[--shadow SIDE] [--steps K] [--sweeps K] [--kappa J]");
   }
   out.bodies = numbers[0];
   out.frames = numbers[1];
@@ -122,6 +129,10 @@ struct Bench {
         bodies(*context, body_parts(setting.model), solver.pose_buffer()),
         renderer(*context, o.width, o.height) {
     quality.shadow_side = o.shadow;
+    setting.params.solver.iterations = o.sweeps;
+    if (options.steps == 0) options.steps = setting.steps;
+    setting.params.h /= options.steps;
+    if (o.kappa > 0) setting.params.contact.kappa = o.kappa;
   }
 
   static std::unique_ptr<GlContext> make_context() {
@@ -201,9 +212,20 @@ int main(int argc, char** argv) try {
   row("step, draw and read back", bench.measure(true, true, true));
   const StepSummary& summary = bench.solver.finish();
   fmt::print(
-      "last step: {} contacts, {} colors, kinetic {:.4g} J, least gap {:.3g} m, {}; {} steps repeated\n",
-      summary.contacts, bench.solver.colors(), summary.kinetic, summary.min_gap,
+      "last step: kappa {:.3g} J, {} contacts, {} colors, kinetic {:.4g} J, least gap {:.3g} m, {}; {} steps "
+      "repeated\n",
+      summary.kappa, summary.contacts, bench.solver.colors(), summary.kinetic, summary.min_gap,
       summary.status == StepStatus::non_finite ? "NOT FINITE" : "finite", bench.solver.repeated());
+  State state;
+  bench.solver.read_state(state, false);
+  double way = 0, fastest = 0;
+  for (std::size_t i = 0; i < state.c.size(); ++i) {
+    way = std::max(way, (state.c[i] - bench.setting.state.c[i]).norm());
+    fastest = std::max(fastest, state.v[i].norm());
+  }
+  fmt::print(
+      "farthest way {:.3g} m, fastest {:.3g} m/s; the last body is at {:.3g} {:.3g} {:.3g} m, {:.3g} m/s\n",
+      way, fastest, state.c.back().x(), state.c.back().y(), state.c.back().z(), state.v.back().norm());
   return 0;
 } catch (const Error& error) {
   fmt::print(stderr, "bench_million: {}\n", error.what());

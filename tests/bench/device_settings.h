@@ -11,6 +11,7 @@
 #include "sim/body/mass_properties.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
+#include "sim/potential/barrier.h"
 #include "sim/solver/params.h"
 
 namespace pabd::bench {
@@ -21,6 +22,7 @@ struct Setting {
   Params params;
   // Corners of the box in which all that is worth seeing happens; m.
   Vec3 lowest = Vec3::Zero(), highest = Vec3::Zero();
+  int steps = 1;  // of a frame of 1/60 s
 };
 
 inline Setting plain_setting() {
@@ -86,13 +88,22 @@ inline Setting make_setting(bool heap, int bodies) {
 
 // The towers, and a ball of steel that rolls into them. Of a million its radius is 12 m, and less of fewer; its speed
 // goes with the root of its radius, as does all that falls beside it.
+//
+// κ is what the floor carries the ball with at d = d̂/5. The default goes by what the heaviest body hits with, some hundred
+// times as much: then few sweeps see boxes as walls, and the ball stops at the first ones. A sweep lets a heavy body push
+// light ones by less than d̂: hence four steps a frame.
 inline Setting towers_and_ball(int bodies) {
   Setting out = make_setting(false, bodies);
-  const double side = towers_side(bodies), radius = std::max(1.0, 12 * side / 316);
-  const double speed = 30 * std::sqrt(radius / 12), middle = 0.5 * side - 0.3;
+  const double side = towers_side(bodies), radius = std::max(1.5, 12 * side / 316);
+  const double speed = 16 * std::sqrt(radius / 12), middle = 0.5 * side - 0.3;
   add(out, Sphere{radius}, 7850, {-radius - 1.5, radius + 0.0095, middle}, Mat3::Identity());
   out.state.v.back() = Vec3(speed, 0, 0);
   out.state.omega.back() = Vec3(0, 0, -speed / radius);
+  out.steps = 4;
+  ContactParams& contact = out.params.contact;
+  const Barrier unit{contact.barrier, contact.N, contact.d_hat, 1.0, contact.onset};
+  const double weight = out.model.mass.back() * out.params.gravity.norm();
+  contact.kappa = weight / -evaluate(unit, 0.2 * contact.d_hat).first;
   out.lowest = {-2 * radius - 1.5, 0, -0.5};
   out.highest = {side, std::max(2 * radius, 5.5), side};
   return out;
@@ -101,6 +112,7 @@ inline Setting towers_and_ball(int bodies) {
 // Boxes, balls, capsules and hulls that slide down a slope of 38° between walls, onto a level floor.
 inline Setting avalanche(int bodies) {
   Setting out = plain_setting();
+  out.params.contact.mu_static = out.params.contact.mu_dynamic = 0.3;
   const double angle = 38 * kPi / 180, pitch = 0.85;
   const Vec3 down(std::cos(angle), -std::sin(angle), 0), across(0, 0, 1);
   const Vec3 up = across.cross(down).normalized();  // of the slope
@@ -112,7 +124,7 @@ inline Setting avalanche(int bodies) {
   const int layers = std::clamp(static_cast<int>(std::cbrt(bodies) / 4), 2, 10);
   const int wide = std::max(1, static_cast<int>(std::sqrt(bodies / (1.5 * layers))));
   const int each = wide * layers, rows = (bodies + each - 1) / each;
-  const double width = pitch * wide, length = pitch * rows, run = 0.4 * length + 4;
+  const double width = pitch * wide, length = pitch * rows, run = 0.15 * length + 2;
   const double wall = 0.6 * pitch * layers, half_thickness = 0.25;
   for (const double z : {-0.5 * width - half_thickness, 0.5 * width + half_thickness}) {
     const double half = 0.5 * (length + run) + 2;
@@ -137,7 +149,7 @@ inline Setting avalanche(int bodies) {
   }
   const Vec3 top = -(run + length) * down;
   out.lowest = {top.x(), 0, -0.5 * width};
-  out.highest = {0.6 * (run + length), top.y() + pitch * layers, 0.5 * width};
+  out.highest = {0.4 * (run + length), top.y() + pitch * layers, 0.5 * width};
   return out;
 }
 
