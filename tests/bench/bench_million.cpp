@@ -113,7 +113,9 @@ VisualScene bare_scene(const Setting& setting, const Options& options) {
                      0});
   }
   Camera like = pleasing_side();
-  if (options.avalanche) like.eye.x() = std::abs(like.eye.x()) + 0.3f;  // from below
+  like.eye = options.avalanche
+                 ? Vec3f(std::abs(like.eye.x()) + 0.3f, like.eye.y(), like.eye.z())  // from below
+                 : Vec3f(-0.6f, 0.75f, 0.8f);  // down into the lane of the ball
   scene.camera = fit_camera(spots, like, static_cast<double>(options.width) / options.height);
   return scene;
 }

@@ -95,7 +95,7 @@ inline Setting make_setting(bool heap, int bodies) {
 inline Setting towers_and_ball(int bodies) {
   Setting out = make_setting(false, bodies);
   const double side = towers_side(bodies), radius = std::max(1.5, 12 * side / 316);
-  const double speed = 16 * std::sqrt(radius / 12), middle = 0.5 * side - 0.3;
+  const double speed = 24 * std::sqrt(radius / 12), middle = 0.5 * side - 0.3;
   add(out, Sphere{radius}, 7850, {-radius - 1.5, radius + 0.0095, middle}, Mat3::Identity());
   out.state.v.back() = Vec3(speed, 0, 0);
   out.state.omega.back() = Vec3(0, 0, -speed / radius);
