@@ -25,6 +25,7 @@
 #include "render/output/png.h"
 #include "render/visual/body_parts.h"
 #include "render/visual/framing.h"
+#include "render/visual/palette.h"
 #include "sim/base/error.h"
 #include "tests/bench/device_settings.h"
 
@@ -120,6 +121,13 @@ VisualScene bare_scene(const Setting& setting, const Options& options) {
   return scene;
 }
 
+// The palette's colours, and the ball in that of steel.
+BodyParts parts_of(const Setting& setting, const Options& options) {
+  BodyParts parts = body_parts(setting.model);
+  if (!options.avalanche) parts.colors.back() = srgb_color(0x7a8088);
+  return parts;
+}
+
 struct Bench {
   explicit Bench(const Options& o)
       : options(o),
@@ -128,7 +136,7 @@ struct Bench {
         setting(o.avalanche ? avalanche(o.bodies) : towers_and_ball(o.bodies)),
         solver(*context, setting.model, setting.state),
         scene(bare_scene(setting, o)),
-        bodies(*context, body_parts(setting.model), solver.pose_buffer()),
+        bodies(*context, parts_of(setting, o), solver.pose_buffer()),
         renderer(*context, o.width, o.height) {
     quality.shadow_side = o.shadow;
     setting.params.solver.iterations = o.sweeps;
