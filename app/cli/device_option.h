@@ -12,8 +12,8 @@
 
 namespace pabd::cli {
 
-// From so many bodies that move a GPU is quicker than a processor.
-inline constexpr Index kFewestOnGpu = 20'000;
+// From so many bodies that move a GPU is several times as quick as a processor (tests/bench/README.md).
+inline constexpr Index kFewestOnGpu = 10'000;
 
 void add_device_option(CLI::App& command, std::string& device);
 

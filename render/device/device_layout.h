@@ -62,7 +62,12 @@ struct StepParams {
 };
 static_assert(sizeof(StepParams) == 152);
 
-enum Overflow : std::uint32_t { too_many_pairs = 1, too_many_contacts = 2, too_many_colors = 4, too_few_rounds = 8 };
+enum Overflow : std::uint32_t {
+  too_many_pairs = 1,
+  too_many_contacts = 2,
+  too_many_colors = 4,
+  too_few_rounds = 8
+};
 
 struct Counters {
   std::uint32_t overflow;

@@ -146,7 +146,7 @@ TEST_CASE("auto takes the processor for few bodies, for what only it can do, and
   const TempFolder folder;
   const Outcome few = run_pabd({"run", "stack", "--steps", "1", "--device", "auto"});
   CHECK(few.exit_code == 0);
-  CHECK(few.err.find("by the processor: 10 bodies move, fewer than 20000") != std::string::npos);
+  CHECK(few.err.find("by the processor: 10 bodies move, fewer than 10000") != std::string::npos);
   write_text(folder / "many.json", balls_on_a_grid(142));
   const Outcome many =
       run_pabd({"run", folder / "many.json", "--steps", "1", "--device", "auto"}, software());

@@ -2,14 +2,6 @@
 // Contacts in the order of their pairs, with what their pair remembers (sim/solver/friction.cpp, recovery.cpp): a
 // thread a pair.
 
-uint kept_pair(uint i, uint j) {
-  const uint end = kept_first[i + 1u];
-  for (uint k = kept_first[i]; k < end; ++k) {
-    if (kept_pairs[k].other == j) return k;
-  }
-  return 0xffffffffu;
-}
-
 void main() {
   const uint p = gl_GlobalInvocationID.x;
   if (p == 0u) counters.contacts = contact_first[params.pair_room];
@@ -18,8 +10,8 @@ void main() {
   const uint emitter = pairs[p].emitter, other = pairs[p].other;
   uint flags = 0u, kept_at = 0u, kept_count = 0u;
   uint kept = kept_pair(emitter, other);
-  if (kept == 0xffffffffu) kept = kept_pair(other, emitter);
-  if (kept != 0xffffffffu) {
+  if (kept == NO_PAIR) kept = kept_pair(other, emitter);
+  if (kept != NO_PAIR) {
     kept_at = kept_pairs[kept].first;
     kept_count = kept_pairs[kept].count & 0xffffu;
     flags = kept_pairs[kept].count >> 16;

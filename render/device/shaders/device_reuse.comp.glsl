@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contacts of pairs that hardly moved since they were found: a thread a pair.
 
-uint kept_pair(uint i, uint j) {
-  const uint end = kept_first[i + 1u];
-  for (uint k = kept_first[i]; k < end; ++k) {
-    if (kept_pairs[k].other == j) return k;
-  }
-  return 0xffffffffu;
-}
-
 void main() {
   const uint p = gl_GlobalInvocationID.x;
   if (p >= counters.pairs || counters.overflow != 0u) return;
@@ -16,7 +8,7 @@ void main() {
   const BodyKind one = kinds[kind_number[emitter]], two = kinds[kind_number[other]];
   if (one.rolling > 0 || two.rolling > 0) return;
   const uint kept = kept_pair(emitter, other);
-  if (kept == 0xffffffffu || kept_pairs[kept].seen.w < 0) return;
+  if (kept == NO_PAIR || kept_pairs[kept].seen.w < 0) return;
   real3 x;
   real4 q;
   relative_pose(emitter, other, x, q);
