@@ -147,7 +147,8 @@ std::string DeviceSolver::why_not(const Model& model, const Params& params) {
   if (!model.joints.empty()) return "the scene has joints, which the GPU does not take: --device cpu";
   if (params.contact.barrier == BarrierKind::log)
     return "the log barrier is not solved on the GPU: --device cpu, or another \"barrier\"";
-  return why_not_on_device(model);
+  const std::string why = why_not_on_device(model);
+  return why.empty() ? why : why + ": --device cpu";
 }
 
 void DeviceSolver::set_state(const State& state) {
