@@ -296,7 +296,7 @@ TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pa
       CAPTURE(contacts, decided_otherwise);
       CHECK(touching > kinds.pairs / 2);
       CHECK(contacts >= touching);
-      CHECK(decided_otherwise <= kinds.pairs / 400);
+      CHECK(decided_otherwise <= 1 + kinds.pairs / 400);
     }
   }
 }
@@ -336,7 +336,7 @@ TEST_CASE("in float the shaders of the narrow phase find the CPU's contacts but 
       const double usual = errors[errors.size() / 2];
       CAPTURE(decided_otherwise, other_gap, usual);
       CHECK(decided_otherwise <= kinds.pairs / 50);
-      CHECK(other_gap <= kinds.pairs / 1000);
+      CHECK(other_gap <= 1 + kinds.pairs / 1000);
       CHECK(usual < 1e-10);  // gaps are measured again in double
     }
   }
