@@ -45,7 +45,7 @@ class Compiler {
     std::string defines = common_ + fmt::format("#define GROUP {}u\n", group);
     for (const char* array : uses) defines += fmt::format("#define USES_{}\n", array);
     defines += more;
-    std::vector<ShaderPart> all = {shaders::root, shaders::device_layout, shaders::device_buffers,
+    std::vector<ShaderPart> all = {roots_part(), shaders::device_layout, shaders::device_buffers,
                                    shaders::device_rotation};
     all.insert(all.end(), parts.begin(), parts.end());
     all.push_back(main);
@@ -57,9 +57,7 @@ class Compiler {
   std::string common_;
 };
 
-// What the narrow phase brings, less the roots that all programs have.
 std::vector<ShaderPart> with_kept(std::vector<ShaderPart> narrow) {
-  std::erase_if(narrow, [](const ShaderPart& part) { return part.text == shaders::root.text; });
   narrow.insert(narrow.begin(), shaders::device_kept);
   return narrow;
 }

@@ -10,7 +10,7 @@ namespace pabd {
 
 std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second) {
   using namespace shaders;
-  std::vector<ShaderPart> parts = {shape_table, root, narrow_common};
+  std::vector<ShaderPart> parts = {shape_table, narrow_common};
   const auto add = [&](std::initializer_list<ShaderPart> more) {
     parts.insert(parts.end(), more);
     parts.insert(parts.end(), {narrow_found, narrow_again});
@@ -49,5 +49,7 @@ std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second) {
       return {};
   }
 }
+
+ShaderPart roots_part() { return shaders::root; }
 
 }  // namespace pabd

@@ -20,5 +20,7 @@ inline constexpr const char* kWideIsDouble =
 // The files that define find_contacts (shaders/narrow_common.glsl says how to call it) for two bodies of these kinds of
 // DeviceShape, in either order; a main follows them. Empty for two planes, which never meet.
 std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second);
+// Square roots, which they need before them, as all of the solver does.
+ShaderPart roots_part();
 
 }  // namespace pabd

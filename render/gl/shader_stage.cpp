@@ -31,12 +31,13 @@ std::string errors_of(const std::string& log) {
                                          driver_remedy());
 }
 
-// `length` characters at most, as the driver says.
-template <class Get>
-std::string log_of(GLint length, const Get& get) {
+// The driver's words of a shader or a program, by the entry points that tell of it.
+std::string log_of(GLuint id, PFNGLGETSHADERIVPROC ask, PFNGLGETSHADERINFOLOGPROC read) {
+  GLint length = 0;
+  ask(id, GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(std::clamp(length, 1, 1 << 20)), '\0');
   GLsizei written = 0;
-  get(static_cast<GLsizei>(log.size()), &written, log.data());
+  read(id, static_cast<GLsizei>(log.size()), &written, log.data());
   log.resize(static_cast<std::size_t>(std::max(written, 0)));
   return log;
 }
@@ -59,11 +60,7 @@ GLuint compile_stage(const GlFunctions& gl, const char* name, GLenum stage,
   GLint ok = GL_FALSE;
   gl.GetShaderiv(shader, GL_COMPILE_STATUS, &ok);
   if (ok == GL_TRUE) return shader;
-  GLint length = 0;
-  gl.GetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
-  const std::string log = log_of(length, [&](GLsizei size, GLsizei* written, char* to) {
-    gl.GetShaderInfoLog(shader, size, written, to);
-  });
+  const std::string log = log_of(shader, gl.GetShaderiv, gl.GetShaderInfoLog);
   gl.DeleteShader(shader);
   refuse(gl, name, "was refused by ", log, lines);
 }
@@ -76,11 +73,7 @@ GLuint link_stages(const GlFunctions& gl, const char* name, std::span<const GLui
   GLint ok = GL_FALSE;
   gl.GetProgramiv(program, GL_LINK_STATUS, &ok);
   if (ok == GL_TRUE) return program;
-  GLint length = 0;
-  gl.GetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
-  const std::string log = log_of(length, [&](GLsizei size, GLsizei* written, char* to) {
-    gl.GetProgramInfoLog(program, size, written, to);
-  });
+  const std::string log = log_of(program, gl.GetProgramiv, gl.GetProgramInfoLog);
   gl.DeleteProgram(program);
   refuse(gl, name, "does not link on ", log, {});
 }
