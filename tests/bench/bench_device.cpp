@@ -24,12 +24,6 @@ using namespace pabd::bench;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 // Milliseconds of a step of the processor.
 double time_processor(const Setting& setting, int threads, int steps) {
   State state = setting.state;

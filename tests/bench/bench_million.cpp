@@ -34,12 +34,6 @@ using namespace pabd::bench;
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 struct Options {
   bool avalanche = false, close = false;
   int bodies = 0, frames = 0, steps = 0, sweeps = 10;

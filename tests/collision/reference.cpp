@@ -63,6 +63,16 @@ Shape hull_of_box(const Vec3& half) {
   return Hull{make_hull(corners).hull};
 }
 
+Shape prism(int sides, double radius, double half_height) {
+  std::vector<Vec3> points;
+  for (int k = 0; k < sides; ++k) {
+    const double a = 2 * kPi * k / sides;
+    for (const double y : {-half_height, half_height})
+      points.emplace_back(radius * std::cos(a), y, radius * std::sin(a));
+  }
+  return Hull{make_hull(points).hull};
+}
+
 Shape rock(int corners, double size, unsigned seed) {
   Random random(seed);
   std::vector<Vec3> points;

@@ -42,6 +42,8 @@ class Random {
 // A box as a hull, and a hull of random points of a sphere of that radius.
 Shape hull_of_box(const Vec3& half);
 Shape rock(int corners, double size, unsigned seed);
+// Upright, over a regular polygon.
+Shape prism(int sides, double radius, double half_height);
 
 // Largest n·x over the shape at pose (c, R), by enumeration of corners and end points. Not for planes.
 double support(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& n);

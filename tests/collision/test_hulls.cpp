@@ -12,17 +12,6 @@ namespace {
 
 Mat3 turn(double radians, const Vec3& axis) { return Eigen::AngleAxisd(radians, axis).toRotationMatrix(); }
 
-// Upright prism over a regular polygon.
-Shape prism(int sides, double radius, double half_height) {
-  std::vector<Vec3> points;
-  for (int k = 0; k < sides; ++k) {
-    const double a = 2 * kPi * k / sides;
-    for (const double y : {-half_height, half_height})
-      points.emplace_back(radius * std::cos(a), y, radius * std::sin(a));
-  }
-  return Hull{make_hull(points).hull};
-}
-
 // Every contact of one list has its equal, but for the name, in the other; points may be `apart`.
 bool same(const std::vector<ContactPoint>& x, const std::vector<ContactPoint>& y, double apart = 1e-9) {
   if (x.size() != y.size()) return false;

@@ -108,7 +108,8 @@ std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable
                                                                 int kind_1,
                                                                 const std::vector<PlacedPair>& pairs) {
   const ComputeFunctions& gl = inside_->gl;
-  std::vector<ShaderPart> parts = {{"header", "#version 430 core\n"}, {"numbers", inside_->numbers}};
+  std::vector<ShaderPart> parts = {
+      {"header", "#version 430 core\n"}, {"numbers", inside_->numbers}, roots_part()};
   const std::vector<ShaderPart> narrow = narrow_parts(kind_0, kind_1);
   parts.insert(parts.end(), narrow.begin(), narrow.end());
   parts.push_back(kMain);

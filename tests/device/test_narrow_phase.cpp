@@ -27,16 +27,6 @@ constexpr int kPairs = 4000, kRarePairs = 60000;
 constexpr double kSame = 1e-10;
 constexpr double kReach = 0.05;  // of each body
 
-Shape prism(int sides, double radius, double half_height) {
-  std::vector<Vec3> points;
-  for (int k = 0; k < sides; ++k) {
-    const double angle = 2 * kPi * k / sides;
-    for (const double y : {-half_height, half_height})
-      points.emplace_back(radius * std::cos(angle), y, radius * std::sin(angle));
-  }
-  return Hull{make_hull(points).hull};
-}
-
 std::vector<Shape> shapes_of(int kind) {
   switch (kind) {
     case kDeviceBox:
