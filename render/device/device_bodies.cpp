@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <deque>
 #include <map>
 #include <optional>
 
 #include "render/device/compute_program.h"
+#include "render/device/device_layout.h"
 #include "render/device/draw_buffers.h"
 #include "render/device/shader_files.h"
 #include "render/gl/draw_list.h"
@@ -40,10 +40,6 @@ void store_clip(const float (&world_to_clip)[16], DrawView& out) {
     const Vec4f plane = m.row(3).transpose() + (k % 2 == 0 ? 1.0f : -1.0f) * m.row(k / 2).transpose();
     store(out.clip[k], Vec4f(plane / std::max(plane.head<3>().norm(), 1e-30f)));
   }
-}
-
-float from_ordered(std::uint32_t bits) {
-  return std::bit_cast<float>((bits & 0x80000000u) != 0 ? bits & 0x7fffffffu : ~bits);
 }
 
 // Of the ball around a primitive of these half sizes, in m.

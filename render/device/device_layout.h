@@ -2,6 +2,7 @@
 // The records of shaders/device_layout.glsl that both sides read or write, and the numbers of its buffers. std430.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 namespace pabd::device {
@@ -107,5 +108,10 @@ struct ContactTold {
   double y_b[4], n[4], friction[4];
 };
 static_assert(sizeof(ContactTold) == 128);
+
+// A float that a shader keeps as bits in the order of the values.
+inline float from_ordered(std::uint32_t bits) {
+  return std::bit_cast<float>((bits & 0x80000000u) != 0 ? bits & 0x7fffffffu : ~bits);
+}
 
 }  // namespace pabd::device

@@ -20,11 +20,6 @@ using namespace device;
 
 constexpr int kLate = 2;  // steps that may be under way
 
-// The floats that shaders keep in the order of their values.
-float from_ordered(std::uint32_t bits) {
-  return std::bit_cast<float>((bits & 0x80000000u) != 0 ? bits & 0x7fffffffu : ~bits);
-}
-
 // Steps over d̂ that are no longer than this are those of rounding: who asks for less gets all sweeps.
 double least_tolerance(Precision precision) { return precision == Precision::single ? 2e-7 : 0; }
 

@@ -11,6 +11,8 @@
 namespace pabd::device {
 namespace {
 
+constexpr std::uint32_t kMostRounds = 4096;  // of coloring that a step is dispatched for
+
 std::set<int> shapes_of(const ShapeTable& table) {
   std::set<int> out;
   for (const ShapeRecord& shape : table.shapes) out.insert(static_cast<int>(shape.kind));
@@ -38,7 +40,7 @@ DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptio
 }
 
 void DeviceStep::expect(const Counters& counters) {
-  rounds_ = std::clamp(counters.rounds + 2, 4u, 64u);
+  rounds_ = std::clamp(counters.rounds + 2, 4u, kMostRounds);
   color_limit_ = std::min(counters.colors + 2, kColors);
 }
 
