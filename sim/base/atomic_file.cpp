@@ -15,6 +15,7 @@
 
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
+#include "sim/base/file_failure.h"
 
 namespace pabd {
 namespace fs = std::filesystem;
@@ -26,32 +27,6 @@ constexpr std::size_t longest_name = 255;  // NAME_MAX of the usual file systems
 fs::path folder_of(const fs::path& path) {
   const fs::path folder = path.parent_path();
   return folder.empty() ? fs::path(".") : folder;
-}
-
-// The remedy for the reasons that have one.
-std::string remedy(int reason, const fs::path& path) {
-  switch (reason) {
-    case ENOENT:
-      return fmt::format("; create the folder: mkdir -p {}", folder_of(path).string());
-    case EACCES:
-    case EPERM:
-    case EROFS:
-      return "; choose a folder that you may write to";
-    case ENOSPC:
-    case EDQUOT:
-      return "; free some space or choose another disk";
-    case EFBIG:
-      return "; raise the limit on file sizes (ulimit -f)";
-    case ENAMETOOLONG:
-      return "; choose a shorter name";
-    default:
-      return "";
-  }
-}
-
-[[noreturn]] void fail_for(const fs::path& path, const std::string& what, int reason) {
-  throw Error(ErrorKind::file,
-              fmt::format("{}: {}: {}{}", path.string(), what, system_reason(reason), remedy(reason, path)));
 }
 
 // The folders above `path` that are missing, innermost first.

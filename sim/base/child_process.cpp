@@ -114,6 +114,10 @@ void ChildProcess::end() {
   has_ended();
 }
 
+void ChildProcess::signal(int number) {
+  if (!has_ended()) ::kill(pid_, number);
+}
+
 std::string ChildProcess::ending() const {
   if (status_ != -1 && WIFEXITED(status_)) return fmt::format("status {}", WEXITSTATUS(status_));
   if (status_ != -1 && WIFSIGNALED(status_)) return fmt::format("signal {}", WTERMSIG(status_));
@@ -145,7 +149,7 @@ void LineSplitter::finish() {
   begun_.clear();
 }
 
-bool read_pipes(std::span<pollfd> sources, LineSplitter& lines, Tail& tail) {
+bool read_pipes(std::span<pollfd> sources, const std::function<void(std::string_view)>& output, Tail& tail) {
   std::array<char, 4096> text;
   bool heard = false;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -156,7 +160,7 @@ bool read_pipes(std::span<pollfd> sources, LineSplitter& lines, Tail& tail) {
     if (n <= 0) {
       sources[i].fd = -1;
     } else if (i == 0) {
-      lines.append(text.data(), static_cast<std::size_t>(n));
+      output({text.data(), static_cast<std::size_t>(n)});
     } else {
       tail.append(text.data(), static_cast<std::size_t>(n));
     }
@@ -173,6 +177,7 @@ ChildOutcome run_child(const std::vector<std::string>& arguments, double patienc
   outcome.found = true;
   child.input.close();
   LineSplitter lines(line);
+  const auto hear = [&](std::string_view bytes) { lines.append(bytes.data(), bytes.size()); };
   Tail tail;
   std::array<pollfd, 2> sources = {{{child.output.get(), POLLIN, 0}, {child.errors.get(), POLLIN, 0}}};
   const auto start = Clock::now();
@@ -182,7 +187,7 @@ ChildOutcome run_child(const std::vector<std::string>& arguments, double patienc
     const int ready = ::poll(sources.data(), sources.size(), over ? 0 : kPollMs);
     if (ready < 0 && errno != EINTR) break;
     if (ready <= 0 && over) break;
-    if (ready > 0 && read_pipes(sources, lines, tail)) heard = Clock::now();
+    if (ready > 0 && read_pipes(sources, hear, tail)) heard = Clock::now();
     const auto seconds_since = [](Clock::time_point t) {
       return std::chrono::duration<double>(Clock::now() - t).count();
     };

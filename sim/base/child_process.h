@@ -31,8 +31,9 @@ class ChildProcess {
   // Its standard input, output and error.
   Descriptor input, output, errors;
 
-  bool has_ended();  // does not wait
-  void end();        // kills it if it has not ended
+  bool has_ended();         // does not wait
+  void end();               // kills it if it has not ended
+  void signal(int number);  // sends it one, if it has not ended
 
   // How it ended: "status 3", "signal 9"; its exit status, −1 after a signal. Precondition: it has ended.
   std::string ending() const;
@@ -80,8 +81,9 @@ class LineSplitter {
 };
 
 // Reads once from each of the two pipes that poll() found ready: `sources` begins with the standard output,
-// whose text goes to `lines`, and the standard error, whose text goes to `tail`; fd −1 in it once an output
+// whose bytes go to `output`, and the standard error, whose text goes to `tail`; fd −1 in it once an output
 // has ended. False when neither said anything or ended.
-bool read_pipes(std::span<pollfd> sources, LineSplitter& lines, Tail& tail);
+bool read_pipes(std::span<pollfd> sources, const std::function<void(std::string_view bytes)>& output,
+                Tail& tail);
 
 }  // namespace pabd

@@ -9,10 +9,15 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <optional>
+
+#include "sim/body/uneven.h"
 
 namespace pabd {
 
-Compound make_compound(const std::vector<Hull>& hulls) {
+namespace {
+
+Compound joined(const std::vector<Hull>& hulls, const std::optional<Vec3>& origin) {
   assert(!hulls.empty() && hulls.size() <= kMostParts);
   auto out = std::make_shared<CompoundData>();
   const Vec3 near = hulls.front().data->centroid;  // offsets are summed from here: nothing cancels
@@ -22,7 +27,7 @@ Compound make_compound(const std::vector<Hull>& hulls) {
     out->volume += hull.data->volume;
     moment += hull.data->volume * (hull.data->centroid - near);
   }
-  out->centroid = near + moment / out->volume;
+  out->centroid = origin.value_or(near + moment / out->volume);
   out->second_moment.setZero();
   out->bounding_radius = 0;
   out->inner_radius = std::numeric_limits<double>::infinity();
@@ -36,6 +41,13 @@ Compound make_compound(const std::vector<Hull>& hulls) {
     out->inner_radius = std::min(out->inner_radius, hull.data->inner_radius);
   }
   return Compound{std::move(out)};
+}
+
+}  // namespace
+
+Compound make_compound(const std::vector<Hull>& hulls) { return joined(hulls, {}); }
+Compound make_compound_about(const std::vector<Hull>& hulls, const Vec3& origin) {
+  return joined(hulls, origin);
 }
 
 }  // namespace pabd

@@ -8,15 +8,15 @@ namespace pabd {
 
 extern const ShapeKind cone_kind;
 
+Frustum cone_frustum(const Sizes& sizes) {
+  const auto [r, h, unused] = sizes;
+  return {-0.25 * h, 0.75 * h, r, 0};
+}
+
 namespace {
 
 constexpr ShapeSize kSizes[] = {{"radius", 1, "Radius of the base"}, {"height", 1, "Along y"}};
 constexpr auto kKeys = keys_of(kSizes);
-
-Frustum frustum(const Sizes& sizes) {
-  const auto [r, h, unused] = sizes;
-  return {-0.25 * h, 0.75 * h, r, 0};
-}
 
 double volume(const Shape& shape) {
   const auto [r, h, unused] = sizes_of_solid(shape);
@@ -33,12 +33,12 @@ void surface(const Shape& shape, std::vector<SurfacePart>& out) {
   out.push_back({.form = SurfaceForm::cone, .at = {0, -0.25 * h, 0}, .size = {r, h, r}});
 }
 
-constexpr FrustumKind<frustum> kKind{.name = "cone",
-                                     .keys = kKeys,
-                                     .sizes = kSizes,
-                                     .volume = volume,
-                                     .second_moment = second_moment,
-                                     .surface = surface};
+constexpr FrustumKind<cone_frustum> kKind{.name = "cone",
+                                          .keys = kKeys,
+                                          .sizes = kSizes,
+                                          .volume = volume,
+                                          .second_moment = second_moment,
+                                          .surface = surface};
 
 }  // namespace
 

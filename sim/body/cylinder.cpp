@@ -8,15 +8,15 @@ namespace pabd {
 
 extern const ShapeKind cylinder_kind;
 
+Frustum cylinder_frustum(const Sizes& sizes) {
+  const auto [r, h, unused] = sizes;
+  return {-0.5 * h, 0.5 * h, r, r};
+}
+
 namespace {
 
 constexpr ShapeSize kSizes[] = {{"radius", 1, "Radius"}, {"height", 1, "Along y"}};
 constexpr auto kKeys = keys_of(kSizes);
-
-Frustum frustum(const Sizes& sizes) {
-  const auto [r, h, unused] = sizes;
-  return {-0.5 * h, 0.5 * h, r, r};
-}
 
 double volume(const Shape& shape) {
   const auto [r, h, unused] = sizes_of_solid(shape);
@@ -33,12 +33,12 @@ void surface(const Shape& shape, std::vector<SurfacePart>& out) {
   out.push_back({.form = SurfaceForm::cylinder, .size = {r, 0.5 * h, r}});
 }
 
-constexpr FrustumKind<frustum> kKind{.name = "cylinder",
-                                     .keys = kKeys,
-                                     .sizes = kSizes,
-                                     .volume = volume,
-                                     .second_moment = second_moment,
-                                     .surface = surface};
+constexpr FrustumKind<cylinder_frustum> kKind{.name = "cylinder",
+                                              .keys = kKeys,
+                                              .sizes = kSizes,
+                                              .volume = volume,
+                                              .second_moment = second_moment,
+                                              .surface = surface};
 
 }  // namespace
 

@@ -13,6 +13,9 @@
 #include "sim/body/hull_parts.h"
 
 namespace pabd {
+
+extern const ShapeKind cone_kind;
+
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -37,6 +40,11 @@ std::pair<double, double> inside_side(double a, double b, double c, double falls
 }
 
 }  // namespace
+
+Frustum frustum_of(const Shape& solid) {
+  const Sizes& sizes = sizes_of_solid(solid);
+  return &kind_of(solid) == &cone_kind ? cone_frustum(sizes) : cylinder_frustum(sizes);
+}
 
 double support(const Frustum& f, const Vec3& u) {
   const double across = std::hypot(u.x(), u.z());

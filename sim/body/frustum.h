@@ -25,6 +25,11 @@ Hull facets(const Frustum& frustum);
 
 inline const Sizes& sizes_of_solid(const Shape& shape) { return as<Solid>(shape).data->sizes; }
 
+// What a solid of the table is that is round about y. Precondition: a cylinder or a cone.
+Frustum frustum_of(const Shape& solid);
+Frustum cylinder_frustum(const Sizes& sizes);
+Frustum cone_frustum(const Sizes& sizes);
+
 // What a frustum says of itself; the rest of its row in the table of shapes follows from `of`.
 template <Frustum (*of)(const Sizes&)>
 struct FrustumKind {

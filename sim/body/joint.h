@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -80,6 +81,23 @@ struct JointFrame {
   Mat3 F;
 };
 
+// Turns or pushes j against i along the joint's angle or offset.
+struct JointMotor {
+  enum class Gives : std::uint8_t { force, speed };
+  Gives gives = Gives::force;
+  Profile profile;                                        // over time; force: N m or N; speed: rad/s or m/s
+  double most = std::numeric_limits<double>::infinity();  // force with which a speed is held; N m or N
+  double gain = 0;  // force per missing speed; N m s/rad or N s/m; 0: as stiff as the joint
+};
+
+// What acts along the angle, offset or length of a joint, or on the turn of a ball, beside what holds it
+// (sim/joint/action.h). The same on both bodies, the other way round.
+struct JointAction {
+  std::optional<JointMotor> motor;
+  double damping = 0;   // viscous; N m s/rad or N s/m
+  double friction = 0;  // dry: holds up to so much, and brakes with it; N m or N
+};
+
 // What few joints have (limits, drives) is out of line, so that a million joints fit in 0.3 GB.
 struct Joint {
   std::string name;  // may be empty
@@ -89,6 +107,7 @@ struct Joint {
   bool symmetric = true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
   Index i = kWorld, j = kWorld;
   float limit_scale = 1;  // stiffness of limits as part of κ
+  Rare<JointAction> action;
   JointFrame on_i, on_j;
   Rare<JointRange> limits;        // hinge: angle, rad, in [−π, π]; slider: offset, m
   Rare<Profile> drive;            // of the same quantity

@@ -8,7 +8,7 @@ namespace pabd {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array<std::string_view, 3> kKeys{"type", "file", "scale"};
+constexpr std::array<std::string_view, 4> kKeys{"type", "file", "scale", "parts"};
 
 const HullData& hull(const Shape& shape) { return *as<Hull>(shape).data; }
 const CompoundData& compound(const Shape& shape) { return *as<Compound>(shape).data; }

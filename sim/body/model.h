@@ -2,12 +2,15 @@
 // The constant part of a simulation: what the bodies are. Built and validated once, then never changed.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/body/collision_groups.h"
 #include "sim/body/joint.h"
 #include "sim/body/shape.h"
+#include "sim/body/surface_friction.h"
 
 namespace pabd {
 
@@ -19,7 +22,9 @@ struct Model {
   std::vector<Mat3> J;              // kg m², body frame; zero for a fixed body
   std::vector<std::uint8_t> fixed;  // 1: never moves
   std::vector<Joint> joints;
-  std::vector<std::pair<Index, Index>> no_collide;  // pairs a < b that never touch, sorted
+  std::vector<std::pair<Index, Index>> no_collide;       // pairs a < b that never touch, sorted
+  CollisionGroups groups;                                // more that never touch
+  std::vector<std::optional<SurfaceFriction>> friction;  // of bodies that have their own. Empty: none has
 
   Index size() const { return static_cast<Index>(shape.size()); }
 };

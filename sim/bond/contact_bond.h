@@ -65,7 +65,7 @@ struct Rolling {
   double radius_a, radius_b;
 };
 
-struct ContactManifold {
+struct alignas(sizeof(Lanes)) ContactManifold {
   Index a, b;
   int count;      // points in use, 1 … kLanes; the others are far away and feel nothing
   bool turns;     // a is flat: its plane turns with it. Else n, stretch and rolled are in the world frame
@@ -105,7 +105,6 @@ inline double smallest_start_d(const ContactManifold& manifold) {
 struct ContactLaw {
   Barrier barrier;
   double k_t;
-  double mu_static, mu_dynamic;
 };
 
 // The law of a manifold that has `share` of the stiffness.
@@ -184,7 +183,7 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
 }
 
 // Ψ, Ψ' and the tangent split's weight for a manifold.
-[[gnu::noinline]] inline ContactForce force_point_by_point(const Barrier& b, Lanes d) {
+[[gnu::noinline]] inline ContactForce force_point_by_point(const Barrier& b, const Lanes& d) {
   ContactForce f;
   for (int k = 0; k < kLanes; ++k) {
     const BarrierValue psi = evaluate(b, d[k]);

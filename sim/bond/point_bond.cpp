@@ -20,6 +20,7 @@ BondSlope evaluate(const BondLaw& law, double s) {
 }
 
 PointBondForce evaluate(const BondLaw& law, const PointBond& bond) {
+  if (bond.given) return *bond.given;
   Vec3 e = bond.y_b - bond.y_a;
   Mat3 P = Mat3::Identity();  // onto what the bond may feel
   if (bond.slides) {

@@ -15,6 +15,14 @@
 
 namespace pabd {
 
+struct PointBondForce {
+  double energy;   // J
+  Vec3 gradient;   // of the energy with respect to y_b; N
+  Mat3 weight;     // K, positive semidefinite; N/m
+  double largest;  // eigenvalue of K: its spectral norm; N/m
+  double stretch;  // |s|; m
+};
+
 // Two points that a joint wants `length` apart, where they are now; world frame.
 struct PointBond {
   Vec3 y_a, y_b;
@@ -22,14 +30,8 @@ struct PointBond {
   bool slides = false;      // along free_axis
   Vec3 free_axis{0, 0, 0};  // unit
   double scale = 1;         // part of the law's κ
-};
-
-struct PointBondForce {
-  double energy;   // J
-  Vec3 gradient;   // of the energy with respect to y_b; N
-  Mat3 weight;     // K, positive semidefinite; N/m
-  double largest;  // eigenvalue of K: its spectral norm; N/m
-  double stretch;  // |s|; m
+  // Of a bond that follows no law of the distance: what it does (joint/action.h). Lives as long as the bond.
+  const PointBondForce* given = nullptr;
 };
 
 PointBondForce evaluate(const BondLaw& law, const PointBond& bond);

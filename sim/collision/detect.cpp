@@ -122,6 +122,7 @@ void add_plane_pairs(const Model& model, const std::vector<Aabb>& boxes, const s
     for (Index i = 0; i < n; ++i) {
       const auto k = static_cast<std::size_t>(i);
       if (model.fixed[k] || is_plane(model.shape[k])) continue;
+      if (keeps_apart(model.groups, p, i)) continue;
       const Vec3 lowest = (plane->normal.array() > 0).select(boxes[k].lo, boxes[k].hi);
       if (plane->normal.dot(lowest) < height) pairs.emplace_back(std::min(p, i), std::max(p, i));
     }
@@ -196,6 +197,8 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   });
   auto& pairs = workspace.pairs;
   workspace.broad_phase.find(boxes, model.fixed, threads, workspace.team, pairs);
+  if (!model.groups.avoids.empty())
+    std::erase_if(pairs, [&](const IndexPair& p) { return keeps_apart(model.groups, p.first, p.second); });
   const Poses poses{model, c, R};
   workspace.left_pairs = thin_out_crowds(poses, pairs, workspace.overlaps);
   const auto without_planes = static_cast<std::ptrdiff_t>(pairs.size());

@@ -37,7 +37,7 @@ struct CollisionWorkspace {
 //   c, R     poses, one entry a body (m; rotation matrices)
 //   reach    how far beyond its surface a body looks for contacts, ≥ 0, one entry a body; m
 //   skip     sorted list of pairs (a < b) that never collide, for jointed bodies
-// Two fixed bodies never meet. A body is crowded when the inscribed balls of more than 8 others overlap its
+// Two fixed bodies never meet, nor do two whose groups keep them apart. A body is crowded when the inscribed balls of more than 8 others overlap its
 // own; of two crowded bodies each meets the first 8 that follow it, and the others are counted in
 // workspace.left_pairs. Compounds and planes always meet. The result is sorted by (min(a,b), max(a,b),
 // feature) and does not depend on `threads`.

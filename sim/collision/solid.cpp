@@ -13,6 +13,7 @@ namespace pabd::narrow {
 namespace {
 
 constexpr double kUpright = 0.05;  // sine of the angle to the axis below which a solid is not turned
+constexpr double kMeet = 1e-9;     // how far apart axes are that meet, beside their sizes
 
 const ShapeKind& kind_of(const Solid& solid) { return *solid.data->kind; }
 
@@ -31,7 +32,8 @@ Axis axis_of(const Placed<Shape>& solid) {
   return {solid.c + 0.5 * (low + high) * solid.R.col(1), solid.R.col(1), 0.5 * (high - low)};
 }
 
-// Between the nearest points of two axes.
+// Between the nearest points of two axes; zero where they meet, since what is left of the way there is rounding
+// and tells no direction.
 Vec3 between(const Axis& a, const Axis& b) {
   const Vec3 w = a.middle - b.middle;
   const double uv = a.along.dot(b.along), uw = a.along.dot(w), vw = b.along.dot(w);
@@ -39,7 +41,9 @@ Vec3 between(const Axis& a, const Axis& b) {
   double s = sine2 > 1e-6 ? std::clamp((uv * vw - uw) / sine2, -a.half, a.half) : 0.0;
   const double t = std::clamp(uv * s + vw, -b.half, b.half);
   s = std::clamp(uv * t - uw, -a.half, a.half);
-  return t * b.along - s * a.along - w;
+  const Vec3 way = t * b.along - s * a.along - w;
+  const bool meet = !(way.norm() > kMeet * (a.half + b.half + w.norm()));
+  return meet ? Vec3(Vec3::Zero()) : way;
 }
 
 // The face of a polyhedron that is farthest from the solid, or least deep in it.

@@ -23,6 +23,8 @@ bool has_arms(const Joint& joint) {
   return !traits.points && (!traits.turn || joint.turn);
 }
 
-bool is_ball(const Joint& joint) { return !traits_of(joint.type).points && !has_arms(joint); }
+bool is_ball(const Joint& joint) {
+  return !traits_of(joint.type).points && !has_arms(joint) && !joint.action;
+}
 
 }  // namespace pabd

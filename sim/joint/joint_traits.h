@@ -12,15 +12,28 @@
 
 namespace pabd {
 
-// No joint needs more: two for the axis and two for the angle, or one for the anchor and six for its arms.
+// No joint needs more: two for the axis, two for a limit of the angle and two for a motor, or one for the anchor and
+// six for its arms or its damper.
 struct BondList {
   static constexpr std::size_t kMost = 7;
   std::array<PointBond, kMost> bond;  // only the first `count` are written
+  std::array<PointBondForce, kMost> given;
   int count = 0;
+
+  BondList() = default;
+  BondList(const BondList&) = delete;  // bonds point to what is given
+  BondList& operator=(const BondList&) = delete;
+
   PointBond& add(const Vec3& y_a, const Vec3& y_b) {
     PointBond& added = bond[static_cast<std::size_t>(count++)];
     added = {y_a, y_b};
     return added;
+  }
+  // One that does what `force` says.
+  void add_given(const Vec3& y_a, const Vec3& y_b, const PointBondForce& force) {
+    given[static_cast<std::size_t>(count)] = force;
+    PointBond& added = add(y_a, y_b);
+    added.given = &given[static_cast<std::size_t>(count - 1)];
   }
 };
 
@@ -74,10 +87,23 @@ const JointTraits& traits_of(JointType type);
 
 // The measure that `limits` of a joint is about; null where the type has none.
 const JointMeasure* measure_with(const JointTraits& traits, Rare<JointRange> Joint::*limits);
+// That along which its drive, its motor and its friction act.
+inline const JointMeasure* moved_measure(const JointTraits& traits) {
+  return measure_with(traits, &Joint::limits);
+}
+// May it have a damper? Where there is something to move along, a turn or a length.
+inline bool may_be_damped(const JointTraits& traits) {
+  return moved_measure(traits) || traits.turn || traits.points;
+}
+// Is what acts along it a torque, rather than a force?
+inline bool acts_by_torque(const JointTraits& traits) {
+  const JointMeasure* moved = moved_measure(traits);
+  return moved ? moved->of == JointMeasure::Of::angle : traits.turn;
+}
 
 // Are there points beside the anchor?
 bool has_arms(const Joint& joint);
-// Is it one bond of length 0, at the anchor?
+// Is it one bond of length 0, at the anchor, and nothing else?
 bool is_ball(const Joint& joint);
 
 }  // namespace pabd

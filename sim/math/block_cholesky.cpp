@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "sim/math/levels.h"
+
 namespace pabd {
 namespace {
 
@@ -141,18 +143,18 @@ void BlockCholesky<N>::subtract_outer(Index k) {
 }
 
 template <int N>
-bool BlockCholesky<N>::factorize(const Stop& stop) {
+bool BlockCholesky<N>::factorize_columns(const Stop& stop) {
   for (Index k = 0; k < rows(); ++k) {
     if (k % 64 == 0 && stop.requested()) return false;
-    inverse_[k] = Column{};
-    if (!factorize_block(diagonal_[k], inverse_[k])) return false;
+    inverse_[k].value = Column{};
+    if (!factorize_block(diagonal_[k], inverse_[k].value)) return false;
     const std::size_t begin = graph_.first(k), count = graph_.first(k + 1) - begin;
     if (scaled_.size() < count) scaled_.resize(count);
     for (std::size_t e = 0; e < count; ++e) {
       Block<N>& block = below_[begin + e];
       divide_by_transpose(diagonal_[k], block);
       scaled_[e] = block;
-      for (int c = 0; c < N; ++c) block.column[c] *= inverse_[k][c];
+      for (int c = 0; c < N; ++c) block.column[c] *= inverse_[k].value[c];
     }
     subtract_outer(k);
   }
@@ -160,21 +162,38 @@ bool BlockCholesky<N>::factorize(const Stop& stop) {
 }
 
 template <int N>
-void BlockCholesky<N>::solve(std::vector<Vector>& x) const {
-  for (Index k = 0; k < rows(); ++k) x_[k] = load<N>(x[graph_.row_at(k)]);
+void BlockCholesky<N>::solve_rows(std::vector<Vector>& x) const {
+  for (Index k = 0; k < rows(); ++k) x_[k].value = load<N>(x[graph_.row_at(k)]);
   for (Index k = 0; k < rows(); ++k) {
-    forward(diagonal_[k], x_[k]);
+    forward(diagonal_[k], x_[k].value);
     for (std::size_t e = graph_.first(k); e < graph_.first(k + 1); ++e)
-      subtract_times(below_[e], x_[k], x_[graph_.row(e)]);
+      subtract_times(below_[e], x_[k].value, x_[graph_.row(e)].value);
   }
   for (Index k = rows() - 1; k >= 0; --k) {
-    Column y = x_[k] * inverse_[k];
+    Column y = x_[k].value * inverse_[k].value;
     for (std::size_t e = graph_.first(k); e < graph_.first(k + 1); ++e)
-      subtract_transposed_times(below_[e], x_[graph_.row(e)], y);
+      subtract_transposed_times(below_[e], x_[graph_.row(e)].value, y);
     backward(diagonal_[k], y);
-    x_[k] = y;
+    x_[k].value = y;
     store<N>(y, x[graph_.row_at(k)]);
   }
+}
+
+template <>
+PABD_EACH_LEVEL bool BlockCholesky<3>::factorize(const Stop& stop) {
+  return factorize_columns(stop);
+}
+template <>
+PABD_EACH_LEVEL bool BlockCholesky<6>::factorize(const Stop& stop) {
+  return factorize_columns(stop);
+}
+template <>
+PABD_EACH_LEVEL void BlockCholesky<3>::solve(std::vector<Vector>& x) const {
+  solve_rows(x);
+}
+template <>
+PABD_EACH_LEVEL void BlockCholesky<6>::solve(std::vector<Vector>& x) const {
+  solve_rows(x);
 }
 
 template class BlockCholesky<3>;

@@ -21,7 +21,7 @@ namespace pabd {
 using Four = double __attribute__((vector_size(4 * sizeof(double))));
 using Eight = double __attribute__((vector_size(8 * sizeof(double))));
 template <int N>
-struct Block {
+struct alignas(N <= 4 ? sizeof(Four) : sizeof(Eight)) Block {
   using Column = std::conditional_t<(N <= 4), Four, Eight>;
   using Matrix = Eigen::Matrix<double, N, N>;
   using Vector = Eigen::Matrix<double, N, 1>;
@@ -58,16 +58,30 @@ class BlockCholesky {
   void solve(std::vector<Vector>& x) const;  // x: block rows in the caller's order
 
  private:
+  struct alignas(sizeof(Column)) Row {
+    Column value;
+  };
+
+  bool factorize_columns(const Stop& stop);
   void subtract_outer(Index k);
+  void solve_rows(std::vector<Vector>& x) const;
 
   Elimination graph_;
   std::vector<Block<N>> diagonal_;  // then L_kk without its unit diagonal
   std::vector<Block<N>> below_;
-  std::vector<Block<N>> scaled_;   // scratch of a column: L D
-  std::vector<Column> inverse_;    // 1/D
-  mutable std::vector<Column> x_;  // scratch of solve
+  std::vector<Block<N>> scaled_;  // scratch of a column: L D
+  std::vector<Row> inverse_;      // 1/D
+  mutable std::vector<Row> x_;    // scratch of solve
 };
 
+template <>
+bool BlockCholesky<3>::factorize(const Stop& stop);
+template <>
+bool BlockCholesky<6>::factorize(const Stop& stop);
+template <>
+void BlockCholesky<3>::solve(std::vector<Vector>& x) const;
+template <>
+void BlockCholesky<6>::solve(std::vector<Vector>& x) const;
 extern template class BlockCholesky<3>;
 extern template class BlockCholesky<6>;
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "sim/body/shape_kind.h"
+#include "sim/math/levels.h"
 #include "sim/math/so3.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/time_step.h"
@@ -139,19 +140,23 @@ void cut(const std::vector<ContactPoint>& points, std::vector<std::size_t>& firs
   first.push_back(points.size());
 }
 
+// Of the points [point, end), which are of one pair of bodies.
+PABD_EACH_LEVEL void make_manifold(const Problem& p, const Detection& from, const ContactPoint* point,
+                                   const ContactPoint* end, ContactManifold& manifold) {
+  manifold = empty_manifold(*p.model, point->a, point->b);
+  for (; point != end; ++point) add_point(p, *point, from, manifold);
+  manifold.start_d =
+      manifold.gap + contact_planes(manifold, p.start_pose(manifold.a), p.start_pose(manifold.b)).along;
+}
+
 void make_manifolds(const Problem& p, const Workers& workers, Detection& from,
                     std::vector<ContactManifold>& out) {
   sort_points(from.points);
   cut(from.points, from.first_point);
   out.resize(from.first_point.size() - 1);
   workers.for_each(out.size(), [&](std::size_t k) {
-    const ContactPoint* point = from.points.data() + from.first_point[k];
-    const ContactPoint* end = from.points.data() + from.first_point[k + 1];
-    ContactManifold& manifold = out[k];
-    manifold = empty_manifold(*p.model, point->a, point->b);
-    for (; point != end; ++point) add_point(p, *point, from, manifold);
-    manifold.start_d =
-        manifold.gap + contact_planes(manifold, p.start_pose(manifold.a), p.start_pose(manifold.b)).along;
+    const ContactPoint* points = from.points.data();
+    make_manifold(p, from, points + from.first_point[k], points + from.first_point[k + 1], out[k]);
   });
 }
 
@@ -162,8 +167,6 @@ ContactLaw contact_law(const Model& model, const Params& params) {
   ContactLaw law;
   law.barrier = {contact.barrier, contact.N, contact.d_hat, resolve_kappa(model, params), contact.onset};
   law.k_t = tangential_stiffness(law.barrier);
-  law.mu_static = contact.mu_static;
-  law.mu_dynamic = contact.mu_dynamic;
   return law;
 }
 
@@ -174,7 +177,7 @@ void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterat
          memory.points);
   make_manifolds(p, workers, memory, it.manifold);
   set_rolling(p, it);
-  recall_friction(p.start->contacts, p.law, it.manifold);
+  recall_friction(p, it.manifold);
 }
 
 void first_iterate(const Problem& p, Iterate& it) {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/math/levels.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/tangent_model.h"
 #include "sim/solver/weighted_projection.h"
@@ -24,7 +25,8 @@ namespace pabd {
 namespace {
 
 // Energy of body i and its bonds at a trial pose.
-double local_energy(const Problem& p, const Iterate& it, Index i, const Inertia& in, const Pose& trial) {
+PABD_EACH_LEVEL double local_energy(const Problem& p, const Iterate& it, Index i, const Inertia& in,
+                                    const Pose& trial) {
   Lanes energy = lanes(0);
   for (const ManifoldEnd& end : p.ends[i]) {
     const ContactManifold& manifold = it.manifold[end.manifold];

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/math/so3.h"
+#include "sim/solver/joint_actions.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/step_summary.h"
 
@@ -16,11 +17,11 @@ constexpr double kRounding = 1e-9;  // of H that is no gain
 // W of one joint; J.
 double drive_work_of(const Problem& p, const Iterate& it, Index k) {
   const Joint& joint = p.joints[k];
-  if (!joint.drive && !joint.turn) return 0;
+  double work = action_work(p, it, k);
+  if (!joint.drive && !joint.turn) return work;
   BondList first, last;
-  expand_at_time(p, it, k, p.time - p.params->h, first);
-  expand_at(p, it, k, last);
-  double work = 0;
+  expand_held(p, it, k, p.time - p.params->h, first);
+  expand_held(p, it, k, p.time, last);
   for (int b = 0; b < last.count; ++b) {
     const PointBond &from = first.bond[b], &to = last.bond[b];
     work += evaluate(p.law_of(k), to).gradient.dot((to.y_b - to.y_a) - (from.y_b - from.y_a));
@@ -48,7 +49,7 @@ double given_back(const Problem& p, const Iterate& it, const ContactManifold& ma
 }
 double given_back(const Problem& p, const Iterate& it, Index k) {
   BondList list;
-  expand_at_time(p, it, k, p.time - p.params->h, list);
+  expand_held(p, it, k, p.time - p.params->h, list);
   const Joint& joint = p.joints[k];
   double sum = 0;
   for (int b = 0; b < list.count; ++b) {

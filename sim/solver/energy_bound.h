@@ -5,7 +5,8 @@
 //   T = Σ ½ m ‖v‖² + ½ ωᵀ I ω,   U = −Σ m g·c                                                            J
 //   Ψ                        of the bonds of this step, with the stiffness they have in it               J
 //   W = Σ f·Δy               work of its drives: force on a driven point at the end of the step times    J
-//                            the way that the drive moves it
+//                            the way that the drive moves it; of motors, dampers and friction: force at
+//                            the end of the step times the way along the joint
 //
 // total     T + U + Ψ ≤ (T + U + Ψ)_start + W, as the minimiser of E has it. For `sissm`.
 // kinetic   T + U ≤ (T + U)_start + W + Σ min(Ψ, ½ μ (s/h)²)_start: what a step can take out of its bonds is
@@ -23,7 +24,7 @@
 
 namespace pabd {
 
-// W of all drives at the iterate; J.
+// W of all drives and of what acts along joints at the iterate; J.
 double drive_work(const Problem& p, const Iterate& it);
 
 enum class EnergyBound { total, kinetic };

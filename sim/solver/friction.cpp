@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "sim/math/levels.h"
+
 namespace pabd {
 namespace {
 
@@ -62,10 +64,41 @@ double friction_error(const Problem& p, const ContactManifold& manifold, const C
   return worst;
 }
 
+// The bound that friction starts a step with.
+PABD_EACH_LEVEL void start_limit(const Problem& p, const Iterate& it, ContactManifold& manifold) {
+  const Barrier& barrier = p.law_of(manifold).barrier;
+  // One that parts before the first iterate holds nothing back.
+  const LaneMask pushes = normal_force(barrier, manifold, state_of(it, manifold).d).first < 0;
+  manifold.limit =
+      select(pushes, -manifold.mu * normal_force(barrier, manifold, manifold.start_d).first, lanes(0));
+}
+
+// Moves the bound of a manifold of an island, see move_friction_limits.
+PABD_EACH_LEVEL void move_limit_in(const Problem& p, const Iterate& it, bool newton, bool jointed,
+                                   ContactManifold& manifold) {
+  manifold.off = false;
+  const ContactState state = state_of(it, manifold);
+  const ContactLaw law = p.law_of(manifold);
+  if (newton) ease_slip(law, manifold, state.u);
+  if (newton && jointed && !calm(it, manifold)) return;
+  const ContactForce f = normal_force(law.barrier, manifold, state.d);
+  manifold.off = newton && friction_error(p, manifold, f, length(state.u)) > kFrictionTolerance;
+  move_limit(manifold, f);
+}
+
 }  // namespace
 
-void recall_friction(const std::vector<ContactMemory>& contacts, const ContactLaw& law,
-                     std::vector<ContactManifold>& manifolds) {
+SurfaceFriction friction_between(const Model& model, const ContactParams& contact, Index a, Index b) {
+  const SurfaceFriction common{contact.mu_static, contact.mu_dynamic};
+  if (model.friction.empty()) return common;
+  const auto& of_a = model.friction[static_cast<std::size_t>(a)];
+  const auto& of_b = model.friction[static_cast<std::size_t>(b)];
+  if (!of_a && !of_b) return common;
+  return combined(contact.friction_rule, of_a.value_or(common), of_b.value_or(common));
+}
+
+void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds) {
+  const std::vector<ContactMemory>& contacts = p.start->contacts;
   auto next = contacts.begin();
   const auto at = [&](std::size_t k) -> ContactManifold& { return manifolds[k]; };
   each_pair(manifolds.size(), at, [&](std::size_t first, std::size_t last) {
@@ -73,12 +106,13 @@ void recall_friction(const std::vector<ContactMemory>& contacts, const ContactLa
     while (next != contacts.end() && next->pair < pair) ++next;
     const bool recalled = next != contacts.end() && next->pair == pair;
     const bool slides = recalled && next->sliding, restless = recalled && next->restless;
+    const SurfaceFriction mu = friction_between(*p.model, p.params->contact, at(first).a, at(first).b);
     for (std::size_t j = first; j != last; ++j) {
       ContactManifold& manifold = at(j);
       manifold.slides = slides;
       manifold.recalled = recalled;
       manifold.restless = restless;
-      manifold.mu = slides ? law.mu_dynamic : law.mu_static;
+      manifold.mu = slides ? mu.mu_dynamic : mu.mu_static;
       for (int k = 0; k < manifold.count; ++k) {
         const auto key = std::make_tuple(pair, manifold.feature[k]);
         while (next != contacts.end() && std::make_tuple(next->pair, next->feature) < key) ++next;
@@ -91,37 +125,22 @@ void recall_friction(const std::vector<ContactMemory>& contacts, const ContactLa
 }
 
 void start_friction(const Problem& p, const Workers& workers, Iterate& it) {
-  if (p.law.mu_static == 0) return;
-  workers.for_each(it.manifold.size(), [&](std::size_t j) {
-    ContactManifold& manifold = it.manifold[j];
-    const Barrier& barrier = p.law_of(manifold).barrier;
-    // One that parts before the first iterate holds nothing back.
-    const LaneMask pushes = normal_force(barrier, manifold, state_of(it, manifold).d).first < 0;
-    manifold.limit =
-        select(pushes, -manifold.mu * normal_force(barrier, manifold, manifold.start_d).first, lanes(0));
-  });
+  if (!p.friction) return;
+  workers.for_each(it.manifold.size(), [&](std::size_t j) { start_limit(p, it, it.manifold[j]); });
 }
 
 bool move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it) {
-  if (p.law.mu_static == 0) return false;
+  if (!p.friction) return false;
   const bool newton = island.solver == SolverMethod::newton;
   workers.for_each(island.manifolds.size(), [&](std::size_t j) {
-    ContactManifold& manifold = it.manifold[island.manifolds[j]];
-    manifold.off = false;
-    const ContactState state = state_of(it, manifold);
-    const ContactLaw law = p.law_of(manifold);
-    if (newton) ease_slip(law, manifold, state.u);
-    if (newton && island.jointed && !calm(it, manifold)) return;
-    const ContactForce f = normal_force(law.barrier, manifold, state.d);
-    manifold.off = newton && friction_error(p, manifold, f, length(state.u)) > kFrictionTolerance;
-    move_limit(manifold, f);
+    move_limit_in(p, it, newton, island.jointed, it.manifold[island.manifolds[j]]);
   });
   return std::any_of(island.manifolds.begin(), island.manifolds.end(),
                      [&](Index k) { return it.manifold[k].off; });
 }
 
-double largest_friction_error(const Problem& p, const Island& island, const Iterate& it) {
-  if (p.law.mu_static == 0) return 0;
+PABD_EACH_LEVEL double largest_friction_error(const Problem& p, const Island& island, const Iterate& it) {
+  if (!p.friction) return 0;
   double worst = 0;
   for (const Index k : island.manifolds) {
     const ContactManifold& manifold = it.manifold[k];
@@ -133,32 +152,36 @@ double largest_friction_error(const Problem& p, const Island& island, const Iter
   return worst;
 }
 
-bool holds_back(const Problem& p, const Island& island, const Iterate& it) {
-  if (p.law.mu_static == 0 || island.solver != SolverMethod::newton) return false;
+PABD_EACH_LEVEL bool holds_back(const Problem& p, const Island& island, const Iterate& it) {
+  if (!p.friction || island.solver != SolverMethod::newton) return false;
   return std::any_of(island.manifolds.begin(), island.manifolds.end(), [&](Index k) {
     const ContactManifold& manifold = it.manifold[k];
     return is_held_back(p.law_of(manifold), manifold, state_of(it, manifold).u);
   });
 }
 
-bool let_go(const Problem& p, const Island& island, Iterate& it) {
-  if (p.law.mu_static == p.law.mu_dynamic) return false;
+PABD_EACH_LEVEL bool let_go(const Problem& p, const Island& island, Iterate& it) {
+  const Model& model = *p.model;
+  const ContactParams& contact = p.params->contact;
+  if (contact.mu_static == contact.mu_dynamic && model.friction.empty()) return false;
   bool any = false;
   const auto at = [&](std::size_t k) -> ContactManifold& { return it.manifold[island.manifolds[k]]; };
   each_pair(island.manifolds.size(), at, [&](std::size_t first, std::size_t last) {
     if (at(first).slides || !used_up(p, it, at, first, last)) return;
+    const SurfaceFriction mu = friction_between(model, contact, at(first).a, at(first).b);
+    if (mu.mu_static == mu.mu_dynamic) return;
     for (std::size_t k = first; k != last; ++k) {
       ContactManifold& manifold = at(k);
       manifold.slides = true;
-      manifold.limit *= p.law.mu_dynamic / manifold.mu;
-      manifold.mu = p.law.mu_dynamic;
+      manifold.limit *= mu.mu_dynamic / manifold.mu;
+      manifold.mu = mu.mu_dynamic;
     }
     any = true;
   });
   return any;
 }
 
-void store_friction(const Problem& p, Iterate& it, std::vector<ContactMemory>& contacts) {
+PABD_EACH_LEVEL void store_friction(const Problem& p, Iterate& it, std::vector<ContactMemory>& contacts) {
   contacts.clear();
   const auto at = [&](std::size_t k) -> ContactManifold& { return it.manifold[k]; };
   each_pair(it.manifold.size(), at, [&](std::size_t first, std::size_t last) {

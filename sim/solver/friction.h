@@ -38,10 +38,17 @@ inline std::uint32_t owned_feature(Index a, Index b, std::uint32_t feature) {
   return (feature & 0x7fffffffu) | (a > b ? 0x80000000u : 0u);
 }
 
+// Coefficients of the contacts of two bodies: contact.friction, combined with those that bodies have of their own.
+SurfaceFriction friction_between(const Model& model, const ContactParams& contact, Index a, Index b);
+
+// May any contact have friction?
+inline bool has_friction(const Model& model, const ContactParams& contact) {
+  return contact.mu_static > 0 || !model.friction.empty();
+}
+
 // Gives the manifolds the stretch that the last step left, and all contacts of a pair of bodies dynamic
 // friction if the pair slid. Both lists are sorted.
-void recall_friction(const std::vector<ContactMemory>& contacts, const ContactLaw& law,
-                     std::vector<ContactManifold>& manifolds);
+void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds);
 
 // First bounds: μ f_n at the start of the step, 0 where the first iterate no longer presses.
 void start_friction(const Problem& p, const Workers& workers, Iterate& it);

@@ -17,7 +17,7 @@ double incremental_potential(const Problem& p, const Island& island, const Itera
   for (const Index i : island.bodies) energy += inertia_energy(p.inertia(i), it.pose[i]);
   for (const Index k : island.manifolds)
     energy += sum(contact_energy(p.law_of(it.manifold[k]), it.manifold[k], state_of(it, it.manifold[k])));
-  for (const Index k : island.joints) energy += energy_of_joint(p, it, k);
+  for (const Index k : island.joints) energy += potential_of_joint(p, it, k);
   return energy;
 }
 

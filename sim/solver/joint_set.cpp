@@ -22,13 +22,17 @@ void pulls_as_joints(const Model& model, const std::vector<Pull>& pulls, std::ve
 
 namespace {
 
+// What acts along a joint is left out unless `acts`.
 void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose& trial, double time,
-               BondList& out) {
+               bool acts, BondList& out) {
   const Joint& joint = p.joints[k];
   const auto pose = [&](Index body) -> const Pose& {
     return body == moved && body != kWorld ? trial : it.pose[it.slot(body)];
   };
   expand(joint, pose(joint.i), pose(joint.j), time, out);
+  if (!acts || p.action_at.empty() || p.action_at[static_cast<std::size_t>(k)] < 0) return;
+  add_action(joint, it.action[static_cast<std::size_t>(p.action_at[static_cast<std::size_t>(k)])],
+             place(joint.on_i, pose(joint.i)), place(joint.on_j, pose(joint.j)), out);
 }
 
 double energy_of(const BondLaw& law, const BondList& list) {
@@ -40,13 +44,13 @@ double energy_of(const BondLaw& law, const BondList& list) {
 }  // namespace
 
 void expand_at(const Problem& p, const Iterate& it, Index k, BondList& out) {
-  expand_at(p, it, k, kWorld, {}, p.time, out);
+  expand_at(p, it, k, kWorld, {}, p.time, true, out);
 }
 void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose& trial, BondList& out) {
-  expand_at(p, it, k, moved, trial, p.time, out);
+  expand_at(p, it, k, moved, trial, p.time, true, out);
 }
-void expand_at_time(const Problem& p, const Iterate& it, Index k, double time, BondList& out) {
-  expand_at(p, it, k, kWorld, {}, time, out);
+void expand_held(const Problem& p, const Iterate& it, Index k, double time, BondList& out) {
+  expand_at(p, it, k, kWorld, {}, time, false, out);
 }
 
 double joint_energy(const Problem& p, const Iterate& it, Index i, const Pose& trial) {
@@ -71,12 +75,17 @@ void add_joints(const Problem& p, const Iterate& it, Index i, JointSums& sums) {
   });
 }
 
+double potential_of_joint(const Problem& p, const Iterate& it, Index k) {
+  BondList list;
+  expand_at(p, it, k, list);
+  return energy_of(p.law_of(k), list);
+}
 double energy_of_joint(const Problem& p, const Iterate& it, Index k) {
   return energy_of_joint(p, it, k, p.time);
 }
 double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time) {
   BondList list;
-  expand_at_time(p, it, k, time, list);
+  expand_held(p, it, k, time, list);
   return energy_of(p.law_of(k), list);
 }
 
@@ -84,7 +93,7 @@ double joint_error(const Problem& p, const Iterate& it, Index k) {
   const Joint& joint = p.joints[k];
   if (traits_of(joint.type).points && joint.law.potential == BondPotential::soft) return 0;  // a spring
   BondList list;
-  expand_at(p, it, k, list);
+  expand_held(p, it, k, p.time, list);
   double largest = 0;
   for (int b = 0; b < list.count; ++b) largest = larger(largest, evaluate(joint.law, list.bond[b]).stretch);
   return largest;

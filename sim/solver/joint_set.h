@@ -19,10 +19,11 @@ struct JointSums {
 // left out.
 void pulls_as_joints(const Model& model, const std::vector<Pull>& pulls, std::vector<Joint>& out);
 
-// Bonds of joint k at the iterate; as its drive stood at another time; with body `moved` at `trial`.
+// Bonds of joint k at the iterate; with body `moved` at `trial`; and those that hold it alone, without what
+// acts along it, as its drive stood at `time`.
 void expand_at(const Problem& p, const Iterate& it, Index k, BondList& out);
-void expand_at_time(const Problem& p, const Iterate& it, Index k, double time, BondList& out);
 void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose& trial, BondList& out);
+void expand_held(const Problem& p, const Iterate& it, Index k, double time, BondList& out);
 
 // Calls visit(f, y, other) for every bond of the joints of body i at the iterate: energy and weight of the
 // bond, and the gradient on i's point; that point, seen from the centre of i, world; the body at the other
@@ -47,7 +48,9 @@ void each_bond_of(const Problem& p, const Iterate& it, Index i, const Visit& vis
 double joint_energy(const Problem& p, const Iterate& it, Index i, const Pose& trial);
 void add_joints(const Problem& p, const Iterate& it, Index i, JointSums& sums);
 
-// Energy of joint k at the iterate, also as its drive stood at another time; J.
+// What joint k adds to E at the iterate; J.
+double potential_of_joint(const Problem& p, const Iterate& it, Index k);
+// Of that, the energy of the bonds that hold it, also as its drive stood at another time; J.
 double energy_of_joint(const Problem& p, const Iterate& it, Index k);
 double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/solver/linear_bonds.h"
 
+#include "sim/math/levels.h"
+
 namespace pabd {
 namespace {
 
@@ -12,14 +14,15 @@ Vec6 wrench(const Vec3& force, const Vec3& torque) {
 
 }  // namespace
 
-bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a, const Pose& b) {
+PABD_EACH_LEVEL bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
+                            const Pose& b) {
   const ContactState state = contact_state(manifold, a, b);
   const Lanes alpha_n = normal_force(law.barrier, manifold, state.d).alpha_n;
   return !(sum(alpha_n) + sum(friction_weight(law, manifold.limit, length(state.u))) <= 0);
 }
 
-LinearManifold linearize(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
-                         const Pose& b) {
+PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const ContactManifold& manifold,
+                                         const Pose& a, const Pose& b) {
   LinearManifold out;
   const ContactState state = contact_state(manifold, a, b);
   const ContactForce f = normal_force(law.barrier, manifold, state.d);

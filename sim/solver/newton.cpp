@@ -18,6 +18,7 @@
 #include <limits>
 
 #include "sim/math/extremes.h"
+#include "sim/math/levels.h"
 #include "sim/solver/linear_bonds.h"
 
 namespace pabd {
@@ -78,7 +79,8 @@ Mat6 shifted(const Vec3& back, const Mat6& H) {
 }
 
 // E, its gradient and the matrix at the iterate.
-double assemble(const Problem& p, const Island& island, bool geometric, NewtonSystem& system, Iterate& it) {
+PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geometric, NewtonSystem& system,
+                                Iterate& it) {
   system.matrix.set_zero();
   double energy = 0;
   for (std::size_t k = 0; k < island.bodies.size(); ++k) {
@@ -111,7 +113,7 @@ double assemble(const Problem& p, const Island& island, bool geometric, NewtonSy
   return energy;
 }
 
-double energy_of(const Problem& p, const Island& island, const Iterate& it) {
+PABD_EACH_LEVEL double energy_of(const Problem& p, const Island& island, const Iterate& it) {
   double energy = 0;
   for (const Index i : island.bodies) energy += inertia_energy(p.inertia(i), it.pose[i]);
   each_joint_bond(p, island, it, [&](const LinearBond& bond) { energy += bond.energy; });

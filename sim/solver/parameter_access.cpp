@@ -50,6 +50,16 @@ std::span<const ParameterChoice> choices(Projection) {
   static const auto all = named({automatic, polar, weighted, tangent});
   return all;
 }
+std::span<const ParameterChoice> choices(SolverDevice) {
+  using enum SolverDevice;
+  static const auto all = named({cpu, gpu, automatic});
+  return all;
+}
+std::span<const ParameterChoice> choices(FrictionRule) {
+  using enum FrictionRule;
+  static const auto all = named({geometric_mean, average, min, max, product});
+  return all;
+}
 // The usual one first.
 std::span<const ParameterChoice> choices(BarrierKind) {
   static const auto all = [] {

@@ -65,6 +65,15 @@ constexpr ParameterRow kRows[] = {
              "Newton step with its own normal and tangential weights, for descent only. auto: weighted for "
              "sissm, tangent for descent",
      .member = &SolverParams::projection},
+    {.key = "solver.device",
+     .label = "device",
+     .help = "Who makes the steps. gpu: compute shaders of OpenGL 4.3, in float, by descent, for contacts, "
+             "what hangs on "
+             "joints stays with the processor; auto: a GPU that is no software where it takes the scene and "
+             "10000 bodies "
+             "or more move, else the processor. --device of a command goes before it",
+     .member = &SolverParams::device,
+     .hashed = false},
 
     {.key = "contact.barrier",
      .label = "barrier",
@@ -138,6 +147,15 @@ constexpr ParameterRow kRows[] = {
      .range = {0, 100},
      .slider_hi = 1.5,
      .follows = "contact.friction.static"},
+    {.key = "contact.friction_rule",
+     .label = "combined",
+     .help =
+         "How the friction of two bodies becomes that of their contact, where one of them at least has its "
+         "own; who has none counts with contact.friction. Where neither has, contact.friction is that of "
+         "the contact",
+     .member = &ContactParams::friction_rule,
+     .hashed_default = false,
+     .applies = [](const Model& model) { return !model.friction.empty(); }},
 };
 
 constexpr ParameterSection kSections[] = {

@@ -13,18 +13,19 @@
 #include <string_view>
 #include <variant>
 
+#include "sim/body/model.h"
 #include "sim/solver/params.h"
 
 namespace pabd {
 
 // A value is of the type of its member. An empty optional is "auto".
-using ParameterValue =
-    std::variant<double, int, bool, Vec3, std::optional<double>, SolverMethod, Projection, BarrierKind>;
+using ParameterValue = std::variant<double, int, bool, Vec3, std::optional<double>, SolverMethod, Projection,
+                                    SolverDevice, BarrierKind, FrictionRule>;
 
 template <class... Types>
 using MemberOfParams = std::variant<Types Params::*..., Types SolverParams::*..., Types ContactParams::*...>;
-using ParameterMember =
-    MemberOfParams<double, int, bool, Vec3, std::optional<double>, SolverMethod, Projection, BarrierKind>;
+using ParameterMember = MemberOfParams<double, int, bool, Vec3, std::optional<double>, SolverMethod,
+                                       Projection, SolverDevice, BarrierKind, FrictionRule>;
 
 enum class ParameterScale : std::uint8_t { linear, log };
 enum class ParameterKind : std::uint8_t { real, whole, flag, choice, vector };
@@ -48,6 +49,9 @@ struct ParameterRow {
   double slider_lo = 0, slider_hi = 1;            // what a slider spans; range says what is allowed
   ParameterScale scale = ParameterScale::linear;  // of the slider
   const char* follows = nullptr;  // key of the row above whose value this one has where a scene leaves it out
+  bool hashed = true;             // part of a scene's hash: not what says who computes, only what
+  bool hashed_default = true;     // false: only where it is not the default, for keys that came later
+  bool (*applies)(const Model&) = nullptr;  // has it an effect on that model? null: always
 };
 using ParameterTable = std::span<const ParameterRow>;
 

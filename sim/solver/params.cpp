@@ -83,4 +83,16 @@ const char* to_string(Projection projection) {
   return "?";
 }
 
+const char* to_string(SolverDevice device) {
+  switch (device) {
+    case SolverDevice::cpu:
+      return "cpu";
+    case SolverDevice::gpu:
+      return "gpu";
+    case SolverDevice::automatic:
+      return "auto";
+  }
+  return "?";
+}
+
 }  // namespace pabd

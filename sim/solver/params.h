@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/body/surface_friction.h"
 #include "sim/math/types.h"
 #include "sim/potential/barrier.h"
 
@@ -21,12 +22,17 @@ enum class SolverMethod : std::uint8_t { sissm, descent, newton, automatic };
 //             descent only
 enum class Projection : std::uint8_t { automatic, polar, weighted, tangent };
 
+// Who makes the steps (step_engine.h), where a program can choose. step() of time_step.h is the processor's and does not
+// look at it. automatic: a GPU for scenes that it takes and that are large enough for it, else the processor.
+enum class SolverDevice : std::uint8_t { cpu, gpu, automatic };
+
 struct SolverParams {
   SolverMethod method = SolverMethod::automatic;
   int iterations = 20;      // cap per step
   double tolerance = 1e-6;  // relative step at which the solve stops early; 0: never
   double relaxation = 0.5;  // of the Jacobi step of sissm
   Projection projection = Projection::automatic;
+  SolverDevice device = SolverDevice::cpu;
   bool operator==(const SolverParams&) const = default;
 };
 
@@ -39,6 +45,7 @@ struct ContactParams {
   double recovery_speed = 3;    // at which overlap deeper than 2 d̂ comes apart; m/s. 0: no limit
   double mu_static = 0.5;       // friction
   double mu_dynamic = 0.5;      // friction, not above mu_static
+  FrictionRule friction_rule = FrictionRule::geometric_mean;  // where a body has friction of its own
   bool operator==(const ContactParams&) const = default;
 };
 
@@ -65,5 +72,6 @@ std::optional<ParamError> check_params(const Params& params);
 
 const char* to_string(SolverMethod method);  // "sissm", "descent", "newton", "auto"
 const char* to_string(Projection projection);
+const char* to_string(SolverDevice device);  // "cpu", "gpu", "auto"
 
 }  // namespace pabd

@@ -30,7 +30,11 @@ bool manifolds_stay(const Iterate& it, BodyPairs& last) {
 bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
   const auto bodies = p.model->shape.size();
   p.joint_ends.clear();
-  for (const Joint& joint : p.joints.model) p.joint_ends.emplace_back(joint.i, joint.j);
+  p.acting.clear();
+  for (const Joint& joint : p.joints.model) {
+    if (joint.action) p.acting.push_back(static_cast<Index>(p.joint_ends.size()));
+    p.joint_ends.emplace_back(joint.i, joint.j);
+  }
   for (const Joint& joint : p.joints.pulls) p.joint_ends.emplace_back(joint.i, joint.j);
   bool same = stays(bodies, last.bodies);
   same = stays(p.joints.model.size(), last.model_joints) && same;

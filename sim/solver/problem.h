@@ -15,6 +15,8 @@
 //   ends           body             manifolds that end there: row i of a RowList
 //   joints_at      body             joints that end there
 //   joint_ends     joint            its bodies; a joint itself takes some hundred bytes
+//   acting         joint of the     those with motors, dampers or friction
+//                  model
 #pragma once
 
 #include <span>
@@ -23,6 +25,7 @@
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/bond/contact_bond.h"
+#include "sim/joint/action.h"
 #include "sim/solver/free_flight.h"
 #include "sim/solver/inertia.h"
 #include "sim/solver/params.h"
@@ -82,11 +85,14 @@ struct Problem {
   const Flight* flight = nullptr;
   double time = 0;  // at the end of the step, for driven joints; s
   ContactLaw law{};
+  bool friction = false;  // may any contact have some?
   StepJoints joints;
   std::vector<double> joint_share;  // of the stiffness of each joint, see stiffness_cap.h
   RowList<ManifoldEnd> ends;
   RowList<Index> joints_at;
   BodyPairs joint_ends;
+  std::vector<Index> acting;        // joints with an action
+  std::vector<Index> action_at;     // per joint: place among them, or −1; empty where there are none
   std::vector<std::uint8_t> rolls;  // per body: has it a manifold whose slip follows its roll?
 
   bool movable(Index i) const { return i != kWorld && !model->fixed[static_cast<std::size_t>(i)]; }
@@ -108,8 +114,9 @@ struct Problem {
 // Where a solve stands.
 struct Iterate {
   std::vector<Pose> pose;
-  std::vector<double> moved;      // per body: way in the last iteration over d̂
-  std::vector<Vec3> joint_force;  // of each joint of the model on its body j, as far as the solver knows; N
+  std::vector<double> moved;       // per body: way in the last iteration over d̂
+  std::vector<Vec3> joint_force;   // of each joint of the model on its body j, as far as the solver knows; N
+  std::vector<ActionStep> action;  // of Problem::acting
   std::vector<ContactManifold> manifold;
   std::vector<Rolling> rolling;  // of the separate manifolds
   std::vector<Roll> roll;        // per body, at its pose; kept where Problem::rolls
@@ -125,7 +132,7 @@ struct BondGraph {
   BodyPairs joints, manifolds;
 };
 
-// Fills p.joint_ends, p.ends and p.joints_at from the joints and manifolds. False: `last`, the graph of the
+// Fills p.joint_ends, p.acting, p.ends and p.joints_at from the joints and manifolds. False: `last`, the graph of the
 // call before, is still that of the problem, and so are all that follows from it.
 bool list_bonds(Problem& p, const Iterate& it, BondGraph& last);
 

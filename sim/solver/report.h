@@ -98,7 +98,7 @@ struct StepSummary {
   // many such (collision/detect.h), and bodies that `descent` solved in place of `newton` (choice.h).
   Index left_pairs = 0;
   Index too_dense = 0;
-  double drive_work = 0;  // work of driven joints in this step; J
+  double drive_work = 0;  // work of drives, motors, dampers and friction of joints; J
   int capped_bonds = 0;   // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)
   int held_bodies = 0;    // whose step was shortened so that no energy is made (energy_bound.h)
   // Coulomb's law: largest ‖friction‖/(μ f_n) − 1 of the contacts that carry more than 1e-3 of the heaviest

@@ -11,6 +11,7 @@
 #include "sim/math/extremes.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/iteration_records.h"
+#include "sim/solver/joint_actions.h"
 
 namespace pabd {
 namespace {
@@ -52,6 +53,13 @@ bool friction_settled(const Task& t, Iterate& it) {
   return false;
 }
 
+// The same for what acts along joints with a largest force.
+bool actions_settled(const Task& t, bool converged, Iterate& it) {
+  if (!switch_actions(t.p, t.island, converged, it)) return true;
+  if (t.newton()) forget_best(*t.system);
+  return false;
+}
+
 void start(const Task& t, Iterate& it) {
   for (const Index k : t.island.manifolds) it.manifold[k].felt = !marks_felt(t.p, t.island);
   if (t.newton()) start_newton(t.p, t.island, it, *t.system);
@@ -63,6 +71,7 @@ double iterate(int k, bool every_body, Task& t, Iterate& it) {
   const bool swept = sweeps_limits(t.p, t.island);
   if (k > 0 && !swept && move_friction_limits(t.p, t.island, t.workers, it) && t.newton())
     forget_best(*t.system);
+  if (k > 0) actions_settled(t, false, it);
   double gap_before = 0;
   switch (t.island.solver) {
     case SolverMethod::sissm:
@@ -152,7 +161,7 @@ void solve(Task t, Iterate& it, IslandReport& out) {
     };
     if (!(out.residual < solver.tolerance)) {
       every_body = false;
-    } else if ((!every_body && rests()) || !friction_settled(t, it)) {
+    } else if ((!every_body && rests()) || !friction_settled(t, it) || !actions_settled(t, true, it)) {
       every_body = true;  // once more, to be sure
     } else {
       out.status = StepStatus::converged;

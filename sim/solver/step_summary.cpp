@@ -5,6 +5,7 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/math/extremes.h"
+#include "sim/math/levels.h"
 #include "sim/solver/friction.h"
 
 namespace pabd {
@@ -39,7 +40,8 @@ Lanes friction_excess(const ContactManifold& manifold, Lanes friction, const Con
 
 }  // namespace
 
-void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports, StepReport& report) {
+PABD_EACH_LEVEL void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports,
+                                        StepReport& report) {
   const double least = kLeastLoad * heaviest_mass(*p.model) * weight_per_mass(*p.params);
   report.elastic = 0;
   report.friction_excess = 0;

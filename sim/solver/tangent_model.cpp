@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/math/levels.h"
 #include "sim/solver/joint_set.h"
 
 namespace pabd {
@@ -105,7 +106,8 @@ TangentModel add_up(const ContactSums& c, const Inertia& in, const Pose& pose) {
 
 }  // namespace
 
-TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool move_limits, Iterate& it) {
+PABD_EACH_LEVEL TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool move_limits,
+                                           Iterate& it) {
   const Pose& pose = it.pose[i];
   ContactSums c;
   Lanes room = lanes(std::numeric_limits<double>::infinity());

@@ -15,6 +15,7 @@
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/energy_bound.h"
 #include "sim/solver/friction.h"
+#include "sim/solver/joint_actions.h"
 #include "sim/solver/joint_reports.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/momentum.h"
@@ -76,6 +77,7 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
   }
   first_iterate(p, m.iterate);
   report.capped_bonds = cap_stiffness(p, m.iterate);
+  start_actions(p, m.iterate);
   start_friction(p, workers, m.iterate);
   choose_solvers(p, m.iterate, m.islands, m.solvers.newton);
 }
@@ -115,8 +117,9 @@ void take_over(const Problem& p, StepMemory& m, const StepReport& report, State&
     state.c[i] = m.iterate.pose[i].c;
     state.R[i] = m.iterate.pose[i].R;
   }
-  state.v.swap(m.velocities.v);
-  state.omega.swap(m.velocities.omega);
+  // Not swapped: who looks at an array sees it go on.
+  std::copy(m.velocities.v.begin(), m.velocities.v.end(), state.v.begin());
+  std::copy(m.velocities.omega.begin(), m.velocities.omega.end(), state.omega.begin());
   store_friction(p, m.iterate, state.contacts);
   state.joint_force.swap(m.iterate.joint_force);
   state.step = report.step;
@@ -221,6 +224,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   p.flight = &m.flight;
   p.time = report.time;
   p.law = contact_law(model, params);
+  p.friction = has_friction(model, params.contact);
   report.kappa = p.law.barrier.kappa;
   make_step(options, m, state, report);
   report.left_pairs = m.detection.collision.left_pairs;

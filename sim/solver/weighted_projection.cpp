@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/solver/weighted_projection.h"
 
+#include "sim/math/levels.h"
 #include "sim/solver/joint_set.h"
 
 namespace pabd {
@@ -45,8 +46,8 @@ void add_joint_points(const Problem& p, const Iterate& it, Index i, double coupl
 
 }  // namespace
 
-AffineModel affine_model(const Problem& p, const Iterate& it, Index i, const Inertia& in, WeightKind weights,
-                         double coupled) {
+PABD_EACH_LEVEL AffineModel affine_model(const Problem& p, const Iterate& it, Index i, const Inertia& in,
+                                         WeightKind weights, double coupled) {
   const Pose& pose = it.pose[i];
   AffineModel q;
   q.h_c = in.m * in.inv_h2;

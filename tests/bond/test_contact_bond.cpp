@@ -14,7 +14,7 @@ namespace {
 constexpr double kStep = 1e-7;
 
 ContactLaw law_with(BarrierKind kind) {
-  return {{kind, 3, 0.02, kind == BarrierKind::log ? 4e4 : 5.0, 0.2}, 2e4, 0.5, 0.5};
+  return {{kind, 3, 0.02, kind == BarrierKind::log ? 4e4 : 5.0, 0.2}, 2e4};
 }
 
 const Pose kA{Vec3(0.2, -0.1, 0.4), exp_so3(Vec3(0.3, -0.8, 0.5))};

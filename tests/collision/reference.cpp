@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
+#include "sim/body/shape_kind.h"
 #include "tests/support/draws.h"
 
 namespace reference {
@@ -96,6 +98,13 @@ double support(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& n) 
     return n.dot(c) + best;
   }
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return n.dot(c) + sphere->radius;
+  if (const auto* solid = std::get_if<Solid>(&shape)) return support(solid->data->facets, c, R, n);
+  if (const auto* compound = std::get_if<Compound>(&shape)) {
+    double best = -1e300;
+    for (const CompoundPart& part : compound->data->parts)
+      best = std::max(best, support(part.hull, c + R * part.offset, R, n));
+    return best;
+  }
   const auto& capsule = std::get<Capsule>(shape);
   return n.dot(c) + std::max(u.y(), -u.y()) * capsule.length / 2 + capsule.radius;
 }

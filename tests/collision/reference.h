@@ -45,7 +45,8 @@ Shape rock(int corners, double size, unsigned seed);
 // Upright, over a regular polygon.
 Shape prism(int sides, double radius, double half_height);
 
-// Largest n·x over the shape at pose (c, R), by enumeration of corners and end points. Not for planes.
+// Largest n·x over the shape at pose (c, R), by enumeration of corners and end points; of a solid that of
+// its facets. Not for planes.
 double support(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& n);
 
 // Signed distance from the point x to the surface of the shape, negative inside. Not for planes.

@@ -127,6 +127,27 @@ TEST_CASE("cylinders side by side: the distance of their axes") {
   }
 }
 
+TEST_CASE("round solids whose axes meet are not turned by rounding") {
+  Random random(8);
+  for (int k = 0; k < 40; ++k) {
+    const Mat3 R_a = random.rotation(), R_b = random.rotation();
+    const auto contacts_at = [&](const Vec3& c) {
+      Setup setup;
+      setup.add(make_shape("cone", {kRadius, kHeight}), Vec3::Zero(), R_a);
+      setup.add(make_shape("cone", {0.3, 0.9}), c, R_b);
+      return setup.contacts();
+    };
+    const auto exactly = contacts_at(Vec3::Zero()), nearly = contacts_at(random.within(-1e-14, 1e-14));
+    CAPTURE(k);
+    REQUIRE_FALSE(exactly.empty());
+    REQUIRE(nearly.size() == exactly.size());
+    for (std::size_t i = 0; i < exactly.size(); ++i) {
+      CHECK(nearly[i].feature == exactly[i].feature);
+      CHECK((nearly[i].n - exactly[i].n).norm() < 1e-10);
+    }
+  }
+}
+
 TEST_CASE("a round solid on a box and on the hull of that box is as on a plane") {
   const Mat3 lying = Eigen::AngleAxisd(kPi / 2, Vec3::UnitZ()).toRotationMatrix();
   for (const Shape& floor : {Shape(Box{{3, 0.5, 3}}), hull_of_box({3, 0.5, 3})}) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "sim/body/surface_friction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pabd {
+namespace {
+
+double combined(FrictionRule rule, double a, double b) {
+  switch (rule) {
+    case FrictionRule::geometric_mean:
+      return std::sqrt(a * b);
+    case FrictionRule::average:
+      return 0.5 * (a + b);
+    case FrictionRule::min:
+      return std::min(a, b);
+    case FrictionRule::max:
+      return std::max(a, b);
+    case FrictionRule::product:
+      return a * b;
+  }
+  return a;
+}
+
+}  // namespace
+
+const char* to_string(FrictionRule rule) {
+  switch (rule) {
+    case FrictionRule::geometric_mean:
+      return "geometric_mean";
+    case FrictionRule::average:
+      return "average";
+    case FrictionRule::min:
+      return "min";
+    case FrictionRule::max:
+      return "max";
+    case FrictionRule::product:
+      return "product";
+  }
+  return "?";
+}
+
+SurfaceFriction combined(FrictionRule rule, const SurfaceFriction& a, const SurfaceFriction& b) {
+  return {combined(rule, a.mu_static, b.mu_static), combined(rule, a.mu_dynamic, b.mu_dynamic)};
+}
+
+}  // namespace pabd

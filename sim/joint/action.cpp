@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// See action.h.
+#include "sim/joint/action.h"
+
+#include <cmath>
+
+#include "sim/math/so3.h"
+
+namespace pabd {
+namespace {
+
+using HoldState = ActionHold::State;
+
+constexpr int kMostChanges = 8;  // of a hold in a step
+
+// P at u as its state has it.
+BondSlope slope_of(const ActionHold& hold, double u) {
+  const double k = hold.stiffness, f = hold.most;
+  if (hold.state == HoldState::gives_way_up) return {f * u, f, 0};
+  if (hold.state == HoldState::gives_way_down) return {-f * u, -f, 0};
+  if (hold.state == HoldState::holds || k * std::abs(u) <= f) return {0.5 * k * u * u, k * u, k};
+  // The parabola through both ends of the corner that is nowhere below it.
+  return {f * (std::abs(u) - 0.5 * f / k), std::copysign(f, u), f / std::abs(u)};
+}
+
+// W without the ball's damper.
+BondSlope slope_of(const ActionStep& action, double way) {
+  BondSlope sum{-action.force * way + 0.5 * action.damping * way * way, -action.force + action.damping * way,
+                action.damping};
+  for (const ActionHold& hold : action.hold) {
+    if (hold.most == 0) continue;
+    const BondSlope part = slope_of(hold, way - hold.way);
+    sum.value += part.value;
+    sum.first += part.first;
+    sum.second += part.second;
+  }
+  return sum;
+}
+
+// The angle, offset or length that W is about; null: the turn of a ball.
+const JointMeasure* measure_of(const Joint& joint) {
+  const JointTraits& traits = traits_of(joint.type);
+  return traits.points ? &traits.measures.front() : moved_measure(traits);
+}
+
+Mat3 turn_of(const PlacedFrame& fi, const PlacedFrame& fj) { return fi.F.transpose() * fj.F; }
+
+// Of a ball: the rotation vector of j against i since the start; world, rad.
+Vec3 turn_since(const ActionStep& action, const PlacedFrame& fi, const PlacedFrame& fj) {
+  return fi.F * log_so3(turn_of(fi, fj) * action.turned.transpose());
+}
+
+// Δ. An angle is told up to whole turns: that which is nearest to free flight.
+double way_of(const JointMeasure& measure, const ActionStep& action, const PlacedFrame& fi,
+              const PlacedFrame& fj) {
+  const double way = measure.value(fi, fj) - action.start;
+  if (measure.of != JointMeasure::Of::angle) return way;
+  return action.expected + std::remainder(way - action.expected, 2 * kPi);
+}
+
+// A bond along the unit vector `t`.
+PointBondForce along(const Vec3& t, double energy, double first, double second) {
+  return {energy, first * t, second * t * t.transpose(), second, 0};
+}
+
+// A torque about the axis is a pair of forces at ± arm beside it, along the way that j's points go with φ.
+void add_torque(const Joint& joint, const BondSlope& w, const PlacedFrame& fi, const PlacedFrame& fj,
+                BondList& out) {
+  const Vec3 e = fj.F.col(1);
+  const double x = e.dot(fi.F.col(1)), y = e.dot(fi.F.col(2));
+  const Vec3 t = (x * fi.F.col(2) - y * fi.F.col(1)) / (x * x + y * y);
+  const double a = joint.arm;
+  for (const double side : {1.0, -1.0}) {
+    const Vec3 point = fj.y + side * a * e;
+    PointBondForce force = along(side * t, 0.5 * w.value, w.first / (2 * a), w.second / (2 * a * a));
+    force.largest *= t.squaredNorm();
+    out.add_given(point, point, force);
+  }
+}
+
+// ∂λ/∂y_j = n, at the anchor of i for both.
+void add_push(const BondSlope& w, const PlacedFrame& fi, const PlacedFrame& fj, BondList& out) {
+  out.add_given(fi.y, fi.y, along(fj.F.col(0), w.value, w.first, w.second));
+}
+
+void add_pull(const BondSlope& w, const PlacedFrame& fi, const PlacedFrame& fj, BondList& out) {
+  const Vec3 e = fj.y - fi.y;
+  const double length = e.norm();
+  if (length > 0) out.add_given(fi.y, fj.y, along(e / length, w.value, w.first, w.second));
+}
+
+// c/(2h) ‖θ‖²: the torque −c θ/h, as forces at six points; Σ ± a e_k × (M × e_k)/(4a) = M.
+void add_ball_damper(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
+                     const PlacedFrame& fj, BondList& out) {
+  if (joint.turn) return;  // it goes as it is told
+  const Vec3 theta = turn_since(action, fi, fj), moment = action.damping * theta;
+  const double a = joint.arm, weight = action.damping / (4 * a * a);
+  for (int k = 0; k < 3; ++k) {
+    for (const double side : {1.0, -1.0}) {
+      const Vec3 e = side * fj.F.col(k), point = fj.y + a * e;
+      out.add_given(
+          point, point,
+          {moment.dot(theta) / 12, moment.cross(e) / (4 * a), weight * Mat3::Identity(), weight, 0});
+    }
+  }
+}
+
+// One that gives way does not turn round at once: it may be able to hold.
+HoldState due_state(const ActionHold& hold, double u, double doubt) {
+  const double corner = hold.most / hold.stiffness;
+  switch (hold.state) {
+    case HoldState::gives_way_up:
+      return u + doubt < corner ? HoldState::holds : hold.state;
+    case HoldState::gives_way_down:
+      return doubt - u < corner ? HoldState::holds : hold.state;
+    default:
+      if (std::abs(u) - doubt <= corner) return hold.state;
+      return u > 0 ? HoldState::gives_way_up : HoldState::gives_way_down;
+  }
+}
+
+ActionHold motor_hold(const JointMotor& motor, double h, double time, double stiffness) {
+  ActionHold hold;
+  hold.way = h * motor.profile.at(time);
+  hold.stiffness = motor.gain > 0 ? motor.gain / h : stiffness;
+  hold.most = motor.most;
+  return hold;
+}
+
+}  // namespace
+
+ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double h,
+                        double time, double expected, double stiffness) {
+  const JointAction& given = *joint.action;
+  ActionStep action;
+  action.damping = given.damping / h;
+  const JointMeasure* measure = measure_of(joint);
+  if (!measure) {
+    action.turned = turn_of(fi, fj);
+    return action;
+  }
+  action.start = measure->value(fi, fj);
+  if (measure->of == JointMeasure::Of::angle) {
+    action.expected = expected;
+    stiffness *= 2 * joint.arm * joint.arm;
+  }
+  if (given.motor && given.motor->gives == JointMotor::Gives::force)
+    action.force = given.motor->profile.at(time - 0.5 * h);  // the mean, where it is linear
+  else if (given.motor)
+    action.hold[0] = motor_hold(*given.motor, h, time, stiffness);
+  action.hold[1].stiffness = stiffness;
+  action.hold[1].most = given.friction;
+  return action;
+}
+
+void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi, const PlacedFrame& fj,
+                BondList& out) {
+  const JointMeasure* measure = measure_of(joint);
+  if (!measure) return add_ball_damper(joint, action, fi, fj, out);
+  const BondSlope w = slope_of(action, way_of(*measure, action, fi, fj));
+  switch (measure->of) {
+    case JointMeasure::Of::angle:
+      return add_torque(joint, w, fi, fj, out);
+    case JointMeasure::Of::offset:
+      return add_push(w, fi, fj, out);
+    case JointMeasure::Of::length:
+      return add_pull(w, fi, fj, out);
+  }
+}
+
+double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
+                      const PlacedFrame& fj) {
+  const JointMeasure* measure = measure_of(joint);
+  if (!measure) return -action.damping * turn_since(action, fi, fj).squaredNorm();
+  const double way = way_of(*measure, action, fi, fj);
+  return -slope_of(action, way).first * way;
+}
+
+bool settle_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double doubt,
+                   ActionStep& action) {
+  const JointMeasure* measure = measure_of(joint);
+  if (!measure) return true;
+  if (measure->of == JointMeasure::Of::angle) doubt /= joint.arm;
+  const double way = way_of(*measure, action, fi, fj);
+  bool settled = true;
+  for (ActionHold& hold : action.hold) {
+    if (hold.most == 0 || hold.state == HoldState::undecided) continue;
+    const HoldState due = due_state(hold, way - hold.way, doubt);
+    if (due == hold.state) continue;
+    hold.state = ++hold.changes > kMostChanges ? HoldState::undecided : due;
+    settled = false;
+  }
+  return settled;
+}
+
+}  // namespace pabd

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What acts along a joint while it moves: motors, dampers, dry friction. As a potential of the way Δ that its
+// angle, offset or length goes in a step of length h, and so a part of E like any bond:
+//
+//   W = −F Δ                      a motor that gives the force (or torque) F
+//     + c/(2h) Δ²                 a damper; of a ball c/(2h) ‖θ‖², θ the rotation vector of j against i
+//     + P(Δ − h v; k, f)          a motor that gives the speed v; friction, with v = 0
+//
+//   P(u; k, f) = ½ k u² where k |u| ≤ f, else f (|u| − f/2k): a force of at most f. Without a gain, k is
+//   the joint's own stiffness, at most 1e5 m/h² of the lighter body; a gain (force per missing speed) makes it gain/h.
+//
+// The force −W' at the end of the step makes the step implicit: it brakes at most to the speed it wants, for
+// every h. Both bodies feel it at the same point of the world, the other way round, so that momentum is kept.
+//
+// P has a corner at each end. A solver that sees both as they are turns back and forth between them, so a
+// hold has a state, and its potential is smooth: it holds without bound, or gives way with ±f. What stands
+// against that at an iterate changes the state (settle_action); one that cannot decide is taken as it is.
+#pragma once
+
+#include "sim/joint/joint_traits.h"
+
+namespace pabd {
+
+// A part P of W.
+struct ActionHold {
+  enum class State : std::uint8_t { holds, gives_way_up, gives_way_down, undecided };
+  double way = 0;        // that it wants in the step; rad or m
+  double stiffness = 0;  // k; N m/rad or N/m
+  double most = 0;       // f; N m or N
+  State state = State::holds;
+  int changes = 0;
+};
+
+// W of one joint in a step.
+struct ActionStep {
+  double start = 0;                  // angle, offset or length at the start of the step; rad or m
+  double expected = 0;               // way in free flight, to tell whole turns; rad
+  Mat3 turned = Mat3::Identity();    // of a ball: j against i at the start
+  double force = 0;                  // F
+  double damping = 0;                // c/h; N m/rad or N/m
+  std::array<ActionHold, 2> hold{};  // the motor's and the friction's; f = 0: none
+};
+
+// When a step of length h begins that ends at `time`.
+//   fi, fj    where the frames stand at its start
+//   expected  angle by which j turns against i in free flight; rad
+//   stiffness Ψ'' of the joint's bonds at rest; N/m
+// Precondition: the joint has an action, of which its type allows all (may_be_damped, moved_measure).
+ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double h,
+                        double time, double expected, double stiffness);
+
+// Adds the bonds that W makes at the place of the frames: gradient and weight are exact for it.
+void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi, const PlacedFrame& fj,
+                BondList& out);
+
+// Work of the force that W gives there on the way to there; J.
+double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
+                      const PlacedFrame& fj);
+
+// Do its holds stand as they should there? Changes those that do not; false if any did. `doubt`: by how much the
+// place of j may still be off, so that what is no further from the corner is left as it is; m.
+bool settle_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double doubt,
+                   ActionStep& action);
+
+}  // namespace pabd

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// See joint_actions.h.
+#include "sim/solver/joint_actions.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pabd {
+namespace {
+
+Pose at_start(const Problem& p, Index body) {
+  return body == kWorld ? Pose{Vec3::Zero(), Mat3::Identity()} : p.start_pose(body);
+}
+
+Vec3 turn_in_flight(const Problem& p, Index body) {
+  return p.movable(body) ? p.flight->turn[static_cast<std::size_t>(body)] : Vec3(Vec3::Zero());
+}
+
+// Its place among the joints that act, or −1.
+Index place_of(const Problem& p, Index joint) {
+  return p.action_at.empty() ? -1 : p.action_at[static_cast<std::size_t>(joint)];
+}
+
+struct PlacedFrames {
+  PlacedFrame i, j;
+};
+PlacedFrames frames_at(const Iterate& it, const Joint& joint) {
+  return {place(joint.on_i, it.pose[it.slot(joint.i)]), place(joint.on_j, it.pose[it.slot(joint.j)])};
+}
+
+constexpr double kLeftOver = 0.1;  // of the way of an iteration
+
+// m.
+double last_move(const Problem& p, const Iterate& it, Index body) {
+  return p.movable(body) ? it.moved[static_cast<std::size_t>(body)] * p.law.barrier.d_hat : 0;
+}
+
+// As stiff as the joint, but no stiffer than what steps can follow where it gives way and holds again; N/m.
+double hold_stiffness(const Problem& p, Index k) {
+  constexpr double kMost = 1e5;  // of m/h² of the lighter body
+  double lighter = std::numeric_limits<double>::infinity();
+  for (const Index body : {p.joints[k].i, p.joints[k].j})
+    if (p.movable(body)) lighter = std::min(lighter, p.model->mass[static_cast<std::size_t>(body)]);
+  const double h = p.params->h;
+  return std::min(evaluate(p.law_of(k), 0.0).second, kMost * lighter / (h * h));
+}
+
+}  // namespace
+
+void start_actions(Problem& p, Iterate& it) {
+  it.action.clear();
+  p.action_at.clear();
+  if (p.acting.empty()) return;
+  p.action_at.assign(p.joints.size(), -1);
+  for (const Index k : p.acting) {
+    const Joint& joint = p.joints[k];
+    const PlacedFrame fi = place(joint.on_i, at_start(p, joint.i)),
+                      fj = place(joint.on_j, at_start(p, joint.j));
+    const double expected = fi.F.col(0).dot(turn_in_flight(p, joint.j) - turn_in_flight(p, joint.i));
+    p.action_at[static_cast<std::size_t>(k)] = static_cast<Index>(it.action.size());
+    it.action.push_back(start_action(joint, fi, fj, p.params->h, p.time, expected, hold_stiffness(p, k)));
+  }
+}
+
+bool switch_actions(const Problem& p, const Island& island, bool converged, Iterate& it) {
+  if (p.acting.empty()) return false;
+  bool settled = true;
+  for (const Index k : island.joints) {
+    const Index place = place_of(p, k);
+    if (place < 0) continue;
+    const Joint& joint = p.joints[k];
+    const PlacedFrames at = frames_at(it, joint);
+    const double doubt =
+        converged ? 0 : kLeftOver * std::max(last_move(p, it, joint.i), last_move(p, it, joint.j));
+    settled = settle_action(joint, at.i, at.j, doubt, it.action[static_cast<std::size_t>(place)]) && settled;
+  }
+  return !settled;
+}
+
+double action_work(const Problem& p, const Iterate& it, Index k) {
+  const Index place = place_of(p, k);
+  if (place < 0) return 0;
+  const PlacedFrames at = frames_at(it, p.joints[k]);
+  return work_of_action(p.joints[k], it.action[static_cast<std::size_t>(place)], at.i, at.j);
+}
+
+}  // namespace pabd

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Motors, dampers and friction of the joints of a step (joint/action.h).
+#pragma once
+
+#include "sim/solver/islands.h"
+#include "sim/solver/problem.h"
+
+namespace pabd {
+
+// At the start of a step: fills it.action and p.action_at for the joints of p.acting.
+void start_actions(Problem& p, Iterate& it);
+
+// Where a hold cannot stand as it does at the iterate, it gives way or holds again. Did any change? `converged`:
+// the bodies no longer move; else what the way of the last iteration may have left over decides nothing.
+bool switch_actions(const Problem& p, const Island& island, bool converged, Iterate& it);
+
+// Work of what acts along joint k in this step, as far as the iterate has gone; J.
+double action_work(const Problem& p, const Iterate& it, Index k);
+
+}  // namespace pabd

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// See model_parts.h.
+#include "sim/solver/model_parts.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "sim/body/shape.h"
+#include "sim/collision/broad_phase.h"
+#include "sim/math/team.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// All that a body may touch in a step, wherever its contacts are looked for (place_for_detection of contact_setup.cpp):
+// at its start or at the end of its flight, as far around as it flies and turns.
+double reach(const Model& model, const Params& params, const State& state, Index i) {
+  const Vec3 way = params.h * (state.v[i] + params.h * params.gravity);
+  const double turn = params.h * state.omega[i].norm() * bounding_radius(model.shape[i]);
+  return params.contact.d_hat + 2 * (way.norm() + turn);
+}
+
+Aabb reached(const Model& model, const Params& params, const State& state, Index i) {
+  Aabb box = bounds(model.shape[i], state.c[i], state.R[i]);
+  const Vec3 around = Vec3::Constant(reach(model, params, state, i));
+  box.lo -= around;
+  box.hi += around;
+  return box;
+}
+
+bool meet(const Aabb& a, const Aabb& b) {
+  return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
+}
+
+ModelPart part_of(const Model& model, const std::vector<std::uint8_t>& jointed, bool of_joints) {
+  ModelPart out;
+  out.place.assign(model.shape.size(), -1);
+  for (Index i = 0; i < model.size(); ++i) {
+    if (!model.fixed[i] && (jointed[i] != 0) != of_joints) continue;
+    out.place[i] = static_cast<Index>(out.bodies.size());
+    out.bodies.push_back(i);
+    out.model.name.push_back(model.name[i]);
+    out.model.shape.push_back(model.shape[i]);
+    out.model.mass.push_back(model.mass[i]);
+    out.model.J.push_back(model.J[i]);
+    out.model.fixed.push_back(model.fixed[i]);
+    if (!model.friction.empty()) out.model.friction.push_back(model.friction[i]);
+    if (!model.groups.of_body.empty()) out.model.groups.of_body.push_back(model.groups.of_body[i]);
+  }
+  out.model.groups.name = model.groups.name;
+  out.model.groups.apart = model.groups.apart;
+  find_avoided(out.model.groups);
+  for (const auto& [a, b] : model.no_collide)
+    if (out.holds(a) && out.holds(b)) out.model.no_collide.emplace_back(out.place[a], out.place[b]);
+  if (!of_joints) return out;
+  out.model.joints = model.joints;
+  for (Joint& joint : out.model.joints) {
+    if (joint.i != kWorld) joint.i = out.place[joint.i];
+    if (joint.j != kWorld) joint.j = out.place[joint.j];
+  }
+  return out;
+}
+
+std::uint64_t pair_of(Index a, Index b) {
+  return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
+}
+std::pair<Index, Index> bodies_of(std::uint64_t pair) {
+  return {static_cast<Index>(pair >> 32), static_cast<Index>(pair & 0xffffffffu)};
+}
+
+// A contact of two bodies that are in the part; those of two fixed ones there are none.
+bool belongs(const ModelPart& part, std::uint64_t pair) {
+  const auto [a, b] = bodies_of(pair);
+  return part.holds(a) && part.holds(b);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> jointed_bodies(const Model& model, const Params& params, const State& state) {
+  std::vector<std::uint8_t> out(model.shape.size(), 0);
+  std::vector<Index> found;
+  const auto add = [&](Index i) {
+    if (i == kWorld || model.fixed[i] || out[i]) return;
+    out[i] = 1;
+    found.push_back(i);
+  };
+  for (const Joint& joint : model.joints) {
+    add(joint.i);
+    add(joint.j);
+  }
+  if (found.empty()) return out;
+  std::vector<Aabb> boxes(model.shape.size(), Aabb{Vec3::Constant(-kInfinity), Vec3::Constant(kInfinity)});
+  for (Index i = 0; i < model.size(); ++i)  // what is fixed couples nobody
+    if (!model.fixed[i]) boxes[i] = reached(model, params, state, i);
+  Team team;
+  BroadPhase broad;
+  std::vector<IndexPair> pairs;
+  broad.find(boxes, model.fixed, 1, team, pairs);
+  std::vector<std::vector<Index>> beside(model.shape.size());
+  for (const auto& [a, b] : pairs) {
+    beside[a].push_back(b);
+    beside[b].push_back(a);
+  }
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for (const Index i : beside[found[k]]) add(i);
+  return out;
+}
+
+ModelParts split_model(const Model& model, const std::vector<std::uint8_t>& jointed) {
+  return {part_of(model, jointed, true), part_of(model, jointed, false)};
+}
+
+std::optional<std::pair<Index, Index>> coupling(const Model& model, const ModelParts& parts,
+                                                const Params& params, const State& state) {
+  std::vector<std::pair<Aabb, Index>> boxes;
+  Aabb all{Vec3::Constant(kInfinity), Vec3::Constant(-kInfinity)};
+  for (const Index i : parts.jointed.bodies) {
+    if (model.fixed[i]) continue;
+    boxes.emplace_back(reached(model, params, state, i), i);
+    all.lo = all.lo.cwiseMin(boxes.back().first.lo);
+    all.hi = all.hi.cwiseMax(boxes.back().first.hi);
+  }
+  for (const Index i : parts.free.bodies) {
+    if (model.fixed[i]) continue;
+    const Vec3 around = Vec3::Constant(bounding_radius(model.shape[i]) + reach(model, params, state, i));
+    if (!meet(all, {state.c[i] - around, state.c[i] + around})) continue;
+    const Aabb box = reached(model, params, state, i);
+    for (const auto& [other, k] : boxes)
+      if (meet(box, other)) return std::pair(k, i);
+  }
+  return std::nullopt;
+}
+
+void take_part(const ModelPart& part, const State& whole, bool joints, State& out) {
+  out.time = whole.time;
+  out.step = whole.step;
+  const std::size_t n = part.bodies.size();
+  out.c.resize(n);
+  out.R.resize(n);
+  out.v.resize(n);
+  out.omega.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::size_t>(part.bodies[k]);
+    out.c[k] = whole.c[i];
+    out.R[k] = whole.R[i];
+    out.v[k] = whole.v[i];
+    out.omega[k] = whole.omega[i];
+  }
+  out.contacts.clear();
+  for (const ContactMemory& contact : whole.contacts) {
+    if (!belongs(part, contact.pair)) continue;
+    const auto [a, b] = bodies_of(contact.pair);
+    out.contacts.push_back(contact);
+    out.contacts.back().pair = pair_of(part.place[a], part.place[b]);
+  }
+  out.joint_force = joints ? whole.joint_force : std::vector<Vec3>{};
+}
+
+void put_part(const ModelPart& part, const State& state, bool joints, State& whole) {
+  whole.time = state.time;
+  whole.step = state.step;
+  for (std::size_t k = 0; k < part.bodies.size(); ++k) {
+    const auto i = static_cast<std::size_t>(part.bodies[k]);
+    if (part.model.fixed[k]) continue;
+    whole.c[i] = state.c[k];
+    whole.R[i] = state.R[k];
+    whole.v[i] = state.v[k];
+    whole.omega[i] = state.omega[k];
+  }
+  std::erase_if(whole.contacts, [&](const ContactMemory& contact) { return belongs(part, contact.pair); });
+  for (const ContactMemory& contact : state.contacts) {
+    const auto [a, b] = bodies_of(contact.pair);
+    whole.contacts.push_back(contact);
+    whole.contacts.back().pair = pair_of(part.bodies[a], part.bodies[b]);
+  }
+  std::sort(whole.contacts.begin(), whole.contacts.end(), [](const ContactMemory& a, const ContactMemory& b) {
+    return std::tie(a.pair, a.feature) < std::tie(b.pair, b.feature);
+  });
+  if (joints) whole.joint_force = state.joint_force;
+}
+
+void put_contacts(const ModelPart& part, const std::vector<ContactReport>& contacts,
+                  std::vector<ContactReport>& whole) {
+  for (const ContactReport& contact : contacts) {
+    whole.push_back(contact);
+    whole.back().a = part.bodies[contact.a];
+    whole.back().b = part.bodies[contact.b];
+  }
+  std::stable_sort(whole.begin(), whole.end(), [](const ContactReport& x, const ContactReport& y) {
+    return std::minmax(x.a, x.b) < std::minmax(y.a, y.b);
+  });
+}
+
+}  // namespace pabd
