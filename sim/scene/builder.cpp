@@ -10,8 +10,8 @@
 namespace pabd {
 
 struct SceneBuilder::Parts {
-  Parts(std::string scene, std::filesystem::path folder)
-      : name(std::move(scene)), meshes(std::move(folder)) {}
+  Parts(std::string scene, std::filesystem::path where)
+      : name(std::move(scene)), folder(std::move(where)), meshes(folder) {}
 
   // The value of "file" for a body that has its hulls with it.
   Json enter(const Hull& hull) {
@@ -41,6 +41,7 @@ struct SceneBuilder::Parts {
   }
 
   std::string name;
+  std::filesystem::path folder;
   MeshLibrary meshes;
   int hulls = 0;                   // that were entered
   Json document = Json::object();  // its lists grow; build() sets the rest
@@ -59,6 +60,12 @@ void SceneBuilder::add(const spec::Body& body) {
 }
 
 void SceneBuilder::add(const spec::Joint& joint) { parts_->document["joints"].push_back(json_of(joint)); }
+void SceneBuilder::add(const spec::NoCollide& pair) {
+  parts_->document["no_collide"].push_back(json_of(pair));
+}
+void SceneBuilder::add(const spec::Include& include) {
+  parts_->document["includes"].push_back(json_of(include));
+}
 void SceneBuilder::add(const spec::Stack& stack) { parts_->generate("stack", json_of(stack)); }
 void SceneBuilder::add(const spec::Wall& wall) { parts_->generate("wall", json_of(wall)); }
 void SceneBuilder::add(const spec::Pyramid& pyramid) { parts_->generate("pyramid", json_of(pyramid)); }
@@ -79,7 +86,8 @@ Scene SceneBuilder::build() {
   document.erase("duration");
   if (duration) document["duration"] = *duration;
   ReadContext context{parts_->name, {}, {}};
-  return read_scene(document, context, parts_->meshes);
+  IncludeLibrary includes({}, parts_->folder);
+  return read_scene(document, context, parts_->meshes, includes);
 }
 
 }  // namespace pabd

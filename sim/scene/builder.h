@@ -40,39 +40,90 @@ struct Mesh {
   double scale = 1;
 };
 
+// A turn about an axis of any length but 0, by the right-hand rule.
+struct AxisAngle {
+  Vec3 axis = Vec3::UnitY();
+  double angle = 0;  // degrees
+};
+
+// Turns about three of the body's own axes, one after the other.
+struct Euler {
+  Vec3 angles = Vec3::Zero();  // degrees
+  std::string order = "xyz";   // any of the twelve
+};
+
+// Body to world, in one of three ways.
+struct Orientation : std::variant<std::array<double, 4>, AxisAngle, Euler> {
+  using variant::variant;
+  Orientation(double w, double x, double y, double z) : variant(std::array{w, x, y, z}) {}  // unit quaternion
+};
+
 struct Body {
   std::string name = {};  // empty: "body 3" by its number
   // Cylinders and cones are made by make_shape (shape_kind.h), hulls and compounds as convex_hull.h and compound.h
   // say. A plane has neither mass nor place.
   std::variant<Shape, Mesh> shape = Box{Vec3::Constant(0.5)};
-  std::optional<double> mass = {};                        // kg; or density
-  std::optional<double> density = {};                     // kg/m³; 1000
-  bool fixed = false;                                     // never moves
-  std::optional<Vec3> position = {};                      // of the centre of mass, world; m
-  std::optional<std::array<double, 4>> orientation = {};  // unit quaternion [w, x, y, z], body to world
-  std::optional<Vec3> velocity = {};                      // m/s
-  std::optional<Vec3> angular_velocity = {};              // world; degrees/s
+  std::optional<double> mass = {};               // kg; or density
+  std::optional<double> density = {};            // kg/m³; 1000
+  bool fixed = false;                            // never moves
+  std::optional<Vec3> position = {};             // of the centre of mass, world; m
+  std::optional<Orientation> orientation = {};   // body to world
+  std::optional<Vec3> velocity = {};             // m/s
+  std::optional<Vec3> angular_velocity = {};     // world; degrees/s
+  std::optional<SurfaceFriction> friction = {};  // of its own; else contact.friction
+  std::vector<std::string> groups = {};          // that it is of
 };
 
-// A range of an angle or an offset: lowest and highest; degrees or m. Includes 0, where the joint stands.
+// The name of a group where that of a body may stand.
+struct Group {
+  std::string name = {};
+};
+using BodyOrGroup = std::variant<std::string, Group>;
+
+// Never touch each other. A group may stand on both sides.
+struct NoCollide {
+  BodyOrGroup i = {}, j = {};
+};
+
+// The bodies and joints of another scene, each name with `prefix` before it.
+struct Include {
+  std::string scene = {};                       // its file, relative to the builder's folder
+  std::string prefix = {};                      // may be empty
+  std::optional<Vec3> position = {};            // where its origin goes; m
+  std::optional<Orientation> orientation = {};  // how its axes stand
+};
+
+// A range of an angle or an offset: lowest and highest; degrees or m. Includes where the joint starts.
 using Limits = std::pair<double, double>;
+
+// A motor along the angle of a hinge or the offset of a slider: a torque or force, or a speed.
+struct Motor {
+  std::optional<Profile> force = {};  // over time in s; N m or N
+  std::optional<Profile> speed = {};  // degrees/s or m/s
+  std::optional<double> most = {};    // force with which the speed is held; N m or N
+  std::optional<double> gain = {};    // force per missing speed; N m s/rad or N s/m
+};
 
 // Joins two bodies, or one and the world. Entries that the type does not have are refused.
 struct Joint {
   JointType type = JointType::spherical;
-  std::string i = {}, j = {};               // names of the two bodies; empty: the world
-  std::string name = {};                    // empty: "joint 3" by its number
-  std::optional<Vec3> anchor = {};          // world, at the start; m
-  std::optional<Vec3> axis = {};            // world, at the start; of any length but 0
-  std::vector<Vec3> points = {};            // distance: on i and on j; world, m
-  std::optional<double> length = {};        // distance: at rest; m
-  std::optional<double> arm = {};           // of the points beside the anchor; m
-  std::optional<bool> symmetric = {};       // two bonds a rotational degree of freedom
-  std::optional<Limits> limits = {};        // hinge: degrees; slider: m
-  std::optional<Profile> drive = {};        // of the same quantity and unit, over time in s
-  std::optional<TurnProfile> turn = {};     // spherical: rotation vectors of j against i; degrees
-  std::string axes = {};                    // spherical with a turn: arms that are held, "x" … "xyz"
-  std::optional<Twist> twist = {};          // slider
+  std::string i = {}, j = {};            // names of the two bodies; empty: the world
+  std::string name = {};                 // empty: "joint 3" by its number
+  std::optional<Vec3> anchor = {};       // world, at the start; m
+  std::optional<Vec3> axis = {};         // world, at the start; of any length but 0
+  std::vector<Vec3> points = {};         // distance: on i and on j; world, m
+  std::optional<double> length = {};     // distance: at rest; m
+  std::optional<double> arm = {};        // of the points beside the anchor; m
+  std::optional<bool> symmetric = {};    // two bonds a rotational degree of freedom
+  std::optional<Limits> limits = {};     // hinge: degrees; slider: m
+  std::optional<Profile> drive = {};     // of the same quantity and unit, over time in s
+  std::optional<TurnProfile> turn = {};  // spherical: rotation vectors of j against i; degrees
+  std::string axes = {};                 // spherical with a turn: arms that are held, "x" … "xyz"
+  std::optional<double> start = {};      // hinge, slider: where it starts, bodies being told at 0; degrees, m
+  std::optional<Motor> motor = {};       // hinge, slider
+  std::optional<double> damping = {};    // N m s/rad or N s/m
+  std::optional<double> friction = {};   // hinge, slider: dry; N m or N
+  std::optional<Twist> twist = {};       // slider
   std::optional<Limits> twist_limits = {};  // slider with limited twist; degrees
   Law law = {};
   bool collide = false;  // may the two touch each other?
@@ -85,6 +136,8 @@ struct Bricks {
   std::optional<Vec3> position = {};              // centre of the bottom; m
   std::optional<double> mass = {}, density = {};  // of each; kg, kg/m³
   std::optional<double> gap = {};                 // between levels; m
+  std::optional<SurfaceFriction> friction = {};   // as of a body
+  std::vector<std::string> groups = {};           // that all are of
 };
 
 // Bricks one on the other.
@@ -122,6 +175,8 @@ struct Pile {
   std::optional<std::int64_t> columns = {};       // of the grid
   std::optional<double> spacing = {};             // of the grid; m
   std::optional<std::int64_t> seed = {};
+  std::optional<SurfaceFriction> friction = {};  // as of a body
+  std::vector<std::string> groups = {};          // that all are of
 };
 
 // Links one behind the other, each joined to the next.
@@ -139,6 +194,8 @@ struct Chain {
   std::optional<double> mass = {}, density = {};  // of a link; kg, kg/m³
   std::optional<double> end_mass = {};            // of the last link; kg
   std::optional<bool> collide = {};               // may neighbours touch each other?
+  std::optional<SurfaceFriction> friction = {};   // as of a body
+  std::vector<std::string> groups = {};           // that all are of
 };
 
 // Rows and columns of bodies, each joined to its four neighbours.
@@ -154,6 +211,8 @@ struct Net {
   std::string fixed = {};                         // "none", "corners", "edges" or "top"
   std::optional<double> mass = {}, density = {};  // of a body; kg, kg/m³
   std::optional<bool> collide = {};               // may neighbours touch each other?
+  std::optional<SurfaceFriction> friction = {};   // as of a body
+  std::vector<std::string> groups = {};           // that all are of
 };
 
 }  // namespace spec
@@ -162,7 +221,7 @@ struct Net {
 // Listed bodies and joints come before those of generators, whatever the order of calls.
 class SceneBuilder {
  public:
-  // `name` is the scene's, and names it in messages. `folder`: what names of meshes are relative to.
+  // `name` is the scene's, and names it in messages. `folder`: what names of meshes and scenes are relative to.
   explicit SceneBuilder(std::string name, std::filesystem::path folder = {});
   ~SceneBuilder();
   SceneBuilder(SceneBuilder&&) noexcept;
@@ -184,6 +243,8 @@ class SceneBuilder {
   void add(const spec::Pile& pile);
   void add(const spec::Chain& chain);
   void add(const spec::Net& net);
+  void add(const spec::NoCollide& pair);
+  void add(const spec::Include& include);
 
   // The scene of all that was added, which stays: more may be added for another. Throws Error(bad_input) with
   // the text that a file would be refused with, the scene's name in place of the file's: "pyramid:

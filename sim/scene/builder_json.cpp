@@ -2,6 +2,8 @@
 // See builder_json.h. One line a key; what is empty is left out.
 #include "sim/scene/builder_json.h"
 
+#include "sim/joint/joint_traits.h"
+
 namespace pabd {
 namespace {
 
@@ -11,6 +13,19 @@ Json value_of(int x) { return x; }
 Json value_of(std::int64_t x) { return x; }
 Json value_of(const Vec3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 Json value_of(const std::array<double, 4>& q) { return q; }
+Json value_of(const spec::AxisAngle& turn) { return {{"axis", value_of(turn.axis)}, {"angle", turn.angle}}; }
+Json value_of(const spec::Euler& turn) { return {{"euler", value_of(turn.angles)}, {"order", turn.order}}; }
+Json value_of(const spec::Orientation& orientation) {
+  return std::visit([](const auto& way) { return value_of(way); }, orientation);
+}
+Json value_of(const SurfaceFriction& friction) {
+  return {{"static", friction.mu_static}, {"dynamic", friction.mu_dynamic}};
+}
+Json value_of(const spec::BodyOrGroup& side) {
+  const auto* group = std::get_if<spec::Group>(&side);
+  if (!group) return std::get<std::string>(side);
+  return {{"group", group->name}};
+}
 Json value_of(const spec::Limits& limits) { return Json::array({limits.first, limits.second}); }
 Json value_of(JointType type) { return to_string(type); }
 Json value_of(BondPotential potential) { return potential == BondPotential::soft ? "soft" : "hard"; }
@@ -50,8 +65,15 @@ Json with_mass(const Entry& entry) {
 }
 
 template <class Entry>
+void put_touch(Json& out, const Entry& entry) {
+  put(out, "friction", entry.friction);
+  if (!entry.groups.empty()) out["group"] = entry.groups;
+}
+
+template <class Entry>
 Json with_size(const Entry& entry) {
   Json out = with_mass(entry);
+  put_touch(out, entry);
   put(out, "size", entry.size);
   return out;
 }
@@ -63,6 +85,17 @@ Json of_bricks(const spec::Bricks& bricks) {
 }
 
 Json end_of(const std::string& body) { return body.empty() ? Json() : Json(body); }
+
+void put_motor(Json& out, const spec::Joint& joint) {
+  if (!joint.motor) return;
+  const bool turns = acts_by_torque(traits_of(joint.type));
+  Json motor = Json::object();
+  put(motor, turns ? "torque" : "force", joint.motor->force);
+  put(motor, "speed", joint.motor->speed);
+  put(motor, turns ? "max_torque" : "max_force", joint.motor->most);
+  put(motor, "gain", joint.motor->gain);
+  out["motor"] = std::move(motor);
+}
 
 void put_twist(Json& out, const spec::Joint& joint) {
   if (joint.twist == Twist::free) out["twist"] = "free";
@@ -90,6 +123,7 @@ Json json_of(const spec::Body& body) {
   put(out, "orientation", body.orientation);
   put(out, "velocity", body.velocity);
   put(out, "angular_velocity", body.angular_velocity);
+  put_touch(out, body);
   return out;
 }
 
@@ -106,9 +140,23 @@ Json json_of(const spec::Joint& joint) {
   put(out, "drive", joint.drive);
   put(out, "drive", joint.turn);
   put(out, "axes", joint.axes);
+  put(out, "start", joint.start);
+  put_motor(out, joint);
+  put(out, "damping", joint.damping);
+  put(out, "friction", joint.friction);
   put_twist(out, joint);
   put_law(out, joint.law);
   if (joint.collide) out["collide"] = true;
+  return out;
+}
+
+Json json_of(const spec::NoCollide& pair) { return Json::array({value_of(pair.i), value_of(pair.j)}); }
+
+Json json_of(const spec::Include& include) {
+  Json out{{"scene", include.scene}};
+  put(out, "prefix", include.prefix);
+  put(out, "position", include.position);
+  put(out, "orientation", include.orientation);
   return out;
 }
 

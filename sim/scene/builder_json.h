@@ -12,6 +12,8 @@ Json json_of(const spec::Law& law);
 Json json_of(const spec::Mesh& mesh);
 Json json_of(const spec::Body& body);  // without its shape
 Json json_of(const spec::Joint& joint);
+Json json_of(const spec::NoCollide& pair);
+Json json_of(const spec::Include& include);
 // Without their type.
 Json json_of(const spec::Stack& stack);
 Json json_of(const spec::Wall& wall);

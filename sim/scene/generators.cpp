@@ -8,6 +8,7 @@
 
 #include "sim/body/shape_kind.h"
 #include "sim/scene/keys.h"
+#include "sim/scene/read_touch.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -75,7 +76,9 @@ void run_generators(const ObjectReader& scene, double d_hat, ModelBuilder& out) 
     in.record("generate", generator.type);
     const int n = ++used[&generator - kGenerators];
     const std::string prefix = n == 1 ? std::string(generator.type) : fmt::format("{}{}", generator.type, n);
+    const std::size_t first = out.model.name.size();
     generator.function(in, {d_hat, prefix}, out);
+    out.set_touch(first, read_touch(in), in);
   }
 }
 

@@ -48,9 +48,9 @@ void add_place(int axes, OrderedJson& out) {
                 "In place of anchor, with frames: where the anchors on i and j stand at the start "
                 "in m, world frame. Scenes that were saved in mid-run have it: there a joint is "
                 "not at 0.");
-  out["frames"] = described(array_of(2, array_of(4, {{"type", "number"}})),
+  out["frames"] = described(array_of(2, {{"$ref", "#/$defs/body/properties/orientation"}}),
                             "In place of axis, with anchors: how the frames on i and j stand at the start, "
-                            "unit quaternions [w, x, y, z]; x is the axis. Angle and offset are 0 where the "
+                            "as orientations of bodies; x is the axis. Angle and offset are 0 where the "
                             "frames coincide.");
   out["anchor"] = described(vector(), "Place of the joint at the start in m, world frame.");
   if (axes > 0)
@@ -64,12 +64,29 @@ void add_place(int axes, OrderedJson& out) {
 
 void add_motion(const JointMeasure& measure, OrderedJson& out) {
   const bool angle = measure.of == JointMeasure::Of::angle;
-  out["limits"] =
-      described(array_of(2, number(angle ? kAngleRange : kPositionRange)),
-                angle ? "Lowest and highest angle in degrees; 0 lies between. Not together with drive."
-                      : "Lowest and highest offset in m; 0 lies between. Not together with drive.");
+  out["limits"] = described(
+      array_of(2, number(angle ? kAngleRange : kPositionRange)),
+      angle ? "Lowest and highest angle in degrees; 0, or start, lies between. Not together with drive."
+            : "Lowest and highest offset in m; 0, or start, lies between. Not together with drive.");
   out["drive"] = {{"$ref", "#/$defs/drive"},
                   {"description", angle ? "Angle in degrees; may go round many times." : "Offset in m."}};
+  out["start"] = described(
+      number(angle ? kAngleRange : kPositionRange),
+      angle ? "Angle in degrees at which the joint starts. Bodies, anchors and axes are told at 0; what "
+              "hangs on the far side is turned with it. Limits include it in place of 0."
+            : "Offset in m at which the joint starts. Bodies, anchors and axes are told at 0; what "
+              "hangs on the far side is moved with it. Limits include it in place of 0.");
+  out["motor"] = {{"$ref", angle ? "#/$defs/motor" : "#/$defs/linear_motor"},
+                  {"description", "What moves j against i. Not together with drive."}};
+  out["friction"] =
+      described(number({0, 1e12}), angle ? "Dry friction in N m: holds up to so much, and brakes with it."
+                                         : "Dry friction in N: holds up to so much, and brakes with it.");
+}
+
+void add_damping(const JointTraits& traits, OrderedJson& out) {
+  out["damping"] = described(number({0, 1e12}), acts_by_torque(traits)
+                                                    ? "Viscous damping in N m s/rad. Not together with drive."
+                                                    : "Viscous damping in N s/m. Not together with drive.");
 }
 
 void add_twist(Twist fallback, OrderedJson& out) {
@@ -131,9 +148,10 @@ OrderedJson joint_schema(JointType type) {
   } else {
     add_place(traits.axes, properties);
   }
-  if (const JointMeasure* moved = measure_with(traits, &Joint::limits)) add_motion(*moved, properties);
+  if (const JointMeasure* moved = moved_measure(traits)) add_motion(*moved, properties);
   if (measure_with(traits, &Joint::twist_limits)) add_twist(traits.twist, properties);
   if (traits.turn) add_turn(properties);
+  if (may_be_damped(traits)) add_damping(traits, properties);
   if (!traits.points) add_arms(properties);
   add_law(properties);
   OrderedJson out{{"type", "object"},

@@ -20,9 +20,10 @@ std::vector<std::string_view> keys_of(const JointTraits& joint) {
   add(!joint.points, {"anchor"});
   add(joint.axes > 0, {"axis"});
   add(joint.axes > 1, {"second_axis"});
-  add(measure_with(joint, &Joint::limits), {"limits", "drive"});
+  add(moved_measure(joint), {"start", "limits", "drive", "motor", "friction"});
   add(measure_with(joint, &Joint::twist_limits), {"twist"});
   add(joint.turn, {"drive", "axes"});
+  add(may_be_damped(joint), {"damping"});
   add(!joint.points, {"arm", "symmetric"});
   add(true, {"potential", "kappa", "N", "d_hat", "collide"});
   add(!joint.points, {"anchors", "frames"});
@@ -71,8 +72,14 @@ std::span<const KeyTable> key_tables() {
                                      KeyTable{"pile", keys::pile},
                                      KeyTable{"chain", keys::chain},
                                      KeyTable{"net", keys::net},
+                                     KeyTable{"axis_angle", keys::axis_angle},
+                                     KeyTable{"euler", keys::euler},
+                                     KeyTable{"group", keys::group},
+                                     KeyTable{"include", keys::include},
                                      KeyTable{"drive", keys::drive},
                                      KeyTable{"twist", keys::twist},
+                                     KeyTable{"motor", keys::motor},
+                                     KeyTable{"linear_motor", keys::linear_motor},
                                      KeyTable{"friction_anchor", keys::friction_anchor}};
   static const auto kTables = [] {
     std::vector<KeyTable> tables = made_tables();

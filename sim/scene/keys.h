@@ -19,39 +19,52 @@ namespace keys {
 using Key = std::string_view;
 
 // Of the scene, without those of parameters, which come after the description: see scene_object_keys.
-inline constexpr std::array scene{
-    Key("$schema"),        Key("format"),           Key("version"),     Key("name"),     Key("description"),
-    Key("joints_default"), Key("bodies"),           Key("joints"),      Key("generate"), Key("camera"),
-    Key("duration"),       Key("friction_anchors"), Key("joint_forces")};
+inline constexpr std::array scene{Key("$schema"),      Key("format"),      Key("version"),
+                                  Key("name"),         Key("description"), Key("joints_default"),
+                                  Key("bodies"),       Key("joints"),      Key("generate"),
+                                  Key("camera"),       Key("duration"),    Key("friction_anchors"),
+                                  Key("joint_forces"), Key("no_collide"),  Key("includes")};
 inline constexpr std::array joints_default{Key("potential"), Key("kappa"), Key("N"), Key("d_hat")};
 inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
 
 inline constexpr std::array body{Key("name"),        Key("shape"),    Key("fixed"),
                                  Key("density"),     Key("mass"),     Key("position"),
                                  Key("orientation"), Key("velocity"), Key("angular_velocity"),
-                                 Key("color"),       Key("material")};
+                                 Key("color"),       Key("material"), Key("inertia"),
+                                 Key("friction"),    Key("group")};
 inline constexpr std::array material{Key("opacity"), Key("checker")};
-inline constexpr std::array stack{Key("type"),    Key("name"), Key("count"),  Key("size"), Key("position"),
-                                  Key("density"), Key("mass"), Key("masses"), Key("gap"),  Key("rotate")};
-inline constexpr std::array wall{Key("type"), Key("name"),     Key("columns"),    Key("rows"),
-                                 Key("size"), Key("position"), Key("density"),    Key("mass"),
-                                 Key("gap"),  Key("spacing"),  Key("half_blocks")};
-inline constexpr std::array pyramid{Key("type"),    Key("name"), Key("base"), Key("size"),   Key("position"),
-                                    Key("density"), Key("mass"), Key("gap"),  Key("spacing")};
-inline constexpr std::array pile{Key("type"), Key("name"),     Key("count"),   Key("shape"),
-                                 Key("size"), Key("position"), Key("density"), Key("mass"),
-                                 Key("vary"), Key("columns"),  Key("spacing"), Key("seed")};
+inline constexpr std::array stack{Key("type"),     Key("name"),    Key("count"),    Key("size"),
+                                  Key("position"), Key("density"), Key("mass"),     Key("masses"),
+                                  Key("gap"),      Key("rotate"),  Key("friction"), Key("group")};
+inline constexpr std::array wall{Key("type"), Key("name"),     Key("columns"),     Key("rows"),
+                                 Key("size"), Key("position"), Key("density"),     Key("mass"),
+                                 Key("gap"),  Key("spacing"),  Key("half_blocks"), Key("friction"),
+                                 Key("group")};
+inline constexpr std::array pyramid{Key("type"),     Key("name"),     Key("base"), Key("size"),
+                                    Key("position"), Key("density"),  Key("mass"), Key("gap"),
+                                    Key("spacing"),  Key("friction"), Key("group")};
+inline constexpr std::array pile{
+    Key("type"), Key("name"), Key("count"),   Key("shape"),   Key("size"), Key("position"), Key("density"),
+    Key("mass"), Key("vary"), Key("columns"), Key("spacing"), Key("seed"), Key("friction"), Key("group")};
 
-inline constexpr std::array chain{Key("type"),  Key("name"),     Key("links"),  Key("shape"),
-                                  Key("size"),  Key("position"), Key("gap"),    Key("direction"),
-                                  Key("joint"), Key("axis"),     Key("fixed"),  Key("density"),
-                                  Key("mass"),  Key("end_mass"), Key("collide")};
-inline constexpr std::array net{Key("type"),  Key("name"),     Key("rows"), Key("columns"), Key("shape"),
-                                Key("size"),  Key("position"), Key("gap"),  Key("upright"), Key("joint"),
-                                Key("fixed"), Key("density"),  Key("mass"), Key("collide")};
+inline constexpr std::array chain{
+    Key("type"), Key("name"),      Key("links"),   Key("shape"),    Key("size"),  Key("position"),
+    Key("gap"),  Key("direction"), Key("joint"),   Key("axis"),     Key("fixed"), Key("density"),
+    Key("mass"), Key("end_mass"),  Key("collide"), Key("friction"), Key("group")};
+inline constexpr std::array net{Key("type"),    Key("name"),    Key("rows"),     Key("columns"),
+                                Key("shape"),   Key("size"),    Key("position"), Key("gap"),
+                                Key("upright"), Key("joint"),   Key("fixed"),    Key("density"),
+                                Key("mass"),    Key("collide"), Key("friction"), Key("group")};
+
+inline constexpr std::array axis_angle{Key("axis"), Key("angle")};
+inline constexpr std::array euler{Key("euler"), Key("order")};
+inline constexpr std::array group{Key("group")};
+inline constexpr std::array include{Key("scene"), Key("prefix"), Key("position"), Key("orientation")};
 
 inline constexpr std::array drive{Key("value"), Key("keys")};
 inline constexpr std::array twist{Key("limits")};
+inline constexpr std::array motor{Key("torque"), Key("speed"), Key("max_torque"), Key("gain")};
+inline constexpr std::array linear_motor{Key("force"), Key("speed"), Key("max_force"), Key("gain")};
 
 // Of state files as well.
 inline constexpr std::array friction_anchor{Key("bodies"),  Key("feature"),  Key("stretch"),

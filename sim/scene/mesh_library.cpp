@@ -17,7 +17,9 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, message); }
 
-std::string read_bytes(const std::filesystem::path& file) {
+}  // namespace
+
+std::string read_mesh_file(const std::filesystem::path& file) {
   std::error_code unknown;
   if (!std::filesystem::exists(file, unknown) && !unknown)
     refuse("the file does not exist; expected a mesh beside the scene");
@@ -43,19 +45,15 @@ std::string ending_of(const std::filesystem::path& file) {
   return ending;
 }
 
-}  // namespace
+MeshSurface read_surface(std::string_view bytes, std::string_view ending) {
+  if (ending == "obj") return read_obj(bytes);
+  if (ending == "stl") return read_stl(bytes);
+  if (ending == "ply") return read_ply(bytes);
+  refuse("unknown kind of mesh; expected a name that ends in .obj, .stl or .ply");
+}
 
 Hull read_mesh_hull(std::string_view bytes, std::string_view ending, double scale) {
-  MeshSurface surface;
-  if (ending == "obj") {
-    surface = read_obj(bytes);
-  } else if (ending == "stl") {
-    surface = read_stl(bytes);
-  } else if (ending == "ply") {
-    surface = read_ply(bytes);
-  } else {
-    refuse("unknown kind of mesh; expected a name that ends in .obj, .stl or .ply");
-  }
+  const MeshSurface surface = read_surface(bytes, ending);
   std::vector<Vec3> used(surface.corners.size());
   Vec3 lo = Vec3::Constant(1e300), hi = -lo;
   for (std::size_t k = 0; k < used.size(); ++k) {
@@ -80,7 +78,8 @@ const MeshLibrary::Entry& MeshLibrary::load(const std::string& file, double scal
   const auto [place, fresh] = entries_.try_emplace({file, scale});
   if (!fresh) return place->second;
   try {
-    const std::string bytes = read_bytes(folder_ / file);
+    if (may_read_) may_read_(folder_ / file);
+    const std::string bytes = read_mesh_file(folder_ / file);
     place->second.hull = read_mesh_hull(bytes, ending_of(file), scale);
     Hash64 hash;
     hash.add_text(bytes);

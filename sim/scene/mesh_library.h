@@ -9,13 +9,15 @@
 #include <vector>
 
 #include "sim/body/compound.h"
+#include "sim/scene/guarded_scene.h"
 
 namespace pabd {
 
 class MeshLibrary {
  public:
-  // Files are named relative to `folder`.
-  explicit MeshLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  // Files are named relative to `folder`; `may_read` is asked before one is looked at.
+  explicit MeshLibrary(std::filesystem::path folder, MayRead may_read = {})
+      : folder_(std::move(folder)), may_read_(std::move(may_read)) {}
 
   struct Entry {
     Hull hull;
@@ -38,6 +40,7 @@ class MeshLibrary {
 
  private:
   std::filesystem::path folder_;
+  MayRead may_read_;
   std::map<std::pair<std::string, double>, Entry> entries_;
   std::map<std::pair<std::vector<std::string>, double>, Compound> compounds_;
 };

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,12 @@ struct MeshSurface {
   std::vector<Face> faces;
   const char* place_unit = "line";  // or "byte"
 };
+
+// The kind is told by the name's ending without dot, in small letters: "obj", "stl" or "ply".
+MeshSurface read_surface(std::string_view bytes, std::string_view ending);
+// That ending, and the bytes of a file of at most kMostMeshBytes. Throws Error(bad_input) without the name.
+std::string ending_of(const std::filesystem::path& file);
+std::string read_mesh_file(const std::filesystem::path& file);
 
 MeshSurface read_obj(std::string_view text);
 MeshSurface read_stl(std::string_view bytes);  // text or binary

@@ -47,16 +47,17 @@ Keyed<Value> read_keyed(const Node& node, const Read& read) {
 }  // namespace
 
 JointRange read_limits(const ObjectReader& in, std::string_view key, const Range& range, double unit,
-                       bool at_zero) {
+                       std::optional<double> stands_at) {
   const Node node = in.require(key, "an array [lowest, highest]");
   double bound[2];
   node.numbers(bound, range);
   if (bound[0] > bound[1]) {
     node.fail(fmt::format("the lowest value {} is above the highest {}; swap them", bound[0], bound[1]));
   }
-  if (at_zero && (bound[0] > 0 || bound[1] < 0)) {
-    node.fail(fmt::format("the joint is at 0 at the start, outside {} … {}; expected limits that include 0",
-                          bound[0], bound[1]));
+  if (stands_at && (bound[0] > *stands_at || bound[1] < *stands_at)) {
+    node.fail(
+        fmt::format("the joint is at {0} at the start, outside {1} … {2}; expected limits that include {0}",
+                    *stands_at, bound[0], bound[1]));
   }
   for (const double b : bound) in.record(key, b);
   return {bound[0] * unit, bound[1] * unit};

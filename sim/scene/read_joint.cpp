@@ -11,6 +11,8 @@
 #include "sim/joint/joint_traits.h"
 #include "sim/potential/barrier.h"
 #include "sim/scene/keys.h"
+#include "sim/scene/read_rotation.h"
+#include "sim/scene/start_pose.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -56,11 +58,7 @@ struct Surroundings {
   Index end(const Node& node) const {
     if (node.value().is_null()) return kWorld;
     if (!node.value().is_string()) node.fail_expected("the name of a body, or null for the world");
-    const std::string name = node.text(100);
-    if (const auto it = names.find(name); it != names.end()) return it->second;
-    std::vector<std::string_view> near;
-    for (std::size_t i = 0; i < scene.model.name.size() && i < 1000; ++i) near.push_back(scene.model.name[i]);
-    node.fail(fmt::format("there is no body {}{}", in_quotes(name), did_you_mean(name, near)));
+    return body_of(node, names, scene.model);
   }
 
   void read_ends(const ObjectReader& in, Joint& joint) const {
@@ -113,34 +111,45 @@ void read_place(const ObjectReader& in, const Surroundings& around, Joint& joint
     const Vec3 anchor = anchors.element(end).vec3(kPositionRange);
     in.record("anchors", anchor);
     const Node frame = frames.element(end);
-    const Mat3 F = frame.rotation();
-    double q[4];  // as for bodies
-    frame.numbers(q, {});
-    for (const double x : q) in.record("frames", x);
+    const Mat3 F = read_rotation(frame, in, "frames");
     (end == 0 ? joint.on_i : joint.on_j) =
         frame_on(around.scene.state, end == 0 ? joint.i : joint.j, anchor, F);
   }
 }
 
-// A joint with frames of its own need not stand at 0.
-bool stands_at_zero(const ObjectReader& in) { return !in.has("frames"); }
+// A joint with frames of its own may stand anywhere, and says so by them.
+std::optional<double> where_at_zero(const ObjectReader& in) {
+  return in.has("frames") ? std::nullopt : std::optional(0.0);
+}
+
+// "start", in the unit of the file: where the joint is moved to, from where the bodies stand.
+std::optional<double> read_start(const ObjectReader& in, const JointMeasure& measure) {
+  if (!in.has("start")) return {};
+  if (in.has("frames")) in.fail_key("start", "\"frames\" say where the joint stands; remove one of the two");
+  const bool angle = measure.of == JointMeasure::Of::angle;
+  return in.optional_number("start", angle ? kAngleRange : kPositionRange);
+}
 
 void read_arms(const ObjectReader& in, const Surroundings& around, Joint& joint) {
   joint.arm = in.number("arm", kSizeRange, default_arm(around.scene.model, joint.i, joint.j));
   joint.symmetric = in.boolean("symmetric", true);
 }
 
-// Limits or a drive of what the joint leaves free.
-void read_motion(const ObjectReader& in, const JointMeasure& measure, Joint& joint) {
+// Limits or a drive of what the joint leaves free. Returns where it starts, if it says so; rad or m.
+std::optional<double> read_motion(const ObjectReader& in, const JointMeasure& measure, Joint& joint) {
   if (in.has("limits") && in.has("drive")) {
     in.fail_key("limits", "a driven joint has no limits; remove one of \"limits\" and \"drive\"");
   }
   const bool angle = measure.of == JointMeasure::Of::angle;
   const double unit = angle ? kDegree : 1;
-  if (in.has("limits"))
-    joint.limits = read_limits(in, "limits", angle ? kAngleRange : kPositionRange, unit, stands_at_zero(in));
+  const std::optional<double> start = read_start(in, measure);
+  if (in.has("limits")) {
+    joint.limits = read_limits(in, "limits", angle ? kAngleRange : kPositionRange, unit,
+                               start ? start : where_at_zero(in));
+  }
   if (const auto node = in.find("drive"))
     joint.drive = read_drive(*node, angle ? kTurnsRange : kPositionRange, unit);
+  return start ? std::optional(*start * unit) : std::nullopt;
 }
 
 void read_twist(const ObjectReader& in, Twist fallback, Joint& joint) {
@@ -148,7 +157,7 @@ void read_twist(const ObjectReader& in, Twist fallback, Joint& joint) {
   if (twist && twist->value().is_object()) {
     const ObjectReader limited(*twist, keys::twist);
     joint.twist = Twist::limited;
-    joint.twist_limits = read_limits(limited, "limits", kAngleRange, kDegree, stands_at_zero(in));
+    joint.twist_limits = read_limits(limited, "limits", kAngleRange, kDegree, where_at_zero(in));
   } else if (twist && !twist->value().is_string()) {
     twist->fail_expected("\"free\", \"locked\" or { \"limits\": [lowest, highest] }");
   } else {
@@ -176,8 +185,8 @@ void read_points(const ObjectReader& in, const Surroundings& around, Joint& join
   joint.length = in.number("length", {0, 1e6, "m"}, (b - a).norm());
 }
 
-// What the type of the joint asks for.
-void read_by_traits(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+// What the type of the joint asks for. Returns where it starts, if it says so; rad or m.
+std::optional<double> read_by_traits(const ObjectReader& in, const Surroundings& around, Joint& joint) {
   const JointTraits& traits = traits_of(joint.type);
   if (traits.points) {
     read_points(in, around, joint);
@@ -185,10 +194,13 @@ void read_by_traits(const ObjectReader& in, const Surroundings& around, Joint& j
     read_place(in, around, joint);
     read_arms(in, around, joint);
   }
-  if (const JointMeasure* moved = measure_with(traits, &Joint::limits)) read_motion(in, *moved, joint);
+  std::optional<double> start;
+  if (const JointMeasure* moved = moved_measure(traits)) start = read_motion(in, *moved, joint);
   joint.twist = traits.twist;
   if (measure_with(traits, &Joint::twist_limits)) read_twist(in, traits.twist, joint);
   if (traits.turn) read_prescribed_turn(in, joint);
+  if (may_be_damped(traits)) read_action(in, joint);
+  return start;
 }
 
 JointType read_type(const Node& node) {
@@ -200,6 +212,20 @@ JointType read_type(const Node& node) {
     fail_at(node.context(), node.pointer() + "/type", "missing; expected " + one_of(words));
   }
   return static_cast<JointType>(Node(*type, node, "type").choice(joint_choices()));
+}
+
+// `list`: "joints", whose first is joint `generated` of the model.
+void move_bodies(const std::vector<JointStart>& starts, std::size_t generated, const Node& list,
+                 ModelBuilder& out) {
+  if (const auto problem = move_to_start(out.model, starts, out.state)) {
+    if (problem->joint < generated) list.fail(problem->what);
+    list.element(problem->joint - generated).fail(problem->what);
+  }
+  for (const Vec3& c : out.state.c) {
+    if (!(c.cwiseAbs().maxCoeff() <= kFarthest))
+      list.fail(fmt::format("a start moves a body to [{}, {}, {}]; expected coordinates within {} m", c.x(),
+                            c.y(), c.z(), kFarthest));
+  }
 }
 
 }  // namespace
@@ -227,7 +253,9 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder
   scene.record("joints", static_cast<double>(count));
   if (count > 0) out.reserve_joints(static_cast<std::int64_t>(count), *list);
   const Surroundings around{names, out};
-  std::unordered_set<std::string> seen;
+  std::unordered_set<std::string> seen = out.included_joints;
+  std::vector<JointStart> starts;
+  const std::size_t generated = out.model.joints.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Node node = list->element(k);
     const JointType type = read_type(node);
@@ -241,10 +269,11 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder
       in.fail_key("name", fmt::format("another joint is named {} too; expected different names",
                                       in_quotes(joint.name)));
     around.read_ends(in, joint);
-    read_by_traits(in, around, joint);
+    if (const auto start = read_by_traits(in, around, joint)) starts.push_back({generated + k, *start});
     joint.law = read_law(in, out.joint_law);
     out.add_joint(std::move(joint), in.boolean("collide", false));
   }
+  if (!starts.empty()) move_bodies(starts, generated, *list, out);
 }
 
 }  // namespace pabd

@@ -7,6 +7,7 @@
 namespace pabd {
 
 inline constexpr Range kAngleRange{-180, 180, "degrees"};
+inline constexpr Range kMotorTurnsRange{-1e7, 1e7, "degrees/s"};  // as bodies turn
 
 // The types of joints as words of a file.
 std::span<const Choice> joint_choices();
@@ -18,10 +19,13 @@ BondLaw read_joint_defaults(const ObjectReader& scene);
 void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder& out);
 
 // Parts of a joint (read_drive.cpp). `range` and `unit` are those of the file; the result is in rad or m.
-// `at_zero`: limits must include 0, where the joint stands.
+// Limits must include `stands_at`, the place where the joint starts, where it is known; in the unit of the file.
 JointRange read_limits(const ObjectReader& in, std::string_view key, const Range& range, double unit,
-                       bool at_zero);
+                       std::optional<double> stands_at);
 Profile read_drive(const Node& node, const Range& range, double unit);
 TurnProfile read_turn(const Node& node);  // rotation vectors in degrees
+
+// "motor", "damping" and "friction" of a joint whose type may have them (read_action.cpp).
+void read_action(const ObjectReader& in, Joint& joint);
 
 }  // namespace pabd

@@ -74,7 +74,10 @@ class ParamsReader {
   void read_row(const ObjectReader& in, std::string_view part, const ParameterRow& row) {
     const ParameterRow* followed = row.follows ? find_parameter(row.follows, table_) : nullptr;
     const ParameterValue now = value_of(followed ? *followed : row, out_);
+    const auto before = in.context().hash;
     set_value(row, out_, std::visit(ValueReader{in, part, row}, now));
+    const bool plain = value_of(row, out_) == value_of(row, Params{});
+    if (!row.hashed || (plain && !row.hashed_default)) in.context().hash = before;
   }
 
   // One number for all of a section.

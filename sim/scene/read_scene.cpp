@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
+#include "sim/base/error.h"
 #include "sim/scene/generators.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/model_builder.h"
@@ -11,6 +14,8 @@
 #include "sim/scene/read_joint.h"
 #include "sim/scene/read_memory.h"
 #include "sim/scene/read_params.h"
+#include "sim/scene/read_rotation.h"
+#include "sim/scene/read_touch.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -53,6 +58,15 @@ void read_forces_of_joints(const ObjectReader& scene, ModelBuilder& out) {
   for (const Vec3& force : out.state.joint_force) scene.record("joint_forces", force);
 }
 
+// Name, description and parameters.
+void read_settings(const ObjectReader& in, ParameterTable table, Scene& out) {
+  out.name = in.name("name");
+  out.description = in.text("description", 1000);
+  if (const auto schema = in.find("$schema"))
+    schema->text(1000);  // for editors; says nothing about the scene
+  out.params = read_params(in, table);
+}
+
 std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
   const auto node = scene.find("camera");
   if (!node) return std::nullopt;
@@ -65,6 +79,85 @@ std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
     in.fail_key("eye", "the camera sits on its target; expected two different points");
   }
   return camera;
+}
+
+void read_view(const ObjectReader& in, Scene& out) {
+  out.camera = read_camera(in);
+  out.duration = in.optional_number("duration", kDurationRange);
+}
+
+ObjectReader read_root(const Json& document, ReadContext& context, ParameterTable table) {
+  check_format(document, context);
+  return ObjectReader(Node(document, context), scene_object_keys(table));
+}
+
+// What an included scene has of the one that includes it.
+struct IncludeContext {
+  double d_hat;  // m
+  IncludeLibrary& includes;
+  ParameterTable table;
+};
+
+void read_includes(const ObjectReader& scene, const IncludeContext& around, ModelBuilder& out);
+
+// What an included scene gives as well: bodies, generators, scenes that it includes, joints, pairs that never touch.
+ModelBuilder read_content(const ObjectReader& in, MeshLibrary& meshes, const IncludeContext& around) {
+  ModelBuilder builder(read_joint_defaults(in));
+  read_bodies(in, meshes, builder);
+  const std::size_t listed = builder.model.name.size();
+  run_generators(in, around.d_hat, builder);
+  const std::size_t made = builder.model.name.size();
+  read_includes(in, around, builder);
+  const BodyNames names = builder.names(in.context(), listed, made);
+  const std::size_t before = builder.model.joints.size();
+  read_joints(in, names, builder);
+  builder.move_behind(before);
+  read_no_collide(in, names, builder);
+  return builder;
+}
+
+// The whole of it is checked; what is not taken leaves no trace, in the hash neither.
+ModelBuilder read_included(const IncludeLibrary::Opened& opened, const std::string& name,
+                           const IncludeContext& around, std::string& hash) {
+  const Json document = parse_document(opened.text(), printable(name));
+  ReadContext context{printable(name), {}, {}};
+  const ObjectReader in = read_root(document, context, around.table);
+  Scene unused;
+  read_settings(in, around.table, unused);
+  read_view(in, unused);
+  context.hash = Hash64();
+  ModelBuilder out = read_content(in, opened.meshes(), around);
+  hash = context.hash.hex();
+  return out;
+}
+
+void read_include(const Node& node, const IncludeContext& around, ModelBuilder& out) {
+  const ObjectReader in(node, keys::include);
+  const Node file = in.require("scene", "the name of a scene file");
+  const std::string name = file.file_name("a scene file");
+  Placement placement;
+  if (const auto prefix = in.find("prefix")) placement.prefix = prefix->name();
+  in.record("prefix", placement.prefix);
+  placement.position = in.vec3("position", kPositionRange, Vec3::Zero());
+  if (const auto turned = in.find("orientation")) placement.R = read_rotation(*turned, in, "orientation");
+  std::optional<ModelBuilder> part;
+  try {
+    const IncludeLibrary::Opened opened(around.includes, name);
+    std::string hash;
+    part = read_included(opened, name, around, hash);
+    in.record("scene", hash);
+  } catch (const Error& error) {
+    file.fail(error.what());
+  }
+  out.append(std::move(*part), placement, file);
+}
+
+void read_includes(const ObjectReader& scene, const IncludeContext& around, ModelBuilder& out) {
+  const auto list = scene.find("includes");
+  if (!list) return;
+  const std::size_t count = list->array_size();
+  scene.record("includes", static_cast<double>(count));
+  for (std::size_t k = 0; k < count; ++k) read_include(list->element(k), around, out);
 }
 
 }  // namespace
@@ -90,29 +183,19 @@ void check_format(const Json& document, ReadContext& context) {
   if (v != kVersion) node.fail_expected(std::to_string(kVersion));
 }
 
-Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes, ParameterTable table) {
-  check_format(document, context);
-  const ObjectReader in(Node(document, context), scene_object_keys(table));
+Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes, IncludeLibrary& includes,
+                 ParameterTable table) {
+  const ObjectReader in = read_root(document, context, table);
   Scene scene;
-  scene.name = in.name("name");
-  scene.description = in.text("description", 1000);
-  if (const auto schema = in.find("$schema"))
-    schema->text(1000);  // for editors; says nothing about the scene
-  scene.params = read_params(in, table);
-
-  ModelBuilder builder(read_joint_defaults(in));
-  read_bodies(in, meshes, builder);
-  const std::size_t listed = builder.model.name.size();
-  run_generators(in, scene.params.contact.d_hat, builder);
-  const BodyNames names = builder.names(context, listed);
-  const std::size_t generated = builder.model.joints.size();
-  read_joints(in, names, builder);
-  builder.finish_joints(scene.params.gravity, generated);
-  if (builder.model.size() == 0) in.fail("the scene has no bodies; expected \"bodies\" or \"generate\"");
+  read_settings(in, table, scene);
+  const IncludeContext around{scene.params.contact.d_hat, includes, table};
+  ModelBuilder builder = read_content(in, meshes, around);
+  builder.finish(scene.params.gravity);
+  if (builder.model.size() == 0)
+    in.fail("the scene has no bodies; expected \"bodies\", \"generate\" or \"includes\"");
   read_contact_memory(in, builder);
   read_forces_of_joints(in, builder);
-  scene.camera = read_camera(in);
-  scene.duration = in.optional_number("duration", kDurationRange);
+  read_view(in, scene);
 
   if (scene.name.empty()) scene.name = std::filesystem::path(context.source).stem().string();
   scene.model = std::move(builder.model);

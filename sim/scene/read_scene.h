@@ -2,6 +2,7 @@
 // A scene's document, wherever it is from: a file, or a SceneBuilder. Internal to sim/scene.
 #pragma once
 
+#include "sim/scene/include_library.h"
 #include "sim/scene/mesh_library.h"
 #include "sim/scene/reader.h"
 #include "sim/scene/scene.h"
@@ -13,7 +14,7 @@ namespace pabd {
 void check_format(const Json& document, ReadContext& context);
 
 // Reads, validates and expands a scene; all but its files. Throws Error(bad_input).
-Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes,
+Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes, IncludeLibrary& includes,
                  ParameterTable table = parameter_table());
 
 }  // namespace pabd

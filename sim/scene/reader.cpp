@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/error.h"
@@ -146,6 +147,13 @@ std::string Node::name() const {
     if (c < 0x20 || c == 0x7F) fail_expected("a name without control characters");
   }
   return s;
+}
+
+std::string Node::file_name(std::string_view what) const {
+  const std::string name = text(1000);
+  if (name.empty() || std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20; }))
+    fail_expected(fmt::format("the name of {}", what));
+  return name;
 }
 
 int Node::choice(std::span<const Choice> choices) const {

@@ -69,7 +69,8 @@ class Node {
   std::int64_t integer(std::int64_t lo, std::int64_t hi) const;
   bool boolean() const;
   std::string text(std::size_t longest) const;
-  std::string name() const;  // 1 to 100 bytes, no control characters
+  std::string name() const;                            // 1 to 100 bytes, no control characters
+  std::string file_name(std::string_view what) const;  // of "a scene file": 1 to 1000 bytes, the same
   int choice(std::span<const Choice> choices) const;
   // Fills `out` from an array of exactly that length.
   void numbers(std::span<double> out, const Range& range) const;

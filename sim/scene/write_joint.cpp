@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // See write_joint.h. Every frame is written where it stands, so that angles and offsets keep their zero; only
-// the keys of drives are shifted, in time.
+// the keys of drives and motors are shifted, in time.
 #include "sim/scene/write_joint.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/joint/joint_traits.h"
 
@@ -47,6 +48,24 @@ void add_motion(const Joint& joint, double now, OrderedJson& out) {
   if (joint.limits) out["limits"] = range_json(*joint.limits, unit);
   if (joint.drive)
     out["drive"] = keys_from(now, *joint.drive, [&](double value) { return OrderedJson(value * unit); });
+}
+
+OrderedJson motor_json(const JointMotor& motor, double now, bool turns) {
+  const double unit = turns && motor.gives == JointMotor::Gives::speed ? kDegrees : 1;
+  const auto profile = keys_from(now, motor.profile, [&](double value) { return OrderedJson(value * unit); });
+  if (motor.gives == JointMotor::Gives::force) return {{turns ? "torque" : "force", profile}};
+  OrderedJson out{{"speed", profile}};
+  if (std::isfinite(motor.most)) out[turns ? "max_torque" : "max_force"] = motor.most;
+  if (motor.gain > 0) out["gain"] = motor.gain;
+  return out;
+}
+
+void add_action(const Joint& joint, double now, OrderedJson& out) {
+  if (!joint.action) return;
+  if (joint.action->motor)
+    out["motor"] = motor_json(*joint.action->motor, now, acts_by_torque(traits_of(joint.type)));
+  if (joint.action->damping > 0) out["damping"] = joint.action->damping;
+  if (joint.action->friction > 0) out["friction"] = joint.action->friction;
 }
 
 void add_twist(const Joint& joint, OrderedJson& out) {
@@ -93,6 +112,7 @@ OrderedJson json_of_joint(const Model& model, const State& state, const Joint& j
   }
   if (joint.turn) add_turn(joint, state.time, out);
   add_motion(joint, state.time, out);
+  add_action(joint, state.time, out);
   add_twist(joint, out);
   add_own_law(joint, joint_law, out);
   if (joint.i != kWorld && joint.j != kWorld) {

@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <unordered_set>
 
 #include "sim/base/error.h"
+#include "sim/body/mass_properties.h"
 #include "sim/scene/read_look.h"
 #include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
@@ -14,6 +17,59 @@
 
 namespace pabd {
 namespace {
+
+// Is the matter spread evenly over the shape, as a body without "inertia" has it?
+bool is_even(const Shape& shape, double mass, const Mat3& J) {
+  const Mat3 even = mass_properties(shape, mass / volume(shape)).J;
+  return (J - even).norm() <= 1e-12 * even.norm();
+}
+
+// Pairs that never touch and are not told by a joint between the two.
+std::vector<std::pair<Index, Index>> pairs_apart(const Model& model) {
+  std::vector<std::pair<Index, Index>> joined, out;
+  for (const Joint& joint : model.joints)
+    if (joint.i != kWorld && joint.j != kWorld) joined.emplace_back(std::minmax(joint.i, joint.j));
+  std::sort(joined.begin(), joined.end());
+  std::set_difference(model.no_collide.begin(), model.no_collide.end(), joined.begin(), joined.end(),
+                      std::back_inserter(out));
+  return out;
+}
+
+// What is said of a body's touch. A scene of its own needs no more.
+void add_touch(const Model& model, std::size_t i, OrderedJson& out) {
+  if (!model.friction.empty() && model.friction[i]) {
+    const SurfaceFriction& own = *model.friction[i];
+    if (own.mu_static == own.mu_dynamic) {
+      out["friction"] = own.mu_static;
+    } else {
+      out["friction"] = {{"static", own.mu_static}, {"dynamic", own.mu_dynamic}};
+    }
+  }
+  const CollisionGroups& groups = model.groups;
+  for (std::size_t g = 0; g < groups.name.size() && !groups.of_body.empty(); ++g)
+    if ((groups.of_body[i] >> g & 1) != 0) out["group"].push_back(groups.name[g]);
+}
+
+// Entries of "no_collide".
+OrderedJson pairs_json(const Model& model) {
+  OrderedJson out = OrderedJson::array();
+  for (const auto& [i, j] : pairs_apart(model))
+    out.push_back({model.name[static_cast<std::size_t>(i)], model.name[static_cast<std::size_t>(j)]});
+  const CollisionGroups& groups = model.groups;
+  const auto used = [&](std::size_t g) {  // a group that lost its last body is not there when it is read
+    return std::any_of(groups.of_body.begin(), groups.of_body.end(),
+                       [&](std::uint64_t bits) { return (bits >> g & 1) != 0; });
+  };
+  for (std::size_t g = 0; g < groups.name.size(); ++g) {
+    for (std::size_t h = 0; h <= g; ++h) {
+      if ((groups.apart[g] >> h & 1) == 0 || !used(g) || !used(h)) continue;
+      OrderedJson pair = OrderedJson::array();
+      for (const std::size_t side : {h, g}) pair.push_back(OrderedJson{{"group", groups.name[side]}});
+      out.push_back(std::move(pair));
+    }
+  }
+  return out;
+}
 
 OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) {
   OrderedJson out{{"name", model.name[i]}, {"shape", json_of(model.shape[i])}};
@@ -23,11 +79,16 @@ OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) 
                             "remove the body, or save only the parameters",
                             in_quotes(model.name[i])));
   }
+  add_touch(model, i, out);
   if (is_plane(model.shape[i])) return out;
   if (model.fixed[i]) {
     out["fixed"] = true;
   } else {
     out["mass"] = model.mass[i];
+    if (const Mat3& J = model.J[i]; !is_even(model.shape[i], model.mass[i], J)) {
+      const Mat3 I = inertia_tensor(J);
+      out["inertia"] = {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+    }
   }
   out["position"] = json_of(state.c[i]);
   if (state.R[i] != Mat3::Identity()) out["orientation"] = json_of_rotation(state.R[i]);
@@ -105,6 +166,8 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
       return json_of_joint(model, state, model.joints[k], names[k], joint_law);
     });
   }
+  if (const OrderedJson apart = pairs_json(model); !apart.empty())
+    out += list("no_collide", apart.size(), [&](std::size_t k) { return apart[k]; });
   if (!state.contacts.empty()) {
     out += list("friction_anchors", state.contacts.size(),
                 [&](std::size_t k) { return json_of_memory(state.contacts[k]); });

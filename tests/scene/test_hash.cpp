@@ -21,6 +21,22 @@ TEST_CASE("the hash does not depend on formatting, key order or written-out defa
   CHECK(parse(a, {"contact.N=3"}).hash == parse(a).hash);
 }
 
+TEST_CASE("who computes a scene is none of its fingerprint", "[scene]") {
+  const std::string plain = scene_text(R"("bodies": [{ "shape": { "type": "sphere", "radius": 1 } }])");
+  const std::string iterations = scene_text(
+      R"("solver": { "iterations": 7 }, "bodies": [{ "shape": { "type": "sphere", "radius": 1 } }])");
+  CHECK(parse(plain).params.solver.device == SolverDevice::cpu);
+  for (const char* device : {"cpu", "gpu", "auto"}) {
+    const std::vector<std::string> set = {std::string("solver.device=") + device};
+    CHECK(to_string(parse(plain, set).params.solver.device) == std::string(device));
+    CHECK(parse(plain, set).hash == parse(plain).hash);
+    CHECK(parse(iterations, set).hash == parse(iterations).hash);
+  }
+  // As of before there was the key.
+  CHECK(parse(plain).hash == "d69d442848ea6571");
+  CHECK(parse(iterations).hash != parse(plain).hash);
+}
+
 TEST_CASE("every value changes the hash", "[scene]") {
   const std::string base =
       scene_text(R"("name": "n", "description": "d", "gravity": [0, -9.81, 0], "bodies": [

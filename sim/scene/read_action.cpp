@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Motors, dampers and friction of joints. See read_joint.h.
+#include <fmt/format.h>
+
+#include "sim/joint/joint_traits.h"
+#include "sim/scene/keys.h"
+#include "sim/scene/read_joint.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kMostForce = 1e12;
+constexpr double kDegree = kPi / 180;
+
+// The words of a motor that turns, and of one that pushes.
+struct MotorWords {
+  std::string_view force, most, unit, rate_unit;
+  std::span<const std::string_view> keys;
+  Range speed;
+  double speed_unit;
+};
+constexpr MotorWords kTurning{"torque",    "max_torque",     "N m",  "N m s/rad",
+                              keys::motor, kMotorTurnsRange, kDegree};
+constexpr MotorWords kPushing{"force", "max_force", "N", "N s/m", keys::linear_motor, kVelocityRange, 1};
+
+// A number, or what a drive has: { "value" } or { "keys" }.
+Profile read_profile(const ObjectReader& in, std::string_view key, const Range& range, double unit) {
+  const Node node = *in.find(key);
+  if (node.value().is_object()) return read_drive(node, range, unit);
+  if (!node.value().is_number()) node.fail_expected(range.text() + " or { \"keys\": [[time, value], …] }");
+  const double value = node.number(range);
+  in.record(key, value);
+  return Profile{{{0, value * unit}}};
+}
+
+JointMotor read_motor(const Node& node, const MotorWords& words) {
+  const ObjectReader in(node, words.keys);
+  if (in.has(words.force) == in.has("speed"))
+    in.fail(fmt::format("expected either \"{}\" or \"speed\"", words.force));
+  JointMotor motor;
+  if (in.has(words.force)) {
+    for (const std::string_view key : {words.most, std::string_view("gain")})
+      if (in.has(key)) in.fail_key(key, "goes with \"speed\"; remove this key");
+    motor.profile = read_profile(in, words.force, {-kMostForce, kMostForce, words.unit}, 1);
+    return motor;
+  }
+  motor.gives = JointMotor::Gives::speed;
+  motor.profile = read_profile(in, "speed", words.speed, words.speed_unit);
+  motor.most = in.optional_number(words.most, {0, kMostForce, words.unit}).value_or(motor.most);
+  motor.gain = in.optional_number("gain", {1e-12, kMostForce, words.rate_unit}).value_or(motor.gain);
+  return motor;
+}
+
+}  // namespace
+
+void read_action(const ObjectReader& in, Joint& joint) {
+  const MotorWords& words = acts_by_torque(traits_of(joint.type)) ? kTurning : kPushing;
+  JointAction action;
+  bool acts = false;
+  for (const std::string_view key : {"motor", "damping", "friction"}) {
+    if (!in.has(key)) continue;
+    if (in.has("drive"))
+      in.fail_key(
+          key, fmt::format("a driven joint goes as its drive says; remove one of \"{}\" and \"drive\"", key));
+    acts = true;
+  }
+  if (!acts) return;
+  if (const auto motor = in.find("motor")) action.motor = read_motor(*motor, words);
+  action.damping = in.optional_number("damping", {0, kMostForce, words.rate_unit}).value_or(0);
+  action.friction = in.optional_number("friction", {0, kMostForce, words.unit}).value_or(0);
+  if (action.motor || action.damping > 0 || action.friction > 0) joint.action = std::move(action);
+}
+
+}  // namespace pabd

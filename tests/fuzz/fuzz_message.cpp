@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// A message of a page to 'pabd serve'.
+#include "app/serve/client_message.h"
+#include "tests/fuzz/fuzz.h"
+
+void fuzz(std::string_view bytes) {
+  pabd::fuzz::accepts([&] { pabd::read_client_message(bytes); });
+}
