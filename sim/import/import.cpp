@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// See import.h. In the order: XML, robot, plan of a scene, its text, which is read back: what comes out does load.
+#include "sim/import/import.h"
+
+#include <fmt/format.h>
+
+#include "sim/base/error.h"
+#include "sim/base/input_file.h"
+#include "sim/base/utf8.h"
+#include "sim/import/assemble.h"
+#include "sim/import/readers.h"
+#include "sim/import/scene_text.h"
+#include "sim/scene/mesh_surface.h"
+#include "sim/scene/text.h"
+
+namespace fs = std::filesystem;
+
+namespace pabd {
+namespace {
+
+constexpr double kTimeStep = 0.002;  // s, where a file says none: MuJoCo's own
+constexpr std::size_t kLongestName = 100, kLongestDescription = 900;
+
+std::string fit_name(const std::string& name, const std::string& fallback) {
+  std::string out = is_utf8_text(name) ? one_line(name) : "";
+  if (out.empty() || out.size() > kLongestName) out = fallback;
+  return std::string(first_bytes(out, kLongestName - 4));
+}
+
+// What is not as in the file, in one line; the rest of a long list is counted.
+std::string describe(const std::string& file, const std::vector<ImportNote>& notes) {
+  std::string out = "Imported from " + one_line(fs::path(file).filename().string());
+  if (notes.empty()) return std::string(first_bytes(out, kLongestDescription));
+  out += ". Not as there: ";
+  for (std::size_t k = 0; k < notes.size(); ++k) {
+    const std::string more = (k == 0 ? "" : "; ") + one_line(notes[k].text);
+    if (out.size() + more.size() > kLongestDescription) {
+      out = std::string(first_bytes(out, kLongestDescription));
+      return out + fmt::format("; and {} more", notes.size() - k);
+    }
+    out += more;
+  }
+  return out;
+}
+
+// What is wrong with the whole of it is told of the root.
+ScenePlan plan_of(const Robot& robot, const XmlElement& root, ImportNotes& notes) {
+  try {
+    return assemble(robot, notes);
+  } catch (const Error& error) {
+    if (error.source().empty()) root.fail(error.what());
+    throw;
+  }
+}
+
+std::string import_urdf_or_mjcf(const XmlElement& root, XmlFiles& files, RobotMeshes& meshes,
+                                ImportNotes& notes, const ImportOptions& options, const std::string& file) {
+  const bool urdf = root.name() == "robot";
+  if (!urdf && root.name() != "mujoco") root.fail("expected <robot> of URDF or <mujoco> of MJCF");
+  const Robot robot = urdf ? read_urdf(root, meshes, notes, options) : read_mjcf(root, files, meshes, notes);
+  const ScenePlan plan = plan_of(robot, root, notes);
+  SceneWords words;
+  words.name = fit_name(robot.name, fs::path(file).stem().string());
+  words.gravity = robot.gravity;
+  words.time_step = robot.time_step.value_or(kTimeStep);
+  words.ground = urdf && options.ground && robot.links.front().free;
+  if (words.ground) notes.add("the root floats, above a ground that the format does not have", "", 0);
+  if (urdf && !robot.links.front().free) notes.add("the root is fixed to the world", "", 0);
+  // Writing adds notes too, and the description has them all.
+  scene_text(plan, words, notes);
+  words.description = describe(file, notes.all());
+  ImportNotes again;
+  return scene_text(plan, words, again);
+}
+
+}  // namespace
+
+bool is_robot_file(const fs::path& file) {
+  const std::string ending = ending_of(file);
+  return ending == "urdf" || ending == "xml" || ending == "mjcf";
+}
+
+ImportedScene import_robot_text(const std::string& text, const std::string& name, const fs::path& folder,
+                                const ImportOptions& options, const MayRead& may_read) {
+  XmlFiles files(may_read);
+  RobotMeshes meshes(may_read);
+  ImportNotes notes;
+  const XmlElement root = files.parse(text, name, folder);
+  ImportedScene out;
+  out.text = import_urdf_or_mjcf(root, files, meshes, notes, options, name);
+  out.notes = notes.all();
+  out.files = meshes.files();
+  const auto read = files.names();
+  out.files.insert(out.files.end(), read.begin(), read.end());
+  try {
+    parse_scene(out.text, "its scene", {});
+  } catch (const Error& error) {
+    throw Error(error.kind(), name, fmt::format("cannot be a scene: {}", error.what()));
+  }
+  return out;
+}
+
+ImportedScene import_robot(const fs::path& file, const ImportOptions& options, const MayRead& may_read) {
+  if (may_read) may_read(file);
+  const std::string text = read_file(file, kMostXmlBytes, "a robot in URDF or MJCF");
+  return import_robot_text(text, file.string(), file.parent_path(), options, may_read);
+}
+
+std::string read_any_scene_text(const fs::path& file, const MayRead& may_read) {
+  return is_robot_file(file) ? import_robot(file, {}, may_read).text : read_scene_text(file);
+}
+
+ReadSceneText any_scene_reader(std::vector<ImportNote>* notes) {
+  return [notes](const fs::path& file, const MayRead& may_read) -> SceneText {
+    if (!is_robot_file(file)) return {read_scene_text(file), {}};
+    ImportedScene imported = import_robot(file, {}, may_read);
+    if (notes != nullptr) notes->insert(notes->end(), imported.notes.begin(), imported.notes.end());
+    return {std::move(imported.text), std::move(imported.files)};
+  };
+}
+
+Scene parse_any_scene(const std::string& text, const std::string& source, const fs::path& folder,
+                      const std::vector<std::string>& overrides, const MayRead& may_read) {
+  return parse_guarded_scene(text, source, folder, overrides, may_read, any_scene_reader());
+}
+
+Scene load_any_scene(const fs::path& file, const std::vector<std::string>& overrides,
+                     std::vector<ImportNote>* notes) {
+  Scene scene;
+  if (is_robot_file(file)) {
+    const ImportedScene imported = import_robot(file);
+    scene = parse_scene(imported.text, file.string(), file.parent_path(), overrides);
+    if (notes != nullptr) *notes = imported.notes;
+    scene.files = imported.files;
+  } else {
+    scene = parse_guarded_scene(read_scene_text(file), file.string(), file.parent_path(), overrides, {},
+                                any_scene_reader(notes));
+  }
+  scene.files.push_back(file);
+  return scene;
+}
+
+}  // namespace pabd

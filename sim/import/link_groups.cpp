@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// See link_groups.h.
+#include "sim/import/link_groups.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "sim/base/error.h"
+#include "sim/import/geometry.h"
+#include "sim/scene/text.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kDensity = 1000;  // kg/m³, of a moving link that says nothing of its mass
+
+class Grouping {
+ public:
+  Grouping(const Robot& robot, ImportNotes& notes) : robot_(robot), notes_(notes) {}
+
+  LinkGroups group() {
+    merge();
+    for (std::size_t l = out_.groups.size(); l-- > 0;) weigh(l);  // what is behind a link comes first
+    place();
+    return std::move(out_);
+  }
+
+ private:
+  void note(const Place& place, const std::string& text) { notes_.add(text, place.file, place.line); }
+
+  // Every link's group, and where it stands in it.
+  void merge() {
+    std::vector<LinkPose> in_group;
+    for (const RobotLink& link : robot_.links) {
+      const bool root = link.parent == kNoLink;
+      const bool joined = !root && link.joints.empty() && !link.free;
+      LinkPose pose;
+      if (joined) {
+        out_.of.push_back(out_.of[static_cast<std::size_t>(link.parent)]);
+        pose = in_group[static_cast<std::size_t>(link.parent)] * link.at;
+      } else {
+        out_.of.push_back(static_cast<int>(out_.groups.size()));
+        LinkGroup group;
+        group.link = link;
+        group.link.geoms.clear();
+        group.link.inertia.reset();
+        group.still = root && !link.free;
+        if (!root) {
+          const auto parent = static_cast<std::size_t>(link.parent);
+          group.link.at = in_group[parent] * link.at;
+          group.link.parent = out_.of[parent];
+        }
+        out_.groups.push_back(std::move(group));
+      }
+      in_group.push_back(pose);
+      take(link, pose, out_.groups[static_cast<std::size_t>(out_.of.back())].link);
+    }
+  }
+
+  void take(const RobotLink& link, const LinkPose& pose, RobotLink& into) {
+    RobotInertia inertia = into.inertia.value_or(RobotInertia{});
+    if (link.inertia) inertia = together(inertia, moved(*link.inertia, pose));
+    for (RobotGeom geom : link.geoms) {
+      geom.at = pose * geom.at;
+      if (!link.inertia && geom.kind != GeomKind::plane) inertia = together(inertia, inertia_of(geom));
+      into.geoms.push_back(std::move(geom));
+    }
+    into.inertia = inertia;
+  }
+
+  // A mass for each moving group. What nobody gave one gets it from its geoms; a leaf with neither is dropped.
+  void weigh(std::size_t l) {
+    LinkGroup& group = out_.groups[l];
+    RobotLink& link = group.link;
+    if (group.still) return;
+    RobotInertia& inertia = *link.inertia;
+    if (!(inertia.mass > 0)) {
+      for (const RobotGeom& geom : link.geoms)
+        if (touches(geom) && geom.kind != GeomKind::plane)
+          inertia = together(inertia, solid_of(geom, kDensity));
+      if (inertia.mass > 0)
+        note(link.place, "moves but has no mass: that of its geometry at 1000 kg/m³ is taken");
+    }
+    if (!(inertia.mass > 0)) return weightless(l);
+    if (inertia.mass < 1e-9 || inertia.mass > 1e12) refuse_link(link, "a mass outside of 1e-09 to 1e+12 kg");
+    if (is_physical(inertia.I)) return;
+    note(link.place, "no body has these moments of inertia; the least is raised until one has");
+    if (!(inertia.I.trace() > 0)) inertia.I = Mat3::Identity() * (1e-4 * inertia.mass);  // a ball of 16 mm
+    inertia.I = made_physical(inertia.I);
+  }
+
+  // A link without mass that carries others is light; one that carries none does nothing.
+  void weightless(std::size_t l) {
+    LinkGroup& group = out_.groups[l];
+    double above = 0;
+    for (std::size_t k = l + 1; k < out_.groups.size(); ++k) {
+      if (out_.groups[k].link.parent != static_cast<int>(l)) continue;
+      if (const auto& i = out_.groups[k].link.inertia) above += i->mass;
+    }
+    if (!(above > 0)) {
+      group.dropped = true;
+      note(group.link.place,
+           "moves but has neither mass nor shape nor a link with a mass behind it: left out");
+      return;
+    }
+    note(group.link.place, "moves but has no mass: a thousandth of that of the links behind it is taken");
+    const double r = 0.02;  // m
+    group.link.inertia =
+        RobotInertia{kLight * above, Vec3::Zero(), Mat3::Identity() * (0.4 * kLight * above * r * r)};
+  }
+
+  // Forward kinematics at the start: 0, or the nearest in a joint's range.
+  void place() {
+    for (LinkGroup& group : out_.groups) {
+      const RobotLink& link = group.link;
+      group.pose = link.parent == kNoLink ? link.at
+                                          : out_.groups[static_cast<std::size_t>(link.parent)].pose * link.at;
+      for (const RobotJoint& joint : link.joints) {
+        double q = 0;
+        if (joint.range) q = std::clamp(q, joint.range->first, joint.range->second);
+        if (q != 0) note(joint.place, "its range leaves out 0: it begins at the bound");
+        group.start.push_back(q);
+        const Vec3 axis = group.pose.R * joint.axis, anchor = group.pose * joint.anchor;
+        if (joint.kind == RobotJointKind::slide) group.pose.t += q * axis;
+        if (joint.kind == RobotJointKind::hinge && q != 0) {
+          const Mat3 turn = Eigen::AngleAxisd(q, axis).toRotationMatrix();
+          group.pose = LinkPose{turn, anchor - turn * anchor} * group.pose;
+        }
+      }
+    }
+  }
+
+  const Robot& robot_;
+  ImportNotes& notes_;
+  LinkGroups out_;
+};
+
+}  // namespace
+
+void refuse_link(const RobotLink& link, std::string_view what) {
+  throw Error(ErrorKind::bad_input, fmt::format("{}:{}", link.place.file, link.place.line),
+              fmt::format("the link {} has {}", in_quotes(link.name), what));
+}
+
+LinkGroups group_links(const Robot& robot, ImportNotes& notes) { return Grouping(robot, notes).group(); }
+
+}  // namespace pabd

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: MIT
+// See scene_text.h. Here z becomes y: (x, y, z) of the robot is (x, z, −y) of the scene.
+#include "sim/import/scene_text.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "sim/body/compound.h"
+#include "sim/body/convex_hull.h"
+#include "sim/joint/attach.h"
+#include "sim/scene/write_values.h"
+
+namespace pabd {
+namespace {
+
+constexpr double kDegree = kPi / 180;
+constexpr double kMostTurn = 180;  // degrees: what limits of a hinge can say
+constexpr double kRounded = 0.01;  // degrees: 3.1416 is half a turn
+constexpr double kDead = 1;        // κ h²/(m d̂²) that leaves a tenth of the speed of a hit
+constexpr double kCarried = 10;    // κ/(m g d̂) that carries a robot well inside of d̂
+
+Mat3 upright() {
+  Mat3 W;
+  W << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  return W;
+}
+
+// From the z axis of a robot's round geoms to the y axis of a scene's.
+Mat3 y_to_z() {
+  Mat3 Q;
+  Q << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  return Q;
+}
+
+// Zeros that are not quite are no information.
+OrderedJson clean(const Vec3& v, double scale) {
+  OrderedJson out = OrderedJson::array();
+  for (const double x : v) out.push_back(std::abs(x) < 1e-15 * scale ? 0.0 : x);
+  return out;
+}
+
+// Its matter is spread evenly: the centre of mass of hulls is where they are made to have it.
+Vec3 centroid_of(const std::vector<std::vector<Vec3>>& parts) {
+  std::vector<Hull> hulls;
+  for (const auto& part : parts)
+    if (HullResult result = make_hull(part); result.hull) hulls.push_back(Hull{std::move(result.hull)});
+  return hulls.empty() ? Vec3::Zero() : make_compound(hulls).data->centroid;
+}
+
+struct Placed {
+  OrderedJson shape;
+  Vec3 c;
+  Mat3 R;
+  Mat3 I;
+};
+
+Placed place(const BodyPlan& body) {
+  const Vec3& s = body.size;
+  Placed out{OrderedJson::object(), body.c, body.R, body.I};
+  switch (body.kind) {
+    case GeomKind::box:
+      out.shape = {{"type", "box"}, {"size", {2 * s.x(), 2 * s.y(), 2 * s.z()}}};
+      return out;
+    case GeomKind::sphere:
+      out.shape = {{"type", "sphere"}, {"radius", s.x()}};
+      return out;
+    case GeomKind::capsule:
+      out.shape = {{"type", "capsule"}, {"radius", s.x()}, {"length", 2 * s.y()}};
+      break;
+    case GeomKind::cylinder:
+      out.shape = {{"type", "cylinder"}, {"radius", s.x()}, {"height", 2 * s.y()}};
+      break;
+    default: {
+      const Vec3 shift = body.fixed ? centroid_of(body.parts) : Vec3::Zero();
+      out.c += body.R * shift;
+      OrderedJson parts = OrderedJson::array();
+      for (const auto& part : body.parts) {
+        OrderedJson corners = OrderedJson::array();
+        for (const Vec3& corner : part) corners.push_back(json_of(Vec3(corner - shift)));
+        parts.push_back(std::move(corners));
+      }
+      out.shape = {{"type", "mesh"}, {"parts", std::move(parts)}};
+      return out;
+    }
+  }
+  out.R = body.R * y_to_z();
+  out.I = y_to_z().transpose() * body.I * y_to_z();
+  return out;
+}
+
+constexpr double kMostFriction = 100;
+
+// The largest friction of a body that touches. Pairs have the larger one of two in MuJoCo.
+std::optional<double> largest_friction(const ScenePlan& plan) {
+  std::optional<double> most;
+  for (const BodyPlan& body : plan.bodies)
+    if (!body.ghost && body.friction)
+      most = std::max(most.value_or(0), std::min(*body.friction, kMostFriction));
+  return most;
+}
+
+// `friction` is what the scene says for all.
+OrderedJson json_of_body(const BodyPlan& body, const std::optional<double>& friction) {
+  OrderedJson out{{"name", body.name}};
+  if (!body.ghost && body.friction && *body.friction < *friction) out["friction"] = *body.friction;
+  const Mat3 W = upright();
+  if (body.kind == GeomKind::plane) {
+    const Vec3 n = W * body.R.col(2);
+    out["shape"] = {{"type", "plane"}, {"normal", clean(n, 1)}, {"offset", n.dot(W * body.c)}};
+    return out;
+  }
+  const Placed placed = place(body);
+  out["shape"] = placed.shape;
+  if (body.fixed) {
+    out["fixed"] = true;
+  } else {
+    out["mass"] = body.mass;
+    const Mat3& I = placed.I;
+    if (!body.even) out["inertia"] = {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+  }
+  out["position"] = clean(W * placed.c, std::max(placed.c.norm(), 1e-3));
+  out["orientation"] = json_of_rotation(W * placed.R);
+  if (body.color) out["color"] = json_of(*body.color);
+  if (body.hidden) out["material"] = {{"opacity", 0}};
+  return out;
+}
+
+// A hinge's limits are within half a turn of 0.
+void add_range(const JointPlan& joint, double unit, OrderedJson& out, ImportNotes& notes) {
+  if (!joint.range) return;
+  double lo = joint.range->first / unit, hi = joint.range->second / unit;
+  if (joint.kind == RobotJointKind::hinge) {
+    if (lo < -kMostTurn - kRounded || hi > kMostTurn + kRounded || hi - lo >= 2 * (kMostTurn - kRounded))
+      return notes.add("range of a joint goes beyond ±180°: not held", joint.place.file, joint.place.line);
+    lo = std::max(lo, -kMostTurn);
+    hi = std::min(hi, kMostTurn);
+  }
+  out["limits"] = {lo, hi};
+}
+
+// `unit` of the joint's angle or offset.
+void add_action(const JointPlan& joint, double unit, OrderedJson& out, ImportNotes& notes) {
+  const RobotAction& action = joint.action;
+  if (!action.any()) return;
+  if (joint.target) {
+    notes.add("damping, friction and motor of a joint that a position actuator holds: not taken", "", 0);
+    return;
+  }
+  const bool slides = joint.kind == RobotJointKind::slide;
+  if (action.force) {
+    out["motor"] = {{slides ? "force" : "torque", *action.force}};
+  } else if (action.speed) {
+    out["motor"] = {{"speed", *action.speed / unit}, {"gain", action.gain}};
+    if (action.most) out["motor"][slides ? "max_force" : "max_torque"] = *action.most;
+  }
+  if (action.damping > 0) out["damping"] = action.damping;
+  if (action.friction > 0) out["friction"] = action.friction;
+}
+
+OrderedJson json_of_joint(const JointPlan& joint, const ScenePlan& plan, ImportNotes& notes) {
+  const Mat3 W = upright();
+  const auto body = [&](int k) -> OrderedJson {
+    if (k == kNoBody) return nullptr;
+    return plan.bodies[static_cast<std::size_t>(k)].name;
+  };
+  const bool hinge = joint.kind == RobotJointKind::hinge, ball = joint.kind == RobotJointKind::ball;
+  OrderedJson out{{"name", joint.name},
+                  {"type", joint.weld ? "fixed"
+                           : ball     ? "spherical"
+                           : hinge    ? "hinge"
+                                      : "slider"},
+                  {"bodies", {body(joint.i), body(joint.j)}}};
+  const Vec3 anchor = W * joint.anchor, axis = W * joint.axis;
+  if (joint.arm > 0 && (joint.weld || !ball)) out["arm"] = joint.arm;
+  if (joint.weld || ball) {
+    out["anchor"] = clean(anchor, 1);
+    add_action(joint, 1, out, notes);
+    return out;
+  }
+  const double unit = hinge ? kDegree : 1;
+  if (joint.start == 0) {
+    out["anchor"] = clean(anchor, 1);
+    out["axis"] = clean(axis, 1);
+  } else {
+    const Mat3 F = frame_about(axis);
+    const Mat3 back =
+        hinge ? Eigen::AngleAxisd(-joint.start, axis).toRotationMatrix() : Mat3(Mat3::Identity());
+    const Vec3 from = hinge ? anchor : Vec3(anchor - joint.start * axis);
+    out["anchors"] = {clean(from, 1), clean(anchor, 1)};
+    out["frames"] = {json_of_rotation(back * F), json_of_rotation(F)};
+  }
+  if (joint.target) {
+    const double target = *joint.target / unit, start = joint.start / unit;
+    if (target == start)
+      out["drive"] = {{"value", target}};
+    else
+      out["drive"] = {{"keys", {{0.0, start}, {0.5, target}}}};
+  } else {
+    add_range(joint, unit, out, notes);
+  }
+  add_action(joint, unit, out, notes);
+  return out;
+}
+
+// Robots hardly bounce in other engines: as stiff as that takes (sim/accuracy.md), no stiffer, for the sake of friction,
+// and at least what carries them. The legs of a robot weigh less than all of it, and bounce less. To three digits.
+OrderedJson stiffness(const ScenePlan& plan, const SceneWords& words, double d_hat) {
+  const double dead = kDead * std::pow(d_hat / words.time_step, 2);
+  const double carried = kCarried * words.gravity.norm() * d_hat;
+  const double kappa = plan.heaviest * std::max(dead, carried);
+  return OrderedJson::parse(fmt::format("{:.3g}", std::clamp(kappa, 1e-12, 1e18)));
+}
+
+template <class EntryOf>
+void list(const char* key, std::size_t count, const EntryOf& entry_of, std::string& out) {
+  if (count == 0) return;
+  out += fmt::format(",\n  \"{}\": [", key);
+  for (std::size_t k = 0; k < count; ++k) out += (k == 0 ? "\n    " : ",\n    ") + entry_of(k).dump();
+  out += "\n  ]";
+}
+
+}  // namespace
+
+std::string scene_text(const ScenePlan& plan, const SceneWords& words, ImportNotes& notes) {
+  const double d_hat = plan.smallest > 0 ? std::clamp(0.05 * plan.smallest, 1e-4, 0.01) : 0.01;
+  OrderedJson contact{{"d_hat", d_hat}};
+  if (plan.heaviest > 0) contact["kappa"] = stiffness(plan, words, d_hat);
+  const std::optional<double> friction = largest_friction(plan);
+  if (friction) contact["friction"] = *friction;
+  std::vector<OrderedJson> bodies;
+  if (words.ground) {
+    OrderedJson plane{{"type", "plane"}, {"normal", {0, 1, 0}}, {"offset", plan.lowest - d_hat}};
+    bodies.push_back({{"name", "ground under the robot"}, {"shape", std::move(plane)}});
+  }
+  for (const BodyPlan& body : plan.bodies) bodies.push_back(json_of_body(body, friction));
+  const auto has_own = [](const OrderedJson& body) { return body.contains("friction"); };
+  if (std::any_of(bodies.begin(), bodies.end(), has_own)) contact["friction_rule"] = "max";
+  std::vector<OrderedJson> joints;
+  for (const JointPlan& joint : plan.joints) joints.push_back(json_of_joint(joint, plan, notes));
+  std::vector<OrderedJson> apart;
+  for (const auto& [a, b] : plan.apart)
+    apart.push_back(OrderedJson::array(
+        {plan.bodies[static_cast<std::size_t>(a)].name, plan.bodies[static_cast<std::size_t>(b)].name}));
+  if (words.ground) {
+    for (const BodyPlan& body : plan.bodies)
+      if (body.ghost) apart.push_back(OrderedJson::array({"ground under the robot", body.name}));
+  }
+
+  std::string out = fmt::format(
+      "{{\n  \"format\": \"pabd-scene\",\n  \"version\": 1,\n  \"name\": {},\n  \"description\": {},\n"
+      "  \"gravity\": {},\n  \"time_step\": {},\n  \"contact\": {}",
+      OrderedJson(words.name).dump(), OrderedJson(words.description).dump(),
+      clean(upright() * words.gravity, 1).dump(), OrderedJson(words.time_step).dump(), contact.dump());
+  list(
+      "bodies", bodies.size(), [&](std::size_t k) { return bodies[k]; }, out);
+  list(
+      "joints", joints.size(), [&](std::size_t k) { return joints[k]; }, out);
+  list(
+      "no_collide", apart.size(), [&](std::size_t k) { return apart[k]; }, out);
+  return out + "\n}\n";
+}
+
+}  // namespace pabd

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Files of strangers: refused in one line with file and line, within limits, and nothing is read that may not be.
+#include "tests/import/import_helpers.h"
+#include "tests/support/temp_folder.h"
+
+using namespace pabd;
+using namespace pabd::test;
+
+namespace {
+
+void check_refused(const std::string& text, const std::vector<std::string>& parts) {
+  INFO(text.substr(0, 300));
+  try {
+    import_robot_text(text, "robot.xml", "/nowhere");
+  } catch (const Error& error) {
+    const std::string message = error.what();
+    CHECK(error.kind() == ErrorKind::bad_input);
+    CHECK_THAT(message, Catch::StartsWith("robot.xml"));
+    CHECK(message.find('\n') == std::string::npos);
+    for (const std::string& part : parts) CHECK_THAT(message, Catch::Contains(part));
+    return;
+  }
+  FAIL_CHECK("accepted; expected a refusal");
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string out;
+  for (int k = 0; k < count; ++k) out += text;
+  return out;
+}
+
+std::string world(const std::string& inside) {
+  return "<mujoco><worldbody>\n" + inside + "</worldbody></mujoco>";
+}
+
+}  // namespace
+
+TEST_CASE("what is no robot is refused", "[import]") {
+  check_refused("", {"no XML"});
+  check_refused("<robot", {"well-formed"});
+  check_refused("<sdf/>", {"robot.xml:1", "<robot> of URDF or <mujoco> of MJCF"});
+  check_refused("<robot name='r'/>", {"<link>"});
+  check_refused("<mujoco/>", {"no bodies"});
+}
+
+TEST_CASE("numbers are finite and in range", "[import]") {
+  for (const char* bad : {"nan", "inf", "1e400", "0x1", "1,0", "1e13", ""}) {
+    check_refused(world("<geom size='" + std::string(bad) + "'/>"), {"robot.xml:2", "<geom> size"});
+  }
+  check_refused(world("<geom size='-1'/>"), {"size"});
+  check_refused(world("<body><geom size='1' mass='-1'/><freejoint/></body>"), {"negative"});
+  check_refused(world("<body quat='0 0 0 0'><geom size='1'/></body>"), {"quat", "length is 0"});
+  check_refused(world("<body><joint axis='0 0 0'/><geom size='1'/></body>"), {"axis"});
+}
+
+TEST_CASE("sizes, depths and counts have bounds", "[import]") {
+  check_refused(repeated("<a>", 5000) + repeated("</a>", 5000), {"nested too deeply"});
+  check_refused("<mujoco>" + repeated("<a/>", 200001) + "</mujoco>", {"elements"});
+  check_refused(world(repeated("<body><geom size='1'/><freejoint/></body>", 5001)), {"bodies"});
+  check_refused("<mujoco>" + std::string(std::size_t{17} << 20, ' ') + "</mujoco>", {"bytes"});
+}
+
+TEST_CASE("a tree is a tree", "[import]") {
+  const std::string a = "<link name='a'/><link name='b'/>";
+  const auto joint = [](const std::string& name, const std::string& parent, const std::string& child) {
+    return "<joint name='" + name + "' type='fixed'><parent link='" + parent + "'/><child link='" + child +
+           "'/></joint>";
+  };
+  check_refused("<robot>" + a + joint("j", "a", "b") + joint("k", "b", "a") + "</robot>", {"circle"});
+  check_refused("<robot>" + a + joint("j", "a", "b") + joint("k", "a", "b") + "</robot>", {"two parents"});
+  check_refused("<robot>" + a + joint("j", "a", "c") + "</robot>", {"no link \"c\""});
+  check_refused("<robot>" + a + a + "</robot>", {"another link is named \"a\""});
+  check_refused(world("<geom class='x' size='1'/>"), {"no default class \"x\""});
+}
+
+TEST_CASE("entities bring no file in", "[import]") {
+  const std::string text =
+      "<!DOCTYPE r [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><robot name='&a;'>"
+      "<link name='base'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>"
+      "</link></robot>";
+  const Scene scene = parse_scene(import_robot_text(text, "r.urdf", "/nowhere").text, "r", {});
+  CHECK(scene.name == "&a;");
+}
+
+TEST_CASE("files beside a robot are asked for, and stay in their package", "[import]") {
+  std::vector<std::string> asked;
+  const MayRead refuse = [&](const std::filesystem::path& path) {
+    asked.push_back(path.string());
+    throw Error(ErrorKind::bad_input, "may not be read");
+  };
+  const auto robot = [](const std::string& file) {
+    return "<robot name='r'><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+           "izz='1'/></inertial>"
+           "<collision><geometry><mesh filename='" +
+           file + "'/></geometry></collision></link></robot>";
+  };
+  CHECK_THROWS_AS(import_robot_text(robot("../x.stl"), "r.urdf", "/a", {}, refuse), Error);
+  CHECK(asked == std::vector<std::string>{"/a/../x.stl"});
+  CHECK_THROWS_AS(import_robot_text("<mujoco><include file='b.xml'/></mujoco>", "m.xml", "/a", {}, refuse),
+                  Error);
+  CHECK(asked.back() == "/a/b.xml");
+  const ImportedScene out = import_robot_text(robot("package://p/../../x.stl"), "r.urdf", "/a");
+  CHECK_THAT(note_with(out, "leads out of its package").text, Catch::Contains("mesh left out"));
+}
+
+TEST_CASE("a package is looked for only where files may be read", "[import]") {
+  const TempFolder around;
+  const std::filesystem::path root = around / "root";
+  std::filesystem::create_directories(root / "p");
+  const auto robot = [&](const std::string& mesh) {
+    const std::string text =
+        "<robot name='r'><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
+        "izz='1'/></inertial>"
+        "<collision><geometry><mesh filename='package://p/" +
+        mesh + "'/></geometry></collision></link></robot>";
+    const MayRead below_root = [&](const std::filesystem::path& path) {
+      if (!path.string().starts_with(root.string() + "/"))
+        throw Error(ErrorKind::bad_input, "may not be read");
+    };
+    return import_robot_text(text, "r.urdf", root, {}, below_root);
+  };
+  const std::filesystem::path wedge = std::filesystem::path(PABD_ASSETS) / "meshes/wedge.obj";
+  std::filesystem::copy_file(wedge, root / "p/inside.obj");
+  CHECK(robot("inside.obj").files == std::vector<std::filesystem::path>{root / "p/inside.obj"});
+  // A file outside is as one that does not exist.
+  const std::string before = robot("outside.obj").text;
+  std::filesystem::create_directories(around / "p");
+  std::filesystem::copy_file(wedge, around / "p/outside.obj");
+  const ImportedScene after = robot("outside.obj");
+  CHECK(after.text == before);
+  CHECK(after.files.empty());
+  CHECK_THAT(note_with(after, "mesh left out").text, Catch::Contains("no such file"));
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// MJCF: where the links of an arm stand, what they weigh, what holds them; a tree of bodies that falls.
+#include <cmath>
+#include <fstream>
+
+#include "sim/body/mass_properties.h"
+#include "sim/body/shape.h"
+#include "tests/import/import_helpers.h"
+#include "tests/support/temp_folder.h"
+
+using namespace pabd;
+using namespace pabd::test;
+
+namespace {
+
+const std::filesystem::path kModels = PABD_MODELS;
+
+bool apart(const Scene& scene, std::size_t a, std::size_t b) {
+  const std::pair pair(static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b)));
+  const auto& pairs = scene.model.no_collide;
+  return std::binary_search(pairs.begin(), pairs.end(), pair);
+}
+
+}  // namespace
+
+TEST_CASE("an MJCF arm stands and weighs what it says", "[import]") {
+  const ImportedScene imported = import_robot(kModels / "arm.xml");
+  const ImportedRun run(imported.text);
+  const Model& model = run.scene.model;
+  CHECK(run.scene.params.h == 0.002);
+  // The floor, four links, and a light body between the two hinges of the shoulder.
+  REQUIRE(model.size() == 6);
+  REQUIRE(model.joints.size() == 5);
+  const std::size_t palm = run.body("palm"), wrist = run.body("wrist"), shoulder = run.body("shoulder");
+  // Turned by 30 degrees about y, which points down; z is up and becomes y.
+  const double c = std::cos(kPi / 6), s = std::sin(kPi / 6);
+  CHECK((run.state.c[palm] - Vec3(0.35 + 0.55 * c, 1 - 0.55 * s, 0)).norm() < 1e-12);
+  CHECK((run.state.c[wrist] - Vec3(0.35 + 0.40 * c, 1 - 0.40 * s, 0)).norm() < 1e-12);
+  // A capsule of radius 0.04 m and 0.3 m between its caps; a box.
+  const double r = 0.04;
+  CHECK(model.mass[shoulder] == Approx(500 * kPi * r * r * (0.3 + 4.0 / 3 * r)).epsilon(1e-12));
+  CHECK(model.mass[palm] == Approx(1000 * 0.06 * 0.1 * 0.04).epsilon(1e-12));
+  // The box's longest edge is along the robot's y in every pose here.
+  const Vec3 y = run.state.R[palm].transpose() * Vec3(0, 0, -1);
+  CHECK(y.dot(inertia_tensor(model.J[palm]) * y) ==
+        Approx(model.mass[palm] / 12 * (0.0036 + 0.0016)).epsilon(1e-9));
+
+  CHECK(apart(run.scene, shoulder, wrist));
+  CHECK_FALSE(apart(run.scene, shoulder, palm));
+  int driven = 0;
+  for (const Joint& joint : model.joints) {
+    driven += joint.drive ? 1 : 0;
+    if (joint.name != "lift") continue;
+    REQUIRE(joint.limits);
+    CHECK(joint.limits->lo == Approx(-kPi / 2));
+  }
+  CHECK(driven == 1);
+  const ImportNote motor = note_with(imported, "motor or velocity actuator");
+  REQUIRE(motor.where.size() == 1);
+  CHECK(motor.where[0].second == 32);
+}
+
+TEST_CASE("an arm that swings keeps its energy but for the losses of implicit steps", "[import]") {
+  // Until its slider comes to its end, which it meets without bouncing.
+  double lost[2] = {}, fallen = 0;
+  for (int k = 0; k < 2; ++k) {
+    ImportedRun run(import_robot(kModels / "arm.xml").text, {"time_step=" + std::to_string(0.001 / (k + 1))});
+    const Model& model = run.scene.model;
+    const auto height = [&] {
+      double sum = 0;
+      for (std::size_t i = 0; i < model.mass.size(); ++i) sum += 9.81 * model.mass[i] * run.state.c[i].y();
+      return sum;
+    };
+    const auto kinetic = [&] {
+      double sum = 0;
+      for (std::size_t i = 0; i < model.mass.size(); ++i) {
+        const Vec3 spin = run.state.R[i].transpose() * run.state.omega[i];
+        sum += 0.5 * model.mass[i] * run.state.v[i].squaredNorm();
+        sum += 0.5 * spin.dot(inertia_tensor(model.J[i]) * spin);
+      }
+      return sum;
+    };
+    const double start = height();
+    run.run(0.1);
+    fallen = start - height();
+    lost[k] = fallen - kinetic();
+  }
+  REQUIRE(fallen > 0.2);  // it does swing; J
+  CHECK(lost[0] > 0);
+  // The losses go with the step.
+  CHECK(std::abs(2 * lost[1] - lost[0]) < 1e-3 * fallen);
+}
+
+TEST_CASE("a tree of bodies falls freely, then lies on the ground", "[import]") {
+  ImportedRun run(import_robot(kModels / "tree.xml").text, {"time_step=0.002"});
+  const Model& model = run.scene.model;
+  const auto centre = [&] {
+    Vec3 sum = Vec3::Zero();
+    double mass = 0;
+    for (std::size_t i = 0; i < model.mass.size(); ++i) {
+      sum += model.mass[i] * run.state.c[i];
+      mass += model.mass[i];
+    }
+    return Vec3(sum / mass);
+  };
+  const Vec3 start = centre();
+  run.run(0.2);
+  // Joints move no common centre: y falls by g h² n (n + 1)/2.
+  CHECK(start.y() - centre().y() == Approx(9.81 * 4e-6 * 100 * 101 / 2).epsilon(1e-6));
+  CHECK(std::hypot(centre().x() - start.x(), centre().z() - start.z()) < 1e-8);
+  run.run(2.5);
+  const std::size_t trunk = run.body("trunk");
+  CHECK(run.state.c[trunk].y() < 0.5);
+  for (std::size_t i = 0; i < model.mass.size(); ++i) {
+    if (model.fixed[i]) continue;
+    INFO(model.name[i]);
+    CHECK(bounds(model.shape[i], run.state.c[i], run.state.R[i]).lo.y() > -0.005);
+  }
+}
+
+TEST_CASE("what falls hardly bounces, whatever the step", "[import]") {
+  for (const double h : {0.005, 0.002, 0.0005}) {
+    ImportedRun run(
+        import_robot_text("<mujoco><option timestep='" + std::to_string(h) +
+                              "'/><worldbody><geom type='plane' size='1 1 1'/><body pos='0 0 0.3'>"
+                              "<geom size='0.1' mass='40'/><freejoint/></body></worldbody></mujoco>",
+                          "ball.xml", {})
+            .text);
+    const std::size_t ball = run.body("link 1");
+    double hit = 0, left = 0;
+    while (run.state.time < 0.5) {
+      run.run(run.state.time + h);
+      hit = std::max(hit, -run.state.v[ball].y());
+      left = std::max(left, run.state.v[ball].y());
+    }
+    INFO(h);
+    // It has fallen by 0.2 m, but for d̂ and a step.
+    CHECK(hit == Approx(std::sqrt(2 * 9.81 * 0.2)).epsilon(0.05));
+    CHECK(left < 0.12 * hit);
+    CHECK(run.state.c[ball].y() == Approx(0.1).margin(0.006));
+  }
+}
+
+TEST_CASE("what MuJoCo is told not to compute is not there", "[import]") {
+  const auto scene = [](const std::string& flags) {
+    return parse_scene(import_robot_text("<mujoco><option><flag " + flags + R"(/></option><worldbody>
+        <geom type='plane' size='1 1 1'/><body name='a' pos='0 0 1'><freejoint/><geom size='0.1'/></body>
+        <body name='b' pos='1 0 1'><joint range='-10 10'/><geom size='0.1'/></body></worldbody>
+        <equality><connect body1='a' body2='b' anchor='0 0 0'/></equality></mujoco>)",
+                                         "m.xml", {})
+                           .text,
+                       "m", {});
+  };
+  const Scene all = scene("energy='enable'");
+  CHECK(all.params.gravity.norm() == Approx(9.81));
+  CHECK(all.model.joints.size() == 2);
+  CHECK(all.model.no_collide.size() == 1);  // of what is connected
+  CHECK(scene("gravity='disable'").params.gravity.norm() == 0);
+  CHECK(scene("equality='disable'").model.joints.size() == 1);
+  CHECK_FALSE(scene("limit='disable' equality='disable'").model.joints[0].limits);
+  CHECK(scene("contact='disable'").model.no_collide.size() == 3);
+}
+
+TEST_CASE("a primitive is fitted to a mesh by its moments", "[import]") {
+  // The corner of a cube: moments of m/10 along (1, 1, 1) and of m/16 across. MuJoCo has the same sphere for it.
+  const auto with = [](const std::string& type) {
+    return parse_scene(
+        import_robot_text(
+            "<mujoco><asset><mesh name='m' vertex='0 0 0  1 0 0  0 1 0  0 0 1'/></asset><worldbody><body>"
+            "<freejoint/><geom mesh='m' " +
+                type + "/></body></worldbody></mujoco>",
+            "m.xml", {})
+            .text,
+        "m", {});
+  };
+  const double small = std::sqrt(0.0375), large = std::sqrt(0.15);
+  const Scene ball = with("");
+  CHECK(std::get<Sphere>(ball.model.shape[0]).radius == Approx((small + 2 * large) / 3).epsilon(1e-12));
+  CHECK(ball.model.mass[0] == Approx(140.826).epsilon(1e-5));
+  // z, which is turned up, is y.
+  CHECK((ball.initial.c[0] - Vec3(0.25, 0.25, -0.25)).norm() < 1e-12);
+  const Scene can = with("type='cylinder'");
+  const Aabb box = bounds(can.model.shape[0], Vec3::Zero(), Mat3::Identity());
+  CHECK((box.hi - Vec3((small + large) / 2, large, (small + large) / 2)).norm() < 1e-12);
+}
+
+TEST_CASE("a concave mesh is told with its line, and with how much larger its hull is", "[import]") {
+  // Three cubes of 1 m in an L; the hull has a wedge of half a cube more.
+  const TempFolder folder;
+  std::ofstream(folder / "l.obj") << "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+                                     "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n"
+                                     "f 4 3 2 1\nf 6 5 4 1\nf 7 8 9 10\nf 7 10 11 12\nf 1 2 8 7\nf 2 3 9 8\n"
+                                     "f 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n";
+  const std::string robot =
+      "<mujoco><asset><mesh file='l.obj'/></asset><worldbody><body>\n"
+      "<geom type='mesh' mesh='l' density='2'/><freejoint/></body></worldbody></mujoco>";
+  const ImportedScene imported = import_robot_text(robot, "l.xml", folder.path());
+  const ImportNote note = note_with(imported, "\"l.obj\" is concave");
+  CHECK_THAT(note.text, Catch::Contains("of 1.17 times its volume"));
+  CHECK(note.where == std::vector{std::pair(std::string("l.xml"), 2)});
+  CHECK(parse_scene(imported.text, "l", {}).model.mass[0] == Approx(6).epsilon(1e-12));
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Motors, dampers and friction of robots' joints: what their files say acts in the scene; the rest is noted.
+#include <cmath>
+
+#include "tests/import/import_helpers.h"
+
+using namespace pabd;
+using namespace pabd::test;
+
+namespace {
+
+const std::filesystem::path kModels = PABD_MODELS;
+
+const Joint& joint_of(const ImportedRun& run, const std::string& name) {
+  const auto& joints = run.scene.model.joints;
+  const auto found =
+      std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == name; });
+  REQUIRE(found != joints.end());
+  return *found;
+}
+
+double speed_of(const ImportedRun& run, const std::string& body) {
+  return run.state.omega[run.body(body)].y();  // the robot's z
+}
+
+}  // namespace
+
+TEST_CASE("motors of an MJCF file turn as it says, at the control nearest to 0", "[import]") {
+  const ImportedScene imported = import_robot(kModels / "motors.xml");
+  ImportedRun run(imported.text);
+  const JointAction& speed = *joint_of(run, "speed").action;
+  CHECK(speed.motor->profile.at(0) == Approx(3.0 / 2));  // control over gear
+  CHECK(speed.motor->gain == Approx(0.5 * 2 * 2));
+  CHECK(speed.motor->most == Approx(2 * 0.25));
+  CHECK(joint_of(run, "held").drive);
+  CHECK_FALSE(joint_of(run, "held").action);
+  CHECK(joint_of(run, "block").action->friction == 4);
+  CHECK(joint_of(run, "ball").action->damping == 0.3);
+
+  const double inertia = 0.5 * 3 * 0.2 * 0.2;
+  run.run(0.5);
+  CHECK(speed_of(run, "torque") == Approx(0.5 * 5 * 0.5 / inertia).epsilon(1e-6));
+  run.run(3);
+  CHECK(speed_of(run, "speed") == Approx(2 * 1.5 / 2.1).epsilon(1e-6));  // kv' (v − ω) = c ω
+
+  CHECK(note_with(imported, "second motor").where[0].second == 32);
+  CHECK(note_with(imported, "position actuator holds").where.empty());
+  CHECK(note_with(imported, "frictionloss of a ball").where[0].second == 24);
+  CHECK(note_with(imported, "armature: not taken").where[0].second == 16);
+  CHECK(note_with(imported, "stiffness: not taken").where[0].second == 20);
+  CHECK(note_with(imported, "not the same both ways").where[0].second == 30);
+}
+
+TEST_CASE("a URDF wheel slows down by its damping and friction", "[import]") {
+  ImportedRun run(import_robot(kModels / "brake.urdf").text, {"time_step=0.001"});
+  const std::size_t wheel = run.body("wheel");
+  run.state.omega[wheel] = Vec3(0, 8, 0);
+  run.run(1);
+  // I ω' = −c ω − f; the implicit steps of 1 ms are near it.
+  const double c = 0.05, f = 0.1, I = 0.1;
+  CHECK(speed_of(run, "wheel") == Approx((8 + f / c) * std::exp(-c / I) - f / c).epsilon(1e-3));
+  run.run(4);
+  CHECK(std::abs(speed_of(run, "wheel")) < 1e-6);
+}
+
+TEST_CASE("damping that pushes is refused", "[import]") {
+  for (const char* text :
+       {"<mujoco><worldbody><body><joint damping='-1'/><geom size='1'/></body></worldbody></mujoco>",
+        "<mujoco><worldbody><body><joint frictionloss='-1'/><geom size='1'/></body></worldbody></mujoco>",
+        "<robot name='r'><link name='world'/><link name='a'><inertial><mass value='1'/><inertia ixx='1' "
+        "iyy='1' "
+        "izz='1'/></inertial></link><joint name='j' type='continuous'><parent link='world'/><child link='a'/>"
+        "<dynamics damping='-1'/></joint></robot>"})
+    CHECK_THROWS_WITH(import_robot_text(text, "robot.xml", "/nowhere"), Catch::Contains("is negative"));
+}

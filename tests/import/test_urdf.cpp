@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// URDF: a pendulum against its period, a block on a rail against gravity, what stands on what.
+#include <cmath>
+
+#include "sim/body/mass_properties.h"
+#include "tests/import/import_helpers.h"
+
+using namespace pabd;
+using namespace pabd::test;
+
+namespace {
+
+const std::filesystem::path kModels = PABD_MODELS, kAssets = PABD_ASSETS;
+
+ImportedScene slider() {
+  return import_robot_text(read_scene_text(kModels / "slider.urdf"), "slider.urdf", kAssets);
+}
+
+}  // namespace
+
+TEST_CASE("a URDF pendulum with a turned inertial frame has the period of theory", "[import]") {
+  const ImportedScene imported = import_robot(kModels / "pendulum.urdf");
+  ImportedRun run(imported.text, {"time_step=0.001"});
+  REQUIRE(run.scene.model.size() == 1);
+  // The frame's x is the link's y.
+  const Mat3 I = inertia_tensor(run.scene.model.J[0]);
+  CHECK(I(0, 0) == Approx(0.17).epsilon(1e-12));
+  CHECK(I(1, 1) == Approx(0.05).epsilon(1e-12));
+  CHECK(I(2, 2) == Approx(0.17).epsilon(1e-12));
+  // Crossings of the lowest place; the robot's y is the scene's -z.
+  std::vector<double> crossings;
+  double before = run.state.c[0].z();
+  while (run.state.time < 5) {
+    run.run(run.state.time + 0.001);
+    const double now = run.state.c[0].z();
+    if (before * now < 0) crossings.push_back(run.state.time - 0.001 * now / (now - before));
+    before = now;
+  }
+  REQUIRE(crossings.size() >= 4);
+  const double halves = static_cast<double>(crossings.size() - 1);
+  const double period = 2 * (crossings.back() - crossings.front()) / halves;
+  // T = 2π √(I/(m g d)) (1 + θ²/16), I about the hinge. Implicit steps lose a little amplitude, which is in θ².
+  const double small = 2 * kPi * std::sqrt((0.17 + 2 * 0.25) / (2 * 9.81 * 0.5));
+  CHECK(period == Approx(small * (1 + 0.2 * 0.2 / 16)).epsilon(2e-3));
+}
+
+TEST_CASE("a URDF block slides as gravity says, and stops at its limit", "[import]") {
+  const ImportedScene imported = slider();
+  ImportedRun run(imported.text, {"time_step=0.001"});
+  // World, rail and camera are one with what they stand on.
+  REQUIRE(run.scene.model.size() == 1);
+  CHECK(run.scene.model.name[0] == "block");
+  CHECK(run.scene.model.mass[0] == Approx(3).epsilon(1e-14));
+  CHECK((run.state.c[0] - Vec3(0, 1, 0)).norm() < 1e-12);
+  run.run(0.3);
+  // Velocity first, then place: x = a h² n (n + 1)/2.
+  const double n = 300, x = 9.81 * 0.5 * 1e-6 * n * (n + 1) / 2;
+  const Vec3 along(std::cos(kPi / 6), -std::sin(kPi / 6), 0);
+  CHECK(along.dot(run.state.c[0] - Vec3(0, 1, 0)) == Approx(x).epsilon(1e-5));
+  run.run(1.5);
+  CHECK(along.dot(run.state.c[0] - Vec3(0, 1, 0)) == Approx(0.4).margin(2e-3));
+}
+
+TEST_CASE("what URDF says and a scene cannot is told with its line", "[import]") {
+  const ImportedScene imported = slider();
+  const ImportNote mimic = note_with(imported, "<mimic>");
+  REQUIRE(mimic.where.size() == 1);
+  CHECK(mimic.where[0] == std::pair(std::string("slider.urdf"), 26));
+  CHECK(parse_scene(imported.text, "x", {}).description.find("<mimic>") != std::string::npos);
+}
+
+TEST_CASE("the base of a URDF stands as it is told", "[import]") {
+  const std::string robot =
+      R"(<robot name="r"><link name="base"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial>
+         <collision><geometry><sphere radius="0.5"/></geometry></collision></link></robot>)";
+  const auto with = [&](RobotBase base, bool ground) {
+    return parse_scene(import_robot_text(robot, "r.urdf", {}, {base, ground}).text, "r", {});
+  };
+  CHECK(with(RobotBase::automatic, true).model.name ==
+        std::vector<std::string>{"ground under the robot", "base"});
+  CHECK(with(RobotBase::floating, false).model.fixed == std::vector<std::uint8_t>{0});
+  CHECK(with(RobotBase::fixed, true).model.fixed == std::vector<std::uint8_t>{1});
+}
+
+TEST_CASE("half a turn that was rounded up is half a turn, and a whole one is told with its line",
+          "[import]") {
+  const auto limits = [](const std::string& bounds) {
+    const ImportedScene imported = import_robot_text(
+        "<robot name='r'><link name='world'/><link name='arm'><inertial><mass value='1'/><inertia ixx='1' "
+        "iyy='1' "
+        "izz='1'/></inertial></link>\n<joint name='j' type='revolute'><parent link='world'/><child "
+        "link='arm'/><limit " +
+            bounds + "/></joint></robot>",
+        "r.urdf", {});
+    return std::pair(imported, parse_scene(imported.text, "r", {}).model.joints.at(0).limits);
+  };
+  const auto [rounded, held] = limits("lower='-1.9199' upper='3.1416'");
+  REQUIRE(held);
+  CHECK(held->lo == Approx(-1.9199).epsilon(1e-12));
+  CHECK(held->hi == Approx(kPi).epsilon(1e-12));
+  for (const char* beyond :
+       {"lower='-3.1416' upper='3.1416'", "lower='-4' upper='1'", "lower='-9' upper='9'"}) {
+    const auto [told, none] = limits(beyond);
+    CHECK_FALSE(none);
+    CHECK(note_with(told, "goes beyond ±180°").where == std::vector{std::pair(std::string("r.urdf"), 2)});
+  }
+}
+
+TEST_CASE("a joint whose range leaves out 0 begins at its bound", "[import]") {
+  const std::string robot =
+      R"(<robot name="r"><link name="world"/><link name="arm"><inertial><origin xyz="1 0 0"/><mass value="1"/>
+         <inertia ixx="1" iyy="1" izz="1"/></inertial></link><joint name="j" type="revolute"><parent link="world"/>
+         <child link="arm"/><axis xyz="0 0 1"/><limit lower="0.5" upper="1" effort="1" velocity="1"/></joint></robot>)";
+  ImportedRun run(import_robot_text(robot, "r.urdf", {}).text, {"gravity=[0,0,0]"});
+  // About the robot's z: its y is the scene's -z.
+  CHECK((run.state.c[0] - Vec3(std::cos(0.5), 0, -std::sin(0.5))).norm() < 1e-12);
+  run.run(0.5);
+  CHECK((run.state.c[0] - Vec3(std::cos(0.5), 0, -std::sin(0.5))).norm() < 1e-6);
+  REQUIRE(run.scene.model.joints[0].limits);
+  CHECK(run.scene.model.joints[0].limits->lo == Approx(0.5));
+}
