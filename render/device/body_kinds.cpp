@@ -37,7 +37,7 @@ void set_sizes(const Shape& shape, BodyKind& out) {
   }
 }
 
-BodyKind kind_of_body(const Model& model, std::size_t i, std::uint32_t shape_row) {
+BodyKind kind_of_body(const Model& model, std::size_t i, std::uint32_t shape_row, std::uint32_t form) {
   const Shape& shape = model.shape[i];
   const ShapeKind& kind = pabd::kind_of(shape);
   const Mat3& J = model.J[i];
@@ -50,8 +50,15 @@ BodyKind kind_of_body(const Model& model, std::size_t i, std::uint32_t shape_row
   }
   out.rolling = rolling_radius(shape);
   out.core = kind.core_radius ? kind.core_radius(shape) : out.bounding;
+  const auto own = model.friction.empty() ? std::nullopt : model.friction[i];
+  out.mu_static = own ? own->mu_static : -1;
+  out.mu_dynamic = own ? own->mu_dynamic : -1;
+  if (!model.groups.avoids.empty()) {
+    out.groups = model.groups.of_body[i];
+    out.avoids = model.groups.avoids[i];
+  }
   out.shape = static_cast<std::int32_t>(shape_row);
-  out.form = static_cast<std::int32_t>(shape.index());
+  out.form = static_cast<std::int32_t>(form);
   out.symmetry = symmetry_of(J);
   out.fixed = model.fixed[i];
   out.round_about_y = kind.round_about_y;
@@ -66,7 +73,8 @@ BodyKinds make_body_kinds(const Model& model, const ShapeTable& shapes) {
   std::unordered_map<std::string, std::uint32_t> known;  // bytes of a record
   double smallest = INFINITY;
   for (std::size_t i = 0; i < model.shape.size(); ++i) {
-    const BodyKind kind = kind_of_body(model, i, shapes.of_body[i]);
+    const std::uint32_t row = shapes.of_body[i];
+    const BodyKind kind = kind_of_body(model, i, row, shapes.shapes[row].kind);
     std::string bytes(sizeof kind, '\0');
     std::memcpy(bytes.data(), &kind, sizeof kind);
     const auto [at, fresh] =

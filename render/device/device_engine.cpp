@@ -118,7 +118,12 @@ DeviceEngine::DeviceEngine(Backend backend) : context_(open_context(backend)) {
 // In a thread of its own, so that the context of whoever draws in this one stays current.
 DeviceEngine::~DeviceEngine() {
   std::thread([this] {
-    context_->make_current();
+    try {
+      context_->make_current();
+    } catch (const Error&) {  // the GPU is lost, and what was on it with it: nobody can be asked to free it
+      static_cast<void>(solver_.release());
+      static_cast<void>(context_.release());
+    }
     solver_.reset();
     context_.reset();
   }).join();

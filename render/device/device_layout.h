@@ -5,9 +5,12 @@
 #include <bit>
 #include <cstdint>
 
+#include "render/device/shape_table.h"
+
 namespace pabd::device {
 
-inline constexpr std::uint32_t kLevels = 16, kColors = 64;
+inline constexpr std::uint32_t kLevels = 16, kColors = 128;
+inline constexpr std::uint32_t kTwoKinds = kDeviceShapes * kDeviceShapes;  // of shapes, in either order
 
 // Binding of each array of shaders/device_buffers.glsl.
 enum class Slot : std::uint32_t {
@@ -50,6 +53,7 @@ enum class Slot : std::uint32_t {
   told,
   raw_geometry,
   kept_geometry,
+  touching,
   count
 };
 
@@ -60,8 +64,10 @@ struct StepParams {
   std::int32_t N, barrier, first_step, color_limit;
   std::uint32_t bodies, buckets, planes, skips;
   std::uint32_t pair_room, contact_room;
+  std::int32_t friction_rule;  // a FrictionRule; -1: no body has friction of its own
+  std::uint32_t groups;        // 1: some keep bodies apart
 };
-static_assert(sizeof(StepParams) == 152);
+static_assert(sizeof(StepParams) == 160);
 
 enum Overflow : std::uint32_t {
   too_many_pairs = 1,
@@ -79,17 +85,22 @@ struct Counters {
   std::uint32_t residual, unsettled;
   std::uint32_t done, sweeps, pushing, min_gap, friction_excess, friction_error, bad;
   std::uint32_t kept;
+  std::uint32_t touch_size[kTwoKinds], touch_first[kTwoKinds], touch_next[kTwoKinds];
+  std::uint32_t width[6], opening, fastest;
+  double gained;
   double kinetic, potential, elastic;
 };
-static_assert(sizeof(Counters) == 928);
+static_assert(sizeof(Counters) == 2168);
 
 struct BodyKind {
   double J[6];
   double half[3];
   double mass, bounding, inner, rolling, core;
+  double mu_static, mu_dynamic;
   std::int32_t shape, form, symmetry, fixed, round_about_y, pad;
+  std::uint64_t groups, avoids;
 };
-static_assert(sizeof(BodyKind) == 136);
+static_assert(sizeof(BodyKind) == 168);
 
 struct Pose {
   double c[4], q[4];  // q: x, y, z, w

@@ -28,12 +28,18 @@ class Compiler {
     common_ += fmt::format("#define POLYNOMIAL {}\n#define EVEN {}\n#define QUADRATIC {}\n",
                            number(BarrierKind::polynomial), number(BarrierKind::even),
                            number(BarrierKind::quadratic));
+    common_ +=
+        fmt::format("#define GEOMETRIC_MEAN {}\n#define AVERAGE {}\n#define MIN {}\n#define MAX {}\n",
+                    static_cast<int>(FrictionRule::geometric_mean), static_cast<int>(FrictionRule::average),
+                    static_cast<int>(FrictionRule::min), static_cast<int>(FrictionRule::max));
     common_ += fmt::format("#define FORM_BOX {}\n#define FORM_CAPSULE {}\n#define FORM_PLANE {}\n",
                            static_cast<int>(kDeviceBox), static_cast<int>(kDeviceCapsule),
                            static_cast<int>(kDevicePlane));
-    common_ +=
-        fmt::format("#define SHAPES_BINDING {}\n#define HULLS_BINDING {}\n#define SWEEP_GROUP {}\n",
-                    static_cast<unsigned>(Slot::shapes), static_cast<unsigned>(Slot::hulls), kSweepGroup);
+    common_ += fmt::format("#define SHAPES_BINDING {}\n#define HULLS_BINDING {}\n",
+                           static_cast<unsigned>(Slot::shapes), static_cast<unsigned>(Slot::hulls));
+    common_ += fmt::format("#define SWEEP_GROUP {}u\n#define TOUCH_GROUP {}u\n", kSweepGroup, kTouchGroup);
+    common_ += fmt::format("#define SHAPE_KINDS {}u\n#define TWO_KINDS {}u\n",
+                           static_cast<int>(kDeviceShapes), kTwoKinds);
     if (round) common_ += "#define ROUND\n";
   }
 
@@ -45,8 +51,7 @@ class Compiler {
     std::string defines = common_ + fmt::format("#define GROUP {}u\n", group);
     for (const char* array : uses) defines += fmt::format("#define USES_{}\n", array);
     defines += more;
-    std::vector<ShaderPart> all = {roots_part(), shaders::device_layout, shaders::device_buffers,
-                                   shaders::device_rotation};
+    std::vector<ShaderPart> all = {shaders::device_layout, shaders::device_buffers, shaders::device_rotation};
     all.insert(all.end(), parts.begin(), parts.end());
     all.push_back(main);
     return {gl_, name, defines, all};
@@ -57,22 +62,27 @@ class Compiler {
   std::string common_;
 };
 
-std::vector<ShaderPart> with_kept(std::vector<ShaderPart> narrow) {
+std::vector<ShaderPart> with_touch(std::vector<ShaderPart> narrow) {
   narrow.insert(narrow.begin(), shaders::device_kept);
+  narrow.push_back(shaders::device_touch);
   return narrow;
 }
 
-std::vector<ComputeProgram> touch_programs(const Compiler& compile, const std::set<int>& shapes) {
-  std::vector<ComputeProgram> out;
+std::vector<Programs::Touch> touch_programs(const Compiler& compile, const std::set<int>& shapes,
+                                            bool solids) {
+  std::vector<Programs::Touch> out;
   for (const int first : shapes) {
     for (const int second : shapes) {
-      const std::vector<ShaderPart> narrow = narrow_parts(first, second);
+      const std::vector<ShaderPart> narrow = narrow_parts(first, second, solids);
       if (second < first || narrow.empty()) continue;
-      out.push_back(
-          compile("contacts of a pair",
-                  {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST", "GEOMETRY"},
-                  fmt::format("#define KIND_FIRST {}\n#define KIND_SECOND {}\n", first, second),
-                  with_kept(narrow), shaders::device_touch_comp, 64));
+      const auto two = static_cast<std::uint32_t>(kDeviceShapes * first + second);
+      out.push_back({two, compile("contacts of a pair",
+                                  {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST",
+                                   "GEOMETRY", "TOUCHING"},
+                                  fmt::format("#define KINDS_HERE {}\n", two), with_touch(narrow),
+                                  second == kDeviceCompound ? shaders::device_touch_parts_comp
+                                                            : shaders::device_touch_comp,
+                                  kTouchGroup)});
     }
   }
   return out;
@@ -84,15 +94,21 @@ bool any_round(const std::set<int>& shapes) {
   return shapes.contains(kDeviceSphere) || shapes.contains(kDeviceCapsule);
 }
 
-Programs make_programs(const ComputeFunctions& gl, Precision precision, const std::set<int>& shapes) {
+Programs make_programs(const ComputeFunctions& gl, Precision precision, const std::set<int>& shapes,
+                       bool solids, int team) {
   using namespace shaders;
   const Compiler compile(gl, precision, any_round(shapes));
+  const std::string of_team = fmt::format("#define TEAM {}u\n", team);
   const auto scan = [&](const char* pass) {
     return compile("sums", {"VALUES"}, std::string("#define PASS ") + pass + "\n", {}, device_scan_comp);
   };
   const auto color = [&](const char* pass) {
     return compile("colors", {"COUNTERS", "KINDS", "CONTACTS", "END_FIRST", "ENDS", "COLORS", "VALUES"},
-                   std::string("#define ") + pass + "\n", {}, device_color_comp);
+                   of_team + "#define " + pass + "\n", {}, device_color_comp);
+  };
+  const auto sort = [&](const char* pass) {
+    return compile("pairs by kinds", {"COUNTERS", "KINDS", "PAIRS", "ARGUMENTS", "TOUCHING"},
+                   std::string("#define ") + pass + "\n", {}, device_sort_pairs_comp);
   };
   const auto pairs = [&](const char* more) {
     return compile("pairs", {"COUNTERS", "KINDS", "BOUNDS", "CELLS", "PAIR_FIRST", "PAIRS", "PLANES"}, more,
@@ -118,7 +134,8 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const st
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST", "GEOMETRY",
                         "KEPT_PAIRS", "KEPT_FEATURE"},
                        "", {device_kept, device_memory}, device_reuse_comp),
-      .touch = touch_programs(compile, shapes),
+      .sort_pairs = {sort("COUNT"), sort("STARTS"), sort("LISTS")},
+      .touch = touch_programs(compile, shapes, solids),
       .place = compile("contacts",
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",
                         "END_FIRST", "KEPT_PAIRS", "KEPT_STRETCH", "KEPT_FEATURE"},
@@ -136,7 +153,8 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const st
       .sweep = compile("sweep",
                        {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "END_FIRST", "ENDS",
                         "COLORS", "STEPS"},
-                       "", {device_barrier, device_contact, device_inertia}, device_sweep_comp, kSweepGroup),
+                       of_team + "#define ACCESS restrict\n",
+                       {device_barrier, device_contact, device_inertia}, device_sweep_comp, kSweepGroup),
       .between = compile("between sweeps", {"COUNTERS", "COLORS"}, "", {}, device_between_comp, 1),
       .tell = compile("report",
                       {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "KEPT_STRETCH",
@@ -149,8 +167,10 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const st
                       {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "PAIR_FIRST", "PAIRS", "CONTACTS", "GRIPS",
                        "KEPT_PAIRS"},
                       "", {device_barrier, device_contact, device_recovery}, device_keep_comp),
-      .finish = compile("velocities", {"COUNTERS", "KINDS", "POSES", "MOTIONS", "FLIGHTS", "PLACES", "PARTS"},
-                        "", {device_inertia}, device_finish_comp),
+      .finish = compile("velocities",
+                        {"COUNTERS", "KINDS", "POSES", "MOTIONS", "FLIGHTS", "PLACES", "END_FIRST", "ENDS",
+                         "CONTACTS", "PARTS"},
+                        "", {device_inertia, device_balance}, device_finish_comp),
       .total_bodies = total("#define BODIES\n"),
       .total_contacts = total(""),
   };

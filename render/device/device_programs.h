@@ -14,7 +14,7 @@ namespace pabd::device {
 // What displacements and forces are computed in. twofold (double) is for comparison with the processor's solver.
 enum class Precision { single, twofold };
 
-inline constexpr unsigned kGroup = 256, kSweepGroup = 64;  // threads of a work group
+inline constexpr unsigned kGroup = 256, kSweepGroup = 64, kTouchGroup = 64;  // threads of a work group
 // How many work groups of `size` threads that many items need; at least one.
 constexpr std::uint32_t groups(std::size_t items, unsigned size) {
   return items == 0 ? 1 : static_cast<std::uint32_t>((items + size - 1) / size);
@@ -29,9 +29,17 @@ struct Programs {
   struct Colors {
     ComputeProgram check, take, round, sizes, starts, lists;
   };
+  struct Sort {
+    ComputeProgram count, starts, lists;
+  };
+  struct Touch {
+    std::uint32_t kinds;  // of the shapes: kDeviceShapes · lower + higher
+    ComputeProgram program;
+  };
   ComputeProgram fly, scatter, count_pairs, list_pairs;
   ComputeProgram reuse;
-  std::vector<ComputeProgram> touch;  // one a pair of kinds of shapes
+  Sort sort_pairs;
+  std::vector<Touch> touch;  // one a pair of kinds of shapes
   ComputeProgram place, fill_ends, sort_ends;
   Scan scan;
   Colors colors;
@@ -41,7 +49,9 @@ struct Programs {
 
 bool any_round(const std::set<int>& shapes);
 
-// For models that have bodies of these kinds of DeviceShape. Throws Error(no_context) where a shader is refused.
-Programs make_programs(const ComputeFunctions& gl, Precision precision, const std::set<int>& shapes);
+// For models that have bodies of these kinds of DeviceShape, `solids` among them or not; `team`: DeviceOptions::team. Throws Error(no_context) where
+// a shader is refused.
+Programs make_programs(const ComputeFunctions& gl, Precision precision, const std::set<int>& shapes,
+                       bool solids, int team);
 
 }  // namespace pabd::device

@@ -23,6 +23,19 @@ constexpr int kLate = 2;  // steps that may be under way
 // Steps over d̂ that are no longer than this are those of rounding: who asks for less gets all sweeps.
 double least_tolerance(Precision precision) { return precision == Precision::single ? 2e-7 : 0; }
 
+DeviceGain gain_of(const Counters& c) {
+  DeviceGain out;
+  if (c.width[3] == 0) return out;  // nothing touched
+  Vec3 width;
+  for (int axis = 0; axis < 3; ++axis)
+    width[axis] = static_cast<double>(from_ordered(c.width[3 + axis])) -
+                  static_cast<double>(from_ordered(~c.width[axis]));
+  out.gained = c.gained;
+  out.width = width.norm() + static_cast<double>(std::bit_cast<float>(c.opening));
+  out.fastest = std::sqrt(static_cast<double>(std::bit_cast<float>(c.fastest)));
+  return out;
+}
+
 }  // namespace
 
 struct DeviceSolver::Impl {
@@ -85,9 +98,9 @@ void DeviceSolver::Impl::report(const Asked& asked_for, const Counters& c) {
   const bool settled =
       c.friction_error == 0 || from_ordered(c.friction_error) < static_cast<float>(2 * kFrictionTolerance);
   const bool done = c.done != 0 || c.contacts == 0 || summary.residual < least_tolerance(step.precision());
-  summary.status = c.bad > 0         ? StepStatus::non_finite
-                   : done && settled ? StepStatus::converged
-                                     : StepStatus::iteration_limit;
+  summary.status = c.bad > 0 || gain_of(c).ran_away(params.h) ? StepStatus::non_finite
+                   : done && settled                          ? StepStatus::converged
+                                                              : StepStatus::iteration_limit;
   summary.times.detect = times.broad_phase + times.narrow_phase;
   summary.times.set_up = times.set_up;
   summary.times.solve = times.solve;
@@ -193,6 +206,7 @@ int DeviceSolver::colors() const { return static_cast<int>(impl_->last.colors); 
 std::uint32_t DeviceSolver::pairs() const { return impl_->last.pairs; }
 std::uint32_t DeviceSolver::contacts() const { return impl_->last.contacts; }
 std::uint32_t DeviceSolver::kept_pairs() const { return impl_->last.kept; }
+DeviceGain DeviceSolver::gain() const { return gain_of(impl_->last); }
 int DeviceSolver::repeated() const { return impl_->repeated; }
 unsigned DeviceSolver::pose_buffer() const { return impl_->step.buffers.id(Slot::poses); }
 

@@ -27,6 +27,9 @@ struct DeviceOptions {
   // Flat bodies that moved against each other by less than 0.05 d̂ since their contacts were found keep them: a point of
   // one over a plane of the other.
   bool keep_contacts = true;
+  // Threads that share the contacts of a body in a sweep: 1, 2, 4 … 64; 0: by the number of bodies, more where there are
+  // few. Sums are made in another order for each.
+  int team = 0;
 };
 
 // On the GPU's own clock; ms. Of the last step that was made.
@@ -37,6 +40,15 @@ struct DeviceTimes {
   double solve = 0;         // sweeps
   double velocities = 0;    // report, memory, velocities, poses
   double total() const { return broad_phase + narrow_phase + set_up + solve + velocities; }
+};
+
+// Of the bodies in touch in a step, as in sim/solver/runaway.h.
+struct DeviceGain {
+  double gained = 0;   // kinetic energy beside that of free flight; J
+  double width = 0;    // around where they started, and the widest opening of a contact there: L; m
+  double fastest = 0;  // √(2K/m) of one that gained; m/s
+  // Whether more than any contact asks for.
+  bool ran_away(double h) const { return gained > 0 && fastest > 100 * width / h; }
 };
 
 class DeviceSolver {
@@ -76,6 +88,7 @@ class DeviceSolver {
   std::uint32_t pairs() const;       // of the last step
   std::uint32_t contacts() const;    // within reach
   std::uint32_t kept_pairs() const;  // whose contacts were kept in the last step
+  DeviceGain gain() const;           // of the last step
   int repeated() const;              // steps that had to be made again with larger buffers
   unsigned pose_buffer() const;      // GL name: a body's c (4 doubles), q (4 doubles: x, y, z, w)
 

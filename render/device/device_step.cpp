@@ -13,9 +13,13 @@ namespace {
 
 constexpr std::uint32_t kMostRounds = 4096;  // of coloring that a step is dispatched for
 
+// Few bodies leave a GPU idle, so that more threads a body cost nothing and wait less (tests/bench/README.md).
+int team_for(const Model& model) { return model.size() < 50'000 ? 8 : 4; }
+
+// Of bodies: their parts have rows too.
 std::set<int> shapes_of(const ShapeTable& table) {
   std::set<int> out;
-  for (const ShapeRecord& shape : table.shapes) out.insert(static_cast<int>(shape.kind));
+  for (const std::uint32_t row : table.of_body) out.insert(static_cast<int>(table.shapes[row].kind));
   return out;
 }
 
@@ -31,7 +35,8 @@ DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptio
       table_(make_shape_table(model)),
       kinds_(make_body_kinds(model, table_)),
       shapes_(shapes_of(table_)),
-      programs_(make_programs(gl, precision_, shapes_)),
+      programs_(make_programs(gl, precision_, shapes_, table_.has_solids,
+                              options.team > 0 ? options.team : team_for(model))),
       bodies_(static_cast<std::uint32_t>(model.size())),
       buckets_(std::bit_ceil(std::max(1024u, bodies_))) {
   make_body_buffers();
@@ -57,8 +62,8 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   p.d_hat = law_.barrier.d_hat;
   p.kappa = law_.barrier.kappa;
   p.k_t = law_.k_t;
-  p.mu_static = law_.mu_static;
-  p.mu_dynamic = law_.mu_dynamic;
+  p.mu_static = params.contact.mu_static;
+  p.mu_dynamic = params.contact.mu_dynamic;
   p.onset = law_.barrier.onset;
   p.recovery_speed = params.contact.recovery_speed;
   p.cell = 2 * (1.05 * kinds_.smallest_radius + law_.barrier.d_hat);
@@ -72,13 +77,15 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   p.skips = static_cast<std::uint32_t>(model_.no_collide.size());
   p.pair_room = pair_room_;
   p.contact_room = contact_room_;
+  p.friction_rule = model_.friction.empty() ? -1 : static_cast<std::int32_t>(params.contact.friction_rule);
+  p.groups = model_.groups.avoids.empty() ? 0 : 1;
   buffers.write(Slot::params, 0, std::as_bytes(std::span(&p, 1)));
 }
 
 void DeviceStep::dispatch(const ComputeProgram& program, std::uint32_t work_groups) {
   program.use();
   gl.DispatchCompute(work_groups, 1, 1);
-  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);  // some are cleared after
 }
 
 void DeviceStep::set(const ComputeProgram& program, const char* name, std::uint32_t value) {
@@ -113,7 +120,16 @@ void DeviceStep::find_pairs() {
 void DeviceStep::find_contacts() {
   buffers.clear(Slot::contact_first);
   if (options_.keep_contacts) dispatch(programs_.reuse, groups(pair_room_, kGroup));
-  for (const ComputeProgram& touch : programs_.touch) dispatch(touch, groups(pair_room_, 64));
+  dispatch(programs_.sort_pairs.count, groups(pair_room_, kGroup));
+  dispatch(programs_.sort_pairs.starts, 1);
+  dispatch(programs_.sort_pairs.lists, groups(pair_room_, kGroup));
+  gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffers.id(Slot::arguments));
+  gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  for (const Programs::Touch& touch : programs_.touch) {  // none sees what another one writes
+    touch.program.use();
+    gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * (kColors + touch.kinds)));
+  }
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void DeviceStep::list_ends() {
@@ -152,7 +168,7 @@ void DeviceStep::sweep(const Params& params) {
   gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
   for (int k = 0; k < params.solver.iterations; ++k) {
     programs_.sweep.use();
-    gl.Uniform1i(limits, k > 0 && params.contact.mu_static > 0);
+    gl.Uniform1i(limits, k > 0 && has_friction(model_, params.contact));
     for (std::uint32_t c = 0; c < color_limit_; ++c) {
       gl.Uniform1ui(color, c);
       gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * c));

@@ -8,9 +8,14 @@
 
 namespace pabd {
 
-std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second) {
+std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second, bool solids) {
   using namespace shaders;
   std::vector<ShaderPart> parts = {shape_table, narrow_common};
+  if (solids && (kind_first == kDeviceHull || kind_second == kDeviceHull)) parts.push_back(narrow_solid);
+  // A compound is one hull after the other.
+  if (kind_first == kDeviceCompound || kind_second == kDeviceCompound) parts.push_back(narrow_compound);
+  if (kind_first == kDeviceCompound) kind_first = kDeviceHull;
+  if (kind_second == kDeviceCompound) kind_second = kDeviceHull;
   const auto add = [&](std::initializer_list<ShaderPart> more) {
     parts.insert(parts.end(), more);
     parts.insert(parts.end(), {narrow_found, narrow_again});
@@ -49,7 +54,5 @@ std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second) {
       return {};
   }
 }
-
-ShaderPart roots_part() { return shaders::root; }
 
 }  // namespace pabd

@@ -18,9 +18,8 @@ inline constexpr const char* kWideIsDouble =
     "#define mat_wide3 dmat3\n#define WIDE_EPSILON wide(2.2e-16lf)\n";
 
 // The files that define find_contacts (shaders/narrow_common.glsl says how to call it) for two bodies of these kinds of
-// DeviceShape, in either order; a main follows them. Empty for two planes, which never meet.
-std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second);
-// Square roots, which they need before them, as all of the solver does.
-ShaderPart roots_part();
+// DeviceShape, in either order; a main follows them. Empty for two planes, which never meet. `solids`: hulls may stand for
+// cylinders and cones; where they do, SOLIDS is defined. PARTS is where one is a compound: then contacts are found of two parts at a time.
+std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second, bool solids);
 
 }  // namespace pabd

@@ -9,6 +9,8 @@
 
 #include "sim/base/counted.h"
 #include "sim/base/hash.h"
+#include "sim/body/compound.h"
+#include "sim/body/frustum.h"
 #include "sim/body/shape_kind.h"
 
 namespace pabd {
@@ -19,6 +21,7 @@ static_assert(std::is_same_v<std::variant_alternative_t<kDeviceSphere, Shape>, S
 static_assert(std::is_same_v<std::variant_alternative_t<kDeviceCapsule, Shape>, Capsule>);
 static_assert(std::is_same_v<std::variant_alternative_t<kDevicePlane, Shape>, Plane>);
 static_assert(std::is_same_v<std::variant_alternative_t<kDeviceHull, Shape>, Hull>);
+static_assert(std::is_same_v<std::variant_alternative_t<kDeviceCompound, Shape>, Compound>);
 
 using Words = std::vector<std::uint64_t>;
 
@@ -107,7 +110,16 @@ class TableMaker {
       const Vec3& n = plane->normal;
       return simple(kDevicePlane, {n.x(), n.y(), n.z(), plane->offset});
     }
+    if (std::holds_alternative<Solid>(shape)) return solid(shape);
+    if (const auto* compound = std::get_if<Compound>(&shape)) return compound_of(*compound->data);
     return hull(*std::get_if<Hull>(&shape)->data);
+  }
+
+  // Its facets, and its ends behind them.
+  std::uint32_t solid(const Shape& shape) {
+    table_.has_solids = true;
+    const Frustum f = frustum_of(shape);
+    return hull(*as<Hull>(as<Solid>(shape).data->facets).data, {f.low, f.r_low, f.high, f.r_high});
   }
 
   std::uint32_t simple(DeviceShape kind, const std::array<double, 4>& size) {
@@ -124,15 +136,38 @@ class TableMaker {
   }
 
   // Copies share their data; of what was made twice the data are equal.
-  std::uint32_t hull(const HullData& data) {
+  std::uint32_t hull(const HullData& data, std::initializer_list<double> ends = {}) {
     const auto [at, is_new] = hulls_.try_emplace(&data, 0);
     if (!is_new) return at->second;
-    const auto [same, is_first] = words_.try_emplace(words_of(data), next());
+    Words words = words_of(data);
+    for (const double end : ends) words.push_back(std::bit_cast<std::uint64_t>(end));
+    const auto [same, is_first] = words_.try_emplace(std::move(words), next());
     at->second = same->second;
     if (!is_first) return at->second;
-    ShapeRecord record{{data.bounding_radius, 0, 0, data.inner_radius}, kDeviceHull, 0, 0, 0, 0, 0, {}};
+    ShapeRecord record{{data.bounding_radius, 0, 0, data.inner_radius}, kDeviceHull, 0, 0, 0, 0, 0, 0, 0};
     count_parts(data, record);
     record.first = static_cast<std::uint32_t>(table_.hulls.size());
+    table_.hulls.insert(table_.hulls.end(), same->first.begin(), same->first.end());
+    if (ends.size() > 0) record.ends = static_cast<std::uint32_t>(table_.hulls.size() - ends.size());
+    table_.shapes.push_back(record);
+    return at->second;
+  }
+
+  // Where its parts are, and the rows of their hulls.
+  std::uint32_t compound_of(const CompoundData& data) {
+    const auto [at, is_new] = compounds_.try_emplace(&data, 0);
+    if (!is_new) return at->second;
+    Words words;
+    for (const CompoundPart& part : data.parts) {
+      add_vector(part.offset, words);
+      words.push_back(hull(*part.hull.data));
+    }
+    const auto [same, is_first] = compound_words_.try_emplace(std::move(words), next());
+    at->second = same->second;
+    if (!is_first) return at->second;
+    ShapeRecord record{{data.bounding_radius, 0, 0, data.inner_radius}, kDeviceCompound, 0, 0, 0, 0, 0, 0, 0};
+    record.first = static_cast<std::uint32_t>(table_.hulls.size());
+    record.parts = static_cast<std::uint32_t>(data.parts.size());
     table_.hulls.insert(table_.hulls.end(), same->first.begin(), same->first.end());
     table_.shapes.push_back(record);
     return at->second;
@@ -144,8 +179,20 @@ class TableMaker {
   ShapeTable table_;
   std::unordered_map<Key, std::uint32_t, KeyHash> simple_;
   std::unordered_map<const HullData*, std::uint32_t> hulls_;
-  std::map<Words, std::uint32_t> words_;
+  std::unordered_map<const CompoundData*, std::uint32_t> compounds_;
+  std::map<Words, std::uint32_t> words_, compound_words_;
 };
+
+// Of a hull, or of one part of a compound.
+std::size_t most_faces(const Shape& shape) {
+  if (const auto* hull = std::get_if<Hull>(&shape)) return hull->data->faces.size();
+  std::size_t most = 0;
+  if (const auto* compound = std::get_if<Compound>(&shape)) {
+    for (const CompoundPart& part : compound->data->parts)
+      most = std::max(most, part.hull.data->faces.size());
+  }
+  return most;
+}
 
 }  // namespace
 
@@ -159,14 +206,10 @@ std::string why_not_on_device(const Model& model) {
   for (std::size_t i = 0; i < model.shape.size(); ++i) {
     const Shape& shape = model.shape[i];
     const std::string body = "body '" + model.name[i] + "' ";
-    if (std::holds_alternative<Compound>(shape))
-      return body + "is a mesh of several parts, which the GPU cannot take";
-    if (std::holds_alternative<Solid>(shape)) {
-      return body + "is a " + std::string(kind_of(shape).name) + ", which the GPU cannot take";
-    }
-    const auto* hull = std::get_if<Hull>(&shape);
-    if (hull && hull->data->faces.size() > kMostDeviceHullFaces) {
-      return body + "has " + counted(hull->data->faces.size(), "face") + ", the GPU takes at most " +
+    const std::size_t faces = most_faces(shape);
+    if (faces > kMostDeviceHullFaces) {
+      return body + "has " + counted(faces, "face") +
+             (std::holds_alternative<Compound>(shape) ? " in one part" : "") + ", the GPU takes at most " +
              std::to_string(kMostDeviceHullFaces);
     }
   }

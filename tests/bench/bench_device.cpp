@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The solver on the GPU against the processor's, over the number of bodies: ms of a step and of its phases, bytes a body.
 //
-//   bench_device [towers|heap] [bodies...]      1000 10000 100000 1000000
+//   bench_device [towers|heap|avalanche] [--team K] [--gpu] [bodies...]      1000 10000 100000 1000000
 //
 // towers: columns of ten boxes, each a little beside the one below, at rest. heap: boxes that fell in any
-// orientation, while they hit each other. Both solvers make ten sweeps, no fewer.
+// orientation, while they hit each other. avalanche: mixed shapes on a slope. Both solvers make ten sweeps, no fewer.
+// --team: threads that share a body in a sweep. --gpu: only the GPU.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <string>
@@ -37,15 +39,17 @@ double time_processor(const Setting& setting, int threads, int steps) {
   return ms_since(start) / steps;
 }
 
-void measure(GlContext& context, bool heap, int bodies) {
-  Setting setting = make_setting(heap, bodies);
+void measure(GlContext& context, const std::string& scene, int team, bool compare, int bodies) {
+  const bool towers = scene == "towers";
+  Setting setting = scene == "avalanche" ? avalanche(bodies) : make_setting(!towers, bodies);
   DeviceOptions options;
   options.time_phases = true;
+  options.team = team;
   const auto start = Clock::now();
   DeviceSolver device(context, setting.model, setting.state, options);
   device.step(setting.params);
   const double begin = ms_since(start);
-  const int warm_up = heap ? 60 : 20, steps = 60;
+  const int warm_up = towers ? 20 : 60, steps = 60;
   for (int k = 0; k < warm_up; ++k) device.enqueue(setting.params);
   device.finish();
   const auto timed = Clock::now();
@@ -58,14 +62,13 @@ void measure(GlContext& context, bool heap, int bodies) {
   setting.state.joint_force.clear();
   const int processor_steps = bodies <= 1000 ? 100 : bodies <= 10000 ? 20 : bodies <= 100000 ? 4 : 1;
   const int threads = available_cpus();
-  const double one = time_processor(setting, 1, processor_steps);
-  const double all = time_processor(setting, threads, processor_steps);
+  const double one = compare ? time_processor(setting, 1, processor_steps) : 0;
+  const double all = compare ? time_processor(setting, threads, processor_steps) : 0;
   fmt::print(
       "| {} | {} | {} | {} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.0f} | {:.2f} | "
       "{:.2f} | {:.1f} |\n",
-      heap ? "heap" : "towers", bodies, device.pairs(), device.contacts(), device.colors(), ms, t.broad_phase,
-      t.narrow_phase, t.set_up, t.solve, t.velocities, static_cast<double>(device.bytes()) / bodies, one, all,
-      all / ms);
+      scene, bodies, device.pairs(), device.contacts(), device.colors(), ms, t.broad_phase, t.narrow_phase,
+      t.set_up, t.solve, t.velocities, static_cast<double>(device.bytes()) / bodies, one, all, all / ms);
   fmt::print(
       "  start {:.0f} ms, {} steps repeated, kinetic {:.4g} J, least gap {:.4g} m, friction excess {:.3g}, "
       "residual {:.3g}\n",
@@ -76,12 +79,18 @@ void measure(GlContext& context, bool heap, int bodies) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  bool heap = false;
+  std::string scene = "towers";
+  int team = 0;
+  bool compare = true;
   std::vector<int> sizes;
   for (int k = 1; k < argc; ++k) {
     const std::string word = argv[k];
-    if (word == "heap" || word == "towers") {
-      heap = word == "heap";
+    if (word == "heap" || word == "towers" || word == "avalanche") {
+      scene = word;
+    } else if (word == "--gpu") {
+      compare = false;
+    } else if (word == "--team" && k + 1 < argc) {
+      team = std::clamp(std::atoi(argv[++k]), 1, 64);
     } else {
       sizes.push_back(std::atoi(argv[k]));
     }
@@ -96,7 +105,7 @@ int main(int argc, char** argv) try {
       "bytes a body | "
       "CPU, 1 thread | all threads | ratio "
       "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const int bodies : sizes) measure(*context, heap, bodies);
+  for (const int bodies : sizes) measure(*context, scene, team, compare, bodies);
   return 0;
 } catch (const Error& error) {
   fmt::print(stderr, "bench_device: {}\n", error.what());

@@ -2,14 +2,15 @@
 // Bodies that are solved and drawn on the GPU, their state never on the processor: ms a frame of a step, of a picture,
 // of both, and of both with the picture read back.
 //
-//   bench_million [towers|avalanche] N frames [--png DIR every] [--size W H] [--close] [--shadow SIDE] [--steps K] [--sweeps K]
-//                [--kappa J]
+//   bench_million [towers|avalanche] N frames [--png|--jpg DIR every] [--size W H] [--close] [--shadow SIDE] [--steps K] [--sweeps K]
+//                [--kappa J] [--team K]
 //
 // towers: columns of ten boxes and a ball of steel that rolls through them. avalanche: boxes, balls, capsules and hulls
-// on a slope. --png writes every so many frames of the last run. --close looks at where things happen first. --shadow:
+// on a slope. --png and --jpg write every so many frames of the last run. --close looks at where things happen first. --shadow:
 // texels of a side of the shadow map, 4096. --steps: of a frame of 1/60 s, 4 for towers, else 1. --sweeps: of a step,
-// 10. --kappa: stiffness of contacts. Every run starts anew.
+// 10. --kappa: stiffness of contacts. --team: threads that share a body in a sweep. Every run starts anew.
 #include <fmt/format.h>
+#include <stb_image_write.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -39,8 +40,10 @@ struct Options {
   int bodies = 0, frames = 0, steps = 0, sweeps = 10;
   int width = 1920, height = 1080, shadow = 4096;
   double kappa = 0;  // J; 0: as the setting has it
+  DeviceOptions device;
   std::string folder;
   int every = 0;
+  bool jpg = false;
 };
 
 Options parse(int argc, char** argv) {
@@ -54,7 +57,8 @@ Options parse(int argc, char** argv) {
     const std::string word = argv[k];
     if (word == "towers" || word == "avalanche") {
       out.avalanche = word == "avalanche";
-    } else if (word == "--png") {
+    } else if (word == "--png" || word == "--jpg") {
+      out.jpg = word == "--jpg";
       out.folder = next(k);
       out.every = std::max(1, std::atoi(next(k).c_str()));
     } else if (word == "--size") {
@@ -66,6 +70,8 @@ Options parse(int argc, char** argv) {
       out.shadow = std::atoi(next(k).c_str()) / 8 * 8;
     } else if (word == "--kappa") {
       out.kappa = std::atof(next(k).c_str());
+    } else if (word == "--team") {
+      out.device.team = std::clamp(std::atoi(next(k).c_str()), 1, 64);
     } else if (word == "--sweeps") {
       out.sweeps = std::max(1, std::atoi(next(k).c_str()));
     } else if (word == "--steps") {
@@ -77,9 +83,10 @@ Options parse(int argc, char** argv) {
   if (numbers.size() != 2 || numbers[0] < 1 || numbers[1] < 1 || out.width < 1 || out.height < 1) {
     throw Error(
         ErrorKind::bad_input,
-        "expected: bench_million [towers|avalanche] N frames [--png DIR every] [--size W H] [--close] "
-        "[--shadow SIDE] [--steps K] [--sweeps K] [--kappa J]");
+        "expected: bench_million [towers|avalanche] N frames [--png|--jpg DIR every] [--size W H] [--close] "
+        "[--shadow SIDE] [--steps K] [--sweeps K] [--kappa J] [--team K]");
   }
+  out.device.time_phases = true;
   out.bodies = numbers[0];
   out.frames = numbers[1];
   return out;
@@ -128,7 +135,7 @@ struct Bench {
         context(make_context()),
         gl(*context),
         setting(o.avalanche ? avalanche(o.bodies) : towers_and_ball(o.bodies)),
-        solver(*context, setting.model, setting.state),
+        solver(*context, setting.model, setting.state, o.device),
         scene(bare_scene(setting, o)),
         bodies(*context, parts_of(setting, o), solver.pose_buffer()),
         renderer(*context, o.width, o.height) {
@@ -155,9 +162,14 @@ struct Bench {
   void take(int frame) {
     if (!renderer.fetch(image) || options.every == 0 || frame % options.every != 0) return;
     const auto start = Clock::now();
-    write_png(
-        fmt::format("{}/{}_{:05}.png", options.folder, options.avalanche ? "avalanche" : "towers", frame),
-        image);
+    const std::string path =
+        fmt::format("{}/{}_{:05}.{}", options.folder, options.avalanche ? "avalanche" : "towers", frame,
+                    options.jpg ? "jpg" : "png");
+    if (options.jpg) {
+      stbi_write_jpg(path.c_str(), image.width, image.height, 3, image.rgb.data(), 88);
+    } else {
+      write_png(path, image);
+    }
     writing += ms_since(start);
   }
 
@@ -215,6 +227,9 @@ int main(int argc, char** argv) try {
   row("step and draw", bench.measure(true, true, false));
   row("step, draw and read back", bench.measure(true, true, true));
   const StepSummary& summary = bench.solver.finish();
+  const DeviceTimes& t = bench.solver.times();
+  fmt::print("last step: {:.2f} ms: broad {:.2f}, narrow {:.2f}, set up {:.2f}, solve {:.2f}, end {:.2f}\n",
+             t.total(), t.broad_phase, t.narrow_phase, t.set_up, t.solve, t.velocities);
   fmt::print(
       "last step: kappa {:.3g} J, {} contacts, {} colors, kinetic {:.4g} J, least gap {:.3g} m, {}; {} steps "
       "repeated\n",

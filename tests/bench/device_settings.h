@@ -73,15 +73,17 @@ inline constexpr int kTowerHeight = 10;
 inline int towers_side(int bodies) { return static_cast<int>(std::ceil(std::sqrt(bodies / kTowerHeight))); }
 
 // Columns of ten boxes, each a little beside the one below, at rest; or a heap: boxes in any orientation that fall.
-inline Setting make_setting(bool heap, int bodies) {
+// `d_hat` in m.
+inline Setting make_setting(bool heap, int bodies, double d_hat = 0.01) {
   Setting out = plain_setting();
+  out.params.contact.d_hat = d_hat;
   add(out, Plane{{0, 1, 0}, 0}, 0, Vec3::Zero(), Mat3::Identity());
   const int side = towers_side(bodies);
   Draw draw;
   for (int k = 0; k < bodies; ++k) {
     const int column = k / kTowerHeight, floor = k % kTowerHeight;
     const double pitch = heap ? 0.8 : 1;
-    Vec3 c(pitch * (column % side), 0.25 + 0.5 * floor + 0.0098 * (floor + 1), pitch * (column / side));
+    Vec3 c(pitch * (column % side), 0.25 + 0.5 * floor + 0.98 * d_hat * (floor + 1), pitch * (column / side));
     Mat3 R = Mat3::Identity();
     if (!heap) c.x() += 0.02 * (floor % 2);
     if (heap) {
@@ -102,8 +104,8 @@ inline Setting make_setting(bool heap, int bodies) {
 inline Setting towers_and_ball(int bodies) {
   Setting out = make_setting(false, bodies);
   const double side = towers_side(bodies), radius = std::max(1.5, 12 * side / 316);
-  const double speed = 24 * std::sqrt(radius / 12), middle = 0.5 * side - 0.3;
-  add(out, Sphere{radius}, 7850, {-radius - 1.5, radius + 0.0095, middle}, Mat3::Identity());
+  const double speed = 14 * std::sqrt(radius / 12), middle = 0.5 * side - 0.3;
+  add(out, Sphere{radius}, 7850, {-radius - 1, radius + 0.019, middle}, Mat3::Identity());
   out.state.v.back() = Vec3(speed, 0, 0);
   out.state.omega.back() = Vec3(0, 0, -speed / radius);
   out.steps = 4;

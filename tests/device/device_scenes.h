@@ -16,13 +16,24 @@ Scene exact_scene(const char* name);
 // The same for any scene.
 void solve_exactly(Params& params);
 
-// Boxes, balls, capsules and hulls, `each` of every kind, that fall on a plane in rows; `at`: where all of it is, m.
-Scene mixed_heap(int each, const Vec3& at = Vec3::Zero());
+// Two blocks with a board between, 1 by 0.5 by 1 in all: a body of three parts that stands on eight corners.
+Shape bench();
+
+// Boxes, balls, capsules, hulls, cylinders and cones, and angles of two parts if asked for, `each` of every kind, that fall
+// on a plane in rows; `at`: where all of it is, m.
+Scene mixed_heap(int each, const Vec3& at = Vec3::Zero(), bool compounds = false);
 
 // The first context of this machine, current.
 std::unique_ptr<GlContext> any_context();
 
+// Whether private arrays of doubles are arrays of doubles there. One driver keeps them as floats: what is computed in
+// double with them has the digits of a float.
+bool keeps_doubles(GlContext& context);
+
 // Largest distance of a centre, and of the nine entries of an orientation.
 double pose_difference(const State& a, const State& b);
+
+// Boxes of different friction on a slope of 24°, each below one of another group, solved to the end.
+Scene slope_of_own_friction(FrictionRule rule);
 
 }  // namespace pabd::testing

@@ -11,7 +11,8 @@
 namespace pabd::testing {
 namespace {
 
-constexpr std::size_t kMostFound = 16, kNumbers = 7, kWords = 1 + 2 * kMostFound;
+constexpr std::size_t kMostFound = 16, kMostOfParts = 96;  // contacts of a pair
+constexpr std::size_t kNumbers = 7, kWords = 2;            // of a contact
 constexpr std::size_t kPlacement = 2 * 12 + 1;
 constexpr GLuint kGroup = 64;
 
@@ -21,42 +22,61 @@ layout(std430, binding = 2) readonly buffer Placements { double placement[]; };
 layout(std430, binding = 3) readonly buffer ShapesOf { uvec2 shapes_of[]; };
 layout(std430, binding = 4) writeonly buffer Numbers { double number[]; };
 layout(std430, binding = 5) writeonly buffer Words { uint word[]; };
+layout(std430, binding = 6) writeonly buffer Counts { uint found_of[]; };
 uniform uint pair_count;
 
 dvec3 vector_of(uint at) { return dvec3(placement[at], placement[at + 1u], placement[at + 2u]); }
 dmat3 matrix_of(uint at) { return dmat3(vector_of(at), vector_of(at + 3u), vector_of(at + 6u)); }
 
 void main() {
-  uint k = gl_GlobalInvocationID.x;
-  if (k >= pair_count) return;
+  uint pair = gl_GlobalInvocationID.x;
+  if (pair >= pair_count) return;
   found_count = 7;  // of an earlier pair
-  uint place = 25u * k;
-  bool first_is_plane = shapes[shapes_of[k].x].kind == uint(PLANE);
+  uint place = 25u * pair, shape_first = shapes_of[pair].x, shape_second = shapes_of[pair].y;
+  bool first_is_plane = shapes[shape_first].kind == uint(PLANE);
   dvec3 c_first = vector_of(place), c_second = vector_of(place + 12u), origin = first_is_plane ? c_second : c_first;
-  place_pair(shapes_of[k].x, c_first - origin, matrix_of(place + 3u), shapes_of[k].y, c_second - origin,
-             matrix_of(place + 15u));
-  find_contacts(wide(placement[place + 24u]));
-  word[33u * k] = uint(contacts_found());
-  for (int i = 0; i < contacts_found(); ++i) {
-    FoundContact p = found_contact(i);
-    dvec3 y_b = dvec3(p.y_b), n = dvec3(p.n);
-    double d = double(p.d);
-#ifdef WIDE_IS_FLOAT
-    uint owner = (p.feature & SECOND_OWNS) != 0u ? 1u : 0u;
-    uint place_a = place + 12u * owner, place_b = place + 12u - 12u * owner;
-    d = measured_again(p, shapes_of[k][owner], vector_of(place_a) - origin, matrix_of(place_a + 3u),
-                       shapes_of[k][1u - owner], vector_of(place_b) - origin, matrix_of(place_b + 3u), y_b, n);
+  c_first -= origin;
+  c_second -= origin;
+  dmat3 R_first = matrix_of(place + 3u), R_second = matrix_of(place + 15u);
+#ifdef SOLIDS
+  turn_facets(shape_first, c_first, R_first, shape_second, c_second, R_second);
 #endif
-    y_b += origin;
-    uint at = 7u * (16u * k + uint(i));
-    for (int j = 0; j < 3; ++j) {
-      number[at + uint(j)] = y_b[j];
-      number[at + 3u + uint(j)] = n[j];
+  double reach = placement[place + 24u];
+  uint parts = parts_of(shape_first), part_pairs = parts * parts_of(shape_second), count = 0u;
+  for (uint k = 0u; k < part_pairs; ++k) {
+    dvec3 c_0 = c_first, c_1 = c_second;  // no array: see keeps_doubles
+    uint shape_0 = part_of(shape_first, k % parts, c_0, R_first);
+    uint shape_1 = part_of(shape_second, k / parts, c_1, R_second);
+#ifdef PARTS
+    if (!parts_may_meet(shape_0, c_0, shape_1, c_1, reach)) continue;
+#endif
+    place_pair(shape_0, c_0, R_first, shape_1, c_1, R_second);
+    find_contacts(wide(reach));
+    for (int i = 0; i < contacts_found() && count < MOST; ++i) {
+      FoundContact p = found_contact(i);
+      dvec3 y_b = dvec3(p.y_b), n = dvec3(p.n);
+      double d = double(p.d);
+      uint feature = p.feature & ~SECOND_OWNS, owner = (p.feature & SECOND_OWNS) != 0u ? 1u : 0u;
+#ifdef WIDE_IS_FLOAT
+      d = owner != 0u ? measured_again(p, shape_1, c_1, R_second, shape_0, c_0, R_first, y_b, n)
+                      : measured_again(p, shape_0, c_0, R_first, shape_1, c_1, R_second, y_b, n);
+#endif
+#ifdef PARTS
+      feature = part_name(shape_first, k % parts, k / parts, feature);
+#endif
+      y_b += origin;
+      uint at = MOST * pair + count;
+      for (int j = 0; j < 3; ++j) {
+        number[7u * at + uint(j)] = y_b[j];
+        number[7u * at + 3u + uint(j)] = n[j];
+      }
+      number[7u * at + 6u] = d;
+      word[2u * at] = feature;
+      word[2u * at + 1u] = owner;
+      ++count;
     }
-    number[at + 6u] = d;
-    word[33u * k + 1u + 2u * uint(i)] = p.feature & ~SECOND_OWNS;
-    word[33u * k + 2u + 2u * uint(i)] = (p.feature & SECOND_OWNS) != 0u ? 1u : 0u;
   }
+  found_of[pair] = count;
 }
 )glsl"};
 
@@ -108,9 +128,12 @@ std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable
                                                                 int kind_1,
                                                                 const std::vector<PlacedPair>& pairs) {
   const ComputeFunctions& gl = inside_->gl;
+  const bool of_parts = kind_0 == kDeviceCompound || kind_1 == kDeviceCompound;
+  const std::size_t most = of_parts ? kMostOfParts : kMostFound;
+  const std::string most_line = "const uint MOST = " + std::to_string(most) + "u;\n";
   std::vector<ShaderPart> parts = {
-      {"header", "#version 430 core\n"}, {"numbers", inside_->numbers}, roots_part()};
-  const std::vector<ShaderPart> narrow = narrow_parts(kind_0, kind_1);
+      {"header", "#version 430 core\n"}, {"numbers", inside_->numbers}, {"room", most_line.c_str()}};
+  const std::vector<ShaderPart> narrow = narrow_parts(kind_0, kind_1, table.has_solids);
   parts.insert(parts.end(), narrow.begin(), narrow.end());
   parts.push_back(kMain);
   const GLuint program =
@@ -127,24 +150,26 @@ std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable
     }
     placements.push_back(pair.reach);
   }
-  std::vector<double> numbers(pairs.size() * kMostFound * kNumbers);
-  std::vector<std::uint32_t> words(pairs.size() * kWords);
-  static_assert(kPlacement == 25 && kWords == 33);  // as the main has them
+  std::vector<double> numbers(pairs.size() * most * kNumbers);
+  std::vector<std::uint32_t> words(pairs.size() * most * kWords), counts(pairs.size());
+  static_assert(kPlacement == 25 && kNumbers == 7 && kWords == 2);  // as the main has them
   const Buffer shape_buffer(gl, 0, table.shapes), hull_buffer(gl, 1, table.hulls);
   const Buffer placement_buffer(gl, 2, placements), shapes_buffer(gl, 3, shapes);
   const Buffer number_buffer(gl, 4, numbers), word_buffer(gl, 5, words);
+  const Buffer count_buffer(gl, 6, counts);
   gl.Uniform1ui(gl.GetUniformLocation(program, "pair_count"), static_cast<GLuint>(pairs.size()));
   gl.DispatchCompute((static_cast<GLuint>(pairs.size()) + kGroup - 1) / kGroup, 1, 1);
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   number_buffer.read(numbers);
   word_buffer.read(words);
+  count_buffer.read(counts);
   gl.DeleteProgram(program);
 
   std::vector<std::vector<ContactPoint>> out(pairs.size());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    for (std::size_t i = 0; i < words[kWords * k]; ++i) {
-      const double* x = &numbers[kNumbers * (kMostFound * k + i)];
-      const std::uint32_t* word = &words[kWords * k + 1 + 2 * i];
+    for (std::size_t i = most * k; i < most * k + counts[k]; ++i) {
+      const double* x = &numbers[kNumbers * i];
+      const std::uint32_t* word = &words[kWords * i];
       const Vec3 y_b(x[0], x[1], x[2]), n(x[3], x[4], x[5]);
       const Index a = word[1] != 0 ? 1 : 0;
       out[k].push_back({a, 1 - a, y_b - x[6] * n, y_b, n, x[6], word[0]});

@@ -5,6 +5,8 @@
 #include <cstring>
 
 #include "render/device/compute_functions.h"
+#include "sim/body/convex_hull.h"
+#include "sim/body/shape_kind.h"
 #include "sim/scene/builder.h"
 #include "sim/solver/time_step.h"
 #include "tests/device/device_scenes.h"
@@ -24,6 +26,8 @@ constexpr int kSteps = 30;
 // One step by each from the same state, again and again.
 void check_steps(const Scene& scene, int warm_up, double same, int steps = kSteps) {
   const auto context = any_context();
+  const bool exact = keeps_doubles(*context);
+  if (!exact) same = 1e-6;
   DeviceOptions options;
   options.precision = DevicePrecision::twofold;
   options.report_contacts = true;
@@ -51,9 +55,9 @@ void check_steps(const Scene& scene, int warm_up, double same, int steps = kStep
       REQUIRE((there.v[i] - state.v[i]).norm() < same / scene.params.h);
       REQUIRE((there.omega[i] - state.omega[i]).norm() < 10 * same / scene.params.h);
     }
-    CHECK(summary.kinetic == Approx(report.kinetic).epsilon(1e-6).margin(1e-6));
+    CHECK(summary.kinetic == Approx(report.kinetic).epsilon(exact ? 1e-6 : 1e-3).margin(1e-6));
     CHECK(summary.potential == Approx(report.potential).epsilon(1e-9));
-    CHECK(summary.elastic == Approx(report.elastic).epsilon(1e-4).margin(1e-6));
+    CHECK(summary.elastic == Approx(report.elastic).epsilon(exact ? 1e-4 : 1e-2).margin(1e-6));
     REQUIRE(summary.contacts == report.contacts);
     REQUIRE(contacts.size() == report.contact_reports.size());
     REQUIRE(there.contacts.size() == state.contacts.size());
@@ -90,52 +94,94 @@ TEST_CASE("a step on the GPU in double is the processor's: two boxes that start 
 TEST_CASE("a step on the GPU in double is the processor's: sliding and sticking on a slope") {
   check_steps(exact_scene("incline"), 0, 1e-9);
 }
+TEST_CASE("a step on the GPU in double is the processor's: bodies with friction of their own, and groups") {
+  for (const FrictionRule rule : {FrictionRule::geometric_mean, FrictionRule::average, FrictionRule::min,
+                                  FrictionRule::max, FrictionRule::product}) {
+    CAPTURE(to_string(rule));
+    check_steps(slope_of_own_friction(rule), 0, 1e-8, kSteps / 2);
+  }
+}
 TEST_CASE("a step on the GPU in double is the processor's: a heap of all shapes") {
-  Scene scene = mixed_heap(3);
+  Scene scene = mixed_heap(3, Vec3::Zero(), true);
   solve_exactly(scene.params);
   check_steps(scene, 50, 1e-8, kSteps / 3);
 }
 
-TEST_CASE("a box on the GPU rests where its weight says, to 1e-5 d̂ in float") {
-  SceneBuilder builder("rest");
-  builder.params.contact.kappa = 50;
-  builder.params.contact.N = 2;
-  builder.params.contact.onset = 0;
-  builder.params.contact.barrier = BarrierKind::even;
-  builder.params.solver.iterations = 200;
-  builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
-  builder.add(
-      spec::Body{.name = "box", .shape = Box{{0.5, 0.5, 0.5}}, .mass = 20, .position = Vec3(0, 0.507, 0)});
-  const Scene scene = builder.build();
-  const State state = run(scene, {}, 400);
-  // Four corners carry m g = 4 κ u/d̂, B' of the even barrier of order 2 being −u/d̂.
-  const double d_hat = 0.01, u = 20 * 9.81 * d_hat / (4 * 50);
-  CHECK(state.c[1].y() - 0.5 == Approx(d_hat * (1 - u)).margin(1e-5 * d_hat));
-  CHECK(state.v[1].norm() < 1e-5);
+// Half a metre high, with the corners that they stand on.
+struct Standing {
+  const char* name;
+  Shape shape;
+  int corners;
+};
+std::vector<Standing> standing() {
+  return {{"box", Box{{0.5, 0.25, 0.5}}, 4},
+          {"cylinder", make_shape("cylinder", {0.5, 0.5}), 8},
+          {"cone", make_shape("cone", {0.5, 1}), 8},  // its centre a quarter up
+          {"compound", bench(), 8}};
 }
 
-TEST_CASE("Coulomb's law holds on the GPU in float: tan of the slope against μ") {
-  for (const double degrees : {26.0, 27.2}) {
-    CAPTURE(degrees);
-    const double angle = degrees * 0.017453292519943295;
-    SceneBuilder builder("slope");
-    builder.params.gravity = 9.81 * Vec3(std::sin(angle), -std::cos(angle), 0);
+TEST_CASE("bodies on the GPU rest where their weight says, to 1e-5 d̂ in float") {
+  for (const Standing& body : standing()) {
+    CAPTURE(body.name);
+    SceneBuilder builder("rest");
+    builder.params.contact.kappa = 50;
+    builder.params.contact.N = 2;
+    builder.params.contact.onset = 0;
+    builder.params.contact.barrier = BarrierKind::even;
     builder.params.solver.iterations = 200;
     builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
-    builder.add(spec::Body{
-        .name = "box", .shape = Box{{0.5, 0.25, 0.5}}, .mass = 20, .position = Vec3(0, 0.2595, 0)});
+    builder.add(spec::Body{.name = "body", .shape = body.shape, .mass = 20, .position = Vec3(0, 0.257, 0)});
     const Scene scene = builder.build();
-    const State early = run(scene, {}, 60), late = run(scene, {}, 120);
-    const double acceleration = 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
-    const double gained = late.v[1].x() - early.v[1].x();
-    CHECK(gained == Approx(std::max(0.0, acceleration)).epsilon(0.01).margin(1e-4));
+    const State state = run(scene, {}, 400);
+    // The corners carry m g = n κ u/d̂, B' of the even barrier of order 2 being −u/d̂.
+    const double d_hat = 0.01, u = 20 * 9.81 * d_hat / (body.corners * 50);
+    CHECK(state.c[1].y() - 0.25 == Approx(d_hat * (1 - u)).margin(1e-5 * d_hat));
+    CHECK(state.v[1].norm() < 1e-5);
   }
 }
 
-// Forces act on both bodies along one line at the end of the step, while they have moved past each other: linear
-// momentum is kept, angular momentum to first order in the step. (The processor balances it afterwards.)
+TEST_CASE("Coulomb's law holds on the GPU in float: tan of the slope against μ") {
+  for (const Standing& body : standing()) {
+    for (const double degrees : {26.0, 27.2}) {
+      CAPTURE(body.name, degrees);
+      const double angle = degrees * 0.017453292519943295;
+      SceneBuilder builder("slope");
+      builder.params.gravity = 9.81 * Vec3(std::sin(angle), -std::cos(angle), 0);
+      builder.params.solver.iterations = 200;
+      builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
+      builder.add(
+          spec::Body{.name = "body", .shape = body.shape, .mass = 20, .position = Vec3(0, 0.2595, 0)});
+      const Scene scene = builder.build();
+      const State early = run(scene, {}, 60), late = run(scene, {}, 120);
+      const double acceleration = 9.81 * (std::sin(angle) - 0.5 * std::cos(angle));
+      const double gained = late.v[1].x() - early.v[1].x();
+      CHECK(gained == Approx(std::max(0.0, acceleration)).epsilon(0.01).margin(1e-4));
+    }
+  }
+}
+
+TEST_CASE("a cylinder on the GPU rolls down a slope with two thirds of what slides without friction") {
+  constexpr double kAngle = 0.1;
+  SceneBuilder builder("rolling");
+  builder.params.gravity = 9.81 * Vec3(std::sin(kAngle), -std::cos(kAngle), 0);
+  builder.params.solver.iterations = 200;
+  builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
+  const double half = std::sqrt(0.5);
+  builder.add(spec::Body{.name = "roller",
+                         .shape = make_shape("cylinder", {0.4, 1}),
+                         .mass = 20,
+                         .position = Vec3(0, 0.4095, 0),
+                         .orientation = std::array{half, half, 0.0, 0.0}});
+  const Scene scene = builder.build();
+  const State early = run(scene, {}, 30), late = run(scene, {}, 90);
+  const double gained = late.v[1].x() - early.v[1].x();
+  CHECK(gained == Approx(2.0 / 3 * 9.81 * std::sin(kAngle) * 60 * scene.params.h).epsilon(0.01));
+}
+
+// Forces act on both bodies along one line at the end of the step, while they have moved past each other: angular
+// momentum is kept to first order in the step, and balanced afterwards of two that meet alone.
 TEST_CASE("momentum is kept when bodies meet on the GPU in float") {
-  const auto change = [](double h) {
+  const auto change = [](double h, bool third = false) {
     SceneBuilder builder("free");
     builder.params.gravity = Vec3::Zero();
     builder.params.h = h;
@@ -148,10 +194,16 @@ TEST_CASE("momentum is kept when bodies meet on the GPU in float") {
                            .mass = 5,
                            .position = Vec3(1.2, 0.2, 0.1),
                            .velocity = Vec3(-3, 0, 0)});
+    if (third)
+      builder.add(spec::Body{.name = "c",
+                             .shape = Sphere{0.4},
+                             .mass = 5,
+                             .position = Vec3(2.003, 0.2, 0.1),
+                             .velocity = Vec3(-3, 0, 0)});
     const Scene scene = builder.build();
     const auto momentum = [&](const State& s) {
       Vec3 p = Vec3::Zero(), L = p;
-      for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t i = 0; i < scene.model.mass.size(); ++i) {
         const Mat3 J = scene.model.J[i], I = J.trace() * Mat3::Identity() - J;
         p += scene.model.mass[i] * s.v[i];
         L += scene.model.mass[i] * s.c[i].cross(s.v[i]) + s.R[i] * I * s.R[i].transpose() * s.omega[i];
@@ -168,8 +220,12 @@ TEST_CASE("momentum is kept when bodies meet on the GPU in float") {
   const auto [fine_linear, fine_angular] = change(1.0 / 480);
   CHECK(linear < 1e-5);
   CHECK(fine_linear < 1e-5);
-  CHECK(angular < 0.05);
-  CHECK(fine_angular < angular / 3);
+  CHECK(angular < 1e-5);
+  CHECK(fine_angular < 1e-5);
+  // Of three as well as the solve came to its end.
+  const double of_three = change(1.0 / 60, true).second, fine_of_three = change(1.0 / 480, true).second;
+  CHECK(of_three < 0.05);
+  CHECK(fine_of_three < of_three / 3);
 }
 
 TEST_CASE("ten kilometres away a heap on the GPU behaves as at the origin") {
@@ -195,8 +251,22 @@ TEST_CASE("the same bits come from the GPU in every run, however much room there
 }
 
 TEST_CASE("what rests on the GPU keeps its contacts, and rests where it would without") {
-  Scene scene = load_scene(std::string(PABD_SCENES) + "/pyramid.json");
-  scene.params.solver.method = SolverMethod::descent;
+  // Small enough that the sweeps converge: of what does not, a hundred sweeps more move the top by 0.1 d̂.
+  constexpr int kRows = 6;
+  SceneBuilder builder("pyramid");
+  builder.params.solver.method = SolverMethod::descent;
+  builder.params.solver.iterations = 400;
+  builder.params.contact.mu_static = builder.params.contact.mu_dynamic = 0.5;
+  builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
+  for (int row = 0; row < kRows; ++row) {
+    for (int k = 0; k + row < kRows; ++k) {
+      builder.add(spec::Body{.name = {},
+                             .shape = Box{{0.25, 0.25, 0.25}},
+                             .density = 1000,
+                             .position = Vec3(0.55 * (k + 0.5 * row), 0.259 + 0.509 * row, 0)});
+    }
+  }
+  const Scene scene = builder.build();
   const auto context = any_context();
   State with, without;
   for (const bool keep : {true, false}) {
@@ -214,8 +284,24 @@ TEST_CASE("what rests on the GPU keeps its contacts, and rests where it would wi
   const double d_hat = scene.params.contact.d_hat;
   for (std::size_t i = 0; i < with.c.size(); ++i) {
     CAPTURE(i);
-    CHECK(std::abs(with.c[i].y() - without.c[i].y()) < 0.01 * d_hat);
-    CHECK((with.c[i] - without.c[i]).norm() < 0.1 * d_hat);
+    CHECK((with.c[i] - without.c[i]).norm() < 1e-4 * d_hat);
+  }
+}
+
+TEST_CASE("however many threads share a body on the GPU, a step is the same but for rounding") {
+  Scene scene = mixed_heap(2);
+  scene.params.solver.iterations = 20;
+  DeviceOptions options;
+  options.precision = DevicePrecision::twofold;
+  options.team = 1;
+  constexpr int kFew = 40;  // until they touch
+  const State alone = run(scene, options, kFew);
+  for (const int team : {4, 16}) {
+    CAPTURE(team);
+    options.team = team;
+    const State together = run(scene, options, kFew);
+    CHECK(pose_difference(alone, together) < 1e-9);
+    CHECK(!same_bits(alone, together));  // sums are made in another order
   }
 }
 
@@ -251,7 +337,15 @@ TEST_CASE("the GPU refuses what it cannot solve, with words that help") {
   CHECK(why("pyramid").empty());
   CHECK(why("pendulum").find("joints") != std::string::npos);
   CHECK(why("pendulum").find("--device cpu") != std::string::npos);
-  CHECK(why("shapes").find("--device cpu") != std::string::npos);
+  CHECK(why("shapes").empty());
+  SceneBuilder builder("drum");
+  std::vector<Vec3> corners;
+  for (int k = 0; k < 32; ++k)
+    for (const double y : {-0.5, 0.5}) corners.emplace_back(std::cos(0.19 * k), y, std::sin(0.19 * k));
+  builder.add(spec::Body{.name = "drum", .shape = Hull{make_hull(corners).hull}, .density = 1000});
+  const Scene drum = builder.build();
+  CHECK(DeviceSolver::why_not(drum.model, drum.params) ==
+        "body 'drum' has 34 faces, the GPU takes at most 32: --device cpu");
 }
 
 TEST_CASE("the large scenes are as large as they say, and the GPU takes them") {

@@ -7,14 +7,19 @@
 #include <catch2/catch.hpp>
 
 #include "render/device/narrow_parts.h"
-#include "sim/body/convex_hull.h"
 #include "tests/collision/reference.h"
+#include "tests/device/device_scenes.h"
 #include "tests/device/narrow_on_device.h"
+#include "tests/device/narrow_shapes.h"
 #include "tests/support/sanitized.h"
 
 using namespace reference;
+using pabd::testing::any_context;
+using pabd::testing::keeps_doubles;
+using pabd::testing::kSolid;
 using pabd::testing::NarrowOnDevice;
 using pabd::testing::PlacedPair;
+using pabd::testing::shapes_of;
 
 namespace {
 
@@ -26,23 +31,6 @@ constexpr int kPairs = 4000, kRarePairs = 60000;
 #endif
 constexpr double kSame = 1e-10;
 constexpr double kReach = 0.05;  // of each body
-
-std::vector<Shape> shapes_of(int kind) {
-  switch (kind) {
-    case kDeviceBox:
-      return {Box{{0.5, 0.5, 0.5}}, Box{{0.3, 0.5, 0.4}}, Box{{0.7, 0.2, 0.3}}, Box{{0.6, 0.03, 0.5}},
-              Box{{0.05, 0.7, 0.08}}};
-    case kDeviceSphere:
-      return {Sphere{0.4}, Sphere{0.3}};
-    case kDeviceCapsule:
-      return {Capsule{0.2, 0.8}, Capsule{0.15, 0.9}, Capsule{0.3, 0.5}, Capsule{0.05, 0.9}};
-    case kDevicePlane:
-      return {Plane{Vec3::UnitY(), 0.1}, Plane{Vec3(0.6, 0.8, 0), -0.3}, Plane{Vec3(1, 2, -2) / 3, 0.2}};
-    default:
-      return {rock(4, 0.8, 11),   rock(9, 0.5, 8),    rock(12, 0.5, 1), hull_of_box({0.3, 0.5, 0.4}),
-              prism(8, 0.4, 0.3), prism(30, 0.5, 0.2)};
-  }
-}
 
 // One of the 24 turns that keep the axes.
 Mat3 quarter_turns(Random& random) {
@@ -191,19 +179,43 @@ bool same_nearby(const std::vector<ContactPoint>& contacts, const std::array<Sha
   return false;
 }
 
+// `aligned`: not of two solids or two compounds, where everything may hang on the last bit at once then.
 struct Pair {
   const char* name;
   int kind_0, kind_1, pairs = kPairs;
+  bool aligned = true;
 };
 
+int on_device(int kind) { return kind == kSolid ? kDeviceHull : kind; }
+
 const Pair kKinds[] = {
-    {"sphere sphere", kDeviceSphere, kDeviceSphere},     {"capsule sphere", kDeviceCapsule, kDeviceSphere},
-    {"capsule capsule", kDeviceCapsule, kDeviceCapsule}, {"plane sphere", kDevicePlane, kDeviceSphere},
-    {"plane capsule", kDevicePlane, kDeviceCapsule},     {"plane box", kDevicePlane, kDeviceBox},
-    {"box sphere", kDeviceBox, kDeviceSphere},           {"box capsule", kDeviceBox, kDeviceCapsule},
-    {"box box", kDeviceBox, kDeviceBox, kRarePairs},     {"plane hull", kDevicePlane, kDeviceHull},
-    {"hull sphere", kDeviceHull, kDeviceSphere},         {"hull capsule", kDeviceHull, kDeviceCapsule},
-    {"hull box", kDeviceHull, kDeviceBox, kRarePairs},   {"hull hull", kDeviceHull, kDeviceHull, kRarePairs},
+    {"sphere sphere", kDeviceSphere, kDeviceSphere},
+    {"capsule sphere", kDeviceCapsule, kDeviceSphere},
+    {"capsule capsule", kDeviceCapsule, kDeviceCapsule},
+    {"plane sphere", kDevicePlane, kDeviceSphere},
+    {"plane capsule", kDevicePlane, kDeviceCapsule},
+    {"plane box", kDevicePlane, kDeviceBox},
+    {"box sphere", kDeviceBox, kDeviceSphere},
+    {"box capsule", kDeviceBox, kDeviceCapsule},
+    {"box box", kDeviceBox, kDeviceBox, kRarePairs},
+    {"plane hull", kDevicePlane, kDeviceHull},
+    {"hull sphere", kDeviceHull, kDeviceSphere},
+    {"hull capsule", kDeviceHull, kDeviceCapsule},
+    {"hull box", kDeviceHull, kDeviceBox, kRarePairs},
+    {"hull hull", kDeviceHull, kDeviceHull, kRarePairs},
+    {"plane solid", kDevicePlane, kSolid},
+    {"solid sphere", kSolid, kDeviceSphere},
+    {"solid capsule", kSolid, kDeviceCapsule},
+    {"solid box", kSolid, kDeviceBox},
+    {"solid hull", kSolid, kDeviceHull},
+    {"solid solid", kSolid, kSolid, kPairs, false},
+    {"plane compound", kDevicePlane, kDeviceCompound},
+    {"compound sphere", kDeviceCompound, kDeviceSphere},
+    {"compound capsule", kDeviceCompound, kDeviceCapsule},
+    {"compound box", kDeviceCompound, kDeviceBox},
+    {"compound hull", kDeviceCompound, kDeviceHull},
+    {"compound solid", kDeviceCompound, kSolid},
+    {"compound compound", kDeviceCompound, kDeviceCompound, kPairs, false},
 };
 
 // Many placements of two kinds, and what the CPU finds there.
@@ -217,7 +229,7 @@ struct Placements {
 
   // Of the device, where the CPU has it.
   std::vector<std::vector<ContactPoint>> found(NarrowOnDevice& device, const Pair& kinds) const {
-    auto found = device.contacts(table, kinds.kind_0, kinds.kind_1, moved);
+    auto found = device.contacts(table, on_device(kinds.kind_0), on_device(kinds.kind_1), moved);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       for (ContactPoint& p : found[k]) {
         p.y_a += origins[k];
@@ -250,8 +262,9 @@ Placements placements_of(const Pair& kinds, Random& random) {
       std::swap(shape[0], shape[1]);
       std::swap(of_table[0], of_table[1]);
     }
-    out.placements.push_back(trial < kPairs ? static_cast<Placement>(trial % kPlacements)
-                                            : kUndoubted[trial % std::size(kUndoubted)]);
+    const bool any = trial < kPairs && kinds.aligned;
+    out.placements.push_back(any ? static_cast<Placement>(trial % kPlacements)
+                                 : kUndoubted[trial % std::size(kUndoubted)]);
     PlacedPair pair = place(out.placements.back(), shape, random);
     std::copy(of_table, of_table + 2, pair.shape);
     out.expected.push_back(setup_of(shape[0], shape[1], pair).contacts());
@@ -268,6 +281,10 @@ Placements placements_of(const Pair& kinds, Random& random) {
 }  // namespace
 
 TEST_CASE("the shaders of the narrow phase find the CPU's contacts, for every pair of kinds") {
+  if (!keeps_doubles(*any_context())) {
+    WARN("this driver keeps private arrays of doubles as floats: the test in float says all");
+    return;
+  }
   NarrowOnDevice device(kWideIsDouble);
   for (const Pair& kinds : kKinds) {
     DYNAMIC_SECTION(kinds.name) {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Every array of the solver, once. A program sees those that it names: #define USES_POSES …
-#define AT(slot) layout(std430, binding = slot)
+// Every array of the solver, once, and none under two names. A program sees those that it names: #define USES_POSES …
+// Where a program reads much before it writes, with ACCESS restrict: then no element of them is handed to a function,
+// which one driver refuses.
+#ifndef ACCESS
+#define ACCESS
+#endif
+#define AT(slot) layout(std430, binding = slot) ACCESS
 
 AT(0) readonly buffer Params { StepParams params; };
 #ifdef USES_COUNTERS
@@ -56,7 +61,13 @@ AT(18) buffer Ends { uint ends[]; };  // contacts at the body, in order; lowest 
 #ifdef USES_COLORS
 AT(19) buffer ColorOf { uint color_of[]; };  // a body: color + 1, 0: none; from bit 8 on: round that gave it
 AT(20) buffer Order { uint order[]; };      // bodies by color
-AT(21) buffer Arguments { uvec4 arguments[]; };  // of indirect dispatch, a color
+#define USES_ARGUMENTS
+#endif
+#ifdef USES_ARGUMENTS
+AT(21) buffer Arguments { uvec4 arguments[]; };  // of indirect dispatch: a color, then two kinds of shapes
+#endif
+#ifdef USES_TOUCHING
+AT(39) buffer Touching { uint touching[]; };  // pairs by their kinds
 #endif
 #ifdef USES_CURSORS
 AT(22) buffer Cursors { uint cursor[]; };  // where the next of a list goes

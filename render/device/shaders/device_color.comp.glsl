@@ -31,7 +31,7 @@ bool has_ends(uint i) {
 
 // The color that body i takes in round r, plus one; 0: it waits.
 uint choose(uint i, uint r) {
-  uvec2 used = uvec2(0u);
+  uvec4 used = uvec4(0u);  // colors of neighbors, a bit each
   for (uint k = end_first[i]; k < end_first[i + 1u]; ++k) {
     const uint j = other_of(ends[k]);
     if (kinds[kind_number[j]].fixed_ != 0) continue;
@@ -39,14 +39,16 @@ uint choose(uint i, uint r) {
     const uint c = word >> 8 == r ? 0u : word & 0xffu;
     if (c == 0u) {
       if (goes_first(j, i)) return 0u;
-    } else if (c <= 32u) {
-      used.x |= 1u << (c - 1u);
     } else {
-      used.y |= 1u << (c - 33u);
+      const uint word = (c - 1u) >> 5;
+      used |= uvec4(word == 0u, word == 1u, word == 2u, word == 3u) << ((c - 1u) & 31u);
     }
   }
-  const int low = findLSB(~used.x), high = findLSB(~used.y);
-  const int c = low >= 0 ? low : high >= 0 ? high + 32 : -1;
+  int c = -1;
+  for (int word = 3; word >= 0; --word) {
+    const int free = findLSB(~(word == 0 ? used.x : word == 1 ? used.y : word == 2 ? used.z : used.w));
+    if (free >= 0) c = 32 * word + free;
+  }
   if (c < 0 || c >= params.color_limit) {
     atomicOr(counters.overflow, TOO_MANY_COLORS);
     return 1u;
@@ -114,7 +116,7 @@ void main() {
     const uint n = counters.overflow != 0u ? 0u : counters.color_size[c];
     counters.color_first[c] = first;
     first += n;
-    arguments[c] = uvec4((n + SWEEP_GROUP - 1u) / SWEEP_GROUP, 1u, 1u, n);
+    arguments[c] = uvec4((n * TEAM + SWEEP_GROUP - 1u) / SWEEP_GROUP, 1u, 1u, n);
     if (n > 0u) counters.colors = c + 1u;
   }
 }

@@ -13,10 +13,11 @@ struct ContactNow {
 // How far a turn since the prediction rolls a surface, in units of the radius (Roll of contact_bond.h): the turn, and
 // in w how far the lever of friction falls short.
 real4 roll_of(uint i, Place at) {
-  const real3 turn = log_turn(product(at.q, conjugate(flight[i].q)));
+  const real4 predicted = flight[i].q;
+  const real3 turn = log_turn(product(at.q, conjugate(predicted)));
   const real angle2 = dot(turn, turn);
   if (angle2 <= 1) return real4(turn, 1);
-  const real angle = root(angle2), past = angle < 2 ? angle - 1 : real(1.0lf), past2 = past * past;
+  const real angle = sqrt(angle2), past = angle < 2 ? angle - 1 : real(1.0lf), past2 = past * past;
   const real rolled = 1 + past * (1 - past2 * (real(2.0lf) / 3 - past2 / 5));
   return real4(turn * (rolled / angle), (1 - past2) * (1 - past2));
 }

@@ -63,5 +63,7 @@ dmat3 matrix_of(dvec4 q) {
 }
 
 vec3 place_of(Part p, Pose at) {
-  return p.at.xyz == vec3(0.0) ? vec3(at.c.xyz) : vec3(at.c.xyz + matrix_of(at.q) * dvec3(p.at.xyz));
+  precise dvec3 place = at.c.xyz;
+  if (p.at.xyz != vec3(0.0)) place += matrix_of(at.q) * dvec3(p.at.xyz);
+  return vec3(place);
 }

@@ -3,6 +3,7 @@
 // that are out of sight. A thread a body.
 //   (none)   counts each class of each list
 //   EMIT     writes the instances, those of a class side by side, in any order
+// Both must find the same, whatever a compiler does to either: what decides is `precise`.
 layout(std430, binding = DRAW_COUNTS) buffer DrawCounts { uint class_count[]; };  // list · CLASSES + class; EMIT: next
 #ifdef EMIT
 layout(std430, binding = DRAW_COLORS) readonly buffer DrawColors { vec4 body_color[]; };  // w: GpuInstance::shaded
@@ -14,15 +15,14 @@ layout(std430, binding = DRAW_FLOOR_CASTERS) writeonly buffer DrawFloorCasters {
 shared uint here[LISTS * CLASSES];  // of this work group; EMIT: then where its next one goes
 
 bool in_sight(vec3 at, float radius) {
-  for (int k = 0; k < 6; ++k) {
-    if (dot(view.clip[k].xyz, at) + view.clip[k].w < -radius) return false;
-  }
-  return true;
+  precise float least = 0.0;
+  for (int k = 0; k < 6; ++k) least = min(least, dot(view.clip[k].xyz, at) + view.clip[k].w + radius);
+  return least >= 0.0;
 }
 
 // Whether a ball meets a map whose sides go from 0 to 1; `room`: its radius there.
 bool meets(vec4 row_x, vec4 row_y, vec3 at, float room) {
-  const vec2 q = vec2(dot(row_x, vec4(at, 1.0)), dot(row_y, vec4(at, 1.0)));
+  precise vec2 q = vec2(dot(row_x, vec4(at, 1.0)), dot(row_y, vec4(at, 1.0)));
   return all(greaterThan(q, vec2(-room))) && all(lessThan(q, vec2(1.0 + room)));
 }
 
@@ -36,14 +36,17 @@ uvec3 classes_of(Part p, vec3 at) {
   uvec3 found = uvec3(NONE);
   const float scale = p.size.w, around = p.at.w;
   if (in_sight(at, around)) {
-    const float depth = dot(view.away, vec4(at, 1.0));
-    const float distance_ = view.sizes.y != 0.0 ? 1.0 : max(depth - scale, 1e-3 * scale + 1e-12);
-    found.x = p.first_class + min(p.levels - 1u, level_of(view.sizes.x * scale / distance_));
+    precise float depth = dot(view.away, vec4(at, 1.0));
+    precise float distance_ = view.sizes.y != 0.0 ? 1.0 : max(depth - scale, 1e-3 * scale + 1e-12);
+    precise float pixels = view.sizes.x * scale / distance_;
+    found.x = p.first_class + min(p.levels - 1u, level_of(pixels));
   }
-  const uint coarse = level_of(0.5 * scale / view.sizes.z);
+  precise float texels = 0.5 * scale / view.sizes.z;
+  const uint coarse = level_of(texels);
   if (meets(view.shadow[0], view.shadow[1], at, around / view.sizes.w))
     found.y = p.first_class + min(p.levels - 1u, min(2u, coarse));
-  if (view.floor_size.y == 0.0 || dot(view.floor_.xyz, at) - view.floor_.w >= 3.0 * scale) return found;
+  precise float height = dot(view.floor_.xyz, at) - view.floor_.w;
+  if (view.floor_size.y == 0.0 || height >= 3.0 * scale) return found;
   if (meets(view.floor_map[0], view.floor_map[1], at, around / view.floor_size.x))
     found.z = p.first_class + min(p.levels - 1u, min(1u, coarse));
   return found;

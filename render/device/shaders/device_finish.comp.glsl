@@ -2,25 +2,57 @@
 // Velocities that follow from the poses (sim/solver/velocities.cpp), the poses themselves, and a body's energies. A
 // thread a body; the work groups' sums are added later, in order.
 shared dvec4 total[GROUP];
+// Counters::width, then Counters::fastest: of the work group.
+shared uint widest[7];
+
+// A double no longer resolves d̂ there (sim/solver/runaway.cpp).
+bool is_lost(dvec3 x) {
+  return !(length(x) * 2.220446049250313e-16lf < params.d_hat);
+}
+
+// What tells whether the step ran away, of a body in touch: `energy` at the end, `flown` of free flight; J.
+void tell_runaway(dvec3 start, BodyKind k, double energy, double flown) {
+  const vec3 lo = vec3(start - k.bounding), hi = vec3(start + k.bounding);
+  for (int axis = 0; axis < 3; ++axis) {
+    atomicMax(widest[axis], ~ordered(lo[axis]));
+    atomicMax(widest[3 + axis], ordered(hi[axis]));
+  }
+  if (energy > flown) atomicMax(widest[6], floatBitsToUint(float(2 * energy / k.mass)));
+}
 
 void main() {
   const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
   total[t] = dvec4(0);
+  if (t < 7u) widest[t] = 0u;
+  barrier();
   if (i < params.bodies && counters.overflow == 0u && kinds[kind_number[i]].fixed_ == 0) {
     const BodyKind k = kinds[kind_number[i]];
     const Flight f = flight[i];
-    const Place at = place[i];
+    Place at = place[i];
     const real h = real(params.h);
     real3 v = f.v.xyz, omega = f.omega.xyz;
+    const real3 W_d = f.W_diag.xyz, W_o = f.W_off.xyz;
+    const double flown = k.mass * double(dot(v, v)) / 2 +
+                         double(dot(omega, times_symmetric(W_d.x + W_d.y + W_d.z - W_d, -W_o, omega))) / 2;
     dvec4 q = dvec4(f.q);
     if (at.u.xyz != f.u.xyz || at.q != f.q) {  // else it flew freely
       v += (at.u.xyz - f.u.xyz) / h;
-      const real3 d = f.W_diag.xyz, o = f.W_off.xyz;
-      const real trace = d.x + d.y + d.z;
-      const real3 spin = times_symmetric(trace - d, -o, omega) - axial_of(turned_inertia(f, at)) / h;
+      const real trace = W_d.x + W_d.y + W_d.z;
+      const real3 spin = times_symmetric(trace - W_d, -W_o, omega) - axial_of(turned_inertia(f, at)) / h;
       // I⁻¹ at the end: E I* Eᵀ, E = R R*ᵀ.
       const real4 E = product(at.q, conjugate(f.q));
-      omega = rotate(E, solve_symmetric(trace - d, -o, rotate(conjugate(E), spin)));
+      omega = rotate(E, solve_symmetric(trace - W_d, -W_o, rotate(conjugate(E), spin)));
+      q = dvec4(at.q);
+    }
+    uint contact, back;
+    const uint other = partner(i, contact);
+    if (other != NOBODY && partner(other, back) == i && (v != f.v.xyz || omega != f.omega.xyz)) {
+      const real3 apart = contacts[contact].apart.xyz;
+      const bool owner = contacts[contact].id.x == min(i, other);
+      const Mover m = balanced(i, min(i, other), max(i, other), owner ? apart : -apart);
+      at = m.at;
+      v = m.v;
+      omega = m.omega;
       q = dvec4(at.q);
     }
     q = product_d(unit_d(q), pose[i].q);
@@ -33,7 +65,12 @@ void main() {
     total[t].y = -k.mass * dot(g, c);
     const double all_ = dot(c, c) + dot(q, q) + double(dot(v, v) + dot(omega, omega));
     const bool finite = !isnan(all_) && !isinf(all_) && all_ < 1e30lf;
-    if (!finite) atomicAdd(counters.bad, 1u);
+    const bool touched = end_first[i + 1u] > end_first[i];
+    if (touched) {
+      total[t].z = total[t].x - flown;
+      tell_runaway(pose[i].c.xyz, k, total[t].x, flown);
+    }
+    if (!finite || (touched && (is_lost(c) || is_lost(params.h * dvec3(v))))) atomicAdd(counters.bad, 1u);
     pose[i].c.xyz = c;
     pose[i].q = unit_d(q);
     motion[i].v = real4(v, 0);
@@ -45,4 +82,6 @@ void main() {
     barrier();
   }
   if (t == 0u) part[gl_WorkGroupID.x] = total[0];
+  if (t < 6u) atomicMax(counters.width[t], widest[t]);
+  if (t == 6u) atomicMax(counters.fastest, widest[t]);
 }

@@ -25,12 +25,14 @@ struct BodyKind {
   double inner;     // how deep a thing may travel into it in a step
   double rolling;   // radius of a round body, 0 of a flat one
   double core;      // how far the core reaches that a turn moves; plane: its offset
+  double mu_static, mu_dynamic;  // friction of its own; -1: none
   int shape;        // row of the table of shapes
   int form;         // BOX …
   int symmetry;     // axis of J: 0, 1, 2; 3: all are alike; -1: none
   int fixed_;
   int round_about_y;
   int pad_;
+  uvec2 groups, avoids;  // bits: those it is of, those it never touches
 };
 // Free flight of a body.
 struct Flight {
@@ -83,11 +85,13 @@ struct StepParams {
   int N, barrier, first_step, color_limit;
   uint bodies, buckets, planes, skips;
   uint pair_room, contact_room;
+  int friction_rule;  // GEOMETRIC_MEAN …; -1: no body has friction of its own
+  uint groups;        // 1: some keep bodies apart
 };
 // Barriers and shapes have the numbers of BarrierKind and DeviceShape: POLYNOMIAL, FORM_BOX, … are macros.
 
 const uint LEVELS = 16u;  // of the grid; the last one is no grid: whoever is too large for the others
-const uint COLORS = 64u;
+const uint COLORS = 128u;
 struct Counters {
   uint overflow;  // what was too small, a bit each: the step was not made. Not cleared with the rest
   uint pairs, contacts, raw;
@@ -102,6 +106,12 @@ struct Counters {
   uint friction_excess, friction_error;  // floats, ordered
   uint bad;  // bodies that left the numbers
   uint kept;  // pairs whose contacts were kept
+  uint touch_size[TWO_KINDS], touch_first[TWO_KINDS], touch_next[TWO_KINDS];  // pairs of two kinds, SHAPE_KINDS i + j
+  // Of bodies in touch, to tell a step that ran away (sim/solver/runaway.h). Where they started: the largest of the
+  // inverted lowest corner, then of the highest; floats, ordered. Widest opening; largest speed² of one that gained: 2K/m
+  uint width[6];
+  uint opening, fastest;
+  double gained;  // kinetic energy beside that of free flight
   double kinetic, potential, elastic;
 };
 const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u, TOO_FEW_ROUNDS = 8u;

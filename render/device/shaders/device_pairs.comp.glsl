@@ -18,6 +18,10 @@ bool never_meet(uint i, uint j) {
   return false;
 }
 
+bool kept_apart(uint i, uint j) {
+  return any(notEqual(kinds[kind_number[i]].avoids & kinds[kind_number[j]].groups, uvec2(0u)));
+}
+
 bool is_fixed(uint i) {
   return kinds[kind_number[i]].fixed_ != 0;
 }
@@ -27,6 +31,7 @@ uint base_;
 
 void take(uint i, uint j) {
   if (params.skips > 0u && never_meet(i, j)) return;
+  if (params.groups != 0u && kept_apart(i, j)) return;
 #ifdef EMIT
   uint k = base_ + found_;
   while (k > base_ && pairs[k - 1u].other > j) {
@@ -92,7 +97,8 @@ void main() {
         const uint p = plane_body[k];
         const BodyKind plane = kinds[kind_number[p]];
         const dvec3 n = dvec3(plane.half_[0], plane.half_[1], plane.half_[2]);
-        if (dot(n, middle) - plane.core - dot(abs(n), extent) < params.d_hat) take(i, p);
+        precise double apart = dot(n, middle) - plane.core - dot(abs(n), extent);  // the same in both programs
+        if (apart < params.d_hat) take(i, p);
       }
     }
   }

@@ -2,6 +2,20 @@
 // Contacts in the order of their pairs, with what their pair remembers (sim/solver/friction.cpp, recovery.cpp): a
 // thread a pair.
 
+// Of two bodies: friction_between of sim/solver/friction.cpp.
+double friction_of(uint i, uint j, bool slides) {
+  const double usual = slides ? params.mu_dynamic : params.mu_static;
+  if (params.friction_rule < 0) return usual;
+  const double of_i = slides ? kinds[kind_number[i]].mu_dynamic : kinds[kind_number[i]].mu_static;
+  const double of_j = slides ? kinds[kind_number[j]].mu_dynamic : kinds[kind_number[j]].mu_static;
+  if (of_i < 0 && of_j < 0) return usual;
+  const double a = of_i < 0 ? usual : of_i, b = of_j < 0 ? usual : of_j;
+  if (params.friction_rule == GEOMETRIC_MEAN) return sqrt(a * b);
+  if (params.friction_rule == AVERAGE) return (a + b) / 2;
+  if (params.friction_rule == MIN) return min(a, b);
+  return params.friction_rule == MAX ? max(a, b) : a * b;
+}
+
 void main() {
   const uint p = gl_GlobalInvocationID.x;
   if (p == 0u) counters.contacts = contact_first[params.pair_room];
@@ -24,7 +38,7 @@ void main() {
                   (starts && closest >= -d_hat / 1000 && closest < d_hat / 2);
   recovers = recovers && params.recovery_speed > 0;
   flags = (flags & SLIDES) | (recovers ? RECOVERS : 0u);
-  const real mu = real((flags & SLIDES) != 0u ? params.mu_dynamic : params.mu_static);
+  const real mu = real(friction_of(emitter, other, (flags & SLIDES) != 0u));
   for (uint k = 0u; k < count; ++k) {
     Contact c = raw[from + k];
     c.before.w = mu;

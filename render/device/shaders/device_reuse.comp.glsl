@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Contacts of pairs that hardly moved since they were found: a thread a pair.
+// Contacts of pairs that hardly moved since they were found: a thread a pair. Not of what rolls.
 
 void main() {
   const uint p = gl_GlobalInvocationID.x;
   if (p >= counters.pairs || counters.overflow != 0u) return;
   const uint emitter = pairs[p].emitter, other = pairs[p].other;
   const BodyKind one = kinds[kind_number[emitter]], two = kinds[kind_number[other]];
-  if (one.rolling > 0 || two.rolling > 0) return;
+  if (one.rolling > 0 || two.rolling > 0 || one.round_about_y != 0 || two.round_about_y != 0) return;
   const uint kept = kept_pair(emitter, other);
   if (kept == NO_PAIR || kept_pairs[kept].seen.w < 0) return;
   real3 x;

@@ -2,10 +2,10 @@
 // Quaternions (x, y, z, w), without sines: GLSL has none for double.
 
 real norm(real3 v) {
-  return root(dot(v, v));
+  return sqrt(dot(v, v));
 }
 real norm(real4 v) {
-  return root(dot(v, v));
+  return sqrt(dot(v, v));
 }
 // Of a quaternion that is nearly one: without a root.
 dvec4 unit_d(dvec4 q) {
@@ -66,11 +66,11 @@ real3 log_turn(real4 q) {
   if (q.w < 0) q = -q;
   const real sine2 = dot(q.xyz, q.xyz);
   if (sine2 < real(1e-24lf)) return 2 * q.xyz;
-  const real sine = root(sine2);
+  const real sine = sqrt(sine2);
   // atan(x) = 2 atan(x/(1 + √(1 + x²))), until the series is good to rounding.
   real x = sine, y = q.w;
   for (int k = 0; k < 4; ++k) {  // the angle of (y, x), halved
-    y += root(x * x + y * y);
+    y += sqrt(x * x + y * y);
   }
   const real t = x / y, t2 = t * t;
   const real series =
@@ -80,7 +80,7 @@ real3 log_turn(real4 q) {
 
 // The rotation by 2 atan(‖w‖/2) about w.
 real4 cayley_turn(real3 w) {
-  return real4(w / 2, 1) / root(1 + dot(w, w) / 4);
+  return real4(w / 2, 1) / sqrt(1 + dot(w, w) / 4);
 }
 
 // Of J = diag and off (xy, xz, yz).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Block coordinate descent, sim/solver/descent.cpp: a thread relaxes a body of a color while all others stand still.
-// It minimises a quadratic model of E in the tangent space of SE(3); a step that does not lower the body's own energy
-// is halved until it does.
+// Block coordinate descent, sim/solver/descent.cpp: a team of TEAM threads relaxes a body of a color while all others
+// stand still. It minimises a quadratic model of E in the tangent space of SE(3); a step that does not lower the body's
+// own energy is halved until it does. The threads share the contacts of their body; the first one, which leads, solves.
 uniform uint color_;
 uniform int move_limits;  // of friction, on the way
 
@@ -11,17 +11,44 @@ struct Model6 {
   real3 cc_diag, cc_off, wc_x, wc_y, wc_z, ww_diag, ww_off;
 };
 
-shared vec2 largest[SWEEP_GROUP];  // way of a body's step over d̂; error of a friction force as a part of μ f_n
+const uint BODIES = SWEEP_GROUP / TEAM;  // of a work group
+const uint VALUES = 29u;                 // of a model, its energy, the room around it
+shared real value[VALUES * SWEEP_GROUP];  // a thread each
+shared Place trial_of[BODIES];
+shared uint trying;                 // bodies of this group whose step is not accepted yet
+shared vec2 largest[SWEEP_GROUP];   // way of a body's step over d̂; error of a friction force as a part of μ f_n
 float friction_error = 0;
+
+void put(uint k, real x) {
+  value[k * SWEEP_GROUP + gl_LocalInvocationID.x] = x;
+}
+void put(uint k, real3 x) {
+  put(k, x.x);
+  put(k + 1u, x.y);
+  put(k + 2u, x.z);
+}
+real got(uint k) {
+  return value[k * SWEEP_GROUP + gl_LocalInvocationID.x];
+}
+real3 got3(uint k) {
+  return real3(got(k), got(k + 1u), got(k + 2u));
+}
+// Of value k over the team, in the order of its threads.
+real team_sum(uint k) {
+  const uint leader = gl_LocalInvocationID.x / TEAM * TEAM;
+  real sum = value[k * SWEEP_GROUP + leader];
+  for (uint j = 1u; j < TEAM; ++j) sum += value[k * SWEEP_GROUP + leader + j];
+  return sum;
+}
 
 uint other_end(uvec4 id, bool is_a) {
   return is_a ? id.y : id.x;
 }
 
-// Energy of body i and its contacts at a trial place.
-real local_energy(uint i, Flight f, real inv_h2, Place trial) {
-  real energy = inertia_energy(f, trial, inv_h2);
-  for (uint e = end_first[i]; e < end_first[i + 1u]; ++e) {
+// Energy of a trial place, but for the inertia: what the contacts of body i that are this thread's say.
+real contact_energy(uint i, Place trial) {
+  real energy = 0;
+  for (uint e = end_first[i] + gl_LocalInvocationID.x % TEAM; e < end_first[i + 1u]; e += TEAM) {
     const uint k = ends[e] >> 1;
     const bool is_a = (ends[e] & 1u) != 0u;
     const Contact c = contacts[k];
@@ -101,29 +128,14 @@ Place moved_by(Place at, real3 dc, real3 dw) {
   return Place(real4(at.u.xyz + dc, at.u.w), q / norm(q));
 }
 
-// Relaxes body i; the way of its step over d̂.
-real relax(uint i) {
-  const Flight f = flight[i];
-  const Place at = place[i];
-  const real h = real(params.h), inv_h2 = 1 / (h * h), d_hat = real(params.d_hat), radius = f.omega.w;
-
-  const mat_real3 G = turned_inertia(f, at);
-  const real mass = f.W_diag.w * inv_h2, trace = f.W_diag.x + f.W_diag.y + f.W_diag.z + G[0][0] + G[1][1] + G[2][2];
-  Model6 m;
-  m.g_c = mass * (at.u.xyz - f.u.xyz);
-  m.g_w = -inv_h2 * axial_of(G);
-  m.cc_diag = real3(mass);
-  m.cc_off = m.wc_x = m.wc_y = m.wc_z = real3(0);
-  m.ww_diag = inv_h2 * (trace - f.W_diag.xyz - real3(G[0][0], G[1][1], G[2][2]));
-  m.ww_off = -inv_h2 * (f.W_off.xyz + real3(G[0][1] + G[1][0], G[0][2] + G[2][0], G[1][2] + G[2][1]) / 2);
-  real energy = inertia_energy(f, at, inv_h2), room = real(1e30);
-
-  for (uint e = end_first[i]; e < end_first[i + 1u]; ++e) {
+// Model of E around the place of body i, and E there: what is this thread's.
+void add_contacts(uint i, Place at, inout Model6 m, inout real energy, inout real room) {
+  const real d_hat = real(params.d_hat);
+  for (uint e = end_first[i] + gl_LocalInvocationID.x % TEAM; e < end_first[i + 1u]; e += TEAM) {
     const uint k = ends[e] >> 1;
     const bool is_a = (ends[e] & 1u) != 0u;
     const Contact c = contacts[k];
-    const uint j = other_end(c.id, is_a);
-    const Place other = place[j];
+    const Place other = place[other_end(c.id, is_a)];
     ContactNow s;
     if (is_a) {
       s = contact_now(c, at, other);
@@ -157,53 +169,134 @@ real relax(uint i) {
     energy += push.value + friction_energy(grip.x, slip);
     add_contact_to(m, s, push, friction_weight(grip.x, slip), is_a ? real(-1) : real(1));
   }
+}
 
+// Of the inertia alone; all 0 for who does not lead.
+Model6 inertia_model(Flight f, Place at, real inv_h2, bool leads) {
+  const mat_real3 G = turned_inertia(f, at);
+  const real weight = leads ? inv_h2 : real(0);
+  const real mass = f.W_diag.w * weight, trace = f.W_diag.x + f.W_diag.y + f.W_diag.z + G[0][0] + G[1][1] + G[2][2];
+  Model6 m;
+  m.g_c = mass * (at.u.xyz - f.u.xyz);
+  m.g_w = -weight * axial_of(G);
+  m.cc_diag = real3(mass);
+  m.cc_off = m.wc_x = m.wc_y = m.wc_z = real3(0);
+  m.ww_diag = weight * (trace - f.W_diag.xyz - real3(G[0][0], G[1][1], G[2][2]));
+  m.ww_off = -weight * (f.W_off.xyz + real3(G[0][1] + G[1][0], G[0][2] + G[2][0], G[1][2] + G[2][1]) / 2);
+  return m;
+}
+
+void put_model(Model6 m, real energy, real room) {
+  put(0u, m.g_c);
+  put(3u, m.g_w);
+  put(6u, m.cc_diag);
+  put(9u, m.cc_off);
+  put(12u, m.wc_x);
+  put(15u, m.wc_y);
+  put(18u, m.wc_z);
+  put(21u, m.ww_diag);
+  put(24u, m.ww_off);
+  put(27u, energy);
+  put(28u, room);
+}
+
+// Each thread adds up some of the values for the one that leads.
+void add_up_values() {
+  const uint t = gl_LocalInvocationID.x, leader = t / TEAM * TEAM;
+  for (uint k = t % TEAM; k + 1u < VALUES; k += TEAM) value[k * SWEEP_GROUP + leader] = team_sum(k);
+  if (t != leader) return;
+  for (uint j = 1u; j < TEAM; ++j) put(VALUES - 1u, min(got(VALUES - 1u), value[(VALUES - 1u) * SWEEP_GROUP + t + j]));
+}
+
+Model6 got_model() {
+  return Model6(got3(0u), got3(3u), got3(6u), got3(9u), got3(12u), got3(15u), got3(18u), got3(21u), got3(24u));
+}
+
+// A step of the body that its team's first thread leads.
+struct Attempt {
   real3 dc, dw;
-  const bool definite = minimum(m, dc, dw);
-  const real angle = norm(dw);
+  real factor, moved;  // by which the model's step was lengthened; its way over d̂
+  bool accepted;       // without a look at the energy
+};
+
+Attempt first_attempt(uint i, Model6 m, real room, real radius) {
+  Attempt a;
+  const bool definite = minimum(m, a.dc, a.dw);
+  const real angle = norm(a.dw);
   if (angle > 1) {  // the tangent model says nothing that far away
-    dc /= angle;
-    dw /= angle;
+    a.dc /= angle;
+    a.dw /= angle;
   }
   const real3 last_c = last_step[2u * i].xyz, last_w = last_step[2u * i + 1u].xyz;
-  const real last_moved = last_step[2u * i + 1u].w;
-  const real moved = (norm(dc) + radius * norm(dw)) / d_hat;
+  const real last_moved = last_step[2u * i + 1u].w, d_hat = real(params.d_hat);
+  a.moved = (norm(a.dc) + radius * norm(a.dw)) / d_hat;
 
   // A body that keeps moving the same way goes farther.
-  const real r2 = radius * radius, squared = dot(dc, dc) + r2 * dot(dw, dw);
+  const real r2 = radius * radius, squared = dot(a.dc, a.dc) + r2 * dot(a.dw, a.dw);
   const real last_squared = dot(last_c, last_c) + r2 * dot(last_w, last_w);
-  const bool same_way = dot(dc, last_c) + r2 * dot(dw, last_w) > real(0.5lf) * root(squared * last_squared);
-  const real factor = same_way ? min(real(1.5lf), last_step[2u * i].w + real(0.2lf)) : real(1);
-  last_step[2u * i] = real4(dc, factor);
-  last_step[2u * i + 1u] = real4(dw, moved);
-  dc *= factor;
-  dw *= factor;
-
-  Place trial = moved_by(at, dc, dw);
+  const bool same_way = dot(a.dc, last_c) + r2 * dot(a.dw, last_w) > real(0.5lf) * sqrt(squared * last_squared);
+  a.factor = same_way ? min(real(1.5lf), last_step[2u * i].w + real(0.2lf)) : real(1);
+  last_step[2u * i] = real4(a.dc, a.factor);
+  last_step[2u * i + 1u] = real4(a.dw, a.moved);
+  a.dc *= a.factor;
+  a.dw *= a.factor;
   // So short that Ψ'' hardly changes along it, and that no other contact begins to push: the model is good there, and
   // going up to half as far again lowers it too.
-  const real way = factor * moved;
+  const real way = a.factor * a.moved;
   const bool is_small = way * max(params.N, 1) < real(0.06lf) && way * d_hat < room;
-  if (definite && moved < last_moved && is_small) {
-    place[i] = trial;
-    return moved;
-  }
-  for (int attempt = 0; attempt < 8; ++attempt) {
-    if (local_energy(i, f, inv_h2, trial) <= energy * (1 + 1000 * EPSILON)) {
-      place[i] = trial;
-      return moved;
-    }
-    const real shorter = attempt == 0 && factor > 1 ? 1 / factor : real(0.5lf);
-    dc *= shorter;
-    dw *= shorter;
-    trial = moved_by(at, dc, dw);
-  }
-  return moved;
+  a.accepted = definite && a.moved < last_moved && is_small;
+  return a;
 }
 
 void main() {
-  const uint n = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
-  const float moved = n < arguments[color_].w ? float(relax(order[counters.color_first[color_] + n])) : 0;
+  const uint t = gl_LocalInvocationID.x, team = t / TEAM, n = gl_WorkGroupID.x * BODIES + team;
+  const bool is_there = n < arguments[color_].w, leads = is_there && t % TEAM == 0u;
+  const uint i = is_there ? order[counters.color_first[color_] + n] : 0u;
+  const Flight f = flight[i];
+  const Place at = place[i];
+  const real h = real(params.h), inv_h2 = 1 / (h * h);
+  if (t == 0u) trying = 0u;
+
+  Model6 m = inertia_model(f, at, inv_h2, leads);
+  real energy = leads ? inertia_energy(f, at, inv_h2) : real(0), room = real(1e30);
+  if (is_there) add_contacts(i, at, m, energy, room);
+  put_model(m, energy, room);
+  barrier();
+  add_up_values();
+  barrier();
+
+  Attempt attempt;
+  attempt.moved = 0;
+  if (leads) {
+    energy = got(27u);
+    attempt = first_attempt(i, got_model(), got(28u), f.omega.w);
+    trial_of[team] = moved_by(at, attempt.dc, attempt.dw);
+    if (attempt.accepted) {
+      place[i] = trial_of[team];
+    } else {
+      atomicAdd(trying, 1u);
+    }
+  }
+  bool tries = leads && !attempt.accepted;
+  bool go_on = true;
+  for (int k = 0; k < 8 && go_on; ++k) {
+    barrier();
+    go_on = trying > 0u;
+    if (go_on && is_there) put(0u, contact_energy(i, trial_of[team]));
+    barrier();
+    if (tries && inertia_energy(f, trial_of[team], inv_h2) + team_sum(0u) <= energy * (1 + 1000 * EPSILON)) {
+      place[i] = trial_of[team];
+      tries = false;
+      atomicAdd(trying, 0xffffffffu);
+    } else if (tries) {
+      const real shorter = k == 0 && attempt.factor > 1 ? 1 / attempt.factor : real(0.5lf);
+      attempt.dc *= shorter;
+      attempt.dw *= shorter;
+      trial_of[team] = moved_by(at, attempt.dc, attempt.dw);
+    }
+  }
+
+  const float moved = leads ? float(attempt.moved) : 0;
   largest[t] = isnan(moved) ? vec2(1e30) : vec2(moved, friction_error);
   barrier();
   for (uint reach = SWEEP_GROUP / 2u; reach > 0u; reach /= 2u) {

@@ -2,10 +2,13 @@
 // What the contacts of the step tell (sim/solver/step_summary.cpp), and what they remember: a thread a contact. To be
 // run before the poses move on.
 shared dvec4 total[GROUP];
+shared uint opening;
 
 void main() {
   const uint k = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
   total[t] = dvec4(0);
+  if (t == 0u) opening = 0u;
+  barrier();
   if (k < counters.contacts && counters.overflow == 0u) {
     const Contact c = contacts[k];
     const ContactNow s = contact_now(c, place[c.id.x], place[c.id.y]);
@@ -16,6 +19,7 @@ void main() {
       total[t].x = double(push.value + friction_energy(limit, slip));
       atomicAdd(counters.pushing, 1u);
     }
+    atomicMax(opening, floatBitsToUint(abs(float(c.n.w))));
     atomicMax(counters.min_gap, ~ordered(float(s.d)));
     if (mu > 0) {
       const real least = real(params.least_load), bound = mu * max(-push.first, least);
@@ -42,5 +46,8 @@ void main() {
     if (t < reach) total[t] += total[t + reach];
     barrier();
   }
-  if (t == 0u) part[gl_WorkGroupID.x] = total[0];
+  if (t == 0u) {
+    part[gl_WorkGroupID.x] = total[0];
+    atomicMax(counters.opening, opening);
+  }
 }

@@ -17,6 +17,7 @@ void main() {
 #ifdef BODIES
   counters.kinetic = total[0].x;
   counters.potential = total[0].y;
+  counters.gained = total[0].z;
 #else
   counters.elastic = total[0].x;
 #endif

@@ -37,7 +37,7 @@ dvec3 on_surface(uint shape, dvec3 x) {
   // Round: about a point, or the point of the axis that is next to x.
   double half_length = kind == uint(CAPSULE) ? 0.5lf * size.y : 0.0lf;
   dvec3 middle = dvec3(0, clamp(x.y, -half_length, half_length), 0), out_ = x - middle;
-  double far = root(dot(out_, out_));
+  double far = sqrt(dot(out_, out_));
   if (abs(far - size.x) > NEARLY * (size.x + half_length)) return x;
   return middle + (size.x / far) * out_;
 }
@@ -46,7 +46,7 @@ dvec3 on_surface(uint shape, dvec3 x) {
 double measured_again(FoundContact f, uint shape_a, dvec3 c_a, dmat3 R_a, uint shape_b, dvec3 c_b, dmat3 R_b,
                       out dvec3 y_b, out dvec3 n) {
   n = dvec3(f.n);
-  n /= root(dot(n, n));
+  n /= sqrt(dot(n, n));
   y_b = c_b + R_b * on_surface(shape_b, (dvec3(f.y_b) - c_b) * R_b);
   dvec4 plane = shapes[shape_a].size;
   if (shapes[shape_a].kind == uint(PLANE)) return dot(plane.xyz, y_b - c_a) - plane.w;

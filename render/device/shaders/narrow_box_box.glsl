@@ -52,27 +52,28 @@ bool add_side_contacts(EdgePair pair, wide nearest, int replacing) {
     lowest = min(lowest, at(side_apart, k));
     if (at(side_apart, k) < the_reach) ++in_reach;
   }
-  if (!(lowest <= nearest + preference(nearest, smallest))) return false;
-  if (in_reach >= replacing) kept_count = 0;
-  for (int k = 0; k < count; ++k) {
+  bool are_there = lowest <= nearest + preference(nearest, smallest);
+  if (are_there && in_reach >= replacing) kept_count = 0;
+  for (int k = 0; are_there && k < count; ++k) {
     SidePlace p = side_place(pair.on_a, pair.on_b, k);
     if (p.apart < the_reach)
       add_contact(false, a.c + a.R * p.y, a.R * p.n, p.apart, pair.name | uint(p.where) << 8);
   }
-  return true;
+  return are_there;
 }
 
 // Contacts along the edges of axes i and j that n, from a to b, looks at, or, where i < 0, along any two that run side by
 // side; in the frame of a. False when there are none.
 bool add_along_edges(int i, int j, wide3 n, wide nearest, int replacing) {
   int begin = i < 0 ? 0 : 3 * i + j, end = i < 0 ? 9 : begin + 1;
-  for (int k = begin; k < end; ++k) {
+  bool added = false;
+  for (int k = begin; k < end && !added; ++k) {
     int e = k / 3, f = k % 3;
     wide along = at(column(C, f), e);
-    if (i < 0 && 1 - along * along > ALONG_SINE * ALONG_SINE) continue;
-    if (add_side_contacts(edges_towards(e, f, n), nearest, replacing)) return true;
+    if (!(i < 0 && 1 - along * along > ALONG_SINE * ALONG_SINE))
+      added = add_side_contacts(edges_towards(e, f, n), nearest, replacing);
   }
-  return false;
+  return added;
 }
 
 // Where an edge pair or a corner touches.
@@ -88,7 +89,7 @@ struct ContactPlace {
 bool place_of_edges(int i, int j, out ContactPlace place) {
   wide3 n = cross(unit_axis(i), column(C, j));
   wide sine2 = dot(n, n);
-  n *= sign_of(dot(n, t)) / root(sine2);
+  n *= sign_of(dot(n, t)) / sqrt(sine2);
   EdgePair pair = edges_towards(i, j, n);
   wide3 v = pair.on_b.direction, w = pair.on_b.middle - pair.on_a.middle;
   wide uv = at(pair.on_b.direction, i), uw = at(w, i), vw = dot(v, w);
@@ -119,7 +120,7 @@ NearestCorner nearest_corner(wide3 h, wide3 g, mat_wide3 C, wide3 t) {
 }
 
 ContactPlace place_of_corner(NearestCorner c, bool corner_of_b) {
-  wide apart = root(c.apart2);
+  wide apart = sqrt(c.apart2);
   wide3 n = (c.corner - c.foot) / apart;
   wide3 corner = corner_of_b ? a.c + a.R * c.corner : b.c + b.R * c.corner;
   return ContactPlace(corner, corner_of_b ? a.R * n : b.R * n, corner_of_b ? n : -(C * n), apart,
@@ -150,7 +151,7 @@ bool best_edge(wide face, out wide separation, out int edge_i, out int edge_j) {
       if (along <= bar) continue;
       wide sine2 = c_1 * c_1 + c_2 * c_2;
       if (sine2 < wide(1e-8lf)) continue;  // parallel: a face direction says the same
-      wide apart = along / root(sine2);
+      wide apart = along / sqrt(sine2);
       if (!(apart < the_reach)) return false;
       if (apart > face && apart > separation) {
         separation = apart;
@@ -200,8 +201,9 @@ void find_contacts(wide reach) {
   // of those that are apart: the other face; turn 2: the edge pair; turn 3: a corner.
   bool try_edge = clearly_edge, try_face = true, corner_of_b = false;
   wide d = NONE, nearest = NONE;
-  NearestCorner corner;
-  for (int turn = 0; turn < 4; ++turn) {
+  NearestCorner corner = NearestCorner(NONE, wide3(0), wide3(0), 0u);
+  bool done = false;  // in place of `break`: one driver's loops with several ends and calls with loops inside never end
+  for (int turn = 0; turn < 4 && !done; ++turn) {
     bool at_corner = turn == 3;
     if (try_edge || at_corner) {
       ContactPlace place;
@@ -219,35 +221,35 @@ void find_contacts(wide reach) {
             place.d < reach)
           add_contact(place.second_owns, place.y_b, place.n, place.d, place.feature);
       }
-      if (is_there || at_corner) break;
-      edge_j = -1;  // its places are beyond the ends
+      done = is_there || at_corner;
+      if (!done) edge_j = -1;  // its places are beyond the ends
     }
     if (turn == 0) try_face = !(clearly_edge && edge > 0 && face <= 0);
+    try_face = try_face && !done;
     bool of_b = b_owns != (turn > 0);
-    wide over = try_face ? clip_to_face(of_b, of_b ? axis_b : axis_a) : NONE;
+    wide over = NONE;
+    if (try_face) over = clip_to_face(of_b, of_b ? axis_b : axis_a);
     bool better = turn == 0 || (apart ? over <= rival_bound : over < d);
-    if (try_face && better) {
-      keep_box_face(reach);
-    }
-    if (turn == 0) {
+    if (try_face && better) keep_box_face(reach);
+    if (!done && turn == 0) {
       d = over;
-      if (d <= bound) break;
-      // The deepest or nearest part is not over that face.
-      if (apart) {
+      done = d <= bound;
+      // Else the deepest or nearest part is not over that face.
+      if (!done && apart) {
         d = min(d, reach);
         NearestCorner on_b = nearest_corner(h, g, C, t), on_a = nearest_corner(g, h, transpose(C), -s);
         corner_of_b = on_b.apart2 <= on_a.apart2 * (1 + beyond_rounding(1e-9lf));
         corner = on_a;
         if (corner_of_b) corner = on_b;
-        nearest = root(corner.apart2);
+        nearest = sqrt(corner.apart2);
         try_edge = false;
         try_face = corner_of_b == b_owns && nearest < d && nearest <= rival_bound;
       } else {
         try_edge = edge_j >= 0;
         try_face = !(d < NONE) || rival > face;
       }
-    } else if (turn == 1) {
-      if ((try_face && better) || !apart) break;
+    } else if (!done && turn == 1) {
+      done = (try_face && better) || !apart;
       try_edge = edge_j >= 0 && edge < nearest - beyond_rounding(1e-9lf) * smallest;
       try_face = false;
     }

@@ -93,7 +93,7 @@ wide add_face(int axis, wide face_sign, bool pierces) {
     }
   }
   wide3 side = n - slope * seg_u;
-  wide size = root(dot(side, side));
+  wide size = sqrt(dot(side, side));
   if (!(size > wide(1e-6lf))) return lowest;
   wide3 line = seg_p - (capsule_radius / size) * side;
   wide low, high;
@@ -119,7 +119,7 @@ bool add_along_edge(wide3 gap) {
   wide3 to_j = sign_of(at(gap, j)) * unit_axis(j), to_k = sign_of(at(gap, k)) * unit_axis(k);
   EdgeLine edge = EdgeLine(at(h, j) * to_j + at(h, k) * to_k, unit_axis(axis), at(h, axis), -to_j, -to_k);
   EdgeLine segment = EdgeLine(seg_at(wide(0.5lf)), seg_u, capsule_half, wide3(0), wide3(0));
-  wide nearest = root(dot(gap, gap)) - capsule_radius, slack = preference(nearest, smallest);
+  wide nearest = sqrt(dot(gap, gap)) - capsule_radius, slack = preference(nearest, smallest);
   int count = side_by_side(edge, segment, wide(0.5lf) * slack, wide(0.0lf));
   uint feature = EDGE_LINE_BASE + 4u * edge_number(axis, gap);
   wide lowest = NONE;
@@ -138,7 +138,7 @@ bool add_along_edge(wide3 gap) {
 
 void add_nearest(wide t) {
   wide3 gap = gap_at(t);
-  wide apart = root(dot(gap, gap));
+  wide apart = sqrt(dot(gap, gap));
   if (!(apart > 0) || add_along_edge(gap)) return;
   wide3 n = gap / apart;
   add_in_box(seg_at(t) - capsule_radius * n, n, apart - capsule_radius,
@@ -147,13 +147,13 @@ void add_nearest(wide t) {
 
 // Best separating direction among (edge of the box) × (segment); `n` from the box towards the segment.
 wide best_edge(out int axis, out wide3 n) {
-  wide best = -NONE, size_e = root(dot(seg_e, seg_e));
+  wide best = -NONE, size_e = sqrt(dot(seg_e, seg_e));
   wide3 middle = seg_at(wide(0.5lf));
   axis = 0;
   n = wide3(0);
   for (int k = 0; k < 3; ++k) {
     wide3 m = cross(unit_axis(k), seg_e);
-    wide size = root(dot(m, m));
+    wide size = sqrt(dot(m, m));
     if (!(size > wide(1e-4lf) * size_e)) continue;
     m /= sign_of(dot(m, middle)) * size;
     wide separation = dot(m, middle) - dot(abs(m), h);
@@ -195,7 +195,7 @@ void find_contacts(wide reach) {
 
   wide t = nearest_to_box();
   wide3 gap = gap_at(t), edge_n = wide3(0);
-  wide apart = root(dot(gap, gap)), bound, edge_separation = -NONE;
+  wide apart = sqrt(dot(gap, gap)), bound, edge_separation = -NONE;
   int edge_axis = 0;
   bool outside = apart > beyond_rounding(1e-9lf) * smallest, want_face;
   if (outside) {

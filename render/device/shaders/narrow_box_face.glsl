@@ -84,29 +84,26 @@ bool edge_runs_on(IncidentFace face, int edge, int side, wide turn) {
 }
 
 uint name_of(IncidentFace face, Corner p, int line_in, wide2 size, wide snap2, wide turn) {
-  for (int v = 0; v < 4; ++v) {
-    if (distance2(p.p, incident_corner(face, v).xy) <= snap2) return uint(v);
-  }
-  for (int v = 0; v < 4; ++v) {
-    wide2 at = wide2((v & 1) != 0 ? -size.x : size.x, (v & 2) != 0 ? -size.y : size.y);
-    if (distance2(p.p, at) <= snap2) return uint(4 + v);
-  }
   int edge = min(p.line, line_in) & 3, side = max(p.line, line_in) & 3;
-  return uint(8 + edge * 4 + side) | (edge_runs_on(face, edge, side, turn) ? RUNS_ON : 0u);
+  uint name = uint(8 + edge * 4 + side) | (edge_runs_on(face, edge, side, turn) ? RUNS_ON : 0u);
+  // The first that it is at, incident corners before those of the reference.
+  for (int v = 7; v >= 0; --v) {
+    wide2 at = wide2((v & 1) != 0 ? -size.x : size.x, (v & 2) != 0 ? -size.y : size.y);
+    if (v < 4) at = incident_corner(face, v).xy;
+    if (distance2(p.p, at) <= snap2) name = uint(v);
+  }
+  return name;
 }
 
 void add_pick(int at, uint name, wide clearly) {
   wide z = clipped[at].p.z;
   uint pick = uint(at) << 5 | name;
   pick_lowest = min(pick_lowest, z);
-  for (int i = 0; i < pick_count; ++i) {
-    uint other = byte_of(picks, i);
-    if ((other & NAME) != name) continue;
-    if (z < clipped[other >> 5].p.z - clearly) set_byte(picks, i, pick);
-    return;
-  }
-  set_byte(picks, pick_count, pick);
-  ++pick_count;
+  int place = 0;
+  while (place < pick_count && (byte_of(picks, place) & NAME) != name) ++place;
+  bool is_new = place == pick_count;
+  if (is_new || z < clipped[byte_of(picks, place) >> 5].p.z - clearly) set_byte(picks, place, pick);
+  if (is_new) ++pick_count;
 }
 
 // Clips the incident face to the face across `axis`, for keep_box_face. Returns the smallest d over the face, in reach or
@@ -133,13 +130,11 @@ wide clip_box_face(FaceQuery q, int axis) {
 
   int count = 4;
   wide2 extent = abs(e_1.xy) + abs(e_2.xy);
-  for (int side = 0; side < 4; ++side) {
+  for (int side = 0; side < 4 && count > 0; ++side) {
     bool along_x = side < 2;
     wide side_sign = (side & 1) == 0 ? wide(1.0lf) : -wide(1.0lf), bound = along_x ? size.x : size.y;
     wide reaches = side_sign * (along_x ? middle.x : middle.y) + (along_x ? extent.x : extent.y);
-    if (!(reaches > bound)) continue;
-    count = clip_polygon(count, along_x, side_sign, bound, 4 + side);
-    if (count == 0) return NONE;
+    if (reaches > bound) count = clip_polygon(count, along_x, side_sign, bound, 4 + side);
   }
 
   clipped_base = (q.of_second ? 1u : 0u) << 11 | uint(2 * k + (up < 0 ? 1 : 0)) << 8 |
@@ -176,9 +171,10 @@ void keep_box_face(wide reach) {
   for (int i = 0; i < pick_count; ++i) {
     uint pick = byte_of(picks, i);
     wide3 p = clipped[pick >> 5].p;
-    if (!(p.z < reach)) continue;
-    kept[kept_count] = Corner(p, int(pick & NAME));
-    ++kept_count;
+    if (p.z < reach) {
+      kept[kept_count] = Corner(p, int(pick & NAME));
+      ++kept_count;
+    }
   }
 }
 

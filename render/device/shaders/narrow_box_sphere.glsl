@@ -7,7 +7,7 @@ void find_contacts(wide reach) {
   wide4 size = size_of(a);
   wide radius = size_of(b).x;
   wide3 p = (b.c - a.c) * a.R, outside = p - clamp(p, -size.xyz, size.xyz);
-  wide apart = root(dot(outside, outside));
+  wide apart = sqrt(dot(outside, outside));
   wide3 n;
   if (apart > beyond_rounding(1e-9lf) * size.w) {
     n = a.R * (outside / apart);

@@ -16,7 +16,7 @@ void find_contacts(wide reach) {
   wide t = clamp(v.y * s + vw, -half_b, half_b);
   s = clamp(v.y * t + c.y, -half_a, half_a);
   wide3 between = s * u - t * v - c;
-  wide d = root(dot(between, between)) - size_a.x - size_b.x;
+  wide d = sqrt(dot(between, between)) - size_a.x - size_b.x;
   wide slack = parallel ? wide(0.5lf) * preference(d, min(size_a.x, size_b.x)) : NONE;
 
   // Both ends of the common part.
@@ -33,7 +33,7 @@ void find_contacts(wide reach) {
   }
   if (parallel && by_ends < NONE) return;
   if (!(d < by_ends - beyond_rounding(1e-9lf) * (size_a.x + size_b.x))) return;
-  wide3 fallback = parallel ? any_normal(a.R[1]) : a.R * (cross(u, v) / root(sine2));
+  wide3 fallback = parallel ? any_normal(a.R[1]) : a.R * (cross(u, v) / sqrt(sine2));
   if (dot(fallback, b.c - a.c) < 0) fallback = -fallback;
   add_round_contact(false, a.c + s * a.R[1], size_a.x, a.c + a.R * (c + t * v), size_b.x, fallback, reach, 2u);
 }

@@ -54,6 +54,16 @@ void place_pair(uint shape_a, dvec3 c_a, dmat3 R_a, uint shape_b, dvec3 c_b, dma
 int kind_of(Placed body) { return int(shapes[body.shape].kind); }
 wide4 size_of(Placed body) { return wide4(shapes[body.shape].size); }
 
+// Parts of a compound; anything else is its only part.
+uint parts_of(uint shape) { return max(shapes[shape].parts, 1u); }
+// The shape of part k, whose centre c becomes. c, R: pose of the body.
+uint part_of(uint shape, uint k, inout dvec3 c, dmat3 R) {
+  if (shapes[shape].kind != uint(COMPOUND)) return shape;
+  uint at = shapes[shape].first + 4u * k;
+  c += R * dvec3(hull_words[at], hull_words[at + 1u], hull_words[at + 2u]);
+  return unpackDouble2x32(hull_words[at + 3u]).x;
+}
+
 // The body of that kind, which one of the two is, becomes a.
 void put_first(int kind) {
   if (kind_of(a) == kind) return;
@@ -74,7 +84,7 @@ wide at(wide3 v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
 wide3 column(mat_wide3 M, int k) { return k == 0 ? M[0] : k == 1 ? M[1] : M[2]; }
 int next_axis(int k) { return k == 2 ? 0 : k + 1; }
 
-wide3 unit(wide3 v) { return v / root(dot(v, v)); }
+wide3 unit(wide3 v) { return v / sqrt(dot(v, v)); }
 wide sign_of(wide x) { return x < 0 ? -wide(1.0lf) : wide(1.0lf); }
 wide3 signs_of(wide3 v) { return wide3(sign_of(v.x), sign_of(v.y), sign_of(v.z)); }
 wide3 unit_axis(int k) { return wide3(k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0); }
@@ -93,7 +103,7 @@ int largest_axis(wide3 v) {
 void add_round_contact(bool b_owns, wide3 p_a, wide r_a, wide3 p_b, wide r_b, wide3 fallback, wide reach,
                        uint feature) {
   wide3 between = p_b - p_a;
-  wide apart = root(dot(between, between));
+  wide apart = sqrt(dot(between, between));
   wide d = apart - r_a - r_b;
   if (!(d < reach)) return;
   bool defined = apart > beyond_rounding(1e-12lf) * (r_a + r_b) && apart > 0;

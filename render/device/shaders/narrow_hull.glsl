@@ -84,5 +84,5 @@ wide nearest_point(HullView hull, wide3 x, wide limit, out wide3 foot) {
       foot = y;
     }
   }
-  return root(best2);
+  return sqrt(best2);
 }

@@ -18,7 +18,7 @@ void add_in_hull(wide3 y, wide3 n, wide d, uint feature) {
 // Cuts [low, high] to where m·(x + t e) ≤ bound.
 bool cut_part(wide3 m, wide bound, wide3 x, wide3 e, inout wide low, inout wide high) {
   wide start = dot(m, x) - bound, slope = dot(m, e);
-  if (!(abs(slope) > beyond_rounding(1e-14lf) * root(dot(e, e)))) return start <= 0;
+  if (!(abs(slope) > beyond_rounding(1e-14lf) * sqrt(dot(e, e)))) return start <= 0;
   wide t = -start / slope;
   if (slope > 0) high = min(high, t);
   else low = max(low, t);
@@ -54,7 +54,7 @@ wide add_face(uint number, bool through) {
   wide slope = dot(n, seg_u), lowest = NONE, low = 0, high = 1;
   int low_end = slope > 0 ? 0 : 1, done = -1;
   wide3 side = n - slope * seg_u;
-  wide size = root(dot(side, side));
+  wide size = sqrt(dot(side, side));
   wide3 line = seg_p - (capsule_radius / size) * side;
   // The lower end; the line along the side of the cylinder; the axis.
   for (int k = 0; k < 3; ++k) {
@@ -99,7 +99,7 @@ Nearest nearest_to() {
     wide s = clamp((gw + t * eg) / gg, wide(0.0lf), wide(1.0lf));
     t = clamp((s * eg - ew) / ee, wide(0.0lf), wide(1.0lf));
     wide3 foot = a + s * g, between = seg_at(t) - foot;
-    wide apart = root(dot(between, between));
+    wide apart = sqrt(dot(between, between));
     if (apart < best.apart) best = Nearest(apart, t, foot);
   }
   for (int t = 0; t < 2; ++t) {
@@ -114,7 +114,7 @@ Nearest nearest_to() {
 bool add_along_edge(uint number, wide apart) {
   uvec4 edge = edge_of(view, number);
   wide3 a = vertex_of(view, edge.x), b = vertex_of(view, edge.y);
-  wide size = root(dot(b - a, b - a));
+  wide size = sqrt(dot(b - a, b - a));
   wide3 u = (b - a) / size;
   EdgeLine line = EdgeLine(wide(0.5lf) * (a + b), u, wide(0.5lf) * size, cross(normal_of(view, edge.z), u),
                            cross(u, normal_of(view, edge.w)));
@@ -144,7 +144,7 @@ bool add_along_edges(Nearest nearest) {
     if (!runs_along(unit(g), seg_u)) continue;
     wide s = clamp(dot(g, nearest.foot - a) / dot(g, g), wide(0.0lf), wide(1.0lf));
     wide3 between = a + s * g - nearest.foot;
-    if (root(dot(between, between)) > same) continue;
+    if (sqrt(dot(between, between)) > same) continue;
     if (add_along_edge(k, nearest.apart)) return true;
   }
   return false;
@@ -165,8 +165,8 @@ wide best_edge(out uint number, out wide3 best_n) {
   for (uint k = 0u; k < view.edges; ++k) {
     uvec4 edge = edge_of(view, k);
     wide3 a = vertex_of(view, edge.x), g = vertex_of(view, edge.y) - a, n = cross(g, seg_u);
-    wide size = root(dot(n, n));
-    if (!(size > wide(1e-4lf) * root(dot(g, g)))) continue;  // parallel: a face direction says the same
+    wide size = sqrt(dot(n, n));
+    if (!(size > wide(1e-4lf) * sqrt(dot(g, g)))) continue;  // parallel: a face direction says the same
     n /= dot(n, a) < 0 ? -size : size;
     if (dot(cross(normal_of(view, edge.z), n), g) < 0 || dot(cross(n, normal_of(view, edge.w)), g) < 0) continue;
     wide separation = dot(n, seg_p - a);

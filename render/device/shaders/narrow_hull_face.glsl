@@ -106,34 +106,38 @@ bool edge_runs_on(int edge, int side) {
 wide distance2(wide3 p, wide2 q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
 
 uint name_of(Corner p, int line_in, wide snap2) {
-  if (line_in < SIDE && p.line < SIDE) return hull_feature(INCIDENT_CORNER, 0u, bottom_name[p.line].x);
-  for (int v = 0; v < corners; ++v) {
-    if (distance2(p.p, bottom_corner[v].xy) <= snap2)
-      return CLIPPED | hull_feature(INCIDENT_CORNER, 0u, bottom_name[v].x);
+  bool whole = line_in < SIDE && p.line < SIDE;
+  int below = whole ? p.line : -1, at = line_in >= SIDE && p.line >= SIDE ? p.line - SIDE : -1;
+  for (int v = 0; v < corners && below < 0; ++v) {
+    if (distance2(p.p, bottom_corner[v].xy) <= snap2) below = v;
   }
-  int at = line_in >= SIDE && p.line >= SIDE ? p.line - SIDE : -1;
-  for (int v = 0; v < sides; ++v) {
-    if (distance2(p.p, top_corner[v]) > snap2) continue;
-    at = v;
-    break;
+  bool is_near = false;
+  for (int v = 0; v < sides && below < 0 && !is_near; ++v) {
+    is_near = distance2(p.p, top_corner[v]) <= snap2;
+    if (is_near) at = v;
   }
-  if (at >= 0) return CLIPPED | hull_feature(REFERENCE_CORNER, 0u, top_name[at].x);
-  int edge = min(p.line, line_in), side = max(p.line, line_in) - SIDE;
-  return CLIPPED | (edge_runs_on(edge, side) ? RUNS_ON : 0u) |
-         hull_feature(CROSSING, 0u, bottom_name[edge].y << 10 | top_name[side].y);
+  uint name = 0u;
+  if (below >= 0) {
+    name = hull_feature(INCIDENT_CORNER, 0u, bottom_name[below].x);
+  } else if (at >= 0) {
+    name = hull_feature(REFERENCE_CORNER, 0u, top_name[at].x);
+  } else {
+    int edge = min(p.line, line_in), side = max(p.line, line_in) - SIDE;
+    name = (edge_runs_on(edge, side) ? RUNS_ON : 0u) |
+           hull_feature(CROSSING, 0u, bottom_name[edge].y << 10 | top_name[side].y);
+  }
+  return name | (whole ? 0u : CLIPPED);
 }
 
 void add_pick(int at, uint name, wide clearly) {
   wide z = clipped[at].p.z;
   pick_lowest = min(pick_lowest, z);
-  for (int i = 0; i < pick_count; ++i) {
-    if (pick_name[i] != name) continue;
-    if (z < clipped[pick[i]].p.z - clearly) pick[i] = at;
-    return;
-  }
-  pick[pick_count] = at;
-  pick_name[pick_count] = name;
-  ++pick_count;
+  int place = 0;
+  while (place < pick_count && pick_name[place] != name) ++place;
+  bool is_new = place == pick_count;
+  if (is_new || z < clipped[pick[place]].p.z - clearly) pick[place] = at;
+  if (is_new) pick_name[place] = name;
+  if (is_new) ++pick_count;
 }
 
 // Clips that face of the incident hull to that one of the reference, for add_hull_face. Returns the smallest d over the
@@ -176,14 +180,13 @@ wide clip_hull_face(FaceQuery q, uint face, uint incident_face) {
     }
     last = x;
   }
-  wide snap = wide(0.5lf) * SNAP * root(shortest2), clearly = DEEPER * snap;
+  wide snap = wide(0.5lf) * SNAP * sqrt(shortest2), clearly = DEEPER * snap;
 
   int count = corners, at = 0;
-  for (int k = 0; k < sides; ++k) {
+  for (int k = 0; k < sides && count > 0; ++k) {
     wide2 side = top_corner[k + 1 == sides ? 0 : k + 1] - top_corner[k];
-    count = clip_polygon(at, count, MOST_CORNERS - at, top_corner[k], side / root(dot(side, side)), SIDE + k);
+    count = clip_polygon(at, count, MOST_CORNERS - at, top_corner[k], side / sqrt(dot(side, side)), SIDE + k);
     at = MOST_CORNERS - at;
-    if (count == 0) return NONE;
   }
 
   uint names[MOST_CORNERS];
@@ -214,11 +217,12 @@ void add_hull_face(wide reach) {
   int candidates = 0;
   for (int i = 0; i < pick_count; ++i) {
     wide3 p = clipped[pick[i]].p;
-    if (!(p.z < reach)) continue;
-    candidate[candidates] = face.m + p.x * face.M[0] + p.y * face.M[1];  // below it
-    candidate_d[candidates] = p.z;
-    candidate_name[candidates] = pick_name[i] | hull_feature(0u, face.number, 0u);
-    ++candidates;
+    if (p.z < reach) {
+      candidate[candidates] = face.m + p.x * face.M[0] + p.y * face.M[1];  // below it
+      candidate_d[candidates] = p.z;
+      candidate_name[candidates] = pick_name[i] | hull_feature(0u, face.number, 0u);
+      ++candidates;
+    }
   }
   int few = choose_spread(candidates, reach, face.clearly);
   for (int i = 0; i < few; ++i) {

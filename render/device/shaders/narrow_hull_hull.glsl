@@ -19,8 +19,14 @@ wide best_face(HullView owner, HullView other, mat_wide3 M, wide3 m, out uint fa
   for (uint f = 0u; f < owner.faces; ++f) {
     wide3 n = normal_of(owner, f), n_there = n * M;
     wide lowest = NONE;
-    for (uint v = 0u; v < other.vertices; ++v) lowest = min(lowest, dot(n_there, vertex_of(other, v)));
-    wide s = lowest + dot(n, m) - offset_of(owner, f, n);
+    uint at = 0u;
+    for (uint v = 0u; v < other.vertices; ++v) {
+      wide height = dot(n_there, vertex_of(other, v));
+      at = height < lowest ? v : at;
+      lowest = min(lowest, height);
+    }
+    // As the processor rounds it: beside a corner that points at it two faces of a solid are as near.
+    wide s = dot(n, m + M * vertex_of(other, at)) - offset_of(owner, f, n);
     if (s > best) {
       best = s;
       face = f;
@@ -55,7 +61,7 @@ BestEdge best_edge(wide above) {
       wide3 n = cross(e, g);
       wide size2 = dot(n, n);
       if (!(size2 / (ee * dot(g, g)) > wide(1e-8lf))) continue;  // parallel: a face direction says the same
-      n /= root(size2);
+      n /= sqrt(size2);
       if (dot(n, up) < 0) n = -n;  // the centre of a lies below every one of its edges
       wide s = dot(n, q - p);
       if (s > best.separation) best = BestEdge(s, int(i), int(j), C * n);
@@ -68,7 +74,7 @@ BestEdge best_edge(wide above) {
 // An edge of a hull that stands at (M, m).
 EdgeLine edge_line(HullView hull, uvec4 edge, mat_wide3 M, wide3 m) {
   wide3 from = vertex_of(hull, edge.x), to = vertex_of(hull, edge.y);
-  wide size = root(dot(to - from, to - from));
+  wide size = sqrt(dot(to - from, to - from));
   wide3 u = (to - from) / size;
   return EdgeLine(m + M * (wide(0.5lf) * (from + to)), M * u, wide(0.5lf) * size, M * cross(normal_of(hull, edge.z), u),
                   M * cross(u, normal_of(hull, edge.w)));
@@ -84,15 +90,15 @@ bool add_side_contacts(EdgeLine on_a, EdgeLine on_b, uint pair, wide nearest, in
     lowest = min(lowest, at(side_apart, k));
     if (at(side_apart, k) < the_reach) ++in_reach;
   }
-  if (!(lowest <= nearest + preference(nearest, smallest))) return false;
-  if (in_reach >= replacing) found_count = 0;
-  for (int k = 0; k < count; ++k) {
+  bool are_there = lowest <= nearest + preference(nearest, smallest);
+  if (are_there && in_reach >= replacing) found_count = 0;
+  for (int k = 0; are_there && k < count; ++k) {
     SidePlace p = side_place(on_a, on_b, k);
     uint kind = p.where == SIDE_LOW ? LOW_END : p.where == SIDE_HIGH ? HIGH_END : EDGE_PAIR;
     if (p.apart < the_reach)
       add_contact(false, a.c + a.R * p.y, a.R * p.n, p.apart, hull_feature(kind, 0u, pair));
   }
-  return true;
+  return are_there;
 }
 
 // Where an edge pair or a corner touches. y, n in the world.
@@ -161,20 +167,21 @@ NearestCorner nearest_corner(wide limit, out bool corner_of_b) {
 bool add_along_edges(bool one_pair, BestEdge pair, bool corner_of_b, uint corner, wide nearest, int replacing) {
   uint e_begin = one_pair ? uint(pair.e) : 0u, e_end = one_pair ? e_begin + 1u : view_a.edges;
   uint g_begin = one_pair ? uint(pair.g) : 0u, g_end = one_pair ? g_begin + 1u : view_b.edges;
-  for (uint e = e_begin; e < e_end; ++e) {
+  bool added = false;
+  for (uint e = e_begin; e < e_end && !added; ++e) {
     uvec4 edge_a = edge_of(view_a, e);
-    if (!one_pair && !corner_of_b && edge_a.x != corner && edge_a.y != corner) continue;
+    bool is_meant = one_pair || corner_of_b || edge_a.x == corner || edge_a.y == corner;
     EdgeLine on_a = edge_line(view_a, edge_a, mat_wide3(1), wide3(0));
-    for (uint g = g_begin; g < g_end; ++g) {
+    for (uint g = g_begin; is_meant && g < g_end && !added; ++g) {
       uvec4 edge_b = edge_of(view_b, g);
       if (!one_pair && corner_of_b && edge_b.x != corner && edge_b.y != corner) continue;
       EdgeLine on_b = edge_line(view_b, edge_b, C, t);
       wide uv = dot(on_a.direction, on_b.direction);
-      if (!one_pair && uv * uv < 1 - ALONG_SINE * ALONG_SINE) continue;
-      if (add_side_contacts(on_a, on_b, e << 10 | g, nearest, replacing)) return true;
+      if (one_pair || uv * uv >= 1 - ALONG_SINE * ALONG_SINE)
+        added = add_side_contacts(on_a, on_b, e << 10 | g, nearest, replacing);
     }
   }
-  return false;
+  return added;
 }
 
 // Clips against that face of a or b, for add_hull_face; returns the smallest d. The face of the other that looks most
@@ -186,15 +193,18 @@ wide clip_to_face(bool of_b, uint face, wide bound) {
   uint first = 0u, incident = 0u;
   wide d = NONE;
   // The face most nearly against it; one with the lowest corner; the first again, which said more.
-  for (int turn = 0; turn < 3; ++turn) {
+  bool done = false;
+  for (int turn = 0; turn < 3 && !done; ++turn) {
     if (turn < 2) incident = facing(q.incident, n, turn == 0 ? -1 : lowest_vertex(q.incident, n));
     if (turn == 0) first = incident;
-    else if (turn == 1 && incident == first) break;
-    else if (turn == 2) incident = first;
-    wide over = clip_hull_face(q, face, incident);
-    if (turn == 1 && !(over < d)) continue;
-    d = over;
-    if (turn > 0 || d <= bound) break;
+    if (turn == 2) incident = first;
+    done = turn == 1 && incident == first;
+    wide over = NONE;
+    if (!done) over = clip_hull_face(q, face, incident);
+    if (!done && (turn != 1 || over < d)) {
+      d = over;
+      done = turn > 0 || d <= bound;
+    }
   }
   return d;
 }
@@ -250,8 +260,9 @@ void find_contacts(wide reach) {
   // the other face; turn 2: the edge pair; turn 3: a corner.
   bool try_edge = clearly_edge, try_face = true, corner_of_b = false;
   wide d = NONE;
-  NearestCorner corner;
-  for (int turn = 0; turn < 4; ++turn) {
+  NearestCorner corner = NearestCorner(NONE, wide3(0), wide3(0), 0u);
+  bool done = false;  // in place of `break`: see narrow_box_box.glsl
+  for (int turn = 0; turn < 4 && !done; ++turn) {
     bool at_corner = turn == 3;
     if (try_edge || at_corner) {
       ContactPlace place;
@@ -269,10 +280,11 @@ void find_contacts(wide reach) {
             place.d < reach)
           add_contact(place.second_owns, place.y_b, place.n, place.d, place.feature);
       }
-      if (is_there || at_corner) break;
-      edge.g = -1;  // its places are beyond the ends
+      done = is_there || at_corner;
+      if (!done) edge.g = -1;  // its places are beyond the ends
     }
     if (turn == 0) try_face = !(clearly_edge && apart && face <= 0);
+    try_face = try_face && !done;
     bool of_b = b_owns != (turn > 0);
     wide face_bound = apart ? NONE : turn == 0 ? bound : rival_bound, over = NONE;
     if (try_face) over = clip_to_face(of_b, of_b ? number_b : number_a, face_bound);
@@ -281,11 +293,11 @@ void find_contacts(wide reach) {
       found_count = 0;
       add_hull_face(reach);
     }
-    if (turn == 0) {
+    if (!done && turn == 0) {
       d = over;
-      if (d <= bound) break;
-      // The deepest or nearest part is not over that face.
-      if (apart) {
+      done = d <= bound;
+      // Else the deepest or nearest part is not over that face.
+      if (!done && apart) {
         d = min(d, reach);
         corner = nearest_corner(d, corner_of_b);
         try_edge = false;
@@ -294,8 +306,8 @@ void find_contacts(wide reach) {
         try_edge = edge.g >= 0;
         try_face = !(d < NONE) || rival > face;
       }
-    } else if (turn == 1) {
-      if ((try_face && better) || !apart) break;
+    } else if (!done && turn == 1) {
+      done = (try_face && better) || !apart;
       try_edge = edge.g >= 0 && edge.separation < corner.apart - beyond_rounding(1e-9lf) * smallest;
       try_face = false;
     }

@@ -8,7 +8,7 @@ bool below_axis(wide3 p, wide3 u, int cap, wide radius, wide3 n, out wide3 y) {
   wide slope = dot(n, u);
   if (cap * slope < 0 || slope == 0) return true;
   wide3 side = n - slope * u;
-  wide size = root(dot(side, side));
+  wide size = sqrt(dot(side, side));
   if (!(size > wide(1e-6lf))) return false;
   y = p - (radius / size) * side;
   return true;

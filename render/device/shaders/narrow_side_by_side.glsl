@@ -50,9 +50,10 @@ int side_by_side(EdgeLine a, EdgeLine b, wide slack, wide shortest) {
   int count = 0;
   side_where = 0;
   wide t = low;
-  for (int k = 0; k < 3; ++k) {
+  bool more = true;
+  for (int k = 0; k < 3 && more; ++k) {
     wide3 g = g_0 + t * slope;
-    wide apart = root(dot(g, g));
+    wide apart = sqrt(dot(g, g));
     if (apart > beyond_rounding(1e-12lf) * (a.half_length + b.half_length)) {
       int where = k == 2 ? SIDE_NEAREST : (k == 0) == (uv > 0) ? SIDE_LOW : SIDE_HIGH;
       side_where |= where << 4 * count;
@@ -69,15 +70,19 @@ int side_by_side(EdgeLine a, EdgeLine b, wide slack, wide shortest) {
       ++count;
     }
     if (k == 0) t = high;
-    if (k != 1) continue;
-    if (count < 2) return 0;
-    wide G = dot(slope, slope), A = dot(slope, g_0 + middle * slope);
-    if (!(G > 0)) return count;
-    wide3 g_nearest = g_0 + (middle + clamp(-A / G, -half_part, half_part)) * slope;
-    wide nearest = root(dot(g_nearest, g_nearest));
-    if (!(nearest < min(side_apart.x, side_apart.y) - slack)) return count;
-    wide held = 4 * nearest * slack / (half_part * half_part);
-    t = middle + clamp(-A / (G + held), -half_part, half_part);
+    if (k == 1 && count < 2) {
+      count = 0;
+      more = false;
+    } else if (k == 1) {
+      wide G = dot(slope, slope), A = dot(slope, g_0 + middle * slope), nearest = NONE;
+      if (G > 0) {
+        wide3 g_nearest = g_0 + (middle + clamp(-A / G, -half_part, half_part)) * slope;
+        nearest = sqrt(dot(g_nearest, g_nearest));
+      }
+      more = nearest < min(side_apart.x, side_apart.y) - slack;
+      wide held = 4 * nearest * slack / (half_part * half_part);
+      t = middle + clamp(-A / (G + held), -half_part, half_part);
+    }
   }
   return count;
 }
@@ -93,7 +98,7 @@ SidePlace side_place(EdgeLine a, EdgeLine b, int k) {
 wide distance_to_capsule(SidePlace p, EdgeLine b, wide radius) {
   wide slope = dot(p.n, b.direction), cosine2 = 1 - slope * slope;
   wide to_end = slope < 0 ? b.half_length - p.t : b.half_length + p.t;
-  wide to_side = radius / root(cosine2);
+  wide to_side = radius / sqrt(cosine2);
   if (abs(slope) * to_side <= to_end) return p.apart - to_side;
-  return p.apart - (to_end * abs(slope) + root(radius * radius - to_end * to_end * cosine2));
+  return p.apart - (to_end * abs(slope) + sqrt(radius * radius - to_end * to_end * cosine2));
 }

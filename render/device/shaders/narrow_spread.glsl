@@ -9,10 +9,9 @@ int chosen[MOST_POINTS];  // of the candidates
 
 // Returns how many are chosen.
 int choose_spread(int count, wide reach, wide same) {
-  if (count <= MOST_POINTS) {
-    for (int k = 0; k < count; ++k) chosen[k] = k;
-    return count;
-  }
+  int few = min(count, MOST_POINTS);
+  for (int k = 0; k < few; ++k) chosen[k] = k;
+  if (count <= MOST_POINTS) return few;
   wide apart2[MOST_CANDIDATES];
   wide lowest = NONE;
   for (int k = 0; k < count; ++k) {
@@ -21,8 +20,10 @@ int choose_spread(int count, wide reach, wide same) {
   }
   int next = 0;
   while (candidate_d[next] > lowest + same) ++next;
-  for (int size = 0; size < MOST_POINTS; ++size) {
-    chosen[size] = next;
+  few = 0;
+  while (few < MOST_POINTS && next >= 0) {
+    chosen[few] = next;
+    ++few;
     apart2[next] = -wide(1.0lf);
     wide3 last = candidate[next];
     next = -1;
@@ -40,7 +41,7 @@ int choose_spread(int count, wide reach, wide same) {
         best = score;
       }
     }
-    if (next < 0) return size + 1;  // candidates that are not numbers
+    // next < 0: candidates that are not numbers.
   }
-  return MOST_POINTS;
+  return few;
 }

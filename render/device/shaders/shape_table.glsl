@@ -7,18 +7,21 @@
 #define HULLS_BINDING 1
 #endif
 
-const int BOX = 0, SPHERE = 1, CAPSULE = 2, PLANE = 3, HULL = 4;
+const int BOX = 0, SPHERE = 1, CAPSULE = 2, PLANE = 3, HULL = 4, COMPOUND = 5;
 
 // size: box      half edges, the smallest of them
 //       sphere   radius
 //       capsule  radius, length of the straight part along y
 //       plane    unit normal, offset
-//       hull     bounding radius, 0, 0, inner radius
-// The rest is of boxes and hulls: where the polyhedron begins in `hull_words`, and how much of each it has.
+//       hull, compound  bounding radius, 0, 0, inner radius
+// The rest is of boxes and hulls: where the polyhedron begins in `hull_words`, and how much of each it has. `ends`, of a
+// hull that stands for a cylinder or a cone, else 0: where height and radius of the lower end, then of the upper one are.
 struct ShapeRecord {
   dvec4 size;
-  uint kind, first, vertices, faces, corners, edges, unused_0, unused_1;
+  uint kind, first, vertices, faces, corners, edges, ends, parts;
 };
+
+// `parts` of a compound begin at `first`: offset (3 doubles), (number of its hull in `shapes`, 0).
 
 layout(std430, binding = SHAPES_BINDING) readonly buffer Shapes { ShapeRecord shapes[]; };
 // Of a polyhedron: vertices (3 doubles each), faces (normal, offset, (first corner, count)), corners of the faces

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Pairs whose contacts are looked for, by the kinds of their shapes: the threads of a work group of the narrow phase do
+// the same then. A thread a pair.
+//   COUNT    how many there are of each two kinds;  STARTS  where they begin, and how to dispatch them;  LISTS  which
+shared uint here[TWO_KINDS];  // of this work group; LISTS: then where its next one goes
+
+const uint NONE = 0xffffffffu;
+uint kinds_of(uint p) {
+  if (p >= counters.pairs || counters.overflow != 0u || (pairs[p].count & KEPT_CONTACTS) != 0u) return NONE;
+  const uint i = uint(kinds[kind_number[pairs[p].emitter]].form), j = uint(kinds[kind_number[pairs[p].other]].form);
+  return SHAPE_KINDS * min(i, j) + max(i, j);
+}
+
+#ifdef STARTS
+void main() {
+  if (gl_GlobalInvocationID.x != 0u) return;
+  uint first = 0u;
+  for (uint k = 0u; k < TWO_KINDS; ++k) {
+    const uint n = counters.touch_size[k];
+    counters.touch_first[k] = counters.touch_next[k] = first;
+    first += n;
+    arguments[COLORS + k] = uvec4((n + TOUCH_GROUP - 1u) / TOUCH_GROUP, 1u, 1u, n);
+  }
+}
+#else
+void main() {
+  const uint p = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
+  if (t < TWO_KINDS) here[t] = 0u;
+  barrier();
+  const uint k = kinds_of(p);
+  const uint at = k != NONE ? atomicAdd(here[k], 1u) : 0u;
+  barrier();
+#ifdef COUNT
+  if (t < TWO_KINDS && here[t] > 0u) atomicAdd(counters.touch_size[t], here[t]);
+#else
+  if (t < TWO_KINDS && here[t] > 0u) here[t] = atomicAdd(counters.touch_next[t], here[t]);
+  barrier();
+  if (k != NONE) touching[here[k] + at] = p;
+#endif
+}
+#endif

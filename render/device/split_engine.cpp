@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// See split_engine.h.
+#include "render/device/split_engine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/base/error.h"
+#include "sim/solver/time_step.h"
+
+namespace pabd {
+namespace {
+
+// κ of "auto" is that of the whole scene.
+Params of_whole(const Model& model, const Params& params) {
+  Params out = params;
+  out.contact.kappa = resolve_kappa(model, params);
+  return out;
+}
+
+// Of joints the processor tells.
+StepOptions of_device(StepOptions options) {
+  options.report_joints = false;
+  return options;
+}
+
+Index movable(const Model& model) {
+  return static_cast<Index>(std::count(model.fixed.begin(), model.fixed.end(), 0));
+}
+
+// Of both: sums, the worst of each, the names of the whole.
+void add(const ModelPart& part, const StepReport& of_part, StepReport& out) {
+  out.status = std::max(out.status, of_part.status);
+  out.iterations = std::max(out.iterations, of_part.iterations);
+  out.kinetic += of_part.kinetic;
+  out.potential += of_part.potential;
+  out.elastic += of_part.elastic;
+  out.contacts += of_part.contacts;
+  out.max_penetration = std::max(out.max_penetration, of_part.max_penetration);
+  out.min_gap = std::min(out.min_gap, of_part.min_gap);
+  out.max_joint_error = std::max(out.max_joint_error, of_part.max_joint_error);
+  out.residual = std::max(out.residual, of_part.residual);
+  out.left_pairs += of_part.left_pairs;
+  out.too_dense += of_part.too_dense;
+  out.drive_work += of_part.drive_work;
+  out.held_bodies += of_part.held_bodies;
+  out.friction_excess = std::max(out.friction_excess, of_part.friction_excess);
+  out.times.detect += of_part.times.detect;
+  out.times.set_up += of_part.times.set_up;
+  out.times.solve += of_part.times.solve;
+  out.times.velocities += of_part.times.velocities;
+  out.times.total += of_part.times.total;
+  put_contacts(part, of_part.contact_reports, out.contact_reports);
+  for (IslandReport island : of_part.islands) {
+    island.first_body = part.bodies[static_cast<std::size_t>(island.first_body)];
+    out.islands.push_back(island);
+  }
+}
+
+}  // namespace
+
+std::string SplitEngine::why_not(const Model& model, const Params& params, const StepOptions& options,
+                                 const State& state) {
+  if (model.joints.empty()) return DeviceEngine::why_not(model, params, options);
+  const ModelParts parts = split_model(model, jointed_bodies(model, params, state));
+  if (movable(parts.free.model) == 0)
+    return "all bodies of the scene hang on joints or are near those that do, which is the processor's: "
+           "--device cpu";
+  return DeviceEngine::why_not(parts.free.model, params, of_device(options));
+}
+
+Index SplitEngine::on_gpu(const Model& model, const Params& params, const State& state) {
+  if (model.joints.empty()) return movable(model);
+  const std::vector<std::uint8_t> jointed = jointed_bodies(model, params, state);
+  return movable(model) - static_cast<Index>(std::count(jointed.begin(), jointed.end(), 1));
+}
+
+void SplitEngine::split(const Model& model, const Params& params, const State& state) {
+  if (model_ == &model) return;
+  forget();
+  parts_ = std::make_unique<ModelParts>(split_model(model, jointed_bodies(model, params, state)));
+  model_ = &model;
+}
+
+void SplitEngine::prepare(const Model& model, const Params& params, const StepOptions& options,
+                          const State& state) {
+  if (model.joints.empty()) return device_.prepare(model, params, options, state);
+  split(model, params, state);
+  take_part(parts_->free, state, false, free_);
+  device_.prepare(parts_->free.model, of_whole(model, params), of_device(options), free_);
+}
+
+void SplitEngine::step(const Model& model, const Params& params, const StepOptions& options, State& state,
+                       StepReport& report) {
+  if (model.joints.empty()) return device_.step(model, params, options, state, report);
+  split(model, params, state);
+  if (state.time != left_ && coupling(model, *parts_, params, state)) {  // of another moment than the split
+    forget();
+    split(model, params, state);
+    if (movable(parts_->free.model) == 0)
+      throw Error(ErrorKind::bad_input, why_not(model, params, options, state));
+  }
+  if (const auto pair = coupling(model, *parts_, params, state)) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("at t = {:.4g} s {} comes near {}, which is the GPU's, and joints are the processor's: "
+                    "--device cpu, or --device auto",
+                    state.time, model.name[static_cast<std::size_t>(pair->first)],
+                    model.name[static_cast<std::size_t>(pair->second)]));
+  }
+  const Params whole = of_whole(model, params);
+  take_part(parts_->free, state, false, free_);
+  take_part(parts_->jointed, state, true, jointed_);
+  device_.step(parts_->free.model, whole, of_device(options), free_, report);
+  if (report.status == StepStatus::non_finite || report.status == StepStatus::interrupted) return;
+  pabd::step(parts_->jointed.model, whole, options, jointed_, workspace_, report_);
+  if (report_.status == StepStatus::non_finite || report_.status == StepStatus::interrupted) {
+    report = report_;  // the GPU gets the state of the start again
+    return;
+  }
+  std::vector<ContactReport> of_free = std::move(report.contact_reports);
+  report.contact_reports.clear();
+  put_contacts(parts_->free, of_free, report.contact_reports);
+  add(parts_->jointed, report_, report);
+  report.joint_reports = report_.joint_reports;
+  put_part(parts_->jointed, jointed_, true, state);
+  put_part(parts_->free, free_, false, state);
+  left_ = state.time;
+}
+
+void SplitEngine::complete(State& state) {
+  if (parts_ == nullptr) return device_.complete(state);
+  if (state.size() != static_cast<Index>(parts_->free.place.size())) return;
+  take_part(parts_->free, state, false, free_);
+  device_.complete(free_);
+  put_part(parts_->free, free_, false, state);
+}
+
+void SplitEngine::forget() {
+  device_.forget();
+  model_ = nullptr;
+  parts_.reset();
+}
+
+}  // namespace pabd
