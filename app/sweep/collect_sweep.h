@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// What a sweep left in its folder, read back: every task with its parameters, its status and its metrics.
+//
+//   DIR/plan.json                     the plan: scene, and the order of parameters and metrics
+//   DIR/tasks/HASH/task.json          {"index", "hash", "parameters"}
+//   DIR/tasks/HASH/result.json        {"index", "hash", "status", "why", "metrics", "step", "time"}
+//   DIR/tasks/HASH/timing.json        {"seconds", "threads", "step_time"}; may be absent
+//   DIR/tasks/HASH/end.png            what it looked like at the end; may be absent
+//   DIR/tasks/.HASH.partial/          a task that has begun
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pabd {
+
+// A parameter's value: a number, or anything else as JSON has it (a word without its quotes). Empty text: the
+// task does not say.
+struct SweptValue {
+  std::optional<double> number;
+  std::string text;
+
+  bool absent() const { return text.empty(); }
+  bool operator==(const SweptValue& other) const { return text == other.text; }
+};
+// Numbers by size, then texts by their bytes, then what is absent.
+bool operator<(const SweptValue& a, const SweptValue& b);
+
+// unfinished: begun, or without a result; damaged: its files are not what they should be.
+enum class SweptStatus : std::uint8_t { done, diverged, refused, unfinished, damaged };
+inline constexpr SweptStatus kSweptStatuses[] = {SweptStatus::done, SweptStatus::diverged,
+                                                 SweptStatus::refused, SweptStatus::unfinished,
+                                                 SweptStatus::damaged};
+std::string_view status_word(SweptStatus status);
+
+struct SweptTiming {
+  double seconds = 0;  // wall clock of the task
+  std::int64_t threads = 0;
+  std::optional<double> step_time;  // ms
+};
+
+struct SweptTask {
+  std::int64_t index = -1;             // −1: its files do not say
+  std::string hash;                    // name of its folder
+  std::vector<SweptValue> parameters;  // one a CollectedSweep::parameters
+  SweptStatus status = SweptStatus::unfinished;
+  std::string why;                             // one line; empty: nothing to say
+  std::vector<std::optional<double>> metrics;  // one a CollectedSweep::metrics
+  std::optional<std::int64_t> step;
+  std::optional<double> time;  // simulated, s
+  std::optional<SweptTiming> timing;
+  std::filesystem::path picture;  // empty: there is none
+};
+
+// A column and how people call it.
+struct SweptQuantity {
+  std::string key;     // "contact.d_hat", "penetration"
+  std::string words;   // rich text: "thickness d̂", "penetration"
+  std::string symbol;  // short, for lists of values: "d̂"
+  std::string unit;    // SI; empty: none
+
+  std::string label() const;  // "thickness d̂ [m]"
+};
+
+struct CollectedSweep {
+  std::string title;                               // the name of the folder
+  std::string scene;                               // as the plan names it; may be empty
+  std::map<std::string, SweptValue> set;           // what the plan sets in all runs
+  std::vector<SweptQuantity> parameters, metrics;  // in the plan's order, then by name
+  std::vector<SweptTask> tasks;                    // by index, then hash
+  std::vector<std::string> notes;                  // a line each: what is missing, strange or damaged
+
+  std::size_t count(SweptStatus status) const;
+};
+
+// What a collection takes at most; more is refused.
+struct CollectLimits {
+  std::size_t tasks = 100000;
+  std::size_t columns = 64;     // of parameters, and of metrics
+  std::size_t bytes = 1 << 20;  // of a file of a task
+  std::size_t plan_bytes = 16 << 20;
+  bool links = true;  // files and folders that are links are read; else they are damaged
+};
+
+// Throws Error(file) if the folder is no sweep or cannot be read, Error(bad_input) if its plan is no JSON object
+// or there is more than the limits allow. What is wrong with one task is that task's status and a note.
+CollectedSweep collect_sweep(const std::filesystem::path& folder, const CollectLimits& limits = {});
+
+// The scene that a folder's plan names; may be empty. Throws as collect_sweep does.
+std::string scene_of_sweep(const std::filesystem::path& folder, const CollectLimits& limits = {});
+
+// What makes the plan's scene that of a task: "contact.kappa=50", as --set takes it.
+std::vector<std::string> settings_of(const CollectedSweep& sweep, const SweptTask& task);
+
+// "20 tasks: 17 done, 2 diverged and 1 refused".
+std::string counts_words(const CollectedSweep& sweep);
+
+// A number with its unit, for people: "1.2·10⁻⁵ m".
+std::string in_words(double value, const std::string& unit);
+// "d̂ = 0.01 m, κ = 50 J": all parameters of `which`, as the task has them.
+std::string in_words(const CollectedSweep& sweep, const SweptTask& task,
+                     const std::vector<std::size_t>& which);
+
+// The parameters of which there are several values.
+std::vector<std::size_t> varied_parameters(const CollectedSweep& sweep);
+
+}  // namespace pabd

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Everything that is made of a sweep, in a folder.
+//
+//   table.csv table.jsonl table.npy  timing.csv  ranking.txt
+//   sheet.png (sheet_2.png …)  heat_METRIC.png .svg  pareto.png .svg  report.html
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/sweep/collect_sweep.h"
+
+namespace pabd {
+
+struct CollectOptions {
+  std::string x = {}, y = {};  // parameters along the axes; empty: chosen
+  bool force = false;          // replace what is there
+};
+
+// Called with each file as it begins, and how many of how many.
+using CollectProgress = std::function<void(const std::string& name, std::size_t number, std::size_t of)>;
+
+// Returns the ranking's sentences, plain text. Files appear whole. Throws Error(exists) before anything is made
+// if one of them is there and not `force`, Error(bad_input) for axes that are none, Error(file).
+std::vector<std::string> write_collection(const CollectedSweep& sweep, const std::filesystem::path& folder,
+                                          const CollectOptions& options,
+                                          const CollectProgress& progress = {});
+
+}  // namespace pabd

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What a sweep measures in each of its runs.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/sweep/step_numbers.h"
+
+namespace pabd {
+
+enum class Take : std::uint8_t { end, max, min, mean, sum };
+std::span<const std::string_view> take_words();  // in the order of Take
+
+enum class MetricKind : std::uint8_t { number, drift, energy_error, step_time, distance };
+
+struct SweepMetric {
+  std::string name;
+  MetricKind kind = MetricKind::number;
+  const StepNumber* number = nullptr;  // of kind `number`
+  Take take = Take::end;
+};
+
+// Those that are known by name, as they are taken unless told otherwise.
+std::span<const SweepMetric> built_in_metrics();
+const SweepMetric* find_metric(std::string_view name);  // null: none
+
+// What a step gives to metrics, and it is no number of the report.
+struct StepMeasures {
+  const StepSummary* report = nullptr;
+  bool joints = false;             // the model has some
+  double energy_error = 0;         // J
+  double step_time = 0;            // ms
+  std::optional<double> distance;  // m
+};
+// Empty: the step has no such value.
+std::optional<double> measured(const SweepMetric& metric, const StepMeasures& step);
+
+// The values of one metric in the steps so far.
+class Taken {
+ public:
+  void add(const std::optional<double>& value);
+  std::optional<double> value(Take take) const;  // empty: there is none
+
+  // Reading gives the same bits. Throws nlohmann's exceptions for what was not written by it.
+  nlohmann::ordered_json to_json() const;
+  static Taken from_json(const nlohmann::json& json);
+
+ private:
+  std::optional<double> end_;
+  double max_ = 0, min_ = 0, sum_ = 0;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace pabd

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// "parameters" of a plan: lists, ranges and samples. Internal to app/sweep.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/sweep/plan.h"
+#include "sim/scene/reader.h"
+
+namespace pabd {
+
+// Throws Error(bad_input).
+std::vector<SweepGroup> read_groups(const ObjectReader& plan);
+
+// A key as --set takes it: refuses what would not be one.
+void check_key(const Node& node, std::string_view key);
+
+// The same value always as the same JSON: 1.0 as 1.
+Json canonical(const Json& value);
+
+std::vector<std::pair<std::string, std::vector<std::string_view>>> group_keys();
+
+}  // namespace pabd

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Numbers that a sweep goes through: evenly on a line, or points that fill a space.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pabd {
+
+inline constexpr std::size_t kMostAxes = 100;
+
+// A range of numbers. Precondition of what takes one: from and to are finite, of `log` above 0.
+struct NumberRange {
+  double from = 0, to = 1;
+  bool log = false;    // equal parts are equal factors
+  bool whole = false;  // only whole numbers
+};
+
+// Rounded to 12 significant digits, so that mathematical libraries that differ in the last bit name the same number.
+double rounded(double x);
+
+// `count` ≥ 1 numbers from `from` to `to`, both among them where there are two; one: `from`.
+std::vector<double> spaced(const NumberRange& range, std::size_t count);
+
+// Where u of [0, 1) lies in a range. Of a whole one all numbers, both ends among them, have equal parts.
+double at_part(const NumberRange& range, double u);
+
+// Points in [0, 1)^axes, one a row. axes: 1 … kMostAxes.
+using UnitPoints = std::vector<std::vector<double>>;
+
+// The sequence of Sobol with the direction numbers of Joe and Kuo (2008, "new-joe-kuo-6.21201"), from its origin on. A
+// seed other than 0 adds a random binary fraction to each axis, bit by bit without carry (Cranley and Patterson's
+// shift for nets): what is even stays so.
+UnitPoints sobol_points(std::size_t count, std::size_t axes, std::uint64_t seed);
+
+// McKay, Beckman and Conover (1979): in each of `count` equal parts of each axis lies one point, anywhere in it.
+UnitPoints latin_hypercube_points(std::size_t count, std::size_t axes, std::uint64_t seed);
+
+}  // namespace pabd

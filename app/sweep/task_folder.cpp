@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// See task_folder.h.
+#include "app/sweep/task_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "sim/base/atomic_file.h"
+#include "sim/base/error.h"
+#include "sim/base/input_file.h"
+#include "sim/base/output_path.h"
+#include "sim/base/private_folder.h"
+
+namespace fs = std::filesystem;
+
+namespace pabd {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+
+[[noreturn]] void fail(const fs::path& path, const char* what, const std::string& reason) {
+  throw Error(ErrorKind::file, path.string(), fmt::format("{}: {}", what, reason));
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code failure;
+  fs::create_directories(path, failure);
+  if (failure) fail(path, "the folder cannot be made", failure.message());
+}
+
+// Whether the locked file is still the one of that name: its last owner may have removed it.
+bool is_named(int fd, const fs::path& path) {
+  struct stat opened = {}, named = {};
+  return ::fstat(fd, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
+}
+
+// No descriptor: somebody else has it.
+Descriptor lock(const fs::path& path) {
+  for (;;) {
+    Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (file.get() < 0) fail(path, "cannot be made", system_reason(errno));
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
+      if (errno == EINTR) continue;
+      if (errno == EWOULDBLOCK) return {};
+      fail(path, "cannot be locked", system_reason(errno));
+    }
+    if (is_named(file.get(), path)) return file;
+  }
+}
+
+// What another plan left has the number that this plan gives it.
+void count_anew(const fs::path& place, const SweepTask& task) {
+  for (const char* name : {"task.json", "result.json"}) {
+    const fs::path path = place / name;
+    auto json = nlohmann::ordered_json::parse(read_if_possible(path, kMostBytes), nullptr, false);
+    if (!json.is_object() || !json.contains("index") || json["index"] == task.index) continue;
+    json["index"] = task.index;
+    write_file(path, json.dump(2) + "\n");
+  }
+}
+
+}  // namespace
+
+void prepare_sweep_folder(const fs::path& folder, const SweepPlan& plan, const std::vector<SweepTask>& tasks,
+                          bool force) {
+  make_folder(folder / "tasks");
+  const fs::path path = folder / "plan.json";
+  const std::string there = read_if_possible(path, kMostBytes);
+  if (there == plan.text) return;
+  std::error_code ignored;
+  if (!force && fs::exists(path, ignored))
+    refuse_existing(folder.string(),
+                    "the sweep of another plan; name another folder, or --force replaces the plan "
+                    "and keeps the tasks that both have");
+  for (const SweepTask& task : tasks)
+    if (is_done(folder, task)) count_anew(task_path(folder, task), task);
+  write_file(path, plan.text);
+}
+
+fs::path task_path(const fs::path& folder, const SweepTask& task) { return folder / "tasks" / task.hash; }
+
+bool is_done(const fs::path& folder, const SweepTask& task) {
+  std::error_code ignored;
+  return fs::exists(task_path(folder, task) / "result.json", ignored);
+}
+
+std::optional<TaskFolder> TaskFolder::take(const fs::path& folder, const SweepTask& task) {
+  TaskFolder out;
+  out.place_ = task_path(folder, task);
+  out.partial_ = folder / "tasks" / ("." + task.hash + ".partial");
+  out.lock_path_ = folder / "tasks" / ("." + task.hash + ".lock");
+  out.lock_ = lock(out.lock_path_);
+  if (out.lock_.get() < 0) return std::nullopt;
+  out.done_ = is_done(folder, task);
+  if (out.done_) {
+    ::unlink(out.lock_path_.c_str());
+  } else {
+    make_folder(out.partial_);
+    out.clean();
+  }
+  return out;
+}
+
+// What another process left that was ended while it wrote; its checkpoint is whole.
+void TaskFolder::clean() const {
+  std::error_code failure;
+  for (const fs::directory_entry& entry : fs::directory_iterator(partial_, failure)) {
+    std::error_code ignored;
+    if (entry.path() != checkpoint()) fs::remove_all(entry.path(), ignored);
+  }
+  if (failure) fail(partial_, "cannot be read", failure.message());
+}
+
+void TaskFolder::write(const char* name, std::string_view bytes) {
+  write_private_file(partial_ / name, bytes);
+}
+
+void TaskFolder::publish() {
+  std::error_code ignored;
+  fs::remove(checkpoint(), ignored);
+  publish_folder(partial_, place_);  // over an empty folder, too: some schedulers make it before
+  ::unlink(lock_path_.c_str());
+}
+
+}  // namespace pabd

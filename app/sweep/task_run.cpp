@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// See task_run.h.
+#include "app/sweep/task_run.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "app/session/session.h"
+#include "app/session/step_at_time.h"
+#include "app/session/timeline.h"
+#include "sim/base/atomic_file.h"
+#include "sim/base/error.h"
+#include "sim/base/input_file.h"
+#include "sim/trace/trace.h"
+
+namespace fs = std::filesystem;
+
+namespace pabd {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kDuration = 5;  // s, of a scene that says nothing
+constexpr const char* kFormat = "pabd-sweep-checkpoint " PABD_VERSION;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double energy_of(const StepSummary& s) { return s.kinetic + s.potential + s.elastic; }
+
+// A run that can be left and taken up again.
+class TaskRun {
+ public:
+  TaskRun(const SweepPlan& plan, const SweepTask& task, std::shared_ptr<const Scene> scene,
+          const TaskOptions& options)
+      : plan_(plan), task_(task), session_(std::move(scene), options.threads), taken_(plan.metrics.size()) {
+    session_.stop_when(options.stop);
+    const Scene& own = session_.scene();
+    const double time = plan.stop.time.value_or(own.duration.value_or(kDuration));
+    last_ = plan.stop.steps.value_or(steps_until(time, own.params.h));
+    energy_start_ = energy_of(session_.report());
+    if (!plan.reference) return;
+    reference_.emplace(std::make_shared<const Scene>(reference_scene(plan)), options.threads);
+    reference_->stop_when(options.stop);
+    if (reference_->model().size() != session_.model().size())
+      throw Error(ErrorKind::bad_input, "reference",
+                  fmt::format("it has {} bodies, this task {}: there is no distance between them",
+                              reference_->model().size(), session_.model().size()));
+  }
+
+  bool is_over() const { return diverged_ || held_ || steps_ >= last_; }
+
+  // False: it was stopped on the way, and is as before.
+  bool step() {
+    if (!advance_reference()) return false;
+    const auto start = Clock::now();
+    const StepReport& report = session_.step();
+    const double ms = 1e3 * seconds_since(start);
+    if (report.status == StepStatus::interrupted) return false;
+    if (report.status == StepStatus::non_finite) {
+      diverged_ = true;
+      return true;
+    }
+    ++steps_;
+    seconds_ += 1e-3 * ms;
+    times_.add(ms);
+    measure(report, ms);
+    watch(report);
+    return true;
+  }
+
+  TaskResult result() {
+    session_.complete_state();
+    TaskResult out;
+    out.status = diverged_ ? "diverged" : "done";
+    if (diverged_)
+      out.why = fmt::format("the state left all bounds at step {} (t = {:.6g} s)", steps_ + 1,
+                            session_.state().time + session_.params().h);
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      const SweepMetric& metric = plan_.metrics[i];
+      const auto value = taken_[i].value(metric.take);
+      auto& place = metric.kind == MetricKind::step_time ? out.times : out.metrics;
+      place[metric.name] = value ? OrderedJson(*value) : OrderedJson();
+    }
+    if (!out.times.contains("step_time")) out.times["step_time"] = times_.value(Take::mean).value_or(0);
+    out.step = steps_;
+    out.time = session_.state().time;
+    out.seconds = seconds_;
+    out.scene = session_.shared_scene();
+    out.end = session_.state();
+    return out;
+  }
+
+  std::string checkpoint() {
+    session_.complete_state();
+    OrderedJson json = {{"format", kFormat},
+                        {"hash", task_.hash},
+                        {"steps", steps_},
+                        {"seconds", seconds_},
+                        {"work", work_},
+                        {"times", times_.to_json()},
+                        {"metrics", OrderedJson::array()},
+                        {"state", state_to_json(session_.model(), session_.state())}};
+    for (const Taken& taken : taken_) json["metrics"].push_back(taken.to_json());
+    if (since_) json["since"] = *since_;
+    if (reference_) {
+      reference_->complete_state();
+      json["reference"] = state_to_json(reference_->model(), reference_->state());
+    }
+    return json.dump();
+  }
+
+  // False, or an exception of Error or JSON: it is none of this task, and this run is of no use.
+  bool take_up(const std::string& text) {
+    const Json json = Json::parse(text);
+    if (json.at("format") != kFormat || json.at("hash") != task_.hash) return false;
+    if (json.at("metrics").size() != taken_.size()) return false;
+    steps_ = json.at("steps").get<std::int64_t>();
+    seconds_ = json.at("seconds").get<double>();
+    work_ = json.at("work").get<double>();
+    times_ = Taken::from_json(json.at("times"));
+    for (std::size_t i = 0; i < taken_.size(); ++i) taken_[i] = Taken::from_json(json.at("metrics")[i]);
+    if (json.contains("since")) since_ = json.at("since").get<double>();
+    restore(session_, json.at("state"));
+    if (reference_) restore(*reference_, json.at("reference"));
+    return session_.state().step == steps_;
+  }
+
+  std::size_t most_bytes() const { return 4 * most_state_bytes(session_.model()) + (std::size_t{1} << 20); }
+
+ private:
+  static void restore(Session& session, const Json& text) {
+    session.set_state(state_from_json(session.model(), text.get<std::string>(), "checkpoint"));
+  }
+
+  // To its last step that is not after the next one of this run.
+  bool advance_reference() {
+    if (!reference_) return true;
+    const double t = session_.state().time + session_.params().h, h = reference_->params().h;
+    while (is_reached(reference_->state().time + h, t, h)) {
+      const StepReport& report = reference_->step();
+      if (report.status == StepStatus::interrupted) return false;
+      if (report.status == StepStatus::non_finite)
+        throw Error(
+            ErrorKind::diverged, plan_.source,
+            fmt::format("its \"reference\" diverges at step {}; give it a smaller time_step", report.step));
+    }
+    return true;
+  }
+
+  void measure(const StepReport& report, double ms) {
+    work_ += report.drive_work;
+    StepMeasures step;
+    step.report = &report;
+    step.joints = !session_.model().joints.empty();
+    step.energy_error = std::abs(energy_of(report) - energy_start_ - work_);
+    step.step_time = ms;
+    if (reference_) step.distance = largest_distance(session_.state(), reference_->state());
+    for (std::size_t i = 0; i < taken_.size(); ++i) taken_[i].add(measured(plan_.metrics[i], step));
+  }
+
+  void watch(const StepSummary& report) {
+    if (!plan_.stop.when) return;
+    const StopWhen& when = *plan_.stop.when;
+    const double x = when.number->value(report);
+    if (!(when.below ? x < when.bound : x > when.bound)) {
+      since_.reset();
+      return;
+    }
+    if (!since_) since_ = report.time;
+    held_ = report.time - *since_ >= when.hold - forgiven(report.time, session_.params().h);
+  }
+
+  const SweepPlan& plan_;
+  const SweepTask& task_;
+  Session session_;
+  std::optional<Session> reference_;
+  std::int64_t last_ = 0, steps_ = 0;
+  double seconds_ = 0, energy_start_ = 0, work_ = 0;
+  Taken times_;  // ms
+  std::vector<Taken> taken_;
+  std::optional<double> since_;  // when what ends the run began to hold; s
+  bool held_ = false, diverged_ = false;
+};
+
+// Where a checkpoint left it, or its start.
+std::unique_ptr<TaskRun> begin(const SweepPlan& plan, const SweepTask& task,
+                               const std::shared_ptr<const Scene>& scene, const fs::path& checkpoint,
+                               const TaskOptions& options) {
+  auto run = std::make_unique<TaskRun>(plan, task, scene, options);
+  const std::string text = read_if_possible(checkpoint, run->most_bytes());
+  if (text.empty()) return run;
+  try {
+    if (run->take_up(text)) return run;
+  } catch (const Error&) {
+  } catch (const Json::exception&) {
+  }
+  return std::make_unique<TaskRun>(plan, task, scene, options);
+}
+
+}  // namespace
+
+std::optional<TaskResult> run_task(const SweepPlan& plan, const SweepTask& task, const fs::path& checkpoint,
+                                   const TaskOptions& options) {
+  std::unique_ptr<TaskRun> run;
+  try {
+    run = begin(plan, task, std::make_shared<const Scene>(scene_of(plan, task)), checkpoint, options);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::bad_input) throw;
+    TaskResult refused;
+    refused.status = "refused";
+    refused.why = error.what();
+    return refused;
+  }
+  auto kept = Clock::now();
+  while (!run->is_over()) {
+    if ((options.stop && options.stop()) || !run->step()) {
+      write_file(checkpoint, run->checkpoint());
+      return std::nullopt;
+    }
+    if (run->is_over() || seconds_since(kept) < options.checkpoint_every) continue;
+    write_file(checkpoint, run->checkpoint());
+    kept = Clock::now();
+  }
+  return run->result();
+}
+
+void write_result(TaskFolder& folder, const SweepTask& task, const TaskResult& result, int threads) {
+  OrderedJson json = {{"index", task.index}, {"hash", task.hash}, {"status", result.status}};
+  if (!result.why.empty()) json["why"] = result.why;
+  json["metrics"] = result.metrics;
+  json["step"] = result.step;
+  json["time"] = result.time;
+  OrderedJson timing = {{"seconds", result.seconds}, {"threads", threads}};
+  timing.update(result.times);
+  if (result.scene) folder.write("end.json", state_to_json(result.scene->model, result.end));
+  const auto text = [](const OrderedJson& j) {
+    return j.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  };
+  folder.write("task.json", text(task.to_json()));
+  folder.write("timing.json", text(timing));
+  folder.write("result.json", text(json));
+}
+
+}  // namespace pabd

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The files of a collection: all or none, and a report in which text is only text.
+#include <catch2/catch.hpp>
+
+#include "app/plots/markup.h"
+#include "app/sweep/collect_write.h"
+#include "tests/support/errors.h"
+#include "tests/sweep/swept_folder.h"
+
+using namespace pabd;
+using namespace pabd::test;
+
+namespace {
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("markup and bytes as RFC 4648 and HTML have them") {
+  CHECK(escape_markup("<a href=\"x\" b='y'>&\n\x01") == "&lt;a href=&quot;x&quot; b=&#39;y&#39;&gt;&amp;  ");
+  CHECK(escape_markup("κ = 1") == "κ = 1");
+  const char* const vectors[][2] = {{"", ""},
+                                    {"f", "Zg=="},
+                                    {"fo", "Zm8="},
+                                    {"foo", "Zm9v"},
+                                    {"foob", "Zm9vYg=="},
+                                    {"fooba", "Zm9vYmE="},
+                                    {"foobar", "Zm9vYmFy"},
+                                    {"\xff\xfe\xfd", "//79"}};
+  for (const auto& v : vectors) CHECK(base64(v[0]) == v[1]);
+}
+
+TEST_CASE("the report needs nothing else, and nothing of a sweep is markup in it") {
+  const std::string evil = "<script>alert(1)</script>\\\"'&";
+  const SweptFolder folder("{\"scene\": \"" + evil + "\", \"metrics\": [\"<img src=x>\"]}");
+  for (int i = 0; i < 4; ++i) {
+    folder.add({.index = i,
+                .parameters = {{"contact.N", std::to_string(1 + i % 2)},
+                               {"<b>key</b>", i < 2 ? "\"" + evil + "\"" : "\"w\""}},
+                .status = i == 3 ? "refused" : "done",
+                .why = i == 3 ? evil : "",
+                .metrics = {{"<img src=x>", "1e-" + std::to_string(i)}},
+                .step_time = 1.0 + i,
+                .picture = fake_picture(i)});
+  }
+  write_bytes(folder.path() / "tasks/<i>odd", "");
+  const TempFolder out;
+  const CollectedSweep sweep = collect_sweep(folder.path());
+  write_collection(sweep, out.path(), {});
+  const std::string html = read_bytes(out / "report.html");
+  CHECK(count(html, "<script") == 0);
+  CHECK(count(html, "<img src=x>") == 0);
+  CHECK(count(html, "<b>") == 0);
+  CHECK(count(html, "<i>") == 0);
+  CHECK(count(html, "&lt;script&gt;alert(1)&lt;/script&gt;") >= 4);  // scene, two cells, why
+  CHECK(count(html, "http:") + count(html, "https:") + count(html, "url(") == 0);
+  CHECK(html.find("default-src 'none'; img-src data:;") != std::string::npos);
+  CHECK(count(html, "<img ") == count(html, "src=\"data:image/"));
+  CHECK(count(html, "src=\"data:image/png;base64,") == 1);      // the sheet
+  CHECK(count(html, "src=\"data:image/svg+xml;base64,") == 3);  // the front, and two maps
+  CHECK(count(html, "<tr") == 5);
+  CHECK(html.ends_with("</body>\n</html>\n"));
+  CHECK(html.find(base64(read_bytes(out / "pareto.svg"))) != std::string::npos);
+}
+
+TEST_CASE("a collection has its files under names of their own, and replaces none unasked") {
+  const SweptFolder folder;
+  for (int i = 0; i < 4; ++i) {
+    folder.add({.index = i,
+                .parameters = {{"contact.N", std::to_string(1 + i % 2)},
+                               {"contact.kappa", std::to_string(1 + i / 2)}},
+                .metrics = {{"a/b", std::to_string(i)}, {"a:b", std::to_string(3 - i)}, {"../up", "1"}}});
+  }
+  const CollectedSweep sweep = collect_sweep(folder.path());
+  const TempFolder out;
+  const auto sentences = write_collection(sweep, out.path(), {});
+  CHECK(sentences.size() == 4);
+  CHECK(out.names() == std::vector<std::string>{"heat____up.png", "heat____up.svg", "heat_a_b.png",
+                                                "heat_a_b.svg", "heat_a_b_.png", "heat_a_b_.svg",
+                                                "ranking.txt", "report.html", "sheet.png", "table.csv",
+                                                "table.jsonl", "table.npy", "timing.csv"});
+  write_bytes(out / "ranking.txt", "mine");
+  std::filesystem::remove(out / "table.csv");
+  CHECK(caught([&] { write_collection(sweep, out.path(), {}); }).kind == ErrorKind::exists);
+  CHECK(read_bytes(out / "ranking.txt") == "mine");
+  CHECK_FALSE(std::filesystem::exists(out / "table.csv"));  // nothing was begun
+  write_collection(sweep, out.path(), {.force = true});
+  CHECK(read_bytes(out / "ranking.txt") != "mine");
+}
+
+TEST_CASE("a sweep without tasks, or with damaged ones only, is reported all the same") {
+  const SweptFolder folder;
+  const TempFolder out;
+  write_collection(collect_sweep(folder.path()), out.path(), {.force = true});
+  CHECK(read_bytes(out / "report.html").find("there is no task yet") != std::string::npos);
+  folder.add({.index = 0});
+  write_bytes(folder.task_folder(0) / "task.json", "{");
+  write_collection(collect_sweep(folder.path()), out.path(), {.force = true});
+  CHECK(read_bytes(out / "report.html").find("1 damaged") != std::string::npos);
+}

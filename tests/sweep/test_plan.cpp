@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// Plans are read or refused at their place, and always mean the same tasks.
+#include <catch2/catch.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/sweep/tasks.h"
+#include "sim/base/error.h"
+#include "tests/support/files.h"
+
+using namespace pabd;
+
+namespace {
+
+const std::filesystem::path kAssets = PABD_ASSETS;
+
+std::filesystem::path shipped(const std::string& name) {
+  const auto path = kAssets / "scenes" / (name + ".json");
+  if (!std::filesystem::exists(path)) throw Error(ErrorKind::file, name, "there is no such scene");
+  return path;
+}
+
+SweepPlan plan_of(const std::string& members) {
+  return parse_plan(R"({"format": "pabd-sweep", "version": 1, "scene": "two_boxes", )" + members + "}",
+                    "plan.json", "/nowhere", shipped);
+}
+
+std::vector<SweepTask> tasks(const SweepPlan& plan) { return tasks_of(plan, base_scene(plan)); }
+std::vector<SweepTask> tasks(const std::string& members) { return tasks(plan_of(members)); }
+
+std::vector<std::string> texts(const std::vector<SweepTask>& tasks) {
+  std::vector<std::string> out;
+  for (const SweepTask& task : tasks) out.push_back(task.text());
+  return out;
+}
+
+const std::string kList = R"("parameters": [{"key": "contact.N", "values": [3]}])";
+
+// Refused as bad input, with all of these words.
+void check_refused(const std::string& members, const std::vector<std::string>& words) {
+  CAPTURE(members);
+  try {
+    (void)plan_of(members);
+    FAIL("it was taken");
+  } catch (const Error& error) {
+    CHECK(error.kind() == ErrorKind::bad_input);
+    for (const std::string& word : words) {
+      CAPTURE(error.what(), word);
+      CHECK(std::string(error.what()).find(word) != std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("tasks are all combinations, the last entry varies fastest") {
+  const auto all = tasks(R"("parameters": [{"key": "contact.N", "values": [1, 2]},
+                            {"key": "contact.kappa", "from": 1, "to": 100, "count": 3, "scale": "log"}])");
+  CHECK(texts(all) == std::vector<std::string>{"contact.N=1 contact.kappa=1", "contact.N=1 contact.kappa=10",
+                                               "contact.N=1 contact.kappa=100", "contact.N=2 contact.kappa=1",
+                                               "contact.N=2 contact.kappa=10",
+                                               "contact.N=2 contact.kappa=100"});
+  std::set<std::string> hashes;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    CHECK(all[i].index == i);
+    CHECK(all[i].hash.size() == 16);
+    CHECK(hashes.insert(all[i].hash).second);
+  }
+  CHECK(all[3].to_json().dump() ==
+        R"({"index":3,"hash":")" + all[3].hash + R"(","parameters":{"contact.N":2,"contact.kappa":1}})");
+}
+
+TEST_CASE("the hash of a task tells what it computes, not how the plan was written") {
+  const std::string one = tasks(kList).at(0).hash;
+  CHECK(tasks(R"("name": "x", "picture": false, "parameters": [{"key": "contact.N", "values": [3.0]}])")
+            .at(0)
+            .hash == one);
+  CHECK(tasks(R"("parameters": [{"key": "contact.N", "from": 3, "to": 5, "count": 3}])").at(0).hash == one);
+  CHECK(tasks(R"("parameters": [{"key": "contact.N", "values": [1, 3]}])").at(1).hash == one);
+  for (const char* other :
+       {R"("set": {"time_step": 0.01})", R"("stop": {"steps": 3})", R"("metrics": ["drift"])",
+        R"("reference": {"time_step": 0.001}, "metrics": ["distance"])"})
+    CHECK(tasks(std::string(other) + ", " + kList).at(0).hash != one);
+  CHECK(tasks(R"("parameters": [{"key": "contact.N", "values": [4]}])").at(0).hash != one);
+}
+
+TEST_CASE("what comes out twice is one task") {
+  const auto all = tasks(R"("parameters": [{"key": "contact.N", "values": [2, 3, 2.0]}])");
+  CHECK(texts(all) == std::vector<std::string>{"contact.N=2", "contact.N=3"});
+  CHECK(all[1].index == 1);
+}
+
+TEST_CASE("samples fill their ranges, and are the same for the same seed") {
+  for (const std::string kind : {"sobol", "latin_hypercube"}) {
+    const std::string members =
+        R"("parameters": [{"sample": ")" + kind + R"(", "count": 16, "seed": 5, "keys": [
+      {"key": "contact.d_hat", "from": 0.001, "to": 0.1, "scale": "log"},
+      {"key": "contact.N", "from": 1, "to": 4, "whole": true},
+      {"key": "solver.method", "values": ["sissm", "descent"]}]}])";
+    const SweepPlan plan = plan_of(members);
+    const auto all = tasks(plan);
+    REQUIRE(all.size() == 16);
+    std::map<std::int64_t, int> of_N;
+    std::map<std::string, int> of_method;
+    for (const SweepTask& task : all) {
+      const double d_hat = task.parameters[0].second.get<double>();
+      CHECK((d_hat >= 0.001 && d_hat <= 0.1));
+      ++of_N[task.parameters[1].second.get<std::int64_t>()];
+      ++of_method[task.parameters[2].second.get<std::string>()];
+    }
+    CHECK(of_N == std::map<std::int64_t, int>{{1, 4}, {2, 4}, {3, 4}, {4, 4}});
+    CHECK(of_method == std::map<std::string, int>{{"descent", 8}, {"sissm", 8}});
+    CHECK(texts(tasks(members)) == texts(all));
+  }
+}
+
+TEST_CASE("any place of a scene is a key, generators too") {
+  const SweepPlan plan = parse_plan(R"({"format": "pabd-sweep", "version": 1, "scene": "pyramid",
+    "parameters": [{"key": "generate.0.base", "values": [2, 3, 4]}]})",
+                                    "plan.json", "/nowhere", shipped);
+  const auto all = tasks(plan);
+  std::vector<Index> bodies;
+  for (const SweepTask& task : all) bodies.push_back(scene_of(plan, task).model.size());
+  // A pyramid of base n has n(n+1)/2 bricks more than the rest.
+  CHECK(bodies[1] - bodies[0] == 3);
+  CHECK(bodies[2] - bodies[1] == 4);
+}
+
+TEST_CASE("a plan that does not fit is refused at its place") {
+  const auto parameters = [](const std::string& entry) { return R"("parameters": [)" + entry + "]"; };
+  check_refused(R"("sede": 1, )" + kList, {"plan.json", "sede"});
+  check_refused("\"name\": \"x\"", {"/parameters"});
+  check_refused(R"("parameters": [])", {"/parameters", "1 to 100"});
+  check_refused(parameters("3"), {"/parameters/0", "\"key\""});
+  check_refused(parameters(R"({"key": "contact.N"})"), {"/parameters/0", "from"});
+  check_refused(parameters(R"({"key": "contact.N", "values": []})"), {"/parameters/0/values"});
+  check_refused(parameters(R"({"key": "", "values": [1]})"), {"/parameters/0/key"});
+  check_refused(parameters(R"({"key": "a=b", "values": [1]})"), {"/parameters/0/key"});
+  check_refused(parameters(R"({"key": "contact.N", "from": 0, "to": 3, "count": 3, "scale": "log"})"),
+                {"/parameters/0/from"});
+  check_refused(parameters(R"({"key": "contact.N", "from": 1, "to": 3, "count": 0})"),
+                {"/parameters/0/count"});
+  check_refused(parameters(R"({"key": "contact.N", "from": 1, "to": 2.5, "count": 3, "whole": true})"),
+                {"whole"});
+  check_refused(parameters(R"({"key": "contact.N", "from": 1, "to": 2, "count": 3, "scale": "cubic"})"),
+                {"/parameters/0/scale"});
+  check_refused(parameters(R"({"sample": "halton", "count": 4, "keys": []})"),
+                {"/parameters/0/sample", "sobol"});
+  check_refused(parameters(R"({"sample": "sobol", "count": 4, "keys": []})"), {"/parameters/0/keys"});
+  check_refused(
+      parameters(
+          R"({"sample": "sobol", "count": 4, "seed": -1, "keys": [{"key": "contact.N", "values": [1]}]})"),
+      {"/parameters/0/seed"});
+  check_refused(parameters(R"({"key": "contact.N", "from": 1, "to": 2, "count": 400},
+                              {"key": "contact.kappa", "from": 1, "to": 2, "count": 400})"),
+                {"100000"});
+  check_refused(R"("set": {"contact.N": 2}, )" + kList, {"contact.N", "twice"});
+  check_refused(R"("set": [1], )" + kList, {"/set"});
+  check_refused(R"("metrics": ["penetratoin"], )" + kList, {"/metrics/0", "penetration"});
+  check_refused(R"("metrics": ["drift", "drift"], )" + kList, {"/metrics/1", "drift"});
+  check_refused(R"("metrics": ["distance"], )" + kList, {"/metrics/0", "reference"});
+  check_refused(R"("metrics": [{"at": "/contact"}], )" + kList, {"/metrics/0/at", "/contacts"});
+  check_refused(R"("metrics": [{"at": "/contacts", "take": "median"}], )" + kList, {"/metrics/0/take"});
+  check_refused(R"("metrics": [{"name": "x"}], )" + kList, {"/metrics/0", "\"at\""});
+  check_refused(R"("stop": {"time": 1, "steps": 2}, )" + kList, {"/stop"});
+  check_refused(R"("stop": {"time": -1}, )" + kList, {"/stop/time"});
+  check_refused(R"("stop": {"when": {"at": "/kinetic"}}, )" + kList, {"/stop/when", "below"});
+  CHECK_THROWS_AS(parse_plan(R"({"format": "pabd-sweep", "version": 2})", "p", "/", shipped), Error);
+  CHECK_THROWS_AS(parse_plan("[1, 2", "p", "/", shipped), Error);
+  CHECK_THROWS_AS(parse_plan(R"({"format": "pabd-sweep", "version": 1, "scene": "none", )" + kList + "}", "p",
+                             "/", shipped),
+                  Error);
+}
+
+TEST_CASE("a plan none of whose tasks the scene takes is wrong itself") {
+  const SweepPlan typo = plan_of(R"("parameters": [{"key": "contact.d_hatt", "values": [1, 2]}])");
+  CHECK_THROWS_WITH(check_plan(typo, tasks(typo)),
+                    Catch::Contains("none of its tasks") && Catch::Contains("d_hatt"));
+  // One that it takes is enough: the others are results.
+  const SweepPlan some = plan_of(R"("parameters": [{"key": "contact.d_hat", "values": [-1, 0.01]}])");
+  CHECK_NOTHROW(check_plan(some, tasks(some)));
+}
+
+TEST_CASE("the schema has the keys that the reader knows, and describes each") {
+  const auto schema = nlohmann::json::parse(read_bytes(kAssets / "pabd-sweep.schema.json"));
+  for (const auto& [object, known] : plan_keys()) {
+    CAPTURE(object);
+    const auto& properties =
+        object == "plan" ? schema.at("properties") : schema.at("$defs").at(object).at("properties");
+    std::set<std::string> named, expected(known.begin(), known.end());
+    for (const auto& [key, value] : properties.items()) {
+      CAPTURE(key);
+      named.insert(key);
+      const bool refers = value.contains("$ref");
+      const auto& described = refers && !value.contains("description")
+                                  ? schema.at("$defs").at(value["$ref"].get<std::string>().substr(8))
+                                  : value;
+      CHECK(described.contains("description"));
+    }
+    CHECK(named == expected);
+  }
+  std::set<std::string> at, metrics;
+  for (const StepNumber& number : step_numbers()) at.insert("/" + std::string(number.name));
+  for (const SweepMetric& metric : built_in_metrics()) metrics.insert(metric.name);
+  CHECK(schema["$defs"]["at"]["enum"].get<std::set<std::string>>() == at);
+  CHECK(schema["$defs"]["metric_name"]["enum"].get<std::set<std::string>>() == metrics);
+}
+
+TEST_CASE("the README has every number of a report that a metric may take") {
+  const std::string readme =
+      read_bytes(std::filesystem::path(PABD_ASSETS).parent_path() / "app/sweep/README.md");
+  for (const StepNumber& number : step_numbers()) {
+    CAPTURE(number.name);
+    CHECK(readme.find("`/" + std::string(number.name) + "`") != std::string::npos);
+  }
+}

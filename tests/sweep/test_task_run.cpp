@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// A run against the same run made by hand, stopped and taken up anywhere, and what is a result though nothing ran.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "app/session/session.h"
+#include "app/sweep/task_run.h"
+#include "sim/base/error.h"
+#include "sim/trace/trace.h"
+#include "tests/support/files.h"
+#include "tests/support/temp_folder.h"
+
+using namespace pabd;
+
+namespace {
+
+const std::filesystem::path kScenes = std::filesystem::path(PABD_ASSETS) / "scenes";
+
+SweepPlan plan_of(const std::string& scene, const std::string& members) {
+  return parse_plan(R"({"format": "pabd-sweep", "version": 1, "scene": ")" + scene + "\", " + members + "}",
+                    "plan.json", "/nowhere",
+                    [](const std::string& name) { return kScenes / (name + ".json"); });
+}
+
+std::vector<SweepTask> tasks(const SweepPlan& plan) { return tasks_of(plan, base_scene(plan)); }
+
+// All that does not differ between runs.
+std::string bytes_of(const TaskResult& result) {
+  return result.status + result.why + result.metrics.dump() + std::to_string(result.step) +
+         (result.scene ? state_to_json(result.scene->model, result.end) : "");
+}
+
+}  // namespace
+
+TEST_CASE("metrics are those of the steps") {
+  const SweepPlan plan = plan_of("drop", R"("stop": {"steps": 80}, "set": {"time_step": 0.01},
+    "parameters": [{"key": "contact.N", "values": [2]}],
+    "metrics": ["penetration", "energy_error", "iterations", "step_time", "drift",
+      {"name": "contacts", "at": "/contacts", "take": "sum"}, {"at": "/kinetic"}, {"name": "gap", "at": "/min_gap", "take": "min"}])");
+  const auto result = run_task(plan, tasks(plan).at(0), "/nowhere/checkpoint.json", {});
+  REQUIRE(result.has_value());
+
+  Session session(load_scene(kScenes / "drop.json", {"time_step=0.01", "contact.N=2"}));
+  const double start = session.report().kinetic + session.report().potential + session.report().elastic;
+  double penetration = 0, error = 0, iterations = 0, contacts = 0, gap = INFINITY;
+  for (int i = 0; i < 80; ++i) {
+    const StepReport& r = session.step();
+    penetration = std::max(penetration, r.max_penetration);
+    error = std::max(error, std::abs(r.kinetic + r.potential + r.elastic - start));
+    iterations += r.iterations;
+    contacts += r.contacts;
+    gap = std::min(gap, r.min_gap);
+  }
+  REQUIRE(contacts > 0);
+  CHECK(result->status == "done");
+  CHECK(result->step == 80);
+  CHECK(result->metrics["penetration"] == penetration);
+  CHECK(result->metrics["energy_error"].get<double>() == Approx(error).epsilon(1e-12));
+  CHECK(result->metrics["iterations"] == iterations / 80);
+  CHECK(result->metrics["contacts"] == contacts);
+  CHECK(result->metrics["kinetic"] == session.report().kinetic);
+  CHECK(result->metrics["gap"] == gap);
+  CHECK(result->metrics["drift"].is_null());  // no joints
+  CHECK_FALSE(result->metrics.contains("step_time"));
+  CHECK(result->times["step_time"].get<double>() > 0);
+  CHECK(state_hash(result->end) == state_hash(session.state()));
+}
+
+TEST_CASE("stopped anywhere, a run goes on to the same bytes") {
+  const std::string members = R"("stop": {"steps": 30}, "parameters": [{"key": "contact.N", "values": [3]}],
+    "reference": {"time_step": 0.004}, "metrics": ["penetration", "energy_error", "distance", {"at": "/contacts", "take": "mean"}])";
+  for (const std::string scene : {"two_boxes", "four_bar", "incline"}) {
+    CAPTURE(scene);
+    const SweepPlan plan = plan_of(scene, members);
+    const SweepTask task = tasks(plan).at(0);
+    const auto whole = run_task(plan, task, "/nowhere/checkpoint.json", {});
+    REQUIRE(whole.has_value());
+    CHECK(whole->metrics["distance"].get<double>() > 0);
+    for (const int every : {1, 3, 7}) {
+      const TempFolder folder;
+      const auto checkpoint = folder.path() / "checkpoint.json";
+      std::optional<TaskResult> parted;
+      int parts = 0;
+      for (; !parted && parts < 2000; ++parts) {
+        int asked = 0;
+        TaskOptions options;
+        options.stop = [&] { return ++asked > 20 * every + parts; };
+        parted = run_task(plan, task, checkpoint, options);
+      }
+      REQUIRE(parted.has_value());
+      CAPTURE(every, parts);
+      CHECK(parts > 1);
+      CHECK(bytes_of(*parted) == bytes_of(*whole));
+    }
+  }
+}
+
+TEST_CASE("a checkpoint that does not fit is left aside") {
+  const SweepPlan plan =
+      plan_of("two_boxes", R"("stop": {"steps": 5}, "parameters": [{"key": "contact.N", "values": [2, 3]}])");
+  const auto all = tasks(plan);
+  const auto whole = run_task(plan, all[0], "/nowhere/checkpoint.json", {});
+  const TempFolder folder;
+  const auto checkpoint = folder.path() / "checkpoint.json";
+  TaskOptions stopped;
+  stopped.stop = [] { return true; };
+  REQUIRE_FALSE(run_task(plan, all[1], checkpoint, stopped).has_value());
+  for (const std::string& text :
+       {read_bytes(checkpoint), std::string("{"), std::string("[]"), std::string("{\"format\": 3}")}) {
+    write_bytes(checkpoint, text);
+    const auto result = run_task(plan, all[0], checkpoint, {});
+    REQUIRE(result.has_value());
+    CHECK(bytes_of(*result) == bytes_of(*whole));
+  }
+}
+
+TEST_CASE("the reference is at its last step that is not after") {
+  // A ball in free fall. Steps of implicit Euler of length h end g h t/2 below the parabola, so two runs of h and h/4
+  // are 3/8 g h t apart.
+  const SweepPlan plan = plan_of("drop", R"("stop": {"steps": 8}, "set": {"time_step": 0.01},
+    "parameters": [{"key": "contact.N", "values": [2]}], "reference": {"time_step": 0.0025}, "metrics": ["distance"])");
+  const auto result = run_task(plan, tasks(plan).at(0), "/nowhere/checkpoint.json", {});
+  REQUIRE(result.has_value());
+  CHECK(result->metrics["distance"].get<double>() == Approx(0.375 * 9.81 * 0.01 * 0.08).epsilon(1e-6));
+}
+
+TEST_CASE("a run ends when its rule has held long enough") {
+  const auto steps = [](const std::string& when) {
+    const SweepPlan plan = plan_of(
+        "drop", R"("stop": {"steps": 50, "when": )" + when +
+                    R"(}, "set": {"time_step": 0.01}, "parameters": [{"key": "contact.N", "values": [2]}])");
+    return run_task(plan, tasks(plan).at(0), "/nowhere/checkpoint.json", {})->step;
+  };
+  CHECK(steps(R"({"at": "/time", "above": 0.095})") == 10);
+  CHECK(steps(R"({"at": "/time", "above": 0.095, "for": 0.1})") == 20);
+  CHECK(steps(R"({"at": "/time", "below": -1})") == 50);
+}
+
+TEST_CASE("what the scene refuses is a result, and says why") {
+  const SweepPlan plan = plan_of(
+      "two_boxes", R"("stop": {"steps": 2}, "parameters": [{"key": "contact.d_hat", "values": [-1]}])");
+  const auto result = run_task(plan, tasks(plan).at(0), "/nowhere/checkpoint.json", {});
+  REQUIRE(result.has_value());
+  CHECK(result->status == "refused");
+  CHECK(result->why.find("d_hat") != std::string::npos);
+  CHECK(result->metrics.empty());
+  CHECK(result->scene == nullptr);
+}
