@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// What programs ask a desk for: scripts, its state, pictures. See desk_work.h.
+#include <nlohmann/json.hpp>
+
+#include "app/gui/pictures.h"
+#include "app/gui/script.h"
+#include "app/gui/script_reader.h"
+#include "app/serve/clock.h"
+#include "app/serve/desk_work.h"
+#include "render/output/png.h"
+#include "sim/base/error.h"
+#include "sim/scene/document.h"
+
+namespace pabd {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr const char *kJson = "application/json", *kPng = "image/png";
+
+std::string written(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+desk::Answer refusal(int status, const std::string& why) {
+  return {status, kJson, written({{"error", why}})};
+}
+
+// The script was ended from outside.
+struct LeftScript {};
+
+// The first action that cannot be read at all, if that is what is wrong.
+OrderedJson place_of_fault(const std::string& text) {
+  OrderedJson document = OrderedJson::parse(text, nullptr, false);
+  if (document.is_object() && document.contains("actions")) document = OrderedJson(document["actions"]);
+  if (!document.is_array()) return nullptr;
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    try {
+      static_cast<void>(read_script(OrderedJson::array({document[i]}).dump(), "action"));
+    } catch (const Error&) {
+      return i;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void DeskWork::run(const desk::Run& run, const More& more, const std::function<bool()>& stop) {
+  const auto reply = [&](const desk::Answer& answer) {
+    if (run.reply) return run.reply(answer);
+    if (answer.status == 200) return;
+    text(written({{"t", "error"}, {"text", OrderedJson::parse(answer.body)["error"]}}), true);
+  };
+  OrderedJson action, printed = OrderedJson::array();
+  double began = 0;
+  std::unique_lock turn(*options_.turn, std::defer_lock);
+  try {
+    static_cast<void>(parse_document(run.json, "actions"));  // not too deep for what follows
+    action = place_of_fault(run.json);
+    const Script script(run.json, "actions");
+    ScriptOptions options;
+    options.force = true;  // the files are the visitor's own
+    options.width = width_;
+    options.height = height_;
+    options.print = [&](const std::string& line) {
+      printed.push_back(line.substr(0, line.find_last_not_of('\n') + 1));
+    };
+    options.before_action = [&](std::size_t number) { action = number; };
+    options.before_frame = [&] {
+      if (stop()) throw LeftScript();
+      for (DeskInput& input : more()) take(input, more, stop);
+      turn.lock();
+      began = seconds_now();
+    };
+    options.after_frame = [&] {
+      take_frame(began);
+      turn.unlock();
+      stream_.deliver(seconds_now());
+    };
+    script.run(viewer_, runner_, options);
+    OrderedJson done = {{"done", script.size()}};
+    if (!printed.empty()) done["printed"] = printed;
+    reply({200, kJson, written(done)});
+  } catch (const Error& error) {
+    OrderedJson json = {{"error", error.what()}};
+    if (!action.is_null()) json["action"] = action;
+    reply({422, kJson, written(json)});
+  } catch (const LeftScript&) {
+    reply(refusal(503, "the server is going down"));
+  }
+}
+
+void DeskWork::answer(const desk::AskState& ask) {
+  {
+    const std::scoped_lock turn(*options_.turn);
+    draw();
+  }
+  ask.reply({200, kJson, written(state_document(viewer_.snapshot(), viewer_.ui()))});
+}
+
+void DeskWork::answer(const desk::AskPicture& ask) {
+  const std::scoped_lock turn(*options_.turn);
+  const int width = ask.width > 0 ? ask.width : width_, height = ask.height > 0 ? ask.height : height_;
+  try {
+    viewer_.draw(width, height, 0);
+    std::vector<std::uint8_t> png;
+    if (ask.panels) {
+      viewer_.draw(width, height, 0);  // the first one may have found that a panel needs more room
+      Image image;
+      viewer_.renderer().queue_read();
+      viewer_.renderer().fetch(image);
+      png = encode_png(image, {{"Software", "pabd"}});
+    } else {
+      png = scene_picture(viewer_.snapshot(), viewer_.ui(), width, height, context_);
+    }
+    ask.reply({200, kPng, std::string(png.begin(), png.end())});
+  } catch (const Error& error) {
+    ask.reply(refusal(422, error.what()));
+  }
+}
+
+}  // namespace pabd

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// What waits for the desk's thread.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <utility>
+
+#include "app/serve/served_desk.h"
+
+namespace pabd {
+
+class DeskQueue {
+ public:
+  bool push(DeskInput input) {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (merged(input)) return true;
+      // What tells of visitors comes as seldom as they do, and is never lost.
+      const bool told =
+          std::holds_alternative<desk::Arrive>(input) || std::holds_alternative<desk::Scheme>(input) ||
+          std::holds_alternative<desk::Depart>(input) || std::holds_alternative<desk::HandOver>(input) ||
+          std::holds_alternative<desk::Shown>(input);
+      if (!told && waiting_.size() >= ServedDesk::kMostInputs) return false;
+      waiting_.push_back(std::move(input));
+    }
+    wake_.notify_one();
+    return true;
+  }
+
+  std::deque<DeskInput> take(std::chrono::duration<double> wait) {
+    std::unique_lock lock(mutex_);
+    wake_.wait_for(lock, wait, [&] { return stopped_ || !waiting_.empty(); });
+    return std::exchange(waiting_, {});
+  }
+
+  // Only news of visitors and frames, in their order: while a script is carried out the rest waits.
+  std::deque<DeskInput> take_acknowledgements() {
+    const std::scoped_lock lock(mutex_);
+    std::deque<DeskInput> out, rest;
+    for (DeskInput& input : waiting_) {
+      const bool urgent = std::holds_alternative<desk::Arrive>(input) ||
+                          std::holds_alternative<desk::Depart>(input) ||
+                          std::holds_alternative<desk::Shown>(input);
+      (urgent ? out : rest).push_back(std::move(input));
+    }
+    waiting_ = std::move(rest);
+    return out;
+  }
+
+  void stop() {
+    {
+      const std::scoped_lock lock(mutex_);
+      stopped_ = true;
+    }
+    wake_.notify_one();
+  }
+  bool stopped() const {
+    const std::scoped_lock lock(mutex_);
+    return stopped_;
+  }
+
+ private:
+  // A move after a move takes its place.
+  bool merged(const DeskInput& input) {
+    const auto is_move = [](const DeskInput& i) {
+      const auto* event = std::get_if<desk::Input>(&i);
+      return event && std::holds_alternative<MouseMoved>(event->event);
+    };
+    if (waiting_.empty() || !is_move(input) || !is_move(waiting_.back())) return false;
+    waiting_.back() = input;
+    return true;
+  }
+
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<DeskInput> waiting_;
+  bool stopped_ = false;
+};
+
+}  // namespace pabd

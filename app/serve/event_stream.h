@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// GET /events: a line of JSON for every change, until somebody closes.
+#pragma once
+
+#include <boost/asio/write.hpp>
+#include <deque>
+
+#include "app/serve/http_answers.h"
+
+namespace pabd::net {
+
+template <class Stream>
+class EventStream : public EventLink, public std::enable_shared_from_this<EventStream<Stream>> {
+ public:
+  static constexpr std::size_t kMostWaiting = 256 * 1024;  // bytes; who reads slower is closed
+
+  EventStream(Shared& shared, Stream stream, Place place)
+      : shared_(shared), stream_(std::move(stream)), place_(std::move(place)) {}
+
+  void begin() {
+    auto head = std::make_shared<http::response<http::empty_body>>(http::status::ok, 11);
+    set_headers(shared_, *head);
+    head->set(http::field::content_type, "application/x-ndjson");
+    head->chunked(true);
+    head->keep_alive(false);
+    auto writer = std::make_shared<http::response_serializer<http::empty_body>>(*head);
+    beast::get_lowest_layer(stream_).expires_never();
+    http::async_write_header(stream_, *writer,
+                             [self = this->shared_from_this(), head, writer](Failure failure, std::size_t) {
+                               self->started_ = true;
+                               failure ? self->end() : self->write();
+                             });
+    watch();
+  }
+
+  void refuse() {
+    open_ = false;
+    auto answer =
+        std::make_shared<TextAnswer>(json_answer(shared_, 503, {{"error", "too many read the events"}}));
+    answer->keep_alive(false);
+    answer->prepare_payload();
+    beast::get_lowest_layer(stream_).expires_after(std::chrono::seconds(10));
+    http::async_write(stream_, *answer, [self = this->shared_from_this(), answer](Failure, std::size_t) {});
+  }
+
+  void send_line(const std::string& json) override {
+    if (!open_) return;
+    waiting_ += json + "\n";
+    if (waiting_.size() > kMostWaiting) return end();
+    write();
+  }
+  bool open() const override { return open_; }
+
+ private:
+  void write() {
+    if (!started_ || busy_ || waiting_.empty() || !open_) return;
+    busy_ = true;
+    auto lines = std::make_shared<std::string>(std::exchange(waiting_, {}));
+    asio::async_write(stream_, http::make_chunk(asio::buffer(*lines)),
+                      [self = this->shared_from_this(), lines](Failure failure, std::size_t) {
+                        self->busy_ = false;
+                        failure ? self->end() : self->write();
+                      });
+  }
+
+  // The client's end is seen by reading.
+  void watch() {
+    stream_.async_read_some(asio::buffer(rest_),
+                            [self = this->shared_from_this()](Failure failure, std::size_t) {
+                              failure ? self->end() : self->watch();
+                            });
+  }
+
+  void end() {
+    open_ = false;
+    waiting_.clear();
+    beast::get_lowest_layer(stream_).close();
+  }
+
+  Shared& shared_;
+  Stream stream_;
+  Place place_;
+  std::string waiting_;
+  std::array<char, 512> rest_{};
+  bool started_ = false, busy_ = false, open_ = true;
+};
+
+}  // namespace pabd::net

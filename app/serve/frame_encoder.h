@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Rectangles of a frame as binary messages: head and JPEG or PNG.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/serve/frame_head.h"
+#include "app/serve/tiles.h"
+#include "render/output/live_video.h"
+
+namespace pabd {
+
+// A message that several visitors get.
+using SharedBytes = std::shared_ptr<const std::string>;
+
+struct EncodedFrame {
+  std::vector<SharedBytes> parts;
+  std::size_t bytes = 0;
+};
+
+class FrameEncoder {
+ public:
+  FrameEncoder();
+  ~FrameEncoder();
+  FrameEncoder(const FrameEncoder&) = delete;
+  FrameEncoder& operator=(const FrameEncoder&) = delete;
+
+  // `head` says which frame it is, and what it shows; its kind, places and times are filled in. `quality` of
+  // JPEG, 1 … 100; from 90 on colours have the resolution of brightness. Throws Error(encoder).
+  EncodedFrame jpeg(const Image& image, const std::vector<PixelRect>& rects, int quality, FrameHead head);
+  EncodedFrame png(const Image& image, const std::vector<PixelRect>& rects, FrameHead head);
+
+  // What `units`, of which the last one shows the whole image, are to change of the page's picture; they took
+  // `ms`. A part without a unit is cut out of the picture before it.
+  EncodedFrame h264(const Image& image, const std::vector<VideoUnit>& units,
+                    const std::vector<PixelRect>& rects, FrameHead head, double ms);
+
+  double last_ms() const { return last_ms_; }  // that the last frame took
+
+ private:
+  template <class Encode>
+  EncodedFrame encode(const Image& image, const std::vector<PixelRect>& rects, FrameHead head,
+                      const Encode& encode);
+
+  void* handle_;  // of libjpeg-turbo
+  double last_ms_ = 0;
+};
+
+}  // namespace pabd

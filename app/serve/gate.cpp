@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// See gate.h.
+#include "app/serve/gate.h"
+
+#include <algorithm>
+
+namespace pabd {
+namespace {
+
+std::string small(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return out;
+}
+
+}  // namespace
+
+Gate::Gate(std::vector<std::string> hosts, bool secure) : secure_(secure) {
+  for (const std::string& host : hosts) hosts_.push_back(small(host));
+}
+
+bool Gate::knows_host(std::string_view host) const {
+  return std::find(hosts_.begin(), hosts_.end(), small(host)) != hosts_.end();
+}
+
+bool Gate::knows_origin(std::string_view origin, std::string_view host) const {
+  return knows_host(host) && small(origin) == std::string(scheme()) + "://" + small(host);
+}
+
+bool RateBucket::take(double now) {
+  if (last_) left_ = std::min(most_, left_ + rate_ * std::max(0.0, now - *last_));
+  last_ = now;
+  if (left_ < 1) return false;
+  left_ -= 1;
+  return true;
+}
+
+ConnectionCount::Verdict ConnectionCount::enter(const std::string& peer) {
+  if (count_ >= most_) return Verdict::full;
+  const auto known = peers_.find(peer);
+  if (known != peers_.end() && known->second >= most_each_) return Verdict::busy_peer;
+  ++peers_[peer];
+  ++count_;
+  return Verdict::welcome;
+}
+
+void ConnectionCount::leave(const std::string& peer) {
+  const auto known = peers_.find(peer);
+  if (known == peers_.end()) return;
+  --count_;
+  if (--known->second == 0) peers_.erase(known);
+}
+
+std::string_view bearer_token(std::string_view authorization) {
+  constexpr std::string_view kScheme = "bearer ";
+  if (authorization.size() <= kScheme.size() || small(authorization.substr(0, kScheme.size())) != kScheme)
+    return {};
+  return authorization.substr(kScheme.size());
+}
+
+}  // namespace pabd

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The network: HTTP, WebSocket and TLS in one thread. See README.md for the protocol.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/serve/access_token.h"
+#include "app/serve/lobby.h"
+
+namespace pabd {
+
+struct ServerOptions {
+  std::vector<std::string> addresses;  // to listen on; empty: 127.0.0.1 and, where there is one, ::1
+  int port = 0;                        // 0: any that is free
+  int tries = 1;                       // ports from `port` on, until one is free
+  std::vector<std::string> hosts;      // other names under which it is called: "name:port"
+  std::string certificate, key;        // PEM files; both or none
+  std::string embed;                   // origin of a page that may show this one in a frame
+  AccessTokens tokens;
+  std::size_t most_connections = 64, most_each = 16;
+};
+
+class HttpServer {
+ public:
+  // Listens when it returns, and answers in run(). Throws Error(bad_input) for an address, Error(file) for a
+  // port that is taken and for files of TLS, and what the lobby throws.
+  HttpServer(const ServerOptions& options, const LobbyOptions& lobby);
+  ~HttpServer();
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+
+  int port() const;
+  std::string url() const;  // without a token: "http://127.0.0.1:8472/"
+
+  // Until `leave` says so, which is asked ten times a second; then tells every visitor. Throws Error(defect) when the
+  // one session ended by itself.
+  void run(const std::function<bool()>& leave);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pabd

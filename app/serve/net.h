@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// What the connections share. Includes Boost.Beast: only for the files that talk to sockets.
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/ssl.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/serve/gate.h"
+#include "app/serve/http_server.h"
+#include "app/serve/routes.h"
+
+namespace pabd::net {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using tcp = asio::ip::tcp;
+using PlainStream = beast::tcp_stream;
+using TlsStream = beast::ssl_stream<beast::tcp_stream>;
+using Failure = beast::error_code;
+
+struct Shared {
+  ServerOptions options;
+  std::optional<Gate> gate;
+  std::unique_ptr<Lobby> lobby;
+  ConnectionCount connections;
+  std::size_t uploads = 0, waiting = 0;  // requests that are being taken in; that a desk works on
+  int refused = 0;                       // connections that are told why they are too many
+  bool leaving = false;
+  asio::io_context io{1};  // goes first: what it still holds uses the rest
+
+  explicit Shared(const ServerOptions& o) : options(o), connections(o.most_connections, o.most_each) {}
+};
+
+// A connection's place among those that are allowed.
+class Place {
+ public:
+  Place(Shared& shared, std::string peer) : shared_(&shared), peer_(std::move(peer)) {
+    verdict_ = shared.connections.enter(peer_);
+    if (!welcome()) ++shared.refused;
+  }
+  ~Place() {
+    if (!shared_) return;
+    if (welcome()) {
+      shared_->connections.leave(peer_);
+    } else {
+      --shared_->refused;
+    }
+  }
+  Place(Place&& other) noexcept
+      : shared_(std::exchange(other.shared_, nullptr)),
+        peer_(std::move(other.peer_)),
+        verdict_(other.verdict_) {}
+  Place& operator=(Place&&) = delete;
+
+  bool welcome() const { return verdict_ == ConnectionCount::Verdict::welcome; }
+  ConnectionCount::Verdict verdict() const { return verdict_; }
+
+ private:
+  Shared* shared_;
+  std::string peer_;
+  ConnectionCount::Verdict verdict_;
+};
+
+// Answers requests of one connection, until it becomes a WebSocket or ends.
+void serve_plain(Shared& shared, PlainStream stream, Place place);
+void serve_tls(Shared& shared, PlainStream stream, asio::ssl::context& tls, Place place);
+
+// The request was found to be in order, but for the subprotocol.
+using UpgradeRequest = http::request<http::empty_body>;
+void serve_socket(Shared& shared, PlainStream stream, UpgradeRequest request, Place place);
+void serve_socket(Shared& shared, TlsStream stream, UpgradeRequest request, Place place);
+
+}  // namespace pabd::net

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// See roles.h.
+#include "app/serve/roles.h"
+
+#include <algorithm>
+
+namespace pabd {
+
+Roles::Visitor* Roles::find(VisitorId id) {
+  const auto found =
+      std::find_if(visitors_.begin(), visitors_.end(), [&](const Visitor& v) { return v.id == id; });
+  return found == visitors_.end() ? nullptr : &*found;
+}
+
+std::optional<Roles::Arrival> Roles::arrive(const std::string& key, bool may_control, double now) {
+  tick(now);
+  const auto known = std::find_if(visitors_.begin(), visitors_.end(), [&](const Visitor& v) {
+    return v.key == key && v.may_control == may_control;
+  });
+  Arrival out;
+  out.id = next_;
+  if (known != visitors_.end()) {
+    out.came_back = true;
+    if (known->present) out.replaced = known->id;
+    if (holder_ == known->id) holder_ = out.id;
+    known->id = out.id;
+    known->present = true;
+  } else {
+    if (present() >= kMost) return std::nullopt;
+    if (visitors_.size() - present() >= kMostKept) {
+      const auto oldest = std::find_if(visitors_.begin(), visitors_.end(),
+                                       [&](const Visitor& v) { return !v.present && holder_ != v.id; });
+      if (oldest != visitors_.end()) visitors_.erase(oldest);
+    }
+    visitors_.push_back({out.id, key, may_control, true, false, 0});
+  }
+  ++next_;
+  settle();
+  return out;
+}
+
+void Roles::leave(VisitorId id, double now) {
+  if (Visitor* visitor = find(id)) {
+    visitor->present = visitor->asks = false;
+    visitor->left = now;
+  }
+}
+
+void Roles::ask(VisitorId id) {
+  Visitor* visitor = find(id);
+  if (!visitor || !visitor->may_control || holder_ == id) return;
+  visitor->asks = true;
+}
+
+bool Roles::give(VisitorId id) {
+  if (holder_ != id) return false;
+  const auto fits = [&](const Visitor& v) { return v.present && v.may_control && v.id != id; };
+  auto to =
+      std::find_if(visitors_.begin(), visitors_.end(), [&](const Visitor& v) { return fits(v) && v.asks; });
+  if (to == visitors_.end()) to = std::find_if(visitors_.begin(), visitors_.end(), fits);
+  if (to == visitors_.end()) return false;
+  holder_ = to->id;
+  to->asks = false;
+  return true;
+}
+
+void Roles::tick(double now) {
+  if (holder_) {
+    const Visitor* holder = find(*holder_);
+    const bool waited_for = std::any_of(visitors_.begin(), visitors_.end(),
+                                        [](const Visitor& v) { return v.present && v.may_control; });
+    if (!holder || (!holder->present && waited_for && now - holder->left >= kGone)) holder_.reset();
+  }
+  std::erase_if(visitors_, [&](const Visitor& v) { return !v.present && now - v.left >= kKept; });
+  if (holder_ && !find(*holder_)) holder_.reset();
+  settle();
+}
+
+void Roles::settle() {
+  if (holder_) return;
+  for (Visitor& visitor : visitors_) {
+    if (!visitor.present || !visitor.may_control) continue;
+    holder_ = visitor.id;
+    visitor.asks = false;
+    return;
+  }
+}
+
+std::optional<VisitorId> Roles::controller() const {
+  if (!holder_) return std::nullopt;
+  const auto found =
+      std::find_if(visitors_.begin(), visitors_.end(), [&](const Visitor& v) { return v.id == *holder_; });
+  return found != visitors_.end() && found->present ? holder_ : std::nullopt;
+}
+
+bool Roles::somebody_asks() const {
+  return std::any_of(visitors_.begin(), visitors_.end(),
+                     [](const Visitor& v) { return v.present && v.asks; });
+}
+
+std::size_t Roles::present() const {
+  return static_cast<std::size_t>(
+      std::count_if(visitors_.begin(), visitors_.end(), [](const Visitor& v) { return v.present; }));
+}
+
+}  // namespace pabd

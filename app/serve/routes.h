@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What a request asks for, and whether it may: every check of HTTP in one function that knows no sockets.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/serve/access_token.h"
+#include "app/serve/gate.h"
+
+namespace pabd {
+
+inline constexpr std::uint64_t kMostUpload = std::uint64_t{64} << 20;
+inline constexpr std::uint64_t kMostBody = std::uint64_t{1} << 20;
+
+struct HttpRequest {
+  std::string_view method, target, host, origin, authorization;
+  std::size_t hosts = 1;  // headers of that name
+  bool upgrade = false;   // to a WebSocket
+  bool has_body = false;
+};
+
+enum class Endpoint { page, socket, actions, state, picture, events, file_list, read_file, write_file };
+
+struct Route {
+  int status = 200;  // else `error` is what is told
+  std::string error;
+  Endpoint endpoint = Endpoint::page;
+  std::string name;           // of a page's file, or of a visitor's
+  int width = 0, height = 0;  // of a picture; 0: as it is
+  bool panels = true;
+  std::uint64_t most_body = 0;  // bytes
+};
+
+Route find_route(const HttpRequest& request, const Gate& gate, const AccessTokens& tokens);
+
+// "%20" → " "; none for what is not well-formed.
+std::optional<std::string> percent_decoded(std::string_view text);
+
+}  // namespace pabd

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Which parts of a frame changed: tiles of 64 pixels, and few rectangles that cover them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "render/output/image.h"
+
+namespace pabd {
+
+struct PixelRect {
+  int x = 0, y = 0, w = 0, h = 0;
+  std::int64_t area() const { return std::int64_t{w} * h; }
+  bool operator==(const PixelRect&) const = default;
+};
+
+class Tiles {
+ public:
+  static constexpr int kSide = 64;
+  static constexpr std::size_t kMostRects = 8;
+  static constexpr double kWorthIt = 0.6;  // of the area; more is sent as a whole
+
+  Tiles() = default;
+  Tiles(int width, int height);  // of an image; none is marked
+
+  // Those in which two images of the same size differ.
+  static Tiles changed(const Image& before, const Image& after);
+
+  bool any() const;
+  std::size_t count() const;
+  bool fits(int width, int height) const { return width_ == width && height_ == height; }
+  void mark_all();
+  void mark(const PixelRect& rect);
+  void mark(const Tiles& other);  // of the same size
+  void clear(const PixelRect& rect);
+  // The first `most` marked ones in the order of reading.
+  Tiles first(std::size_t most) const;
+
+  // At most kMostRects rectangles that cover what is marked and do not overlap; the whole image when they
+  // would be more than kWorthIt of it and `whole`.
+  std::vector<PixelRect> cover(bool whole = true) const;
+
+ private:
+  PixelRect pixels(int left, int top, int right, int bottom) const;  // of tiles, ends excluded
+
+  int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+  std::vector<char> marked_;
+};
+
+// Sides times `scale` < 1, each pixel the mean of what it covers or, between, of its neighbours.
+Image reduced(const Image& image, double scale);
+
+}  // namespace pabd

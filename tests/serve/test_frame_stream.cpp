@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+// Frames for visitors: one on its way, the newest wins, only what changed, lossless when still. What is sent
+// is put together again as a page does, and compared with what was drawn. H.264 is decoded by ffmpeg.
+#include <turbojpeg.h>
+
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <map>
+#include <random>
+#include <thread>
+
+#include "app/serve/frame_stream.h"
+#include "render/output/png.h"
+#include "sim/base/child_process.h"
+#include "tests/support/files.h"
+#include "tests/support/temp_folder.h"
+
+using namespace pabd;
+
+namespace {
+
+// What a page has on its canvas.
+class Page {
+ public:
+  void take(const EncodedFrame& frame) {
+    ++frames;
+    for (std::size_t i = 0; i < frame.parts.size(); ++i) {
+      const std::string& part = *frame.parts[i];
+      head = read_frame_head(part);
+      CHECK(head.left == frame.parts.size() - 1 - i);
+      CHECK(((head.flags & FrameHead::kLast) != 0) == (head.left == 0));
+      CHECK(((head.flags & FrameHead::kLossless) != 0) == (head.kind == FrameHead::png));
+      if (canvas.width != head.width || canvas.height != head.height) {
+        canvas.resize(head.width, head.height);
+        std::fill(canvas.rgb.begin(), canvas.rgb.end(), 0);
+      }
+      put(decode(part.substr(FrameHead::kBytes)));
+    }
+    bytes += frame.bytes;
+  }
+
+  Image canvas;
+  FrameHead head;
+  int frames = 0;
+  std::size_t bytes = 0;
+
+ private:
+  Image decode(const std::string& data) const {
+    Image out;
+    if (head.kind == FrameHead::png) {
+      const TempFolder folder;
+      write_bytes(folder / "part.png", data);
+      out = read_png(folder / "part.png");
+    } else {
+      out.resize(head.w, head.h);
+      const tjhandle handle = tjInitDecompress();
+      const auto* jpeg = reinterpret_cast<const unsigned char*>(data.data());
+      REQUIRE(tjDecompress2(handle, jpeg, data.size(), out.rgb.data(), head.w, 0, head.h, TJPF_RGB, 0) == 0);
+      tjDestroy(handle);
+    }
+    REQUIRE(out.width == head.w);
+    REQUIRE(out.height == head.h);
+    return out;
+  }
+  void put(const Image& part) {
+    REQUIRE(head.x + head.w <= canvas.width);
+    REQUIRE(head.y + head.h <= canvas.height);
+    for (int y = 0; y < part.height; ++y)
+      std::memcpy(
+          &canvas.rgb[3 * (static_cast<std::size_t>(head.y + y) * static_cast<std::size_t>(canvas.width) +
+                           static_cast<std::size_t>(head.x))],
+          &part.rgb[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(part.width)],
+          3 * static_cast<std::size_t>(part.width));
+  }
+};
+
+// A smooth picture with a bright square.
+Image scene(int square_x, int square_y, int width = 640, int height = 400) {
+  Image out;
+  out.resize(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      std::uint8_t* const p = &out.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                            static_cast<std::size_t>(x))];
+      const bool inside = x >= square_x && x < square_x + 40 && y >= square_y && y < square_y + 40;
+      p[0] = static_cast<std::uint8_t>(inside ? 240 : 40 + 100 * x / width);
+      p[1] = static_cast<std::uint8_t>(inside ? 200 : 60 + 80 * y / height);
+      p[2] = static_cast<std::uint8_t>(inside ? 30 : 90);
+    }
+  }
+  return out;
+}
+
+double mean_error(const Image& a, const Image& b) {
+  REQUIRE(a.rgb.size() == b.rgb.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(int{a.rgb[i]} - int{b.rgb[i]});
+  return sum / static_cast<double>(a.rgb.size());
+}
+
+struct Visited {
+  std::map<VisitorId, Page> pages;
+  FrameStream stream{[this](VisitorId id, const EncodedFrame& frame) { pages[id].take(frame); }};
+  void acknowledge(VisitorId id, double now) { stream.acknowledge(id, pages[id].head.frame, 1, now); }
+};
+
+}  // namespace
+
+TEST_CASE("the head of a frame is 32 bytes, little endian") {
+  FrameHead head;
+  head.kind = FrameHead::png;
+  head.flags = 3;
+  head.left = 0x0102;
+  head.frame = 0x01020304;
+  head.x = 1, head.y = 2, head.w = 3, head.h = 4, head.width = 5, head.height = 6;
+  head.stamp = 0xfffefdfc;
+  head.draw_us = 7;
+  head.encode_us = 8;
+  const std::string bytes = to_bytes(head);
+  REQUIRE(bytes.size() == 32);
+  CHECK(bytes.substr(0, 8) == std::string("\x02\x03\x02\x01\x04\x03\x02\x01", 8));
+  CHECK(bytes.substr(20, 4) == "\xfc\xfd\xfe\xff");
+  CHECK(read_frame_head(bytes) == head);
+}
+
+TEST_CASE("one frame is on its way, then the newest, and only what changed of it") {
+  Visited v;
+  v.stream.arrive(1);
+  CHECK(v.stream.show(scene(0, 0), 1, 5, 0));
+  v.stream.deliver(0);
+  CHECK(v.pages[1].frames == 1);
+  CHECK(mean_error(v.pages[1].canvas, scene(0, 0)) < 4);
+  const std::size_t whole = v.pages[1].bytes;
+
+  CHECK_FALSE(v.stream.show(scene(0, 0), 2, 5, 0.01));  // nothing new
+  for (int i = 1; i <= 3; ++i) {
+    CHECK(v.stream.show(scene(10 * i, 0), 2, 5, 0.02 * i));
+    v.stream.deliver(0.02 * i);
+    CHECK(v.pages[1].frames == 1);  // not acknowledged
+  }
+  v.acknowledge(1, 0.1);
+  v.stream.deliver(0.1);
+  CHECK(v.pages[1].frames == 2);
+  CHECK(v.pages[1].head.stamp == 2);
+  CHECK(v.pages[1].head.frame == 4);
+  CHECK(mean_error(v.pages[1].canvas, scene(30, 0)) < 4);
+  CHECK(v.pages[1].bytes - whole < whole / 2);
+
+  // Who comes later, or acknowledges something else, gets a whole frame, or none.
+  v.stream.arrive(2);
+  v.stream.acknowledge(1, 999, 1, 0.1);
+  v.stream.deliver(0.11);
+  CHECK(v.pages[1].frames == 2);
+  CHECK(mean_error(v.pages[2].canvas, scene(30, 0)) < 4);
+}
+
+TEST_CASE("200 ms after the last change the frame is exact, and then nothing is sent") {
+  Visited v;
+  v.stream.arrive(1);
+  v.stream.show(scene(0, 0, 1280, 720), 0, 1, 0);
+  double now = 0;
+  v.stream.deliver(now);
+  v.acknowledge(1, 0.01);
+  v.stream.deliver(0.19);
+  CHECK(v.pages[1].frames == 1);
+  REQUIRE(v.stream.due());
+  CHECK(*v.stream.due() == Approx(0.2));
+  for (now = 0.2; v.stream.due() && v.pages[1].frames < 20; now += 0.01) {
+    v.stream.deliver(now);
+    v.acknowledge(1, now);
+  }
+  CHECK(v.pages[1].canvas.rgb == scene(0, 0, 1280, 720).rgb);
+  CHECK(v.pages[1].head.kind == FrameHead::png);
+  const int frames = v.pages[1].frames;
+  CHECK(frames < 8);
+  v.stream.deliver(now + 100);
+  CHECK(v.pages[1].frames == frames);
+  // A small change costs a small lossless part.
+  v.stream.show(scene(1, 0, 1280, 720), 0, 1, now);
+  const std::size_t before = v.pages[1].bytes;
+  v.stream.deliver(now);
+  v.acknowledge(1, now);
+  v.stream.deliver(now + 0.3);
+  CHECK(v.pages[1].canvas.rgb == scene(1, 0, 1280, 720).rgb);
+  CHECK(v.pages[1].bytes - before < 30000);
+}
+
+TEST_CASE("whatever is shown and whoever reads how fast, all end with the same exact window") {
+  std::mt19937 random(11);
+  Visited v;
+  for (VisitorId id = 1; id <= 3; ++id) v.stream.arrive(id);
+  double now = 0;
+  Image last;
+  for (int i = 0; i < 150; ++i) {
+    now += 0.03;
+    if (random() % 40 == 0)
+      v.stream.choose(random() % 2 ? Adaptation::Mode::fast : Adaptation::Mode::automatic);
+    const bool larger = i / 50 == 1;
+    last = scene(static_cast<int>(random() % 500), static_cast<int>(random() % 300), larger ? 800 : 640, 400);
+    v.stream.show(last, static_cast<std::uint32_t>(i), 1, now);
+    v.stream.deliver(now);
+    for (VisitorId id = 1; id <= 3; ++id)
+      if (random() % (2 * id) == 0) v.acknowledge(id, now);
+  }
+  for (int i = 0; i < 30; ++i) {
+    now += 0.1;
+    for (VisitorId id = 1; id <= 3; ++id) v.acknowledge(id, now);
+    v.stream.deliver(now);
+  }
+  for (VisitorId id = 1; id <= 3; ++id) CHECK(v.pages[id].canvas.rgb == last.rgb);
+}
+
+TEST_CASE("a page that lost what it had gets the whole frame again") {
+  Visited v;
+  v.stream.arrive(1);
+  v.stream.show(scene(0, 0), 0, 1, 0);
+  v.stream.deliver(0);
+  v.acknowledge(1, 0.01);
+  std::fill(v.pages[1].canvas.rgb.begin(), v.pages[1].canvas.rgb.end(), 0);
+  v.stream.refresh(1);
+  v.stream.show(scene(10, 0), 0, 1, 0.02);
+  v.stream.deliver(0.02);
+  CHECK(mean_error(v.pages[1].canvas, scene(10, 0)) < 4);
+  v.acknowledge(1, 0.03);
+  std::fill(v.pages[1].canvas.rgb.begin(), v.pages[1].canvas.rgb.end(), 0);
+  v.stream.refresh(1);
+  v.stream.deliver(0.04);  // although nothing changed
+  CHECK(mean_error(v.pages[1].canvas, scene(10, 0)) < 4);
+}
+
+TEST_CASE("somebody who never reads holds nobody up") {
+  Visited v;
+  v.stream.arrive(1);
+  v.stream.arrive(2);
+  for (int i = 0; i < 50; ++i) {
+    v.stream.show(scene(5 * i, 20), 0, 1, 0.05 * i);
+    v.stream.deliver(0.05 * i);
+    v.acknowledge(2, 0.05 * i + 0.01);
+    CHECK(v.stream.wants_frame());
+  }
+  CHECK(v.pages[1].frames == 1);
+  CHECK(v.pages[2].frames == 50);
+  v.stream.depart(2);
+  v.stream.show(scene(300, 300), 0, 1, 10);
+  CHECK_FALSE(v.stream.wants_frame());  // nothing is drawn for it alone
+}
+
+namespace {
+
+// The picture of the last unit of a stream.
+Image last_picture(const std::string& stream, int width, int height) {
+  const TempFolder folder;
+  write_bytes(folder / "a.h264", stream);
+  const ChildOutcome decoded =
+      run_child({"ffmpeg", "-loglevel", "error", "-i", folder / "a.h264", "-sws_flags",
+                 "accurate_rnd+full_chroma_int", "-f", "rawvideo", "-pix_fmt", "rgb24", folder / "a.rgb"},
+                60, [](std::string_view) {});
+  REQUIRE(decoded.status == 0);
+  const std::string raw = read_bytes(folder / "a.rgb");
+  const int even_width = width + width % 2, even_height = height + height % 2;
+  const std::size_t row = 3 * static_cast<std::size_t>(even_width);
+  const std::size_t size = row * static_cast<std::size_t>(even_height);
+  REQUIRE(raw.size() >= size);
+  REQUIRE(raw.size() % size == 0);
+  Image out;
+  out.resize(width, height);
+  for (int y = 0; y < height; ++y)
+    std::memcpy(&out.rgb[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width)],
+                &raw[raw.size() - size + row * static_cast<std::size_t>(y)],
+                3 * static_cast<std::size_t>(width));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("H.264 for the first visitor: one stream in order, anew after a loss, and at rest all is exact") {
+  const int width = 321, height = 203;
+  std::map<VisitorId, std::vector<EncodedFrame>> got;
+  FrameStream stream([&](VisitorId id, const EncodedFrame& frame) { got[id].push_back(frame); },
+                     VideoEncoder::software);
+  const auto head_of = [](const EncodedFrame& frame, std::size_t part = 0) {
+    return read_frame_head(*frame.parts.at(part));
+  };
+  stream.arrive(1, true);
+  stream.arrive(2, true);
+  stream.follow(1);
+  double now = 0;
+  int number = 0;
+  Image image;
+  const auto show_next = [&] {
+    now += 0.03;
+    image = scene(20 + ++number % 200, 30, width, height);
+    stream.show(image, 0, 1, now);
+    stream.deliver(now);
+    for (const VisitorId id : {1, 2}) stream.acknowledge(id, head_of(got[id].back()).frame, 1, now + 0.001);
+    return head_of(got[1].back()).kind;
+  };
+  const auto begin = [&] {
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (show_next() != FrameHead::h264) {
+      REQUIRE(std::chrono::steady_clock::now() < patience);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  };
+  // Twice: after a loss there is JPEG at once, then another stream.
+  for (int round = 0; round < 2; ++round) {
+    begin();
+    CHECK((head_of(got[1].back()).flags & FrameHead::kKey) != 0);
+    const std::size_t first = got[1].size() - 1;
+    for (int i = 0; i < 20; ++i) CHECK(show_next() == FrameHead::h264);
+    std::string units;
+    int keys = 0;
+    for (std::size_t i = first; i < got[1].size(); ++i) {
+      for (std::size_t k = 0; k < got[1][i].parts.size(); ++k) {
+        const FrameHead head = head_of(got[1][i], k);
+        REQUIRE(head.kind == FrameHead::h264);
+        CHECK(head.left == got[1][i].parts.size() - 1 - k);
+        CHECK(head.width == width);
+        keys += (head.flags & FrameHead::kKey) != 0;
+        units += got[1][i].parts[k]->substr(FrameHead::kBytes);
+      }
+    }
+    CHECK(keys == 1);
+    CHECK(mean_error(last_picture(units, width, height), image) < 3);
+    CHECK(stream.stats(now)->video);
+    stream.refresh(1);
+    CHECK(show_next() == FrameHead::jpeg);
+    CHECK(head_of(got[1].back()).w == width);
+    CHECK_FALSE(stream.stats(now + 0.01)->video);
+  }
+  for (const EncodedFrame& frame : got[2]) CHECK(head_of(frame).kind == FrameHead::jpeg);
+
+  // Only what H.264 changed is sent again without loss.
+  begin();
+  std::size_t from = got[1].size();
+  for (int i = 0; i < 20; ++i) {
+    now += 0.3;
+    stream.deliver(now);
+    stream.acknowledge(1, head_of(got[1].back()).frame, 1, now);
+  }
+  REQUIRE(got[1].size() > from);
+  CHECK_FALSE(stream.due());
+  show_next();
+  from = got[1].size();
+  now += 0.3;
+  stream.deliver(now);
+  REQUIRE(got[1].size() == from + 1);
+  CHECK(got[1].back().bytes < 4000);
+  CHECK(stream.video_failure().empty());
+}

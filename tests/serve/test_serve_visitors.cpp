@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// The server as pages see it: frames, input, roles, coming back.
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "tests/serve/client.h"
+
+using namespace pabd;
+using Json = nlohmann::json;
+using Message = WebSocketPage::Message;
+
+namespace {
+
+bool is_frame(const Message& message) { return message.opcode == 2; }
+
+}  // namespace
+
+TEST_CASE("a page gets a frame, its input changes the simulation, and its stamp comes back") {
+  const RunningServer server;
+  WebSocketPage page(server.port());
+  REQUIRE(page.status() == 101);
+  page.say(WebSocketPage::hello(server.control()));
+  const Json welcome = page.until_text("welcome");
+  CHECK(welcome["role"] == "control");
+  CHECK(welcome["scene"] == "two_boxes");
+  CHECK(welcome["codec"] == "jpeg");
+  const Message first = page.until(is_frame);
+  CHECK(first.head().kind == FrameHead::jpeg);
+  CHECK(first.head().width == 640);
+  // At rest it becomes exact, and then nothing comes any more.
+  page.until([](const Message& m) { return is_frame(m) && (m.head().flags & FrameHead::kLossless); });
+  page.say({{"t", "move"}, {"x", 300}, {"y", 200}, {"s", 1}});
+  page.say({{"t", "key"}, {"key", "space"}, {"down", true}, {"mods", 0}, {"repeat", false}, {"s", 2}});
+  page.say({{"t", "key"}, {"key", "space"}, {"down", false}, {"mods", 0}, {"repeat", false}, {"s", 3}});
+  page.until([](const Message& m) { return is_frame(m) && m.head().stamp == 3; });
+  for (int i = 0; i < 10; ++i) page.until(is_frame);
+  const Json state = Json::parse(server.get("/state").body);
+  CHECK(state["playing"] == true);
+  CHECK(state["a"]["step"] > 0);
+  page.say({{"t", "size"}, {"size", {800, 500}}, {"scale", 1}});
+  page.until([](const Message& m) { return is_frame(m) && m.head().width == 800; });
+}
+
+TEST_CASE("one controls, others watch; control is asked for, handed over, and lost with the connection") {
+  const RunningServer server;
+  WebSocketPage first(server.port()), second(server.port()), watcher(server.port());
+  first.say(WebSocketPage::hello(server.control(), "000000000000000a"));
+  CHECK(first.until_text("welcome")["role"] == "control");
+  second.say(WebSocketPage::hello(server.control(), "000000000000000b", 700, 450));
+  CHECK(second.until_text("welcome")["role"] == "watch");
+  watcher.say(WebSocketPage::hello(server.watch(), "000000000000000c"));
+  CHECK(watcher.until_text("welcome")["visitors"] == 3);
+  CHECK(watcher.until(is_frame).head().width == 640);
+
+  // What watchers do changes nothing.
+  for (WebSocketPage* page : {&second, &watcher}) {
+    page->say({{"t", "script"}, {"actions", Json::parse(R"([{"do":"step","steps":7}])")}});
+    page->say({{"t", "ask_control"}});
+    page->say({{"t", "give_control"}});
+    page->say({{"t", "ping"}, {"at", 5}});
+    CHECK(page->until_text("pong")["at"] == 5);
+  }
+  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 0);
+  Json role;
+  do role = first.until_text("role");
+  while (role["asks"] != true);
+  first.say({{"t", "give_control"}});
+  do role = second.until_text("role");
+  while (role["role"] != "control");
+  second.say({{"t", "script"}, {"actions", Json::parse(R"([{"do":"step","steps":7}])")}});
+  second.until([](const Message& m) { return is_frame(m) && m.head().width == 700; });
+  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 7);
+}
+
+TEST_CASE("a page that comes back finds its role and the same state; the same page twice is one") {
+  const RunningServer server;
+  {
+    WebSocketPage page(server.port());
+    page.say(WebSocketPage::hello(server.control()));
+    CHECK(page.until_text("welcome")["role"] == "control");
+    CHECK(server.act(Json::parse(R"([{"do":"step","steps":4}])")).status == 200);
+  }
+  WebSocketPage page(server.port());
+  page.say(WebSocketPage::hello(server.control()));
+  CHECK(page.until_text("welcome")["role"] == "control");
+  page.until(is_frame);
+  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 4);
+  WebSocketPage again(server.port());
+  again.say(WebSocketPage::hello(server.control()));
+  CHECK(again.until_text("welcome")["role"] == "control");
+  CHECK(page.until_close() == 4410);
+}
+
+TEST_CASE("without visitors the simulation goes on, or waits as it was asked to") {
+  for (const bool pauses : {false, true}) {
+    const RunningServer server([&](ServerOptions&, LobbyOptions& lobby) {
+      lobby.desk.pause_when_alone = pauses;
+      lobby.desk.play = true;
+    });
+    const auto step = [&] { return Json::parse(server.get("/state").body)["a"]["step"].get<int>(); };
+    {
+      WebSocketPage page(server.port());
+      page.say(WebSocketPage::hello(server.control()));
+      for (int i = 0; i < 5; ++i) page.until(is_frame);
+    }
+    const auto playing = [&] { return Json::parse(server.get("/state").body)["playing"].get<bool>(); };
+    for (int i = 0; i < 100 && playing() == pauses; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    CHECK(playing() == !pauses);
+    const int then = step();
+    for (int i = 0; i < 200 && step() == then; ++i) {
+      if (pauses && i == 20) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    CHECK((step() > then) == !pauses);
+    WebSocketPage page(server.port());
+    page.say(WebSocketPage::hello(server.control()));
+    page.until_text("welcome");
+    for (int i = 0; i < 200 && !playing(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    CHECK(playing());
+  }
+}
+
+TEST_CASE("with sessions, each visitor has a simulation and files of its own; idle ones end") {
+  RunningServer server([](ServerOptions&, LobbyOptions& lobby) {
+    lobby.sessions = 2;
+    lobby.idle_limit = 0.5;
+  });
+  const auto state = [&](const std::string& id) {
+    const HttpAnswer answer =
+        http(server.port(), "GET", "/state", bearer(server.control()) + "Pabd-Session: " + id + "\r\n");
+    return answer.status == 200 ? Json::parse(answer.body) : Json();
+  };
+  {
+    WebSocketPage a(server.port()), b(server.port()), c(server.port());
+    a.say(WebSocketPage::hello(server.control(), "000000000000000a"));
+    CHECK(a.until_text("welcome")["role"] == "control");
+    b.say(WebSocketPage::hello(server.control(), "000000000000000b"));
+    CHECK(b.until_text("welcome")["role"] == "control");
+    c.say(WebSocketPage::hello(server.control(), "000000000000000c"));
+    CHECK(c.until_close() == 4429);
+    a.say({{"t", "script"},
+           {"actions", Json::parse(R"([{"do":"step","steps":3},{"do":"save_scene","path":"a.json"}])")}});
+    CHECK(a.until_text("file")["name"] == "a.json");
+    b.until(is_frame);
+    CHECK(state("000000000000000a")["a"]["step"] == 3);
+    CHECK(state("000000000000000b")["a"]["step"] == 0);
+    const HttpAnswer files =
+        http(server.port(), "GET", "/files", bearer(server.control()) + "Pabd-Session: 000000000000000b\r\n");
+    CHECK(Json::parse(files.body)["files"].empty());
+    CHECK(server.get("/state").status == 404);
+  }
+  for (int i = 0; i < 100 && !state("000000000000000a").is_null(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  CHECK(state("000000000000000a").is_null());
+  WebSocketPage later(server.port());
+  later.say(WebSocketPage::hello(server.control(), "000000000000000d"));
+  CHECK(later.until_text("welcome")["role"] == "control");
+}
