@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// See painter.h.
+#include "app/python/painter.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "app/session/session.h"
+#include "sim/base/error.h"
+
+namespace pabd::python {
+namespace {
+
+constexpr int kLeastSide = 16, kMostSide = 16384;
+
+RenderQuality quality_of(const std::string& word) {
+  if (word == "draft") return RenderQuality::live();
+  if (word == "good") return {};
+  if (word == "best") return {Quality::best, 0.1f};
+  throw Error(ErrorKind::bad_input, fmt::format("quality {}: expected draft, good or best", word));
+}
+
+void check_size(const PictureOptions& options) {
+  for (const int side : {options.width, options.height})
+    if (side < kLeastSide || side > kMostSide)
+      throw Error(ErrorKind::bad_input, fmt::format("size {}x{}: expected {} to {} pixels a side",
+                                                    options.width, options.height, kLeastSide, kMostSide));
+}
+
+}  // namespace
+
+Painter::Painter(std::shared_ptr<const Scene> scene, const PictureOptions& options)
+    : options_(options), overlay_(parse_overlay(options.overlay)) {
+  check_size(options);
+  overlay_.theme = &find_theme(options.theme);
+  const CameraOption camera = parse_camera(options.camera);
+  const RenderQuality quality = quality_of(options.quality);
+  std::vector<ContextAttempt> attempts;
+  context_ = create_headless_context(Backend::automatic, attempts);
+  // Cameras that go along with a body, or round the scene, begin where the scene does, whenever a picture is taken.
+  const Frame start = make_frame(0, Session(scene).view(), {}, {});
+  painter_ = std::make_unique<AbPainter>(*context_, scene, start, AbView::side, options.width, options.height,
+                                         overlay_, camera);
+  painter_->set_quality(quality);
+  context_->release();
+}
+
+Painter::~Painter() {
+  try {
+    if (painter_) context_->make_current();
+  } catch (const Error&) {  // nobody waits for what it holds
+  }
+  painter_.reset();
+}
+
+Image Painter::draw(FrameView view) {
+  context_->make_current();
+  painter_->draw(make_frame(0, std::move(view), {}, {}));
+  Image image;
+  painter_->fetch(image);
+  context_->release();
+  return image;
+}
+
+}  // namespace pabd::python

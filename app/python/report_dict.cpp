@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// See report_dict.h. Units: sim/solver/report.h.
+#include "app/python/report_dict.h"
+
+namespace pabd::python {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+py::dict energies_of(const StepSummary& step) {
+  return py::dict("kinetic"_a = step.kinetic, "potential"_a = step.potential, "elastic"_a = step.elastic,
+                  "total"_a = step.kinetic + step.potential + step.elastic);
+}
+
+namespace {
+
+py::dict dict_of(const PhaseTimes& times) {
+  return py::dict("detect"_a = times.detect, "set_up"_a = times.set_up, "solve"_a = times.solve,
+                  "velocities"_a = times.velocities, "total"_a = times.total);
+}
+
+py::dict dict_of(const IslandReport& island) {
+  return py::dict("first_body"_a = island.first_body, "bodies"_a = island.bodies,
+                  "manifolds"_a = island.manifolds, "joints"_a = island.joints,
+                  "solver"_a = to_string(island.solver), "status"_a = to_string(island.status),
+                  "iterations"_a = island.iterations, "residual"_a = island.residual);
+}
+
+}  // namespace
+
+py::dict dict_of(const StepReport& report) {
+  py::list islands;
+  for (const IslandReport& island : report.islands) islands.append(dict_of(island));
+  py::dict out = energies_of(report);
+  out["step"] = report.step;
+  out["time"] = report.time;
+  out["method"] = to_string(report.method);
+  out["status"] = to_string(report.status);
+  out["iterations"] = report.iterations;
+  out["kappa"] = report.kappa;
+  out["contacts"] = report.contacts;
+  out["max_penetration"] = report.max_penetration;
+  out["min_gap"] = report.min_gap;
+  out["max_joint_error"] = report.max_joint_error;
+  out["residual"] = report.residual;
+  out["left_pairs"] = report.left_pairs;
+  out["too_dense"] = report.too_dense;
+  out["drive_work"] = report.drive_work;
+  out["capped_bonds"] = report.capped_bonds;
+  out["held_bodies"] = report.held_bodies;
+  out["friction_excess"] = report.friction_excess;
+  out["times"] = dict_of(report.times);
+  out["islands"] = islands;
+  return out;
+}
+
+}  // namespace pabd::python
