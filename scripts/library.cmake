@@ -58,6 +58,7 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
     sim/base/output_path.h
     sim/base/utf8.h
     sim/body/body_look.h
+    sim/body/collision_groups.h
     sim/body/compound.h
     sim/body/convex_hull.h
     sim/body/hull.h
@@ -69,6 +70,7 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
     sim/body/shape.h
     sim/body/shape_kind.h
     sim/body/state.h
+    sim/body/surface_friction.h
     sim/collision/ray_cast.h
     sim/joint/attach.h
     sim/math/types.h
