@@ -21,6 +21,7 @@
 #include "app/session/step_at_time.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
+#include "sim/import/import.h"
 #include "sim/scene/text.h"
 #include "sim/solver/step_summary.h"
 #include "sim/trace/trace.h"
@@ -38,7 +39,7 @@ struct BenchOptions {
   std::optional<std::int64_t> steps;
   std::int64_t repeat = 1;
   std::string json;
-  std::string device = "cpu";
+  std::string device;
   bool force = false;
   bool solvers = false;
 };
@@ -56,7 +57,7 @@ void check_options(const BenchOptions& options) {
   if (options.steps)
     check_range("--steps", static_cast<double>(*options.steps), 1, static_cast<double>(kMostSteps));
   check_range("--repeat", static_cast<double>(options.repeat), 1, 1000);
-  if (options.solvers && options.device != "cpu")
+  if (options.solvers && !options.device.empty() && options.device != "cpu")
     throw Error(ErrorKind::bad_input, "--solvers: compares solvers of the processor: leave out --device");
 }
 
@@ -83,12 +84,12 @@ std::vector<BenchScene> open_scenes(const BenchOptions& options, InputFiles& inp
   }
   std::vector<BenchScene> scenes;
   for (const auto& [name, file] : named) {
-    auto scene = std::make_shared<const Scene>(load_scene(file, options.common.sets));
+    auto scene = std::make_shared<const Scene>(load_any_scene(file, options.common.sets));
     for (const auto& read : scene->files) inputs.add(read);
     const std::int64_t steps = step_count(options, name, *scene);
     if (!options.solvers) {
-      DeviceChoice device =
-          choose_device(options.device, Backend::automatic, name, {{&scene->model, &scene->params}}, {});
+      DeviceChoice device = choose_device(options.device, Backend::automatic, name,
+                                          {{&scene->model, &scene->params, &scene->initial}}, {});
       scenes.push_back({name, "", std::move(scene), steps, std::move(device)});
       continue;
     }

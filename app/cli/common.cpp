@@ -32,7 +32,8 @@ void set_up_program(CLI::App& app, Action& action) {
       "  pabd plot barrier -o barrier.svg --N 1,2,3,8\n"
       "\n"
       "Exit codes: 0 done, 1 defect in the program, 2 bad input, 3 file, 4 no GL, 5 diverged, 6 encoder, "
-      "7 images differ or an expectation failed, 129/130/143 interrupted.\n");
+      "7 images differ or an expectation failed, 75 a sweep stopped with checkpoints, "
+      "129/130/143 interrupted.\n");
 
 #define PABD_ADD(name) add_##name##_command(app, action);
   PABD_COMMANDS(PABD_ADD)

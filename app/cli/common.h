@@ -57,15 +57,19 @@ void check_range(const std::string& option, double value, double lo, double hi, 
 // clang-format off
 #define PABD_COMMANDS(X) \
   X(render) \
+  X(export) \
   X(run) \
   X(plot) \
   X(figure) \
   X(compare) \
+  X(sweep) \
   X(scenes) \
+  X(import) \
   X(bench) \
   X(doctor) \
   X(marks) \
   X(view) \
+  X(serve) \
   X(completion) \
   X(man)
 // clang-format on

@@ -12,6 +12,7 @@
 #include "app/overlay/panel_choice.h"
 #include "render/output/video_options.h"
 #include "sim/base/error.h"
+#include "sim/base/shell_quoted.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd::cli {
@@ -54,13 +55,6 @@ Words members(const CLI::Option& option) {
   const auto open = type.find('{'), close = type.find('}');
   if (open == type.npos || close == type.npos) return {};
   return split(type.substr(open + 1, close - open - 1), ',');
-}
-
-// Text between single quotes, for sh and its kin.
-std::string sh_quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 struct Command {
@@ -176,8 +170,12 @@ std::string bash_script(const CLI::App& program) {
     }
     Words names;
     for (const CLI::App* each : subcommands_of(*command.app)) names.push_back(each->get_name());
-    const std::string other = names.empty() ? bash_action(argument_of(*command.app))
-                                            : "__pabd_words " + sh_quoted(joined(names, " "));
+    const Completion argument = argument_of(*command.app);
+    std::string other =
+        names.empty() ? bash_action(argument) : "__pabd_words " + sh_quoted(joined(names, " "));
+    if (!names.empty() && argument.kind != Completion::Kind::none)
+      other +=
+          "; local names=(\"${COMPREPLY[@]}\"); " + bash_action(argument) + "; COMPREPLY+=(\"${names[@]}\")";
     out += fmt::format("    {})\n      if [[ $cur == -* ]]; then __pabd_words {}; else {}; fi ;;\n",
                        sh_quoted(joined(command.path, " ")), sh_quoted(joined(options, " ")), other);
   }
@@ -222,12 +220,10 @@ std::string function_name(const Words& path) {
   return name;
 }
 
-std::string zsh_function(const Command& command) {
-  const auto below = subcommands_of(*command.app);
-  std::string out = function_name(command.path) + "() {\n";
-  if (!below.empty()) out += "  local line state\n";
-  out += "  _arguments -s" + std::string(below.empty() ? "" : " -C");
-  for (const CLI::Option* option : options_of(*command.app)) {
+// What _arguments is told of a command's options.
+std::string zsh_options(const CLI::App& command) {
+  std::string out;
+  for (const CLI::Option* option : options_of(command)) {
     const bool flag = value_name(*option).empty();
     const Words names = names_of(*option);
     const bool again = option->get_expected_max() > 1 || option->get_items_expected_max() > 1;
@@ -240,8 +236,16 @@ std::string zsh_function(const Command& command) {
       out += " \\\n    " + sh_quoted(spec);
     }
   }
+  return out;
+}
+
+std::string zsh_function(const Command& command) {
+  const auto below = subcommands_of(*command.app);
+  const auto arguments = arguments_of(*command.app);
+  const std::string options = zsh_options(*command.app);
+  std::string out = function_name(command.path) + "() {\n";
   if (below.empty()) {
-    const auto arguments = arguments_of(*command.app);
+    out += "  _arguments -s" + options;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
       const CLI::Option& argument = *arguments[i];
       const std::string place = argument.get_expected_max() > 1 ? "*" : std::to_string(i + 1);
@@ -250,17 +254,25 @@ std::string zsh_function(const Command& command) {
     }
     return out + "\n}\n";
   }
-  out +=
-      " \\\n    '1:command:->command' '*::arguments:->arguments'\n  case $state in\n    command)\n"
-      "      local -a commands=(\n";
+  out += "  local line state\n  _arguments -s -C" + options +
+         " \\\n    '1:command:->command' '*::arguments:->arguments'\n  case $state in\n    command)\n"
+         "      local -a commands=(\n";
   for (const CLI::App* each : below)
     out += "        " + sh_quoted(each->get_name() + ":" + zsh_text(each->get_description())) + "\n";
-  out += "      )\n      _describe command commands ;;\n    arguments)\n      case $line[1] in\n";
+  // In place of a command there may be an argument, and options behind it.
+  const std::string describe = "_describe command commands";
+  out += "      )\n      " +
+         (arguments.empty() ? describe
+                            : "_alternative 'commands:command:{" + describe + "}' " +
+                                  sh_quoted("arguments:" + zsh_text(arguments.front()->get_single_name()) +
+                                            ":" + zsh_action(completion_of(*arguments.front())))) +
+         " ;;\n    arguments)\n      case $line[1] in\n";
   for (const CLI::App* each : below) {
     Words path = command.path;
     path.push_back(each->get_name());
     out += fmt::format("        {}) {} ;;\n", each->get_name(), function_name(path));
   }
+  if (!arguments.empty()) out += "        *) _arguments -s" + options + " ;;\n";
   return out + "      esac ;;\n  esac\n}\n";
 }
 
@@ -361,7 +373,7 @@ Completion completion_of(const CLI::Option& option) {
   }
   if (type == "FOLDER" || name == "FOLDER") return {Kind::folder, {}};
   const bool file = type == "OUT" || type == "CSV" || type == "JSON" || type.find('.') != type.npos;
-  if (file || name == "ACTUAL" || name == "EXPECTED") return {Kind::file, {}};
+  if (file || name == "PLAN" || name == "ACTUAL" || name == "EXPECTED") return {Kind::file, {}};
   return {};
 }
 

@@ -7,15 +7,13 @@
 #include <algorithm>
 
 #include "app/cli/help_text.h"
+#include "app/cli/streams.h"
+#include "app/session/yielding_engine.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
 
 namespace pabd::cli {
 namespace {
-
-Index moving_bodies(const Model& model) {
-  return static_cast<Index>(std::count(model.fixed.begin(), model.fixed.end(), 0));
-}
 
 std::string few_bodies(Index moving) {
   return fmt::format("{} move{}, fewer than {}", counted(moving, "body", "bodies"), moving == 1 ? "s" : "",
@@ -23,17 +21,18 @@ std::string few_bodies(Index moving) {
 }
 
 // Why the processor does it; empty: the GPU, whose name is told.
-std::string why_not_unasked(Backend backend, const std::vector<DeviceTask>& tasks, const StepOptions& wanted,
-                            std::string& name) {
+std::string why_not_unasked(const FindCapacity& find, const std::vector<DeviceTask>& tasks,
+                            const StepOptions& wanted, std::string& name) {
   Index moving = 0;
-  for (const DeviceTask& task : tasks) moving = std::max(moving, moving_bodies(*task.model));
+  for (const DeviceTask& task : tasks)
+    moving = std::max(moving, SplitEngine::on_gpu(*task.model, *task.params, *task.state));
   if (moving < kFewestOnGpu) return few_bodies(moving);
   for (const DeviceTask& task : tasks) {
-    const std::string why = DeviceEngine::why_not(*task.model, *task.params, wanted);
+    const std::string why = SplitEngine::why_not(*task.model, *task.params, wanted, *task.state);
     if (!why.empty()) return why.substr(0, why.find(": --device cpu"));
   }
   try {
-    const DeviceCapacity capacity = DeviceEngine::capacity(backend);
+    const DeviceCapacity capacity = find();
     name = capacity.renderer;
     return why_processor(moving, capacity);
   } catch (const Error& error) {
@@ -42,14 +41,12 @@ std::string why_not_unasked(Backend backend, const std::vector<DeviceTask>& task
   }
 }
 
-// Of the context that --device gpu will have.
-DeviceCapacity asked_for(Backend backend) {
-  const auto refuse = [](const std::string& why) {
-    return Error(ErrorKind::no_context, "--device gpu", why);
-  };
+// Of the context that the GPU will have. `asked`: where it was asked for.
+DeviceCapacity asked_for(const FindCapacity& find, const char* asked) {
+  const auto refuse = [&](const std::string& why) { return Error(ErrorKind::no_context, asked, why); };
   DeviceCapacity capacity;
   try {
-    capacity = DeviceEngine::capacity(backend);
+    capacity = find();
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::no_context) throw;
     throw refuse(std::string("--device cpu, or: ") + error.what());
@@ -64,8 +61,10 @@ void add_device_option(CLI::App& command, std::string& device) {
   command
       .add_option(
           "--device", device,
-          fmt::format("who makes the steps: cpu (default); gpu: compute shaders of OpenGL 4.3, in float, "
-                      "for scenes without joints; auto: a GPU that is no software where it takes the "
+          fmt::format("who makes the steps (default: what the scene says, which is cpu unless it has "
+                      "\"solver.device\"): cpu; gpu: compute shaders of OpenGL 4.3, in float, "
+                      "for contacts (what hangs on joints stays with the processor); auto: a GPU that is no "
+                      "software where it takes the "
                       "scene and {} bodies or more move, else the processor. 'pabd doctor' tells what "
                       "there is",
                       kFewestOnGpu))
@@ -80,7 +79,12 @@ std::string DeviceChoice::words() const {
 }
 
 std::shared_ptr<StepEngine> DeviceChoice::engine(Backend backend) const {
-  return gpu ? std::make_shared<DeviceEngine>(backend) : nullptr;
+  if (!gpu) return nullptr;
+  auto engine = std::make_shared<SplitEngine>(backend);
+  if (!left_to) return engine;
+  return std::make_shared<YieldingEngine>(std::move(engine), [](const std::string& reason) {
+    write_note("pabd: note: the processor makes the steps from here on: " + reason);
+  });
 }
 
 std::string why_processor(Index moving, const DeviceCapacity& capacity) {
@@ -92,34 +96,59 @@ std::string why_processor(Index moving, const DeviceCapacity& capacity) {
   return {};
 }
 
-DeviceChoice choose_device(const std::string& device, Backend backend, const std::string& source,
+DeviceChoice choose_device(const std::string& option, const FindCapacity& find, const std::string& source,
                            const std::vector<DeviceTask>& tasks, const StepOptions& wanted) {
+  const std::string device = option.empty() ? to_string(tasks.front().params->solver.device) : option;
   DeviceChoice choice;
   if (device == "auto") {
     std::string name;
-    choice.why = why_not_unasked(backend, tasks, wanted, name);
-    choice.gpu = choice.why.empty();
+    choice.why = why_not_unasked(find, tasks, wanted, name);
+    choice.gpu = choice.left_to = choice.why.empty();
     if (choice.gpu) choice.name = name;
   } else if (device == "gpu") {
     for (const DeviceTask& task : tasks) {
-      const std::string why = DeviceEngine::why_not(*task.model, *task.params, wanted);
+      const std::string why = SplitEngine::why_not(*task.model, *task.params, wanted, *task.state);
+      if (!why.empty() && source.empty()) throw Error(ErrorKind::bad_input, why);
       if (!why.empty()) throw Error(ErrorKind::bad_input, source, why);
     }
-    const DeviceCapacity capacity = asked_for(backend);
+    const DeviceCapacity capacity = asked_for(find, option.empty() ? "solver.device gpu" : "--device gpu");
     choice.gpu = true;
     choice.name = capacity.renderer;
   }
   return choice;
 }
 
-DeviceChoice solve_on_device(const std::string& device, Backend backend, const std::string& source, Run& a,
-                             Run* b, const StepOptions& wanted) {
-  std::vector<DeviceTask> tasks = {{&a.model(), &a.params()}};
-  if (b != nullptr) tasks.push_back({&b->model(), &b->params()});
-  DeviceChoice choice = choose_device(device, backend, source, tasks, wanted);
-  a.solve_with(choice.engine(backend));
-  if (b != nullptr) b->solve_with(choice.engine(backend));
-  return choice;
+DeviceChoice choose_device(const std::string& option, Backend backend, const std::string& source,
+                           const std::vector<DeviceTask>& tasks, const StepOptions& wanted) {
+  return choose_device(
+      option, [&] { return DeviceEngine::capacity(backend); }, source, tasks, wanted);
+}
+
+std::string DeviceChoices::words() const {
+  if (!b) return a.words();
+  const auto name = [](const DeviceChoice& one) { return one.gpu ? one.name : "the processor"; };
+  return " · steps of A by " + name(a) + ", of B by " + name(*b);
+}
+
+DeviceChoices solve_on_device(const std::string& option, Backend backend, const std::string& source, Run& a,
+                              Run* b, const StepOptions& wanted) {
+  const auto choose = [&](const std::vector<DeviceTask>& tasks) {
+    return choose_device(option, backend, source, tasks, wanted);
+  };
+  const DeviceTask of_a = {&a.model(), &a.params(), &a.state()};
+  DeviceChoices out;
+  if (b == nullptr) {
+    out.a = choose({of_a});
+  } else if (const DeviceTask of_b = {&b->model(), &b->params(), &b->state()};
+             !option.empty() || a.params().solver.device == b->params().solver.device) {
+    out.a = choose({of_a, of_b});
+  } else {
+    out.a = choose({of_a});
+    out.b = choose({of_b});
+  }
+  a.solve_with(out.a.engine(backend));
+  if (b != nullptr) b->solve_with((out.b ? *out.b : out.a).engine(backend));
+  return out;
 }
 
 }  // namespace pabd::cli

@@ -2,31 +2,36 @@
 // --device: who makes the time steps.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cli/common.h"
 #include "app/session/run.h"
-#include "render/device/device_engine.h"
+#include "render/device/split_engine.h"
 
 namespace pabd::cli {
 
 // From so many bodies that move a GPU is several times as quick as a processor (tests/bench/README.md).
 inline constexpr Index kFewestOnGpu = 10'000;
 
+// `device` stays empty where it is not given: what the scene says ("solver.device") holds.
 void add_device_option(CLI::App& command, std::string& device);
 
-// One run: what is to be computed. Both outlive the call.
+// One run: what is to be computed. All outlive the call.
 struct DeviceTask {
   const Model* model;
   const Params* params;
+  const State* state;  // where it begins
 };
 
 struct DeviceChoice {
   bool gpu = false;
   std::string name = "cpu";  // of the GPU, where it is one
   std::string why;           // --device auto: why the processor
+  bool left_to = false;      // auto: the processor takes over where the GPU cannot go on
 
   // For the end of a line: " · steps by NAME" or why not; empty where the processor was asked for.
   std::string words() const;
@@ -34,16 +39,30 @@ struct DeviceChoice {
   std::shared_ptr<StepEngine> engine(Backend backend) const;
 };
 
-// Who does all of the tasks, which tell what is `wanted` of their reports. `source`: the scene, for messages. With
-// "gpu" throws Error(bad_input) where it does not take one, and Error(no_context) where there is none.
-DeviceChoice choose_device(const std::string& device, Backend backend, const std::string& source,
+// What a GPU would take here: opens a context. Throws Error(no_context).
+using FindCapacity = std::function<DeviceCapacity()>;
+
+// Who does all of the tasks, which tell what is `wanted` of their reports: by `option`, or where it is empty by their
+// parameters, which then ask for the same. `source`: the scene, for messages, or empty. With "gpu" throws Error(bad_input) where
+// it does not take one, and Error(no_context) where there is none.
+DeviceChoice choose_device(const std::string& option, const FindCapacity& find, const std::string& source,
+                           const std::vector<DeviceTask>& tasks, const StepOptions& wanted);
+DeviceChoice choose_device(const std::string& option, Backend backend, const std::string& source,
                            const std::vector<DeviceTask>& tasks, const StepOptions& wanted);
 
-// Chooses for one run or two in step, which have their engines afterwards; `b` may be null.
-DeviceChoice solve_on_device(const std::string& device, Backend backend, const std::string& source, Run& a,
-                             Run* b, const StepOptions& wanted);
+// Of a run, and of another one in step with it where that has another.
+struct DeviceChoices {
+  DeviceChoice a;
+  std::optional<DeviceChoice> b;
 
-// Why --device auto leaves so many bodies that move to the processor; empty: it does not.
+  std::string words() const;  // of both, as above
+};
+
+// Chooses for one run or two in step, which have their engines afterwards; `b` may be null.
+DeviceChoices solve_on_device(const std::string& option, Backend backend, const std::string& source, Run& a,
+                              Run* b, const StepOptions& wanted);
+
+// Why "auto" leaves so many bodies that move to the processor; empty: it does not.
 std::string why_processor(Index moving, const DeviceCapacity& capacity);
 
 }  // namespace pabd::cli

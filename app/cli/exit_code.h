@@ -7,6 +7,8 @@
 namespace pabd::cli {
 
 inline constexpr int kDone = 0;
+// Stopped on request, with a checkpoint: the same command goes on (EX_TEMPFAIL of sysexits.h; schedulers requeue).
+inline constexpr int kCheckpointed = 75;
 
 constexpr int exit_code(ErrorKind kind) {
   switch (kind) {

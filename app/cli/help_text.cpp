@@ -59,9 +59,9 @@ std::string rows_text(const char* title, const std::vector<Row>& rows, int colum
 }
 
 std::string usage(const CLI::App& command, const std::string& path, int columns) {
-  std::string out = path;
-  if (!subcommands_of(command).empty()) return "Usage: " + out + " [OPTIONS] COMMAND\n";
-  out += " [OPTIONS]";
+  std::string out = path + " [OPTIONS]";
+  const bool commands = !subcommands_of(command).empty(), both = commands && !arguments_of(command).empty();
+  if (commands && !both) return "Usage: " + out + " COMMAND\n";
   for (const OptionGroup& group : option_groups(command)) {
     for (const CLI::Option* option : group.options) {
       if (!option->get_required()) continue;
@@ -72,9 +72,10 @@ std::string usage(const CLI::App& command, const std::string& path, int columns)
   }
   for (const CLI::Option* option : arguments_of(command)) {
     const std::string name = option->get_single_name() + (option->get_expected_max() > 1 ? "…" : "");
-    out += option->get_required() ? " " + name : " [" + name + "]";
+    out += option->get_required() || both ? " " + name : " [" + name + "]";
   }
-  return "Usage: " + wrap(out, columns - 7, 7) + "\n";
+  out = "Usage: " + wrap(out, columns - 7, 7) + "\n";
+  return both ? out + "       " + path + " COMMAND\n" : out;
 }
 
 // Examples stay as they can be copied; all else is wrapped.

@@ -52,7 +52,9 @@ std::string options_sections(const CLI::App& command) {
 
 std::string synopsis(const CLI::App& command, const std::string& path) {
   std::string out = ".B " + troff(path) + "\n";
-  if (!subcommands_of(command).empty()) return out + "\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n";
+  const std::string below = out + "\\fICOMMAND\\fR [\\fIOPTIONS\\fR]\n";
+  const bool commands = !subcommands_of(command).empty(), both = commands && !arguments_of(command).empty();
+  if (commands && !both) return below;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional() || !option->get_required()) continue;
     out += signature(*option, true) + "\n";
@@ -60,10 +62,10 @@ std::string synopsis(const CLI::App& command, const std::string& path) {
   out += "[\\fIOPTIONS\\fR]\n";
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_positional()) continue;
-    out += option->get_required() ? signature(*option) : "[" + signature(*option) + "]";
+    out += option->get_required() || both ? signature(*option) : "[" + signature(*option) + "]";
     out += "\n";
   }
-  return out;
+  return both ? out + ".br\n" + below : out;
 }
 
 // What stands below the options: "Examples:" and lines of two blanks, then perhaps "Exit codes: …".

@@ -21,18 +21,27 @@ std::string duration(double seconds) {
   return fmt::format("{}:{:02} h", s / 3600, s / 60 % 60);
 }
 
+std::string step_details(const StepSummary& report) {
+  return fmt::format("iterations {}  residual {:.1e}", report.iterations, report.residual);
+}
+
 }  // namespace
 
 std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,
-                          const StepSummary& report, bool bar) {
+                          const std::string& details, bool bar) {
   std::string line;
   if (bar) {
     const auto filled = static_cast<int>(kBarWidth * done / std::max<std::int64_t>(total, 1));
     line = fmt::format("[{}{}] ", std::string(filled, '#'), std::string(kBarWidth - filled, '.'));
   }
-  return line + fmt::format("{} {}/{}  {} %  ETA {}  iterations {}  residual {:.1e}", unit, done, total,
+  return line + fmt::format("{} {}/{}  {} %  ETA {}{}{}", unit, done, total,
                             100 * done / std::max<std::int64_t>(total, 1), duration(seconds_left),
-                            report.iterations, report.residual);
+                            details.empty() ? "" : "  ", details);
+}
+
+std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,
+                          const StepSummary& report, bool bar) {
+  return progress_line(unit, done, total, seconds_left, step_details(report), bar);
 }
 
 Progress::Progress(std::string unit, std::int64_t total, bool enabled)
@@ -47,7 +56,9 @@ Progress::~Progress() {
   if (open_line_) write_stderr("\n");
 }
 
-void Progress::update(std::int64_t done, const StepSummary& report) {
+void Progress::update(std::int64_t done, const StepSummary& report) { update(done, step_details(report)); }
+
+void Progress::update(std::int64_t done, const std::string& details) {
   if (!enabled_ || done <= 0) return;
   const auto now = Clock::now();
   const double pause = terminal_ ? 0.1 : 2.0;
@@ -56,7 +67,7 @@ void Progress::update(std::int64_t done, const StepSummary& report) {
   last_ = now;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
   const double left = elapsed * static_cast<double>(total_ - done) / static_cast<double>(done);
-  const std::string line = progress_line(unit_, done, total_, left, report, terminal_);
+  const std::string line = progress_line(unit_, done, total_, left, details, terminal_);
   // "\033[K" clears what a longer line before left behind.
   write_stderr(terminal_ ? fmt::format("\r{}\033[K", line) : line + "\n");
   open_line_ = terminal_;

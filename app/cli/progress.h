@@ -11,7 +11,10 @@
 
 namespace pabd::cli {
 
-// One line: "frame 12/300  4 %  ETA 31 s  iterations 7  residual 3.1e-07", with a bar in front on a terminal.
+// One line: "task 3/12  25 %  ETA 9 s  1 diverged", with a bar in front on a terminal.
+std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,
+                          const std::string& details, bool bar);
+// Of steps: "frame 12/300  4 %  ETA 31 s  iterations 7  residual 3.1e-07".
 std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,
                           const StepSummary& report, bool bar);
 
@@ -22,6 +25,7 @@ class Progress {
   ~Progress();  // leaves the cursor on a fresh line
 
   void update(std::int64_t done, const StepSummary& report);
+  void update(std::int64_t done, const std::string& details);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -48,7 +48,7 @@ struct RenderOptions {
   std::string overlay = "none";
   std::string camera;
   std::string backend = "auto";
-  std::string device = "cpu";
+  std::string device;
   std::string from;
   std::string timings;
   double encoder_timeout = SinkOptions{}.encoder_timeout;
@@ -213,7 +213,7 @@ int render(const RenderOptions& asked) {
     b.emplace(open_patched(options, a, inputs));
     b->observe(overlay.needs_iterations(), overlay.needs_contacts());
   }
-  const DeviceChoice device = solve_on_device(
+  const DeviceChoices device = solve_on_device(
       options.device, parse_backend(options.backend), options.scene, a, b ? &*b : nullptr,
       {.record_iterations = overlay.needs_iterations(), .report_contacts = overlay.needs_contacts()});
   std::optional<FrameView> start_b;
@@ -239,7 +239,8 @@ int render(const RenderOptions& asked) {
                                 .trails = options.trails},
                                start.a, start.b ? &*start.b : nullptr, options.ab_view);
   if (b) add_joints_of_b(a.scene(), start.a, b->scene(), *start.b, common);
-  if (device.gpu) common["Device"] = device.name;
+  if (device.a.gpu) common["Device"] = device.a.name;
+  if (device.b) common["Device of B"] = device.b->name;
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
     if (!options.common.quiet)

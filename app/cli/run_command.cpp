@@ -33,7 +33,7 @@ struct RunOptions {
   std::string iterations;
   std::string joints;
   std::string state;
-  std::string device = "cpu";
+  std::string device;
   bool profile = false;
   bool json = false;
   bool force = false;
@@ -112,7 +112,7 @@ void solve_on_device(const RunOptions& options, Session& session, RunFacts& fact
   wanted.record_iterations = !options.iterations.empty();
   wanted.report_joints = !options.joints.empty();
   facts.device = choose_device(options.device, Backend::automatic, options.scene,
-                               {{&session.model(), &session.params()}}, wanted);
+                               {{&session.model(), &session.params(), &session.state()}}, wanted);
   const auto start = std::chrono::steady_clock::now();
   session.solve_with(facts.device.engine(Backend::automatic));
   session.prepare();

@@ -2,6 +2,7 @@
 // Scenes by name.
 #include "app/cli/scene_lookup.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,12 +14,29 @@ namespace fs = std::filesystem;
 
 namespace pabd::cli {
 
+namespace {
+
+// The prefix that this is installed below: PREFIX/bin/pabd, or as a module of Python
+// PREFIX/lib/python3/dist-packages/pabd/….so. Empty where that is not to be learned.
+fs::path own_prefix() {
+  std::error_code none;
+  Dl_info found{};
+  const bool known = dladdr(reinterpret_cast<const void*>(&own_prefix), &found) != 0 && found.dli_fname;
+  const bool module = known && fs::path(found.dli_fname).extension() == ".so";
+  fs::path file = module ? fs::canonical(found.dli_fname, none) : fs::read_symlink("/proc/self/exe", none);
+  for (int up = 0; up < (module ? 5 : 2); ++up) file = file.parent_path();
+  return file;
+}
+
+}  // namespace
+
 std::vector<fs::path> scene_folders() {
   std::vector<fs::path> folders;
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  if (!program.empty()) folders.push_back(program.parent_path().parent_path() / PABD_SHARE_DIR / "scenes");
+  const fs::path prefix = own_prefix();
+  if (!prefix.empty()) folders.push_back(prefix / PABD_SHARE_DIR / "scenes");
+#ifdef PABD_SOURCE_DIR
   folders.emplace_back(PABD_SOURCE_DIR "/assets/scenes");
+#endif
   std::erase_if(folders, [](const fs::path& folder) {
     std::error_code none;
     return !fs::is_directory(folder, none);

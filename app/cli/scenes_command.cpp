@@ -11,7 +11,7 @@
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
 #include "sim/base/error.h"
-#include "sim/scene/scene.h"
+#include "sim/import/import.h"
 
 namespace pabd::cli {
 namespace {
@@ -32,7 +32,7 @@ struct Row {
 
 int scenes(const ScenesOptions& options) {
   if (!options.scene.empty()) {
-    write_stdout(read_scene_text(find_scene(options.scene)));
+    write_stdout(read_any_scene_text(find_scene(options.scene)));
     return 0;
   }
   if (options.names) {
@@ -43,7 +43,7 @@ int scenes(const ScenesOptions& options) {
   }
   std::vector<Row> rows;
   for (const auto& file : shipped_scenes()) {
-    const Scene scene = load_scene(file);
+    const Scene scene = load_any_scene(file);
     rows.push_back({file.stem().string(), scene.model.size(), scene.model.joints.size(), scene.description});
   }
   if (rows.empty()) {

@@ -2,14 +2,14 @@
 // From the command line to a session.
 #include "app/cli/simulation_setup.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "app/cli/import_notes.h"
 #include "app/cli/scene_lookup.h"
 #include "sim/base/input_file.h"
+#include "sim/import/import.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::cli {
@@ -23,7 +23,9 @@ struct Start {
 
 Start open(const std::string& scene, const CommonOptions& common, const std::string& from,
            InputFiles& inputs) {
-  Start start{std::make_shared<const Scene>(load_scene(find_scene(scene), common.sets)), {}};
+  std::vector<ImportNote> notes;
+  Start start{std::make_shared<const Scene>(load_any_scene(find_scene(scene), common.sets, &notes)), {}};
+  if (!common.quiet) write_import_notes(scene, notes);
   for (const auto& file : start.scene->files) inputs.add(file);
   if (!from.empty()) {
     inputs.add(from);
@@ -48,14 +50,6 @@ Run open_run(const std::string& scene, const CommonOptions& common, const std::s
              InputFiles& inputs) {
   Start start = open(scene, common, from, inputs);
   return Run(std::move(start.scene), common.thread_count(), kNoPast, start.state);
-}
-
-Error diverged_error(const std::string& scene, const StepSummary& step) {
-  return Error(
-      ErrorKind::diverged,
-      fmt::format("{}: the simulation diverged at step {} (t = {:.6g} s): the state left all bounds; try a "
-                  "smaller time_step, a smaller contact.kappa, or solver.method=descent",
-                  scene, step.step, step.time));
 }
 
 }  // namespace pabd::cli

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "app/cli/common.h"
+#include "app/session/diverged.h"
 #include "app/session/run.h"
-#include "sim/base/error.h"
 #include "sim/base/output_path.h"
 
 namespace pabd::cli {
@@ -18,8 +18,5 @@ Session open_session(const std::string& scene, const CommonOptions& common, cons
 // The same as a run that keeps no past.
 Run open_run(const std::string& scene, const CommonOptions& common, const std::string& from,
              InputFiles& inputs);
-
-// The error of a run with a step that left the numbers.
-Error diverged_error(const std::string& scene, const StepSummary& step);
 
 }  // namespace pabd::cli

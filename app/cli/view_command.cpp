@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/backend_option.h"
+#include "app/cli/device_option.h"
 #include "app/cli/exit_code.h"
+#include "app/cli/gpu_devices.h"
 #include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/scene_lookup.h"
@@ -14,17 +17,20 @@
 #include "app/gui/script.h"
 #include "app/gui/settings.h"
 #include "app/gui/viewer.h"
+#include "app/sweep/collect_sweep.h"
 #include "render/context/window.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
+
+namespace fs = std::filesystem;
 
 namespace pabd::cli {
 namespace {
 
 constexpr int kBytesPerMegabyte = 1'000'000;
 constexpr std::size_t kMostScriptBytes = std::size_t{16} << 20;
-constexpr const char* kSize = "1280x720";
+constexpr const char *kSize = "1280x720", *kScene = "two_boxes";
 constexpr double kIdle = 0.1;  // seconds that a window at rest waits for an event
 
 // Ends a script early: the window was closed, or the program was interrupted.
@@ -32,8 +38,9 @@ struct LeftScript {};
 
 struct ViewOptions {
   CommonOptions common;
-  std::string scene = "two_boxes";
-  std::string script, out = ".", size, backend = "auto";
+  std::string scene = kScene;
+  std::string sweep;  // folder; empty: none
+  std::string script, out = ".", size, backend = "auto", device;
   double scale = 0, memory = 512;
   bool headless = false, actions = false, force = false, play = false;
 };
@@ -51,8 +58,11 @@ std::unique_ptr<Runner> start_runner(const ViewOptions& options) {
   bench.threads = options.common.thread_count();
   bench.memory = static_cast<std::size_t>(options.memory * kBytesPerMegabyte);
   bench.find_scene = [](const std::string& name) { return find_scene(name).string(); };
+  bench.devices = gpu_devices(parse_backend(options.backend));
+  std::vector<std::string> sets = options.common.sets;
+  if (!options.device.empty()) sets.push_back("solver.device=" + options.device);
   return std::make_unique<Runner>(
-      std::make_unique<Workbench>(bench, command::Load{options.scene, options.common.sets, false}));
+      std::make_unique<Workbench>(bench, command::Load{options.scene, std::move(sets), false}));
 }
 
 std::string read_script(const ViewOptions& options) {
@@ -67,12 +77,31 @@ InputFiles inputs_of(const ViewOptions& options) {
 }
 void print(const std::string& line) { write_stdout(line); }
 
+// The folder of a sweep stands for its scene, with the sweep beside it. A scene that is not on this machine, where
+// tasks were brought from a cluster, is missed by what needs it.
+void open_sweep_of(ViewOptions& options) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(fs::path(options.scene) / "plan.json", ignored)) return;
+  options.sweep = options.scene;
+  options.scene = scene_of_sweep(options.sweep);
+  try {
+    find_scene(options.scene);
+  } catch (const Error&) {
+    options.scene = kScene;
+  }
+}
+
+void show_sweep(const ViewOptions& options, Viewer& viewer) {
+  if (!options.sweep.empty()) viewer.send(ViewCommand(command::OpenSweep{options.sweep}));
+}
+
 int view_headless(const ViewOptions& options, const FrameSize& size) {
   const Script script(read_script(options), options.script);
   const auto runner = start_runner(options);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
   Viewer viewer(*context, *runner, viewer_options(options, 1));
+  show_sweep(options, viewer);
   script.run(viewer, *runner,
              {options.out, options.force, size.width, size.height, {}, {}, print, inputs_of(options)});
   if (!options.common.quiet)
@@ -119,6 +148,7 @@ int view_window(const ViewOptions& options, FrameSize size) {
   setup.clipboard = [&] { return window->clipboard(); };
   setup.set_clipboard = [&](const std::string& text) { window->set_clipboard(text); };
   Viewer viewer(window->context(), *runner, setup);
+  show_sweep(options, viewer);
   if (options.play) runner->send(command::Play{});
 
   std::string title;
@@ -174,11 +204,12 @@ int view_window(const ViewOptions& options, FrameSize size) {
   return interrupt.exit_code();
 }
 
-int view(const ViewOptions& options) {
+int view(ViewOptions options) {
   if (options.actions) {
     write_stdout(action_list());
     return 0;
   }
+  open_sweep_of(options);
   const FrameSize size = parse_size(options.size.empty() ? kSize : options.size);
   if (options.scale != 0) check_range("--scale", options.scale, 0.5, 4);
   check_range("--memory", options.memory, 1, 1e6, "MB");
@@ -193,12 +224,14 @@ int view(const ViewOptions& options) {
 
 void add_view_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* command = add_command(app, "view", "the interactive window: tune N, d̂ and κ while it runs",
-                                  {"pabd view", "pabd view pyramid --set contact.N=8 --play",
-                                   "pabd view two_boxes --script actions.json --headless -o pictures"},
-                                  options->common);
-  command->add_option("SCENE", options->scene,
-                      "scene file, or the name of a shipped scene (default two_boxes)");
+  CLI::App* command =
+      add_command(app, "view", "the interactive window: tune N, d̂ and κ while it runs",
+                  {"pabd view", "pabd view pyramid --set contact.N=8 --play", "pabd view sweep_out",
+                   "pabd view two_boxes --script actions.json --headless -o pictures"},
+                  options->common);
+  command->add_option(
+      "SCENE", options->scene,
+      "scene file, or the name of a shipped scene (default two_boxes), or the folder of a sweep");
   constexpr const char *kWindow = "Window", *kScripts = "Scripts";
   command->add_flag("--play", options->play, "start at once")->group(kWindow);
   command
@@ -221,6 +254,7 @@ void add_view_command(CLI::App& app, Action& action) {
   command->add_option("--memory", options->memory, "for states of the past (default 512)")
       ->type_name("MB")
       ->group(group::kSimulation);
+  add_device_option(*command, options->device);
   add_backend_option(*command, options->backend);
   add_scene_options(*command, options->common);
   command->callback([options, &action] { action = [options] { return view(*options); }; });

@@ -88,17 +88,21 @@ std::vector<std::string> options_in_help(const std::vector<std::string>& command
 TEST_CASE("bash offers every command, and every option that the help of a command has") {
   const TempFolder folder;
   const auto commands = bash_offers(folder, "pabd ''");
-  for (const char* name :
-       {"render", "run", "plot", "figure", "compare", "scenes", "bench", "doctor", "view", "completion"})
+  for (const char* name : {"render", "export", "run", "plot", "figure", "compare", "scenes", "bench",
+                           "doctor", "view", "serve", "completion"})
     CHECK(std::count(commands.begin(), commands.end(), name) == 1);
   CHECK(std::count(commands.begin(), commands.end(), "man") == 0);
   for (const std::vector<std::string>& command :
        std::vector<std::vector<std::string>>{{"render"},
+                                             {"export"},
                                              {"run"},
                                              {"view"},
+                                             {"serve"},
                                              {"bench"},
                                              {"compare"},
                                              {"figure"},
+                                             {"sweep"},
+                                             {"sweep", "collect"},
                                              {"plot", "barrier"},
                                              {"plot", "convergence"}}) {
     std::string words = "pabd ";
@@ -115,6 +119,7 @@ TEST_CASE("bash offers words, lists, scenes and parameters where they belong") {
   write_text(folder / "own.json", "{}");
   using Words = std::vector<std::string>;
   CHECK(bash_offers(folder, "pabd render --quality ''") == Words{"best", "draft", "good"});
+  CHECK(bash_offers(folder, "pabd export --quality d") == Words{"draft"});
   CHECK(bash_offers(folder, "pabd run --device ''") == Words{"auto", "cpu", "gpu"});
   CHECK(bash_offers(folder, "pabd render --preset very") == Words{"veryfast", "veryslow"});
   CHECK(bash_offers(folder, "pabd render --set contact.kap") == Words{"contact.kappa="});
@@ -123,6 +128,10 @@ TEST_CASE("bash offers words, lists, scenes and parameters where they belong") {
   CHECK(bash_offers(folder, "pabd run two_") == Words{"two_boxes"});
   CHECK(bash_offers(folder, "pabd run ow") == Words{"own.json"});
   CHECK(bash_offers(folder, "pabd run stack --steps ''").empty());
+  // A command with an argument and a command below it.
+  CHECK(bash_offers(folder, "pabd sweep c") == Words{"collect"});
+  CHECK(bash_offers(folder, "pabd sweep ow") == Words{"own.json"});
+  CHECK(bash_offers(folder, "pabd sweep own.json --emit s") == Words{"slurm", "snakemake"});
   const auto scenes = bash_offers(folder, "pabd view ''");
   const auto names = lines_of(run_pabd({"scenes", "--names"}).out);
   for (const std::string& name : names) CHECK(std::count(scenes.begin(), scenes.end(), name) == 1);
@@ -139,6 +148,9 @@ TEST_CASE("fish offers the same") {
   CHECK(fish_offers(folder, "pabd render --overlay params,ser") == Words{"params,series"});
   CHECK(fish_offers(folder, "pabd run two_b") == Words{"two_boxes"});
   CHECK(fish_offers(folder, "pabd scenes --crf").empty());
+  write_text(folder / "own.json", "{}");
+  CHECK(fish_offers(folder, "pabd sweep coll") == Words{"collect"});
+  CHECK(fish_offers(folder, "pabd sweep ow") == Words{"own.json"});
 }
 
 TEST_CASE("zsh offers the same") {
@@ -147,6 +159,10 @@ TEST_CASE("zsh offers the same") {
   CHECK(zsh_shows(folder, "pabd render --quali", "--quality").find("--quality") != std::string::npos);
   CHECK(zsh_shows(folder, "pabd render --quality dr", "draft").find("draft") != std::string::npos);
   CHECK(zsh_shows(folder, "pabd run two_b", "two_boxes").find("two_boxes") != std::string::npos);
+  write_text(folder / "own.json", "{}");
+  CHECK(zsh_shows(folder, "pabd sweep coll", "collect").find("collect") != std::string::npos);
+  CHECK(zsh_shows(folder, "pabd sweep ow", "own.json").find("own.json") != std::string::npos);
+  CHECK(zsh_shows(folder, "pabd sweep own.json --emi", "--emit").find("--emit") != std::string::npos);
   CHECK(zsh_shows(folder, "pabd render --set contact.kapp", "contact.kappa=").find("kappa=") !=
         std::string::npos);
 }

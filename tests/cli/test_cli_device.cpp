@@ -120,14 +120,13 @@ TEST_CASE("the GPU refuses what it does not take, with the remedy and before the
     CHECK(is_error_line(outcome.err, words));
     CHECK(folder.names().empty());
   };
-  refused({"run", "bridge", "--trace", trace}, {"bridge: ", "joints", "--device cpu"});
+  refused({"run", "pendulum", "--trace", trace}, {"pendulum: ", "joints", "--device cpu"});
   refused({"run", "stack", "--set", "contact.barrier=log"}, {"stack: ", "log barrier", "--device cpu"});
   refused({"run", "stack", "--set", "solver.method=sissm"}, {"not by sissm", "--set solver.method=auto"});
   refused({"run", "stack", "--iterations", trace}, {"iterations", "--device cpu"});
-  refused({"run", "stack", "--joints", trace}, {"joints", "--device cpu"});
-  refused({"bench", "stack", "bridge"}, {"bridge: ", "joints", "--device cpu"});
+  refused({"bench", "stack", "pendulum"}, {"pendulum: ", "joints", "--device cpu"});
   refused({"bench", "stack", "--solvers"}, {"--solvers"});
-  refused({"render", "bridge", "-o", folder / "a.png"}, {"bridge: ", "joints", "--device cpu"});
+  refused({"render", "pendulum", "-o", folder / "a.png"}, {"pendulum: ", "joints", "--device cpu"});
   refused({"render", "stack", "-o", folder / "a.png", "--overlay", "convergence"},
           {"iterations", "--device cpu"});
   refused({"run", "stack", "--trace", trace}, {"--device gpu: ", "OpenGL 4.1", "--device cpu"}, 4,
@@ -137,9 +136,79 @@ TEST_CASE("the GPU refuses what it does not take, with the remedy and before the
   const Outcome word = run_pabd({"run", "stack", "--device", "tpu"});
   CHECK(word.exit_code == 2);
   CHECK(is_error_line(word.err, {"--device", "tpu", "cpu", "gpu", "auto"}));
-  // What can be wound back is the processor's.
-  CHECK(run_pabd({"view", "stack", "--device", "gpu"}).exit_code == 2);
+  write_text(folder / "window.json", "[]");
+  const std::vector<std::string> script = {"--headless", "--script", folder / "window.json", "-o",
+                                           folder / "out"};
+  const auto window = [&](const char* scene, int code, const std::vector<std::string>& words,
+                          const Setting& setting) {
+    std::vector<std::string> command = {"view", scene, "--device", "gpu"};
+    command.insert(command.end(), script.begin(), script.end());
+    const Outcome outcome = run_pabd(command, setting);
+    CAPTURE(scene, outcome.err);
+    CHECK(outcome.exit_code == code);
+    CHECK(is_error_line(outcome.err, words));
+  };
+  window("pendulum", 2, {"pendulum.json: all bodies of the scene hang on joints", "solver.device=cpu"}, {});
+  window("stack", 4, {"OpenGL 4.1", "solver.device=cpu"}, old_driver());
+  // What compares solvers is the processor's.
   CHECK(run_pabd({"plot", "convergence", "stack", "-o", folder / "a.svg", "--device", "gpu"}).exit_code == 2);
+}
+
+TEST_CASE("a scene says who makes its steps, and --device goes before it") {
+  const TempFolder folder;
+  const std::string name = json::parse(run_pabd({"doctor", "--json"}).out)["gl"]["renderer"];
+  std::string text = kBall;
+  text.insert(text.find("\"bodies\""), R"("solver": {"device": "gpu"}, )");
+  write_text(folder / "ball.json", kBall);
+  write_text(folder / "gpu.json", text);
+  const auto device = [&](const std::string& scene, std::vector<std::string> more) {
+    std::vector<std::string> command = {"run", folder / scene, "--steps", "3", "--quiet", "--json"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Outcome outcome = run_pabd(command);
+    CAPTURE(scene, more, outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return json::parse(outcome.out);
+  };
+  CHECK(device("ball.json", {})["device"] == "cpu");
+  CHECK(device("gpu.json", {})["device"] == name);
+  CHECK(device("ball.json", {"--set", "solver.device=gpu"})["device"] == name);
+  CHECK(device("gpu.json", {"--set", "solver.device=auto"})["device"] == "cpu");
+  const json on_cpu = device("gpu.json", {"--device", "cpu"});
+  CHECK(on_cpu["device"] == "cpu");
+  CHECK(on_cpu["scene_hash"] == device("ball.json", {})["scene_hash"]);
+  CHECK(on_cpu["state"] == device("ball.json", {})["state"]);
+  // Refused in the words of who asked.
+  const Outcome joints = run_pabd({"run", "pendulum", "--steps", "1", "--set", "solver.device=gpu"});
+  CHECK(joints.exit_code == 2);
+  CHECK(is_error_line(joints.err, {"pendulum: ", "joints", "--device cpu"}));
+  const Outcome old = run_pabd({"run", folder / "gpu.json", "--steps", "1"}, old_driver());
+  CHECK(old.exit_code == 4);
+  CHECK(is_error_line(old.err, {"solver.device gpu: ", "OpenGL 4.1", "--device cpu"}));
+  const Outcome word = run_pabd({"run", folder / "ball.json", "--set", "solver.device=tpu"});
+  CHECK(word.exit_code == 2);
+  CHECK(is_error_line(word.err, {"/solver/device", "cpu", "gpu", "auto"}));
+  // A on the processor, B on the GPU: frames of both.
+  write_text(folder / "b.json", R"({"solver": {"device": "gpu"}})");
+  const Outcome ab = run_pabd({"render", folder / "ball.json", "-o", folder / "ab.png", "--time", "0.1",
+                               "--size", "320x180", "--ab", folder / "b.json"});
+  CAPTURE(ab.err);
+  CHECK(ab.exit_code == 0);
+  CHECK(ab.err.find("steps of A by the processor, of B by " + name) != std::string::npos);
+  CHECK(read_text(folder / "ab.png").find("Device of B") != std::string::npos);
+}
+
+TEST_CASE("joints are the processor's beside the GPU's contacts, until something couples the two") {
+  const TempFolder folder;
+  const Outcome apart = run_pabd(
+      {"run", "bridge", "--steps", "20", "--device", "gpu", "--joints", folder / "gpu.csv", "--quiet"});
+  CAPTURE(apart.err);
+  REQUIRE(apart.exit_code == 0);
+  const Outcome cpu = run_pabd({"run", "bridge", "--steps", "20", "--joints", folder / "cpu.csv", "--quiet"});
+  REQUIRE(cpu.exit_code == 0);
+  CHECK(read_text(folder / "gpu.csv") == read_text(folder / "cpu.csv"));
+  const Outcome meets = run_pabd({"run", "bridge", "--time", "3", "--device", "gpu", "--quiet"});
+  CHECK(meets.exit_code == 2);
+  CHECK(is_error_line(meets.err, {"at t = ", "comes near", "--device cpu, or --device auto"}));
 }
 
 TEST_CASE("auto takes the processor for few bodies, for what only it can do, and in place of software") {
@@ -250,6 +319,65 @@ TEST_CASE("the plots of a run on the GPU are of its own steps") {
   render("cpu", "again.png");
   CHECK(run_pabd({"compare", folder / "again.png", folder / "cpu.png"}).exit_code == 0);
   CHECK(run_pabd({"compare", folder / "gpu.png", folder / "cpu.png"}).exit_code == 7);
+}
+
+TEST_CASE(
+    "the window's simulation runs on the GPU, is wound back, tuned, edited and taken over by the processor") {
+  const TempFolder folder;
+  write_text(folder / "ball.json", kBall);
+  write_text(folder / "script.json", R"([
+    {"do": "expect", "at": "/a/params/solver/device", "is": "gpu"},
+    {"do": "expect", "at": "/a/device/name", "is_not": ""},
+    {"do": "step", "steps": 20},
+    {"do": "expect", "at": "/a/report/status", "is": "converged"},
+    {"do": "expect", "at": "/a/device/why", "is": ""},
+    {"do": "print", "at": "/a/bodies/1/position/0"},
+    {"do": "step", "steps": -10},
+    {"do": "expect", "at": "/a/step", "is": 10},
+    {"do": "set", "key": "gravity.0", "value": 3},
+    {"do": "step", "steps": 10},
+    {"do": "expect", "at": "/a/step", "is": 20},
+    {"do": "print", "at": "/a/bodies/1/position/0"},
+    {"do": "edit", "edit": {"do": "add_body", "shape": {"type": "sphere", "radius": 0.2}, "position": [0, 3, 0]}},
+    {"do": "step", "steps": 5},
+    {"do": "expect", "at": "/a/device/name", "is_not": ""},
+    {"do": "expect", "at": "/a/bodies/2/position/1", "below": 2.99},
+    {"do": "set", "key": "solver.device", "value": "cpu"},
+    {"do": "step", "steps": 5},
+    {"do": "expect", "at": "/a/device/name", "is": ""},
+    {"do": "set", "key": "solver.device", "value": "gpu"},
+    {"do": "step", "steps": 5},
+    {"do": "expect", "at": "/a/device/name", "is_not": ""},
+    {"do": "expect", "at": "/a/gone", "is": 0},
+    {"do": "set", "key": "contact.barrier", "value": "log"},
+    {"do": "step", "steps": 1},
+    {"do": "expect", "at": "/a/device/why", "contains": "log barrier"},
+    {"do": "expect", "at": "/message", "contains": "the processor makes the steps: "} ])");
+  const auto window = [&](const char* device) {
+    return run_pabd({"view", folder / "ball.json", "--device", device, "--headless", "--script",
+                     folder / "script.json", "-o", folder / "out"});
+  };
+  const Outcome gpu = window("gpu");
+  CAPTURE(gpu.err);
+  REQUIRE(gpu.exit_code == 0);
+  // The ball goes as on the processor, before and after the change.
+  write_text(folder / "cpu.json", R"([
+    {"do": "step", "steps": 20}, {"do": "print", "at": "/a/bodies/1/position/0"},
+    {"do": "step", "steps": -10}, {"do": "set", "key": "gravity.0", "value": 3},
+    {"do": "step", "steps": 10}, {"do": "print", "at": "/a/bodies/1/position/0"} ])");
+  const Outcome cpu = run_pabd(
+      {"view", folder / "ball.json", "--headless", "--script", folder / "cpu.json", "-o", folder / "out"});
+  REQUIRE(cpu.exit_code == 0);
+  const auto places = [](const std::string& out) {
+    std::vector<double> at;
+    for (const std::string& line : lines_of(out)) at.push_back(std::stod(line.substr(line.rfind(' '))));
+    return at;
+  };
+  const auto a = places(gpu.out), b = places(cpu.out);
+  REQUIRE(a.size() == 2);
+  REQUIRE(b.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) CHECK(a[k] == Approx(b[k]).epsilon(1e-4));
+  CHECK(a[1] > a[0] + 0.01);
 }
 
 TEST_CASE("the doctor tells whether there is a GPU for the steps, and for how many bodies") {

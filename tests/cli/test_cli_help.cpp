@@ -15,14 +15,19 @@ namespace {
 const std::vector<std::vector<std::string>> kCommands = {{},
                                                          {"run"},
                                                          {"render"},
+                                                         {"export"},
                                                          {"plot"},
                                                          {"plot", "barrier"},
                                                          {"plot", "convergence"},
                                                          {"figure"},
                                                          {"compare"},
+                                                         {"sweep"},
+                                                         {"sweep", "collect"},
+                                                         {"import"},
                                                          {"scenes"},
                                                          {"doctor"},
                                                          {"view"},
+                                                         {"serve"},
                                                          {"bench"},
                                                          {"marks"},
                                                          {"completion"}};
@@ -93,6 +98,9 @@ TEST_CASE("help names what options take, and speaks of no types of a parser") {
   CHECK(help.find("not with --time") != std::string::npos);
   CHECK(help.find("only with --ab") != std::string::npos);
   CHECK(help.find("Usage: pabd render [OPTIONS] -o OUT SCENE\n") != std::string::npos);
+  CHECK(help_of({"plot"}, 120).find("Usage: pabd plot [OPTIONS] COMMAND\n") != std::string::npos);
+  CHECK(help_of({"sweep"}, 120).find("Usage: pabd sweep [OPTIONS] PLAN\n       pabd sweep COMMAND\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("options stand in groups, the same ones last everywhere") {

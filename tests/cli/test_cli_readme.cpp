@@ -39,9 +39,11 @@ std::string shortened(std::string line) {
     return replaced(line, "pabd render",
                     sized ? "pabd render --frames 2" : "pabd render --frames 2 --size 64x36");
   }
+  if (line.starts_with("pabd export")) return replaced(line, " --time [0-9.]+", "") + " --frames 2";
   if (line.starts_with("pabd run")) return replaced(line, " --(time|steps) [0-9.]+", "") + " --steps 2";
   if (line.starts_with("pabd plot convergence"))
     return replaced(line, " --at-step [0-9]+", " --at-step 2") + " --iterations 5";
+  if (line.starts_with("pabd serve")) return line + " --help";  // it waits for visitors
   // Without a display a script does what a hand would: here nothing.
   if (line.starts_with("pabd view") && line.find("--script") == line.npos)
     return line + " --headless --script nothing.json";
@@ -84,7 +86,7 @@ TEST_CASE("every line of the reference runs as it stands, one after the other, i
     CHECK(outcome.exit_code == 0);
     const std::regex output(R"( (-o|--out|--trace|--state|--iterations|--diff|--json) '?([^ ']+))");
     for (std::sregex_iterator at(line.begin(), line.end(), output), end; at != end; ++at) {
-      const std::string name = replaced((*at)[2], R"(\{frame:04\})", "0001");
+      const std::string name = replaced((*at)[2], R"(\{frame:04\}|%04d)", "0001");
       CAPTURE(name);
       CHECK((name == "-" || fs::exists(folder / name)));
     }

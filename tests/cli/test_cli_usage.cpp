@@ -11,10 +11,20 @@ using namespace pabd::test;
 
 namespace {
 
-const std::vector<std::vector<std::string>> kCommands = {
-    {"run"},    {"render"},  {"plot"},      {"plot", "barrier"}, {"plot", "convergence"},
-    {"figure"}, {"compare"}, {"scenes"},    {"doctor"},          {"view"},
-    {"bench"},  {"marks"},   {"completion"}};
+const std::vector<std::vector<std::string>> kCommands = {{"run"},
+                                                         {"render"},
+                                                         {"export"},
+                                                         {"plot"},
+                                                         {"plot", "barrier"},
+                                                         {"plot", "convergence"},
+                                                         {"figure"},
+                                                         {"compare"},
+                                                         {"scenes"},
+                                                         {"doctor"},
+                                                         {"view"},
+                                                         {"bench"},
+                                                         {"marks"},
+                                                         {"completion"}};
 
 }  // namespace
 
@@ -199,7 +209,7 @@ TEST_CASE("a name that is nearly right gets a suggestion, a missing command the 
   }
   const Outcome strange = run_pabd({"dance"});
   CHECK(is_error_line(strange.err, {"dance: no such command; 'pabd --help'"}));
-  CHECK(is_error_line(run_pabd({}).err, {"render, run, plot,", " or completion", "pabd --help"}));
+  CHECK(is_error_line(run_pabd({}).err, {"render, export, run, plot,", " or completion", "pabd --help"}));
   CHECK(is_error_line(run_pabd({"plot"}).err, {"barrier or convergence", "pabd plot --help"}));
 }
 

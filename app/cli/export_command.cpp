@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// pabd export: a run as a file for other programs.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "app/cli/device_option.h"
+#include "app/cli/help_text.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/progress.h"
+#include "app/cli/scene_lookup.h"
+#include "app/cli/simulation_setup.h"
+#include "app/cli/streams.h"
+#include "app/export/exporter.h"
+#include "app/export/session_source.h"
+#include "app/frames/past_source.h"
+#include "app/session/recording.h"
+#include "app/session/step_at_time.h"
+#include "sim/base/counted.h"
+#include "sim/base/error.h"
+
+namespace pabd::cli {
+namespace {
+
+constexpr double kDefaultTime = 5;
+constexpr double kFps = 30;
+constexpr std::int64_t kMostFrames = 10'000'000;
+constexpr std::size_t kRecordingMemory = std::size_t{512} << 20;  // bytes for states of its past
+
+struct ExportOptions {
+  CommonOptions common;
+  std::string scene;
+  OutputOptions output;
+  std::optional<double> time;
+  std::optional<std::int64_t> frames;
+  std::optional<double> fps;  // none: 30, or of an .npz every step
+  std::string quality = "good";
+  std::vector<std::string> trails;
+  bool all_trails = false;
+  std::string from;
+  std::string recording;
+  std::string device;
+};
+
+int segments_of(const std::string& quality) { return quality == "draft" ? 16 : quality == "best" ? 96 : 48; }
+
+std::string bytes_text(double bytes) {
+  return bytes < 1e6 ? fmt::format("{:.0f} kB", std::ceil(bytes / 1e3))
+                     : fmt::format("{:.1f} MB", bytes / 1e6);
+}
+
+// Where the frames come from, and how many there are.
+struct Frames {
+  std::unique_ptr<FrameSource> source;
+  SessionSource* live = nullptr;  // the same, where it simulates
+  std::int64_t count = 0;
+  double fps = kFps;
+  FrameView start;
+  std::string device_words;
+};
+
+std::vector<TrailPoint> trails_of(const ExportOptions& options, const Model& model) {
+  std::vector<TrailPoint> points;
+  for (const std::string& trail : options.trails) points.push_back(parse_trail(trail, "--trail"));
+  for (const TrailPoint& point : points) check_trail(point, model, "--trail");
+  for (std::size_t i = 0; options.all_trails && i < model.name.size(); ++i)
+    if (!model.fixed[i]) points.push_back({model.name[i]});
+  return points;
+}
+
+// A run of T seconds has a frame at its start and one at T: T·fps + 1.
+std::int64_t frame_count(const ExportOptions& options, const Scene& scene, double fps) {
+  if (options.frames) {
+    check_range("--frames", static_cast<double>(*options.frames), 1, static_cast<double>(kMostFrames));
+    return *options.frames;
+  }
+  const double time = options.time.value_or(scene.duration.value_or(kDefaultTime));
+  const std::string name = options.time || !scene.duration ? "--time" : "duration of the scene";
+  check_range(name, time, 0, 1e6, "s");
+  const std::int64_t frames = steps_until(time, 1 / fps) + 1;
+  check_range(fmt::format("{} × --fps", name), static_cast<double>(frames), 1,
+              static_cast<double>(kMostFrames), "frames");
+  return frames;
+}
+
+Frames live_frames(const ExportOptions& options, Session session, bool arrays) {
+  Frames out;
+  // Of arrays every step is a row, unless it is said otherwise.
+  out.fps = options.fps.value_or(arrays ? 1 / session.params().h : kFps);
+  out.count = frame_count(options, session.scene(), out.fps);
+  StepOptions wanted;
+  wanted.report_contacts = wanted.report_joints = arrays;
+  session.report_contacts(arrays);
+  session.report_joints(arrays);
+  const DeviceChoice device =
+      choose_device(options.device, Backend::automatic, options.scene,
+                    {{&session.model(), &session.params(), &session.state()}}, wanted);
+  session.solve_with(device.engine(Backend::automatic));
+  session.prepare();
+  out.device_words = device.words();
+  out.start = session.view();
+  auto source = std::make_unique<SessionSource>(std::move(session), out.count, out.fps);
+  out.live = source.get();
+  out.source = std::move(source);
+  return out;
+}
+
+Frames recorded_frames(const ExportOptions& options, const std::shared_ptr<const Scene>& scene, bool arrays) {
+  Timeline past = read_recording(options.recording, scene, kRecordingMemory);
+  const double h = past.back().params->h;
+  Frames out;
+  out.fps = options.fps.value_or(arrays ? 1 / h : kFps);
+  Run run(scene, options.common.thread_count(), std::move(past));
+  if (options.time) check_range("--time", *options.time, 0, 1e6, "s");
+  run.seek(0);
+  out.start = run.view();
+  const double begin = out.start.state.time;
+  // The frame at the end belongs to it, too.
+  const PastRange range{-1, options.time ? begin + *options.time : -1, out.fps};
+  auto source = std::make_unique<PastSource>(std::move(run), std::optional<Run>{}, range, false, arrays);
+  out.count = source->count();
+  out.source = std::move(source);
+  return out;
+}
+
+Frames open_frames(const ExportOptions& options, bool arrays, std::shared_ptr<const Scene>& scene,
+                   InputFiles& inputs) {
+  if (options.recording.empty()) {
+    Session session = open_session(options.scene, options.common, options.from, inputs);
+    scene = session.shared_scene();
+    return live_frames(options, std::move(session), arrays);
+  }
+  scene = std::make_shared<const Scene>(load_scene(find_scene(options.scene), options.common.sets));
+  for (const auto& file : scene->files) inputs.add(file);
+  inputs.add(options.recording);
+  return recorded_frames(options, scene, arrays);
+}
+
+// "wrote pyramid.glb: 151 frames of 22 bodies, 5 s at 30 a second, 0.4 MB".
+std::string written_text(const std::string& out, std::int64_t frames, Index bodies, double fps) {
+  if (frames == 0) return "wrote nothing: ended before the first frame\n";
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(out, unknown);
+  const std::string bytes = unknown ? "" : ", " + bytes_text(static_cast<double>(size));
+  return fmt::format("wrote {}: {} of {}, {:.4g} s at {:.4g} a second{}\n", out, counted(frames, "frame"),
+                     counted(bodies, "body", "bodies"), static_cast<double>(frames - 1) / fps, fps, bytes);
+}
+
+int export_run(const ExportOptions& options) {
+  if (options.fps) check_range("--fps", *options.fps, 0.01, 1000, "1/s");
+  const std::string out = export_path(options.output.path);
+  const bool arrays = export_format(out) == ExportFormat::npz;
+  InputFiles inputs;
+  std::shared_ptr<const Scene> scene;
+  Frames frames = open_frames(options, arrays, scene, inputs);
+  ExportSetup setup{.fps = frames.fps,
+                    .frames = frames.count,
+                    .segments = segments_of(options.quality),
+                    .trails = trails_of(options, *frames.start.model),
+                    .force = options.output.force,
+                    .inputs = inputs};
+  const auto exporter = make_exporter(out, *scene, frames.start, setup);
+
+  const InterruptGuard interrupt;
+  std::int64_t done = 0;
+  {
+    Progress progress("frame", frames.count, !options.common.quiet);
+    while (const auto frame = frames.source->next([&] { return interrupt.requested(); })) {
+      exporter->add(frame->number, frame->a);
+      progress.update(++done, frame->a.report);
+    }
+  }
+  if (done > 0) exporter->finish();
+  if (!options.common.quiet) {
+    write_stderr(written_text(out, done, frames.start.model->size(), frames.fps));
+    if (!frames.device_words.empty()) write_stderr(frames.device_words.substr(4) + "\n");
+  }
+  if (frames.live)
+    if (const auto& diverged = frames.live->diverged()) throw diverged_error(options.scene, *diverged);
+  return interrupt.exit_code();
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = add_command(
+      app, "export", "simulate a scene and write it for other programs: glTF, USD, OBJ, NumPy",
+      {"pabd export pyramid -o pyramid.glb --time 5", "pabd export four_bar -o pen.glb --trail pen",
+       "pabd export bridge -o bridge.usda --time 3 --fps 24",
+       "pabd export pile -o 'frames/body_%04d.obj' --time 2 --quality draft",
+       "pabd export pyramid -o pyramid.npz --time 5",
+       "pabd export pyramid -o seen.glb --recording run.pabdrec"},
+      options->common);
+  command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
+  add_output_options(*command, options->output,
+                     ".glb: glTF 2.0 with animation; .usda: USD with time samples; .npz: NumPy arrays of all "
+                     "states; a name with %04d and .obj, or a folder: an OBJ a frame; .obj: the last frame");
+  const auto option = [&](const char* group, const char* name, auto& value, const std::string& words,
+                          const char* type) {
+    return command->add_option(name, value, words)->type_name(type)->group(group);
+  };
+  using namespace group;
+  auto* time = option(kOutput, "--time", options->time,
+                      "length (default: the duration of the scene, or 5 s; of a recording all of it)", "S");
+  auto* frames = option(kOutput, "--frames", options->frames, "number of frames instead of a length", "N")
+                     ->excludes(time);
+  option(kOutput, "--fps", options->fps, "frames a second (default 30; of an .npz every step)", "F");
+  option(kPicture, "--quality", options->quality,
+         "around round bodies draft: 16, good: 48 (default), best: 96 segments", "WORD")
+      ->check(CLI::IsMember({"draft", "good", "best"}));
+  option(kPicture, "--trail", options->trails,
+         "the path of a body's centre, of a point of it (body frame, m), or with com of the centre of mass "
+         "of all "
+         "that moves, as a line; .glb and .usda; may be given several times",
+         "BODY[@X,Y,Z]")
+      ->allow_extra_args(false);
+  command->add_flag("--trails", options->all_trails, "the paths of all movable bodies")->group(kPicture);
+  auto* from =
+      option(kSimulation, "--from", options->from, "start at a state file of this scene", "STATE.json");
+  auto* recording = option(kSimulation, "--recording", options->recording,
+                           "no new steps: a recording of this scene that 'pabd view' saved", "RUN.pabdrec")
+                        ->excludes(from)
+                        ->excludes(frames);
+  add_scene_options(*command, options->common);
+  add_device_option(*command, options->device);
+  recording->excludes(command->get_option("--device"));
+  command->callback([options, &action] { action = [options] { return export_run(*options); }; });
+}
+
+}  // namespace pabd::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What 'pabd serve' was asked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/common.h"
+
+namespace pabd::cli {
+
+struct ServeSetup {
+  CommonOptions common;
+  std::string scene = "two_boxes", backend = "auto", size = "1280x720", root, certificate, key, embed,
+              codec = "jpeg";
+  std::vector<std::string> addresses, hosts;
+  int port = 8472, sessions = 1;
+  bool port_given = false, trusted = false, no_watchers = false, pause_when_alone = false, play = false;
+  double past = 256, idle_limit = 10;  // MB, minutes
+};
+
+// Until SIGINT or SIGTERM. Throws Error; of a program that was built without it Error(bad_input).
+int serve(const ServeSetup& setup);
+
+}  // namespace pabd::cli

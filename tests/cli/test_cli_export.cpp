@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// pabd export as a user meets it: names, exit codes, what is left behind. Formats: tests/export.
+#include <signal.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "tests/cli/program.h"
+
+using namespace pabd::test;
+
+namespace {
+
+std::vector<std::string> command(const std::string& scene, const std::string& out,
+                                 const std::vector<std::string>& more = {}) {
+  std::vector<std::string> all{"export", scene, "-o", out};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every format is written under its name, the same for each number of threads") {
+  const TempFolder folder;
+  for (const char* name : {"a.glb", "a.usda", "a.npz"}) {
+    CAPTURE(name);
+    const Outcome outcome = run_pabd(command("pyramid", folder / name, {"--frames", "4", "--threads", "1"}));
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find("4 frames of ") != std::string::npos);
+    const std::string again = folder / ("again_" + std::string(name));
+    CHECK(run_pabd(command("pyramid", again, {"--frames", "4", "--threads", "3", "--quiet"})).err.empty());
+    CHECK((read_text(folder / name) == read_text(again)));
+  }
+  CHECK(read_text(folder / "a.glb").starts_with("glTF"));
+  CHECK(read_text(folder / "a.usda").starts_with("#usda 1.0"));
+  CHECK(read_text(folder / "a.npz").starts_with("PK"));
+}
+
+TEST_CASE("an .obj is the last frame, or with a number or a folder each of them") {
+  const TempFolder folder;
+  const std::vector<std::string> three = {"--frames", "3", "--quality", "draft"};
+  REQUIRE(run_pabd(command("two_boxes", folder / "last.obj", three)).exit_code == 0);
+  CHECK(folder.names() == std::vector<std::string>{"last.mtl", "last.obj"});
+  REQUIRE(run_pabd(command("two_boxes", folder / "f/b_%02d.obj", three)).exit_code == 0);
+  REQUIRE(run_pabd(command("two_boxes", folder / "g/", three)).exit_code == 0);
+  for (const char* name : {"f/b.mtl", "f/b_00.obj", "f/b_02.obj", "g/frame.mtl", "g/frame_0002.obj"})
+    CHECK(std::filesystem::exists(folder / name));
+  CHECK_FALSE(std::filesystem::exists(folder / "f/b_03.obj"));
+  const auto faces = [](const std::string& text) { return text.substr(text.find("\no ")); };
+  CHECK((faces(read_text(folder / "last.obj")) == faces(read_text(folder / "f/b_02.obj"))));
+  const Outcome again = run_pabd(command("two_boxes", folder / "f/b_%02d.obj", three));
+  CHECK(again.exit_code == 2);
+  CHECK(is_error_line(again.err, {"b_00.obj", "--force"}));
+}
+
+TEST_CASE("what cannot be is refused in one line, before the first step") {
+  const TempFolder folder;
+  write_text(folder / "scene.glb", small_scene());
+  write_text(folder / "there.glb", "mine");
+  const auto refused = [&](const std::vector<std::string>& arguments, int code,
+                           const std::vector<std::string>& words) {
+    const Outcome outcome = run_pabd(arguments);
+    CAPTURE(outcome.err);
+    CHECK(outcome.exit_code == code);
+    CHECK(is_error_line(outcome.err, words));
+  };
+  refused(command("pyramid", folder / "a.fbx"), 2, {"a.fbx", ".glb", ".usda", ".npz", ".obj"});
+  refused(command("pyramid", folder / "there.glb"), 2, {"there.glb", "--force"});
+  refused(command(folder / "scene.glb", folder / "scene.glb", {"--force"}), 2, {"scene.glb"});
+  refused(command("pyramid", folder / "a.glb", {"--time", "1e5", "--fps", "1000"}), 2, {"--fps", "frames"});
+  refused(command("pyramid", folder / "a.glb", {"--frames", "9999999"}), 2, {"a.glb", "poses"});
+  refused(command("pyramid", folder / "a.glb", {"--fps", "0"}), 2, {"--fps"});
+  refused(command("pyramid", folder / "a.glb", {"--trail", "nobody"}), 2, {"--trail", "nobody"});
+  refused(command("pyramid", folder / "a.npz", {"--trails"}), 2, {"a.npz", "--trails"});
+  refused(command("pyramid", folder / "a_%s.obj"), 2, {"%04d"});
+  refused(command("pyramid", folder / "a_{frame}.glb"), 2, {".obj"});
+  refused(command("pyramid", folder / "there.glb/a.glb"), 3, {"there.glb"});
+  refused(command("pyramid", folder / "a.glb", {"--recording", folder / "none.pabdrec"}), 3,
+          {"none.pabdrec"});
+  CHECK(read_text(folder / "there.glb") == "mine");
+  CHECK(folder.names() == std::vector<std::string>{"scene.glb", "there.glb"});
+}
+
+TEST_CASE("a disk that is full leaves nothing and is exit code 3") {
+  const TempFolder folder;
+  Setting setting;
+  setting.largest_file = 20'000;
+  for (const char* name : {"a.glb", "a.npz", "a.usda"}) {
+    const Outcome outcome =
+        run_pabd(command("pyramid", folder / name, {"--frames", "9", "--quiet"}), setting);
+    CAPTURE(name, outcome.err);
+    CHECK(outcome.exit_code == 3);
+    CHECK(is_error_line(outcome.err, {name}));
+  }
+  CHECK(folder.names().empty());
+}
+
+TEST_CASE("an interrupted export is whole, as far as it came") {
+  const TempFolder folder;
+  const Outcome outcome = run_pabd_interrupted(
+      command("two_boxes", folder / "a.glb", {"--frames", "9999999", "--fps", "1000"}), SIGINT,
+      [](const std::string& err) { return err.find("ETA") != std::string::npos; });
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 130);
+  CHECK(folder.names() == std::vector<std::string>{"a.glb"});
+  const std::string bytes = read_text(folder / "a.glb");
+  CHECK(bytes.starts_with("glTF"));
+  std::uint32_t length = 0;
+  std::copy_n(bytes.data() + 8, 4, reinterpret_cast<char*>(&length));
+  CHECK(length == bytes.size());
+}
+
+TEST_CASE("a recording gives what its run gave") {
+  const TempFolder folder;
+  write_text(folder / "play.json",
+             R"([{"do": "step", "steps": 30}, {"do": "save_recording", "path": "run.pabdrec"}])");
+  REQUIRE(run_pabd({"view", "two_boxes", "--headless", "--script", folder / "play.json", "-o", folder / ""})
+              .exit_code == 0);
+  const std::vector<std::string> recorded = {"--recording", folder / "run.pabdrec", "--fps", "60"};
+  const Outcome past = run_pabd(command("two_boxes", folder / "past.glb", recorded));
+  CAPTURE(past.err);
+  REQUIRE(past.exit_code == 0);
+  REQUIRE(run_pabd(command("two_boxes", folder / "live.glb", {"--frames", "30", "--fps", "60"})).exit_code ==
+          0);
+  CHECK((read_text(folder / "past.glb") == read_text(folder / "live.glb")));
+}
