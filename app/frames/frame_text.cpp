@@ -45,6 +45,7 @@ std::string parameters_json(const Params& params, double kappa, const BondLaw* j
   Params resolved = params;
   resolved.contact.kappa = kappa;
   Json json = Json::parse(params_json(resolved));
+  json["solver"].erase("device");  // who made the steps has an entry of its own
   if (joints) json["joints_default"] = law_json(*joints);
   return dump(json);
 }

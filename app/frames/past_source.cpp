@@ -44,7 +44,7 @@ std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastR
   for (std::int64_t frame = 0; frame < count; ++frame) {
     const std::size_t moment = regular ? first + static_cast<std::size_t>(step_of_frame(frame, range.fps, h))
                                        : timeline.at_time(start + static_cast<double>(frame) / range.fps);
-    out.push_back(std::clamp(moment, first, last));
+    out.push_back(timeline.kept(std::clamp(moment, first, last)));
   }
   return out;
 }
@@ -74,7 +74,7 @@ bool PastSource::go_to(std::size_t moment, const Stop& stop) {
   Run& a = a_.run;
   while (a.cursor() < moment) {
     if (stop()) return false;
-    a.seek(b_ ? a.cursor() + 1 : moment);
+    a.seek(b_ ? a.timeline().next_kept(a.cursor()) : moment);
     if (!b_) continue;
     rejoin(a, b_->run);
     add_distance(a, b_->run, apart_);

@@ -16,7 +16,8 @@ struct PastRange {
 };
 
 // Which moment each frame shows. Where all steps are of the same length, those that `pabd render` shows; else
-// the last one that is not after the frame's time. T seconds have T·fps frames, one at least.
+// the last one that is not after the frame's time. T seconds have T·fps frames, one at least. Of what a device made,
+// frames show what is kept (Timeline::kept).
 std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastRange& range);
 
 class PastSource : public FrameSource {

@@ -63,6 +63,11 @@ bool run_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start
   return true;
 }
 
+// Whether who ends here has not left the picture.
+bool stays(const BoundingSphere& start, const Vec3& end) {
+  return (end - start.centre).norm() <= kAway * start.radius;
+}
+
 }  // namespace
 
 Camera side_of(const Scene& scene) {
@@ -86,8 +91,7 @@ std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const F
   State end;
   if (!run_ahead(scene, start, seconds, seen, traces, end)) return out;
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    const bool stays = (end.c[i] - around->centre).norm() <= kAway * around->radius;
-    if (stays) out.insert(out.end(), traces[i].begin(), traces[i].end());
+    if (stays(*around, end.c[i])) out.insert(out.end(), traces[i].begin(), traces[i].end());
   }
   return out;
 }
@@ -145,6 +149,18 @@ std::vector<BodyLook> looks_of(const Scene& scene, const Model& model) {
 
 Camera scene_camera(const Scene& scene, double aspect) {
   return fit_camera(spots_of(scene.model, scene.initial), side_of(scene), aspect);
+}
+
+Camera scene_camera(const Scene& scene, const State& end, double aspect) {
+  std::vector<Spot> spots = spots_of(scene.model, scene.initial);
+  const auto around = bounding_sphere(scene.model, scene.initial);
+  const std::vector<std::uint8_t> seen = bodies_in_picture(scene.model, end);
+  for (Index i = 0; around && i < scene.model.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (seen[at] && stays(*around, end.c[at]))
+      add_spots(scene.model.shape[at], {end.c[at], end.R[at]}, spots);
+  }
+  return fit_camera(spots, side_of(scene), aspect);
 }
 
 }  // namespace pabd

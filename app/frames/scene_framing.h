@@ -48,5 +48,7 @@ std::vector<BodyLook> looks_of(const Scene& scene, const Model& model);
 
 // The camera of a scene at its start, for pictures without a run.
 Camera scene_camera(const Scene& scene, double aspect);
+// And for pictures of how it ended: shows both. Bodies that left for good count only where they started.
+Camera scene_camera(const Scene& scene, const State& end, double aspect);
 
 }  // namespace pabd

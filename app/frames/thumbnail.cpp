@@ -75,17 +75,23 @@ Image halved(const Image& image) {
   return half;
 }
 
-Image draw_thumbnail(Renderer& renderer, const Scene& scene, int view) {
-  constexpr double kAspect = static_cast<double>(kThumbnailWidth) / kThumbnailHeight;
+Image draw_small(Renderer& renderer, const Scene& scene, const State& state, const Camera& camera, int width,
+                 int height, int view) {
   VisualScene visual;
-  visual.camera = scene_camera(scene, kAspect);
+  visual.camera = camera;
   VisualOptions options;
   options.looks = looks_of(scene, scene.model);
-  build_visual(scene.model, scene.initial, {}, options, visual);
-  renderer.draw_view(view, visual, 2 * kThumbnailWidth, 2 * kThumbnailHeight);
+  build_visual(scene.model, state, {}, options, visual);
+  renderer.draw_view(view, visual, 2 * width, 2 * height);
   Image large;
   renderer.read_view(view, large);
   return halved(large);
+}
+
+Image draw_thumbnail(Renderer& renderer, const Scene& scene, int view) {
+  constexpr double kAspect = static_cast<double>(kThumbnailWidth) / kThumbnailHeight;
+  return draw_small(renderer, scene, scene.initial, scene_camera(scene, kAspect), kThumbnailWidth,
+                    kThumbnailHeight, view);
 }
 
 ThumbnailCache::ThumbnailCache(std::optional<fs::path> folder) : folder_(std::move(folder)) {}

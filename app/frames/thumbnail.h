@@ -13,9 +13,13 @@ namespace pabd {
 
 inline constexpr int kThumbnailWidth = 256, kThumbnailHeight = 144;  // pixels
 
-// The scene at its start, seen by its own camera or the one that frames it, drawn twice as large and averaged
-// in linear light. Takes the renderer's view `view` (what was in it is lost) and leaves the frame alone. The
-// renderer's context must be current. Throws Error(no_context).
+// A state of a scene, drawn twice as large as asked for (pixels) and averaged in linear light. Takes the renderer's view
+// `view` (what was in it is lost) and leaves the frame alone. The renderer's context must be current. Throws
+// Error(no_context).
+Image draw_small(Renderer& renderer, const Scene& scene, const State& state, const Camera& camera, int width,
+                 int height, int view = Renderer::kViews - 1);
+
+// The scene at its start, seen by its own camera or the one that frames it. Otherwise as draw_small.
 Image draw_thumbnail(Renderer& renderer, const Scene& scene, int view = Renderer::kViews - 1);
 
 // Half as wide and high; every pixel the mean of four in linear light. Odd last rows and columns are dropped.

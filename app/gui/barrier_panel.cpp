@@ -262,9 +262,10 @@ class BarrierPanelView final : public GuiPanel {
     ImGui::BeginChild("##advice", {0, 0});
     const auto& reports = f.sim.a.report.contact_reports;
     if (advice_.empty()) {
-      muted_label(f, f.sim.a.report.step == 0 ? "No contacts yet: press play (space)."
-                     : reports.empty()        ? "No contacts in this step."
-                                              : "No warnings: nothing overlaps.");
+      muted_label(f, f.sim.a.report.step == 0      ? "No contacts yet: press play (space)."
+                     : !reports.empty()            ? "No warnings: nothing overlaps."
+                     : f.sim.a.report.contacts > 0 ? "The contacts of this step were not kept."
+                                                   : "No contacts in this step.");
     }
     for (std::size_t i = 0; i < advice_.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));

@@ -76,7 +76,8 @@ void draw_contact_strip(GuiFrame& f, const ContactStrip& strip, const PlotLayout
                           fmt::format("{:.2f}", hi / strip.d_hat));
   }
   const std::string text =
-      ui_text(strip.contacts == 0 ? std::string("d [m]; no contacts")
+      ui_text(strip.contacts == 0 ? std::string(f.sim.a.report.contacts > 0 ? "d [m]; contacts not kept"
+                                                                            : "d [m]; no contacts")
                                   : fmt::format("d [m]; {}, median {} d̂", counted(strip.contacts, "contact"),
                                                 format_value(strip.median, 3)));
   if (ImFont* font = f.fonts.font(kText * f.unit))

@@ -10,6 +10,7 @@
 
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "app/workbench/file_root.h"
 #include "sim/base/counted.h"
 
 namespace pabd {
@@ -40,6 +41,9 @@ constexpr Question kQuestions[] = {
      false},
     {"save_camera", "Save camera keys", "A file that 'pabd render --camera' takes", "Save", true},
     {"load_camera", "Load camera keys", "A file of camera keys", "Load", false},
+    {"open_sweep", "Open a sweep", "The folder that 'pabd sweep' made", "Open", false},
+    {"load_run", "Load this run from its start?", "", "Load all the same", false, false},
+    {"load_end", "Load this run as it ended?", "", "Load all the same", false, false},
     {"reload", "Load the file again?", "Parameters that were changed here stay.", "Load again", false, false},
     {"clear_camera", "Remove all camera keys?", "", "Remove all", false, false},
     {"quit", "Leave?", "", "Leave without saving", false, false},
@@ -66,7 +70,8 @@ std::string first_text(const std::string& what, const GuiFrame& f) {
 // What would be gone; empty: nothing.
 std::string warning(const std::string& what, const GuiFrame& f) {
   std::vector<std::string> gone;
-  if (what == "open" || what == "load_recording" || what == "quit") gone = f.sim.at_stake;
+  const bool loads = what == "open" || what == "load_recording" || what == "load_run" || what == "load_end";
+  if (loads || what == "quit") gone = f.sim.at_stake;
   if (what == "reload") gone = f.sim.reload_loses;
   const bool keys = what == "quit" || what == "load_camera" || what == "clear_camera";
   if (keys && f.ui.keys_unsaved) gone.push_back(counted(f.ui.camera_keys.size(), "camera key"));
@@ -76,6 +81,7 @@ std::string warning(const std::string& what, const GuiFrame& f) {
 
 // Endings of the files that a dialog is about.
 std::vector<std::string> endings_of(const std::string& what) {
+  if (what == "open_sweep") return {};
   if (what == "screenshot") return {".png"};
   if (what == "record") return {".mp4", ".webm", ".gif", ".png"};
   if (what == "save_recording" || what == "load_recording") return {".pabdrec"};
@@ -103,6 +109,7 @@ void open_scene(const Snapshot& sim, const std::string& path, Outbox& out) {
 void open_dropped(const Snapshot& sim, const std::string& path, Outbox& out) {
   const auto asks = [&](const char* what) { out.send(ViewCommand(command::Ask{what, path})); };
   const DroppedKind kind = kind_of_dropped(path);
+  if (kind == DroppedKind::sweep) return out.send(ViewCommand(command::OpenSweep{path}));
   if (kind == DroppedKind::recording) return asks("load_recording");
   if (kind == DroppedKind::camera) return asks("load_camera");
   if (kind == DroppedKind::patch) return asks("apply_patch");
@@ -118,7 +125,7 @@ void Dialogs::start(const GuiFrame& f) {
   focus_ = true;
   record_.from = record_.to = -1;
   along_keys_ = f.ui.fly && !f.ui.camera_keys.empty();
-  browse_ = !f.steady && (open_ == "open" || open_ == "apply_patch" || open_.starts_with("load_"));
+  browse_ = !f.steady && (open_.starts_with("open") || open_ == "apply_patch" || open_.starts_with("load_"));
   listed_.clear();
   ImGui::OpenPopup("##dialog");
 }
@@ -132,6 +139,10 @@ void Dialogs::confirm(GuiFrame& f, bool force) {
     f.out.send(command);
   };
   if (open_ == "open") send(command::Load{text_, {}, force});
+  if (open_ == "open_sweep") send(command::OpenSweep{text_});
+  if (open_ == "load_run" || open_ == "load_end")
+    f.out.send(
+        ViewCommand(command::LoadRun{std::atoi(text_.c_str()), open_ == "load_end" ? "end" : "start", true}));
   if (open_ == "save_scene") send(command::SaveScene{text_, false, force});
   if (open_ == "save_state") send(command::SaveScene{text_, true, force});
   if (open_ == "save_recording") send(command::SaveRecording{text_, force});
@@ -150,7 +161,7 @@ void Dialogs::confirm(GuiFrame& f, bool force) {
   }
   if (open_ == "clear_camera") send(command::ClearCameraKeys{});
   if (open_ == "quit") send(command::Quit{true});
-  if (open_ == "clear_camera" || open_ == "quit") done_ = true;
+  if (open_ == "clear_camera" || open_ == "quit" || open_ == "load_run" || open_ == "load_end") done_ = true;
 }
 
 void Dialogs::look(const Snapshot& sim, const UiState& ui) {
@@ -194,25 +205,29 @@ void Dialogs::browser(GuiFrame& f, bool& go) {
   ImGui::SameLine();
   if (toggle_button(f, "Browse", browse_, "What is in the folder")) browse_ = !browse_;
   if (!browse_) return;
-  const std::filesystem::path folder = folder_of_typed(text_);
+  const bool only_one = f.files != nullptr;
+  const std::filesystem::path folder = only_one ? f.files->folder() : folder_of_typed(text_);
   if (listed_ != folder.string()) {
     listed_ = folder.string();
     files_ = list_files(folder, endings_of(open_));
+    if (only_one) std::erase_if(files_, [&](const FileEntry& e) { return !refusal_of_name(e.name).empty(); });
   }
   std::error_code ignored;
-  muted_label(f, std::filesystem::absolute(folder, ignored).lexically_normal().string());
-  const bool reads = open_ == "open" && !f.ui.recent.empty();
+  muted_label(f, only_one ? "files of this session"
+                          : std::filesystem::absolute(folder, ignored).lexically_normal().string());
+  const bool reads = open_ == "open" && !f.ui.recent.empty() && !only_one;
   const float row = ImGui::GetTextLineHeightWithSpacing(), width = ImGui::GetContentRegionAvail().x;
   ImGui::BeginChild("##files", {reads ? 0.55f * width : 0, row * kRows}, true);
   const std::string own = std::filesystem::path(text_).filename().string();
-  if (ImGui::Selectable("../")) {
+  if (!only_one && ImGui::Selectable("../")) {
     const auto above = folder == std::filesystem::path(".") ? std::filesystem::path("..") : folder / "..";
     text_ = above.lexically_normal().string() + "/";
   }
   for (const FileEntry& entry : files_) {
+    if (only_one && entry.folder && open_ != "open_sweep") continue;
     const std::string shown = entry.folder ? entry.name + "/" : entry.name;
     if (ImGui::Selectable(ui_text(shown).c_str(), !entry.folder && entry.name == own)) {
-      text_ = in_folder(folder, entry.name) + (entry.folder ? "/" : "");
+      text_ = (only_one ? entry.name : in_folder(folder, entry.name)) + (entry.folder ? "/" : "");
       refusal_.clear();
     }
     if (!entry.folder && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))

@@ -71,6 +71,7 @@ std::vector<FileEntry> list_files(const fs::path& folder, const std::vector<std:
 DroppedKind kind_of_dropped(const std::string& path) {
   if (path.ends_with(".pabdrec")) return DroppedKind::recording;
   std::error_code unknown;
+  if (fs::is_regular_file(fs::path(path) / "plan.json", unknown)) return DroppedKind::sweep;
   if (!path.ends_with(".json") || !fs::is_regular_file(path, unknown)) return DroppedKind::scene;
   std::string head;
   try {

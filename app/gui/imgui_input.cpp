@@ -58,9 +58,7 @@ int once(const WindowEvent& event) {
   return -1;
 }
 
-}  // namespace
-
-void set_up_imgui_keys(ImGuiIO& io) {
+void set_up_keys(ImGuiIO& io) {
   const auto map = [&io](ImGuiKey_ imgui, Key key) { io.KeyMap[imgui] = static_cast<int>(key); };
   map(ImGuiKey_Tab, Key::tab);
   map(ImGuiKey_LeftArrow, Key::left);
@@ -84,6 +82,20 @@ void set_up_imgui_keys(ImGuiIO& io) {
   map(ImGuiKey_X, Key::x);
   map(ImGuiKey_Y, Key::y);
   map(ImGuiKey_Z, Key::z);
+}
+
+}  // namespace
+
+ImGuiContext* make_gui_context() {
+  ImGuiContext* context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io.ConfigInputTextCursorBlink = false;  // every picture of a state is the same
+  set_up_keys(io);
+  return context;
 }
 
 std::vector<WindowEvent> ImGuiInput::feed(ImGuiIO& io) {

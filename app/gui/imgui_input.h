@@ -10,8 +10,8 @@
 
 namespace pabd {
 
-// Once a context.
-void set_up_imgui_keys(ImGuiIO& io);
+// A context for the window, current; whoever asked destroys it.
+ImGuiContext* make_gui_context();
 
 // Events of one frame: a press and a release of the same button or key in one frame would not be seen, so
 // that the second waits for the next.
@@ -19,6 +19,7 @@ class ImGuiInput {
  public:
   void add(const WindowEvent& event) { waiting_.push_back(event); }
   bool empty() const { return waiting_.empty(); }
+  std::size_t waiting() const { return waiting_.size(); }
 
   // Hands the events of one frame to ImGui and returns them.
   std::vector<WindowEvent> feed(ImGuiIO& io);

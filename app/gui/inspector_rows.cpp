@@ -101,6 +101,17 @@ void add_solver(const RunView& run, std::size_t i, InspectorRows& rows) {
   rows.push_back({"det A", fmt::format("{:.6f}", r.det_A), "1 for a rotation", !(r.det_A > 0)});
 }
 
+void add_action(const Joint& joint, InspectorRows& rows) {
+  const bool turns = acts_by_torque(traits_of(joint.type));
+  const JointAction& action = *joint.action;
+  if (action.motor) {
+    const bool speed = action.motor->gives == JointMotor::Gives::speed;
+    rows.push_back({"motor", speed ? "holds a speed" : turns ? "gives a torque" : "gives a force"});
+  }
+  if (action.damping > 0) rows.push_back({"damping", text(action.damping, turns ? "N m s/rad" : "N s/m")});
+  if (action.friction > 0) rows.push_back({"friction", text(action.friction, turns ? "N m" : "N")});
+}
+
 // What a joint measures and what keeps it in range.
 void add_measures(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, InspectorRows& rows) {
   const JointTraits& traits = traits_of(joint.type);
@@ -122,6 +133,7 @@ void add_measures(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
   add_limits("limits", &Joint::limits);
   add_limits("angle limits", &Joint::twist_limits);
   if (joint.drive || joint.turn) rows.push_back({"drive", "follows its time profile"});
+  if (joint.action) add_action(joint, rows);
   if (traits.points) rows.push_back({"rest length", text(joint.length, "m")});
 }
 

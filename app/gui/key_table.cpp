@@ -121,6 +121,7 @@ const std::vector<KeyBinding>& key_table() {
     add("Parameters", "h", "hold the convergence", sends(Command(command::Hold{})));
     add("Parameters", "ctrl+shift+c", "copy as a command line", sends(ViewCommand(command::CopyCommand{})));
     add("Files", "ctrl+o", "open a scene", asks("open"));
+    add("Files", "ctrl+shift+o", "open a sweep", asks("open_sweep"));
     add("Files", "ctrl+s", "save the scene, as tuned", asks("save_scene"));
     add("Files", "ctrl+shift+s", "save the state as a scene", asks("save_state"));
     add("Files", "ctrl+shift+e", "save the timeline as a recording", asks("save_recording"));

@@ -28,12 +28,14 @@ struct Outbox {
 // Another scene; asks first when something that was made here would be gone.
 void open_scene(const Snapshot& sim, const std::string& path, Outbox& out);
 
-// What a person dropped on the window: a recording, a patch, camera keys or a scene, as its name or content says.
+// What a person dropped on the window: the folder of a sweep, a recording, a patch, camera keys or a scene, as its name or content says.
 void open_dropped(const Snapshot& sim, const std::string& path, Outbox& out);
 
+class FileRoot;
 class FrameCosts;
 class Recorder;
 class SceneList;
+class SweepReader;
 
 // What a frame is made from, for everything that draws into it.
 struct GuiFrame {
@@ -46,7 +48,9 @@ struct GuiFrame {
   const SceneList& scenes;
   const Recorder& recorder;
   const FrameCosts& costs;
-  bool steady;  // for pictures of tests: nothing that depends on the clock
+  SweepReader& sweeps;
+  bool steady;                      // for pictures of tests: nothing that depends on the clock
+  const FileRoot* files = nullptr;  // the only ones that may be named; null: any
 
   const PlotTheme& theme() const { return ui.dark ? dark_theme() : light_theme(); }
   float px(double ordinary) const { return static_cast<float>(ordinary * unit); }

@@ -38,7 +38,8 @@ class ParametersPanel final : public GuiPanel {
     actions(f, run);
     for (const ParameterGroup& group : groups_) {
       heading(f, group.heading.c_str());
-      for (const ParameterRow* row : group.rows) draw_row(f, run, *row);
+      for (const ParameterRow* row : group.rows)
+        if (!row->applies || row->applies(f.sim.scene->model)) draw_row(f, run, *row);
     }
     heading(f, "Keep");
     keep(f, run);

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "app/frames/frame_text.h"
+#include "render/output/png.h"
+#include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
 #include "sim/base/output_path.h"
 
@@ -69,8 +71,8 @@ void save_window(const std::string& path, const Snapshot& sim, const UiState& ui
   write_png(path, image, text_of(sim, facts));
 }
 
-void save_scene_picture(const std::string& path, const Snapshot& sim, const UiState& ui, int width,
-                        int height, GlContext& context) {
+std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, int width, int height,
+                                        GlContext& context) {
   const auto fits = [](int side) { return side >= kLeastSide && side <= kLargestSide; };
   if (!fits(width) || !fits(height)) {
     throw Error(ErrorKind::bad_input, fmt::format("screenshot: {} × {} pixels: expected {} to {} a side",
@@ -87,7 +89,13 @@ void save_scene_picture(const std::string& path, const Snapshot& sim, const UiSt
   painter.fetch(image);
   PngText text = text_of(sim, facts);
   text["GL_RENDERER"] = painter.gl_renderer();
-  write_png(path, image, text);
+  return encode_png(image, text);
+}
+
+void save_scene_picture(const std::string& path, const Snapshot& sim, const UiState& ui, int width,
+                        int height, GlContext& context) {
+  const std::vector<std::uint8_t> png = scene_picture(sim, ui, width, height, context);
+  write_file(path, {reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 }  // namespace pabd

@@ -24,7 +24,9 @@ std::string overlay_words(const UiState& ui);
 void save_window(const std::string& path, const Snapshot& sim, const UiState& ui, Renderer& renderer);
 
 // The scene alone, pixel for pixel what `pabd render` draws of this state with this camera; width × height
-// pixels. Throws Error(bad_input) for a size, Error(file).
+// pixels: the bytes of a PNG, or a file. Throws Error(bad_input) for a size, Error(file).
+std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, int width, int height,
+                                        GlContext& context);
 void save_scene_picture(const std::string& path, const Snapshot& sim, const UiState& ui, int width,
                         int height, GlContext& context);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "sim/base/error.h"
+#include "sim/import/import.h"
+#include "sim/scene/guarded_scene.h"
 
 namespace pabd {
 namespace {
@@ -24,6 +26,11 @@ fs::file_time_type time_of(const std::string& path) {
   return failure ? fs::file_time_type::min() : time;
 }
 
+MayRead mesh_rule(const FileRoot* files) {
+  if (!files) return {};
+  return [files](const fs::path& mesh) { files->check_mesh(mesh); };
+}
+
 std::vector<fs::path> json_files(const fs::path& folder) {
   std::vector<fs::path> out;
   std::error_code failure;
@@ -39,9 +46,10 @@ std::vector<fs::path> json_files(const fs::path& folder) {
 
 }  // namespace
 
-SceneList::SceneList(Files shipped, bool steady)
+SceneList::SceneList(Files shipped, bool steady, std::shared_ptr<const FileRoot> files)
     : shipped_(std::move(shipped)),
       steady_(steady),
+      files_(std::move(files)),
       cache_(steady ? std::nullopt : ThumbnailCache::default_folder()) {
   if (!steady_) thread_ = std::thread([this] { work(); });
 }
@@ -73,8 +81,9 @@ SceneList::Found SceneList::read(const std::string& path) const {
       found.card.description = "a large file: it is read when it is opened";
       return found;
     }
-    text = read_scene_text(path);
-    auto scene = std::make_shared<const Scene>(parse_scene(text, path, fs::path(path).parent_path()));
+    text = read_any_scene_text(path, mesh_rule(files_.get()));
+    auto scene = std::make_shared<const Scene>(
+        parse_any_scene(text, path, fs::path(path).parent_path(), {}, mesh_rule(files_.get())));
     found.card.description = scene->description;
     found.card.bodies = scene->model.shape.size();
     found.card.joints = scene->model.joints.size();
@@ -128,11 +137,11 @@ void SceneList::look(const std::string& open_path, const std::vector<std::string
   } catch (const std::exception&) {  // a folder that went away
   }
   open_ = open_path.empty() ? "" : clean(open_path);
-  const fs::path folder = fs::path(open_).parent_path();
+  const fs::path folder = files_ ? files_->folder() : fs::path(open_).parent_path();
   const bool among_shipped = !shipped.empty() && fs::path(clean(shipped.front())).parent_path() == folder;
   std::vector<SceneCard> cards;
   if (!folder.empty() && !among_shipped) {
-    add(SceneCard::Group::folder, open_, cards);
+    if (!open_.empty()) add(SceneCard::Group::folder, open_, cards);
     for (const fs::path& file : json_files(folder)) add(SceneCard::Group::folder, file, cards);
   }
   std::vector<SceneCard> later;

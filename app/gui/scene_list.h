@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/frames/thumbnail.h"
+#include "app/workbench/file_root.h"
 #include "sim/scene/scene.h"
 
 namespace pabd {
@@ -41,7 +42,8 @@ class SceneList {
   using Files = std::function<std::vector<std::filesystem::path>()>;
   // `steady`: everything is read and drawn at once, and no cache is used, so that a frame never depends on
   // how fast that is.
-  SceneList(Files shipped, bool steady);
+  // `files`: only those of that folder are listed beside the shipped ones; null: those beside the open scene.
+  SceneList(Files shipped, bool steady, std::shared_ptr<const FileRoot> files = nullptr);
   ~SceneList();
   SceneList(const SceneList&) = delete;
   SceneList& operator=(const SceneList&) = delete;
@@ -71,6 +73,7 @@ class SceneList {
 
   Files shipped_;
   bool steady_;
+  std::shared_ptr<const FileRoot> files_;
   ThumbnailCache cache_;
   std::string open_;
   std::vector<SceneCard> cards_;

@@ -72,6 +72,7 @@ class Player {
       std::error_code ignored;
       if (std::filesystem::is_regular_file(in_folder(load->scene), ignored))
         load->scene = in_folder(load->scene);
+      load->from = in_folder(load->from);
     }
     viewer_.send(c);
     settle();
@@ -80,6 +81,7 @@ class Player {
     std::visit(
         [this](auto& x) {
           if constexpr (requires { x.path; }) x.path = in_folder(x.path);
+          if constexpr (requires { x.folder; }) x.folder = in_folder(x.folder);
         },
         c);
     viewer_.send(c);
@@ -190,7 +192,7 @@ class Player {
 
   void act(const action::Frame& a) {
     settle();
-    const std::filesystem::path path = in_folder(a.path);
+    const std::filesystem::path path = viewer_.file_of(in_folder(a.path));
     check_overwrite(*what_ + ": " + path.string(), path, {options_.force, &options_.inputs});
     Image image;
     viewer_.renderer().queue_read();
@@ -318,8 +320,9 @@ Script::Script(const std::string& json, const std::string& source)
 
 void Script::run(Viewer& viewer, Runner& runner, const ScriptOptions& options) const {
   Player player(viewer, runner, options);
-  const std::string folder = std::filesystem::absolute(options.folder).string();
+  const std::string folder = options.folder.empty() ? "" : std::filesystem::absolute(options.folder).string();
   for (std::size_t i = 0; i < actions_.size(); ++i) {
+    if (options.before_action) options.before_action(i);
     ActionJson action = actions_[i];
     fill_in(action, folder);
     const std::string what = fmt::format("{}: action {}", source_, i);

@@ -27,8 +27,9 @@ struct ScriptOptions {
   int width = 1280, height = 720;
   // For a window: called before and after every frame, to take events and to show it. May be empty.
   std::function<void()> before_frame, after_frame;
-  std::function<void(const std::string& line)> print;  // gets what "print" says
-  InputFiles inputs;                                   // that no frame replaces
+  std::function<void(const std::string& line)> print;          // gets what "print" says
+  InputFiles inputs;                                           // that no frame replaces
+  std::function<void(std::size_t number)> before_action = {};  // may be empty
 };
 
 class Script {

@@ -8,6 +8,9 @@
 //   /distance (of A and B now, m), /distances (moments at which it is known)
 //   /playing, /speed, /diverged, /unsaved, /at_stake, /reload_loses, /file_changed, /can_undo, /can_redo,
 //   /held, /message, /messages, /ui/…
+//   /sweep: null, or of the open one /folder, /reading, /problem, /tasks and how many are /done, /diverged, /refused,
+//   /unfinished, /damaged, /columns, /rows, /slices of the grid, /x, /y (keys), /metric, /loaded (index of the run
+//   that is shown)
 #include "app/frames/frame_text.h"
 #include "app/gui/pictures.h"
 #include "app/gui/script.h"
@@ -50,6 +53,8 @@ Json run_json(const RunView& run) {
           {"left", run.left ? run.left->size() : 0},
           {"parting", parting},
           {"params", std::move(params)},
+          {"device", {{"name", run.device.name}, {"why", run.device.why}}},
+          {"gone", run.gone},
           {"kappa", run.kappa},
           {"changed", std::move(changed)},
           {"joints_default",
@@ -70,6 +75,31 @@ Json run_json(const RunView& run) {
           {"bodies", std::move(bodies)},
           {"body_count", run.model->shape.size()},
           {"joint_count", run.model->joints.size()}};
+}
+
+// Keys of what is chosen, also where the view leaves that open.
+Json sweep_json(const OpenedSweep& sweep) {
+  if (sweep.folder.empty()) return nullptr;
+  Json json = {{"folder", sweep.folder}, {"reading", sweep.reading}, {"problem", sweep.problem}};
+  if (!sweep.read) return json;
+  const CollectedSweep& read = *sweep.read;
+  json["tasks"] = read.tasks.size();
+  for (const SweptStatus status : kSweptStatuses) json[std::string(status_word(status))] = read.count(status);
+  const ShownSweep shown = shown_of(read, sweep.view);
+  const auto key = [&](const GridAxis& axis) {
+    return axis.parameter ? read.parameters[*axis.parameter].key : "";
+  };
+  json["columns"] = shown.grid.columns();
+  json["rows"] = shown.grid.rows();
+  json["slices"] = shown.grid.slices.size();
+  json["x"] = key(shown.grid.x);
+  json["y"] = key(shown.grid.y);
+  const bool measured = shown.criterion < shown.criteria.size();
+  json["metric"] = measured ? shown.criteria[shown.criterion].quantity.key : "";
+  json["slice"] = shown.slice;
+  json["pictures"] = sweep.view.pictures;
+  json["loaded"] = sweep.loaded ? Json(read.tasks[*sweep.loaded].index) : Json();
+  return json;
 }
 
 }  // namespace
@@ -103,6 +133,7 @@ Json state_document(const Snapshot& sim, const UiState& ui) {
           {"held", std::move(held)},
           {"message", sim.messages.empty() ? "" : sim.messages.back().text},
           {"messages", std::move(messages)},
+          {"sweep", sweep_json(ui.sweep)},
           {"ui",
            {{"dark", ui.dark},
             {"scale", ui.scale},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/device_words.h"
 #include "app/gui/panels.h"
 #include "app/gui/track_events.h"
 #include "app/gui/widgets.h"
@@ -133,6 +134,36 @@ void draw_flag(const GuiFrame& f, const Track& track, double time, Color color, 
                          packed(color));
 }
 
+// At the right end: who makes the steps, and what is kept of them, as far as there is room.
+void draw_kept(const GuiFrame& f) {
+  const std::size_t moments = f.sim.a.history.size();
+  const std::string kept =
+      f.sim.a.gone > 0 ? fmt::format(", {} kept", moments - std::min(f.sim.a.gone, moments)) : "";
+  const std::string memory = fmt::format("{}{}, {:.0f} of {:.0f} MB", counted(moments, "moment"), kept,
+                                         static_cast<double>(f.sim.timeline_bytes) / 1e6,
+                                         static_cast<double>(f.sim.timeline_budget) / 1e6);
+  const std::string device = device_words(f.sim);
+  const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + f.px(12);
+  std::string text;
+  for (const std::string& words : {device.empty() ? memory : device + " · " + memory, device}) {
+    if (words.empty() ||
+        ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(ui_text(words).c_str()).x <= left)
+      continue;
+    text = words;
+    break;
+  }
+  if (text.empty()) return;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(ui_text(text).c_str()).x);
+  muted_label(f, text);
+  tooltip(
+      device.empty() && kept.empty()
+          ? "Older states are thinned out when the memory is full, and computed again when they are needed"
+          : device_story(f.sim) +
+                "\nWhat a GPU made is not computed again: when the memory is full, every so many of the "
+                "older "
+                "states are kept, and those are what one can go back to");
+}
+
 }  // namespace
 
 void TimelineBar::draw(GuiFrame& f) {
@@ -198,16 +229,7 @@ void TimelineBar::draw(GuiFrame& f) {
     label(story);
     ImGui::PopStyleColor();
   }
-  const std::string memory = fmt::format("{}, {:.0f} of {:.0f} MB", counted(history.size(), "moment"),
-                                         static_cast<double>(f.sim.timeline_bytes) / 1e6,
-                                         static_cast<double>(f.sim.timeline_budget) / 1e6);
-  const float width = ImGui::CalcTextSize(memory.c_str()).x;
-  if (ImGui::GetContentRegionMax().x - width >
-      ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + f.px(12)) {
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    muted_label(f, memory);
-    tooltip("Older states are thinned out when the memory is full, and computed again when they are needed");
-  }
+  draw_kept(f);
 
   // The track.
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -7,7 +7,6 @@
 #include "app/gui/pictures.h"
 #include "app/gui/widgets.h"
 #include "app/plots/rich_text.h"
-#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
@@ -26,20 +25,8 @@ constexpr double kIdleFrames = 15;  // 1/s
 
 // Pixels of an ordinary screen: for what makes files, and for what is at the right end.
 constexpr double kOutput = 232, kRight = 156;
-constexpr double kName = 136;  // of the scene
-
-// Cut where it would be wider.
-std::string shortened(const std::string& text, float width) {
-  if (ImGui::CalcTextSize(ui_text(text).c_str()).x <= width) return text;
-  std::u32string letters = decode_text(text);
-  std::string out;
-  do {
-    letters.pop_back();
-    out.clear();
-    for (const char32_t c : letters) append_character(out, c);
-  } while (!letters.empty() && ImGui::CalcTextSize((out + "…").c_str()).x > width);
-  return out + "…";
-}
+constexpr double kName = 136;    // of the scene
+constexpr double kNarrow = 690;  // below it only what is pressed most: a telephone's screen
 
 void draw_output(GuiFrame& f) {
   draw_camera_menu(f);
@@ -69,24 +56,27 @@ void draw_short_output(GuiFrame& f) {
 }  // namespace
 
 void draw_toolbar(GuiFrame& f) {
+  const bool is_narrow = ImGui::GetContentRegionMax().x < f.px(kNarrow);
   if (ImGui::Button("Open…")) f.out.send(ViewCommand(command::Ask{"open"}));
   tooltip("Another scene (ctrl+o)");
   ImGui::SameLine();
-  // As wide for every scene, saved or not: what follows stays where it is.
-  const float name_left = ImGui::GetCursorPosX();
-  label(shortened(f.sim.scene->name, f.px(kName - 14)) + (f.sim.unsaved ? " •" : ""));
-  tooltip(f.sim.scene_path + (f.sim.unsaved ? "\n• something was changed and is not saved" : ""));
-
-  ImGui::SameLine(name_left + f.px(kName));
+  if (!is_narrow) {
+    // As wide for every scene, saved or not: what follows stays where it is.
+    const float name_left = ImGui::GetCursorPosX();
+    label(shortened(f.sim.scene->name, f.px(kName - 14)) + (f.sim.unsaved ? " •" : ""));
+    tooltip(f.sim.scene_path + (f.sim.unsaved ? "\n• something was changed and is not saved" : ""));
+    ImGui::SameLine(name_left + f.px(kName));
+  }
   const auto show = [&](const char* text, const char* what, bool on, const char* help) {
     if (toggle_button(f, text, on, help)) f.out.send(ViewCommand(command::Show{what, !on}));
     ImGui::SameLine();
   };
   show("Contacts", "contacts", f.ui.contacts, "Discs and normals of contacts, coloured by d/d̂ (c)");
   show("Bonds", "bonds", f.ui.bonds, "The two points of every bond, axes and limits of joints (b)");
-  ImGui::SetNextItemWidth(f.px(150));
+  ImGui::SetNextItemWidth(f.px(is_narrow ? 96 : 150));
   const auto& chosen = kColors[static_cast<std::size_t>(f.ui.color)];
-  if (ImGui::BeginCombo("##color", ui_text(std::string("colour: ") + chosen.text).c_str())) {
+  if (ImGui::BeginCombo("##color",
+                        ui_text((is_narrow ? "" : "colour: ") + std::string(chosen.text)).c_str())) {
     for (const auto& c : kColors) {
       if (ImGui::Selectable(ui_text(c.text).c_str(), c.quantity == f.ui.color))
         f.out.send(ViewCommand(command::ColorBy{c.name}));
@@ -124,10 +114,10 @@ void draw_toolbar(GuiFrame& f) {
                       "Frames of the window a second; more with a click (p)"))
       f.out.send(ViewCommand(command::Costs{!f.ui.costs}));
   }
-  ImGui::SameLine(right - f.px(78));
-  if (ImGui::Button(f.ui.dark ? "Light" : "Dark", {f.px(46), 0}))
+  ImGui::SameLine(right - f.px(is_narrow ? 27 : 78));
+  if (!is_narrow && ImGui::Button(f.ui.dark ? "Light" : "Dark", {f.px(46), 0}))
     f.out.send(ViewCommand(command::Theme{!f.ui.dark}));
-  ImGui::SameLine();
+  if (!is_narrow) ImGui::SameLine();
   if (ImGui::Button("?", {f.px(25), 0})) f.out.send(ViewCommand(command::Help{!f.ui.help}));
   tooltip("Keys and mouse (?)");
 }

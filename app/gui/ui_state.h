@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/gui/opened_sweep.h"
 #include "app/gui/view_command.h"
 #include "app/gui/window_panel.h"
 #include "app/session/trails.h"
@@ -84,6 +85,8 @@ struct UiState {
   command::BarrierView barrier;
   std::string convergence = "all", series = "overview", difference = "distance";
   std::string series_x = "time", series_y = "kinetic";  // of the series "chosen"
+
+  OpenedSweep sweep;
 
   std::string dialog;               // see command::Ask; empty: none
   std::string dialog_text;          // what it starts with; empty: something that fits

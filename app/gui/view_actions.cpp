@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <vector>
@@ -16,11 +17,13 @@
 #include "app/gui/scene_view.h"
 #include "render/visual/bounds.h"
 #include "sim/base/error.h"
+#include "sim/base/shell_quoted.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
 namespace {
 
+constexpr std::size_t kMostRecent = 10;
 constexpr double kStepBack = 1.4;  // between cut-off sides and small bodies
 
 // The one of `words` that is meant. Throws Error(bad_input) with the list.
@@ -30,16 +33,6 @@ std::size_t one(const std::string& word, std::span<const std::string_view> words
   }
   throw Error(ErrorKind::bad_input,
               fmt::format("{}: {} is not one of {}", what, in_quotes(word), one_of(words)));
-}
-
-std::string quoted(const std::string& word) {
-  if (!word.empty() &&
-      word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+%@") ==
-          word.npos)
-    return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 Vec3 point(const std::vector<double>& v, const char* command, const char* what) {
@@ -210,11 +203,34 @@ struct Actor {
                                                  "save_recording",
                                                  "load_recording",
                                                  "reload",
-                                                 "clear_camera"};
+                                                 "clear_camera",
+                                                 "open_sweep",
+                                                 "load_run",
+                                                 "load_end"};
     one(c.what, kWhat, "ask");
     ui.dialog = c.what;
     ui.dialog_text = c.text;
   }
+  void operator()(const command::OpenSweep& c) const {
+    std::error_code ignored;
+    const std::string folder =
+        c.folder.empty() ? "" : std::filesystem::absolute(c.folder, ignored).lexically_normal().string();
+    const std::uint64_t asked = ui.sweep.asked + 1;
+    if (folder != ui.sweep.folder) ui.sweep = {};
+    ui.sweep.folder = folder;
+    ui.sweep.asked = asked;
+    ui.sweep.reading = !folder.empty();
+    if (folder.empty()) return;
+    ui.shown[sweep_tab.slot] = &sweep_tab;
+    ui.open[sweep_tab.slot] = true;
+  }
+  void operator()(const command::SweepView& c) const {
+    if (!ui.sweep.read)
+      throw Error(ErrorKind::bad_input, "sweep_view: no sweep is open; open_sweep opens one");
+    shown_of(*ui.sweep.read, c);
+    ui.sweep.view = c;
+  }
+  void operator()(const command::LoadRun&) const {}
   void operator()(const command::AddCameraKey&) const {
     add_camera_key(ui.camera_keys, {sim.a.state.time, ui.camera});
     ui.keys_unsaved = true;
@@ -314,13 +330,22 @@ const char* to_string(ColorQuantity quantity) {
   return kNames[static_cast<std::size_t>(quantity)];
 }
 
+void remember_scene(const std::string& path, std::vector<std::string>& recent) {
+  if (path.empty()) return;
+  std::error_code ignored;
+  const std::string full = std::filesystem::absolute(path, ignored).lexically_normal().string();
+  std::erase(recent, full);
+  recent.insert(recent.begin(), full);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
+
 std::string render_command(const Snapshot& sim, const UiState& ui) {
-  std::string out = "pabd render " + quoted(sim.scene_path) + " -o " + quoted(sim.scene->name + ".mp4");
-  for (const auto& [key, value] : sim.a.changed) out += " --set " + quoted(key + "=" + value);
+  std::string out = "pabd render " + sh_word(sim.scene_path) + " -o " + sh_word(sim.scene->name + ".mp4");
+  for (const auto& [key, value] : sim.a.changed) out += " --set " + sh_word(key + "=" + value);
   if (const std::string overlay = overlay_words(ui); overlay != "none") out += " --overlay " + overlay;
   if (ui.theme != &kStudioTheme) out += " --theme " + std::string(ui.theme->name);
-  for (const TrailPoint& point : ui.trails) out += " --trail " + quoted(trail_words(point));
-  out += " --camera " + quoted(camera_words(followed_view(sim, ui), sim.scene->model, sim.scene->initial));
+  for (const TrailPoint& point : ui.trails) out += " --trail " + sh_word(trail_words(point));
+  out += " --camera " + sh_word(camera_words(followed_view(sim, ui), sim.scene->model, sim.scene->initial));
   return out;
 }
 

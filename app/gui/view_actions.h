@@ -17,4 +17,7 @@ const char* to_string(ColorQuantity quantity);
 // 'pabd render …' that makes a video of what is seen: scene, parameters, camera.
 std::string render_command(const Snapshot& sim, const UiState& ui);
 
+// Puts a scene that was opened at the front of the recent ones.
+void remember_scene(const std::string& path, std::vector<std::string>& recent);
+
 }  // namespace pabd

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/gui/sweep_commands.h"
 #include "app/gui/window_panel.h"
 #include "app/plots/figures/step_quantities.h"
 #include "app/workbench/command.h"
@@ -324,7 +325,7 @@ struct Costs {
   void fields(auto&& f) { f(kOn, on); }
 };
 // A dialog: for a file name "open", "save_scene", "save_state", "save_patch", "apply_patch",
-// "save_recording", "load_recording", "screenshot", "record", "save_camera", "load_camera"; before something
+// "save_recording", "load_recording", "screenshot", "record", "save_camera", "load_camera", "open_sweep"; before something
 // is gone "reload", "clear_camera", "quit"; "" closes it. `text`: what it starts with.
 struct Ask {
   static constexpr const char* name = "ask";
@@ -354,6 +355,7 @@ using ViewCommand =
                  command::ConvergenceView, command::SeriesView, command::DifferenceView, command::Screenshot,
                  command::ExportPlot, command::Record, command::StopRecord, command::AddCameraKey,
                  command::DropCameraKey, command::ClearCameraKeys, command::Fly, command::SaveCamera,
-                 command::LoadCamera, command::Costs, command::Ask, command::CopyCommand, command::Quit>;
+                 command::LoadCamera, command::Costs, command::OpenSweep, command::SweepView,
+                 command::LoadRun, command::Ask, command::CopyCommand, command::Quit>;
 
 }  // namespace pabd

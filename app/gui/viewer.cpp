@@ -18,6 +18,7 @@
 #include "app/gui/imgui_input.h"
 #include "app/gui/key_table.h"
 #include "app/gui/live_picture.h"
+#include "app/gui/named_files.h"
 #include "app/gui/palette.h"
 #include "app/gui/panels.h"
 #include "app/gui/pick.h"
@@ -26,6 +27,7 @@
 #include "app/gui/scene_list.h"
 #include "app/gui/scene_view.h"
 #include "app/gui/studio.h"
+#include "app/gui/sweep_reader.h"
 #include "app/gui/view_actions.h"
 #include "app/gui/widgets.h"
 #include "sim/base/error.h"
@@ -34,33 +36,10 @@ namespace pabd {
 namespace {
 
 constexpr int kStartWidth = 1280, kStartHeight = 720;
-constexpr std::size_t kMostRecent = 10;
 constexpr std::size_t kMostSizes = 24;  // text sizes that are kept
-
-constexpr ImGuiWindowFlags kFixedWindow =
-    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-ImGuiContext* make_imgui_context() {
-  ImGuiContext* context = ImGui::CreateContext();
-  ImGui::SetCurrentContext(context);
-  ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;
-  io.LogFilename = nullptr;
-  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  io.ConfigInputTextCursorBlink = false;  // every picture of a state is the same
-  set_up_imgui_keys(io);
-  return context;
-}
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-void begin_fixed(const char* id, const Rect& r, ImGuiWindowFlags more = 0) {
-  ImGui::SetNextWindowPos({static_cast<float>(r.x), static_cast<float>(r.y)});
-  ImGui::SetNextWindowSize({static_cast<float>(r.w), static_cast<float>(r.h)});
-  ImGui::Begin(id, nullptr, kFixedWindow | more);
 }
 
 }  // namespace
@@ -90,6 +69,7 @@ struct Viewer::Impl {
   Palette palette;
   SceneList scenes;
   bool scenes_shown = false;
+  SweepReader sweeps;
   Studio studio;
   CameraMotion motion;
   int width = kStartWidth, height = kStartHeight;
@@ -100,13 +80,14 @@ struct Viewer::Impl {
   Impl(GlContext& context, Runner& r, const ViewerOptions& o)
       : runner(r),
         options(o),
-        imgui(make_imgui_context()),
+        imgui(make_gui_context()),
         renderer(context, kStartWidth, kStartHeight),
         fonts(*ImGui::GetIO().Fonts, [this](const unsigned char* rgba, int w,
                                             int h) { return renderer.upload_font_atlas(rgba, w, h); }),
         ui(o.start),
         sim(runner.latest()),
-        scenes(o.shipped_scenes, o.steady),
+        scenes(o.shipped_scenes, o.steady, o.files),
+        sweeps(renderer, o.steady, o.files == nullptr),
         studio(context, r, o.steady,
                [this](Severity severity, const std::string& text) { tell(severity, text); }) {
     ImGuiIO& io = ImGui::GetIO();
@@ -138,23 +119,36 @@ struct Viewer::Impl {
     runner.send(command::Tell{text, severity == Severity::error});
   }
 
-  void try_to(const ViewCommand& c) {
+  // Every command goes through here, so that no file is named elsewhere.
+  template <class Commands, class Do>
+  void carry(const Commands& c, const Do& carry_out) {
     try {
-      act(c);
+      carry_out(with_named_file(c, options.files.get()));
     } catch (const Error& error) {
       const std::string name = std::visit([](const auto& x) { return std::string(x.name); }, c);
       runner.send(command::Tell{error.what(), true, name, error.kind()});
     }
   }
+  void try_to(const ViewCommand& c) {
+    carry(c, [this](const ViewCommand& named) { act(named); });
+  }
+  void send(const Command& c) {
+    carry(c, [this](const Command& named) { runner.send(named); });
+  }
 
   void act(const ViewCommand& c) {
     apply_view_command(c, *sim, port(), ui);
     studio.act(c, *sim, ui);
+    // What it loads is the sweep's: names of files were checked when that was opened.
+    if (const auto* run = std::get_if<command::LoadRun>(&c)) runner.send(load_of(ui.sweep, *run));
     if (std::holds_alternative<command::CopyCommand>(c)) {
       copy(render_command(*sim, ui));
       tell(Severity::note, "copied: " + clipboard_buffer);
     } else if (const auto* quit = std::get_if<command::Quit>(&c)) {
-      if (studio.recorder().busy() && !quit->force) {
+      if (!options.can_quit) {
+        tell(Severity::note, "this window is served: close the page, it goes on without");
+        ui.dialog.clear();
+      } else if (studio.recorder().busy() && !quit->force) {
         tell(Severity::error, "a video is being made: stop or cancel it first");
       } else if ((!sim->at_stake.empty() || ui.keys_unsaved) && !quit->force) {
         ui.dialog = "quit";
@@ -226,36 +220,12 @@ struct Viewer::Impl {
     apply_gui_theme(ImGui::GetStyle(), ui.dark, unit());
   }
 
-  void draw_slot(GuiFrame& frame, Slot slot) {
-    const Rect& rect = layout.slots[slot];
-    if (rect.w <= 0 || rect.h <= 0) return;
-    const std::string id = fmt::format("##slot{}", static_cast<int>(slot));
-    begin_fixed(id.c_str(), rect);
-    const WindowPanel* const current = ui.shown[slot];
-    bool first = true;
-    for (const WindowPanel* panel : panels_of(slot)) {
-      if (!first) ImGui::SameLine(0, frame.px(2));
-      first = false;
-      if (toggle_button(frame, panel->title, panel == current, panel->help))
-        frame.out.send(ViewCommand(command::Panel{panel->name, true}));
-    }
-    ImGui::BeginChild("##content");
-    panels.at(current)->draw(frame);
-    ImGui::EndChild();
-    // A line between the panel and the picture.
-    const float x = static_cast<float>(slot == Slot::left ? rect.right() - frame.px(1) : rect.x);
-    ImGui::GetWindowDrawList()->AddRectFilled({x, static_cast<float>(rect.y)},
-                                              {x + frame.px(1), static_cast<float>(rect.bottom())},
-                                              ImGui::GetColorU32(ImGuiCol_Separator));
-    ImGui::End();
-  }
-
   void draw_interface(GuiFrame& frame, double seconds) {
     if (!ui.hidden) {
       begin_fixed("##toolbar", layout.toolbar, ImGuiWindowFlags_NoScrollbar);
       draw_toolbar(frame);
       ImGui::End();
-      for (const Slot slot : kSlots) draw_slot(frame, slot);
+      for (const Slot slot : kSlots) draw_slot(frame, slot, layout.slots[slot], *panels.at(ui.shown[slot]));
       begin_fixed("##timeline", layout.timeline, ImGuiWindowFlags_NoScrollbar);
       timeline.draw(frame);
       ImGui::End();
@@ -272,7 +242,7 @@ struct Viewer::Impl {
   }
 
   void send_all(Outbox& out) {
-    for (Command& c : out.commands) runner.send(std::move(c));
+    for (const Command& c : out.commands) send(c);
     for (const ViewCommand& c : out.view) try_to(c);
     observe();
   }
@@ -290,21 +260,13 @@ struct Viewer::Impl {
       ui.fly = false;
     }
     followed = sim->scene_path;
+    note_loaded(ui.sweep, *sim);
     ui.selection = {};
     ui.follow.reset();
     ui.trails.clear();
     ui.joining.reset();
-    remember(sim->scene_path);
+    remember_scene(sim->scene_path, ui.recent);
     scenes_shown = false;  // another folder, perhaps
-  }
-
-  void remember(const std::string& path) {
-    if (path.empty()) return;
-    std::error_code ignored;
-    const std::string full = std::filesystem::absolute(path, ignored).lexically_normal().string();
-    std::erase(ui.recent, full);
-    ui.recent.insert(ui.recent.begin(), full);
-    if (ui.recent.size() > kMostRecent) ui.recent.resize(kMostRecent);
   }
 
   // Pictures of scenes are made while somebody looks at them.
@@ -315,6 +277,11 @@ struct Viewer::Impl {
     scenes_shown = shown;
   }
 
+  void read_sweep() {
+    if (const auto answer = sweeps.update(ui.sweep))
+      runner.send(command::Tell{answer->text, answer->failed, command::OpenSweep::name, answer->kind});
+  }
+
   void draw(double seconds) {
     ImGui::SetCurrentContext(imgui);
     const auto latest = runner.latest();
@@ -323,6 +290,7 @@ struct Viewer::Impl {
     layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
     follow_scene(*last);
     list_scenes();
+    read_sweep();
     reframe(port(), ui);
     motion.move(*sim, ui);
     restyle();
@@ -330,7 +298,9 @@ struct Viewer::Impl {
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
     Outbox out;
-    GuiFrame frame{*sim, ui, unit(), fonts, metrics, out, scenes, studio.recorder(), costs, options.steady};
+    GuiFrame frame{*sim,    ui,     unit(),         fonts,
+                   metrics, out,    scenes,         studio.recorder(),
+                   costs,   sweeps, options.steady, options.files.get()};
     take_events(frame);
     ImFont* font = fonts.font(kTextSize * unit());
     if (fonts.stale()) {
@@ -372,7 +342,7 @@ Viewer::Viewer(GlContext& context, Runner& runner, const ViewerOptions& options)
 Viewer::~Viewer() = default;
 
 void Viewer::handle(const WindowEvent& event) { impl_->input.add(event); }
-void Viewer::send(const Command& command) { impl_->runner.send(command); }
+void Viewer::send(const Command& command) { impl_->send(command); }
 void Viewer::send(const ViewCommand& command) { impl_->try_to(command); }
 
 void Viewer::draw(int width, int height, double seconds) {
@@ -387,8 +357,14 @@ const Snapshot& Viewer::snapshot() const { return *impl_->sim; }
 void Viewer::set_screen_scale(double scale) { impl_->options.screen_scale = scale; }
 const GuiLayout& Viewer::layout() const { return impl_->layout; }
 MouseCursor Viewer::cursor() const { return imgui_cursor(); }
+std::size_t Viewer::waiting_events() const { return impl_->input.waiting(); }
+bool Viewer::wants_text() const { return ImGui::GetIO().WantTextInput; }
+std::string Viewer::file_of(const std::string& name) const {
+  return named_file(impl_->options.files.get(), name);
+}
 bool Viewer::has_input() const {
-  return !impl_->input.empty() || impl_->studio.busy() || (impl_->scenes_shown && impl_->scenes.busy());
+  return !impl_->input.empty() || impl_->studio.busy() || (impl_->scenes_shown && impl_->scenes.busy()) ||
+         impl_->sweeps.busy();
 }
 
 }  // namespace pabd

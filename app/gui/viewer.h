@@ -12,6 +12,7 @@
 
 #include "app/gui/gui_layout.h"
 #include "app/gui/panel.h"
+#include "app/workbench/file_root.h"
 #include "app/workbench/runner.h"
 #include "render/context/window.h"
 #include "render/gl/renderer.h"
@@ -25,6 +26,9 @@ struct ViewerOptions {
   std::function<std::vector<std::filesystem::path>()> shipped_scenes;
   std::function<std::string()> clipboard;
   std::function<void(const std::string&)> set_clipboard;
+  // The only files that commands may name, for a person at another machine; null: any.
+  std::shared_ptr<const FileRoot> files;
+  bool can_quit = true;  // else the command is refused
 };
 
 class Viewer {
@@ -49,6 +53,11 @@ class Viewer {
   const GuiLayout& layout() const;  // of the last frame
   MouseCursor cursor() const;       // that suits what the pointer is over
   bool has_input() const;           // events that wait for the next frame
+  std::size_t waiting_events() const;
+  bool wants_text() const;  // a field is being typed into
+
+  // The file that a name in a command means. Throws Error(bad_input) where it may not be named.
+  std::string file_of(const std::string& name) const;
 
  private:
   struct Impl;

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "app/overlay/imgui_canvas.h"
+#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
@@ -73,6 +74,18 @@ void muted_label(const GuiFrame& frame, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, im_color(frame.theme().muted));
   label(text);
   ImGui::PopStyleColor();
+}
+
+std::string shortened(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(ui_text(text).c_str()).x <= width) return text;
+  std::u32string letters = decode_text(text);
+  std::string out;
+  do {
+    letters.pop_back();
+    out.clear();
+    for (const char32_t c : letters) append_character(out, c);
+  } while (!letters.empty() && ImGui::CalcTextSize((out + "…").c_str()).x > width);
+  return out + "…";
 }
 
 Rect tooltip_place(const Rect& item, Point mouse, double width, double height, const Rect& screen, double gap,

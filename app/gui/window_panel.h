@@ -16,6 +16,7 @@
   X(parameters) \
   X(inspector) \
   X(scenes) \
+  X(sweep) \
   X(barrier) \
   X(convergence) \
   X(series) \
@@ -25,6 +26,7 @@
 namespace pabd {
 
 class GuiPanel;
+struct UiState;
 
 // Places for panels; each shows one of its panels.
 enum class Slot : std::uint8_t { left, right_top, right_bottom };
@@ -52,6 +54,7 @@ struct WindowPanel {
   std::unique_ptr<GuiPanel> (*make)();
   bool iterations = false;  // what has to be recorded of a step while it is seen: the iterations,
   bool contacts = false;    // the contacts
+  bool (*offered)(const UiState& ui) = nullptr;  // whether it has a tab while it is not shown; null: always
 };
 
 // parameters_tab, inspector_tab, …

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/plots/figure.h"
+#include "app/plots/markup.h"
 
 namespace pabd {
 namespace {
@@ -31,30 +32,6 @@ std::string path(std::span<const Point> points) {
   for (const Point& p : points) {
     if (!out.empty()) out += ' ';
     out += number(p.x) + ',' + number(p.y);
-  }
-  return out;
-}
-
-// Markup and control characters cannot stand in an XML text.
-std::string escape(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
   }
   return out;
 }
@@ -122,14 +99,14 @@ void SvgCanvas::text(const Point& at, std::string_view rich, const TextStyle& st
     const double dx = run.x - pen, dy = run.y - baseline;
     const bool plain = run.size == style.size && !run.italic && std::abs(dx) < 0.01 && std::abs(dy) < 0.01;
     if (plain) {
-      body_ += escape(run.text);
+      body_ += escape_markup(run.text);
     } else {
       body_ += "<tspan";
       if (std::abs(dx) >= 0.01) body_ += fmt::format(" dx=\"{}\"", number(dx));
       if (std::abs(dy) >= 0.01) body_ += fmt::format(" dy=\"{}\"", number(dy));
       if (run.size != style.size) body_ += fmt::format(" font-size=\"{}\"", number(run.size));
       if (run.italic) body_ += " font-style=\"italic\"";
-      body_ += fmt::format(">{}</tspan>", escape(run.text));
+      body_ += fmt::format(">{}</tspan>", escape_markup(run.text));
     }
     pen = run.x + run.width;
     baseline = run.y;

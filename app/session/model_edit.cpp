@@ -98,6 +98,12 @@ void carry_out(const AddBody& body, const BondLaw&, Model& model, State& state) 
   model.mass.push_back(p.mass);
   model.J.push_back(p.J);
   model.fixed.push_back(body.fixed ? 1 : 0);
+  if (body.friction || !model.friction.empty()) {
+    model.friction.resize(model.name.size());
+    model.friction.back() = body.friction;
+  }
+  for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
+    if (!bits->empty()) bits->push_back(0);
   state.c.push_back(body.position);
   state.R.push_back(R);
   state.v.push_back(body.velocity);
@@ -158,6 +164,9 @@ void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& stat
   erase_at(model.mass, gone);
   erase_at(model.J, gone);
   erase_at(model.fixed, gone);
+  if (!model.friction.empty()) erase_at(model.friction, gone);
+  for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
+    if (!bits->empty()) erase_at(*bits, gone);
   erase_at(state.c, gone);
   erase_at(state.R, gone);
   erase_at(state.v, gone);

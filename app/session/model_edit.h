@@ -24,6 +24,7 @@ struct AddBody {
   Vec3 velocity = Vec3::Zero();         // m/s
   Vec3 omega = Vec3::Zero();            // rad/s
   bool fixed = false;
+  std::optional<SurfaceFriction> friction = {};  // of its own
 };
 
 // Its joints go with it; higher numbers move down by one.

@@ -47,6 +47,8 @@ struct ToJson {
     if (body.orientation != Mat3::Identity()) out["orientation"] = json_of_rotation(body.orientation);
     if (!body.velocity.isZero(0)) out["velocity"] = json_of(body.velocity);
     if (!body.omega.isZero(0)) out["angular_velocity"] = json_of(Vec3(body.omega * (180 / kPi)));
+    if (body.friction)
+      out["friction"] = {{"static", body.friction->mu_static}, {"dynamic", body.friction->mu_dynamic}};
     return out;
   }
   OrderedJson operator()(const RemoveBody& edit) const {
@@ -84,6 +86,9 @@ AddBody read_add_body(const Node& node) {
         Node(*shape, node, "shape").fail_expected(sized_shapes());
     }
   }
+  if (node.value().contains("group"))
+    Node(node.value().at("group"), node, "group")
+        .fail("a body that is added is of no group; remove this key");
   Json body = node.value();
   body.erase("do");
   MeshLibrary none{{}};
@@ -98,6 +103,7 @@ AddBody read_add_body(const Node& node) {
   out.velocity = spec.v;
   out.omega = spec.omega;
   out.fixed = spec.fixed;
+  out.friction = spec.touch.friction;
   return out;
 }
 

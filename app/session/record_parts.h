@@ -18,7 +18,8 @@ enum RecordFlag : std::uint8_t {
   kRecordPulls = 4,
   kRecordState = 8,
   kRecordHash = 16,
-  kRecordAllFlags = 31
+  kRecordDevice = 32,
+  kRecordAllFlags = 63
 };
 
 void write_state(const State& state, ByteWriter& out);

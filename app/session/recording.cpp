@@ -116,6 +116,7 @@ class Decoder {
     read_pulls();
     for (std::size_t k = in_.count(kLeastMoment); k > 0; --k) read_moment();
     in_.require(!timeline_.empty(), "there are no moments in it");
+    in_.require(!timeline_.back().device || timeline_.back().state, "its end has no state");
     in_.require(next_edit_ == edits_.size(), "an edit belongs to no moment");
     in_.require(in_.left() == 0, "there is more in it than belongs to it");
     return std::move(timeline_);
@@ -185,6 +186,7 @@ class Decoder {
     in_.require(flags <= kRecordAllFlags, "a moment is of an unknown kind");
     Moment m;
     m.start = (flags & kRecordStart) != 0;
+    m.device = (flags & kRecordDevice) != 0;
     m.params = at(params_);
     if (flags & kRecordPulls) m.pulls = at(pulls_);
     m.report = read_report(in_);
@@ -192,6 +194,10 @@ class Decoder {
     const bool first = timeline_.empty(), edited = (flags & kRecordEdit) != 0;
     in_.require(!edited || m.start, "an edit is no start");
     in_.require(!(first || m.start) || (flags & kRecordState), "a start has no state");
+    in_.require(!(m.start && m.device), "a device made what is no step");
+    // What is computed again begins at a state.
+    in_.require(first || m.device || m.start || !timeline_.back().device || timeline_.back().state,
+                "the state before a step is missing");
     if (edited) {
       in_.require(next_edit_ < edits_.size(), "an edit is missing");
       m.edit = edits_[next_edit_++];
@@ -295,8 +301,10 @@ std::optional<std::int64_t> first_difference(const Timeline& recorded, int threa
   options.threads = threads;
   for (std::size_t i = from; i < recorded.size(); ++i) {
     const Moment& m = recorded[i];
-    if ((m.start || i == from) && m.state) {
+    if ((m.start || m.device || i == from) && m.state) {
       state = *m.state;
+    } else if (m.device) {
+      return std::nullopt;  // nobody else can tell
     } else {
       options.pulls = m.pulls ? *m.pulls : std::vector<Pull>{};
       step(*m.model, *m.params, options, state, workspace, report);

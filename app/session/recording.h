@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A run as a file: what every step was made with, what it said, and its exact state every so many steps;
-// everything between is computed again when it is wanted, to the same bits.
+// everything between is computed again when it is wanted, to the same bits. What a device made has the states that were
+// kept of it.
 //
 //   "pabd-rec", version (u32), size of the rest without the checksum (u64)
 //   scene       hash, name, number of bodies: a recording belongs to one scene
 //   tables      parameters (JSON), edits (JSON; of forgotten moments with their state), hands
-//   moments     start, edit, parameters, hands, report, hash of the state, state
+//   moments     start, edit, made by a device, parameters, hands, report, hash of the state, state
 //   checksum    16 hex digits over everything before it
 //
 // Integers and numbers are little endian, texts have their length (u32) before them.
@@ -21,7 +22,7 @@
 
 namespace pabd {
 
-// The whole timeline of a run; what a branch left is not part of it. `out` gets the bytes in parts: a
+// The whole timeline of a run, which is complete (Run::complete); what a branch left is not part of it. `out` gets the bytes in parts: a
 // recording may be larger than the memory.
 void write_recording(const Run& run, const std::function<void(std::string_view)>& out);
 std::string encode_recording(const Run& run);

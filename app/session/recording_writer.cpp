@@ -50,7 +50,7 @@ void write_moment(const Moment& m, bool with_state, Tables& tables, ByteWriter& 
   if (m.state) hash = out.counts_only() ? std::string(kRecordChecksumBytes, '0') : state_hash(*m.state);
   out.u8(static_cast<std::uint8_t>((m.start ? kRecordStart : 0) | (m.edit ? kRecordEdit : 0) |
                                    (m.pulls ? kRecordPulls : 0) | (with_state ? kRecordState : 0) |
-                                   (hash.empty() ? 0 : kRecordHash)));
+                                   (m.device ? kRecordDevice : 0) | (hash.empty() ? 0 : kRecordHash)));
   out.u32(tables.params.number_of(m.params));
   if (m.pulls) out.u32(tables.pulls.number_of(m.pulls));
   write_report(m.report, out);
@@ -97,7 +97,7 @@ void write_payload(const Run& run, Tables& tables, ByteWriter& out) {
   for (std::size_t i = 0; i < timeline.size(); ++i) {
     const Moment& m = timeline[i];
     const bool needed = i == 0 || m.start || i + 1 == timeline.size();
-    const bool with_state = m.state && (needed || i - written >= kKeyDistance);
+    const bool with_state = m.state && (needed || m.device || i - written >= kKeyDistance);
     if (with_state) written = i;
     write_moment(m, with_state, tables, out);
   }

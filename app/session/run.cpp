@@ -80,9 +80,12 @@ Run::Run(std::shared_ptr<const Scene> scene, int threads, Timeline past)
 Run Run::fork() const {
   needs_processor();
   Run out(scene_, threads_, timeline_.budget());
+  out.offer(devices_.offered());
   out.observe(iterations_, contacts_, bodies_);
   out.stop_when(stop_);
   out.timeline_ = timeline_;
+  if (!timeline_.back().state && at_end())
+    out.timeline_.put_state(std::make_shared<const State>(session_.whole_state()));
   out.cursor_ = cursor_;
   out.seek(cursor_);
   out.session_.set_params(session_.shared_params());
@@ -108,7 +111,7 @@ void Run::solve_with(std::shared_ptr<StepEngine> engine) {
 }
 
 void Run::needs_processor() const {
-  if (session_.has_engine()) throw past_error();
+  if (session_.has_engine() && timeline_.budget() == kNoPast) throw past_error();
 }
 
 void Run::stop_when(const std::function<bool()>& stop) {
@@ -118,38 +121,32 @@ void Run::stop_when(const std::function<bool()>& stop) {
 
 bool Run::advance() {
   if (!at_end()) {
-    seek(cursor_ + 1);
+    seek(timeline_.next_kept(cursor_));
     return true;
   }
-  session_.set_pulls(listed(pulls_));
-  const StepStatus status = session_.step().status;
+  const StepStatus status = make_step();
   if (status == StepStatus::non_finite || status == StepStatus::interrupted) return false;
   add_moment();
   compare();
   return true;
 }
 
-// A moment is reached by the step that led to it, so that its report is whole. To the next moment no state is
-// looked up: this one is where the session is.
 void Run::seek(std::size_t i) {
   needs_processor();
-  const Moment& m = timeline_[i];
+  complete();
+  i = timeline_.kept(i);
   if (at_end()) newest_ = session_.shared_params();
-  if (m.start || i == 0) {
-    session_.set_params(m.params);
-    session_.restore(m.model, *timeline_.state(i, threads_));
-  } else {
-    if (i != cursor_ + 1) session_.restore(m.model, *timeline_.state(i - 1, threads_));
-    session_.set_params(m.params);
-    session_.set_pulls(listed(m.pulls));
-    session_.step();
-  }
+  go_to(i);
   // The parameters of a start are only those that were in force.
   cursor_ = i;
   pulls_.reset();
-  if (at_end()) return session_.set_params(newest_);  // also those that no step was made with yet
-  session_.set_params(timeline_[i + 1].params);
-  pulls_ = timeline_[i + 1].pulls;
+  if (at_end()) {
+    session_.set_params(newest_);  // also those that no step was made with yet
+  } else {
+    session_.set_params(timeline_[i + 1].params);
+    pulls_ = timeline_[i + 1].pulls;
+  }
+  ask_device();
 }
 
 void Run::restart() {
@@ -163,6 +160,7 @@ void Run::set_params(const Params& params) {
   if (session_.params() == params) return;
   session_.set_params(params);
   branch();
+  ask_device();
 }
 
 void Run::set_pulls(std::vector<Pull> pulls) {
@@ -170,16 +168,19 @@ void Run::set_pulls(std::vector<Pull> pulls) {
   if (equal(pulls, listed(pulls_))) return;
   if (!at_end()) branch();
   pulls_ = pulls.empty() ? nullptr : std::make_shared<const std::vector<Pull>>(std::move(pulls));
+  ask_device();
 }
 
 std::shared_ptr<const MadeEdit> Run::edit(const ModelEdit& edit) {
   auto made =
       std::make_shared<const MadeEdit>(MadeEdit{to_json(edit), std::holds_alternative<AddJoint>(edit)});
+  complete();
   if (continued_after_now()) branch();  // the model to edit is that of the scene it goes on with
   session_.edit(edit_from_json(made->text, "edit"));
   if (!at_end()) branch();
   pulls_.reset();
   add_moment(made);
+  ask_device();
   return made;
 }
 
@@ -199,6 +200,7 @@ void Run::continue_as(std::shared_ptr<const Scene> scene) {
     if (timeline_[i].edit) throw_edited();
   }
   if (!timeline_.forgotten_edits().empty()) throw_edited();
+  complete();
   timeline_.branch(cursor_);
   const std::shared_ptr<const Params> params = session_.shared_params();
   const State here = session_.state();
@@ -222,6 +224,9 @@ std::string Run::edits() const {
 std::vector<IterationRecord> Run::records_with(SolverMethod method) const {
   const Moment& m = timeline_[cursor_];
   if (m.start || cursor_ == 0) return {};
+  if (timeline_.kept(cursor_ - 1) != cursor_ - 1)
+    throw Error(ErrorKind::bad_input,
+                "the state before this step, which a device made, was not kept: go to the next one");
   Params params = *m.params;
   if (params.solver.method != method) {
     params.solver.method = method;
@@ -263,9 +268,15 @@ void Run::take_model_of_scene() {
 
 void Run::add_moment(std::shared_ptr<const MadeEdit> edit, bool start) {
   start = start || timeline_.empty() || edit;
-  timeline_.add({session_.shared_model(), session_.shared_params(),
-                 std::make_shared<const State>(session_.state()), session_.report().summary(), start,
-                 start ? nullptr : pulls_, std::move(edit)});
+  Moment moment{
+      session_.shared_model(),  session_.shared_params(), nullptr, session_.report().summary(), start,
+      start ? nullptr : pulls_, std::move(edit)};
+  moment.device = !start && session_.has_engine();
+  const bool past = timeline_.budget() != kNoPast;  // else the state need not be whole
+  if (moment.device && past && timeline_.wants(state().step, state_bytes(state()))) session_.complete_state();
+  if (!moment.device || !past || timeline_.wants(state().step, state_bytes(state())))
+    moment.state = std::make_shared<const State>(session_.state());
+  timeline_.add(std::move(moment));
   cursor_ = timeline_.size() - 1;
 }
 

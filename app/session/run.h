@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/session/session.h"
+#include "app/session/step_devices.h"
 #include "app/session/timeline.h"
 
 namespace pabd {
@@ -59,13 +60,26 @@ class Run {
   // restart() do so afterwards.
   void solve_with(std::shared_ptr<StepEngine> engine);
 
+  // New steps are made by what the parameters ask for (solver.device) and `devices` offer; null: by this processor, as
+  // unless this is called. A device that fails leaves the rest to the processor. The past is kept as its budget allows
+  // (timeline.h); iterations and bodies are not observed, hands are the processor's. Forks are offered the same.
+  void offer(std::shared_ptr<const StepDevices> devices);
+  // Who would make steps with those parameters.
+  StepDevices::Answer answer(const Params& params) const;
+  // Who makes the next step, as far as it is known before.
+  const DeviceStatus& device() const { return devices_.status(); }
+  // The device and what it holds, to a run that takes the place of this one; null: nobody needs it.
+  void give_device_to(Run* other);
+  // After this, state() and the timeline have all of the present: a device may leave something out.
+  void complete();
+
   // A step that is under way ends when it says true, as do the steps of forks (StepOptions::stop).
   void stop_when(const std::function<bool()>& stop);
 
   // One step on: in the past the one that was made, at the end a new one. False, with the state as it was,
   // when the new one left the numbers or was stopped; report() tells of it.
   bool advance();
-  // To moment i of the timeline. Precondition: it exists.
+  // To moment i of the timeline, or the last before that is kept (Timeline::kept). Precondition: it exists.
   void seek(std::size_t i);
   // Back to the beginning, with the present parameters; what was is left.
   void restart();
@@ -94,11 +108,18 @@ class Run {
   // All edits of the timeline, as JSON, one a line.
   std::string edits() const;
 
-  // The step that led here again, with another method, recorded. Nothing for a start.
+  // The step that led here again, with another method, recorded. Nothing for a start. Throws Error(bad_input) where
+  // the state before it was not kept.
   std::vector<IterationRecord> records_with(SolverMethod method) const;
 
  private:
   void needs_processor() const;
+  StepStatus make_step();
+  void ask_device();
+  void work_with(const std::shared_ptr<StepEngine>& engine);
+  void leave_device();
+  void go_to(std::size_t i);
+  bool tells_again(std::size_t i) const;
   void branch();
   bool continued_after_now() const;
   void take_model_of_scene();
@@ -107,6 +128,7 @@ class Run {
 
   std::shared_ptr<const Scene> scene_;
   Session session_;
+  DeviceSwitch devices_;
   int threads_;
   bool iterations_ = false, contacts_ = false, bodies_ = false;
   Timeline timeline_;

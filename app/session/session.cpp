@@ -27,8 +27,8 @@ double Session::kappa() const { return resolve_kappa(*model_, *params_); }
 FrameView Session::view() const { return {model_, *params_, kappa(), state_, report_, {}, {}, {}}; }
 
 void Session::solve_with(std::shared_ptr<StepEngine> engine) {
-  if (engine_ && engine_ != engine) engine_->complete(state_);
-  engine_ = std::move(engine);
+  const auto before = std::exchange(engine_, std::move(engine));
+  if (before && before != engine_) before->complete(state_);
 }
 
 void Session::prepare() {
@@ -37,6 +37,12 @@ void Session::prepare() {
 
 void Session::complete_state() {
   if (engine_) engine_->complete(state_);
+}
+
+State Session::whole_state() const {
+  State out = state_;
+  if (engine_) engine_->complete(out);
+  return out;
 }
 
 const StepReport& Session::step() {
@@ -78,8 +84,14 @@ void Session::restore(std::shared_ptr<const Model> model, State state) {
                                           "; use a state of this scene");
   }
   take(std::move(model));
-  state_ = std::move(state);
+  // Copied, as in reset(): where the number of bodies is the same, its arrays stay where they are.
+  state_ = state;
   describe_start();
+}
+
+void Session::restore(std::shared_ptr<const Model> model, State state, StepReport made) {
+  restore(std::move(model), std::move(state));
+  report_ = std::move(made);
 }
 
 void Session::edit(const ModelEdit& edit) {

@@ -53,6 +53,8 @@ class Session {
   void prepare();
   // After this, state() has all that the next step depends on: an engine may leave something out of it.
   void complete_state();
+  // The same as a copy.
+  State whole_state() const;
 
   // One time step. A step that left the numbers says so in its report, which knows nothing else of where it
   // ends (NaN); that one and a step that was stopped leave the state as it was.
@@ -72,8 +74,10 @@ class Session {
   // apply_edit does; nothing has changed then.
   void edit(const ModelEdit& edit);
 
-  // Continues from a state of `model`, as a run that is wound back does. Throws like set_state.
+  // Continues from a state of `model`, as a run that is wound back does. Throws like set_state. `made`: what is known of
+  // the step that led there.
   void restore(std::shared_ptr<const Model> model, State state);
+  void restore(std::shared_ptr<const Model> model, State state, StepReport made);
 
  private:
   void describe_start();

@@ -4,6 +4,9 @@
 // When the budget is used up, every second state of the older part is dropped, then every fourth and so on;
 // such a state is computed again from the one before, which gives the same bits because a step is a function
 // of state, parameters and model. Only then are the oldest moments forgotten.
+//
+// What a device made (step_engine.h) is not computed again: the processor's bits are others. Of such steps those whose
+// states are dropped are known by their reports alone, and one can go back only to what is kept.
 #pragma once
 
 #include <cstddef>
@@ -38,6 +41,7 @@ struct Moment {
   Pulls pulls;         // that the step which ended here was made with
   std::shared_ptr<const MadeEdit> edit;  // that led here; null without one
   std::string hash = {};                 // state_hash, where it came from a recording; else empty
+  bool device = false;                   // no processor made the step
 };
 
 // The budget of a run that is never wound back: it keeps the last moment alone.
@@ -48,8 +52,18 @@ class Timeline {
   explicit Timeline(std::size_t budget_bytes) : budget_(budget_bytes) {}
 
   // The first moment must be a start, or have its state; the model may only change at a start. A state may be
-  // absent where the moments before lead to it.
+  // absent where the moments before lead to it, or a device does: wants().
   void add(Moment moment);
+
+  // Whether the budget has room for the state of a device's step of that number; `bytes`: about (state_bytes).
+  bool wants(std::int64_t step, std::size_t bytes) const;
+  // The last moment gets its state. Precondition: it has none.
+  void put_state(std::shared_ptr<const State> state);
+
+  // The last moment that is not after i and can be gone to, and the first after i; the precondition of state().
+  std::size_t kept(std::size_t i) const;
+  std::size_t next_kept(std::size_t i) const;  // i itself where there is none
+  std::size_t gone() const { return gone_; }   // moments that cannot be gone to any more
 
   bool empty() const { return moments_.empty(); }
   std::size_t size() const { return moments_.size(); }
@@ -65,8 +79,8 @@ class Timeline {
   // Whether an edit or a hand comes after moment i.
   bool touched_after(std::size_t i) const;
 
-  // The state of moment i, computed again if it was dropped. `threads` as for a step. Precondition: the first
-  // moment has its state, which is so unless this was cut off another timeline.
+  // The state of moment i, computed again if it was dropped. `threads` as for a step. Precondition: kept(i) is i, and
+  // the first moment has its state, which is so unless this was cut off another timeline.
   std::shared_ptr<const State> state(std::size_t i, int threads = 1) const;
 
   // Cuts off everything behind moment i and returns it, without moment i.
@@ -91,7 +105,9 @@ class Timeline {
  private:
   void shrink();
   void drop_between(std::int64_t stride);
+  void drop(Moment& moment);
   bool forget_oldest();
+  std::size_t newest_of_device(std::size_t bytes) const;
 
   std::size_t budget_;
   std::size_t bytes_ = 0, forgotten_ = 0;
@@ -99,6 +115,8 @@ class Timeline {
   ReportList reports_;                                  // those of the moments
   std::vector<std::shared_ptr<const MadeEdit>> edits_;  // of the moments that are there
   std::size_t pulled_ = 0;
+  std::size_t gone_ = 0;     // moments of a device without a state
+  std::int64_t stride_ = 1;  // of the steps of a device whose states are kept
   std::vector<ForgottenEdit> forgotten_edits_;
 };
 

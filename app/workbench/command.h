@@ -225,10 +225,12 @@ struct Load {
   std::string scene;              // file, or name of a shipped scene
   std::vector<std::string> sets;  // "key=value"
   bool force = false;             // although something is not saved
+  std::string from = {};          // file of another state to begin with
   void fields(auto&& f) {
     f(need("scene", "file, or name of a shipped scene", R"("two_boxes")"), scene);
     f(may("sets", "KEY=VALUE, as for --set", R"(["contact.N=4"])"), sets);
     f(kGiveUp, force);
+    f(may("from", "file of a state to begin with, as 'pabd run --state' writes it", R"("end.json")"), from);
   }
 };
 // The scene's file again, with the parameters that were changed here, B and the held curves.

@@ -11,8 +11,11 @@
 #include "sim/base/atomic_file.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
+#include "sim/base/input_file.h"
+#include "sim/import/import.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_scene.h"
+#include "sim/trace/trace.h"
 
 namespace pabd {
 namespace {
@@ -106,6 +109,7 @@ void Workbench::carry_out(const command::Load& c) {
   Source source;
   source.path = options_.find_scene ? options_.find_scene(c.scene) : c.scene;
   source.sets = c.sets;
+  source.from = c.from;
   open(read(std::move(source)));
 }
 
@@ -158,7 +162,7 @@ void Workbench::carry_out(const command::Reload& c) {
 void Workbench::carry_out(const command::IgnoreFile&) {
   file_changed_ = false;
   try {
-    source_.ignored = read_scene_text(source_.path);
+    source_.ignored = read_any_scene_text(source_.path, options_.may_read);
   } catch (const Error&) {  // gone or unreadable: there is nothing to load
   }
 }
@@ -169,7 +173,7 @@ bool Workbench::look_at_file() {
   if (error || written == source_.written) return false;  // a file that is gone may come back
   std::string text;
   try {
-    text = read_scene_text(source_.path);
+    text = read_any_scene_text(source_.path, options_.may_read);
   } catch (const Error&) {
     return false;  // looked at again
   }
@@ -181,11 +185,19 @@ bool Workbench::look_at_file() {
 Workbench::Opened Workbench::read(Source source) const {
   std::error_code ignored;
   source.written = fs::last_write_time(source.path, ignored);
-  source.text = read_scene_text(source.path);
+  source.text = read_any_scene_text(source.path, options_.may_read);
   source.ignored.clear();
-  auto scene = std::make_shared<const Scene>(
-      parse_scene(source.text, source.path, fs::path(source.path).parent_path(), source.sets));
-  Run run(scene, options_.threads, options_.memory);
+  auto scene = std::make_shared<const Scene>(parse_any_scene(
+      source.text, source.path, fs::path(source.path).parent_path(), source.sets, options_.may_read));
+  std::optional<State> start;
+  if (!source.from.empty()) {
+    const std::string text = read_file(source.from, most_state_bytes(scene->model), "a state of this scene");
+    start = state_from_json(scene->model, text, source.from);
+  }
+  Run run(scene, options_.threads, options_.memory, start);
+  run.offer(options_.devices);
+  if (const auto answer = run.answer(run.params()); answer.refused)
+    throw Error(answer.kind, source.path, answer.why);
   return {std::move(source), std::move(scene), std::move(run)};
 }
 
@@ -200,6 +212,7 @@ void Workbench::open(Opened opened) {
   redo_.clear();
   held_.clear();
   diverged_ = file_changed_ = false;
+  told_a_ = told_b_ = {};
   saved_ = {a_->params(), {}, {}, {}, 0};
   ++scene_serial_;
 }
@@ -220,8 +233,9 @@ void Workbench::save(const std::string& path, const std::string& text, bool forc
 }
 
 void Workbench::carry_out(const command::SaveScene& c) {
-  const Run& run = run_of(c.side);
+  Run& run = run_of(c.side);
   if (c.state) {
+    run.complete();
     std::string name = fs::path(c.path).stem().string();
     if (name.empty()) name = scene_->name;
     save(c.path,
@@ -268,6 +282,7 @@ void Workbench::carry_out(const command::ApplyPatch& c) {
 
 void Workbench::carry_out(const command::SaveRecording& c) {
   check_output(c.path, c.force, source_.path);
+  a_->complete();
   AtomicFile file(c.path);
   write_recording(*a_, [&](std::string_view part) { file.write(part); });
   file.commit();
@@ -283,6 +298,7 @@ void Workbench::carry_out(const command::LoadRecording& c) {
   Timeline past = read_recording(c.path, scene_, options_.memory);
   const auto differs = first_difference(past, options_.threads);
   Run run(scene_, options_.threads, std::move(past));
+  run.offer(options_.devices);
   run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
   a_.emplace(std::move(run));
   b_.reset();

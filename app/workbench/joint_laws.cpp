@@ -6,6 +6,7 @@
 #include "app/session/joint_settings.h"
 #include "app/workbench/workbench.h"
 #include "sim/base/error.h"
+#include "sim/import/import.h"
 
 namespace pabd {
 
@@ -19,8 +20,8 @@ std::shared_ptr<const Scene> Workbench::read_with_joints(const Source& source, c
   std::vector<std::string> sets = source.sets;
   const std::vector<std::string> joints = joint_settings_after(scene.joint_law, now, settings);
   sets.insert(sets.end(), joints.begin(), joints.end());
-  return std::make_shared<const Scene>(
-      parse_scene(source.text, source.path, std::filesystem::path(source.path).parent_path(), sets));
+  return std::make_shared<const Scene>(parse_any_scene(
+      source.text, source.path, std::filesystem::path(source.path).parent_path(), sets, options_.may_read));
 }
 
 void Workbench::refuse_joints_of_a() {

@@ -33,12 +33,17 @@ Runner::Runner(std::unique_ptr<Workbench> workbench) : workbench_(std::move(work
 }
 
 Runner::~Runner() {
+  stop();
+  thread_.join();
+}
+
+void Runner::stop() {
   {
     const std::scoped_lock lock(mutex_);
     stop_ = true;
   }
   wake_.notify_all();
-  thread_.join();
+  settled_.notify_all();
 }
 
 void Runner::send(Command command) {
@@ -77,7 +82,7 @@ std::shared_ptr<const Snapshot> Runner::latest() {
 
 std::shared_ptr<const Snapshot> Runner::settle() {
   std::unique_lock lock(mutex_);
-  settled_.wait(lock, [&] { return failure_ || (queue_.empty() && !busy_); });
+  settled_.wait(lock, [&] { return failure_ || stop_ || (queue_.empty() && !busy_); });
   if (failure_) std::rethrow_exception(failure_);
   taken_ = true;
   return latest_;

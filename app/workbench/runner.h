@@ -40,6 +40,9 @@ class Runner {
   // The newest snapshot; never waits for a step. Throws what the thread died of.
   std::shared_ptr<const Snapshot> latest();
 
+  // Ends the thread, in the middle of a step if need be; who waits in settle() or for copies goes on.
+  void stop();
+
   // Copies of the runs, after everything sent so far; the future is broken when the thread ends before.
   std::future<RunCopies> copy_runs();
 

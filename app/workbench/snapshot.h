@@ -44,6 +44,8 @@ struct RunView : FrameView {
   std::shared_ptr<const Scene> scene;
   std::size_t cursor = 0;  // which moment this is
   Params made_with;        // parameters of the step that led here
+  DeviceStatus device;     // who makes the next step
+  std::size_t gone = 0;    // moments of the history that cannot be gone to (Timeline::gone)
   // Keys that differ from the scene, with their value, also of its joints' law (joint_settings.h).
   std::vector<std::pair<std::string, std::string>> changed;
   std::vector<Pull> pulls;  // hands on bodies in the next step
@@ -56,7 +58,8 @@ struct Snapshot {
   std::uint64_t serial = 0;        // rises with every snapshot
   std::uint64_t scene_serial = 0;  // rises with every scene that is loaded
   std::shared_ptr<const Scene> scene;
-  std::string scene_path;  // file; empty when it came from elsewhere
+  std::string scene_path;               // file; empty when it came from elsewhere
+  std::vector<std::string> scene_sets;  // "key=value" that it was loaded with
   RunView a;
   std::optional<RunView> b;
   SharedList<RunDistance>::View distances;  // of A and B at common times

@@ -60,6 +60,7 @@ void Workbench::change(Side side, const std::string& what, const Params& after, 
   Run& run = run_of(side);
   const Params before = run.params();
   if (before == after) return;
+  check_device(run, after);
   Change made{Change::Kind::parameters, side, what, before, after};
   if (!run.at_end()) {
     made.given_up = copy_runs(side == Side::a, side == Side::b);

@@ -64,6 +64,8 @@ void Workbench::exchange(GivenUp& other) {
   std::swap(distances_, other.distances);
   if (other.with_a) std::swap(a_, other.a);
   if (other.with_b) std::swap(b_, other.b);
+  if (other.with_a && other.a) other.a->give_device_to(&*a_);
+  if (other.with_b && other.b) other.b->give_device_to(b_ ? &*b_ : nullptr);
   for (auto* run : {other.with_a ? &a_ : nullptr, other.with_b ? &b_ : nullptr}) {
     if (!run || !*run) continue;
     (*run)->observe(observe_.iterations, observe_.contacts, observe_.bodies);

@@ -62,6 +62,8 @@ bool Workbench::advance() {
   for (auto* run : {&a_, &b_})
     if (*run) (*run)->stop_when(options_.stop);
   diverged_ = !a_->advance() || (b_ && !follow(*a_, *b_));
+  tell_of_device(*a_, b_ ? "A: " : "", told_a_);
+  if (b_) tell_of_device(*b_, "B: ", told_b_);
   measure_distance();
   if (!diverged_) return true;
   playing_ = false;
@@ -134,6 +136,7 @@ void Workbench::carry_out(const command::Compare& c) {
   const std::vector<std::string> joints = take_joint_settings(values);
   const Params params = tuned(b_ ? b_->params() : a_->params(), values);
   if (b_) return change_b("parameters of B", params, joints);
+  check_device(*a_, params);
   Run b = a_->fork();
   if (!joints.empty()) b.continue_as(read_with_joints(source_, *scene_, scene_->joint_law, joints));
   b.set_params(params);
@@ -146,6 +149,7 @@ void Workbench::carry_out(const command::EndCompare&) {
   if (!b_) return;
   auto given_up = std::make_shared<GivenUp>();
   given_up->with_b = true;
+  b_->give_device_to(nullptr);
   given_up->b.emplace(std::move(*b_));
   given_up->distances = std::move(distances_);
   b_.reset();
@@ -220,6 +224,7 @@ Snapshot Workbench::snapshot() {
   s.scene_serial = scene_serial_;
   s.scene = scene_;
   s.scene_path = source_.path;
+  s.scene_sets = source_.sets;
   s.a = view(*a_, changed_a_);
   if (b_) {
     s.b = view(*b_, changed_b_);
@@ -257,6 +262,8 @@ RunView Workbench::view(const Run& run, ChangedKeys& changed) const {
   for (const auto& one : joint_differences(scene_->joint_law, run.scene().joint_law))
     v.changed.push_back(one);
   v.cursor = run.cursor();
+  v.device = run.device();
+  v.gone = run.timeline().gone();
   if (run.pulls()) v.pulls = *run.pulls();
   if (run.left()) v.left = run.left()->reports();
   v.parting = run.parting();

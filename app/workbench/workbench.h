@@ -9,6 +9,7 @@
 
 #include "app/workbench/command.h"
 #include "app/workbench/snapshot.h"
+#include "sim/scene/guarded_scene.h"
 
 namespace pabd {
 
@@ -17,7 +18,9 @@ struct WorkbenchOptions {
   std::size_t memory = std::size_t{512} << 20;  // bytes for states of the past
   // File of a scene that a person names. Throws Error(file) when there is none.
   std::function<std::string(const std::string& name)> find_scene;
-  std::function<bool()> stop = {};  // see stop_when
+  std::function<bool()> stop = {};                  // see stop_when
+  std::shared_ptr<const StepDevices> devices = {};  // beside the processor; null: none
+  MayRead may_read = {};                            // of the meshes of a scene
 };
 
 class Workbench {
@@ -55,6 +58,7 @@ class Workbench {
   struct Source {
     std::string path;
     std::vector<std::string> sets;
+    std::string from;     // file of the state that it begins with; empty: the scene's own
     std::string text;     // of the file
     std::string ignored;  // what the file may say as well without being asked about
     std::filesystem::file_time_type written{};
@@ -165,6 +169,8 @@ class Workbench {
 
   Opened read(Source source) const;
   void open(Opened opened);
+  void check_device(const Run& run, const Params& after) const;
+  void tell_of_device(const Run& run, const char* name, DeviceStatus& told);
   void seek_to(std::size_t moment);
   RunView view(const Run& run, ChangedKeys& changed) const;
   void measure_distance();
@@ -185,7 +191,8 @@ class Workbench {
   std::vector<HeldCurve> held_;
   SharedList<RunDistance> distances_;  // ascending in time
   std::vector<Message> messages_;
-  std::string about_;  // the command that is carried out
+  DeviceStatus told_a_, told_b_;  // of devices, in messages
+  std::string about_;             // the command that is carried out
 };
 
 }  // namespace pabd

@@ -15,6 +15,7 @@
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
 #include "sim/base/error.h"
+#include "tests/gui/script_runner.h"
 #include "tests/support/golden.h"
 #include "tests/support/temp_folder.h"
 
@@ -22,40 +23,6 @@ using namespace pabd;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string shipped_scene(const std::string& name) {
-  if (fs::exists(name)) return name;
-  const fs::path path = fs::path(PABD_SCENES) / (name + ".json");
-  if (!fs::exists(path)) throw Error(ErrorKind::file, name + ": no such scene");
-  return path.string();
-}
-
-// A tool of its own for every script.
-void carry_out(const Script& script, const TempFolder& folder, std::string& renderer,
-               std::string* copied = nullptr, std::string* printed = nullptr) {
-  std::vector<ContextAttempt> attempts;
-  const auto context = create_headless_context(Backend::automatic, attempts);
-  WorkbenchOptions bench;
-  bench.find_scene = shipped_scene;
-  Runner runner(std::make_unique<Workbench>(bench, command::Load{"two_boxes", {}, false}));
-  ViewerOptions options;
-  options.steady = true;
-  options.shipped_scenes = [] {
-    std::vector<fs::path> out;
-    for (const char* name : {"dominoes", "four_bar", "pile", "two_boxes"})
-      out.emplace_back(shipped_scene(name));
-    return out;
-  };
-  if (copied) options.set_clipboard = [copied](const std::string& text) { *copied = text; };
-  Viewer viewer(*context, runner, options);
-  renderer = viewer.renderer().gl_renderer();
-  ScriptOptions script_options;
-  script_options.folder = folder.path();
-  script_options.print = [printed](const std::string& line) {
-    if (printed) *printed += line;
-  };
-  script.run(viewer, runner, script_options);
-}
 
 std::vector<fs::path> sorted(const fs::path& folder, const char* extension) {
   std::vector<fs::path> out;

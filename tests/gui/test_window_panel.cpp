@@ -19,7 +19,7 @@ TEST_CASE("every panel is found by its name and has one tab") {
   for (const Slot slot : kSlots) tabs += panels_of(slot).size();
   CHECK(names.size() == window_panels().size());
   CHECK(tabs == window_panels().size());
-  CHECK(panel_words() == "parameters, inspector, scenes, barrier, convergence, series or compare");
+  CHECK(panel_words() == "parameters, inspector, scenes, sweep, barrier, convergence, series or compare");
   // What the window begins with fits its slots.
   const UiState ui;
   for (const Slot slot : kSlots) CHECK(ui.shown[slot]->slot == slot);
@@ -50,4 +50,12 @@ TEST_CASE("a made-up panel in a table is found by command, help and tabs") {
   ui.open[clock.slot] = true;
   ui.hidden = true;
   CHECK_FALSE(ui.shows(clock));
+}
+
+TEST_CASE("the tab of a sweep is there while one is open") {
+  UiState ui;
+  REQUIRE(sweep_tab.offered != nullptr);
+  CHECK_FALSE(sweep_tab.offered(ui));
+  ui.sweep.folder = "/some/where";
+  CHECK(sweep_tab.offered(ui));
 }

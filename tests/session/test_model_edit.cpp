@@ -278,3 +278,33 @@ TEST_CASE("a session pulls and reports bodies when asked") {
   run(session, 60);
   CHECK(session.state().c[1].y() < 1);
 }
+
+TEST_CASE("friction and groups follow the bodies that come and go") {
+  Session session(parse_scene(R"({ "format": "pabd-scene", "version": 1, "bodies": [
+    { "name": "a", "shape": { "type": "sphere", "radius": 0.1 }, "group": "g" },
+    { "name": "b", "shape": { "type": "sphere", "radius": 0.1 }, "position": [1, 0, 0], "friction": 0.2 },
+    { "name": "c", "shape": { "type": "sphere", "radius": 0.1 }, "position": [2, 0, 0], "group": "h" } ],
+    "no_collide": [[{ "group": "g" }, { "group": "h" }]] })",
+                              "test.json", {}));
+  CHECK(keeps_apart(session.model().groups, 0, 2));
+  session.edit(RemoveBody{1});
+  AddBody body;
+  body.shape = Sphere{0.1};
+  body.position = {3, 0, 0};
+  session.edit(body);
+  body.position = {4, 0, 0};
+  body.friction = SurfaceFriction{0.7, 0.6};
+  session.edit(edit_from_json(to_json(body), "test"));
+  const Model& model = session.model();
+  CHECK(keeps_apart(model.groups, 0, 1));
+  CHECK_FALSE(keeps_apart(model.groups, 0, 2));
+  REQUIRE(model.friction.size() == 4);
+  CHECK_FALSE(model.friction[1]);
+  CHECK(model.friction[3] == SurfaceFriction{0.7, 0.6});
+  session.step();
+  CHECK(session.report().status == StepStatus::converged);
+  CHECK_THROWS_AS(
+      edit_from_json(R"({ "do": "add_body", "group": "g", "shape": { "type": "sphere", "radius": 1 } })",
+                     "test"),
+      Error);
+}

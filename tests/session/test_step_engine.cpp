@@ -3,10 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include "app/session/run.h"
+#include "tests/support/drift_device.h"
 #include "tests/support/errors.h"
-#include "tests/support/tiny_model.h"
 
 using namespace pabd;
+using namespace pabd::test;
 
 namespace {
 
@@ -22,13 +23,7 @@ class Drift : public StepEngine {
             StepReport& report) override {
     if (!options.pulls.empty()) throw Error(ErrorKind::bad_input, "no hands");
     stepped.push_back(&model);
-    for (std::size_t i = 0; i < state.c.size(); ++i) state.c[i] += params.h * state.v[i];
-    ++state.step;
-    state.time += params.h;
-    state.contacts.clear();
-    report = {};
-    report.step = state.step;
-    report.status = StepStatus::converged;
+    drift(params, state, report);
   }
   void complete(State& state) override { state.contacts.assign(1, ContactMemory{7, 0, Vec3::Zero()}); }
   void forget() override { ++forgotten; }
@@ -37,21 +32,10 @@ class Drift : public StepEngine {
   int forgotten = 0;
 };
 
-std::shared_ptr<const Scene> thrown_ball() {
-  TinyModel tiny;
-  tiny.add(Sphere{0.5}, Vec3(0, 10, 0));
-  tiny.add(Sphere{0.5}, Vec3(0, 20, 0));
-  tiny.state.v[0] = Vec3(3, 0, 0);
-  auto scene = std::make_shared<Scene>();
-  scene->model = tiny.model;
-  scene->initial = tiny.state;
-  return scene;
-}
-
 }  // namespace
 
 TEST_CASE("the engine makes the steps, and the processor none of them") {
-  const auto scene = thrown_ball();
+  const auto scene = thrown_balls(SolverDevice::cpu);
   const auto drift = std::make_shared<Drift>();
   Session session(scene);
   CHECK_FALSE(session.has_engine());
@@ -75,7 +59,7 @@ TEST_CASE("the engine makes the steps, and the processor none of them") {
 
 TEST_CASE("what an engine left out of a state is there when the processor goes on") {
   const auto drift = std::make_shared<Drift>();
-  Session session(thrown_ball());
+  Session session(thrown_balls(SolverDevice::cpu));
   session.solve_with(drift);
   session.step();
   CHECK(session.state().contacts.empty());
@@ -85,7 +69,7 @@ TEST_CASE("what an engine left out of a state is there when the processor goes o
 
 TEST_CASE("the engine is told when the model changes, not when the state does") {
   const auto drift = std::make_shared<Drift>();
-  Session session(thrown_ball());
+  Session session(thrown_balls(SolverDevice::cpu));
   session.solve_with(drift);
   session.step();
   session.set_state(session.scene().initial);
@@ -99,7 +83,7 @@ TEST_CASE("the engine is told when the model changes, not when the state does") 
 }
 
 TEST_CASE("a step that the engine refuses leaves the state as it was") {
-  Session session(thrown_ball());
+  Session session(thrown_balls(SolverDevice::cpu));
   session.solve_with(std::make_shared<Drift>());
   session.step();
   const State before = session.state();
@@ -110,7 +94,7 @@ TEST_CASE("a step that the engine refuses leaves the state as it was") {
 
 TEST_CASE("a run that can be wound back has no engine, one without a past may") {
   const auto drift = std::make_shared<Drift>();
-  Run past(thrown_ball(), 1, 1000000);
+  Run past(thrown_balls(SolverDevice::cpu), 1, 1000000);
   const Caught refused = caught([&] { past.solve_with(drift); });
   CHECK(refused.kind == bad_input);
   CHECK(refused.says("wound back"));
@@ -119,7 +103,7 @@ TEST_CASE("a run that can be wound back has no engine, one without a past may") 
   CHECK(past.advance());
   CHECK(drift->stepped.empty());
 
-  Run run(thrown_ball(), 1, kNoPast);
+  Run run(thrown_balls(SolverDevice::cpu), 1, kNoPast);
   run.solve_with(drift);
   for (int k = 0; k < 5; ++k) REQUIRE(run.advance());
   CHECK(drift->stepped.size() == 5);
