@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/gl/device_instances.h"
-#include "render/gl/gpu_mesh.h"
+#include "render/visual/primitive_mesh.h"
 #include "render/visual/visual_scene.h"
 
 namespace pabd {

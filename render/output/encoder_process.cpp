@@ -84,9 +84,8 @@ EncoderProcess::EncoderProcess(EncoderSetup setup) : setup_(std::move(setup)) {
   const int reason = child_.start(command);
   if (reason == ENOENT) {
     throw Error(ErrorKind::encoder,
-                fmt::format("{}: ffmpeg was not found in PATH; install it: apt-get install ffmpeg, "
-                            "or write PNG files: frames/{{frame:04}}.png",
-                            setup_.name));
+                fmt::format("{}: ffmpeg was not found in PATH; install it: apt-get install ffmpeg, or {}",
+                            setup_.name, setup_.way_out));
   }
   if (reason != 0) fail_system(setup_.name, reason);
   // A frame should fit into few writes; being refused (a limit for users) only costs speed.
@@ -104,6 +103,9 @@ void EncoderProcess::listen() {
   LineSplitter progress([this](std::string_view line) {
     if (line.starts_with("frame=")) frames_ = std::strtol(std::string(line.substr(6)).c_str(), nullptr, 10);
   });
+  const auto hear = [&](std::string_view bytes) {
+    setup_.output ? setup_.output(bytes) : progress.append(bytes.data(), bytes.size());
+  };
   std::array<pollfd, 3> sources = {
       {{child_.output.get(), POLLIN, 0}, {child_.errors.get(), POLLIN, 0}, {over_read_.get(), POLLIN, 0}}};
   bool over = false;
@@ -113,7 +115,7 @@ void EncoderProcess::listen() {
       if (errno == EINTR) continue;
       break;
     }
-    const bool heard = read_pipes(sources, progress, tail_);
+    const bool heard = read_pipes(sources, hear, tail_);
     if (over && (!heard || ++heard_after > kLastReads)) break;
     over = sources[2].revents != 0;
   }
@@ -185,8 +187,8 @@ void EncoderProcess::give_up() {
   throw Error(
       ErrorKind::encoder,
       fmt::format("{}: ffmpeg made no progress for {:g} s and was ended{}; if it only needs longer, give "
-                  "it more with --encoder-timeout, or write PNG files: frames/{{frame:04}}.png",
-                  setup_.name, setup_.patience, said.empty() ? "" : ": " + said));
+                  "it more with --encoder-timeout, or {}",
+                  setup_.name, setup_.patience, said.empty() ? "" : ": " + said, setup_.way_out));
 }
 
 void EncoderProcess::fail(const std::string& what) {

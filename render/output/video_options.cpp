@@ -8,9 +8,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/base/child_process.h"
+#include "render/output/encoder_trial.h"
 #include "sim/base/error.h"
-#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
@@ -19,7 +18,6 @@ using Arguments = std::vector<std::string>;
 
 constexpr VideoDefaults kMp4{18, 51, "veryfast"}, kWebm{24, 63, "fast"};
 constexpr int kMostPlays = 65535;
-constexpr double kTrialPatience = 30;  // s
 constexpr const char* kVaapiDevice = "/dev/dri/renderD128";
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorKind::bad_input, message); }
@@ -133,18 +131,8 @@ void check_video_options(const std::string& extension, const VideoOptions& optio
 void check_video_encoder(const VideoOptions& options) {
   if (options.encoder == VideoEncoder::software) return;
   const bool nvenc = options.encoder == VideoEncoder::nvenc;
-  Arguments command = {"ffmpeg", "-nostdin", "-hide_banner", "-nostats", "-loglevel", "error"};
-  append(command, device_arguments(options));
-  append(command, {"-f", "lavfi", "-i", "color=size=256x256:rate=10:duration=0.1"});
-  append(command, h264(options));
-  append(command, {"-f", "null", "-"});
-  const ChildOutcome outcome = run_child(
-      command, kTrialPatience, [](std::string_view) {}, kTrialPatience);
-  if (outcome.found && outcome.status == 0) return;
-  const std::string said = !outcome.found     ? "ffmpeg was not found in PATH"
-                           : outcome.too_slow ? fmt::format("it did not answer within {:g} s", kTrialPatience)
-                           : outcome.errors.empty() ? "it gave no reason"
-                                                    : one_line(outcome.errors);
+  const std::string said = encoder_complaint(device_arguments(options), h264(options));
+  if (said.empty()) return;
   throw Error(
       ErrorKind::encoder,
       fmt::format("--encoder {}: ffmpeg cannot use {} here: {}; it needs {}; leave --encoder out to encode "

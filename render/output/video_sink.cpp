@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "render/output/encoder_process.h"
+#include "render/output/extended_image.h"
 #include "render/output/sinks.h"
 #include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
@@ -68,8 +69,8 @@ class VideoSink : public FrameSink {
     if (width_ == frame.width && height_ == frame.height) {
       encoder_->write(frame.rgb.data(), frame.rgb.size());
     } else {
-      pad(frame);
-      encoder_->write(padded_.rgb.data(), padded_.rgb.size());
+      const Image padded = extended(frame, width_, height_);
+      encoder_->write(padded.rgb.data(), padded.rgb.size());
     }
   }
 
@@ -86,25 +87,10 @@ class VideoSink : public FrameSink {
   }
 
  private:
-  // Repeats the last column and row: a black line at the border would be seen.
-  void pad(const Image& frame) {
-    padded_.resize(width_, height_);
-    const auto from_stride = static_cast<std::size_t>(frame.width) * 3;
-    const auto to_stride = static_cast<std::size_t>(width_) * 3;
-    for (int y = 0; y < height_; ++y) {
-      const auto* from =
-          frame.rgb.data() + static_cast<std::size_t>(std::min(y, frame.height - 1)) * from_stride;
-      auto* to = padded_.rgb.data() + static_cast<std::size_t>(y) * to_stride;
-      std::copy(from, from + from_stride, to);
-      if (to_stride > from_stride) std::copy(from + from_stride - 3, from + from_stride, to + from_stride);
-    }
-  }
-
   std::string path_;
   SinkOptions options_;
   int width_, height_;  // of the video
   long sent_ = 0;
-  Image padded_;
   std::optional<AtomicFile> file_;  // outlives the encoder, which writes into it
   std::optional<EncoderProcess> encoder_;
 };

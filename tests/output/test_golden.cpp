@@ -82,6 +82,14 @@ TEST_CASE("golden pictures") {
   }
   CHECK(check_golden(shifted, "boxes", other, folders).equal);
   CHECK_FALSE(check_golden(picture, "boxes", other, folders).equal);
+  // or to a second one
+  {
+    const UpdateWish second("2");
+    CHECK(check_golden(picture, "boxes", other, folders).equal);
+  }
+  CHECK(check_golden(picture, "boxes", other, folders).equal);
+  CHECK(check_golden(shifted, "boxes", other, folders).equal);
+  CHECK_FALSE(check_golden(moved(picture, 3, 0), "boxes", other, folders).equal);
   // where it has some, a picture that is missing is named
   {
     const UpdateWish yes("1");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Meshes of the primitives: closed, facing outwards, on the true surface, with the right volume.
-#include "render/gl/gpu_mesh.h"
+#include "render/visual/primitive_mesh.h"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>

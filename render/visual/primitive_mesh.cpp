@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Triangle meshes of the primitives.
-#include "render/gl/gpu_mesh.h"
+#include "render/visual/primitive_mesh.h"
 
 #include <cmath>
 
