@@ -120,8 +120,8 @@ TEST_CASE("sim knows nothing of drawing, printing or the program") {
 
 TEST_CASE("inside sim, data flows one way") {
   // Each may use those before it and itself.
-  const std::vector<std::string> order = {"base", "math",  "body",   "potential", "collision",
-                                          "bond", "joint", "solver", "scene",     "trace"};
+  const std::vector<std::string> order = {"base",  "math",   "body",  "potential", "collision", "bond",
+                                          "joint", "solver", "scene", "trace",     "import"};
   for (std::size_t i = 0; i < order.size(); ++i) {
     std::vector<std::string> later;
     for (std::size_t j = i + 1; j < order.size(); ++j) later.push_back("sim/" + order[j] + "/");
@@ -213,6 +213,9 @@ TEST_CASE("app's parts keep apart") {
   using List = std::vector<std::string>;
   CHECK(violations("app/plots/", kGl) == List{});
   CHECK(violations("app/plots/", {"app/session/", "app/cli/", "app/overlay/", "CLI/"}) == List{});
+  // What is collected is drawn on machines without OpenGL.
+  CHECK(violations("app/sweep/collect_", kGl) == List{});
+  CHECK(violations("app/sweep/collect_", {"app/cli/", "app/overlay/", "app/gui/", "CLI/"}) == List{});
   CHECK(violations("app/session/", kGl) == List{});
   CHECK(violations("app/session/", kImGui) == List{});
   CHECK(violations("app/session/", kPrinting) == List{});

@@ -19,9 +19,16 @@ namespace {
 
 constexpr const char* reference_class = "llvmpipe-128";
 
-bool updating() {
+// Dear ImGui places the edges of smooth lines by the processor's approximate reciprocal root, which is another one for
+// each maker of processors. The few pictures where that shows have a second approved one.
+constexpr const char* kOther = ".2.png";
+
+// Which of the approved pictures is to be renewed.
+const char* updated_ending() {
   const char* wish = std::getenv("PABD_UPDATE_GOLDEN");
-  return wish && std::string_view(wish) == "1";
+  if (wish && std::string_view(wish) == "1") return ".png";
+  if (wish && std::string_view(wish) == "2") return kOther;
+  return nullptr;
 }
 
 void update(const fs::path& path, const Image& image, const std::string& renderer) {
@@ -47,8 +54,8 @@ CompareResult check_golden(const Image& image, const std::string& name, const st
   const std::string own_class = renderer_class(renderer);
   const fs::path own = folders.baselines / own_class / (name + ".png");
   const fs::path reference = folders.baselines / reference_class / (name + ".png");
-  if (updating()) {
-    update(own, image, renderer);
+  if (const char* ending = updated_ending()) {
+    update(folders.baselines / own_class / (name + ending), image, renderer);
     CompareResult result;
     result.equal = true;
     return result;
@@ -66,6 +73,11 @@ CompareResult check_golden(const Image& image, const std::string& name, const st
   } else {
     result.reason =
         "there is no approved picture; look at the actual one and approve it with PABD_UPDATE_GOLDEN=1";
+  }
+  const fs::path other = folders.baselines / own_class / (name + kOther);
+  if (!result.equal && has_own && fs::exists(other)) {
+    const CompareResult second = compare_images(image, read_png(other), tier);
+    if (second.equal) return second;
   }
   if (result.equal) return result;
 
