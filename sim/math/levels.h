@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // PABD_EACH_LEVEL before a function: it is compiled for AVX2 and AVX-512, too, and the loader takes what the processor
-// has. For programs that are to run anywhere (PABD_NATIVE=OFF), of functions in which lanes of numbers are the work.
+// has. For functions in which lanes of numbers are the work, in programs that run anywhere (all but PABD_NATIVE=ON).
 //
 // Each level gives the same bits: lanes are added and multiplied one by one wherever they lie, nothing is fused, and
 // what Eigen does is as without AVX at each. Whatever such a function calls is inlined: a lane that is handed over by
