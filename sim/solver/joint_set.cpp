@@ -22,12 +22,13 @@ void pulls_as_joints(const Model& model, const std::vector<Pull>& pulls, std::ve
 
 namespace {
 
-// What acts along a joint is left out unless `acts`.
-void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose& trial, double time,
+// `trial`: where body `moved` is in place of its iterate, null where none is. What acts along a joint is left out unless
+// `acts`.
+void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose* trial, double time,
                bool acts, BondList& out) {
   const Joint& joint = p.joints[k];
   const auto pose = [&](Index body) -> const Pose& {
-    return body == moved && body != kWorld ? trial : it.pose[it.slot(body)];
+    return trial != nullptr && body == moved && body != kWorld ? *trial : it.pose[it.slot(body)];
   };
   expand(joint, pose(joint.i), pose(joint.j), time, out);
   if (!acts || p.action_at.empty() || p.action_at[static_cast<std::size_t>(k)] < 0) return;
@@ -44,13 +45,13 @@ double energy_of(const BondLaw& law, const BondList& list) {
 }  // namespace
 
 void expand_at(const Problem& p, const Iterate& it, Index k, BondList& out) {
-  expand_at(p, it, k, kWorld, {}, p.time, true, out);
+  expand_at(p, it, k, kWorld, nullptr, p.time, true, out);
 }
 void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const Pose& trial, BondList& out) {
-  expand_at(p, it, k, moved, trial, p.time, true, out);
+  expand_at(p, it, k, moved, &trial, p.time, true, out);
 }
 void expand_held(const Problem& p, const Iterate& it, Index k, double time, BondList& out) {
-  expand_at(p, it, k, kWorld, {}, time, false, out);
+  expand_at(p, it, k, kWorld, nullptr, time, false, out);
 }
 
 double joint_energy(const Problem& p, const Iterate& it, Index i, const Pose& trial) {
