@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Headers that nearly every file reads, compiled once for each set of flags: for what is optimised, for the command line
-# and the window (app/cli, app/gui), and with Catch2 for the tests.
+# Headers that nearly every file reads, compiled once for each set of flags: for what is optimised, for what
+# is quick to compile (the command line, the window, …), and with Catch2 for the tests.
 
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "")
 set(headers
@@ -59,11 +59,13 @@ foreach(folder sim render)
 endforeach()
 
 if(PABD_APP)
-  pabd_precompile(pabd_precompiled_quick OPTIONS ${PABD_QUICK_TO_COMPILE})
+  find_package(nlohmann_json 3.11 REQUIRED)
+  pabd_precompile(pabd_precompiled_quick LINKS nlohmann_json::nlohmann_json OPTIONS ${PABD_QUICK_TO_COMPILE}
+    HEADERS <nlohmann/json.hpp>)
   foreach(folder plots overlay session workbench frames)
     pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/app/${folder} pabd_precompiled)
   endforeach()
-  set(quick gui cli)
+  set(quick export gui sweep cli)
   if(PABD_SERVE)
     list(APPEND quick serve)
   endif()
@@ -74,6 +76,7 @@ endif()
 
 if(PABD_TESTS)
   find_package(Catch2 2.13 REQUIRED)
-  pabd_precompile(pabd_precompiled_tests LINKS Catch2::Catch2 OPTIONS ${PABD_QUICK_TO_COMPILE} HEADERS <catch2/catch.hpp>)
+  pabd_precompile(pabd_precompiled_tests LINKS Catch2::Catch2 nlohmann_json::nlohmann_json
+    OPTIONS ${PABD_QUICK_TO_COMPILE} HEADERS <catch2/catch.hpp> <nlohmann/json.hpp>)
   pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/tests pabd_precompiled_tests)
 endif()
