@@ -112,13 +112,14 @@ void SplitEngine::step(const Model& model, const Params& params, const StepOptio
   const Params whole = of_whole(model, params);
   take_part(parts_->free, state, false, free_);
   take_part(parts_->jointed, state, true, jointed_);
-  device_.step(parts_->free.model, whole, of_device(options), free_, report);
-  if (report.status == StepStatus::non_finite || report.status == StepStatus::interrupted) return;
+  // First the processor: what it did can be thrown away, what the GPU did takes its memory along.
   pabd::step(parts_->jointed.model, whole, options, jointed_, workspace_, report_);
   if (report_.status == StepStatus::non_finite || report_.status == StepStatus::interrupted) {
-    report = report_;  // the GPU gets the state of the start again
+    report = report_;
     return;
   }
+  device_.step(parts_->free.model, whole, of_device(options), free_, report);
+  if (report.status == StepStatus::non_finite || report.status == StepStatus::interrupted) return;
   std::vector<ContactReport> of_free = std::move(report.contact_reports);
   report.contact_reports.clear();
   put_contacts(parts_->free, of_free, report.contact_reports);

@@ -137,6 +137,37 @@ TEST_CASE("each part goes as it would alone, to the bit") {
   CHECK(s.gpu.joint_force.size() == 2);
 }
 
+TEST_CASE("a step that is stopped in either part can be made again, and nothing is lost") {
+  const Scene scene = pendulum_and_tower();
+  const StepOptions plain;
+  for (const int at : {1, 2, 3}) {  // which of its looks is told to stop
+    CAPTURE(at);
+    SplitEngine engine(Backend::automatic), whole_engine(Backend::automatic);
+    State state = scene.initial, whole = scene.initial;
+    StepReport report;
+    for (int k = 0; k < 40; ++k) {  // until the tower rests on its friction
+      engine.step(scene.model, scene.params, plain, state, report);
+      whole_engine.step(scene.model, scene.params, plain, whole, report);
+    }
+    const State before = state;
+    int looks = 0;
+    StepOptions stopping;
+    stopping.stop = [&] { return ++looks == at; };
+    engine.step(scene.model, scene.params, stopping, state, report);
+    REQUIRE(looks >= at);
+    CHECK(report.status == StepStatus::interrupted);
+    CHECK(same_bits(state, before));
+    for (int k = 0; k < 5; ++k) {
+      engine.step(scene.model, scene.params, plain, state, report);
+      whole_engine.step(scene.model, scene.params, plain, whole, report);
+    }
+    engine.complete(state);
+    whole_engine.complete(whole);
+    REQUIRE_FALSE(whole.contacts.empty());
+    CHECK(same_bits(state, whole));
+  }
+}
+
 TEST_CASE("where the parts would meet the step is refused before they do, and the state is whole") {
   const Scene scene = pendulum_and_tower(8);
   SplitEngine engine(Backend::automatic);
