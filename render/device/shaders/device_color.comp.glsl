@@ -101,8 +101,10 @@ void main() {
   const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
   if (t < COLORS) size[t] = 0u;
   barrier();
-  if (i < params.bodies && counters.overflow == 0u && kinds[kind_number[i]].fixed_ == 0 && has_ends(i))
-    atomicAdd(size[(color_of[i] & 0xffu) - 1u], 1u);
+  if (i < params.bodies && counters.overflow == 0u && kinds[kind_number[i]].fixed_ == 0 && has_ends(i)) {
+    const uint color = color_of[i] & 0xffu;  // 0: the rounds were too few
+    if (color != 0u) atomicAdd(size[color - 1u], 1u);
+  }
   barrier();
   if (t < COLORS && size[t] > 0u) atomicAdd(counters.color_size[t], size[t]);
 }
@@ -116,7 +118,7 @@ void main() {
     const uint n = counters.overflow != 0u ? 0u : counters.color_size[c];
     counters.color_first[c] = first;
     first += n;
-    arguments[c] = uvec4((n * TEAM + SWEEP_GROUP - 1u) / SWEEP_GROUP, 1u, 1u, n);
+    arguments[c] = dispatch_of((n * TEAM + SWEEP_GROUP - 1u) / SWEEP_GROUP, n);
     if (n > 0u) counters.colors = c + 1u;
   }
 }
