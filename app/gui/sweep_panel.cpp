@@ -203,10 +203,7 @@ class SweepPanel : public GuiPanel {
         ImGui::InvisibleButton("##grid", {std::max(1.0f, static_cast<float>(cells_.width)),
                                           std::max(1.0f, static_cast<float>(cells_.height))});
     const ImVec2 mouse = ImGui::GetMousePos();
-    std::optional<std::size_t> hovered;
-    if (ImGui::IsItemHovered())
-      hovered = cell_at(cells_, {static_cast<double>(mouse.x - at.x), static_cast<double>(mouse.y - at.y)});
-    if (hovered && !cells_.tasks[*hovered]) hovered.reset();
+    const bool is_over = ImGui::IsItemHovered();
 
     ImGuiCanvas canvas(f.metrics, f.fonts, *ImGui::GetWindowDrawList());
     HeatLayout placed = cells_.layout;
@@ -226,7 +223,9 @@ class SweepPanel : public GuiPanel {
     for (std::size_t i = 0; f.ui.sweep.loaded && i < cells_.tasks.size(); ++i) {
       if (cells_.tasks[i] == f.ui.sweep.loaded) mark_loaded(f, rect_of(i), canvas);
     }
-    if (!hovered) return;
+    const auto hovered =
+        cell_at(cells_, {static_cast<double>(mouse.x - at.x), static_cast<double>(mouse.y - at.y)});
+    if (!is_over || !hovered || !cells_.tasks[*hovered]) return;
     canvas.stroke_rect(rect_of(*hovered).inset(-f.unit), f.theme().text, 2 * f.unit);
     const SweptTask& task = read_->tasks[*cells_.tasks[*hovered]];
     sweep_tooltip(f, *read_, shown_, task, f.ui.sweep.loaded == cells_.tasks[*hovered], rect_of(*hovered));

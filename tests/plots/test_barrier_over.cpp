@@ -22,6 +22,7 @@ std::vector<ContactReport> contacts_at(const std::vector<double>& gaps) {
   std::vector<ContactReport> out;
   for (const double d : gaps) {
     ContactReport report{};
+    report.y_a = report.y_b = report.n = report.friction = Vec3::Zero();
     report.d = d;
     out.push_back(report);
   }

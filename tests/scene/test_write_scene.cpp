@@ -114,10 +114,7 @@ TEST_CASE("joints without names get free ones; edits are saved as well") {
   Session session(load_scene(PABD_SCENES "/bridge.json"));
   session.step();
   session.edit(RemoveJoint{0});
-  AddBody ball;
-  ball.shape = Sphere{0.2};
-  ball.position = {0, 8, 0};
-  session.edit(ball);
+  session.edit(AddBody{.name = {}, .shape = Sphere{0.2}, .mass = {}, .position = {0, 8, 0}});
   Session again = loaded(saved(session));
   CHECK(again.model().size() == session.model().size());
   CHECK(again.model().joints.size() == session.model().joints.size());
