@@ -21,7 +21,7 @@ constexpr const char* kTwofold =
 
 class Compiler {
  public:
-  Compiler(const ComputeFunctions& gl, Precision precision, bool round) : gl_(gl) {
+  Compiler(const ComputeFunctions& gl, Precision precision, const ShapeTable& table, bool round) : gl_(gl) {
     const bool single = precision == Precision::single;
     common_ = std::string(single ? kSingle : kTwofold) + (single ? kWideIsFloat : kWideIsDouble);
     const auto number = [](BarrierKind kind) { return static_cast<int>(kind); };
@@ -40,6 +40,7 @@ class Compiler {
     common_ += fmt::format("#define SWEEP_GROUP {}u\n#define TOUCH_GROUP {}u\n", kSweepGroup, kTouchGroup);
     common_ += fmt::format("#define SHAPE_KINDS {}u\n#define TWO_KINDS {}u\n",
                            static_cast<int>(kDeviceShapes), kTwoKinds);
+    common_ += hull_sizes(table);
     if (round) common_ += "#define ROUND\n";
   }
 
@@ -94,16 +95,16 @@ bool any_round(const std::set<int>& shapes) {
   return shapes.contains(kDeviceSphere) || shapes.contains(kDeviceCapsule);
 }
 
-Programs make_programs(const ComputeFunctions& gl, Precision precision, const std::set<int>& shapes,
-                       bool solids, int team) {
+Programs make_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
+                       const std::set<int>& shapes, int team) {
   using namespace shaders;
-  const Compiler compile(gl, precision, any_round(shapes));
+  const Compiler compile(gl, precision, table, any_round(shapes));
   const std::string of_team = fmt::format("#define TEAM {}u\n", team);
   const auto scan = [&](const char* pass) {
     return compile("sums", {"VALUES"}, std::string("#define PASS ") + pass + "\n", {}, device_scan_comp);
   };
   const auto color = [&](const char* pass) {
-    return compile("colors", {"COUNTERS", "KINDS", "CONTACTS", "END_FIRST", "ENDS", "COLORS", "VALUES"},
+    return compile("colors", {"COUNTERS", "KINDS", "END_FIRST", "ENDS", "COLORS", "VALUES"},
                    of_team + "#define " + pass + "\n", {}, device_color_comp);
   };
   const auto sort = [&](const char* pass) {
@@ -135,7 +136,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const st
                         "KEPT_PAIRS", "KEPT_FEATURE"},
                        "", {device_kept, device_memory}, device_reuse_comp),
       .sort_pairs = {sort("COUNT"), sort("STARTS"), sort("LISTS")},
-      .touch = touch_programs(compile, shapes, solids),
+      .touch = touch_programs(compile, shapes, table.has_solids),
       .place = compile("contacts",
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",
                         "END_FIRST", "KEPT_PAIRS", "KEPT_STRETCH", "KEPT_FEATURE"},

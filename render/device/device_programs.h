@@ -14,7 +14,7 @@ namespace pabd::device {
 // What displacements and forces are computed in. twofold (double) is for comparison with the processor's solver.
 enum class Precision { single, twofold };
 
-inline constexpr unsigned kGroup = 256, kSweepGroup = 64, kTouchGroup = 64;  // threads of a work group
+inline constexpr unsigned kGroup = 256, kSweepGroup = 32, kTouchGroup = 32;  // threads of a work group
 // How many work groups of `size` threads that many items need; at least one.
 constexpr std::uint32_t groups(std::size_t items, unsigned size) {
   return items == 0 ? 1 : static_cast<std::uint32_t>((items + size - 1) / size);
@@ -49,9 +49,9 @@ struct Programs {
 
 bool any_round(const std::set<int>& shapes);
 
-// For models that have bodies of these kinds of DeviceShape, `solids` among them or not; `team`: DeviceOptions::team. Throws Error(no_context) where
-// a shader is refused.
-Programs make_programs(const ComputeFunctions& gl, Precision precision, const std::set<int>& shapes,
-                       bool solids, int team);
+// For models that have these shapes, and bodies of these kinds of DeviceShape; `team`: DeviceOptions::team. Throws
+// Error(no_context) where a shader is refused.
+Programs make_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
+                       const std::set<int>& shapes, int team);
 
 }  // namespace pabd::device

@@ -14,7 +14,10 @@ namespace {
 constexpr std::uint32_t kMostRounds = 4096;  // of coloring that a step is dispatched for
 
 // Few bodies leave a GPU idle, so that more threads a body cost nothing and wait less (tests/bench/README.md).
-int team_for(const Model& model) { return model.size() < 50'000 ? 8 : 4; }
+int team_for(const Model& model) {
+  if (model.size() < 50'000) return 16;
+  return model.size() < 500'000 ? 8 : 2;
+}
 
 // Of bodies: their parts have rows too.
 std::set<int> shapes_of(const ShapeTable& table) {
@@ -35,8 +38,8 @@ DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptio
       table_(make_shape_table(model)),
       kinds_(make_body_kinds(model, table_)),
       shapes_(shapes_of(table_)),
-      programs_(make_programs(gl, precision_, shapes_, table_.has_solids,
-                              options.team > 0 ? options.team : team_for(model))),
+      programs_(
+          make_programs(gl, precision_, table_, shapes_, options.team > 0 ? options.team : team_for(model))),
       bodies_(static_cast<std::uint32_t>(model.size())),
       buckets_(std::bit_ceil(std::max(1024u, bodies_))) {
   make_body_buffers();

@@ -8,6 +8,11 @@
 
 namespace pabd {
 
+std::string hull_sizes(const ShapeTable& table) {
+  return "#define FACE_CORNERS " + std::to_string(table.face_corners) + "\n#define HULL_VERTICES " +
+         std::to_string(table.hull_vertices) + "\n";
+}
+
 std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second, bool solids) {
   using namespace shaders;
   std::vector<ShaderPart> parts = {shape_table, narrow_common};

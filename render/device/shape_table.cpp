@@ -146,6 +146,9 @@ class TableMaker {
     if (!is_first) return at->second;
     ShapeRecord record{{data.bounding_radius, 0, 0, data.inner_radius}, kDeviceHull, 0, 0, 0, 0, 0, 0, 0};
     count_parts(data, record);
+    table_.hull_vertices = std::max(table_.hull_vertices, record.vertices);
+    for (const HullFace& face : data.faces)
+      table_.face_corners = std::max(table_.face_corners, std::uint32_t{face.count});
     record.first = static_cast<std::uint32_t>(table_.hulls.size());
     table_.hulls.insert(table_.hulls.end(), same->first.begin(), same->first.end());
     if (ends.size() > 0) record.ends = static_cast<std::uint32_t>(table_.hulls.size() - ends.size());

@@ -33,9 +33,10 @@ static_assert(sizeof(ShapeRecord) == 64, "as std430 lays it out");
 
 struct ShapeTable {
   std::vector<ShapeRecord> shapes;
-  std::vector<std::uint64_t> hulls;    // never empty: it begins with the box of half edges 1
-  std::vector<std::uint32_t> of_body;  // number in `shapes`
-  bool has_solids = false;             // cylinders or cones
+  std::vector<std::uint64_t> hulls;                   // never empty: it begins with the box of half edges 1
+  std::vector<std::uint32_t> of_body;                 // number in `shapes`
+  bool has_solids = false;                            // cylinders or cones
+  std::uint32_t face_corners = 4, hull_vertices = 8;  // the most of a hull or box
 };
 
 // Equal shapes share a record; the parts of compounds have theirs too. Precondition: why_not_on_device() is empty.

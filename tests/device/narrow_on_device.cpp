@@ -130,9 +130,9 @@ std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable
   const ComputeFunctions& gl = inside_->gl;
   const bool of_parts = kind_0 == kDeviceCompound || kind_1 == kDeviceCompound;
   const std::size_t most = of_parts ? kMostOfParts : kMostFound;
-  const std::string most_line = "const uint MOST = " + std::to_string(most) + "u;\n";
+  const std::string room = "const uint MOST = " + std::to_string(most) + "u;\n" + hull_sizes(table);
   std::vector<ShaderPart> parts = {
-      {"header", "#version 430 core\n"}, {"numbers", inside_->numbers}, {"room", most_line.c_str()}};
+      {"header", "#version 430 core\n"}, {"numbers", inside_->numbers}, {"room", room.c_str()}};
   const std::vector<ShaderPart> narrow = narrow_parts(kind_0, kind_1, table.has_solids);
   parts.insert(parts.end(), narrow.begin(), narrow.end());
   parts.push_back(kMain);

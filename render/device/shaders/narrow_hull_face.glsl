@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // hull_face.cpp: the incident face of a hull, clipped against the sides of the face of another.
 const wide SNAP = wide(0.02lf), RUN_ON = wide(0.05lf), DEEPER = wide(0.02lf);
-const int MOST_SIDES = 32;    // of a face
-const int MOST_CORNERS = 64;  // of a clipped one, two faces of 31 together; no more than MOST_CANDIDATES
+const int MOST_SIDES = FACE_CORNERS;        // of a face
+const int MOST_CORNERS = 2 * FACE_CORNERS;  // of a clipped one; no more than MOST_CANDIDATES
 const int SIDE = 512;         // lines from here on are sides of the reference face
 
 const uint INCIDENT_CORNER = 0u, REFERENCE_CORNER = 1u, CROSSING = 2u, EDGE_PAIR = 3u, CORNER = 4u, LOW_END = 5u,

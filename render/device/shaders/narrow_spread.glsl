@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // spread.h: a few of many points.
-const int MOST_POINTS = 8, MOST_CANDIDATES = 64;  // 32 faces have at most 60 vertices
+const int MOST_POINTS = 8, MOST_CANDIDATES = max(HULL_VERTICES, 2 * FACE_CORNERS);
 
 wide3 candidate[MOST_CANDIDATES];
 wide candidate_d[MOST_CANDIDATES];
