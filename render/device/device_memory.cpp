@@ -70,7 +70,7 @@ void DeviceStep::make_contact_buffers(std::uint32_t room) {
   buffers.make(Slot::contacts, room * contact_bytes());
   buffers.make(Slot::raw_geometry, room * 2 * vec4());
   buffers.make(Slot::grips, room * vec4());
-  buffers.make(Slot::ends, std::size_t{room} * 2 * sizeof(std::uint32_t));
+  buffers.make(Slot::ends, std::size_t{room} * 2 * 2 * sizeof(std::uint32_t));
   buffers.make(Slot::parts, std::size_t{groups(std::max(room, bodies_), kGroup)} * 4 * sizeof(double));
   if (options_.report_contacts) buffers.make(Slot::told, room * sizeof(ContactTold));
   buffers.grow(Slot::kept_stretch, room * vec4());

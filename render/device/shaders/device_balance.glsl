@@ -17,8 +17,7 @@ uint partner(uint i, out uint contact) {
   uint found = NOBODY;
   contact = 0u;
   for (uint k = end_first[i]; k < end_first[i + 1u]; ++k) {
-    const uint c = ends[k] >> 1u;
-    const uint other = contacts[c].id.x == i ? contacts[c].id.y : contacts[c].id.x;
+    const uint c = ends[k].x >> 1u, other = ends[k].y;
     if ((found != NOBODY && other != found) || kinds[kind_number[other]].fixed_ != 0) return NOBODY;
     found = other;
     contact = c;

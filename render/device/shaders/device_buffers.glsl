@@ -56,7 +56,9 @@ AT(16) buffer ContactFirst { uint contact_first[]; };  // a pair; then one more
 AT(17) buffer EndFirst { uint end_first[]; };  // a body; then one more
 #endif
 #ifdef USES_ENDS
-AT(18) buffer Ends { uint ends[]; };  // contacts at the body, in order; lowest bit: the body owns the normal
+// Contacts at the body, in order; lowest bit: the body owns the normal. y: the other body, which is looked up beside the
+// contact then, not after it.
+AT(18) buffer Ends { uvec2 ends[]; };
 #endif
 #ifdef USES_COLORS
 AT(19) buffer ColorOf { uint color_of[]; };  // a body: color + 1, 0: none; from bit 8 on: round that gave it

@@ -21,10 +21,6 @@ bool goes_first(uint i, uint j) {
   const uint x = rank_of(i), y = rank_of(j);
   return x != y ? x > y : i < j;
 }
-uint other_of(uint end) {
-  const uvec4 id = contacts[end >> 1].id;
-  return (end & 1u) != 0u ? id.y : id.x;
-}
 bool has_ends(uint i) {
   return end_first[i + 1u] != end_first[i];
 }
@@ -33,7 +29,7 @@ bool has_ends(uint i) {
 uint choose(uint i, uint r) {
   uvec4 used = uvec4(0u);  // colors of neighbors, a bit each
   for (uint k = end_first[i]; k < end_first[i + 1u]; ++k) {
-    const uint j = other_of(ends[k]);
+    const uint j = ends[k].y;
     if (kinds[kind_number[j]].fixed_ != 0) continue;
     const uint word = color_of[j];
     const uint c = word >> 8 == r ? 0u : word & 0xffu;
@@ -73,7 +69,7 @@ void main() {
   if (kinds[kind_number[i]].fixed_ == 0 && has_ends(i)) {
     if (c > uint(params.color_limit)) atomicOr(counters.overflow, TOO_MANY_COLORS);
     for (uint k = end_first[i]; c != 0u && k < end_first[i + 1u]; ++k) {
-      const uint j = other_of(ends[k]);
+      const uint j = ends[k].y;
       if ((color_of[j] & 0xffu) == c && kinds[kind_number[j]].fixed_ == 0 && goes_first(j, i)) c = 0u;
     }
     if (c == 0u) atomicAdd(counters.uncolored, 1u);

@@ -6,16 +6,18 @@ void main() {
   const uint k = gl_GlobalInvocationID.x;
   if (k >= counters.contacts || counters.overflow != 0u) return;
   const uvec4 id = contacts[k].id;
-  if (kinds[kind_number[id.x]].fixed_ == 0) ends[end_first[id.x] + atomicAdd(cursor[id.x], 1u)] = 2u * k + 1u;
-  if (kinds[kind_number[id.y]].fixed_ == 0) ends[end_first[id.y] + atomicAdd(cursor[id.y], 1u)] = 2u * k;
+  if (kinds[kind_number[id.x]].fixed_ == 0)
+    ends[end_first[id.x] + atomicAdd(cursor[id.x], 1u)] = uvec2(2u * k + 1u, id.y);
+  if (kinds[kind_number[id.y]].fixed_ == 0)
+    ends[end_first[id.y] + atomicAdd(cursor[id.y], 1u)] = uvec2(2u * k, id.x);
 }
 #else
 // Restores the heap of `size` ends from `first` on below `root`.
 void sift_down(uint first, uint root, uint size) {
-  const uint value = ends[first + root];
+  const uvec2 value = ends[first + root];
   for (uint child = 2u * root + 1u; child < size; child = 2u * root + 1u) {
-    if (child + 1u < size && ends[first + child] < ends[first + child + 1u]) ++child;
-    if (ends[first + child] <= value) break;
+    if (child + 1u < size && ends[first + child].x < ends[first + child + 1u].x) ++child;
+    if (ends[first + child].x <= value.x) break;
     ends[first + root] = ends[first + child];
     root = child;
   }
@@ -29,16 +31,16 @@ void main() {
   if (size < 2u) return;
   if (size <= 32u) {
     for (uint k = 1u; k < size; ++k) {
-      const uint value = ends[first + k];
+      const uvec2 value = ends[first + k];
       uint at = k;
-      for (; at > 0u && ends[first + at - 1u] > value; --at) ends[first + at] = ends[first + at - 1u];
+      for (; at > 0u && ends[first + at - 1u].x > value.x; --at) ends[first + at] = ends[first + at - 1u];
       ends[first + at] = value;
     }
     return;
   }
   for (uint root = size / 2u; root-- > 0u;) sift_down(first, root, size);
   for (uint last = size - 1u; last > 0u; --last) {
-    const uint value = ends[first];
+    const uvec2 value = ends[first];
     ends[first] = ends[first + last];
     ends[first + last] = value;
     sift_down(first, 0u, last);

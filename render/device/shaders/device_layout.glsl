@@ -114,6 +114,15 @@ struct Counters {
   double gained;  // kinetic energy beside that of free flight
   double kinetic, potential, elastic;
 };
+// Arguments of an indirect dispatch of that many work groups, for n things. OpenGL grants 65535 in a row: more make rows.
+const uint ROW = 32768u;
+uvec4 dispatch_of(uint groups, uint n) {
+  return uvec4(min(groups, ROW), (groups + ROW - 1u) / ROW, 1u, n);
+}
+uint work_group() {
+  return gl_WorkGroupID.y * ROW + gl_WorkGroupID.x;
+}
+
 const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u, TOO_FEW_ROUNDS = 8u;
 
 // A float as bits that are in the order of the values.

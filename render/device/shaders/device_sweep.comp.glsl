@@ -13,7 +13,7 @@ struct Model6 {
 
 const uint BODIES = SWEEP_GROUP / TEAM;  // of a work group
 const uint VALUES = 29u;                 // of a model, its energy, the room around it
-shared real value[VALUES * SWEEP_GROUP];  // a thread each
+shared real value[VALUES * SWEEP_GROUP];  // a thread each; then a team's sum where its first thread's was
 shared Place trial_of[BODIES];
 shared uint trying;                 // bodies of this group whose step is not accepted yet
 shared vec2 largest[SWEEP_GROUP];   // way of a body's step over d̂; error of a friction force as a part of μ f_n
@@ -27,32 +27,30 @@ void put(uint k, real3 x) {
   put(k + 1u, x.y);
   put(k + 2u, x.z);
 }
+// Of value k over a team, in the order of its threads.
+real team_sum(uint k, uint team) {
+  const uint first = k * SWEEP_GROUP + team * TEAM;
+  real sum = value[first];
+  for (uint j = 1u; j < TEAM; ++j) sum += value[first + j];
+  return sum;
+}
+// Of the body that this thread leads.
 real got(uint k) {
-  return value[k * SWEEP_GROUP + gl_LocalInvocationID.x];
+  return value[k * SWEEP_GROUP + gl_LocalInvocationID.x * TEAM];
 }
 real3 got3(uint k) {
   return real3(got(k), got(k + 1u), got(k + 2u));
-}
-// Of value k over the team, in the order of its threads.
-real team_sum(uint k) {
-  const uint leader = gl_LocalInvocationID.x / TEAM * TEAM;
-  real sum = value[k * SWEEP_GROUP + leader];
-  for (uint j = 1u; j < TEAM; ++j) sum += value[k * SWEEP_GROUP + leader + j];
-  return sum;
-}
-
-uint other_end(uvec4 id, bool is_a) {
-  return is_a ? id.y : id.x;
 }
 
 // Energy of a trial place, but for the inertia: what the contacts of body i that are this thread's say.
 real contact_energy(uint i, Place trial) {
   real energy = 0;
   for (uint e = end_first[i] + gl_LocalInvocationID.x % TEAM; e < end_first[i + 1u]; e += TEAM) {
-    const uint k = ends[e] >> 1;
-    const bool is_a = (ends[e] & 1u) != 0u;
+    const uvec2 end = ends[e];
+    const uint k = end.x >> 1;
+    const bool is_a = (end.x & 1u) != 0u;
     const Contact c = contacts[k];
-    const Place other = place[other_end(c.id, is_a)];
+    const Place other = place[end.y];
     ContactNow s;
     if (is_a) {
       s = contact_now(c, trial, other);
@@ -131,11 +129,22 @@ Place moved_by(Place at, real3 dc, real3 dw) {
 // Model of E around the place of body i, and E there: what is this thread's.
 void add_contacts(uint i, Place at, inout Model6 m, inout real energy, inout real room) {
   const real d_hat = real(params.d_hat);
-  for (uint e = end_first[i] + gl_LocalInvocationID.x % TEAM; e < end_first[i + 1u]; e += TEAM) {
-    const uint k = ends[e] >> 1;
-    const bool is_a = (ends[e] & 1u) != 0u;
-    const Contact c = contacts[k];
-    const Place other = place[other_end(c.id, is_a)];
+  const uint stop = end_first[i + 1u];
+  uint e = end_first[i] + gl_LocalInvocationID.x % TEAM;
+  if (e >= stop) return;
+  // The next one is on its way while one is worked on.
+  uvec2 next_end = ends[e];
+  Contact next_contact = contacts[next_end.x >> 1];
+  Place next_other = place[next_end.y];
+  for (; e < stop; e += TEAM) {
+    const uvec2 end = next_end;
+    const uint k = end.x >> 1;
+    const bool is_a = (end.x & 1u) != 0u;
+    const Contact c = next_contact;
+    const Place other = next_other;
+    next_end = ends[min(e + TEAM, stop - 1u)];
+    next_contact = contacts[next_end.x >> 1];
+    next_other = place[next_end.y];
     ContactNow s;
     if (is_a) {
       s = contact_now(c, at, other);
@@ -171,19 +180,15 @@ void add_contacts(uint i, Place at, inout Model6 m, inout real energy, inout rea
   }
 }
 
-// Of the inertia alone; all 0 for who does not lead.
-Model6 inertia_model(Flight f, Place at, real inv_h2, bool leads) {
+// Of the inertia alone.
+void add_inertia(Flight f, Place at, real inv_h2, inout Model6 m) {
   const mat_real3 G = turned_inertia(f, at);
-  const real weight = leads ? inv_h2 : real(0);
-  const real mass = f.W_diag.w * weight, trace = f.W_diag.x + f.W_diag.y + f.W_diag.z + G[0][0] + G[1][1] + G[2][2];
-  Model6 m;
-  m.g_c = mass * (at.u.xyz - f.u.xyz);
-  m.g_w = -weight * axial_of(G);
-  m.cc_diag = real3(mass);
-  m.cc_off = m.wc_x = m.wc_y = m.wc_z = real3(0);
-  m.ww_diag = weight * (trace - f.W_diag.xyz - real3(G[0][0], G[1][1], G[2][2]));
-  m.ww_off = -weight * (f.W_off.xyz + real3(G[0][1] + G[1][0], G[0][2] + G[2][0], G[1][2] + G[2][1]) / 2);
-  return m;
+  const real mass = f.W_diag.w * inv_h2, trace = f.W_diag.x + f.W_diag.y + f.W_diag.z + G[0][0] + G[1][1] + G[2][2];
+  m.g_c += mass * (at.u.xyz - f.u.xyz);
+  m.g_w -= inv_h2 * axial_of(G);
+  m.cc_diag += real3(mass);
+  m.ww_diag += inv_h2 * (trace - f.W_diag.xyz - real3(G[0][0], G[1][1], G[2][2]));
+  m.ww_off -= inv_h2 * (f.W_off.xyz + real3(G[0][1] + G[1][0], G[0][2] + G[2][0], G[1][2] + G[2][1]) / 2);
 }
 
 void put_model(Model6 m, real energy, real room) {
@@ -200,19 +205,21 @@ void put_model(Model6 m, real energy, real room) {
   put(28u, room);
 }
 
-// Each thread adds up some of the values for the one that leads.
+// Of all bodies of the group, shared by its threads.
 void add_up_values() {
-  const uint t = gl_LocalInvocationID.x, leader = t / TEAM * TEAM;
-  for (uint k = t % TEAM; k + 1u < VALUES; k += TEAM) value[k * SWEEP_GROUP + leader] = team_sum(k);
-  if (t != leader) return;
-  for (uint j = 1u; j < TEAM; ++j) put(VALUES - 1u, min(got(VALUES - 1u), value[(VALUES - 1u) * SWEEP_GROUP + t + j]));
+  for (uint n = gl_LocalInvocationID.x; n < VALUES * BODIES; n += SWEEP_GROUP) {
+    const uint k = n / BODIES, team = n % BODIES, at = k * SWEEP_GROUP + team * TEAM;
+    real all = value[at];
+    for (uint j = 1u; j < TEAM; ++j) all = k == VALUES - 1u ? min(all, value[at + j]) : all + value[at + j];
+    value[at] = all;
+  }
 }
 
 Model6 got_model() {
   return Model6(got3(0u), got3(3u), got3(6u), got3(9u), got3(12u), got3(15u), got3(18u), got3(21u), got3(24u));
 }
 
-// A step of the body that its team's first thread leads.
+// A step of a body.
 struct Attempt {
   real3 dc, dw;
   real factor, moved;  // by which the model's step was lengthened; its way over d̂
@@ -249,30 +256,42 @@ Attempt first_attempt(uint i, Model6 m, real room, real radius) {
 }
 
 void main() {
-  const uint t = gl_LocalInvocationID.x, team = t / TEAM, n = gl_WorkGroupID.x * BODIES + team;
-  const bool is_there = n < arguments[color_].w, leads = is_there && t % TEAM == 0u;
-  const uint i = is_there ? order[counters.color_first[color_] + n] : 0u;
-  const Flight f = flight[i];
-  const Place at = place[i];
+  const uint t = gl_LocalInvocationID.x, first = work_group() * BODIES, team = t / TEAM;
+  const uint size = arguments[color_].w, order_first = counters.color_first[color_];
   const real h = real(params.h), inv_h2 = 1 / (h * h);
   if (t == 0u) trying = 0u;
 
-  Model6 m = inertia_model(f, at, inv_h2, leads);
-  real energy = leads ? inertia_energy(f, at, inv_h2) : real(0), room = real(1e30);
-  if (is_there) add_contacts(i, at, m, energy, room);
-  put_model(m, energy, room);
+  // Contacts: a team of threads a body.
+  const bool is_there = first + team < size;
+  const uint i = is_there ? order[order_first + first + team] : 0u;
+  {
+    Model6 m;
+    m.g_c = m.g_w = m.cc_diag = m.cc_off = m.wc_x = m.wc_y = m.wc_z = m.ww_diag = m.ww_off = real3(0);
+    real energy = 0, room = real(1e30);
+    const Place at = place[i];
+    if (is_there) add_contacts(i, at, m, energy, room);
+    put_model(m, energy, room);
+  }
   barrier();
   add_up_values();
   barrier();
 
+  // Solving: the first threads, a body each, so that the others' warps are done.
+  const bool leads = t < BODIES && first + t < size;
+  const uint led = leads ? order[order_first + first + t] : 0u;
   Attempt attempt;
   attempt.moved = 0;
+  real energy = 0;
+  const Flight f = flight[led];
+  const Place at = place[led];
   if (leads) {
-    energy = got(27u);
-    attempt = first_attempt(i, got_model(), got(28u), f.omega.w);
-    trial_of[team] = moved_by(at, attempt.dc, attempt.dw);
+    Model6 m = got_model();
+    add_inertia(f, at, inv_h2, m);
+    energy = got(27u) + inertia_energy(f, at, inv_h2);
+    attempt = first_attempt(led, m, got(28u), f.omega.w);
+    trial_of[t] = moved_by(at, attempt.dc, attempt.dw);
     if (attempt.accepted) {
-      place[i] = trial_of[team];
+      place[led] = trial_of[t];
     } else {
       atomicAdd(trying, 1u);
     }
@@ -284,15 +303,15 @@ void main() {
     go_on = trying > 0u;
     if (go_on && is_there) put(0u, contact_energy(i, trial_of[team]));
     barrier();
-    if (tries && inertia_energy(f, trial_of[team], inv_h2) + team_sum(0u) <= energy * (1 + 1000 * EPSILON)) {
-      place[i] = trial_of[team];
+    if (tries && inertia_energy(f, trial_of[t], inv_h2) + team_sum(0u, t) <= energy * (1 + 1000 * EPSILON)) {
+      place[led] = trial_of[t];
       tries = false;
       atomicAdd(trying, 0xffffffffu);
     } else if (tries) {
       const real shorter = k == 0 && attempt.factor > 1 ? 1 / attempt.factor : real(0.5lf);
       attempt.dc *= shorter;
       attempt.dw *= shorter;
-      trial_of[team] = moved_by(at, attempt.dc, attempt.dw);
+      trial_of[t] = moved_by(at, attempt.dc, attempt.dw);
     }
   }
 

@@ -2,7 +2,7 @@
 // Contact points of the pairs of two kinds of shapes, KINDS_HERE (device_sort_pairs): a thread a pair. No compounds.
 
 void main() {
-  const uint n = gl_GlobalInvocationID.x;
+  const uint n = work_group() * TOUCH_GROUP + gl_LocalInvocationID.x;
   if (n >= counters.touch_size[KINDS_HERE]) return;
   const uint p = touching[counters.touch_first[KINDS_HERE] + n];
   Looked first, second;

@@ -4,7 +4,7 @@
 // those of a pair lie side by side.
 
 void main() {
-  const uint n = gl_GlobalInvocationID.x;
+  const uint n = work_group() * TOUCH_GROUP + gl_LocalInvocationID.x;
   if (n >= counters.touch_size[KINDS_HERE]) return;
   const uint p = touching[counters.touch_first[KINDS_HERE] + n];
   Looked first, second;
