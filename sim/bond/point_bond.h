@@ -18,8 +18,8 @@ namespace pabd {
 struct PointBondForce {
   double energy;   // J
   Vec3 gradient;   // of the energy with respect to y_b; N
-  Mat3 weight;     // K, positive semidefinite; N/m
-  double largest;  // eigenvalue of K: its spectral norm; N/m
+  Mat3 weight;     // K; over all bonds of a joint together positive semidefinite; N/m
+  double largest;  // eigenvalue of K, at least 0; N/m
   double stretch;  // |s|; m
 };
 

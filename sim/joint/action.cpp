@@ -2,6 +2,7 @@
 // See action.h.
 #include "sim/joint/action.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/math/so3.h"
@@ -58,7 +59,7 @@ double way_of(const JointMeasure& measure, const ActionStep& action, const Place
   return action.expected + std::remainder(way - action.expected, 2 * kPi);
 }
 
-// A bond along the unit vector `t`.
+// A bond along `t`.
 PointBondForce along(const Vec3& t, double energy, double first, double second) {
   return {energy, first * t, second * t * t.transpose(), second, 0};
 }
@@ -76,6 +77,8 @@ void add_torque(const Joint& joint, const BondSlope& w, const PlacedFrame& fi, c
     force.largest *= t.squaredNorm();
     out.add_given(point, point, force);
   }
+  // The two alone would also hold the anchors together along t, which costs nothing.
+  out.add_given(fj.y, fj.y, {0, Vec3::Zero(), -w.second / (a * a) * t * t.transpose(), 0, 0});
 }
 
 // ∂λ/∂y_j = n, at the anchor of i for both.
@@ -86,23 +89,31 @@ void add_push(const BondSlope& w, const PlacedFrame& fi, const PlacedFrame& fj, 
 void add_pull(const BondSlope& w, const PlacedFrame& fi, const PlacedFrame& fj, BondList& out) {
   const Vec3 e = fj.y - fi.y;
   const double length = e.norm();
-  if (length > 0) out.add_given(fi.y, fj.y, along(e / length, w.value, w.first, w.second));
+  if (!(length > 0)) return;
+  const Vec3 n = e / length;
+  PointBondForce force = along(n, w.value, w.first, w.second);
+  // A pull turns with the line, a push is no help across it (bond/point_bond.h).
+  const double across = std::max(0.0, w.first / length);
+  force.weight += across * (Mat3::Identity() - n * n.transpose());
+  force.largest = std::max(force.largest, across);
+  out.add_given(fi.y, fj.y, force);
 }
 
-// c/(2h) ‖θ‖²: the torque −c θ/h, as forces at six points; Σ ± a e_k × (M × e_k)/(4a) = M.
+// c/(2h) ‖θ‖²: the torque −c θ/h, as forces at the corners a e_k of a tetrahedron; Σ a e_k × 3 (M × e_k)/(8a) = M.
 void add_ball_damper(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
                      const PlacedFrame& fj, BondList& out) {
   if (joint.turn) return;  // it goes as it is told
   const Vec3 theta = turn_since(action, fi, fj), moment = action.damping * theta;
-  const double a = joint.arm, weight = action.damping / (4 * a * a);
-  for (int k = 0; k < 3; ++k) {
-    for (const double side : {1.0, -1.0}) {
-      const Vec3 e = side * fj.F.col(k), point = fj.y + a * e;
-      out.add_given(
-          point, point,
-          {moment.dot(theta) / 12, moment.cross(e) / (4 * a), weight * Mat3::Identity(), weight, 0});
-    }
+  const double a = joint.arm, weight = 3 * action.damping / (8 * a * a);
+  constexpr int kCorners[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  for (const auto& c : kCorners) {
+    const Vec3 e = fj.F * Vec3(c[0], c[1], c[2]) / std::sqrt(3.0), point = fj.y + a * e;
+    out.add_given(
+        point, point,
+        {moment.dot(theta) / 8, 3 * moment.cross(e) / (8 * a), weight * Mat3::Identity(), weight, 0});
   }
+  // As for a torque.
+  out.add_given(fj.y, fj.y, {0, Vec3::Zero(), -4 * weight * Mat3::Identity(), 0, 0});
 }
 
 // One that gives way does not turn round at once: it may be able to hold.

@@ -49,7 +49,8 @@ struct ActionStep {
 ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double h,
                         double time, double expected, double stiffness);
 
-// Adds the bonds that W makes at the place of the frames: gradient and weight are exact for it.
+// Adds the bonds that W makes at the place of the frames. Their gradients are exact; their weights together are W''
+// along the way, and nothing for moves along which W stays.
 void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi, const PlacedFrame& fj,
                 BondList& out);
 

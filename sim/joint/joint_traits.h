@@ -12,8 +12,8 @@
 
 namespace pabd {
 
-// No joint needs more: two for the axis, two for a limit of the angle and two for a motor, or one for the anchor and
-// six for its arms or its damper.
+// No joint needs more: two for the axis, two for a limit of the angle and three for a motor, or one for the anchor and
+// six for its arms or five for its damper.
 struct BondList {
   static constexpr std::size_t kMost = 7;
   std::array<PointBond, kMost> bond;  // only the first `count` are written

@@ -85,23 +85,37 @@ TEST_CASE("a torque that rises with time gives its integral") {
   CHECK(wheel.state.omega[0].z() == Approx(1.0 / kI).epsilon(1e-9));
 }
 
-TEST_CASE("a motor between two bodies that float keeps their momentum, for masses 1 to 1000") {
+namespace {
+
+// Two bodies that float, of 0.5 and 500 kg, on a joint beside the centres of both.
+constexpr Index kLight = 0, kHeavy = 1;
+const Vec3 kAnchor(0.1, 0, 0), kAxis = Vec3(0, 1, 1).normalized();
+World floating(JointType type, const JointAction& action) {
   World world;
   world.params.gravity.setZero();
-  const Index light = world.add(Box{{0.2, 0.1, 0.1}}, 0.5, Vec3(0.4, 0, 0)),
-              heavy = world.add(Box{{0.3, 0.2, 0.2}}, 500, Vec3(-0.3, 0.1, 0));
-  Joint joint = testing::make_joint(world, JointType::hinge, heavy, light, Vec3(0.1, 0, 0), Vec3(0, 1, 1));
-  joint.action = JointAction{gives_force(always(0.3)), 0.05, 0.02};
+  world.add(Box{{0.2, 0.1, 0.1}}, 0.5, Vec3(0.4, 0, 0));
+  world.add(Box{{0.3, 0.2, 0.2}}, 500, Vec3(-0.3, 0.1, 0));
+  Joint joint = testing::make_joint(world, type, kHeavy, kLight, kAnchor, kAxis);
+  joint.action = action;
   testing::add_joint(world, joint);
-  world.model.no_collide.emplace_back(light, heavy);
-  double turned = 0;
-  testing::run(world, 90, {}, [&](const StepReport& r) {
-    check_converged(r);
-    turned = (world.state.omega[light] - world.state.omega[heavy]).norm();
-  });
-  CHECK(turned > 1);
-  CHECK(momentum(world).norm() < 1e-12 * 500);
-  CHECK(spin(world).norm() < 1e-11 * 500);
+  world.model.no_collide.emplace_back(kLight, kHeavy);
+  return world;
+}
+double turns(const World& world) { return (world.state.omega[kLight] - world.state.omega[kHeavy]).norm(); }
+
+}  // namespace
+
+TEST_CASE("a motor between two bodies that float keeps their momentum, for masses 1 to 1000") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto check = [](const JointMotor& motor, double at_least) {
+    World world = floating(JointType::hinge, {motor, 0.05, 0.02});
+    testing::run(world, 90, {}, check_converged);
+    CHECK(turns(world) > at_least);
+    CHECK(momentum(world).norm() < 1e-12 * 500);
+    CHECK(spin(world).norm() < 1e-11 * 500);
+  };
+  check(gives_force(always(0.3)), 1);
+  for (const double gain : {0.0, 1e4, 1e8}) check(gives_speed(10, infinity, gain), 9);
 }
 
 TEST_CASE("a motor of given speed speeds up with its torque, holds the speed below it, slips above") {
@@ -168,6 +182,73 @@ TEST_CASE("dampers of any strength only take energy") {
         CHECK(r.drive_work <= 1e-12);
         energy = r.kinetic;
       });
+    }
+  }
+}
+
+TEST_CASE("dampers of any strength beside the centres of bodies that float only take energy") {
+  for (const double c : {1e-3, 1.0, 1e3, 1e6, 1e9}) {
+    for (const JointType type : {JointType::hinge, JointType::spherical}) {
+      World world = floating(type, {{}, c});
+      world.state.omega[kLight] = 10 * kAxis;
+      world.state.v[kLight] = world.state.omega[kLight].cross(world.state.c[kLight] - kAnchor);
+      const Vec3 before = momentum(world), spun = spin(world);
+      double energy = kinetic_energy(world.model, world.state);
+      INFO(to_string(type) << " c " << c);
+      testing::run(world, 30, {}, [&](const StepReport& r) {
+        check_converged(r);
+        REQUIRE(r.kinetic + r.elastic <= energy * (1 + 1e-9));
+        energy = r.kinetic + r.elastic;
+      });
+      CHECK((momentum(world) - before).norm() < 1e-12 * 500);
+      CHECK((spin(world) - spun).norm() < 1e-11 * 500);
+      if (c >= 1e3) CHECK(turns(world) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("a damper resists a small motion by its energy, and not at all one that it does not see") {
+  const Mat3 F = exp_so3(Vec3(0.3, 0.2, -0.4));
+  for (const JointType type : {JointType::hinge, JointType::spherical, JointType::slider,
+                               JointType::cylindrical, JointType::distance}) {
+    INFO(to_string(type));
+    Joint joint;
+    joint.type = type;
+    joint.arm = 0.2;
+    joint.action = JointAction{{}, 1};
+    const PlacedFrame fi{Vec3(0.1, 0.2, 0.3), F},
+        fj{fi.y + (type == JointType::distance ? Vec3(0.3, 0.4, 0) : Vec3(Vec3::Zero())), F};
+    ActionStep action;
+    action.damping = 200;
+    const auto energy = [&](const PlacedFrame& at) {
+      BondList list;
+      add_action(joint, action, fi, at, list);
+      double sum = 0;
+      for (int k = 0; k < list.count; ++k) sum += evaluate(joint.law, list.bond[k]).energy;
+      return sum;
+    };
+    // Of a length also where it is 0.1 m longer than at the start, and pulls, or shorter.
+    for (const double start : {0.5, 0.4, 0.6}) {
+      action.start = type == JointType::distance ? start : 0;
+      BondList list;
+      add_action(joint, action, fi, fj, list);
+      for (int way = 0; way < 6; ++way) {
+        const double small = 1e-4;
+        const Vec3 go = way < 3 ? small * F.col(way) : Vec3(Vec3::Zero()),
+                   turn = way < 3 ? Vec3(Vec3::Zero()) : small * F.col(way - 3);
+        double model = 0;
+        for (int k = 0; k < list.count; ++k) {
+          const Vec3 d = go + turn.cross(list.bond[k].y_b - fj.y);
+          model += d.dot(evaluate(joint.law, list.bond[k]).weight * d);
+        }
+        const double second =
+            energy({fj.y + go, exp_so3(turn) * F}) + energy({fj.y - go, exp_so3(-turn) * F}) - 2 * energy(fj);
+        if (type == JointType::distance && start > 0.5) {
+          CHECK(second <= model + 1e-10);  // a push would rather give way across the line
+        } else {
+          CHECK(second == Approx(model).epsilon(1e-4).margin(1e-10));
+        }
+      }
     }
   }
 }
