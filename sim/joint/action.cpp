@@ -59,6 +59,31 @@ double way_of(const JointMeasure& measure, const ActionStep& action, const Place
   return action.expected + std::remainder(way - action.expected, 2 * kPi);
 }
 
+// ∂φ/∂y of a point of j at e from the axis: φ turns with t · δe.
+Vec3 way_of_angle(const PlacedFrame& fi, const Vec3& e) {
+  const double x = e.dot(fi.F.col(1)), y = e.dot(fi.F.col(2));
+  return (x * fi.F.col(2) - y * fi.F.col(1)) / (x * x + y * y);
+}
+
+// How far an angle, offset or length goes, to first order.
+double way_of_motion(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,
+                     const SmallMotion& j) {
+  switch (of) {
+    case JointMeasure::Of::angle: {
+      const Vec3 e = fj.F.col(1);
+      return e.cross(way_of_angle(fi, e)).dot(j.turn - i.turn);
+    }
+    case JointMeasure::Of::offset:
+      return fj.F.col(0).dot(j.at(fi.y) - i.at(fi.y));
+    case JointMeasure::Of::length: {
+      const Vec3 e = fj.y - fi.y;
+      const double length = e.norm();
+      return length > 0 ? e.dot(j.at(fj.y) - i.at(fi.y)) / length : 0;
+    }
+  }
+  return 0;
+}
+
 // A bond along `t`.
 PointBondForce along(const Vec3& t, double energy, double first, double second) {
   return {energy, first * t, second * t * t.transpose(), second, 0};
@@ -67,9 +92,7 @@ PointBondForce along(const Vec3& t, double energy, double first, double second) 
 // A torque about the axis is a pair of forces at ± arm beside it, along the way that j's points go with φ.
 void add_torque(const Joint& joint, const BondSlope& w, const PlacedFrame& fi, const PlacedFrame& fj,
                 BondList& out) {
-  const Vec3 e = fj.F.col(1);
-  const double x = e.dot(fi.F.col(1)), y = e.dot(fi.F.col(2));
-  const Vec3 t = (x * fi.F.col(2) - y * fi.F.col(1)) / (x * x + y * y);
+  const Vec3 e = fj.F.col(1), t = way_of_angle(fi, e);
   const double a = joint.arm;
   for (const double side : {1.0, -1.0}) {
     const Vec3 point = fj.y + side * a * e;
@@ -130,6 +153,14 @@ HoldState due_state(const ActionHold& hold, double u, double doubt) {
   }
 }
 
+// Most steps begin as the last one ended: what moves far past its corner gives way.
+HoldState first_state(const ActionHold& hold, double coming) {
+  constexpr double kFar = 1.5;
+  const double u = coming - hold.way;
+  if (hold.most == 0 || !(std::abs(u) > kFar * hold.most / hold.stiffness)) return HoldState::holds;
+  return u > 0 ? HoldState::gives_way_up : HoldState::gives_way_down;
+}
+
 ActionHold motor_hold(const JointMotor& motor, double h, double time, double stiffness) {
   ActionHold hold;
   hold.way = h * motor.profile.at(time);
@@ -141,7 +172,7 @@ ActionHold motor_hold(const JointMotor& motor, double h, double time, double sti
 }  // namespace
 
 ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double h,
-                        double time, double expected, double stiffness) {
+                        double time, const SmallMotion& i, const SmallMotion& j, double stiffness) {
   const JointAction& given = *joint.action;
   ActionStep action;
   action.damping = given.damping / h;
@@ -151,8 +182,9 @@ ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedF
     return action;
   }
   action.start = measure->value(fi, fj);
+  const double coming = way_of_motion(measure->of, fi, fj, i, j);
   if (measure->of == JointMeasure::Of::angle) {
-    action.expected = expected;
+    action.expected = coming;
     stiffness *= 2 * joint.arm * joint.arm;
   }
   if (given.motor && given.motor->gives == JointMotor::Gives::force)
@@ -161,6 +193,7 @@ ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedF
     action.hold[0] = motor_hold(*given.motor, h, time, stiffness);
   action.hold[1].stiffness = stiffness;
   action.hold[1].most = given.friction;
+  for (ActionHold& hold : action.hold) hold.state = first_state(hold, coming);
   return action;
 }
 
@@ -187,12 +220,19 @@ double work_of_action(const Joint& joint, const ActionStep& action, const Placed
   return -slope_of(action, way).first * way;
 }
 
+void foresee_way(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,
+                 const SmallMotion& j, ActionStep& action) {
+  const JointMeasure* measure = measure_of(joint);
+  if (measure) action.ahead = way_of(*measure, action, fi, fj) + way_of_motion(measure->of, fi, fj, i, j);
+}
+
 bool settle_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double doubt,
                    ActionStep& action) {
   const JointMeasure* measure = measure_of(joint);
   if (!measure) return true;
+  if (action.ahead) doubt = 0;
   if (measure->of == JointMeasure::Of::angle) doubt /= joint.arm;
-  const double way = way_of(*measure, action, fi, fj);
+  const double way = action.ahead.value_or(way_of(*measure, action, fi, fj));
   bool settled = true;
   for (ActionHold& hold : action.hold) {
     if (hold.most == 0 || hold.state == HoldState::undecided) continue;

@@ -14,8 +14,12 @@
 //
 // P has a corner at each end. A solver that sees both as they are turns back and forth between them, so a
 // hold has a state, and its potential is smooth: it holds without bound, or gives way with ±f. What stands
-// against that at an iterate changes the state (settle_action); one that cannot decide is taken as it is.
+// against that changes the state (settle_action); one that cannot decide is taken as it is. A corner is only f/k wide,
+// some 1e-7 rad, by which an iterate is off until the last: where a solver foresees the way, by its linear model, it
+// knows the force long before, and that decides.
 #pragma once
+
+#include <optional>
 
 #include "sim/joint/joint_traits.h"
 
@@ -34,20 +38,29 @@ struct ActionHold {
 // W of one joint in a step.
 struct ActionStep {
   double start = 0;                  // angle, offset or length at the start of the step; rad or m
-  double expected = 0;               // way in free flight, to tell whole turns; rad
+  std::optional<double> ahead;       // Δ that a solver foresees; rad or m
+  double expected = 0;               // Δ in free flight, to tell whole turns; rad
   Mat3 turned = Mat3::Identity();    // of a ball: j against i at the start
   double force = 0;                  // F
   double damping = 0;                // c/h; N m/rad or N/m
   std::array<ActionHold, 2> hold{};  // the motor's and the friction's; f = 0: none
 };
 
+// A small motion of a body.
+struct SmallMotion {
+  Vec3 c;         // its centre; world, m
+  Vec3 go, turn;  // of the centre, m; about it, rad
+
+  Vec3 at(const Vec3& y) const { return go + turn.cross(y - c); }
+};
+
 // When a step of length h begins that ends at `time`.
 //   fi, fj    where the frames stand at its start
-//   expected  angle by which j turns against i in free flight; rad
+//   i, j      what the bodies do in free flight
 //   stiffness Ψ'' of the joint's bonds at rest; N/m
 // Precondition: the joint has an action, of which its type allows all (may_be_damped, moved_measure).
 ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double h,
-                        double time, double expected, double stiffness);
+                        double time, const SmallMotion& i, const SmallMotion& j, double stiffness);
 
 // Adds the bonds that W makes at the place of the frames. Their gradients are exact; their weights together are W''
 // along the way, and nothing for moves along which W stays.
@@ -58,8 +71,13 @@ void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame&
 double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
                       const PlacedFrame& fj);
 
-// Do its holds stand as they should there? Changes those that do not; false if any did. `doubt`: by how much the
-// place of j may still be off, so that what is no further from the corner is left as it is; m.
+// Fills action.ahead: the bodies are about to move so.
+void foresee_way(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,
+                 const SmallMotion& j, ActionStep& action);
+
+// Do its holds stand as they should where it was foreseen to go, or else there? Changes those that do not; false if any
+// did. `doubt`: by how much the place of j may still be off, so that what is no further from the corner is left as it
+// is; m. Nothing that was foreseen is in doubt.
 bool settle_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double doubt,
                    ActionStep& action);
 

@@ -12,8 +12,21 @@ Pose at_start(const Problem& p, Index body) {
   return body == kWorld ? Pose{Vec3::Zero(), Mat3::Identity()} : p.start_pose(body);
 }
 
-Vec3 turn_in_flight(const Problem& p, Index body) {
-  return p.movable(body) ? p.flight->turn[static_cast<std::size_t>(body)] : Vec3(Vec3::Zero());
+SmallMotion still() { return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
+
+// As fast as the body is now: what is at rest has not begun to fall.
+SmallMotion in_flight(const Problem& p, Index body) {
+  if (!p.movable(body)) return still();
+  const auto k = static_cast<std::size_t>(body);
+  return {p.start->c[k], p.params->h * p.start->v[k], p.flight->turn[k]};
+}
+
+SmallMotion in_step(const Iterate& it, const Island& island, const std::vector<Vec6>& step, Index body) {
+  const std::size_t slot = it.slot(body);
+  const Index row = island.row[slot];
+  if (row < 0) return still();
+  const Vec6& delta = step[static_cast<std::size_t>(row)];
+  return {it.pose[slot].c, delta.head<3>(), delta.tail<3>()};
 }
 
 // Its place among the joints that act, or −1.
@@ -56,9 +69,21 @@ void start_actions(Problem& p, Iterate& it) {
     const Joint& joint = p.joints[k];
     const PlacedFrame fi = place(joint.on_i, at_start(p, joint.i)),
                       fj = place(joint.on_j, at_start(p, joint.j));
-    const double expected = fi.F.col(0).dot(turn_in_flight(p, joint.j) - turn_in_flight(p, joint.i));
     p.action_at[static_cast<std::size_t>(k)] = static_cast<Index>(it.action.size());
-    it.action.push_back(start_action(joint, fi, fj, p.params->h, p.time, expected, hold_stiffness(p, k)));
+    it.action.push_back(start_action(joint, fi, fj, p.params->h, p.time, in_flight(p, joint.i),
+                                     in_flight(p, joint.j), hold_stiffness(p, k)));
+  }
+}
+
+void foresee_actions(const Problem& p, const Island& island, const std::vector<Vec6>& step, Iterate& it) {
+  if (p.acting.empty()) return;
+  for (const Index k : island.joints) {
+    const Index place = place_of(p, k);
+    if (place < 0) continue;
+    const Joint& joint = p.joints[k];
+    const PlacedFrames at = frames_at(it, joint);
+    foresee_way(joint, at.i, at.j, in_step(it, island, step, joint.i), in_step(it, island, step, joint.j),
+                it.action[static_cast<std::size_t>(place)]);
   }
 }
 
@@ -70,9 +95,11 @@ bool switch_actions(const Problem& p, const Island& island, bool converged, Iter
     if (place < 0) continue;
     const Joint& joint = p.joints[k];
     const PlacedFrames at = frames_at(it, joint);
+    ActionStep& action = it.action[static_cast<std::size_t>(place)];
+    if (island.solver != SolverMethod::newton) action.ahead.reset();
     const double doubt =
         converged ? 0 : kLeftOver * std::max(last_move(p, it, joint.i), last_move(p, it, joint.j));
-    settled = settle_action(joint, at.i, at.j, doubt, it.action[static_cast<std::size_t>(place)]) && settled;
+    settled = settle_action(joint, at.i, at.j, doubt, action) && settled;
   }
   return !settled;
 }

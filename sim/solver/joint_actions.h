@@ -10,8 +10,12 @@ namespace pabd {
 // At the start of a step: fills it.action and p.action_at for the joints of p.acting.
 void start_actions(Problem& p, Iterate& it);
 
-// Where a hold cannot stand as it does at the iterate, it gives way or holds again. Did any change? `converged`:
-// the bodies no longer move; else what the way of the last iteration may have left over decides nothing.
+// The bodies of an island are about to move by `step`, rows (δc, δω): fills ActionStep::ahead of its joints.
+void foresee_actions(const Problem& p, const Island& island, const std::vector<Vec6>& step, Iterate& it);
+
+// Where a hold cannot stand as it does in what `newton` foresaw, for other solvers at the iterate, it gives way or holds
+// again. Did any change? `converged`: the bodies no longer move; else what the way of the last iteration may have left
+// over decides nothing.
 bool switch_actions(const Problem& p, const Island& island, bool converged, Iterate& it);
 
 // Work of what acts along joint k in this step, as far as the iterate has gone; J.

@@ -19,6 +19,7 @@
 
 #include "sim/math/extremes.h"
 #include "sim/math/levels.h"
+#include "sim/solver/joint_actions.h"
 #include "sim/solver/linear_bonds.h"
 
 namespace pabd {
@@ -180,6 +181,7 @@ void search_from_best(const Problem& p, const Island& island, const Stop& stop, 
   keep_best(island, it, energy, system.motion);
   system.force.clear();
   if (!find_direction(p, island, false, stop, system, it)) return;
+  foresee_actions(p, island, system.motion.step, it);
   double slope = 0;
   for (std::size_t k = 0; k < system.motion.g.size(); ++k)
     slope += system.motion.g[k].dot(system.motion.step[k]);
@@ -195,6 +197,7 @@ void search_from_best(const Problem& p, const Island& island, const Stop& stop, 
 void step_from_here(const Problem& p, const Island& island, bool geometric, const Stop& stop,
                     NewtonSystem& system, Iterate& it) {
   if (!find_direction(p, island, geometric, stop, system, it)) return;
+  foresee_actions(p, island, system.motion.step, it);
   double t = longest_step(system.motion);
   if (island.jointed) {
     predict_forces(p, island, it, system);
