@@ -153,6 +153,12 @@ HoldState due_state(const ActionHold& hold, double u, double doubt) {
   }
 }
 
+// What turns by 1 rad more than free flight: inertia withstands by sin(1) inertia/h² there, further on by less and less.
+double way_in_reach(double way, double coming, double stiffness, const ActionStart& start) {
+  const double reach = 1 + std::sin(1.0) * start.inertia / (start.h * start.h * stiffness);
+  return coming + std::clamp(way - coming, -reach, reach);
+}
+
 // Most steps begin as the last one ended: what moves far past its corner gives way.
 HoldState first_state(const ActionHold& hold, double coming) {
   constexpr double kFar = 1.5;
@@ -161,39 +167,41 @@ HoldState first_state(const ActionHold& hold, double coming) {
   return u > 0 ? HoldState::gives_way_up : HoldState::gives_way_down;
 }
 
-ActionHold motor_hold(const JointMotor& motor, double h, double time, double stiffness) {
+ActionHold motor_hold(const JointMotor& motor, double stiffness, const ActionStart& start) {
   ActionHold hold;
-  hold.way = h * motor.profile.at(time);
-  hold.stiffness = motor.gain > 0 ? motor.gain / h : stiffness;
+  hold.way = start.h * motor.profile.at(start.time);
+  hold.stiffness = motor.gain > 0 ? motor.gain / start.h : stiffness;
   hold.most = motor.most;
   return hold;
 }
 
 }  // namespace
 
-ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double h,
-                        double time, const SmallMotion& i, const SmallMotion& j, double stiffness) {
+ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj,
+                        const ActionStart& start) {
   const JointAction& given = *joint.action;
   ActionStep action;
-  action.damping = given.damping / h;
+  action.damping = given.damping / start.h;
   const JointMeasure* measure = measure_of(joint);
   if (!measure) {
     action.turned = turn_of(fi, fj);
     return action;
   }
   action.start = measure->value(fi, fj);
-  const double coming = way_of_motion(measure->of, fi, fj, i, j);
-  if (measure->of == JointMeasure::Of::angle) {
-    action.expected = coming;
-    stiffness *= 2 * joint.arm * joint.arm;
-  }
+  const double coming = way_of_motion(measure->of, fi, fj, start.i, start.j);
+  const bool turns = measure->of == JointMeasure::Of::angle;
+  if (turns) action.expected = coming;
+  const double stiffness = start.stiffness * (turns ? 2 * joint.arm * joint.arm : 1);
   if (given.motor && given.motor->gives == JointMotor::Gives::force)
-    action.force = given.motor->profile.at(time - 0.5 * h);  // the mean, where it is linear
+    action.force = given.motor->profile.at(start.time - 0.5 * start.h);  // the mean, where it is linear
   else if (given.motor)
-    action.hold[0] = motor_hold(*given.motor, h, time, stiffness);
+    action.hold[0] = motor_hold(*given.motor, stiffness, start);
   action.hold[1].stiffness = stiffness;
   action.hold[1].most = given.friction;
-  for (ActionHold& hold : action.hold) hold.state = first_state(hold, coming);
+  for (ActionHold& hold : action.hold) {
+    if (turns && hold.most > 0) hold.way = way_in_reach(hold.way, coming, hold.stiffness, start);
+    hold.state = first_state(hold, coming);
+  }
   return action;
 }
 

@@ -9,6 +9,9 @@
 //   P(u; k, f) = ½ k u² where k |u| ≤ f, else f (|u| − f/2k): a force of at most f. Without a gain, k is
 //   the joint's own stiffness, at most 1e5 m/h² of the lighter body; a gain (force per missing speed) makes it gain/h.
 //
+// v (0 for friction) is one that the step can reach: it may change the spin of what turns by less than 1/h (D8), so that
+// a force beyond what gives that is not asked for.
+//
 // The force −W' at the end of the step makes the step implicit: it brakes at most to the speed it wants, for
 // every h. Both bodies feel it at the same point of the world, the other way round, so that momentum is kept.
 //
@@ -54,13 +57,17 @@ struct SmallMotion {
   Vec3 at(const Vec3& y) const { return go + turn.cross(y - c); }
 };
 
-// When a step of length h begins that ends at `time`.
-//   fi, fj    where the frames stand at its start
-//   i, j      what the bodies do in free flight
-//   stiffness Ψ'' of the joint's bonds at rest; N/m
-// Precondition: the joint has an action, of which its type allows all (may_be_damped, moved_measure).
-ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double h,
-                        double time, const SmallMotion& i, const SmallMotion& j, double stiffness);
+// A step of length h that ends at `time`.
+struct ActionStart {
+  double h, time;    // s
+  SmallMotion i, j;  // of the bodies in free flight
+  double stiffness;  // of what holds; N/m
+  double inertia;    // about the joint's axis, of the body that turns more easily; kg m²
+};
+// When it begins, with the frames where they stand. Precondition: the joint has an action, of which its type allows all
+// (may_be_damped, moved_measure).
+ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj,
+                        const ActionStart& start);
 
 // Adds the bonds that W makes at the place of the frames. Their gradients are exact; their weights together are W''
 // along the way, and nothing for moves along which W stays.

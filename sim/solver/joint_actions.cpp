@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/body/mass_properties.h"
+
 namespace pabd {
 namespace {
 
@@ -58,6 +60,18 @@ double hold_stiffness(const Problem& p, Index k) {
   return std::min(evaluate(p.law_of(k), 0.0).second, kMost * lighter / (h * h));
 }
 
+// About `axis`, of the body of joint k that turns more easily; kg m².
+double turning_inertia(const Problem& p, Index k, const Vec3& axis) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Index body : {p.joints[k].i, p.joints[k].j}) {
+    if (!p.movable(body)) continue;
+    const auto b = static_cast<std::size_t>(body);
+    const Vec3 n = p.start->R[b].transpose() * axis;
+    least = std::min(least, n.dot(inertia_tensor(p.model->J[b]) * n));
+  }
+  return least;
+}
+
 }  // namespace
 
 void start_actions(Problem& p, Iterate& it) {
@@ -70,8 +84,9 @@ void start_actions(Problem& p, Iterate& it) {
     const PlacedFrame fi = place(joint.on_i, at_start(p, joint.i)),
                       fj = place(joint.on_j, at_start(p, joint.j));
     p.action_at[static_cast<std::size_t>(k)] = static_cast<Index>(it.action.size());
-    it.action.push_back(start_action(joint, fi, fj, p.params->h, p.time, in_flight(p, joint.i),
-                                     in_flight(p, joint.j), hold_stiffness(p, k)));
+    it.action.push_back(start_action(joint, fi, fj,
+                                     {p.params->h, p.time, in_flight(p, joint.i), in_flight(p, joint.j),
+                                      hold_stiffness(p, k), turning_inertia(p, k, fj.F.col(0))}));
   }
 }
 

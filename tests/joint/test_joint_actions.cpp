@@ -136,6 +136,31 @@ TEST_CASE("a motor of given speed speeds up with its torque, holds the speed bel
   CHECK(lifted(std::numeric_limits<double>::infinity()) == Approx(0.5).epsilon(1e-5));
 }
 
+TEST_CASE("a motor without a largest torque reaches any speed, by 1/h a step, and friction stops one so") {
+  const double h = 1.0 / 60;
+  for (const double speed : {50.0, 200.0, 400.0, -1000.0}) {
+    World wheel = one_joint(JointType::hinge, {gives_speed(speed, std::numeric_limits<double>::infinity())});
+    testing::run(wheel, static_cast<int>(std::abs(speed) * h) + 5, {}, check_converged);
+    CHECK(wheel.state.omega[0].z() == Approx(speed).epsilon(1e-4));
+  }
+  World brake = one_joint(JointType::hinge, {{}, 0, 1e6});
+  brake.state.omega[0].z() = 400;
+  testing::run(brake, 12, {}, check_converged);
+  CHECK(brake.state.omega[0].norm() < 1e-3);
+}
+
+TEST_CASE("a soft gain speeds a wheel up by as much as it says, however far it is from its speed") {
+  const double h = 1.0 / 60, gain = 0.05, speed = 400;
+  World wheel =
+      one_joint(JointType::hinge, {gives_speed(speed, std::numeric_limits<double>::infinity(), gain)});
+  double omega = 0;
+  for (int k = 0; k < 60; ++k) {
+    omega = (omega + h * gain / kI * speed) / (1 + h * gain / kI);
+    testing::run(wheel, 1, {}, check_converged);
+    CHECK(wheel.state.omega[0].z() == Approx(omega).epsilon(1e-5));
+  }
+}
+
 TEST_CASE("a gain makes a motor give way to a load: v = v_t − F/g") {
   World lift = one_joint(JointType::slider, {gives_speed(0.5, 100, 80)}, Vec3(0, 0, -10));
   testing::run(lift, 120, {}, check_converged);
