@@ -87,7 +87,7 @@ struct JointMotor {
   Gives gives = Gives::force;
   Profile profile;                                        // over time; force: N m or N; speed: rad/s or m/s
   double most = std::numeric_limits<double>::infinity();  // force with which a speed is held; N m or N
-  double gain = 0;  // force per missing speed; N m s/rad or N s/m; 0: as stiff as the joint
+  double gain = 0;  // force per missing speed; N m s/rad or N s/m; 0: as stiff as steps can follow
 };
 
 // What acts along the angle, offset or length of a joint, or on the turn of a ball, beside what holds it

@@ -7,7 +7,8 @@
 //     + P(Δ − h v; k, f)          a motor that gives the speed v; friction, with v = 0
 //
 //   P(u; k, f) = ½ k u² where k |u| ≤ f, else f (|u| − f/2k): a force of at most f. Without a gain, k is
-//   the joint's own stiffness, at most 1e5 m/h² of the lighter body; a gain (force per missing speed) makes it gain/h.
+//   1e5 m/h² of the lighter body, for `sissm` at most the joint's own stiffness: what holds creeps by F/k a step. A
+//   gain (force per missing speed) makes it gain/h.
 //
 // v (0 for friction) is one that the step can reach: it may change the spin of what turns by less than 1/h (D8), so that
 // a force beyond what gives that is not asked for.

@@ -50,14 +50,17 @@ double last_move(const Problem& p, const Iterate& it, Index body) {
   return p.movable(body) ? it.moved[static_cast<std::size_t>(body)] * p.law.barrier.d_hat : 0;
 }
 
-// As stiff as the joint, but no stiffer than what steps can follow where it gives way and holds again; N/m.
+// So stiff that nothing is seen to creep, by F/k a step, however soft the joint is. `sissm` follows nothing stiffer than
+// its joints (stiffness_cap.h); N/m.
 double hold_stiffness(const Problem& p, Index k) {
-  constexpr double kMost = 1e5;  // of m/h² of the lighter body
+  constexpr double kStiff = 1e5;  // of m/h² of the lighter body
   double lighter = std::numeric_limits<double>::infinity();
   for (const Index body : {p.joints[k].i, p.joints[k].j})
     if (p.movable(body)) lighter = std::min(lighter, p.model->mass[static_cast<std::size_t>(body)]);
   const double h = p.params->h;
-  return std::min(evaluate(p.law_of(k), 0.0).second, kMost * lighter / (h * h));
+  const double stiff = kStiff * lighter / (h * h);
+  if (p.params->solver.method != SolverMethod::sissm) return stiff;
+  return std::min(evaluate(p.law_of(k), 0.0).second, stiff);
 }
 
 // About `axis`, of the body of joint k that turns more easily; kg m².

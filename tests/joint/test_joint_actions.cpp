@@ -318,6 +318,17 @@ TEST_CASE("dry friction brakes with its force, then holds against less") {
   CHECK(slips.state.v[0].z() == Approx(-0.5).epsilon(1e-6));
 }
 
+TEST_CASE("friction holds a soft joint as it does a stiff one") {
+  World arm;
+  const Index box = arm.add(Box{{0.3, 0.3, 0.1}}, 2, Vec3(0.3, 0.5, 0));
+  Joint joint = testing::make_joint(arm, JointType::hinge, kWorld, box, Vec3(0, 0.5, 0));
+  joint.law.kappa = 1e4;
+  joint.action = JointAction{{}, 0, 8};  // against 5.9 N m
+  arm.model.joints.push_back(joint);
+  testing::run(arm, 60, {}, check_converged);
+  CHECK(std::abs(arm.state.R[box](1, 0)) < 1e-5);
+}
+
 TEST_CASE("what a motor puts in is its torque times the angle, and at most that is found as energy") {
   World wheel = one_joint(JointType::hinge, {gives_force(always(1.5))});
   double work = 0, kinetic = 0;
