@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "sim/base/error.h"
@@ -28,6 +29,23 @@ double radius_of(const std::vector<std::vector<Vec3>>& parts) {
     for (const Vec3& corner : part) out = std::max(out, corner.norm());
   return out;
 }
+
+// Names of one kind. What comes again gets a number, looked for behind the last one.
+class UniqueNames {
+ public:
+  std::string take(std::string name, std::string_view fallback) {
+    std::erase_if(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+    if (name.size() > 80 || name.empty() || !is_utf8_text(name)) name = fallback;
+    int& number = last_.try_emplace(name, 1).first->second;
+    std::string out = name;
+    while (!used_.insert(out).second) out = fmt::format("{} {}", name, ++number);
+    return out;
+  }
+
+ private:
+  std::set<std::string> used_;
+  std::map<std::string, int> last_;
+};
 
 class Assembler {
  public:
@@ -50,21 +68,13 @@ class Assembler {
  private:
   void note(const Place& place, const std::string& text) { notes_.add(text, place.file, place.line); }
 
-  static std::string unique(std::set<std::string>& used, std::string name, std::string_view fallback) {
-    std::erase_if(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-    if (name.size() > 80 || name.empty() || !is_utf8_text(name)) name = fallback;
-    std::string out = name;
-    for (int k = 2; !used.insert(out).second; ++k) out = fmt::format("{} {}", name, k);
-    return out;
-  }
-
   void make(std::size_t l) {
     LinkGroup& group = links_[l];
     if (group.still) return make_still(group);
     if (group.dropped) return;
     const RobotLink& link = group.link;
     BodyPlan body;
-    body.name = unique(names_, link.name, fmt::format("link {}", l));
+    body.name = names_.take(link.name, fmt::format("link {}", l));
     body.mass = link.inertia->mass;
     body.c = group.pose * link.inertia->com;
     body.R = group.pose.R;
@@ -209,7 +219,7 @@ class Assembler {
 
   int light(const BodyPlan& body, const Vec3& anchor, double reach) {
     BodyPlan out;
-    out.name = unique(names_, fmt::format("{} between joints", body.name), "between joints");
+    out.name = names_.take(fmt::format("{} between joints", body.name), "between joints");
     out.ghost = out.hidden = true;
     out.mass = std::max(kLight * body.mass, 1e-9);
     const double inertia = body.I.trace() / 3 + body.mass * (body.c - anchor).squaredNorm();
@@ -223,7 +233,7 @@ class Assembler {
   }
 
   std::string unique_joint(std::string name) {
-    return unique(joint_names_, std::move(name), fmt::format("joint {}", plan_.joints.size()));
+    return joint_names_.take(std::move(name), fmt::format("joint {}", plan_.joints.size()));
   }
 
   // What is fixed to the world: a body for each geom.
@@ -237,8 +247,8 @@ class Assembler {
     }
     for (const RobotGeom* geom : shown) {
       BodyPlan body;
-      body.name = unique(
-          names_, shown.size() == 1 || geom->kind != GeomKind::plane ? group.link.name : "ground", "world");
+      body.name = names_.take(shown.size() == 1 || geom->kind != GeomKind::plane ? group.link.name : "ground",
+                              "world");
       body.fixed = true;
       body.color = geom->color;
       body.type = geom->type;
@@ -349,7 +359,7 @@ class Assembler {
   LinkGroups groups_;
   std::vector<LinkGroup>& links_;
   const std::vector<int>& group_of_;
-  std::set<std::string> names_, joint_names_;
+  UniqueNames names_, joint_names_;
   bool lowered_ = false;
 };
 

@@ -2,10 +2,21 @@
 // See mjcf_defaults.h.
 #include "sim/import/mjcf_defaults.h"
 
+#include <fmt/format.h>
+
 #include "sim/import/taken.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
+namespace {
+
+constexpr std::size_t kMostDefaults = 100;  // behind an element
+
+[[noreturn]] void refuse(const XmlElement& element) {
+  element.fail(fmt::format("more than {} defaults of a kind; expected fewer", kMostDefaults));
+}
+
+}  // namespace
 
 const XmlElement& MjcfElement::with(std::string_view attribute) const {
   for (const XmlElement& each : all_)
@@ -27,6 +38,7 @@ void MjcfDefaults::add(const std::vector<XmlElement>& children, const std::strin
         kind == "general" || kind == "mesh" || kind == "material") {
       note_attributes(child, mjcf_rows(), notes);
       auto& list = mine.elements[kind];
+      if (list.size() == kMostDefaults) refuse(child);
       list.insert(list.begin(), child);
     }
     // Defaults of what is not taken say nothing: what uses them is noted.
@@ -49,6 +61,7 @@ MjcfElement MjcfDefaults::of(const XmlElement& element, const std::string& child
     const auto elements = found->second.elements.find(element.name());
     if (elements != found->second.elements.end())
       chain.insert(chain.end(), elements->second.begin(), elements->second.end());
+    if (chain.size() > kMostDefaults) refuse(element);
     name = found->second.parent;
   }
   return MjcfElement(element, std::move(chain));

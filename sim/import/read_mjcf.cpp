@@ -16,7 +16,8 @@
 namespace pabd {
 namespace {
 
-constexpr int kDeepestInclude = 8;
+constexpr int kDeepestInclude = 8, kDeepestBody = 100;
+constexpr std::size_t kMostJoints = 6;  // of a body, as in MuJoCo
 
 class MjcfReader {
  public:
@@ -47,16 +48,20 @@ class MjcfReader {
 
  private:
   // Files that it includes stand in place of <include>.
-  std::vector<XmlElement> children_of(const XmlElement& element, int depth = 0) {
+  std::vector<XmlElement> children_of(const XmlElement& element) {
     std::vector<XmlElement> out;
     for (const XmlElement& child : element.children()) {
       if (child.name() != "include") {
         out.push_back(child);
         continue;
       }
-      if (depth == kDeepestInclude)
-        child.fail("files include each other too deeply; expected at most 8 levels");
-      const auto more = children_of(included(child), depth + 1);
+      const int level = include_level_[&child.file()] + 1;
+      if (level > kDeepestInclude)
+        child.fail(
+            fmt::format("files include each other too deeply; expected at most {} levels", kDeepestInclude));
+      const XmlElement file = included(child);
+      include_level_[&file.file()] = level;
+      const auto more = children_of(file);
       out.insert(out.end(), more.begin(), more.end());
     }
     return out;
@@ -125,21 +130,23 @@ class MjcfReader {
       robot_.links.push_back(link);
       has_world_ = true;
     }
-    read_contents(world, 0, LinkPose{}, world.find("childclass").value_or(""));
+    read_contents(world, 0, LinkPose{}, world.find("childclass").value_or(""), 0);
   }
 
-  // What stands in a body, or in a frame of it.
+  // What stands in a body, or in a frame of it. Files in files make it deeper than one file may be.
   void read_contents(const XmlElement& element, int link, const LinkPose& frame,
-                     const std::string& childclass) {
+                     const std::string& childclass, int depth) {
+    if (depth > kDeepestBody)
+      element.fail(fmt::format("nested too deeply; expected at most {} levels", kDeepestBody));
     for (const XmlElement& e : children_of(element)) {
       const std::string name = e.name();
       if (name == "body") {
-        read_body(e, link, frame, childclass);
+        read_body(e, link, frame, childclass, depth + 1);
       } else if (name == "frame") {
         note_attributes(e, mjcf_rows(), notes_);
         context_.defaults.require(e, "childclass");
         read_contents(e, link, frame * mjcf_pose(MjcfElement(e, {}), context_.compiler),
-                      e.find("childclass").value_or(childclass));
+                      e.find("childclass").value_or(childclass), depth + 1);
       } else if (name == "geom") {
         auto geom = mjcf_geom(context_.defaults.of(e, childclass), context_);
         if (!geom) continue;
@@ -157,7 +164,8 @@ class MjcfReader {
     }
   }
 
-  void read_body(const XmlElement& e, int parent, const LinkPose& frame, const std::string& above) {
+  void read_body(const XmlElement& e, int parent, const LinkPose& frame, const std::string& above,
+                 int depth) {
     note_attributes(e, mjcf_rows(), notes_);
     context_.defaults.require(e, "childclass");
     if (robot_.links.size() == kMostLinks)
@@ -171,7 +179,7 @@ class MjcfReader {
     if (!link.name.empty() && !bodies_.emplace(link.name, index).second)
       e.fail_at("name", "another body is named " + in_quotes(link.name) + " too");
     robot_.links.push_back(link);
-    read_contents(e, index, LinkPose{}, e.find("childclass").value_or(above));
+    read_contents(e, index, LinkPose{}, e.find("childclass").value_or(above), depth);
     weigh(robot_.links[static_cast<std::size_t>(index)]);
   }
 
@@ -201,6 +209,8 @@ class MjcfReader {
       link.free = true;
       return;
     }
+    if (link.joints.size() == kMostJoints)
+      e.fail(fmt::format("more than {} joints in a body; expected fewer", kMostJoints));
     joint->anchor = frame * joint->anchor;
     joint->axis = frame.R * joint->axis;
     if (!joint->name.empty() && !joints_.emplace(joint->name, std::pair(index, link.joints.size())).second)
@@ -345,6 +355,7 @@ class MjcfReader {
   Robot robot_;
   bool has_world_ = false, loops_hold_ = true, limits_hold_ = true;
   std::size_t geoms_ = 0;
+  std::map<const XmlFile*, int> include_level_;  // 0: the first file
   std::map<std::string, int> bodies_;
   std::map<std::string, std::pair<int, std::size_t>> joints_;
 };

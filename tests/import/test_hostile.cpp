@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files of strangers: refused in one line with file and line, within limits, and nothing is read that may not be.
+#include <fstream>
+
 #include "tests/import/import_helpers.h"
 #include "tests/support/temp_folder.h"
 
@@ -58,6 +60,35 @@ TEST_CASE("sizes, depths and counts have bounds", "[import]") {
   check_refused("<mujoco>" + repeated("<a/>", 200001) + "</mujoco>", {"elements"});
   check_refused(world(repeated("<body><geom size='1'/><freejoint/></body>", 5001)), {"bodies"});
   check_refused("<mujoco>" + std::string(std::size_t{17} << 20, ' ') + "</mujoco>", {"bytes"});
+}
+
+TEST_CASE("many that are called the same, or nested by files in files, cost no more than others",
+          "[import]") {
+  check_refused(world("<body><geom size='1'/>" + repeated("<joint/>", 7) + "</body>"),
+                {"more than 6 joints"});
+  check_refused("<mujoco><default>" + repeated("<geom/>", 101) + "</default></mujoco>",
+                {"more than 100 defaults"});
+  check_refused("<mujoco><default>" + repeated("<geom/>", 60) + "<default class='a'>" +
+                    repeated("<geom/>", 60) +
+                    "</default></default><worldbody><geom class='a' size='1'/></worldbody></mujoco>",
+                {"more than 100 defaults"});
+  // Names of which each is tried once: quadratic, these took minutes.
+  const ImportedScene loops = import_robot_text(
+      "<mujoco><worldbody><body name='a'><geom size='1'/><freejoint/></body></worldbody><equality>" +
+          repeated("<connect body1='a' anchor='0 0 0'/>", 20000) + "</equality></mujoco>",
+      "loops.xml", "/nowhere");
+  CHECK(loops.text.find("\"loop 20000\"") != std::string::npos);
+
+  const TempFolder folder;
+  const std::string frames =
+      repeated("<frame>", 90) + "<include file='self.xml'/>" + repeated("</frame>", 90);
+  std::ofstream(folder / "self.xml") << "<mujoco>" << frames << "</mujoco>";
+  const std::string includes = "<mujoco><worldbody>" + frames + "</worldbody></mujoco>";
+  CHECK_THROWS_WITH(import_robot_text(includes, "robot.xml", folder.path()),
+                    Catch::Contains("nested too deeply; expected at most 100 levels"));
+  std::ofstream(folder / "self.xml") << "<mujoco><frame><include file='self.xml'/></frame></mujoco>";
+  CHECK_THROWS_WITH(import_robot_text(includes, "robot.xml", folder.path()),
+                    Catch::Contains("files include each other too deeply; expected at most 8 levels"));
 }
 
 TEST_CASE("a tree is a tree", "[import]") {
