@@ -302,6 +302,8 @@ std::optional<RobotJoint> mjcf_joint(const MjcfElement& element, const MjcfConte
     element.with("frictionloss").note(*context.notes, "frictionloss of a ball joint: not taken");
     joint.action.friction = 0;
   }
+  const double unit_size = joint.kind == RobotJointKind::slide ? 1 : context.compiler.angle;
+  joint.ref = element.with("ref").number("ref").value_or(0) * unit_size;
   const auto range = element.with("range").numbers("range", 2, 2);
   const std::string limited = element.with("limited").find("limited").value_or("auto");
   const bool held = limited == "true" || (limited == "auto" && context.compiler.autolimits && range);
@@ -311,9 +313,7 @@ std::optional<RobotJoint> mjcf_joint(const MjcfElement& element, const MjcfConte
     own.note(*context.notes, "range of a ball joint: not taken: it turns freely");
     return joint;
   }
-  const double unit_size = joint.kind == RobotJointKind::hinge ? context.compiler.angle : 1;
-  const double ref = element.with("ref").number("ref").value_or(0);
-  joint.range = {((*range)[0] - ref) * unit_size, ((*range)[1] - ref) * unit_size};
+  joint.range = {(*range)[0] * unit_size - joint.ref, (*range)[1] * unit_size - joint.ref};
   if (!(joint.range->first < joint.range->second))
     own.fail_at("range", "expected the lower bound before the upper");
   return joint;

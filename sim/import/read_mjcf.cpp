@@ -297,7 +297,7 @@ class MjcfReader {
     note_attributes(e, mjcf_rows(), notes_);
     RobotJoint* joint = joint_of(element);
     if (!joint) return;
-    joint->target = mjcf_control(element, context_.compiler);
+    joint->target = mjcf_control(element, context_.compiler) - joint->ref;
     e.note(notes_,
            "position actuator: holds its joint at control 0 as stiffly as the joint itself, in place of the "
            "joint's range");

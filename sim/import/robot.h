@@ -73,8 +73,9 @@ struct RobotJoint {
   std::string name;
   Vec3 anchor = Vec3::Zero();                      // in the link's frame, all joints of the link at 0; m
   Vec3 axis = Vec3::UnitZ();                       // the same; unit
+  double ref = 0;                                  // what the file calls its pose; rad or m
   std::optional<std::pair<double, double>> range;  // rad or m, measured from the pose of the file
-  std::optional<double> target;                    // held there by a position actuator; rad or m
+  std::optional<double> target;                    // held there by a position actuator; the same
   RobotAction action;
   Place place;
 };

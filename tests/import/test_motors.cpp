@@ -51,6 +51,18 @@ TEST_CASE("motors of an MJCF file turn as it says, at the control nearest to 0",
   CHECK(note_with(imported, "not the same both ways").where[0].second == 30);
 }
 
+TEST_CASE("a position actuator goes to its control, which is told from the joint's ref", "[import]") {
+  const ImportedRun run(import_robot_text(R"(<mujoco><worldbody>
+      <body pos='0 0 1'><joint name='turned' ref='30'/><geom size='0.1'/></body>
+      <body pos='1 0 1'><joint name='pushed' type='slide' ref='0.2'/><geom size='0.1'/></body>
+      </worldbody><actuator><position joint='turned'/><position joint='pushed' ctrlrange='0.5 1'/></actuator>
+      </mujoco>)",
+                                          "m.xml", {})
+                            .text);
+  CHECK(joint_of(run, "turned").drive->at(1) == Approx(-kPi / 6));
+  CHECK(joint_of(run, "pushed").drive->at(1) == Approx(0.3));
+}
+
 TEST_CASE("a URDF wheel slows down by its damping and friction", "[import]") {
   ImportedRun run(import_robot(kModels / "brake.urdf").text, {"time_step=0.001"});
   const std::size_t wheel = run.body("wheel");
