@@ -277,12 +277,17 @@ class Assembler {
     if (!body.ghost) plan_.smallest = plan_.smallest > 0 ? std::min(plan_.smallest, radius) : radius;
   }
 
+  const LinkGroup& group_with(int link) const {
+    return links_[static_cast<std::size_t>(group_of_[static_cast<std::size_t>(link)])];
+  }
   int body_of(int link) const {
-    const LinkGroup& group = links_[static_cast<std::size_t>(group_of_[static_cast<std::size_t>(link)])];
-    return group.still || group.dropped ? kNoBody : group.bodies.front();
+    const LinkGroup& group = group_with(link);
+    return group.still ? kNoBody : group.bodies.front();
   }
 
   void make_loop(const RobotLoop& loop) {
+    if (group_with(loop.i).dropped || group_with(loop.j).dropped)
+      return note(loop.place, "holds a link that was left out: left out");
     JointPlan out;
     out.weld = loop.weld;
     out.kind = RobotJointKind::ball;
@@ -305,7 +310,7 @@ class Assembler {
     const RobotLink& told = robot_.links[static_cast<std::size_t>(link)];
     const bool joined = told.parent != kNoLink && told.joints.empty() && !told.free;
     if (joined) return pose_of(told.parent) * told.at;
-    return links_[static_cast<std::size_t>(group_of_[static_cast<std::size_t>(link)])].pose;
+    return group_with(link).pose;
   }
 
   void apart(int a, int b) {
@@ -344,10 +349,8 @@ class Assembler {
       for (const int body : parent.bodies) apart(group.bodies.front(), body);
     }
     for (const auto& [i, j] : robot_.excludes) {
-      const LinkGroup& a = links_[static_cast<std::size_t>(group_of_[static_cast<std::size_t>(i)])];
-      const LinkGroup& b = links_[static_cast<std::size_t>(group_of_[static_cast<std::size_t>(j)])];
-      for (const int x : a.bodies)
-        for (const int y : b.bodies) apart(x, y);
+      for (const int x : group_with(i).bodies)
+        for (const int y : group_with(j).bodies) apart(x, y);
     }
     std::sort(plan_.apart.begin(), plan_.apart.end());
     plan_.apart.erase(std::unique(plan_.apart.begin(), plan_.apart.end()), plan_.apart.end());

@@ -161,6 +161,16 @@ TEST_CASE("what MuJoCo is told not to compute is not there", "[import]") {
   CHECK(scene("contact='disable'").model.no_collide.size() == 3);
 }
 
+TEST_CASE("what is connected to a link that is left out is not pinned to the world instead", "[import]") {
+  const ImportedScene imported = import_robot_text(R"(<mujoco><worldbody>
+      <body name='a' pos='0 0 1'><freejoint/><geom size='0.1'/></body>
+      <body name='nothing' pos='1 0 1'><joint/></body></worldbody>
+      <equality><connect body1='nothing' body2='a' anchor='0 0 0'/></equality></mujoco>)",
+                                                   "m.xml", {});
+  CHECK(note_with(imported, "holds a link that was left out").where[0].second == 4);
+  CHECK(parse_scene(imported.text, "m", {}).model.joints.empty());
+}
+
 TEST_CASE("a primitive is fitted to a mesh by its moments", "[import]") {
   // The corner of a cube: moments of m/10 along (1, 1, 1) and of m/16 across. MuJoCo has the same sphere for it.
   const auto with = [](const std::string& type) {
