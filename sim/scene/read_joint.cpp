@@ -264,8 +264,11 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder
     joint.type = type;
     in.record("type", to_string(type));
     joint.name = in.name("name");
-    if (joint.name.empty()) joint.name = fmt::format("joint {}", k);
-    if (!seen.insert(joint.name).second)
+    // Included ones may have had no name either.
+    const bool named = !joint.name.empty();
+    for (std::size_t n = k; !named && !seen.insert(joint.name = fmt::format("joint {}", n)).second;)
+      n += count;
+    if (named && !seen.insert(joint.name).second)
       in.fail_key("name", fmt::format("another joint is named {} too; expected different names",
                                       in_quotes(joint.name)));
     around.read_ends(in, joint);

@@ -128,6 +128,10 @@ ModelBuilder read_included(const IncludeLibrary::Opened& opened, const std::stri
   context.hash = Hash64();
   ModelBuilder out = read_content(in, opened.meshes(), around);
   hash = context.hash.hex();
+  read_contact_memory(in, out);
+  read_forces_of_joints(in, out);
+  out.state.contacts.clear();
+  out.state.joint_force.clear();
   return out;
 }
 

@@ -212,6 +212,35 @@ TEST_CASE("includes that cannot be are refused", "[scene]") {
           {"/includes/0/scene", "101 bytes", "shorten \"prefix\""});
 }
 
+TEST_CASE("what an included scene remembers of a run is checked as well, and not taken", "[scene]") {
+  const Files files;
+  const auto with = [&](const std::string& memory) {
+    files.write("saved.json", kPart.substr(0, kPart.rfind('}')) + ", " + memory + "}");
+    return including(R"({ "scene": "saved.json" })");
+  };
+  CHECK_THAT(files.refusal(with(R"("joint_forces": "x")")), Catch::Contains("/joint_forces"));
+  CHECK_THAT(files.refusal(with(R"("friction_anchors": [3])")), Catch::Contains("/friction_anchors/0"));
+  const Scene plain = files.parse(including(R"({ "scene": "part.json" })"));
+  const Scene saved =
+      files.parse(with(R"("friction_anchors": [{ "bodies": [1, 2], "feature": 1, "stretch": [0, 0, 0] }])"));
+  CHECK(saved.hash == plain.hash);
+  CHECK(saved.initial.contacts.empty());
+}
+
+TEST_CASE("joints without a name may be beside included ones without", "[scene]") {
+  const Files files;
+  const std::string joints =
+      R"("joints": [{ "type": "fixed", "bodies": [null, "BALL"], "anchor": [0, 0, 0] }])";
+  const auto with_ball = [&](const std::string& name) {
+    return R"("bodies": [{ "name": ")" + name + R"(", "shape": { "type": "sphere", "radius": 0.1 } }], )" +
+           std::string(joints).replace(joints.find("BALL"), 4, name);
+  };
+  files.write("ball.json", scene_text(with_ball("a")));
+  const Scene s = files.parse(including(R"({ "scene": "ball.json" })", with_ball("b")));
+  REQUIRE(s.model.joints.size() == 2);
+  CHECK(s.model.joints[0].name != s.model.joints[1].name);
+}
+
 TEST_CASE("scenes that include each other are refused with their chain", "[scene]") {
   const Files files;
   files.write("a.json", including(R"({ "scene": "sub/b.json" })"));

@@ -65,7 +65,7 @@ TEST_CASE("an arm starts where its angles put it", "[scene]") {
 }
 
 TEST_CASE("what hangs on the world stays there, whichever body of a joint is named first", "[scene]") {
-  // The slider at the end is held by the world as well, now the hinge's first body is the far side.
+  // The far body is fixed to the world, and is the second of the hinge: its first one moves.
   const Scene s =
       parse(scene_text("\"bodies\": [" + box("u", 0.5, 0) + "," + box("f", 1.5, 0) + "], \"joints\": [" +
                        R"({ "type": "fixed", "bodies": ["f", null], "anchor": [2, 0, 0] }, )" +
