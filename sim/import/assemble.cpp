@@ -33,6 +33,8 @@ double radius_of(const std::vector<std::vector<Vec3>>& parts) {
 // Names of one kind. What comes again gets a number, looked for behind the last one.
 class UniqueNames {
  public:
+  explicit UniqueNames(std::set<std::string> reserved = {}) : used_(std::move(reserved)) {}
+
   std::string take(std::string name, std::string_view fallback) {
     std::erase_if(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (name.size() > 80 || name.empty() || !is_utf8_text(name)) name = fallback;
@@ -141,7 +143,7 @@ class Assembler {
     std::vector<Vec3> part = corners_of(geom);
     for (Vec3& corner : part) corner = geom.at * corner - com;
     body.parts.push_back(std::move(part));
-    if (geom.kind == GeomKind::sphere || geom.kind == GeomKind::capsule || geom.kind == GeomKind::ellipsoid)
+    if (geom.kind != GeomKind::box && geom.kind != GeomKind::mesh)
       note(geom.place,
            "round geometry is a polyhedron: a body has one round shape, about its centre of mass");
   }
@@ -362,7 +364,7 @@ class Assembler {
   LinkGroups groups_;
   std::vector<LinkGroup>& links_;
   const std::vector<int>& group_of_;
-  UniqueNames names_, joint_names_;
+  UniqueNames names_{std::set<std::string>{kGroundName}}, joint_names_;
   bool lowered_ = false;
 };
 

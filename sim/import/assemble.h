@@ -30,7 +30,8 @@ struct BodyPlan {
   std::optional<double> friction;  // of what touches
 };
 
-inline constexpr int kNoBody = -1;  // the world
+inline constexpr int kNoBody = -1;                                    // the world
+inline constexpr const char* kGroundName = "ground under the robot";  // of no body here
 
 struct JointPlan {
   RobotJointKind kind = RobotJointKind::hinge;

@@ -24,13 +24,17 @@ const XmlElement& MjcfElement::with(std::string_view attribute) const {
   return all_.front();
 }
 
-void MjcfDefaults::add(const std::vector<XmlElement>& children, const std::string& name,
-                       const std::string& parent, ImportNotes& notes) {
-  Class& mine = classes_.try_emplace(name, Class{name == parent ? "" : parent, {}}).first->second;
-  for (const XmlElement& child : children) {
+MjcfDefaults::Class& MjcfDefaults::add_class(const std::string& name, const std::string& parent) {
+  return classes_.try_emplace(name, Class{name == parent ? "" : parent, {}}).first->second;
+}
+
+void MjcfDefaults::add(const XmlElement& element, const std::string& name, const std::string& parent,
+                       const Contents& contents, ImportNotes& notes) {
+  Class& mine = add_class(name, parent);
+  for (const XmlElement& child : contents(element)) {
     if (child.name() == "default") {
       note_attributes(child, mjcf_rows(), notes);
-      add(child.children(), child.text("class"), name, notes);
+      add(child, child.text("class"), name, contents, notes);
       continue;
     }
     const std::string kind = child.name();

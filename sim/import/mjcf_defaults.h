@@ -2,6 +2,7 @@
 // Default classes of MJCF. Internal to sim/import.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -28,19 +29,22 @@ class MjcfElement {
 };
 
 class MjcfDefaults {
+  struct Class {
+    std::string parent;
+    std::map<std::string, std::vector<XmlElement>> elements;  // by name
+  };
+
  public:
-  // The contents of a <default>; the outermost is the class "main".
-  void add(const std::vector<XmlElement>& children, const std::string& name, const std::string& parent,
-           ImportNotes& notes);
+  // A <default>; the outermost is the class "main". `contents`: what stands in one, files that it includes as well.
+  using Contents = std::function<std::vector<XmlElement>(const XmlElement&)>;
+  void add(const XmlElement& element, const std::string& name, const std::string& parent,
+           const Contents& contents, ImportNotes& notes);
+  Class& add_class(const std::string& name, const std::string& parent);
   // `element` with the defaults of its own class, or `childclass`, or main. An unknown class is refused.
   MjcfElement of(const XmlElement& element, const std::string& childclass) const;
   void require(const XmlElement& element, std::string_view attribute) const;  // names a class that there is
 
  private:
-  struct Class {
-    std::string parent;
-    std::map<std::string, std::vector<XmlElement>> elements;  // by name
-  };
   std::map<std::string, Class> classes_;
 };
 

@@ -107,9 +107,10 @@ class MjcfReader {
 
   void read_defaults(const XmlElement& e) {
     note_attributes(e, mjcf_rows(), notes_);
-    context_.defaults.add(children_of(e), "main", "main", notes_);
+    const auto contents = [this](const XmlElement& nested) { return children_of(nested); };
+    context_.defaults.add(e, "main", "main", contents, notes_);
     if (const auto name = e.find("class"); name && *name != "main")
-      context_.defaults.add({}, *name, "main", notes_);
+      context_.defaults.add_class(*name, "main");
   }
 
   void read_assets(const XmlElement& section) {
@@ -180,7 +181,9 @@ class MjcfReader {
       e.fail_at("name", "another body is named " + in_quotes(link.name) + " too");
     robot_.links.push_back(link);
     read_contents(e, index, LinkPose{}, e.find("childclass").value_or(above), depth);
-    weigh(robot_.links[static_cast<std::size_t>(index)]);
+    RobotLink& read = robot_.links[static_cast<std::size_t>(index)];
+    if (read.free && !read.joints.empty()) e.fail("a free joint beside others; expected it alone");
+    weigh(read);
   }
 
   // Mass from geoms where the body does not say its own, or is told not to.

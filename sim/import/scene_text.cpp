@@ -147,7 +147,8 @@ void add_action(const JointPlan& joint, double unit, OrderedJson& out, ImportNot
   const RobotAction& action = joint.action;
   if (!action.any()) return;
   if (joint.target) {
-    notes.add("damping, friction and motor of a joint that a position actuator holds: not taken", "", 0);
+    notes.add("damping, friction and motor of a joint that a position actuator holds: not taken",
+              joint.place.file, joint.place.line);
     return;
   }
   const bool slides = joint.kind == RobotJointKind::slide;
@@ -234,7 +235,7 @@ std::string scene_text(const ScenePlan& plan, const SceneWords& words, ImportNot
   std::vector<OrderedJson> bodies;
   if (words.ground) {
     OrderedJson plane{{"type", "plane"}, {"normal", {0, 1, 0}}, {"offset", plan.lowest - d_hat}};
-    bodies.push_back({{"name", "ground under the robot"}, {"shape", std::move(plane)}});
+    bodies.push_back({{"name", kGroundName}, {"shape", std::move(plane)}});
   }
   for (const BodyPlan& body : plan.bodies) bodies.push_back(json_of_body(body, friction));
   const auto has_own = [](const OrderedJson& body) { return body.contains("friction"); };
@@ -247,7 +248,7 @@ std::string scene_text(const ScenePlan& plan, const SceneWords& words, ImportNot
         {plan.bodies[static_cast<std::size_t>(a)].name, plan.bodies[static_cast<std::size_t>(b)].name}));
   if (words.ground) {
     for (const BodyPlan& body : plan.bodies)
-      if (body.ghost) apart.push_back(OrderedJson::array({"ground under the robot", body.name}));
+      if (body.ghost) apart.push_back(OrderedJson::array({kGroundName, body.name}));
   }
 
   std::string out = fmt::format(

@@ -91,6 +91,14 @@ TEST_CASE("many that are called the same, or nested by files in files, cost no m
                     Catch::Contains("files include each other too deeply; expected at most 8 levels"));
 }
 
+TEST_CASE("a link may be called as the ground that is put under it", "[import]") {
+  const ImportedScene imported = import_robot_text(
+      "<robot name='r'><link name='ground under the robot'><inertial><mass value='1'/><inertia ixx='1' "
+      "iyy='1' izz='1'/></inertial></link></robot>",
+      "r.urdf", "/nowhere");
+  CHECK(parse_scene(imported.text, "r", {}).model.name[1] == "ground under the robot 2");
+}
+
 TEST_CASE("a tree is a tree", "[import]") {
   const std::string a = "<link name='a'/><link name='b'/>";
   const auto joint = [](const std::string& name, const std::string& parent, const std::string& child) {

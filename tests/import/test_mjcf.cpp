@@ -47,14 +47,16 @@ TEST_CASE("an MJCF arm stands and weighs what it says", "[import]") {
 
   CHECK(apart(run.scene, shoulder, wrist));
   CHECK_FALSE(apart(run.scene, shoulder, palm));
-  int driven = 0;
+  int driven = 0, lifts = 0;
   for (const Joint& joint : model.joints) {
     driven += joint.drive ? 1 : 0;
     if (joint.name != "lift") continue;
+    ++lifts;
     REQUIRE(joint.limits);
     CHECK(joint.limits->lo == Approx(-kPi / 2));
   }
   CHECK(driven == 1);
+  CHECK(lifts == 1);
   const ImportNote motor = note_with(imported, "motor or velocity actuator");
   REQUIRE(motor.where.size() == 1);
   CHECK(motor.where[0].second == 32);
@@ -159,6 +161,24 @@ TEST_CASE("what MuJoCo is told not to compute is not there", "[import]") {
   CHECK(scene("equality='disable'").model.joints.size() == 1);
   CHECK_FALSE(scene("limit='disable' equality='disable'").model.joints[0].limits);
   CHECK(scene("contact='disable'").model.no_collide.size() == 3);
+}
+
+TEST_CASE("defaults of a nested class may stand in a file of their own", "[import]") {
+  const TempFolder folder;
+  std::ofstream(folder / "heavy.xml") << "<mujoco><geom mass='7'/></mujoco>";
+  const ImportedScene imported = import_robot_text(R"(<mujoco>
+      <default><default class='heavy'><include file='heavy.xml'/></default></default>
+      <worldbody><body><freejoint/><geom class='heavy' size='0.1'/></body></worldbody></mujoco>)",
+                                                   "m.xml", folder.path());
+  CHECK(parse_scene(imported.text, "m", {}).model.mass[0] == Approx(7));
+}
+
+TEST_CASE("a free joint beside others is refused, as in MuJoCo", "[import]") {
+  for (const char* joints : {"<freejoint/><joint/>", "<joint/><freejoint/>"})
+    CHECK_THROWS_WITH(import_robot_text("<mujoco><worldbody><body>" + std::string(joints) +
+                                            "<geom size='1'/></body></worldbody></mujoco>",
+                                        "m.xml", {}),
+                      Catch::Contains("a free joint beside others"));
 }
 
 TEST_CASE("what is connected to a link that is left out is not pinned to the world instead", "[import]") {

@@ -44,7 +44,7 @@ TEST_CASE("motors of an MJCF file turn as it says, at the control nearest to 0",
   CHECK(speed_of(run, "speed") == Approx(2 * 1.5 / 2.1).epsilon(1e-6));  // kv' (v − ω) = c ω
 
   CHECK(note_with(imported, "second motor").where[0].second == 32);
-  CHECK(note_with(imported, "position actuator holds").where.empty());
+  CHECK(note_with(imported, "position actuator holds").where[0].second == 16);
   CHECK(note_with(imported, "frictionloss of a ball").where[0].second == 24);
   CHECK(note_with(imported, "armature: not taken").where[0].second == 16);
   CHECK(note_with(imported, "stiffness: not taken").where[0].second == 20);
