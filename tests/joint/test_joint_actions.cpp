@@ -69,7 +69,7 @@ TEST_CASE("a torque τ turns a wheel by ω = τ t/I, a force pushes a block by v
         world->params.solver.tolerance = 1e-12;
         testing::run(*world, 60);
       }
-      // Sweeps of `descent` leave a part of what they stop at.
+      // A sweep of `descent` may leave E higher by 1e-12 of it: √(2e-12 τ Δ/I) a step, 1e-4 in all.
       const double turns_within = method == SolverMethod::descent ? 1e-4 : 1e-6;
       CHECK((wheel.state.omega[0] - Vec3(0, 0, sign * 1.5 / kI)).norm() < turns_within);
       // The iteration of `sissm` weighs a slider's points along the axis as well, and lags there.
