@@ -6,6 +6,7 @@ import { bytes_text, el, icon } from "./dom.js";
 
 const OPENS = /\.(json|pabdrec|rec)$/i; // scenes and recordings; meshes only lie beside them
 const LARGEST = 64 * 1024 * 1024;
+const LATE = 1000; // ms that the server may take to tell of what came from here
 
 export class Files {
   #key;
@@ -15,7 +16,7 @@ export class Files {
   #may_upload = () => false;
   #known = new Map(); // name -> bytes
   #saved = new Set(); // said by the server to have been saved
-  #uploading = new Set(); // from here: no news when the server tells of them
+  #uploading = new Set(); // from here, now or just before: no news should the server tell of them
 
   session = ""; // with `--sessions`: whose files
 
@@ -121,8 +122,10 @@ export class Files {
         note.close();
         if (request.status >= 200 && request.status < 300) {
           this.#toast(`Uploaded ${file.name}, ${bytes_text(file.size)}`);
+          setTimeout(() => this.#uploading.delete(file.name), LATE);
           return resolve(true);
         }
+        this.#uploading.delete(file.name);
         let why = "status " + request.status;
         try {
           why = JSON.parse(request.responseText).error ?? why;
@@ -134,6 +137,7 @@ export class Files {
       };
       request.onerror = () => {
         note.close();
+        this.#uploading.delete(file.name);
         this.#toast(`${file.name} was not uploaded: the connection broke`, { bad: true });
         resolve(false);
       };

@@ -47,6 +47,12 @@ page_test("uploads: meshes before the scene, which is opened; what is refused is
   await page.setInputFiles("#picker", [json("bad.json")]);
   await page.waitForSelector(".toast.bad:has-text('the scene has no bodies')");
   assert.equal(mock.of("open").length, 1);
+  // What the window saves later under such a name is news.
+  mock.send({ t: "file", name: "bad.json", bytes: 5 });
+  await page.waitForSelector(".toast:has-text('Saved bad.json')");
+  await page.waitForTimeout(1200);
+  mock.send({ t: "file", name: "tower.json", bytes: 5 });
+  await page.waitForSelector(".toast:has-text('Saved tower.json')");
   assert.ok(mock.requests.filter((r) => /^\/files(\/|$)/.test(r.url)).every((r) => r.bearer === "Bearer " + KEY));
   // Dropped anywhere.
   await page.evaluate(() => {
