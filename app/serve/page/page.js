@@ -21,12 +21,9 @@ const CURSORS = {
   arrow: "default",
   hand: "pointer",
   ibeam: "text",
-  text: "text",
   cross: "crosshair",
   resize_ew: "ew-resize",
-  resize_horizontal: "ew-resize",
   resize_ns: "ns-resize",
-  resize_vertical: "ns-resize",
 };
 
 let key = take_key();
@@ -181,7 +178,6 @@ const on_message = {
   text_input: ({ on }) => people.controls && keyboard.text_input(on === true),
   stats: (message) => statistics.told(message),
   error: ({ text }) => toast(String(text), { bad: true }),
-  paused: ({ why }) => toast("Paused" + (why ? ": " + why : "")),
 };
 
 link.addEventListener("message", (event) => on_message[event.detail.t]?.(event.detail));
