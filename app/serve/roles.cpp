@@ -17,16 +17,17 @@ std::optional<Roles::Arrival> Roles::arrive(const std::string& key, bool may_con
   const auto known = std::find_if(visitors_.begin(), visitors_.end(), [&](const Visitor& v) {
     return v.key == key && v.may_control == may_control;
   });
+  const bool here = known != visitors_.end() && known->present;
+  if (!here && present() >= kMost) return std::nullopt;  // also of who was here before
   Arrival out;
   out.id = next_;
   if (known != visitors_.end()) {
     out.came_back = true;
-    if (known->present) out.replaced = known->id;
+    if (here) out.replaced = known->id;
     if (holder_ == known->id) holder_ = out.id;
     known->id = out.id;
     known->present = true;
   } else {
-    if (present() >= kMost) return std::nullopt;
     if (visitors_.size() - present() >= kMostKept) {
       const auto oldest = std::find_if(visitors_.begin(), visitors_.end(),
                                        [&](const Visitor& v) { return !v.present && holder_ != v.id; });

@@ -88,4 +88,6 @@ TEST_CASE("there are 16 at a time") {
   CHECK(roles.arrive("v3", false, 0));  // who was here
   roles.leave(1, 1);
   CHECK(roles.arrive("one more", true, 1));
+  CHECK_FALSE(roles.arrive("v0", true, 2));  // its place is taken
+  CHECK(roles.present() == Roles::kMost);
 }
