@@ -18,7 +18,11 @@ std::string small(std::string_view text) {
 }  // namespace
 
 Gate::Gate(std::vector<std::string> hosts, bool secure) : secure_(secure) {
-  for (const std::string& host : hosts) hosts_.push_back(small(host));
+  const std::string_view usual = secure ? ":443" : ":80";  // a port that browsers leave out
+  for (const std::string& host : hosts) {
+    hosts_.push_back(small(host));
+    if (host.ends_with(usual)) hosts_.push_back(small(host.substr(0, host.size() - usual.size())));
+  }
 }
 
 bool Gate::knows_host(std::string_view host) const {

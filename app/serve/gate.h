@@ -15,7 +15,7 @@ namespace pabd {
 // point here (DNS rebinding) is stopped by the first, its scripts by the second.
 class Gate {
  public:
-  // "127.0.0.1:8472"; `secure`: https.
+  // "127.0.0.1:8472"; `secure`: https. Those with its usual port are known without it too.
   Gate(std::vector<std::string> hosts, bool secure);
 
   bool knows_host(std::string_view host) const;

@@ -60,6 +60,15 @@ TEST_CASE("Host and Origin are exact") {
   CHECK_FALSE(Gate({"a:1"}, true).knows_origin("http://a:1", "a:1"));
 }
 
+TEST_CASE("a host on the port that is usual for its scheme is known without it, as browsers call it") {
+  const Gate plain({"127.0.0.1:80", "[::1]:80", "a:443"}, false), secure({"127.0.0.1:443", "a:80"}, true);
+  for (const char* host : {"127.0.0.1", "127.0.0.1:80", "[::1]", "a:443"}) CHECK(plain.knows_host(host));
+  CHECK(plain.knows_origin("http://127.0.0.1", "127.0.0.1"));
+  CHECK_FALSE(plain.knows_host("a"));
+  CHECK(secure.knows_origin("https://127.0.0.1", "127.0.0.1"));
+  CHECK_FALSE(secure.knows_host("a"));
+}
+
 TEST_CASE("a bucket lets a burst through, then its rate") {
   RateBucket bucket(500, 1000);
   int taken = 0;
