@@ -2,6 +2,7 @@
 // What waits for the desk's thread.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -18,11 +19,11 @@ class DeskQueue {
     {
       const std::scoped_lock lock(mutex_);
       if (merged(input)) return true;
-      // What tells of visitors comes as seldom as they do, and is never lost.
+      // What tells of visitors comes as seldom as they do, or is one a visitor, and is never lost.
       const bool told =
           std::holds_alternative<desk::Arrive>(input) || std::holds_alternative<desk::Scheme>(input) ||
           std::holds_alternative<desk::Depart>(input) || std::holds_alternative<desk::HandOver>(input) ||
-          std::holds_alternative<desk::Shown>(input);
+          std::holds_alternative<desk::Shown>(input) || std::holds_alternative<desk::Refresh>(input);
       if (!told && waiting_.size() >= ServedDesk::kMostInputs) return false;
       waiting_.push_back(std::move(input));
     }
@@ -63,14 +64,27 @@ class DeskQueue {
   }
 
  private:
-  // A move after a move takes its place.
+  // A move after a move takes its place. Of what everybody may send, the newest of each visitor waits.
   bool merged(const DeskInput& input) {
+    if (const auto* shown = std::get_if<desk::Shown>(&input)) return renewed(*shown);
+    if (const auto* refresh = std::get_if<desk::Refresh>(&input)) return renewed(*refresh);
     const auto is_move = [](const DeskInput& i) {
       const auto* event = std::get_if<desk::Input>(&i);
       return event && std::holds_alternative<MouseMoved>(event->event);
     };
     if (waiting_.empty() || !is_move(input) || !is_move(waiting_.back())) return false;
     waiting_.back() = input;
+    return true;
+  }
+
+  template <class Told>
+  bool renewed(const Told& told) {
+    const auto older = std::find_if(waiting_.begin(), waiting_.end(), [&](const DeskInput& i) {
+      const auto* one = std::get_if<Told>(&i);
+      return one && one->visitor == told.visitor;
+    });
+    if (older == waiting_.end()) return false;
+    *older = told;
     return true;
   }
 
