@@ -198,23 +198,42 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
 
   // ---- what a desk answers ----
 
+  // A request that a desk works on. It is answered whatever becomes of the desk, and the connection is used and
+  // let go of in the network's thread alone.
+  class Pending {
+   public:
+    explicit Pending(std::shared_ptr<HttpConnection> connection) : connection_(std::move(connection)) {
+      ++connection_->shared_.waiting;
+    }
+    ~Pending() { refuse("the session has ended"); }
+    Pending(const Pending&) = delete;
+    Pending& operator=(const Pending&) = delete;
+
+    void answer(desk::Answer answer) {
+      if (!connection_) return;
+      asio::io_context& io = connection_->shared_.io;
+      asio::post(io, [to = std::move(connection_), answer = std::move(answer)]() mutable {
+        --to->shared_.waiting;
+        to->send(text_answer(to->shared_, answer.status, answer.type, std::move(answer.body)));
+      });
+    }
+    void refuse(const char* why) {
+      const nlohmann::json body = {{"error", why}};
+      answer({503, "application/json", body.dump() + "\n"});
+    }
+
+   private:
+    std::shared_ptr<HttpConnection> connection_;
+  };
+
   void ask(const auto& question) {
     if (shared_.waiting >= kMostWaiting)
       return refuse(503, "too many requests are being worked on; try again");
     if (!shared_.lobby->files(session_)) return no_session();
     expire(std::chrono::hours(24));
-    ++shared_.waiting;
-    // The desk's thread lets go of the connection with its answer.
-    auto reply = [self = this->shared_from_this()](desk::Answer answer) mutable {
-      asio::io_context& io = self->shared_.io;
-      asio::post(io, [self = std::move(self), answer = std::move(answer)]() mutable {
-        --self->shared_.waiting;
-        self->send(text_answer(self->shared_, answer.status, answer.type, std::move(answer.body)));
-      });
-    };
-    if (shared_.lobby->ask(session_, question(std::move(reply)))) return;
-    --shared_.waiting;
-    refuse(503, "the session is busy; try again");
+    const auto pending = std::make_shared<Pending>(this->shared_from_this());
+    const auto reply = [pending](desk::Answer answer) { pending->answer(std::move(answer)); };
+    if (!shared_.lobby->ask(session_, question(reply))) pending->refuse("the session is busy; try again");
   }
 
   void listen() {

@@ -238,6 +238,7 @@ void Lobby::end(Room& room, const std::string& why) {
   }
   room.guests.clear();
   room.listeners.clear();
+  room.desk.reset();  // what it was asked is answered, and nobody writes its files any more
 }
 
 bool Lobby::ask(const std::string& session, DeskInput question) {
@@ -260,13 +261,14 @@ std::shared_ptr<FileRoot> Lobby::files(const std::string& session) const {
 
 void Lobby::tick(double now) {
   for (auto& [name, here] : rooms_) {
+    if (here->ended) continue;
     here->roles.tick(now);
     if (std::erase_if(here->listeners, [](const auto& l) { return !l->open(); }) > 0 &&
         here->listeners.empty())
       here->desk->tell_events(false);
-    if (!here->ended) tell_roles(*here);
+    tell_roles(*here);
     if (options_.sessions > 1 && here->guests.empty() && now - here->alone_since > options_.idle_limit)
-      here->ended = true;
+      end(*here, "nobody was there for too long");
   }
   if (options_.sessions <= 1) return;
   std::erase_if(rooms_, [](const auto& entry) {

@@ -157,3 +157,31 @@ TEST_CASE("with sessions, each visitor has a simulation and files of its own; id
   later.say(WebSocketPage::hello(server.control(), "000000000000000d"));
   CHECK(later.until_text("welcome")["role"] == "control");
 }
+
+TEST_CASE("a session that ends answers what it was asked") {
+  const RunningServer server([](ServerOptions&, LobbyOptions& lobby) {
+    lobby.sessions = 2;
+    lobby.idle_limit = 0.5;
+  });
+  const std::string id = "000000000000000a";
+  const auto ask = [&](const Socket& socket, const std::string& what, const std::string& body = "") {
+    socket.send(what + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) + "\r\n" +
+                bearer(server.control()) + "Pabd-Session: " + id + "\r\nContent-Length: " +
+                std::to_string(body.size()) + "\r\nConnection: close\r\n\r\n" + body);
+  };
+  Socket script(server.port());
+  std::vector<std::unique_ptr<Socket>> waiting;
+  {
+    WebSocketPage page(server.port());
+    page.say(WebSocketPage::hello(server.control(), id));
+    page.until_text("welcome");
+    ask(script, "POST /actions", R"([{"do":"step","steps":2000000000}])");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it is carried out
+    for (int i = 0; i < 10; ++i) {
+      waiting.push_back(std::make_unique<Socket>(server.port()));
+      ask(*waiting.back(), "GET /state");
+    }
+  }
+  CHECK(script.read_until("\r\n").starts_with("HTTP/1.1 503"));
+  for (const auto& one : waiting) CHECK(one->read_until("\r\n").starts_with("HTTP/1.1 503"));
+}
