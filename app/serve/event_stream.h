@@ -2,6 +2,7 @@
 // GET /events: a line of JSON for every change, until somebody closes.
 #pragma once
 
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 #include <deque>
 
@@ -15,7 +16,7 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
   static constexpr std::size_t kMostWaiting = 256 * 1024;  // bytes; who reads slower is closed
 
   EventStream(Shared& shared, Stream stream, Place place)
-      : shared_(shared), stream_(std::move(stream)), place_(std::move(place)) {}
+      : shared_(shared), stream_(std::move(stream)), place_(std::move(place)), farewell_(shared.io) {}
 
   void begin() {
     auto head = std::make_shared<http::response<http::empty_body>>(http::status::ok, 11);
@@ -44,16 +45,28 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
   }
 
   void send_line(const std::string& json) override {
-    if (!open_) return;
+    if (!open_ || finished_) return;
     waiting_ += json + "\n";
     if (waiting_.size() > kMostWaiting) return end();
     write();
+  }
+  void finish() override {
+    if (!open_ || std::exchange(finished_, true)) return;
+    write();
+    farewell_.expires_after(std::chrono::seconds(1));  // for who does not read
+    farewell_.async_wait([weak = this->weak_from_this()](Failure cancelled) {
+      if (const auto self = weak.lock(); self && !cancelled) self->end();
+    });
   }
   bool open() const override { return open_; }
 
  private:
   void write() {
-    if (!started_ || busy_ || waiting_.empty() || !open_) return;
+    if (!started_ || busy_ || !open_) return;
+    if (waiting_.empty()) {
+      if (finished_) write_last();
+      return;
+    }
     busy_ = true;
     auto lines = std::make_shared<std::string>(std::exchange(waiting_, {}));
     asio::async_write(stream_, http::make_chunk(asio::buffer(*lines)),
@@ -61,6 +74,12 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
                         self->busy_ = false;
                         failure ? self->end() : self->write();
                       });
+  }
+
+  void write_last() {
+    busy_ = true;
+    asio::async_write(stream_, http::make_chunk_last(),
+                      [self = this->shared_from_this()](Failure, std::size_t) { self->end(); });
   }
 
   // The client's end is seen by reading.
@@ -80,9 +99,10 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
   Shared& shared_;
   Stream stream_;
   Place place_;
+  asio::steady_timer farewell_;
   std::string waiting_;
   std::array<char, 512> rest_{};
-  bool started_ = false, busy_ = false, open_ = true;
+  bool started_ = false, busy_ = false, open_ = true, finished_ = false;
 };
 
 }  // namespace pabd::net

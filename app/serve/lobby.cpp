@@ -237,6 +237,7 @@ void Lobby::end(Room& room, const std::string& why) {
     if (const auto link = guest.link.lock()) link->close(CloseCode::gone, why);
   }
   room.guests.clear();
+  for (const auto& listener : room.listeners) listener->finish();
   room.listeners.clear();
   room.desk.reset();  // what it was asked is answered, and nobody writes its files any more
 }
@@ -284,6 +285,7 @@ void Lobby::close_all(CloseCode code, const std::string& why) {
     for (const auto& [id, guest] : here->guests) {
       if (const auto link = guest.link.lock()) link->close(code, why);
     }
+    for (const auto& listener : here->listeners) listener->finish();
   }
 }
 

@@ -40,6 +40,7 @@ class EventLink {
  public:
   virtual ~EventLink() = default;
   virtual void send_line(const std::string& json) = 0;
+  virtual void finish() = 0;  // nothing more comes: said to it, then closed
   virtual bool open() const = 0;
 };
 

@@ -86,7 +86,7 @@ TEST_CASE("pictures have the size that was asked for, with and without panels") 
 }
 
 TEST_CASE("events are lines, one a change, until somebody closes") {
-  const RunningServer server;
+  RunningServer server;
   Socket events(server.port());
   events.send("GET /events HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) + "\r\n" +
               bearer(server.watch()) + "\r\n");
@@ -96,6 +96,8 @@ TEST_CASE("events are lines, one a change, until somebody closes") {
   CHECK(events.read_until("\"step\":3").ends_with("\"step\":3"));
   CHECK(server.act(Json::parse(R"([{"do":"save_scene","path":"kept.json"}])")).status == 200);
   CHECK(events.read_until("kept.json").ends_with("kept.json"));
+  server.stop();
+  CHECK(events.read_to_end().ends_with("\r\n0\r\n\r\n"));  // told, not cut off
 }
 
 TEST_CASE("files go up and down, and into scenes") {

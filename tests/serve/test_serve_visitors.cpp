@@ -158,7 +158,7 @@ TEST_CASE("with sessions, each visitor has a simulation and files of its own; id
   CHECK(later.until_text("welcome")["role"] == "control");
 }
 
-TEST_CASE("a session that ends answers what it was asked") {
+TEST_CASE("a session that ends answers what it was asked, and ends its events") {
   const RunningServer server([](ServerOptions&, LobbyOptions& lobby) {
     lobby.sessions = 2;
     lobby.idle_limit = 0.5;
@@ -169,12 +169,14 @@ TEST_CASE("a session that ends answers what it was asked") {
                 bearer(server.control()) + "Pabd-Session: " + id + "\r\nContent-Length: " +
                 std::to_string(body.size()) + "\r\nConnection: close\r\n\r\n" + body);
   };
-  Socket script(server.port());
+  Socket events(server.port()), script(server.port());
   std::vector<std::unique_ptr<Socket>> waiting;
   {
     WebSocketPage page(server.port());
     page.say(WebSocketPage::hello(server.control(), id));
     page.until_text("welcome");
+    ask(events, "GET /events");
+    CHECK(events.read_until("\r\n\r\n").starts_with("HTTP/1.1 200"));
     ask(script, "POST /actions", R"([{"do":"step","steps":2000000000}])");
     std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it is carried out
     for (int i = 0; i < 10; ++i) {
@@ -184,4 +186,5 @@ TEST_CASE("a session that ends answers what it was asked") {
   }
   CHECK(script.read_until("\r\n").starts_with("HTTP/1.1 503"));
   for (const auto& one : waiting) CHECK(one->read_until("\r\n").starts_with("HTTP/1.1 503"));
+  CHECK(events.read_to_end().ends_with("\r\n0\r\n\r\n"));
 }
