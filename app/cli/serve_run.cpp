@@ -101,6 +101,7 @@ LobbyOptions lobby_options(const ServeSetup& setup, const Root& root, const Acce
   if (tokens.watchers) out.watch_token = tokens.watch.hex();
   out.sessions = setup.sessions;
   out.idle_limit = 60 * setup.idle_limit;
+  out.keep_files = !setup.root.empty();
   out.version = PABD_VERSION;
   const FrameSize size = parse_size(setup.size);
   DeskOptions& desk = out.desk;

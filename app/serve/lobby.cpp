@@ -272,10 +272,10 @@ void Lobby::tick(double now) {
       end(*here, "nobody was there for too long");
   }
   if (options_.sessions <= 1) return;
-  std::erase_if(rooms_, [](const auto& entry) {
+  std::erase_if(rooms_, [&](const auto& entry) {
     if (!entry.second->ended) return false;
     std::error_code ignored;
-    std::filesystem::remove_all(entry.second->files->folder(), ignored);
+    if (!options_.keep_files) std::filesystem::remove_all(entry.second->files->folder(), ignored);
     return true;
   });
 }

@@ -48,6 +48,7 @@ struct LobbyOptions {
   DeskOptions desk;
   int sessions = 1;         // 1: all visitors are at one desk
   double idle_limit = 600;  // s; with sessions, a desk without visitors is ended
+  bool keep_files = false;  // of sessions that have ended
   std::string version;
   std::string watch_token;  // for whoever may hand the link on; empty: there is none
 };

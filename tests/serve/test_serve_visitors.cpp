@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The server as pages see it: frames, input, roles, coming back.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <set>
 
 #include "tests/serve/client.h"
@@ -158,33 +159,45 @@ TEST_CASE("with sessions, each visitor has a simulation and files of its own; id
   CHECK(later.until_text("welcome")["role"] == "control");
 }
 
-TEST_CASE("a session that ends answers what it was asked, and ends its events") {
-  const RunningServer server([](ServerOptions&, LobbyOptions& lobby) {
-    lobby.sessions = 2;
-    lobby.idle_limit = 0.5;
-  });
-  const std::string id = "000000000000000a";
-  const auto ask = [&](const Socket& socket, const std::string& what, const std::string& body = "") {
-    socket.send(what + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) + "\r\n" +
-                bearer(server.control()) + "Pabd-Session: " + id + "\r\nContent-Length: " +
-                std::to_string(body.size()) + "\r\nConnection: close\r\n\r\n" + body);
-  };
-  Socket events(server.port()), script(server.port());
-  std::vector<std::unique_ptr<Socket>> waiting;
-  {
-    WebSocketPage page(server.port());
-    page.say(WebSocketPage::hello(server.control(), id));
-    page.until_text("welcome");
-    ask(events, "GET /events");
-    CHECK(events.read_until("\r\n\r\n").starts_with("HTTP/1.1 200"));
-    ask(script, "POST /actions", R"([{"do":"step","steps":2000000000}])");
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it is carried out
-    for (int i = 0; i < 10; ++i) {
-      waiting.push_back(std::make_unique<Socket>(server.port()));
-      ask(*waiting.back(), "GET /state");
+TEST_CASE(
+    "a session that ends answers what it was asked, ends its events, and keeps its files where it should") {
+  for (const bool keeps : {false, true}) {
+    CAPTURE(keeps);
+    const RunningServer server([&](ServerOptions&, LobbyOptions& lobby) {
+      lobby.sessions = 2;
+      lobby.idle_limit = 0.5;
+      lobby.keep_files = keeps;
+    });
+    const std::string id = "000000000000000a";
+    const auto ask = [&](const Socket& socket, const std::string& what, const std::string& body = "") {
+      socket.send(what + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) + "\r\n" +
+                  bearer(server.control()) + "Pabd-Session: " + id + "\r\nContent-Length: " +
+                  std::to_string(body.size()) + "\r\nConnection: close\r\n\r\n" + body);
+    };
+    Socket events(server.port()), script(server.port());
+    std::vector<std::unique_ptr<Socket>> waiting;
+    {
+      WebSocketPage page(server.port());
+      page.say(WebSocketPage::hello(server.control(), id));
+      page.until_text("welcome");
+      ask(events, "GET /events");
+      CHECK(events.read_until("\r\n\r\n").starts_with("HTTP/1.1 200"));
+      CHECK(http(server.port(), "PUT", "/files/a.json",
+                 bearer(server.control()) + "Pabd-Session: " + id + "\r\n", "{}")
+                .status == 201);
+      ask(script, "POST /actions", R"([{"do":"step","steps":2000000000}])");
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it is carried out
+      for (int i = 0; i < 10; ++i) {
+        waiting.push_back(std::make_unique<Socket>(server.port()));
+        ask(*waiting.back(), "GET /state");
+      }
     }
+    CHECK(script.read_until("\r\n").starts_with("HTTP/1.1 503"));
+    for (const auto& one : waiting) CHECK(one->read_until("\r\n").starts_with("HTTP/1.1 503"));
+    CHECK(events.read_to_end().ends_with("\r\n0\r\n\r\n"));
+    const auto folder = server.root() / ("session-" + id);
+    for (int i = 0; !keeps && i < 100 && std::filesystem::exists(folder); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    CHECK(std::filesystem::exists(folder / "a.json") == keeps);
   }
-  CHECK(script.read_until("\r\n").starts_with("HTTP/1.1 503"));
-  for (const auto& one : waiting) CHECK(one->read_until("\r\n").starts_with("HTTP/1.1 503"));
-  CHECK(events.read_to_end().ends_with("\r\n0\r\n\r\n"));
 }
