@@ -42,6 +42,19 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// As long as it lives.
+class PointerNowhere {
+ public:
+  explicit PointerNowhere(ImGuiIO& io) : io_(io), where_(io.MousePos) { io.MousePos = {-FLT_MAX, -FLT_MAX}; }
+  ~PointerNowhere() { io_.MousePos = where_; }
+  PointerNowhere(const PointerNowhere&) = delete;
+  PointerNowhere& operator=(const PointerNowhere&) = delete;
+
+ private:
+  ImGuiIO& io_;
+  ImVec2 where_;
+};
+
 }  // namespace
 
 struct Viewer::Impl {
@@ -282,7 +295,8 @@ struct Viewer::Impl {
       runner.send(command::Tell{answer->text, answer->failed, command::OpenSweep::name, answer->kind});
   }
 
-  void draw(double seconds) {
+  enum class Hand { there, away };  // away: no events, and no files that show the window
+  void draw(double seconds, Hand hand) {
     ImGui::SetCurrentContext(imgui);
     const auto latest = runner.latest();
     const auto last = std::exchange(sim, options.steady ? latest : live.choose(latest, seconds_now()));
@@ -301,7 +315,7 @@ struct Viewer::Impl {
     GuiFrame frame{*sim,    ui,     unit(),         fonts,
                    metrics, out,    scenes,         studio.recorder(),
                    costs,   sweeps, options.steady, options.files.get()};
-    take_events(frame);
+    if (hand == Hand::there) take_events(frame);
     ImFont* font = fonts.font(kTextSize * unit());
     if (fonts.stale()) {
       fonts.bake();
@@ -331,7 +345,7 @@ struct Viewer::Impl {
     const double composing = seconds_now() - between;
     if (!drawn) plain_composing = composing;
     if (drawn) live.took(plan, 1000 * (between - before + std::max(0.0, composing - plain_composing)));
-    studio.work(*sim, ui, width, height, renderer);
+    if (hand == Hand::there) studio.work(*sim, ui, width, height, renderer);
     costs.done(FrameCosts::compose);
     send_all(out);
   }
@@ -348,7 +362,19 @@ void Viewer::send(const ViewCommand& command) { impl_->try_to(command); }
 void Viewer::draw(int width, int height, double seconds) {
   impl_->width = width;
   impl_->height = height;
-  impl_->draw(seconds);
+  impl_->draw(seconds, Impl::Hand::there);
+}
+
+void Viewer::draw_aside(int width, int height) {
+  const PointerNowhere nowhere(impl_->imgui->IO);
+  impl_->width = width;
+  impl_->height = height;
+  impl_->draw(0, Impl::Hand::away);
+}
+
+bool Viewer::button_held() const {
+  const auto& down = impl_->imgui->IO.MouseDown;
+  return std::any_of(std::begin(down), std::end(down), [](bool one) { return one; });
 }
 
 Renderer& Viewer::renderer() { return impl_->renderer; }

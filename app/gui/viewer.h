@@ -45,6 +45,10 @@ class Viewer {
 
   // Draws a frame of that size in pixels, `seconds` after the last one, into the renderer.
   void draw(int width, int height, double seconds);
+  // A picture of another size between two frames, in which nobody's hand is: events wait, the pointer is
+  // nowhere. Not while a button is held, as what it drags would be elsewhere.
+  void draw_aside(int width, int height);
+  bool button_held() const;
 
   Renderer& renderer();
   const UiState& ui() const;

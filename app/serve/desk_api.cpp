@@ -99,14 +99,24 @@ void DeskWork::answer(const desk::AskState& ask) {
   ask.reply({200, kJson, written(state_document(viewer_.snapshot(), viewer_.ui()))});
 }
 
+// Whoever asks, also who only watches: what the controller does goes on as it is.
 void DeskWork::answer(const desk::AskPicture& ask) {
   const std::scoped_lock turn(*options_.turn);
   const int width = ask.width > 0 ? ask.width : width_, height = ask.height > 0 ? ask.height : height_;
+  const bool own_size = width == width_ && height == height_;
   try {
-    viewer_.draw(width, height, 0);
+    draw();  // what waits was meant for the window as it is
+    if (ask.panels && !own_size && viewer_.button_held())
+      return ask.reply(
+          refusal(503, "somebody drags in the window: try again, ask for its own size, or with panels=0"));
     std::vector<std::uint8_t> png;
     if (ask.panels) {
-      viewer_.draw(width, height, 0);  // the first one may have found that a panel needs more room
+      for (int i = 0; i < 2; ++i) {  // the first one may find that a panel needs more room
+        if (own_size)
+          draw();
+        else
+          viewer_.draw_aside(width, height);
+      }
       Image image;
       viewer_.renderer().queue_read();
       viewer_.renderer().fetch(image);

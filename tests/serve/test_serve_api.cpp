@@ -85,6 +85,31 @@ TEST_CASE("pictures have the size that was asked for, with and without panels") 
   CHECK(server.get("/frame.png?width=5").status == 400);
 }
 
+TEST_CASE("a picture of another size is none that the controller's hand is in") {
+  const RunningServer server([](ServerOptions&, LobbyOptions& lobby) {
+    lobby.desk.width = 1280;
+    lobby.desk.height = 720;
+  });
+  const auto kappa = [&] { return Json::parse(server.get("/state").body)["a"]["kappa"].get<double>(); };
+  // The handle of κ, dragged a little: held, it would be elsewhere in a window of another size.
+  CHECK(server.act(Json::parse(R"([{"do":"step","steps":60}])")).status == 200);
+  const double before = kappa();
+  CHECK(
+      server.act(Json::parse(R"([{"do":"mouse","at":[1036,199],"to":[1036,223],"how":"drag","end":"hold"}])"))
+          .status == 200);
+  const double held = kappa();
+  CHECK(held < 0.9 * before);
+  const std::string watch = bearer(server.watch());
+  const std::string other = "/frame.png?width=900&height=500";
+  CHECK(http(server.port(), "GET", other, watch).status == 503);
+  CHECK(http(server.port(), "GET", other + "&panels=0", watch).status == 200);
+  CHECK(http(server.port(), "GET", "/frame.png?width=1280&height=720", watch).status == 200);
+  CHECK(kappa() == held);
+  CHECK(server.act(Json::parse(R"([{"do":"mouse","at":[1036,223],"how":"release"}])")).status == 200);
+  CHECK(decoded(http(server.port(), "GET", other, watch).body).width == 900);
+  CHECK(kappa() == held);
+}
+
 TEST_CASE("events are lines, one a change, until somebody closes") {
   RunningServer server;
   Socket events(server.port());
