@@ -183,8 +183,11 @@ class Player {
 
   void act(const action::Window& a) {
     if (!a.size.empty()) {
-      width_ = static_cast<int>(a.size[0]);
-      height_ = static_cast<int>(a.size[1]);
+      const int width = static_cast<int>(a.size[0]), height = static_cast<int>(a.size[1]);
+      const std::string why = options_.refusal_of_window ? options_.refusal_of_window(width, height) : "";
+      if (!why.empty()) refuse(*what_, "\"size\": " + why);
+      width_ = width;
+      height_ = height;
     }
     if (a.scale != 0) viewer_.set_screen_scale(a.scale);
     settle();

@@ -30,6 +30,8 @@ struct ScriptOptions {
   std::function<void(const std::string& line)> print;          // gets what "print" says
   InputFiles inputs;                                           // that no frame replaces
   std::function<void(std::size_t number)> before_action = {};  // may be empty
+  // Why the window cannot have that size; no text: it can. May be empty.
+  std::function<std::string(int width, int height)> refusal_of_window = {};
 };
 
 class Script {

@@ -67,7 +67,9 @@ void DeskWork::run(const desk::Run& run, const More& more, const std::function<b
       printed.push_back(line.substr(0, line.find_last_not_of('\n') + 1));
     };
     options.before_action = [&](std::size_t number) { action = number; };
+    options.refusal_of_window = refusal_of_window;
     options.before_frame = [&] {
+      if (turn.owns_lock()) turn.unlock();  // the last frame failed
       if (stop()) throw LeftScript();
       for (DeskInput& input : more()) take(input, more, stop);
       turn.lock();
@@ -88,6 +90,8 @@ void DeskWork::run(const desk::Run& run, const More& more, const std::function<b
     reply({422, kJson, written(json)});
   } catch (const LeftScript&) {
     reply(refusal(503, "the server is going down"));
+  } catch (const std::exception& error) {
+    reply(refusal(500, error.what()));
   }
 }
 

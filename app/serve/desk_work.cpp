@@ -2,6 +2,8 @@
 // See desk_work.h.
 #include "app/serve/desk_work.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -92,6 +94,12 @@ void DeskWork::resize(const desk::Resize& size) {
     height_ = static_cast<int>(height_ / std::sqrt(much));
   }
   viewer_.set_screen_scale(std::clamp(size.scale, 0.5, 4.0));
+}
+
+std::string DeskWork::refusal_of_window(int width, int height) {
+  if (std::max(width, height) <= kMostSide && static_cast<double>(width) * height <= kMostPixels) return "";
+  return fmt::format("a served window has at most {} pixels a side and {:.0f} in all", kMostSide,
+                     kMostPixels);
 }
 
 // A hand that is gone holds nothing: no button, no key, no body.

@@ -36,6 +36,7 @@ class DeskWork {
 
  private:
   void resize(const desk::Resize& size);
+  static std::string refusal_of_window(int width, int height);  // of one that resize() would make smaller
   void let_go();
   void run(const desk::Run& run, const More& more, const std::function<bool()>& stop);
   void answer(const desk::AskState& ask);

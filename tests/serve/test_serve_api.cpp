@@ -110,6 +110,16 @@ TEST_CASE("a picture of another size is none that the controller's hand is in") 
   CHECK(kappa() == held);
 }
 
+TEST_CASE("a script has no window that a page could not have") {
+  const RunningServer server;
+  const HttpAnswer large = server.act(Json::parse(R"([{"do":"window","size":[8192,8192]}])"));
+  CHECK(large.status == 422);
+  CHECK(Json::parse(large.body)["error"].get<std::string>().find("a served window") != std::string::npos);
+  CHECK(server.act(Json::parse(R"([{"do":"window","size":[8192,8192],"may_fail":true},{"do":"step"}])"))
+            .status == 200);
+  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 1);
+}
+
 TEST_CASE("events are lines, one a change, until somebody closes") {
   RunningServer server;
   Socket events(server.port());
