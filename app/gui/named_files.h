@@ -11,9 +11,12 @@
 
 namespace pabd {
 
-// The file that a name means. `files`: the only ones that may be named; null: any. Throws Error(bad_input).
-inline std::string named_file(const FileRoot* files, const std::string& name) {
-  return files && !name.empty() ? files->file_of(name) : name;
+// The file that a name means. `files`: the only ones that may be named; null: any. Throws Error(bad_input), also
+// when there is no room to write another one.
+inline std::string named_file(const FileRoot* files, const std::string& name, FileUse use = FileUse::read) {
+  if (!files || name.empty()) return name;
+  if (use == FileUse::write) files->check_room(name);
+  return files->file_of(name);
 }
 
 // The same of a folder.
@@ -26,7 +29,12 @@ template <class Commands>
 Commands with_named_file(Commands c, const FileRoot* files) {
   std::visit(
       [&](auto& x) {
-        if constexpr (requires { x.path; }) x.path = named_file(files, x.path);
+        if constexpr (requires { x.path; }) {
+          // What may replace a file writes one; a recording that is loaded replaces what is in memory.
+          constexpr bool replaces = requires { x.force; };
+          constexpr bool loads = std::is_same_v<std::decay_t<decltype(x)>, command::LoadRecording>;
+          x.path = named_file(files, x.path, replaces && !loads ? FileUse::write : FileUse::read);
+        }
         if constexpr (requires { x.folder; }) x.folder = named_folder(files, x.folder);
         if constexpr (std::is_same_v<std::decay_t<decltype(x)>, command::Load>)
           x.from = named_file(files, x.from);

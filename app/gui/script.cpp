@@ -195,7 +195,7 @@ class Player {
 
   void act(const action::Frame& a) {
     settle();
-    const std::filesystem::path path = viewer_.file_of(in_folder(a.path));
+    const std::filesystem::path path = viewer_.file_of(in_folder(a.path), FileUse::write);
     check_overwrite(*what_ + ": " + path.string(), path, {options_.force, &options_.inputs});
     Image image;
     viewer_.renderer().queue_read();

@@ -385,8 +385,8 @@ const GuiLayout& Viewer::layout() const { return impl_->layout; }
 MouseCursor Viewer::cursor() const { return imgui_cursor(); }
 std::size_t Viewer::waiting_events() const { return impl_->input.waiting(); }
 bool Viewer::wants_text() const { return ImGui::GetIO().WantTextInput; }
-std::string Viewer::file_of(const std::string& name) const {
-  return named_file(impl_->options.files.get(), name);
+std::string Viewer::file_of(const std::string& name, FileUse use) const {
+  return named_file(impl_->options.files.get(), name, use);
 }
 bool Viewer::has_input() const {
   return !impl_->input.empty() || impl_->studio.busy() || (impl_->scenes_shown && impl_->scenes.busy()) ||

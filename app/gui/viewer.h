@@ -61,7 +61,7 @@ class Viewer {
   bool wants_text() const;  // a field is being typed into
 
   // The file that a name in a command means. Throws Error(bad_input) where it may not be named.
-  std::string file_of(const std::string& name) const;
+  std::string file_of(const std::string& name, FileUse use = FileUse::read) const;
 
  private:
   struct Impl;

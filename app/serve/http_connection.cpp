@@ -19,7 +19,6 @@ using namespace std::chrono_literals;
 constexpr std::uint32_t kMostHeader = 16 * 1024;
 constexpr auto kIdle = 30s, kLongest = 600s;
 constexpr std::size_t kMostUploads = 2, kMostWaiting = 16;
-constexpr std::uintmax_t kMostStored = std::uintmax_t{1} << 30;  // bytes of a visitor's files
 
 template <class Stream>
 class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream>> {
@@ -149,9 +148,11 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
   void write_file_of(const std::string& name, const std::string& body) {
     const auto files = shared_.lobby->files(session_);
     if (!files) return no_session();
-    std::uintmax_t stored = body.size();
-    for (const FileRoot::Entry& entry : files->list()) stored += entry.name == name ? 0 : entry.bytes;
-    if (stored > kMostStored) return refuse(413, "there is no room for it: at most 1 GiB of files is kept");
+    try {
+      files->check_room(name, body.size());
+    } catch (const Error& error) {
+      return refuse(413, error.what());
+    }
     try {
       write_file(files->file_of(name), body);
     } catch (const Error& error) {

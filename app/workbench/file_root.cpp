@@ -55,6 +55,7 @@ FileRoot::FileRoot(const fs::path& folder) {
   handle_ = Descriptor(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (handle_.get() < 0)
     throw Error(ErrorKind::file, folder.string(), "cannot be used: " + system_reason(errno));
+  first_ = stored();
 }
 
 // The name alone.
@@ -71,6 +72,28 @@ std::string FileRoot::file_of(const std::string& name) const {
   if (::fstatat(handle_.get(), own.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && !S_ISREG(status.st_mode))
     refuse(own, "no plain file; expected another name");
   return folder_.string() + "/" + own;
+}
+
+FileRoot::Stored FileRoot::stored(const std::string& but) const {
+  Stored out;
+  std::error_code failure;
+  for (fs::directory_iterator at(folder_, failure), end; !failure && at != end; at.increment(failure)) {
+    const std::string name = at->path().filename().string();
+    struct stat status = {};
+    if (name == but || ::fstatat(handle_.get(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 ||
+        !S_ISREG(status.st_mode))
+      continue;
+    ++out.files;
+    out.bytes += static_cast<std::uintmax_t>(status.st_size);
+  }
+  return out;
+}
+
+void FileRoot::check_room(const std::string& name, std::uintmax_t bytes) const {
+  const std::string own = own_name(name);
+  const Stored others = stored(own);
+  if (others.files >= first_.files + kMostFiles || others.bytes + bytes > first_.bytes + kMostBytes)
+    refuse(own, "there is no room for it: a session may add 1 GiB and 1000 files");
 }
 
 std::string FileRoot::folder_of(const std::string& name) const {

@@ -15,6 +15,8 @@
 
 namespace pabd {
 
+enum class FileUse { read, write };
+
 class FileRoot {
  public:
   struct Entry {
@@ -23,6 +25,9 @@ class FileRoot {
     std::int64_t changed = 0;  // ns, of the file system
     bool operator==(const Entry&) const = default;
   };
+  // What may be added to what it had at first.
+  static constexpr std::size_t kMostFiles = 1000;
+  static constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 
   // `folder` exists. Throws Error(file) when it cannot be opened.
   explicit FileRoot(const std::filesystem::path& folder);
@@ -32,6 +37,9 @@ class FileRoot {
   // The file that a name means: a name alone, or that of a file in the folder. Throws Error(bad_input) for
   // everything else: another folder, hidden files, links, what is no plain file, {places} for numbers.
   std::string file_of(const std::string& name) const;
+
+  // Throws Error(bad_input) as file_of, and when there is no room for another file of that size in its place.
+  void check_room(const std::string& name, std::uintmax_t bytes = 0) const;
 
   // A folder in it, of whoever runs the server, by its name alone. Throws Error(bad_input) as file_of.
   std::string folder_of(const std::string& name) const;
@@ -45,13 +53,19 @@ class FileRoot {
   Descriptor open(const std::string& name) const;
 
   // Plain files by name, hidden ones left out, at most `most`.
-  std::vector<Entry> list(std::size_t most = 1000) const;
+  std::vector<Entry> list(std::size_t most = kMostFiles) const;
 
  private:
+  struct Stored {
+    std::size_t files = 0;
+    std::uintmax_t bytes = 0;
+  };
+  Stored stored(const std::string& but = {}) const;  // all but that one
   std::string own_name(const std::string& name) const;
 
   std::filesystem::path folder_;
   Descriptor handle_;
+  Stored first_;
   mutable std::mutex mutex_;
   std::set<std::filesystem::path> allowed_;
 };

@@ -135,6 +135,26 @@ TEST_CASE("events are lines, one a change, until somebody closes") {
   CHECK(events.read_to_end().ends_with("\r\n0\r\n\r\n"));  // told, not cut off
 }
 
+TEST_CASE("a folder that is full takes no file more, whoever would write it") {
+  const RunningServer server;
+  const std::string control = bearer(server.control());
+  write_bytes(server.root() / "large", "");
+  fs::resize_file(server.root() / "large", FileRoot::kMostBytes + 1);  // it has a hole
+  CHECK(http(server.port(), "PUT", "/files/a.json", control, "{}").status == 413);
+  for (const char* action :
+       {R"({"do":"save_scene","path":"a.json"})", R"({"do":"save_recording","path":"a.pabdrec"})",
+        R"({"do":"screenshot","path":"a.png"})", R"({"do":"frame","path":"a.png"})",
+        R"({"do":"record","path":"a.gif"})", R"({"do":"save_camera","path":"a.json"})"}) {
+    CAPTURE(action);
+    const HttpAnswer answer = server.act(Json::array({Json::parse(action)}));
+    CHECK(answer.status == 422);
+    CHECK(answer.body.find("no room") != std::string::npos);
+  }
+  CHECK(server.root().names() == std::vector<std::string>{"large"});
+  CHECK(server.act(Json::parse(R"([{"do":"load_recording","path":"none.pabdrec"}])")).body.find("no room") ==
+        std::string::npos);
+}
+
 TEST_CASE("files go up and down, and into scenes") {
   const RunningServer server;
   const std::string control = bearer(server.control());

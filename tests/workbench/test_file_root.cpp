@@ -74,6 +74,30 @@ TEST_CASE("links, folders and pipes are no files, even when they lie there") {
   CHECK(listed[0].bytes == 4);
 }
 
+TEST_CASE("there is room for 1 GiB and 1000 files beside what the folder had") {
+  const TempFolder folder;
+  const auto file_of = [&](const std::string& name, std::uintmax_t bytes) {
+    write_bytes(folder / name, "");
+    fs::resize_file(folder / name, bytes);
+  };
+  file_of("before", 3 * FileRoot::kMostBytes);  // they have holes
+  const FileRoot root(folder.path());
+  CHECK_NOTHROW(root.check_room("new", FileRoot::kMostBytes));
+  CHECK_THROWS_AS(root.check_room("new", FileRoot::kMostBytes + 1), Error);
+  CHECK_THROWS_AS(root.check_room("../new"), Error);
+  file_of("large", FileRoot::kMostBytes - 10);
+  CHECK_NOTHROW(root.check_room("new", 10));
+  CHECK_THROWS_AS(root.check_room("new", 11), Error);
+  CHECK_NOTHROW(root.check_room("large", FileRoot::kMostBytes));  // in its place
+  // More than a list has.
+  for (std::size_t i = 2; i < FileRoot::kMostFiles; ++i) write_bytes(folder / ("a" + std::to_string(i)), "");
+  CHECK_NOTHROW(root.check_room("new"));
+  write_bytes(folder / ".hidden", "");
+  CHECK_THROWS_AS(root.check_room("new"), Error);
+  CHECK_NOTHROW(root.check_room("a2", 10));
+  CHECK_THROWS_AS(root.check_room("a2", 11), Error);
+}
+
 TEST_CASE("meshes come from the folder, or from where it was allowed") {
   const TempFolder folder, outside;
   fs::create_directory(outside / "meshes");
