@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SIGINT, SIGTERM and SIGHUP: the first asks the run to end at the next whole frame or step. What comes
 // within a second after it is the same request ('timeout' and terminals send it twice); what comes later ends
-// the program at once. Nothing temporary is left behind either way.
+// the program at once. No temporary file is left behind either way; the folder of 'pabd serve' is, at once.
 #pragma once
 
 namespace pabd::cli {
