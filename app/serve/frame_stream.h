@@ -44,7 +44,6 @@ class FrameStream {
   // Somebody can take a frame, or the newest is on its way: it is worth to draw another one.
   bool wants_frame() const;
   bool empty() const { return visitors_.empty(); }
-  const Image& image() const { return image_; }  // the newest
 
   void deliver(double now);
   // When deliver() will have something to do without anything else happening.

@@ -22,7 +22,6 @@ class Gate {
   // An origin is right when it is that of the host that was asked.
   bool knows_origin(std::string_view origin, std::string_view host) const;
 
-  const std::vector<std::string>& hosts() const { return hosts_; }
   const char* scheme() const { return secure_ ? "https" : "http"; }
 
  private:

@@ -137,7 +137,6 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
   void take_body(const Route& route, Failure failure) {
     if (std::exchange(uploading_, false)) --shared_.uploads;
     if (failure == http::error::body_limit) return refuse(413, "the body is longer than is taken");
-    if (failure == beast::error::timeout) return refuse(408, "the body did not come in time");
     if (failure) return;
     std::string body = std::move(body_->get().body());
     body_.reset();

@@ -101,10 +101,6 @@ std::size_t Tiles::count() const {
 }
 void Tiles::mark_all() { std::fill(marked_.begin(), marked_.end(), 1); }
 
-void Tiles::mark(const Tiles& other) {
-  for (std::size_t i = 0; i < marked_.size() && i < other.marked_.size(); ++i) marked_[i] |= other.marked_[i];
-}
-
 void Tiles::mark(const PixelRect& rect) {
   for (int r = rect.y / kSide; r * kSide < rect.y + rect.h && r < rows_; ++r)
     for (int c = rect.x / kSide; c * kSide < rect.x + rect.w && c < columns_; ++c)

@@ -33,7 +33,6 @@ class Tiles {
   bool fits(int width, int height) const { return width_ == width && height_ == height; }
   void mark_all();
   void mark(const PixelRect& rect);
-  void mark(const Tiles& other);  // of the same size
   void clear(const PixelRect& rect);
   // The first `most` marked ones in the order of reading.
   Tiles first(std::size_t most) const;
