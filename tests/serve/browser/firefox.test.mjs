@@ -21,6 +21,7 @@ const skip =
 // Between browser and server, to break what they have.
 class Wire {
   #ends = new Set();
+  to = 0; // the server's port
   async start() {
     this.server = createServer((near) => {
       const far = connect(this.to, "127.0.0.1");
@@ -31,11 +32,8 @@ class Wire {
       }
       near.pipe(far).pipe(near);
     });
-    const listen = (server) => new Promise((done) => server.listen(0, "127.0.0.1", () => done(server.address().port)));
-    const other = createServer();
-    this.port = await listen(this.server);
-    this.to = await listen(other);
-    await new Promise((resolve) => other.close(resolve));
+    await new Promise((done) => this.server.listen(0, "127.0.0.1", done));
+    this.port = this.server.address().port;
     return this;
   }
   cut() {
@@ -49,8 +47,9 @@ class Wire {
 
 test("Firefox: loads, drags κ, sees it change, comes back", { skip, timeout: 90000 }, async () => {
   const wire = await new Wire().start();
-  // The link that is printed names the wire.
-  const server = await new Server().start("two_boxes", "--port", String(wire.to), "--host", `127.0.0.1:${wire.port}`);
+  // The first name is in the link that is printed, and has the server's port.
+  const server = await new Server().start("two_boxes", "--port", "0", "--host", "127.0.0.1", "--host", `127.0.0.1:${wire.port}`);
+  wire.to = server.port;
   const profile = mkdtempSync(join(tmpdir(), "pabd-firefox-"));
   const browser = await require_module("puppeteer-core").launch({
     browser: "firefox",
@@ -64,7 +63,7 @@ test("Firefox: loads, drags κ, sees it change, comes back", { skip, timeout: 90
     page.on("pageerror", (error) => complaints.push(error.message));
     page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
     await page.setViewport({ width: 1280, height: 720 + BAR });
-    await page.goto(server.link);
+    await page.goto(server.link.replace(`:${server.port}/`, `:${wire.port}/`));
     await until("control", async () => (await page_data(page)).role === "control");
     await until("a frame", async () => Number((await page_data(page)).frame) > 0);
     const size = () => page.evaluate(() => [document.getElementById("picture").width, document.getElementById("picture").height].join());
