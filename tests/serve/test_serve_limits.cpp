@@ -181,7 +181,7 @@ TEST_CASE("a server that goes down tells its visitors, and ends what it was doin
     pages.back()->until_text("welcome");
   }
   Socket script(server.port());  // one that would go on for hours
-  const std::string actions = R"([{"do":"step","steps":2000000000}])";
+  const std::string actions = R"([{"do":"step","steps":1000000}])";
   script.send("POST /actions HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) + "\r\n" +
               bearer(server.control()) + "Content-Length: " + std::to_string(actions.size()) + "\r\n\r\n" +
               actions);

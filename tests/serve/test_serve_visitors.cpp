@@ -185,7 +185,7 @@ TEST_CASE(
       CHECK(http(server.port(), "PUT", "/files/a.json",
                  bearer(server.control()) + "Pabd-Session: " + id + "\r\n", "{}")
                 .status == 201);
-      ask(script, "POST /actions", R"([{"do":"step","steps":2000000000}])");
+      ask(script, "POST /actions", R"([{"do":"step","steps":1000000}])");
       std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it is carried out
       for (int i = 0; i < 10; ++i) {
         waiting.push_back(std::make_unique<Socket>(server.port()));
