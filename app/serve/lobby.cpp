@@ -286,6 +286,7 @@ void Lobby::close_all(CloseCode code, const std::string& why) {
       if (const auto link = guest.link.lock()) link->close(code, why);
     }
     for (const auto& listener : here->listeners) listener->finish();
+    here->listeners.clear();  // each goes when it has written its end
   }
 }
 
