@@ -33,11 +33,13 @@ int collect(const CollectCommandOptions& options) {
       if (number == of) write_stderr("\r\x1b[K");
     };
   }
-  const std::vector<std::string> sentences = write_collection(sweep, out, options.collect, progress);
-  for (const std::string& note : sweep.notes) write_note("note: " + note);
+  const CollectionWords words = write_collection(sweep, out, options.collect, progress);
+  for (const auto* notes : {&sweep.notes, &words.notes}) {
+    for (const std::string& note : *notes) write_note("note: " + note);
+  }
   if (quiet) return 0;
   std::string text = counts_words(sweep) + "\n";
-  for (const std::string& sentence : sentences) text += wrap(sentence, help_columns(), 2) + "\n";
+  for (const std::string& sentence : words.ranking) text += wrap(sentence, help_columns(), 2) + "\n";
   text += (out / "report.html").string() + "\n";
   write_stdout(text);
   return 0;

@@ -27,7 +27,7 @@ struct TaskGrid {
   bool scattered = false;
   GridAxis x, y;
   std::vector<GridSlice> slices;
-  std::size_t hidden = 0;  // tasks that have no cell of their own: damaged, or the same parameters twice
+  std::size_t hidden = 0;  // tasks that have no cell: of other parameters, or of the same as one before them
 
   std::size_t columns() const { return x.values.size(); }
   std::size_t rows() const { return y.values.size(); }

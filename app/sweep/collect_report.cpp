@@ -137,9 +137,11 @@ std::string report_html(const CollectedSweep& sweep, const Ranking& ranking, con
   out += fmt::format("</head>\n<body>\n<h1>{}</h1>\n<p class=\"muted\">{}{}</p>\n", title,
                      sweep.scene.empty() ? "" : fmt::format("Scene {}. ", escape_markup(sweep.scene)),
                      plain(counts_words(sweep)));
-  if (!sweep.notes.empty()) {
+  if (!sweep.notes.empty() || !report.notes.empty()) {
     out += "<div class=\"notes\"><ul>\n";
-    for (const std::string& note : sweep.notes) out += fmt::format("<li>{}</li>\n", escape_markup(note));
+    for (const auto* notes : {&sweep.notes, &report.notes}) {
+      for (const std::string& note : *notes) out += fmt::format("<li>{}</li>\n", escape_markup(note));
+    }
     out += "</ul></div>\n";
   }
   out += ranking_part(sweep, ranking);

@@ -18,6 +18,7 @@ struct ReportPicture {
 };
 
 struct Report {
+  std::vector<std::string> notes;  // behind those of the sweep
   std::vector<ReportPicture> sheets, maps, plots;
   std::size_t most_rows = 2000;  // of the table; the files have all
 };

@@ -184,6 +184,8 @@ Rect SheetLayout::picture(std::size_t column, std::size_t row, std::size_t rows)
           std::round(grid.y + static_cast<double>(rows - 1 - row) * cell_h), picture_w, picture_h};
 }
 
+bool SheetLayout::fits() const { return width <= png_largest_side && height <= png_largest_side; }
+
 SheetLayout layout_sheet(const TaskGrid& grid, const FontMetrics& font) {
   SheetLayout layout;
   const double columns = static_cast<double>(grid.columns()), rows = static_cast<double>(grid.rows());
@@ -203,13 +205,6 @@ SheetLayout layout_sheet(const TaskGrid& grid, const FontMetrics& font) {
   // A title has room to be read beside few pictures.
   layout.width = static_cast<int>(std::ceil(std::max(layout.grid.right() + kMargin, 480.0)));
   layout.height = static_cast<int>(std::ceil(layout.grid.bottom() + below));
-  if (layout.width > png_largest_side || layout.height > png_largest_side) {
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format(
-            "a contact sheet of {} × {} pictures would be too large; expected at most {} pixels a side",
-            grid.columns(), grid.rows(), png_largest_side));
-  }
   return layout;
 }
 

@@ -18,12 +18,14 @@ struct SheetLayout {
   double names = 0;       // room for the names of columns
 
   Rect picture(std::size_t column, std::size_t row, std::size_t rows) const;  // row 0 is the lowest
+  // Into a PNG file.
+  bool fits() const;
 };
 
 // Pictures 320 pixels wide where there is room, narrower the more columns there are.
 SheetLayout layout_sheet(const TaskGrid& grid, const FontMetrics& font);
 
-// One sheet a slice. Pictures that cannot be read are told in their cells.
+// One sheet a slice, of a grid whose layout fits. Pictures that cannot be read are told in their cells.
 Image contact_sheet(const CollectedSweep& sweep, const TaskGrid& grid, std::size_t slice);
 
 // A task's picture of at most 2048 × 2048 pixels. Throws Error(file) or Error(bad_input).

@@ -15,6 +15,7 @@
 #include "app/sweep/collect_table.h"
 #include "render/output/png.h"
 #include "sim/base/atomic_file.h"
+#include "sim/base/counted.h"
 #include "sim/base/output_path.h"
 
 namespace pabd {
@@ -55,6 +56,11 @@ class Collection {
  public:
   Collection(const CollectedSweep& sweep, const CollectOptions& options)
       : sweep_(sweep), grid_(grid_of(sweep, options.x, options.y)), ranking_(rank(sweep)) {
+    if (grid_.hidden > 0) {
+      report_.notes.push_back(
+          fmt::format("{} in no cell of sheets and maps: without its parameters, or with those of another",
+                      counted(grid_.hidden, "task")));
+    }
     plan_tables();
     plan_sheets();
     plan_pareto();
@@ -73,13 +79,15 @@ class Collection {
     }
   }
 
+  CollectionWords words() const { return {sentences(), report_.notes}; }
+
+ private:
   std::vector<std::string> sentences() const {
     std::vector<std::string> out;
     for (const std::string& sentence : ranking_.sentences) out.push_back(plain_text(sentence));
     return out;
   }
 
- private:
   void add(std::string name, std::function<std::string()> make) {
     // Keys that differ may give the same name.
     const auto taken = [&] {
@@ -104,6 +112,13 @@ class Collection {
   }
 
   void plan_sheets() {
+    const SheetLayout layout = layout_sheet(grid_, FontMetrics());
+    if (!layout.fits()) {
+      report_.notes.push_back(fmt::format(
+          "no contact sheet: {} × {} pictures would be {} × {} pixels; expected at most {} a side",
+          grid_.columns(), grid_.rows(), layout.width, layout.height, png_largest_side));
+      return;
+    }
     for (std::size_t i = 0; i < std::min(grid_.slices.size(), kMostSheets); ++i) {
       add(i == 0 ? "sheet.png" : fmt::format("sheet_{}.png", i + 1), [this, i] {
         const Image sheet = contact_sheet(sweep_, grid_, i);
@@ -147,17 +162,17 @@ class Collection {
   const CollectedSweep& sweep_;
   TaskGrid grid_;
   Ranking ranking_;
-  Report report_;  // filled while files are made; the report comes last
+  Report report_;  // its pictures come while files are made; it is the last
   std::vector<PlannedFile> files_;
 };
 
 }  // namespace
 
-std::vector<std::string> write_collection(const CollectedSweep& sweep, const fs::path& folder,
-                                          const CollectOptions& options, const CollectProgress& progress) {
+CollectionWords write_collection(const CollectedSweep& sweep, const fs::path& folder,
+                                 const CollectOptions& options, const CollectProgress& progress) {
   Collection collection(sweep, options);
   collection.write(folder, options, progress);
-  return collection.sentences();
+  return collection.words();
 }
 
 }  // namespace pabd

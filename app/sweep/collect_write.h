@@ -23,10 +23,15 @@ struct CollectOptions {
 // Called with each file as it begins, and how many of how many.
 using CollectProgress = std::function<void(const std::string& name, std::size_t number, std::size_t of)>;
 
-// Returns the ranking's sentences, plain text. Files appear whole. Throws Error(exists) before anything is made
-// if one of them is there and not `force`, Error(bad_input) for axes that are none, Error(file).
-std::vector<std::string> write_collection(const CollectedSweep& sweep, const std::filesystem::path& folder,
-                                          const CollectOptions& options,
-                                          const CollectProgress& progress = {});
+// For people, plain text.
+struct CollectionWords {
+  std::vector<std::string> ranking;  // its sentences
+  std::vector<std::string> notes;    // a line each: what pictures leave out
+};
+
+// Files appear whole. Throws Error(exists) before anything is made if one of them is there and not `force`,
+// Error(bad_input) for axes that are none, Error(file).
+CollectionWords write_collection(const CollectedSweep& sweep, const std::filesystem::path& folder,
+                                 const CollectOptions& options, const CollectProgress& progress = {});
 
 }  // namespace pabd

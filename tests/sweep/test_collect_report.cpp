@@ -77,8 +77,9 @@ TEST_CASE("a collection has its files under names of their own, and replaces non
   }
   const CollectedSweep sweep = collect_sweep(folder.path());
   const TempFolder out;
-  const auto sentences = write_collection(sweep, out.path(), {});
-  CHECK(sentences.size() == 4);
+  const CollectionWords words = write_collection(sweep, out.path(), {});
+  CHECK(words.ranking.size() == 4);
+  CHECK(words.notes.empty());
   CHECK(out.names() == std::vector<std::string>{"heat____up.png", "heat____up.svg", "heat_a_b.png",
                                                 "heat_a_b.svg", "heat_a_b_.png", "heat_a_b_.svg",
                                                 "ranking.txt", "report.html", "sheet.png", "table.csv",
@@ -90,6 +91,44 @@ TEST_CASE("a collection has its files under names of their own, and replaces non
   CHECK_FALSE(std::filesystem::exists(out / "table.csv"));  // nothing was begun
   write_collection(sweep, out.path(), {.force = true});
   CHECK(read_bytes(out / "ranking.txt") != "mine");
+}
+
+TEST_CASE("a sample that is too large for a sheet has all but that, and says so") {
+  // 26,000 pictures of the least width are 162 × 161, wider than a PNG file may be.
+  CollectedSweep sweep;
+  for (const char* key : {"contact.N", "contact.kappa"}) sweep.parameters.push_back({key, key, key, ""});
+  sweep.metrics.push_back({"penetration", "penetration", "penetration", "m"});
+  for (int i = 0; i < 26000; ++i) {
+    SweptTask task;
+    task.index = i;
+    for (const int value : {i, 7 * i % 26000})
+      task.parameters.push_back({1.0 * value, std::to_string(value)});
+    task.status = SweptStatus::done;
+    task.metrics = {1e-3 * (i + 1)};
+    sweep.tasks.push_back(std::move(task));
+  }
+  const TempFolder out;
+  const CollectionWords words = write_collection(sweep, out.path(), {});
+  REQUIRE(words.notes.size() == 1);
+  CHECK(words.notes[0].starts_with("no contact sheet: 162 × 161 pictures"));
+  CHECK(read_bytes(out / "report.html").find(words.notes[0]) != std::string::npos);
+  CHECK(count(read_bytes(out / "table.csv"), "\n") == 26001);
+  CHECK(std::filesystem::exists(out / "heat_penetration.png"));
+  CHECK_FALSE(std::filesystem::exists(out / "sheet.png"));
+}
+
+TEST_CASE("tasks that no cell shows are counted") {
+  const SweptFolder folder;
+  for (int i = 0; i < 5; ++i)
+    folder.add({.index = i,
+                .parameters = {{"contact.N", std::to_string(1 + i % 2)},
+                               {"contact.kappa", std::to_string(1 + i / 2 % 2)}},
+                .metrics = {{"drift", "1"}}});
+  const TempFolder out;
+  const CollectionWords words = write_collection(collect_sweep(folder.path()), out.path(), {});
+  REQUIRE(words.notes.size() == 1);  // 4 has the parameters of 0
+  CHECK(words.notes[0].starts_with("1 task in no cell"));
+  CHECK(read_bytes(out / "report.html").find(words.notes[0]) != std::string::npos);
 }
 
 TEST_CASE("a sweep without tasks, or with damaged ones only, is reported all the same") {
