@@ -9,6 +9,7 @@
 #include <array>
 #include <charconv>
 #include <chrono>
+#include <csignal>
 #include <map>
 #include <thread>
 
@@ -153,7 +154,8 @@ int do_tasks(const SweepWork& work, const std::vector<std::size_t>& chosen) {
                         std::to_string(work.threads),
                         "--quiet"};
       options.processes = work.processes;
-      options.stopped_status = kCheckpointed;
+      // The latter where a signal for all of them came while one was starting.
+      options.stopped = {kCheckpointed, 128 + SIGHUP, 128 + SIGINT, 128 + SIGTERM};
       options.stop = [&] { return interrupt.requested(); };
       options.ended = [&](std::size_t, TaskEnding ending) { tally.add(ending); };
       options.note = [&](const std::string& text) { tally.note(text); };

@@ -13,7 +13,6 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -158,7 +157,7 @@ class Pool {
 
   void settle(Worker& worker) {
     const int status = worker.child.exit_status();
-    if (status > 0 && status != options_.stopped_status) {
+    if (status > 0 && !options_.stopped.contains(status)) {
       if (!ending_) {
         outcome_.failure = status;
         outcome_.message = worker.errors.text();
@@ -179,7 +178,8 @@ class Pool {
   }
 
   void end_all() {
-    ending_ = true;
+    // Once: another signal would end those that write their checkpoints.
+    if (std::exchange(ending_, true)) return;
     for (const auto& worker : workers_) worker->child.signal(SIGTERM);
     dismiss();
   }

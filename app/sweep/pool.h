@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace pabd {
 struct PoolOptions {
   std::vector<std::string> worker;  // the command line of one
   int processes = 1;
-  int stopped_status = 75;     // with which one ends that was asked to
-  std::function<bool()> stop;  // asked often: true has them write their checkpoints and end
+  std::set<int> stopped = {75};  // exit statuses of one that was asked to end
+  std::function<bool()> stop;    // asked often: true has them write their checkpoints and end
   std::function<void(std::size_t task, TaskEnding ending)> ended;  // of each task that has a result
   std::function<void(const std::string& text)> note;               // each text once
 };
