@@ -11,7 +11,6 @@
 #include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
-#include "app/cli/scene_lookup.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
 #include "app/export/exporter.h"
@@ -133,8 +132,7 @@ Frames open_frames(const ExportOptions& options, bool arrays, std::shared_ptr<co
     scene = session.shared_scene();
     return live_frames(options, std::move(session), arrays);
   }
-  scene = std::make_shared<const Scene>(load_scene(find_scene(options.scene), options.common.sets));
-  for (const auto& file : scene->files) inputs.add(file);
+  scene = open_scene(options.scene, options.common, inputs);
   inputs.add(options.recording);
   return recorded_frames(options, scene, arrays);
 }

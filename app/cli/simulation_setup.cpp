@@ -23,10 +23,7 @@ struct Start {
 
 Start open(const std::string& scene, const CommonOptions& common, const std::string& from,
            InputFiles& inputs) {
-  std::vector<ImportNote> notes;
-  Start start{std::make_shared<const Scene>(load_any_scene(find_scene(scene), common.sets, &notes)), {}};
-  if (!common.quiet) write_import_notes(scene, notes);
-  for (const auto& file : start.scene->files) inputs.add(file);
+  Start start{open_scene(scene, common, inputs), {}};
   if (!from.empty()) {
     inputs.add(from);
     const Model& model = start.scene->model;
@@ -37,6 +34,15 @@ Start open(const std::string& scene, const CommonOptions& common, const std::str
 }
 
 }  // namespace
+
+std::shared_ptr<const Scene> open_scene(const std::string& scene, const CommonOptions& common,
+                                        InputFiles& inputs) {
+  std::vector<ImportNote> notes;
+  auto loaded = std::make_shared<const Scene>(load_any_scene(find_scene(scene), common.sets, &notes));
+  if (!common.quiet) write_import_notes(scene, notes);
+  for (const auto& file : loaded->files) inputs.add(file);
+  return loaded;
+}
 
 Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from,
                      InputFiles& inputs) {

@@ -2,6 +2,7 @@
 // From the command line to a session.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "app/cli/common.h"
@@ -11,8 +12,11 @@
 
 namespace pabd::cli {
 
-// Loads `scene` (file or shipped name) with the overrides of --set; `from`, if not empty, is a state file to
-// start at. What is read is added to `inputs`.
+// Loads `scene` (file, robot or shipped name) with the overrides of --set. What is read is added to `inputs`, and
+// what of a robot is left out is said.
+std::shared_ptr<const Scene> open_scene(const std::string& scene, const CommonOptions& common,
+                                        InputFiles& inputs);
+// The same as a simulation; `from`, if not empty, is a state file to start at.
 Session open_session(const std::string& scene, const CommonOptions& common, const std::string& from,
                      InputFiles& inputs);
 // The same as a run that keeps no past.

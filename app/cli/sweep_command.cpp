@@ -8,6 +8,7 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/help_text.h"
+#include "app/cli/import_notes.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
 #include "app/cli/sweep_collect_command.h"
@@ -84,7 +85,9 @@ int sweep(const SweepOptions& options) {
   if (options.plan.empty())
     throw Error(ErrorKind::bad_input, "PLAN: expected a plan of a sweep, or 'pabd sweep collect DIR'");
   const SweepPlan plan = read_plan(options.plan, find_scene);
-  const std::vector<SweepTask> tasks = tasks_of(plan, base_scene(plan));
+  std::vector<ImportNote> notes;
+  const std::vector<SweepTask> tasks = tasks_of(plan, base_scene(plan, &notes));
+  if (!options.common.quiet) write_import_notes(plan.scene_name, notes);
   if (options.list) {
     check_plan(plan, tasks);
     return list_tasks(options, tasks);

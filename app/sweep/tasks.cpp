@@ -11,6 +11,7 @@
 #include "app/sweep/plan_groups.h"
 #include "sim/base/error.h"
 #include "sim/base/hash.h"
+#include "sim/import/import.h"
 
 namespace pabd {
 namespace {
@@ -29,10 +30,10 @@ std::string hash_of(const SweepPlan& plan, const Scene& base, const KeyValues& p
   return hash.hex();
 }
 
-Scene load(const SweepPlan& plan, const KeyValues& values) {
+Scene load(const SweepPlan& plan, const KeyValues& values, std::vector<ImportNote>* notes = nullptr) {
   std::vector<std::string> overrides = overrides_of(plan.set);
   for (std::string& text : overrides_of(values)) overrides.push_back(std::move(text));
-  Scene scene = load_scene(plan.scene, overrides);
+  Scene scene = load_any_scene(plan.scene, overrides, notes);
   if (scene.params.solver.device == SolverDevice::gpu) {
     throw Error(ErrorKind::bad_input, plan.scene_name,
                 "solver.device: a sweep makes its steps on the processor; set it to \"cpu\" or \"auto\"");
@@ -79,7 +80,7 @@ std::vector<SweepTask> tasks_of(const SweepPlan& plan, const Scene& base) {
   return tasks;
 }
 
-Scene base_scene(const SweepPlan& plan) { return load(plan, {}); }
+Scene base_scene(const SweepPlan& plan, std::vector<ImportNote>* notes) { return load(plan, {}, notes); }
 Scene scene_of(const SweepPlan& plan, const SweepTask& task) { return load(plan, task.parameters); }
 Scene reference_scene(const SweepPlan& plan) { return load(plan, *plan.reference); }
 

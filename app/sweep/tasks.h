@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/sweep/plan.h"
+#include "sim/import/notes.h"
 
 namespace pabd {
 
@@ -22,9 +23,9 @@ struct SweepTask {
 // scene with its "set".
 std::vector<SweepTask> tasks_of(const SweepPlan& plan, const Scene& base);
 
-// The scene of a plan without parameters. Throws Error as load_scene does, and Error(bad_input) where it asks for a
-// GPU.
-Scene base_scene(const SweepPlan& plan);
+// The scene of a plan without parameters. `notes`, if there, gets those of robots. Throws Error as load_any_scene does,
+// and Error(bad_input) where it asks for a GPU.
+Scene base_scene(const SweepPlan& plan, std::vector<ImportNote>* notes = nullptr);
 // With those of a task. Throws in the same way.
 Scene scene_of(const SweepPlan& plan, const SweepTask& task);
 // Of the run that distances are measured to. Precondition: the plan has a reference.

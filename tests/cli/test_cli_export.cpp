@@ -126,3 +126,20 @@ TEST_CASE("a recording gives what its run gave") {
           0);
   CHECK((read_text(folder / "past.glb") == read_text(folder / "live.glb")));
 }
+
+TEST_CASE("a recording of a robot is exported with the robot's own file") {
+  const TempFolder folder;
+  write_text(folder / "ball.xml",
+             "<mujoco><worldbody><geom type=\"plane\"/><body pos=\"0 0 1\"><freejoint/>"
+             "<geom size=\"0.1\"/></body></worldbody></mujoco>");
+  write_text(folder / "play.json",
+             R"([{"do": "step", "steps": 5}, {"do": "save_recording", "path": "run.pabdrec"}])");
+  REQUIRE(run_pabd({"view", folder / "ball.xml", "--headless", "--script", folder / "play.json", "-o",
+                    folder / ""})
+              .exit_code == 0);
+  const Outcome past =
+      run_pabd(command(folder / "ball.xml", folder / "past.glb", {"--recording", folder / "run.pabdrec"}));
+  CAPTURE(past.err);
+  CHECK(past.exit_code == 0);
+  CHECK(read_text(folder / "past.glb").starts_with("glTF"));
+}

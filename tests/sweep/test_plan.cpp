@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Plans are read or refused at their place, and always mean the same tasks.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "app/sweep/tasks.h"
 #include "sim/base/error.h"
 #include "tests/support/files.h"
+#include "tests/support/temp_folder.h"
 
 using namespace pabd;
 
@@ -125,6 +127,19 @@ TEST_CASE("any place of a scene is a key, generators too") {
   // A pyramid of base n has n(n+1)/2 bricks more than the rest.
   CHECK(bodies[1] - bodies[0] == 3);
   CHECK(bodies[2] - bodies[1] == 4);
+}
+
+TEST_CASE("the scene of a plan may be a robot") {
+  const TempFolder folder;
+  write_bytes(folder / "ball.xml",
+              "<mujoco><worldbody><geom type=\"plane\"/><body name=\"ball\" pos=\"0 0 1\"><freejoint/>"
+              "<geom size=\"0.1\"/></body></worldbody></mujoco>");
+  const SweepPlan plan =
+      parse_plan(R"({"format": "pabd-sweep", "version": 1, "scene": "ball.xml", )" + kList + "}", "plan.json",
+                 folder.path(), shipped);
+  const Scene scene = scene_of(plan, tasks(plan).at(0));
+  CHECK(scene.params.contact.N == 3);
+  CHECK(std::count(scene.model.name.begin(), scene.model.name.end(), "ball") == 1);
 }
 
 TEST_CASE("a plan that does not fit is refused at its place") {
