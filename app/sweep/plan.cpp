@@ -161,6 +161,17 @@ std::string measures_of(const SweepPlan& plan) {
   return json.dump();
 }
 
+// For people, where that can be read again: long lists have a line a number.
+std::string kept_text(const nlohmann::ordered_json& plan, const std::string& source) {
+  for (const int indent : {2, -1}) {
+    std::string text = plan.dump(indent) + "\n";
+    if (text.size() <= kMostBytes) return text;
+  }
+  throw Error(ErrorKind::bad_input, source,
+              fmt::format("is longer than {} MiB with its numbers written out; take fewer or shorter values",
+                          kMostBytes >> 20));
+}
+
 void check_keys_apart(const SweepPlan& plan, const ObjectReader& reader) {
   std::set<std::string> seen;
   for (const auto& [key, value] : plan.set) seen.insert(key);
@@ -205,7 +216,7 @@ SweepPlan parse_plan(const std::string& text, const std::string& source, const f
 
   nlohmann::ordered_json kept = nlohmann::ordered_json::parse(text);
   kept["scene"] = fs::is_regular_file(folder / plan.scene_name) ? plan.scene.string() : plan.scene_name;
-  plan.text = kept.dump(2) + "\n";
+  plan.text = kept_text(kept, source);
   return plan;
 }
 

@@ -142,6 +142,34 @@ TEST_CASE("the scene of a plan may be a robot") {
   CHECK(std::count(scene.model.name.begin(), scene.model.name.end(), "ball") == 1);
 }
 
+TEST_CASE("the plan that is kept means the same when it is read again, however long it is") {
+  const auto kept = [](const std::string& values) {
+    return plan_of(R"("parameters": [{"key": "gravity", "values": [)" + values + "]}]");
+  };
+  const auto again = [](const SweepPlan& plan) { return parse_plan(plan.text, "kept.json", "/", shipped); };
+  const SweepPlan small = kept("[0, -9.81, 0], [0, -1.62, 0]");
+  CHECK(std::count(small.text.begin(), small.text.end(), '\n') > 10);  // for people
+  CHECK(again(small).text == small.text);
+  // A line a number would be more than a plan may have.
+  std::string values = "[0,1,0]";
+  for (int i = 0; i < 79999; ++i) values += ",[0,1,0]";
+  const SweepPlan large = kept(values);
+  const SweepPlan read = again(large);
+  CHECK(read.text == large.text);
+  REQUIRE(read.groups.size() == 1);
+  CHECK(read.groups[0].points.size() == 80000);
+  // Numbers that are longer in the text that is kept.
+  values = "[1e9,1e9,1e9,1e9,1e9,1e9,1e9,1e9,1e9]";
+  const std::string one = "," + values;
+  for (int i = 0; i < 89999; ++i) values += one;
+  try {
+    (void)kept(values);
+    FAIL("it was taken");
+  } catch (const Error& error) {
+    CHECK_THAT(error.what(), Catch::Contains("plan.json") && Catch::Contains("4 MiB"));
+  }
+}
+
 TEST_CASE("a plan that does not fit is refused at its place") {
   const auto parameters = [](const std::string& entry) { return R"("parameters": [)" + entry + "]"; };
   check_refused(R"("sede": 1, )" + kList, {"plan.json", "sede"});
