@@ -215,6 +215,27 @@ TEST_CASE("SIGTERM leaves checkpoints and is exit code 75; the same command goes
   }
 }
 
+TEST_CASE("the job of Slurm has itself queued again, however soon its program ends") {
+  for (const char* late : {"", "[ \"$1\" = -0 ] && sleep 1; "}) {
+    CAPTURE(late);
+    const PlanFolder folder = steps_planned(80000);
+    REQUIRE(sweep(folder, "out", {"--emit", "slurm"}).exit_code == 0);
+    // A program of Slurm's, a word when the job waits, and a shell that is late to ask whether there still is something
+    // to wait for.
+    write_text(folder / "env.sh", std::string("scontrol() { echo \"$@\" >> asked; }\n"
+                                              "wait() { > waiting; builtin wait \"$@\"; }\nkill() { ") +
+                                      late + "builtin kill \"$@\"; }\n");
+    const Outcome job = run_shell(
+        "BASH_ENV=env.sh SLURM_ARRAY_JOB_ID=7 SLURM_ARRAY_TASK_ID=0 bash out/sweep.sbatch & job=$!\n"
+        "until [ -e waiting ] && [ -e out/tasks/.*.lock ]; do sleep 0.01; done\n"
+        "kill -TERM $job\nwait $job",
+        {{}, folder.path(), {}});
+    CAPTURE(job.err);
+    CHECK(job.exit_code == 75);
+    CHECK(read_text(folder / "asked") == "requeue 7_0\n");
+  }
+}
+
 TEST_CASE("two commands on one folder share out the work") {
   const PlanFolder folder = steps_planned(400);
   RunningPabd other({"sweep", folder / "plan.json", "-o", folder / "out", "--quiet", "--jobs", "2"});
