@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "app/workbench/snapshot.h"
 #include "sim/base/error.h"
@@ -61,11 +60,13 @@ command::Load load_of(OpenedSweep& sweep, const command::LoadRun& run) {
                 fmt::format("load_run: \"at\": expected start or end, got {}", in_quotes(run.at)));
   if (sweep.read->scene.empty())
     throw Error(ErrorKind::bad_input, "load_run: the plan of this sweep names no scene");
+  const bool end = run.at == "end";
+  if (end && task->end.empty())
+    throw Error(ErrorKind::bad_input, fmt::format("load_run: task {} has no file end.json", run.task));
   const std::vector<std::string> sets = settings_of(*sweep.read, *task);
   sweep.wanted = {static_cast<std::size_t>(task - tasks.begin()), sets};
   command::Load load{sweep.read->scene, sets, run.force};
-  if (run.at == "end")
-    load.from = (std::filesystem::path(sweep.folder) / "tasks" / task->hash / "end.json").string();
+  if (end) load.from = task->end.string();
   return load;
 }
 

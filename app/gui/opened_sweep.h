@@ -46,8 +46,8 @@ ShownSweep shown_of(const CollectedSweep& sweep, const command::SweepView& view)
 // What was read takes the place of what was there; what is shown of it stays where it still can.
 void take_read(OpenedSweep& sweep, std::shared_ptr<const CollectedSweep> read);
 
-// The command that loads a task; notes it as wanted. Throws Error(bad_input) when there is no such task or its
-// files do not say what it was.
+// The command that loads a task; notes it as wanted. Throws Error(bad_input) when there is no such task, its files do
+// not say what it was, or there is no end where that is asked for.
 command::Load load_of(OpenedSweep& sweep, const command::LoadRun& run);
 
 // Another scene was loaded: whether it is what load_of last asked for.

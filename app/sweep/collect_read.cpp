@@ -161,11 +161,20 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
+bool is_refused_link(const fs::path& path, const CollectLimits& limits) {
+  std::error_code ignored;
+  return !limits.links && fs::is_symlink(fs::symlink_status(path, ignored));
+}
+
+// One that others read later; empty: it is not there to be read.
+fs::path other_file(const fs::path& path, const CollectLimits& limits) {
+  return is_file(path) && !is_refused_link(path, limits) ? path : fs::path();
+}
+
 }  // namespace
 
 void check_link(const fs::path& path, const CollectLimits& limits) {
-  std::error_code ignored;
-  if (!limits.links && fs::is_symlink(fs::symlink_status(path, ignored)))
+  if (is_refused_link(path, limits))
     throw Error(ErrorKind::file, path.filename().string(), "is a link; expected what it names");
 }
 
@@ -188,10 +197,8 @@ ReadTask read_task(const fs::path& folder, const CollectLimits& limits) {
     out.task.step.reset();
     out.task.time.reset();
   }
-  const fs::path picture = folder / "end.png";
-  std::error_code ignored;
-  if (is_file(picture) && (limits.links || !fs::is_symlink(fs::symlink_status(picture, ignored))))
-    out.task.picture = picture;
+  out.task.picture = other_file(folder / "end.png", limits);
+  out.task.end = other_file(folder / "end.json", limits);
   return out;
 }
 

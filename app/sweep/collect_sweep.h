@@ -5,6 +5,7 @@
 //   DIR/tasks/HASH/task.json          {"index", "hash", "parameters"}
 //   DIR/tasks/HASH/result.json        {"index", "hash", "status", "why", "metrics", "step", "time"}
 //   DIR/tasks/HASH/timing.json        {"seconds", "threads", "step_time"}; may be absent
+//   DIR/tasks/HASH/end.json           the state at the end; may be absent, and is not read here
 //   DIR/tasks/HASH/end.png            what it looked like at the end; may be absent
 //   DIR/tasks/.HASH.partial/          a task that has begun
 #pragma once
@@ -54,7 +55,7 @@ struct SweptTask {
   std::optional<std::int64_t> step;
   std::optional<double> time;  // simulated, s
   std::optional<SweptTiming> timing;
-  std::filesystem::path picture;  // empty: there is none
+  std::filesystem::path picture, end;  // how it looks at its end, and the state there; empty: there is none
 };
 
 // A column and how people call it.

@@ -217,6 +217,9 @@ TEST_CASE("in one folder for a visitor a sweep is a folder of it, and nothing is
                      root / "sweep/tasks" / SweptFolder::hash_of(0) / "result.json");
   fs::remove_all(root / "sweep/tasks" / SweptFolder::hash_of(6));
   fs::create_directory_symlink(outside.task_folder(6), root / "sweep/tasks" / SweptFolder::hash_of(6));
+  write_bytes(outside.task_folder(7) / "end.json", "secret");
+  fs::create_symlink(outside.task_folder(7) / "end.json",
+                     root / "sweep/tasks" / SweptFolder::hash_of(7) / "end.json");
   const auto files = std::make_shared<const FileRoot>(root.path());
   const auto end = [&](const std::string& actions) {
     return caught(
@@ -224,6 +227,8 @@ TEST_CASE("in one folder for a visitor a sweep is a folder of it, and nothing is
   };
   CHECK(end(R"({"do":"open_sweep","folder":"sweep"},{"do":"expect","at":"/sweep/tasks","is":11},
     {"do":"expect","at":"/sweep/damaged","is":1},{"do":"expect","at":"/sweep/done","is":7},
+    {"do":"load_run","task":7,"at":"end","may_fail":true},
+    {"do":"expect","at":"/message","contains":"task 7 has no file end.json"},
     {"do":"load_run","task":7},{"do":"expect","at":"/a/params/contact/N","is":4})")
             .text == "");
   for (const std::string name : {"link", "..", "none", ".hidden", "sweep/tasks", "/tmp"}) {
