@@ -111,9 +111,10 @@ std::optional<TaskFolder> TaskFolder::take(const fs::path& folder, const SweepTa
 // What another process left that was ended while it wrote; its checkpoint is whole.
 void TaskFolder::clean() const {
   std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(partial_, failure)) {
+  fs::directory_iterator entries(partial_, failure);
+  for (; !failure && entries != fs::directory_iterator(); entries.increment(failure)) {
     std::error_code ignored;
-    if (entry.path() != checkpoint()) fs::remove_all(entry.path(), ignored);
+    if (entries->path() != checkpoint()) fs::remove_all(entries->path(), ignored);
   }
   if (failure) fail(partial_, "cannot be read", failure.message());
 }

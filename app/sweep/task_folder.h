@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,8 +12,8 @@
 
 namespace pabd {
 
-// DIR/plan.json and DIR/tasks are made; tasks that another plan left there get the numbers of this one. Throws Error(exists) when DIR is the folder of another plan and not `force`,
-// Error(file).
+// DIR/plan.json and DIR/tasks are made; tasks that another plan left there get the numbers of this one. Throws
+// Error(exists) when DIR is the folder of another plan and not `force`, Error(file).
 void prepare_sweep_folder(const std::filesystem::path& folder, const SweepPlan& plan,
                           const std::vector<SweepTask>& tasks, bool force);
 
