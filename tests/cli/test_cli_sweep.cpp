@@ -177,14 +177,18 @@ TEST_CASE("killed at any time, a sweep goes on to the same bytes") {
 }
 
 TEST_CASE("a process of the pool that is killed is replaced") {
-  const PlanFolder folder = steps_planned(400);
+  const PlanFolder folder = steps_planned(40000);
   REQUIRE(sweep(folder, "whole", {"--jobs", "1"}).exit_code == 0);
-  // Kills whoever does a task, again and again, until all are done.
+  // Kills whoever does a task, as soon as there is one, twice: the third time would be too often for one task.
   const Outcome outcome =
       run_shell("\"" PABD_PROGRAM "\" sweep \"" + folder / "plan.json" + "\" -o \"" + folder / "out" +
-                "\" --quiet --jobs 2 & pool=$!\n"
-                "for i in 1 2; do sleep 0.1; kill -9 $(ps -o pid= --ppid $pool | head -1) 2>/dev/null; "
-                "done\nwait $pool");
+                "\" --quiet --jobs 2 & pool=$!\nn=0\n"
+                "for i in 1 2; do\n"
+                "  until worker=$(ps -o pid=,stat= --ppid $pool | awk '$2 !~ /Z/ { print $1; exit }'); "
+                "[ -n \"$worker\" ]; do\n"
+                "    kill -0 $pool || break; sleep 0.01; done\n"
+                "  sleep 0.1; kill -9 $worker && n=$((n + 1))\ndone\n"
+                "wait $pool || exit\n[ $n -gt 0 ] || { echo nobody was killed >&2; exit 1; }");
   CAPTURE(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(results_in(folder / "out") == results_in(folder / "whole"));
@@ -192,26 +196,28 @@ TEST_CASE("a process of the pool that is killed is replaced") {
 }
 
 TEST_CASE("SIGTERM leaves checkpoints and is exit code 75; the same command goes on to the same bytes") {
+  // A task takes a second or more, so that this process may come late to it.
+  const PlanFolder folder = steps_planned(80000);
+  REQUIRE(sweep(folder, "whole", {"--jobs", "2"}).exit_code == 0);
   for (const char* jobs : {"1", "2"}) {
     CAPTURE(jobs);
-    const PlanFolder folder = steps_planned(8000);
-    RunningPabd program({"sweep", folder / "plan.json", "-o", folder / "out", "--jobs", jobs});
-    program.wait_until([&](const std::string&) { return done_in(folder / "out") > 0; });
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));  // into the next one, a quarter of its time
+    const std::string out = std::string("out_") + jobs;
+    RunningPabd program({"sweep", folder / "plan.json", "-o", folder / out, "--jobs", jobs});
+    program.wait_until([&](const std::string&) { return done_in(folder / out) > 0; });
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));  // into the next one
     program.signal(SIGTERM);
     const Outcome stopped = program.wait();
     CAPTURE(stopped.err);
     CHECK(stopped.exit_code == 75);
     CHECK(stopped.err.find("the same command goes on") != std::string::npos);
-    CHECK(done_in(folder / "out") < 6);
+    CHECK(done_in(folder / out) < 6);
     std::size_t checkpoints = 0;
-    for (const auto& entry : fs::directory_iterator(folder / "out/tasks"))
+    for (const auto& entry : fs::directory_iterator(fs::path(folder / out) / "tasks"))
       checkpoints += fs::exists(entry.path() / "checkpoint.json") ? 1 : 0;
     CHECK(checkpoints > 0);
-    REQUIRE(sweep(folder, "out", {"--jobs", jobs}).exit_code == 0);
-    REQUIRE(sweep(folder, "whole", {"--jobs", "2"}).exit_code == 0);
-    CHECK(results_in(folder / "out") == results_in(folder / "whole"));
-    check_whole(folder / "out");
+    REQUIRE(sweep(folder, out, {"--jobs", jobs}).exit_code == 0);
+    CHECK(results_in(folder / out) == results_in(folder / "whole"));
+    check_whole(folder / out);
   }
 }
 

@@ -63,13 +63,14 @@ same two
 
 # Again and again a process of the pool is killed, or the pool itself with all of them, and the same command goes on.
 rounds=0
+workers=0
 for ((i = 0; i < 40; ++i)); do
   setsid "$pabd" sweep "$work/plan.json" -o "$work/killed" --quiet --jobs 2 > "$work/out" 2>&1 &
   pool=$!
   sleep "0.$((RANDOM % 30 + 10))"
   if ((i % 2)); then
     child=$(ps -o pid= --ppid "$pool" | head -1)
-    [ -n "$child" ] && kill -9 "$child" 2> /dev/null
+    [ -n "$child" ] && kill -9 "$child" 2> /dev/null && workers=$((workers + 1))
     sleep 0.1
   fi
   kill -9 -- "-$pool" 2> /dev/null
@@ -79,6 +80,7 @@ for ((i = 0; i < 40; ++i)); do
 done
 sweep killed 2 || fail "after $rounds kills"
 same killed
-echo "killed $rounds times on the way"
+echo "killed $rounds times on the way, and $workers processes of it alone"
 [ "$rounds" -gt 0 ] || fail "nothing was killed"
+[ "$workers" -gt 0 ] || fail "no process was killed alone"
 exit "$failed"
