@@ -139,7 +139,7 @@ std::string bash_script(const CLI::App& program) {
       "  compopt -o filenames 2>/dev/null\n"
       "  mapfile -t COMPREPLY < <(compgen -W \"$(\"${COMP_WORDS[0]}\" scenes --names 2>/dev/null)\" -- "
       "\"$cur\"; "
-      "compgen -f -X '!*.json' -- \"$cur\"; compgen -d -- \"$cur\")\n"
+      "for i in json urdf xml; do compgen -f -X \"!*.$i\" -- \"$cur\"; done; compgen -d -- \"$cur\")\n"
       "}\n"
       "_pabd() {\n"
       "  local cur=\"${COMP_WORDS[COMP_CWORD]}\" previous=\"${COMP_WORDS[COMP_CWORD-1]}\" path=pabd i\n"
@@ -281,7 +281,7 @@ std::string zsh_script(const CLI::App& program) {
       "#compdef pabd\n# Tab completion of pabd for zsh: into a folder of $fpath, as _pabd.\n"
       "__pabd_scenes() {\n"
       "  local -a names=(${(f)\"$(_call_program scenes pabd scenes --names 2>/dev/null)\"})\n"
-      "  compadd -a names\n  _files -g '*.json'\n}\n";
+      "  compadd -a names\n  _files -g '*.(json|urdf|xml)'\n}\n";
   for (const Command& command : commands_of(program)) out += zsh_function(command);
   return out + "if [[ $funcstack[1] == _pabd ]]; then _pabd \"$@\"; else compdef _pabd pabd; fi\n";
 }
@@ -373,7 +373,8 @@ Completion completion_of(const CLI::Option& option) {
   }
   if (type == "FOLDER" || name == "FOLDER") return {Kind::folder, {}};
   const bool file = type == "OUT" || type == "CSV" || type == "JSON" || type.find('.') != type.npos;
-  if (file || name == "PLAN" || name == "ACTUAL" || name == "EXPECTED") return {Kind::file, {}};
+  if (file || name == "PLAN" || name == "ROBOT" || name == "ACTUAL" || name == "EXPECTED")
+    return {Kind::file, {}};
   return {};
 }
 

@@ -128,6 +128,10 @@ TEST_CASE("bash offers words, lists, scenes and parameters where they belong") {
   CHECK(bash_offers(folder, "pabd run two_") == Words{"two_boxes"});
   CHECK(bash_offers(folder, "pabd run ow") == Words{"own.json"});
   CHECK(bash_offers(folder, "pabd run stack --steps ''").empty());
+  // A robot is a scene, too.
+  write_text(folder / "robot.urdf", "");
+  CHECK(bash_offers(folder, "pabd run robo") == Words{"robot.urdf"});
+  CHECK(bash_offers(folder, "pabd import robo") == Words{"robot.urdf"});
   // A command with an argument and a command below it.
   CHECK(bash_offers(folder, "pabd sweep c") == Words{"collect"});
   CHECK(bash_offers(folder, "pabd sweep ow") == Words{"own.json"});
@@ -149,8 +153,23 @@ TEST_CASE("fish offers the same") {
   CHECK(fish_offers(folder, "pabd run two_b") == Words{"two_boxes"});
   CHECK(fish_offers(folder, "pabd scenes --crf").empty());
   write_text(folder / "own.json", "{}");
+  write_text(folder / "robot.urdf", "");
+  std::filesystem::create_directory(folder / "out");
   CHECK(fish_offers(folder, "pabd sweep coll") == Words{"collect"});
   CHECK(fish_offers(folder, "pabd sweep ow") == Words{"own.json"});
+  CHECK(fish_offers(folder, "pabd sweep own.json --emit s") == Words{"slurm", "snakemake"});
+  CHECK(fish_offers(folder, "pabd sweep own.json --out o") == Words{"out/"});
+  CHECK(fish_offers(folder, "pabd sweep collect o") == Words{"out/"});
+  CHECK(fish_offers(folder, "pabd run robo") == Words{"robot.urdf"});
+  CHECK(fish_offers(folder, "pabd import robo") == Words{"robot.urdf"});
+  for (const Words& command : std::vector<Words>{{"run"}, {"view"}, {"sweep"}, {"sweep", "collect"}}) {
+    Words expected = options_in_help(command);
+    std::erase_if(expected, [](const std::string& name) { return !name.starts_with("--"); });
+    std::string line = "pabd ";
+    for (const std::string& word : command) line += word + " ";
+    CAPTURE(line);
+    CHECK(fish_offers(folder, line + "--") == expected);
+  }
 }
 
 TEST_CASE("zsh offers the same") {
@@ -162,6 +181,8 @@ TEST_CASE("zsh offers the same") {
   write_text(folder / "own.json", "{}");
   CHECK(zsh_shows(folder, "pabd sweep coll", "collect").find("collect") != std::string::npos);
   CHECK(zsh_shows(folder, "pabd sweep ow", "own.json").find("own.json") != std::string::npos);
+  write_text(folder / "robot.urdf", "");
+  CHECK(zsh_shows(folder, "pabd run robo", "robot.urdf").find("robot.urdf") != std::string::npos);
   CHECK(zsh_shows(folder, "pabd sweep own.json --emi", "--emit").find("--emit") != std::string::npos);
   CHECK(zsh_shows(folder, "pabd render --set contact.kapp", "contact.kappa=").find("kappa=") !=
         std::string::npos);
