@@ -137,7 +137,7 @@ std::string signs_words(const CollectedSweep& sweep) {
   const auto any = [&](SweptStatus status) { return sweep.count(status) > 0; };
   std::vector<std::string> words;
   if (any(SweptStatus::diverged)) words.emplace_back("× diverged");
-  if (any(SweptStatus::refused)) words.emplace_back("⁄ refused");
+  if (any(SweptStatus::refused)) words.emplace_back("/ refused");
   if (any(SweptStatus::unfinished) || any(SweptStatus::damaged))
     words.emplace_back("• unfinished or damaged");
   std::string out;

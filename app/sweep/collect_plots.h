@@ -24,7 +24,7 @@ inline constexpr std::size_t kMostSlices = 12;  // side by side; a caption says 
 SizedPicture criterion_picture(const CollectedSweep& sweep, const TaskGrid& grid, const Criterion& criterion);
 HeatMap heat_map_of(const CollectedSweep& sweep, const TaskGrid& grid, const Criterion& criterion);
 
-// What the signs in cells without a value mean, of those that there are: "× diverged, ⁄ refused".
+// What the signs in cells without a value mean, of those that there are: "× diverged, / refused".
 std::string signs_words(const CollectedSweep& sweep);
 // The scale of a criterion's colours, the same for all cells; at most so many ticks.
 AxisScale color_scale_of(const Criterion& criterion, int ticks);
