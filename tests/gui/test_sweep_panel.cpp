@@ -42,6 +42,16 @@ void fill(const SweptFolder& folder, int columns = 4, int rows = 3) {
   fs::remove(folder.task_folder(3) / "result.json");
 }
 
+// The run of a task with these parameters, so many steps later; its state is what the task's folder holds.
+Session ended(const std::string& n, const std::string& kappa, int steps, const fs::path& task) {
+  Session session(std::make_shared<const Scene>(load_scene(
+      shipped_scene("two_boxes"), {"solver.iterations=60", "contact.N=" + n, "contact.kappa=" + kappa})));
+  for (int i = 0; i < steps; ++i) session.step();
+  session.complete_state();
+  write_bytes(task / "end.json", state_to_json(session.model(), session.state()));
+  return session;
+}
+
 std::string renderer;
 
 // How a script ends that begins with the sweep being open; empty: well.
@@ -89,13 +99,7 @@ TEST_CASE("a run is loaded with what the sweep set, from its start or as it ende
   const SweptFolder folder(kPlan);
   fill(folder);
   // Where task 7 (N = 4, κ = 20) ended: the run itself, in 30 steps.
-  const auto scene = std::make_shared<const Scene>(
-      load_scene(shipped_scene("two_boxes"), {"solver.iterations=60", "contact.N=4", "contact.kappa=20"}));
-  Session session(scene);
-  for (int i = 0; i < 30; ++i) session.step();
-  session.complete_state();
-  write_bytes(folder.task_folder(7) / "end.json", state_to_json(session.model(), session.state()));
-  const std::string hash = state_hash(session.state());
+  const std::string hash = state_hash(ended("4", "20", 30, folder.task_folder(7)).state());
   const Caught end = run(R"(
     {"do":"expect","at":"/sweep/loaded","is":null},
     {"do":"load_run","task":7},
@@ -119,6 +123,36 @@ TEST_CASE("a run is loaded with what the sweep set, from its start or as it ende
     {"do":"load_run","task":7,"force":true},{"do":"expect","at":"/a/params/contact/N","is":4})",
                          folder);
   CHECK(end.text == "");
+}
+
+TEST_CASE("the panel has its approved pictures, and a click on a cell loads the run that stands there") {
+  const SweptFolder made(kPlan);
+  fill(made);
+  fs::remove_all(made.task_folder(2));  // a cell without a run
+  ended("2", "20", 3, made.task_folder(5));
+  const TempFolder out;
+  fs::copy(made.path(), out / "runs", fs::copy_options::recursive);  // of one name, which is in the picture
+  const Caught end = caught([&] {
+    carry_out(Script(R"([{"do":"open_sweep","folder":"runs"},
+      {"do":"mouse","at":[218,221],"how":"click"},
+      {"do":"expect","at":"/sweep/loaded","is":10},{"do":"expect","at":"/a/step","is":0},
+      {"do":"expect","at":"/a/params/contact/N","is":3},{"do":"expect","at":"/a/params/contact/kappa","is":30},
+      {"do":"mouse","at":[700,600]},{"do":"frame","path":"sweep_pictures.png","of":"left"},
+      {"do":"sweep_view","metric":"iterations","pictures":false},
+      {"do":"mouse","at":[150,300],"how":"click","with":"shift"},
+      {"do":"expect","at":"/sweep/loaded","is":5},{"do":"expect","at":"/a/step","is":3},
+      {"do":"expect","at":"/a/params/contact/N","is":2},{"do":"expect","at":"/a/params/contact/kappa","is":20},
+      {"do":"mouse","at":[700,600]},{"do":"frame","path":"sweep_colours.png","of":"left"}])",
+                     "s"),
+              out, renderer);
+  });
+  CHECK(end.text == "");
+  for (const char* name : {"sweep_pictures", "sweep_colours"}) {
+    const CompareResult result =
+        check_golden(read_png(out / (std::string(name) + ".png")), "gui_" + std::string(name), renderer);
+    INFO(result.reason);
+    CHECK(result.equal);
+  }
 }
 
 TEST_CASE("read again, a sweep keeps what is shown of it, as far as it is still there") {
