@@ -13,12 +13,12 @@
 namespace pabd {
 namespace {
 
-constexpr double kGlbBytesAPose = 28;  // three numbers and four
+// Of a body in .npz, whose arrays are in memory until the end.
+constexpr double kNpzBytesAPose = 22 * sizeof(double);
 
 void check_sizes(const std::string& out, ExportFormat format, const FrameView& start,
                  const ExportSetup& setup) {
-  double moving = 0, bodies = static_cast<double>(start.model->size());
-  for (const auto fixed : start.model->fixed) moving += fixed ? 0 : 1;
+  double bodies = static_cast<double>(start.model->size());
   const double frames = static_cast<double>(setup.frames);
   if (format == ExportFormat::obj && frames > std::numeric_limits<int>::max()) bodies = kMostPoses + 1;
   if (frames * bodies > kMostPoses) {
@@ -28,10 +28,12 @@ void check_sizes(const std::string& out, ExportFormat format, const FrameView& s
             "{}: {:.0f} frames of {:.0f} bodies; at most {:.0e} poses: take fewer --fps or less --time", out,
             frames, bodies, kMostPoses));
   }
-  if (format == ExportFormat::gltf && frames * moving * kGlbBytesAPose > kMostGlbBytes) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{}: {:.1f} GB; a .glb holds 4 GiB at most: take fewer --fps or less --time", out,
-                            frames * moving * kGlbBytesAPose / 1e9));
+  if (format == ExportFormat::npz && frames * bodies * kNpzBytesAPose > kMostNpzBytes) {
+    throw Error(
+        ErrorKind::bad_input,
+        fmt::format("{}: {:.1f} GB of poses; at most {:.1f}, contacts beside them: take fewer --fps or "
+                    "less --time",
+                    out, frames * bodies * kNpzBytesAPose / 1e9, kMostNpzBytes / 1e9));
   }
 }
 

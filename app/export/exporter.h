@@ -24,6 +24,8 @@ std::string export_path(const std::string& out);
 // Poses (bodies × frames) that one export may have, and bytes of a .glb, whose length has 32 bits.
 inline constexpr double kMostPoses = 50e6;
 inline constexpr double kMostGlbBytes = 4294967295.0;
+// Of the poses of an .npz, and as much again of its contacts.
+inline constexpr double kMostNpzBytes = 2147483648.0;
 
 struct ExportSetup {
   double fps = 30;          // frames a second, > 0

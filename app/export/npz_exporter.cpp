@@ -13,6 +13,7 @@
 #include "app/export/motion.h"
 #include "app/export/zip_file.h"
 #include "app/frames/frame_text.h"
+#include "sim/base/error.h"
 #include "sim/body/shape_kind.h"
 
 namespace pabd {
@@ -82,7 +83,8 @@ struct Column {
 class NpzExporter : public Exporter {
  public:
   NpzExporter(const std::string& out, const Scene& scene, const FrameView& start)
-      : zip_(out),
+      : out_(out),
+        zip_(out),
         model_(start.model),
         bodies_(start.model->name.size()),
         joints_(start.model->joints.size()),
@@ -158,6 +160,13 @@ class NpzExporter : public Exporter {
   }
 
   void add_contacts(const std::vector<ContactReport>& contacts) {
+    constexpr double kBytes = 15 * sizeof(double) + 2 * sizeof(std::int32_t) + 1;  // of a contact
+    if (static_cast<double>(contact_a_.values.size() + contacts.size()) * kBytes > kMostNpzBytes) {
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("{}: more than {:.1f} GB of contacts after {} frames: take fewer --fps or less --time",
+                      out_, kMostNpzBytes / 1e9, rows_));
+    }
     for (const ContactReport& contact : contacts) {
       contact_a_.add(contact.a);
       contact_b_.add(contact.b);
@@ -218,6 +227,7 @@ class NpzExporter : public Exporter {
     visit(fixed_, bodies_);
   }
 
+  std::string out_;
   ZipFile zip_;
   std::shared_ptr<const Model> model_;
   std::size_t bodies_, joints_, rows_ = 0;

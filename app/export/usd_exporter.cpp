@@ -98,7 +98,8 @@ class Writer {
     line("}}");
   }
 
-  void points(const char* name, const std::vector<Vec3f>& list) {
+  // `about`: metadata of the attribute, in brackets.
+  void points(const char* name, const std::vector<Vec3f>& list, std::string_view about = "") {
     buffer_.append(2 * static_cast<std::size_t>(depth_), ' ');
     buffer_ += name;
     buffer_ += " = [";
@@ -107,6 +108,7 @@ class Writer {
       fmt::format_to(std::back_inserter(buffer_), "{}({}, {}, {})", k > 0 ? ", " : "", p.x(), p.y(), p.z());
     }
     buffer_ += ']';
+    buffer_ += about;
     end_line();
   }
   void integers(const char* name, const std::vector<std::uint32_t>& list) {
@@ -175,7 +177,7 @@ class UsdExporter : public Exporter {
   double code(std::size_t key) const {
     const double code = static_cast<double>(motion_.times()[key]) * fps_;
     // Times are float: what is meant to be a whole frame is one.
-    return std::abs(code - std::round(code)) < 1e-5 * (1 + code) ? std::round(code) : code;
+    return std::abs(code - std::round(code)) < 1e-6 + 2e-7 * code ? std::round(code) : code;
   }
 
   void write_material(const std::string& name, const Vec4f& color, double roughness) {
@@ -209,8 +211,7 @@ class UsdExporter : public Exporter {
     out_.integers("int[] faceVertexCounts", std::vector<std::uint32_t>(corners.size() / 3, 3));
     out_.integers("int[] faceVertexIndices", corners);
     out_.points("point3f[] points", mesh.positions);
-    out_.points("normal3f[] primvars:normals", mesh.normals);
-    out_.line("uniform token primvars:normals:interpolation = \"vertex\"");
+    out_.points("normal3f[] primvars:normals", mesh.normals, " (interpolation = \"vertex\")");
     out_.line("uniform token subdivisionScheme = \"none\"");
     Vec3f lo = mesh.positions.front(), hi = lo;
     for (const Vec3f& p : mesh.positions) {

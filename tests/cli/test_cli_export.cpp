@@ -71,6 +71,7 @@ TEST_CASE("what cannot be is refused in one line, before the first step") {
   refused(command(folder / "scene.glb", folder / "scene.glb", {"--force"}), 2, {"scene.glb"});
   refused(command("pyramid", folder / "a.glb", {"--time", "1e5", "--fps", "1000"}), 2, {"--fps", "frames"});
   refused(command("pyramid", folder / "a.glb", {"--frames", "9999999"}), 2, {"a.glb", "poses"});
+  refused(command("pyramid", folder / "a.npz", {"--frames", "60000"}), 2, {"a.npz", "GB of poses", "--fps"});
   refused(command("pyramid", folder / "a.glb", {"--fps", "0"}), 2, {"--fps"});
   refused(command("pyramid", folder / "a.glb", {"--trail", "nobody"}), 2, {"--trail", "nobody"});
   refused(command("pyramid", folder / "a.npz", {"--trails"}), 2, {"a.npz", "--trails"});

@@ -69,6 +69,22 @@ std::map<double, std::vector<double>> samples(const std::string& prim, const std
 
 }  // namespace
 
+TEST_CASE("normals of a .usda are of its vertices: metadata of the attribute say so") {
+  const TempFolder folder;
+  const auto scene = varied_scene();
+  const auto out = folder / "a.usda";
+  export_frames(out.string(), *scene, frames_of(scene, 1, 30), {});
+  std::istringstream lines(read_bytes(out));
+  int seen = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find("primvars:normals") == std::string::npos) continue;
+    ++seen;
+    CHECK(line.find("normal3f[] primvars:normals = [(") != std::string::npos);
+    CHECK(line.substr(line.size() - 28) == ")] (interpolation = \"vertex\")");
+  }
+  CHECK(seen > 3);
+}
+
 TEST_CASE("time samples of a .usda are the poses of the run") {
   const TempFolder folder;
   const auto scene = varied_scene();
