@@ -123,7 +123,7 @@ TEST_CASE("whatever is no such stream is refused, or gives units; it never reads
 
 TEST_CASE("each picture gives its unit before the next is there, and ffmpeg decodes them to the pictures") {
   const int width = 322, height = 200;
-  LiveVideo video({.width = width, .height = height, .crf = 18});
+  LiveVideo video({.width = width, .height = height, .crf = 18, .patience = 60});
   std::string stream;
   for (int i = 0; i < 30; ++i) {
     const VideoUnit unit = video.encode(picture(width, height, i));
