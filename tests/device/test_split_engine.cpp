@@ -152,7 +152,7 @@ TEST_CASE("a step that is stopped in either part can be made again, and nothing 
     const State before = state;
     int looks = 0;
     StepOptions stopping;
-    stopping.stop = [&] { return ++looks == at; };
+    stopping.stop = [&] { return ++looks >= at; };
     engine.step(scene.model, scene.params, stopping, state, report);
     REQUIRE(looks >= at);
     CHECK(report.status == StepStatus::interrupted);
