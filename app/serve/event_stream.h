@@ -52,10 +52,7 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
   void finish() override {
     if (!open_ || std::exchange(finished_, true)) return;
     write();
-    farewell_.expires_after(std::chrono::seconds(1));  // for who does not read
-    farewell_.async_wait([weak = this->weak_from_this()](Failure cancelled) {
-      if (const auto self = weak.lock(); self && !cancelled) self->end();
-    });
+    wait_for_reader(10);
   }
   bool open() const override { return open_; }
 
@@ -73,6 +70,16 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
                         self->busy_ = false;
                         failure ? self->end() : self->write();
                       });
+  }
+
+  // A second, in tenths: time in which this thread had other work is not time that was not used to read.
+  void wait_for_reader(int tenths) {
+    farewell_.expires_after(std::chrono::milliseconds(100));
+    farewell_.async_wait([weak = this->weak_from_this(), tenths](Failure cancelled) {
+      const auto self = weak.lock();
+      if (!self || cancelled || !self->open_) return;
+      tenths > 1 ? self->wait_for_reader(tenths - 1) : self->end();
+    });
   }
 
   void write_last() {

@@ -114,6 +114,16 @@ void main() {
   return std::equal(numbers.begin(), numbers.begin() + 8, numbers.begin() + 8);
 }
 
+State run(const Scene& scene, const DeviceOptions& options, int steps, int* repeated) {
+  const auto context = any_context();
+  DeviceSolver device(*context, scene.model, scene.initial, options);
+  for (int k = 0; k < steps; ++k) device.enqueue(scene.params);
+  State out;
+  device.read_state(out);
+  if (repeated) *repeated = device.repeated();
+  return out;
+}
+
 double pose_difference(const State& a, const State& b) {
   double largest = a.c.size() == b.c.size() ? 0 : INFINITY;
   for (std::size_t i = 0; i < std::min(a.c.size(), b.c.size()); ++i) {

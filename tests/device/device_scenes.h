@@ -30,6 +30,9 @@ std::unique_ptr<GlContext> any_context();
 // double with them has the digits of a float.
 bool keeps_doubles(GlContext& context);
 
+// State after so many steps on the GPU, none of which was waited for; how many were made again.
+State run(const Scene& scene, const DeviceOptions& options, int steps, int* repeated = nullptr);
+
 // Largest distance of a centre, and of the nine entries of an orientation.
 double pose_difference(const State& a, const State& b);
 

@@ -70,16 +70,6 @@ void check_steps(const Scene& scene, int warm_up, double same, int steps = kStep
   CHECK(converged > steps / 3);
 }
 
-State run(const Scene& scene, const DeviceOptions& options, int steps, int* repeated = nullptr) {
-  const auto context = any_context();
-  DeviceSolver device(*context, scene.model, scene.initial, options);
-  for (int k = 0; k < steps; ++k) device.enqueue(scene.params);
-  State out;
-  device.read_state(out);
-  if (repeated) *repeated = device.repeated();
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("a step on the GPU in double is the processor's: a stack") {
@@ -287,53 +277,6 @@ TEST_CASE("what rests on the GPU keeps its contacts, and rests where it would wi
     CAPTURE(i);
     CHECK((with.c[i] - without.c[i]).norm() < 1e-4 * d_hat);
   }
-}
-
-TEST_CASE("however many threads share a body on the GPU, a step is the same but for rounding") {
-  Scene scene = mixed_heap(2);
-  scene.params.solver.iterations = 20;
-  DeviceOptions options;
-  options.precision = DevicePrecision::twofold;
-  options.team = 1;
-  const double rounding = keeps_doubles(*any_context()) ? 1e-12 : 1e-6;  // m
-  scene.initial = run(scene, options, 40);                               // they touch
-  const State alone = run(scene, options, 1);
-  for (const int team : {4, 16}) {
-    CAPTURE(team);
-    options.team = team;
-    const State together = run(scene, options, 1);
-    CHECK(pose_difference(alone, together) < rounding);
-  }
-  // Sums are made in another order.
-  options.precision = DevicePrecision::single;
-  options.team = 1;
-  const State one = run(scene, options, 20);
-  options.team = 4;
-  CHECK(!same_bits(one, run(scene, options, 20)));
-}
-
-TEST_CASE("bodies of one color on the GPU share no contact") {
-  const Scene scene = mixed_heap(6);
-  const auto context = any_context();
-  DeviceOptions options;
-  options.report_contacts = true;
-  DeviceSolver device(*context, scene.model, scene.initial, options);
-  std::vector<ContactReport> contacts;
-  std::vector<int> colors;
-  std::size_t between = 0;
-  for (int k = 0; k < 60; ++k) {
-    device.step(scene.params);
-    device.read_contacts(contacts);
-    device.read_colors(colors);
-    for (const ContactReport& c : contacts) {
-      const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
-      if (scene.model.fixed[a] || scene.model.fixed[b]) continue;
-      ++between;
-      REQUIRE(colors[a] >= 0);
-      REQUIRE(colors[a] != colors[b]);
-    }
-  }
-  CHECK(between > 50);
 }
 
 TEST_CASE("the GPU refuses what it cannot solve, with words that help") {

@@ -16,6 +16,7 @@ export class Gestures {
   #start = null; // of the first finger: {x, y, t}
   #held = ""; // the button that is down
   #two = null; // {x, y, distance, pans, pinches} at the start or last
+  #moved = false; // one of two fingers, since settle()
 
   // send(message): {t: "move", x, y}, {t: "button", b, down, x, y}, {t: "wheel", y}
   constructor(send) {
@@ -56,10 +57,17 @@ export class Gestures {
       this.#press("left", this.#start);
     }
     if (this.#mode === "drag") this.#send({ t: "move", x, y });
-    if (this.#mode === "two") this.#move_two();
+    if (this.#mode === "two") this.#moved = true;
+  }
+
+  // Two fingers that move side by side come one after the other: what they mean is asked when both have come.
+  settle() {
+    if (this.#mode === "two" && this.#moved) this.#move_two();
+    this.#moved = false;
   }
 
   up(id) {
+    this.settle();
     const finger = this.#fingers.get(id);
     if (!finger) return;
     if (this.#mode === "wait") {

@@ -37,6 +37,7 @@ export class Pointer {
   #last = { x: 0, y: 0 };
   #gestures;
   #long_press = 0;
+  #settles = 0; // the frame at which two fingers are looked at
   #leave = 0;
 
   before_press = () => {}; // focus goes to the picture
@@ -116,6 +117,11 @@ export class Pointer {
   #moved(event) {
     if (event.pointerType !== "touch") return this.#mouse(event);
     this.#gestures.move(event.pointerId, event.clientX, event.clientY);
+    // A browser hands over all fingers' moves before a frame.
+    this.#settles ||= requestAnimationFrame(() => {
+      this.#settles = 0;
+      this.#gestures.settle();
+    });
   }
 
   #released(event) {

@@ -112,10 +112,12 @@ test("a pinch to twice the distance turns the wheel by ln 2 / ln 1.15, and drags
   // From 116 px on, after the slack, to 232 px, the middle in its place.
   g.move(1, 91, 100);
   g.move(2, 209, 100);
+  g.settle();
   const begun = 209 - 91;
   for (let k = 0; k <= begun / 2; ++k) {
     g.move(1, 91 - k, 100);
     g.move(2, 209 + k, 100);
+    g.settle();
   }
   g.up(1);
   g.up(2);
@@ -132,6 +134,7 @@ test("two fingers side by side move the view with the middle button, and end the
   for (let k = 1; k <= 60; ++k) {
     g.move(1, 130, 100 + k);
     g.move(2, 230, 100 + k);
+    g.settle();
   }
   g.up(2);
   g.move(1, 300, 300);
@@ -139,6 +142,20 @@ test("two fingers side by side move the view with the middle button, and end the
   const order = ["button left down", "button left up", "button middle down", "button middle up"];
   assert.deepEqual(words(), order);
   assert.ok(Math.abs(sent.at(-1).y - 160) <= 1, `ends at ${sent.at(-1).y}`);
+});
+
+test("two fingers side by side pinch nothing, however far they went between two frames", () => {
+  const { g, words } = gestures();
+  g.down(1, 150, 300, 0);
+  g.down(2, 250, 300, 5);
+  for (const y of [396, 300]) {
+    g.move(1, 150, y); // alone it would be a pinch
+    g.move(2, 250, y);
+    g.settle();
+  }
+  g.up(1);
+  g.up(2);
+  assert.deepEqual(words(), ["button middle down", "button middle up"]);
 });
 
 test("what is held is let go when a gesture is cancelled", () => {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Sweeps on the GPU: threads share bodies, bodies of one color are solved at the same time.
+#include <catch2/catch.hpp>
+
+#include "render/device/device_solver.h"
+#include "tests/device/device_scenes.h"
+
+using namespace pabd;
+using namespace pabd::testing;
+
+TEST_CASE("however many threads share a body on the GPU, a step is the same but for rounding") {
+  Scene scene = mixed_heap(2);
+  scene.params.solver.iterations = 20;
+  DeviceOptions options;
+  options.precision = DevicePrecision::twofold;
+  options.team = 1;
+  const double rounding = keeps_doubles(*any_context()) ? 1e-12 : 1e-6;  // m
+  scene.initial = run(scene, options, 40);                               // they touch
+  const State alone = run(scene, options, 1);
+  for (const int team : {4, 16}) {
+    CAPTURE(team);
+    options.team = team;
+    const State together = run(scene, options, 1);
+    CHECK(pose_difference(alone, together) < rounding);
+  }
+  // Sums are made in another order.
+  options.precision = DevicePrecision::single;
+  options.team = 1;
+  const State one = run(scene, options, 20);
+  options.team = 4;
+  CHECK(!same_bits(one, run(scene, options, 20)));
+}
+
+TEST_CASE("bodies of one color on the GPU share no contact") {
+  const Scene scene = mixed_heap(6);
+  const auto context = any_context();
+  DeviceOptions options;
+  options.report_contacts = true;
+  DeviceSolver device(*context, scene.model, scene.initial, options);
+  std::vector<ContactReport> contacts;
+  std::vector<int> colors;
+  std::size_t between = 0;
+  for (int k = 0; k < 60; ++k) {
+    device.step(scene.params);
+    device.read_contacts(contacts);
+    device.read_colors(colors);
+    for (const ContactReport& c : contacts) {
+      const auto a = static_cast<std::size_t>(c.a), b = static_cast<std::size_t>(c.b);
+      if (scene.model.fixed[a] || scene.model.fixed[b]) continue;
+      ++between;
+      REQUIRE(colors[a] >= 0);
+      REQUIRE(colors[a] != colors[b]);
+    }
+  }
+  CHECK(between > 50);
+}
