@@ -116,9 +116,15 @@ Figure convergence(const Simulation& simulation, const std::vector<std::string>&
       throw Error(ErrorKind::bad_input, "methods auto: expected some of sissm, descent, newton");
   }
   if (methods.empty()) methods = {SolverMethod::sissm, SolverMethod::descent};
-  const Model& model = session.model();
-  const auto runs = run_methods(model, session.params(), session.state(), methods, iterations);
-  const Minimiser minimiser = find_minimiser(model, session.params(), session.state());
+  const Model model = session.model();  // copies: others may step meanwhile
+  const Params params = session.params();
+  const State state = session.state();
+  const auto solve = [&] {
+    const py::gil_scoped_release others;
+    return std::pair(run_methods(model, params, state, methods, iterations),
+                     find_minimiser(model, params, state));
+  };
+  const auto [runs, minimiser] = solve();
   return convergence_figure(runs, minimiser, caption_of(session, session.state().step + 1));
 }
 

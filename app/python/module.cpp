@@ -21,6 +21,7 @@
 #include "render/output/png.h"
 #include "sim/base/error.h"
 #include "sim/base/output_path.h"
+#include "sim/import/import.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::python {
@@ -111,7 +112,8 @@ void bind_scene(py::module_& module) {
   module.def(
       "load_scene",
       [](const std::string& name, const std::vector<std::string>& overrides) {
-        return NamedScene{std::make_shared<const Scene>(load_scene(cli::find_scene(name), overrides)), name};
+        return NamedScene{std::make_shared<const Scene>(load_any_scene(cli::find_scene(name), overrides)),
+                          name};
       },
       "name"_a, "overrides"_a, py::call_guard<py::gil_scoped_release>());
   module.def(

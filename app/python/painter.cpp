@@ -57,10 +57,11 @@ Painter::~Painter() {
 
 Image Painter::draw(FrameView view) {
   context_->make_current();
+  const std::unique_ptr<GlContext, void (*)(GlContext*)> current(context_.get(),
+                                                                 [](GlContext* c) { c->release(); });
   painter_->draw(make_frame(0, std::move(view), {}, {}));
   Image image;
   painter_->fetch(image);
-  context_->release();
   return image;
 }
 

@@ -36,6 +36,14 @@ def test_hash_is_that_of_the_program(pabd_program, scene, settings):
     assert again.hash == sim.hash
 
 
+def test_robots_are_scenes(source):
+    sim = pabd.load(source / "tests/import/models/pendulum.urdf", threads=1)
+    height = sim.positions[:, 1].copy()
+    sim.run(0.2)
+    assert len(sim.scene.joints) > 0
+    assert np.any(sim.positions[:, 1] < height)
+
+
 def test_free_fall():
     sim = falling()
     report = sim.step(50)

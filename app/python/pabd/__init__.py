@@ -46,7 +46,7 @@ def _settings(values):
 
 
 def load(scene, *, set=None, threads=0):
-    """A Simulation of a scene: a file, or the name of a shipped one (scenes()).
+    """A Simulation of a scene: a file, one of a robot (URDF, MJCF) too, or the name of a shipped one (scenes()).
 
     set: a mapping of keys of the scene file to values, as the program's --set takes them, before the scene is read:
     {"contact.kappa": 50, "joints_default.kappa": 20, "bodies.1.density": 300}.
