@@ -194,7 +194,9 @@ TEST_CASE(
     }
     CHECK(script.read_until("\r\n").starts_with("HTTP/1.1 503"));
     for (const auto& one : waiting) CHECK(one->read_until("\r\n").starts_with("HTTP/1.1 503"));
-    CHECK(events.read_to_end().ends_with("\r\n0\r\n\r\n"));
+    const std::string heard = events.read_to_end();
+    CAPTURE(heard);
+    CHECK(("\r\n" + heard).ends_with("\r\n0\r\n\r\n"));  // the last chunk
     const auto folder = server.root() / ("session-" + id);
     for (int i = 0; !keeps && i < 100 && std::filesystem::exists(folder); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
