@@ -80,7 +80,7 @@ TEST_CASE("normals of a .usda are of its vertices: metadata of the attribute say
     if (line.find("primvars:normals") == std::string::npos) continue;
     ++seen;
     CHECK(line.find("normal3f[] primvars:normals = [(") != std::string::npos);
-    CHECK(line.substr(line.size() - 28) == ")] (interpolation = \"vertex\")");
+    CHECK(line.ends_with(")] (interpolation = \"vertex\")"));
   }
   CHECK(seen > 3);
 }
