@@ -63,6 +63,7 @@ Mat3 read_rotation(const Node& node, const ObjectReader& in, std::string_view ke
   if (!node.value().is_object()) node.fail_expected(kExpected);
   const auto has = [&](std::string_view word) { return node.value().contains(word); };
   const bool euler = has("euler") || has("order"), axis = has("axis") || has("angle");
+  if (!euler && !axis) node.fail_expected(kExpected);
   if (euler && axis) node.fail("an axis with its angle or Euler angles, not both; remove one of them");
   return euler ? read_euler(node) : read_axis_angle(node);
 }

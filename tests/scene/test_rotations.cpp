@@ -80,7 +80,8 @@ TEST_CASE("what is no orientation is refused", "[scene]") {
   check_refused(body(R"({ "order": "xyz" })"), {at + "/euler", "missing"});
   check_refused(body(R"({ "euler": [1, 2, 3], "ordre": "xyz" })"), {at + "/ordre", "did you mean \"order\""});
   check_refused(body("30"), {at, "quaternion", "\"axis\"", "\"euler\""});
-  check_refused(body("{}"), {at + "/axis", "missing"});
+  for (const char* neither : {"{}", R"({ "euler_degrees": [0, 30, 0] })"})
+    check_refused(body(neither), {at, "quaternion", "\"axis\"", "\"euler\""});
   check_refused(only_body(R"({ "shape": { "type": "plane" }, "orientation": { "euler": [0, 0, 9] } })"),
                 {at});
 }
