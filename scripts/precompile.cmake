@@ -7,8 +7,8 @@ set(headers
   <Eigen/Dense> <algorithm> <array> <cmath> <cstdint> <filesystem> <fmt/format.h> <fstream> <functional> <limits> <map>
   <memory> <optional> <set> <span> <sstream> <string> <string_view> <utility> <variant> <vector>)
 
-# pabd_sum_precompiled(NAME HEADERS…): what ccache looks at in place of what GCC makes of the headers, which are 170 MB and
-# others in every checkout.
+# pabd_sum_precompiled(NAME HEADERS…): what ccache looks at in place of what the compiler makes of the headers, which are
+# 170 MB and others in every checkout.
 function(pabd_sum_precompiled name)
   set(source ${PROJECT_BINARY_DIR}/CMakeFiles/${name}.dir/headers.cpp)
   list(TRANSFORM ARGN PREPEND "#include ")
@@ -19,10 +19,21 @@ function(pabd_sum_precompiled name)
   set(preprocess ${CMAKE_CXX_COMPILER} -std=c++20 ${folders})
   execute_process(COMMAND ${preprocess} -E -P ${source} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   string(SHA256 sum "${text}")
-  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/CMakeFiles/${name}.dir/cmake_pch.hxx.gch.sum CONTENT "${sum}\n")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    set(made gch)
+  else()
+    set(made pch)
+  endif()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/CMakeFiles/${name}.dir/cmake_pch.hxx.${made}.sum CONTENT "${sum}\n")
   execute_process(COMMAND ${preprocess} -M ${source} OUTPUT_VARIABLE used COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "/usr/[^ \n]+" used "${used}")
-  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${used})
+  set(paths "")
+  foreach(path IN LISTS used)  # clang writes some with "/../" and "/./"
+    cmake_path(NORMAL_PATH path)
+    list(APPEND paths ${path})
+  endforeach()
+  list(REMOVE_DUPLICATES paths)
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${paths})
 endfunction()
 
 # pabd_precompile(NAME LINKS libraries… OPTIONS flags… HEADERS more headers…)
