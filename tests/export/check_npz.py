@@ -50,3 +50,21 @@ h, g, mass = np.diff(data["time"]), np.array(expected["gravity"]), data["mass"][
 push = mass * np.diff(data["velocity"][:, arm], axis=0) / h[:, None] - mass * g
 assert np.abs(push - data["joint_force"][1:, 0]).max() < expected["tolerance"], np.abs(push - data["joint_force"][1:, 0]).max()
 assert np.isnan(data["joint_force"][0]).all()
+
+# A hull and a compound: their mass is that of their volume, and they touch the ground with corners that they have.
+names = [body["name"] for body in about["bodies"]]
+for name, solid in expected["polyhedra"].items():
+    i, ground = names.index(name), names.index("ground")
+    assert abs(data["mass"][i] - 1000 * solid["volume"]) < 1e-9, data["mass"][i]
+    corners = np.array(solid["corners"]).reshape(-1, 3)
+    met = set()
+    for k in range(len(data["time"])):
+        for row in range(offset[k], offset[k + 1]):
+            a, b = data["contact_a"][row], data["contact_b"][row]
+            if {a, b} != {i, ground}:
+                continue
+            point = data["contact_point_a" if a == i else "contact_point_b"][row]
+            away = np.linalg.norm(corners - data["A"][k, i].T @ (point - data["position"][k, i]), axis=1)
+            assert away.min() < 1e-12, (name, k, away.min())
+            met.add(int(away.argmin()))
+    assert met, name

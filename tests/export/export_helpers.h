@@ -16,6 +16,25 @@ namespace pabd::testing {
 // two parts), a plane, a fixed body and a hinge.
 std::shared_ptr<const Scene> varied_scene();
 
+// A body of that scene that comes from corners, by hand: what the scene's text says of it, and school geometry.
+struct Polyhedron {
+  const char* name;
+  std::size_t body;
+  double volume;              // m³
+  std::vector<Vec3> corners;  // of all parts, from the centre of mass; m
+};
+const std::vector<Polyhedron>& polyhedra();  // the hull and the compound
+
+// ∫ dV and ∫ x dV of what triangles enclose, by the divergence theorem, and their area.
+struct Measures {
+  double volume = 0, area = 0;
+  Vec3 first_moment = Vec3::Zero();
+};
+Measures measure(const std::vector<Vec3>& corners);  // three a triangle, anticlockwise from outside
+
+// Checks that triangles in a body's own frame are the surface of that polyhedron, to `margin` in m.
+void check_surface(const Polyhedron& solid, const std::vector<Vec3>& corners, double margin);
+
 // As `pabd export` has them, with contacts and joints in the reports.
 std::vector<Frame> frames_of(const std::shared_ptr<const Scene>& scene, int count, double fps);
 

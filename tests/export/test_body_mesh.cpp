@@ -7,33 +7,23 @@
 
 #include "render/visual/primitive_mesh.h"
 #include "sim/body/shape_kind.h"
+#include "tests/export/export_helpers.h"
 #include "tests/support/tiny_model.h"
 
 using namespace pabd;
+using namespace pabd::testing;
 
 namespace {
 
-// ∫ dV by the divergence theorem, and the area.
-struct Measures {
-  double volume = 0, area = 0;
-  Vec3 first_moment = Vec3::Zero();  // ∫ x dV
-};
-
-Measures measure(const BodyMesh& mesh, const std::vector<std::uint32_t>& corners) {
-  Measures out;
-  REQUIRE(corners.size() % 3 == 0);
-  for (std::size_t k = 0; k < corners.size(); k += 3) {
-    const auto corner = [&](std::size_t j) -> Vec3 {
-      return mesh.positions.at(corners[k + j]).cast<double>();
-    };
-    const Vec3 a = corner(0), b = corner(1), c = corner(2), cross = (b - a).cross(c - a);
-    out.volume += a.dot(b.cross(c)) / 6;
-    out.first_moment += a.dot(b.cross(c)) / 24 * (a + b + c);
-    out.area += 0.5 * cross.norm();
-    // Normals point to the side from which the corners go round anticlockwise.
-    for (std::size_t j = 0; j < 3; ++j) CHECK(cross.dot(mesh.normals.at(corners[k + j]).cast<double>()) > 0);
+Measures measure(const BodyMesh& mesh, const std::vector<std::uint32_t>& indices) {
+  std::vector<Vec3> corners;
+  for (const std::uint32_t index : indices) corners.push_back(mesh.positions.at(index).cast<double>());
+  // Normals point to the side from which the corners go round anticlockwise.
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    const Vec3* of = &corners[k - k % 3];
+    CHECK((of[1] - of[0]).cross(of[2] - of[0]).dot(mesh.normals.at(indices[k]).cast<double>()) > 0);
   }
-  return out;
+  return testing::measure(corners);
 }
 
 MeshedBodies meshed(const Shape& shape, bool checker, int segments) {

@@ -44,6 +44,17 @@ std::vector<float> floats(const tinygltf::Model& model, int number) {
   return out;
 }
 
+// Indices of a primitive.
+std::vector<std::uint32_t> indices_of(const tinygltf::Model& model, const tinygltf::Primitive& part) {
+  const tinygltf::Accessor& accessor = model.accessors.at(static_cast<std::size_t>(part.indices));
+  REQUIRE(accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+  const tinygltf::BufferView& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));
+  std::vector<std::uint32_t> out(accessor.count);
+  std::memcpy(out.data(), model.buffers[0].data.data() + view.byteOffset + accessor.byteOffset,
+              out.size() * sizeof(std::uint32_t));
+  return out;
+}
+
 std::size_t node_of(const tinygltf::Model& model, const std::string& name) {
   for (std::size_t i = 0; i < model.nodes.size(); ++i)
     if (model.nodes[i].name == name) return i;
@@ -107,14 +118,9 @@ TEST_CASE("every accessor of a .glb lies in its buffer, with the bounds that it 
       const auto& positions = model.accessors.at(static_cast<std::size_t>(part.attributes.at("POSITION")));
       CHECK(positions.minValues.size() == 3);
       if (part.mode == TINYGLTF_MODE_LINE_STRIP) continue;
-      const tinygltf::Accessor& indices = model.accessors.at(static_cast<std::size_t>(part.indices));
-      const tinygltf::BufferView& view = model.bufferViews.at(static_cast<std::size_t>(indices.bufferView));
-      CHECK(indices.count % 3 == 0);
-      for (std::size_t k = 0; k < indices.count; ++k) {
-        std::uint32_t index = 0;
-        std::memcpy(&index, model.buffers[0].data.data() + view.byteOffset + 4 * k, 4);
-        REQUIRE(index < positions.count);
-      }
+      const std::vector<std::uint32_t> indices = indices_of(model, part);
+      CHECK(indices.size() % 3 == 0);
+      for (const std::uint32_t index : indices) REQUIRE(index < positions.count);
       const std::vector<float> normals = floats(model, part.attributes.at("NORMAL"));
       REQUIRE(normals.size() == 3 * positions.count);
       for (std::size_t k = 0; k < normals.size(); k += 3)
@@ -164,6 +170,24 @@ TEST_CASE("keys of a .glb are the poses of the run to the last bit of float") {
   CHECK(turned >= 5);
   const auto& post = model.nodes[node_of(model, "post")];
   CHECK(post.translation == std::vector<double>{3, 1, 0});
+}
+
+TEST_CASE("a hull and a compound in a .glb have their corners and enclose their volume") {
+  const TempFolder folder;
+  const auto scene = varied_scene();
+  const std::string out = (folder / "a.glb").string();
+  export_frames(out, *scene, frames_of(scene, 2, 30), {});
+  const tinygltf::Model model = loaded(out);
+  for (const Polyhedron& solid : polyhedra()) {
+    const auto mesh = static_cast<std::size_t>(model.nodes[node_of(model, solid.name)].mesh);
+    std::vector<Vec3> corners;
+    for (const tinygltf::Primitive& part : model.meshes.at(mesh).primitives) {
+      const std::vector<float> places = floats(model, part.attributes.at("POSITION"));
+      for (const std::uint32_t index : indices_of(model, part))
+        corners.push_back(Vec3f(&places.at(3 * index)).cast<double>());
+    }
+    check_surface(solid, corners, 1e-6);
+  }
 }
 
 TEST_CASE("bodies alike share their triangles, and each has its colour") {

@@ -64,8 +64,13 @@ TEST_CASE("numpy reads every array of an .npz, and they are the run") {
   }
   const Vec3 g = scene->params.gravity;
   // The solver stops where displacements no longer change by more than its tolerance times d̂.
-  const nlohmann::json expected = {
+  nlohmann::json expected = {
       {"exact", exact}, {"contacts", contacts}, {"gravity", {g.x(), g.y(), g.z()}}, {"tolerance", 0.02}};
+  for (const Polyhedron& solid : polyhedra()) {
+    nlohmann::json& told = expected["polyhedra"][solid.name];
+    told["volume"] = solid.volume;
+    for (const Vec3& corner : solid.corners) append(corner, told["corners"]);
+  }
   write_bytes(folder / "expected.json", expected.dump());
   const auto [code, text] =
       outcome("/usr/bin/python3 " PABD_CHECK_NPZ " " + out + " " + (folder / "expected.json").string());

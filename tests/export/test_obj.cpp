@@ -16,9 +16,11 @@ using namespace pabd::testing;
 namespace {
 
 struct Obj {
-  std::map<std::string, std::vector<Vec3>> objects;
+  std::map<std::string, std::vector<Vec3>> objects;    // vertices
+  std::map<std::string, std::vector<Vec3>> triangles;  // corners, three each
   std::set<std::string> materials;
-  std::size_t vertices = 0, faces = 0;
+  std::vector<Vec3> vertices;
+  std::size_t faces = 0;
 };
 
 Obj parsed(const std::string& text) {
@@ -36,7 +38,7 @@ Obj parsed(const std::string& text) {
       in >> v.x() >> v.y() >> v.z();
       REQUIRE(in);
       out.objects[object].push_back(v);
-      ++out.vertices;
+      out.vertices.push_back(v);
     } else if (word == "usemtl") {
       in >> word;
       out.materials.insert(word);
@@ -47,7 +49,8 @@ Obj parsed(const std::string& text) {
         char slash = 0;
         in >> a >> slash >> slash >> b;
         REQUIRE(in);
-        CHECK((a >= 1 && a <= out.vertices && a == b));
+        REQUIRE((a >= 1 && a <= out.vertices.size() && a == b));
+        out.triangles[object].push_back(out.vertices[a - 1]);
       }
     }
   }
@@ -80,6 +83,12 @@ TEST_CASE("each .obj has the bodies of its frame where they are") {
     for (const Vec3& place : obj.objects.at("ball"))
       CHECK((place - state.c[4]).norm() == Approx(0.4).epsilon(5e-2));
     CHECK(obj.objects.at("crate_\"2\"_é").size() == 24);
+    for (const Polyhedron& solid : polyhedra()) {
+      std::vector<Vec3> own;
+      for (const Vec3& corner : obj.triangles.at(solid.name))
+        own.push_back(state.R[solid.body].transpose() * (corner - state.c[solid.body]));
+      check_surface(solid, own, 3e-6);  // float, some ten metres from the origin
+    }
   }
 }
 

@@ -54,6 +54,14 @@ std::string prim(const std::string& text, const std::string& name) {
   return text.substr(start, end - start);
 }
 
+// Numbers in the brackets of an attribute that does not change.
+std::vector<double> list(const std::string& prim, const std::string& attribute) {
+  const auto begin = prim.find(attribute + " = [");
+  REQUIRE(begin != std::string::npos);
+  const auto from = prim.find('[', begin);  // of its value, not of its type
+  return numbers_in(prim.substr(from, prim.find(']', from) - from));
+}
+
 // Code → numbers of an attribute's samples.
 std::map<double, std::vector<double>> samples(const std::string& prim, const std::string& attribute) {
   std::map<double, std::vector<double>> out;
@@ -85,6 +93,26 @@ TEST_CASE("normals of a .usda are of its vertices: metadata of the attribute say
   CHECK(seen > 3);
 }
 
+TEST_CASE("a hull and a compound in a .usda have their corners and enclose their volume") {
+  const TempFolder folder;
+  const auto scene = varied_scene();
+  const auto out = folder / "a.usda";
+  export_frames(out.string(), *scene, frames_of(scene, 2, 30), {});
+  const std::string text = read_bytes(out);
+  for (const Polyhedron& solid : polyhedra()) {
+    const std::string body = prim(text, solid.name);
+    std::smatch shape;
+    REQUIRE(std::regex_search(body, shape, std::regex("inherits = </World/Shapes/(\\w+)>")));
+    const std::string mesh = prim(text, shape[1]);
+    const auto points = list(mesh, "points"), counts = list(mesh, "faceVertexCounts"),
+               indices = list(mesh, "faceVertexIndices");
+    CHECK(counts == std::vector<double>(indices.size() / 3, 3));
+    std::vector<Vec3> corners;
+    for (const double index : indices) corners.emplace_back(&points.at(3 * static_cast<std::size_t>(index)));
+    check_surface(solid, corners, 1e-6);
+  }
+}
+
 TEST_CASE("time samples of a .usda are the poses of the run") {
   const TempFolder folder;
   const auto scene = varied_scene();
@@ -100,8 +128,8 @@ TEST_CASE("time samples of a .usda are the poses of the run") {
         "defaultPrim = \"World\"\n", "string name = \"crate \\\"2\\\" é\"\n"})
     CHECK(text.find(line) != std::string::npos);
 
-  const std::map<std::string, std::size_t> bodies = {
-      {"crate", 2}, {"crate_2_", 3}, {"ball", 4}, {"pill", 5}, {"arm", 8}};
+  const std::map<std::string, std::size_t> bodies = {{"crate", 2}, {"crate_2_", 3}, {"ball", 4},  {"pill", 5},
+                                                     {"arm", 8},   {"wedge", 9},    {"angle", 10}};
   for (const auto& [name, i] : bodies) {
     CAPTURE(name);
     const std::string body = prim(text, name);
