@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/body/mass_properties.h"
+#include "sim/math/so3.h"
 #include "sim/potential/barrier.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
@@ -105,6 +106,29 @@ TEST_CASE("arch: above Milankovitch's least thickness it stands, below it falls"
   CHECK(top - lowest < 0.01);  // its joints give: 25 of them, each a part of d̂ = 4 mm
   CHECK(show.state().v[show.body("thick 12")].norm() < 1e-3);
   CHECK(show.place("thin 12").y() < 0.5);
+}
+
+TEST_CASE("card house: it stands where it starts until the ball is there, then it falls", "[scene]") {
+  Show show("card_house");
+  const State start = show.state();
+  const auto moved = [&] {  // the card that is farthest from its start
+    double most = 0;
+    for (int card = 1; card <= 15; ++card) {
+      const auto i = show.body("card " + std::to_string(card));
+      const double turned = turn_between(start.R[i], show.state().R[i]).norm();
+      most = std::max({most, (show.state().c[i] - start.c[i]).norm(), 0.5 * turned});  // ends are 0.5 m away
+    }
+    return most;
+  };
+  double farthest = 0;
+  show.run(1.45, [&] { farthest = std::max(farthest, moved()); });
+  CHECK(show.state().v[show.body("ball")].x() == Approx(3).epsilon(1e-9));  // it has met nothing
+  // It starts in the equilibrium of its steps: no card moves as far as a contact gives under its load.
+  const double given = show.scene.params.contact.d_hat - show.report.min_gap;
+  CHECK(given < 0.01 * show.scene.params.contact.d_hat);
+  CHECK(farthest < given);
+  show.run(2);
+  CHECK(moved() > 0.1);
 }
 
 TEST_CASE("Geneva drive: a quarter a turn, locked between, and the ratio of the classic formula", "[scene]") {
