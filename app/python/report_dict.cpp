@@ -2,6 +2,8 @@
 // See report_dict.h. Units: sim/solver/report.h.
 #include "app/python/report_dict.h"
 
+#include "app/session/step_numbers.h"
+
 namespace pabd::python {
 
 namespace py = pybind11;
@@ -32,23 +34,11 @@ py::dict dict_of(const StepReport& report) {
   py::list islands;
   for (const IslandReport& island : report.islands) islands.append(dict_of(island));
   py::dict out = energies_of(report);
-  out["step"] = report.step;
-  out["time"] = report.time;
+  for (const StepNumber& number : step_numbers())
+    std::visit([&](const auto member) { out[py::str(std::string(number.name))] = report.*member; },
+               number.member);
   out["method"] = to_string(report.method);
   out["status"] = to_string(report.status);
-  out["iterations"] = report.iterations;
-  out["kappa"] = report.kappa;
-  out["contacts"] = report.contacts;
-  out["max_penetration"] = report.max_penetration;
-  out["min_gap"] = report.min_gap;
-  out["max_joint_error"] = report.max_joint_error;
-  out["residual"] = report.residual;
-  out["left_pairs"] = report.left_pairs;
-  out["too_dense"] = report.too_dense;
-  out["drive_work"] = report.drive_work;
-  out["capped_bonds"] = report.capped_bonds;
-  out["held_bodies"] = report.held_bodies;
-  out["friction_excess"] = report.friction_excess;
   out["times"] = dict_of(report.times);
   out["islands"] = islands;
   return out;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/sweep/step_numbers.h"
+#include "app/session/step_numbers.h"
 
 namespace pabd {
 

@@ -57,6 +57,18 @@ def test_free_fall():
     assert sum(sim.energies[k] for k in ("kinetic", "potential", "elastic")) == sim.energies["total"]
 
 
+def test_a_report_is_a_summary_of_the_step_and_counts_are_whole_numbers():
+    report = pabd.load("two_boxes").step(3)
+    whole = {"step", "iterations", "contacts", "left_pairs", "too_dense", "capped_bonds", "held_bodies"}
+    real = {"time", "kinetic", "potential", "elastic", "total", "kappa", "max_penetration", "min_gap", "max_joint_error",
+            "residual", "drive_work", "friction_excess"}
+    assert set(report) == whole | real | {"method", "status", "times", "islands"}
+    assert {key for key in report if type(report[key]) is int} == whole
+    assert {key for key in report if type(report[key]) is float} == real
+    assert (report["step"], report["contacts"] > 0) == (3, True)
+    assert report["total"] == report["kinetic"] + report["potential"] + report["elastic"]
+
+
 def test_rotations_turn_bodies():
     builder = pabd.SceneBuilder("turning").box("box", [1, 2, 3], angular_velocity=[0, 90, 0])
     sim = builder.set("gravity", [0, 0, 0]).set("time_step", 0.001).build()

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // See step_numbers.h.
-#include "app/sweep/step_numbers.h"
+#include "app/session/step_numbers.h"
 
 #include <array>
 
 namespace pabd {
 
 std::span<const StepNumber> step_numbers() {
-#define PABD_NUMBER(name)                                                   \
-  StepNumber {                                                              \
-#name, [](const StepSummary& s) { return static_cast<double>(s.name); } \
-  }
+#define PABD_NUMBER(name) \
+  StepNumber { #name, &StepSummary::name }
   static constexpr std::array kNumbers = {PABD_NUMBER(step),
                                           PABD_NUMBER(time),
                                           PABD_NUMBER(iterations),
