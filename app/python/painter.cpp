@@ -39,12 +39,13 @@ Painter::Painter(std::shared_ptr<const Scene> scene, const PictureOptions& optio
   const RenderQuality quality = quality_of(options.quality);
   std::vector<ContextAttempt> attempts;
   context_ = create_headless_context(Backend::automatic, attempts);
+  const CurrentContext current(*context_);
   // Cameras that go along with a body, or round the scene, begin where the scene does, whenever a picture is taken.
   const Frame start = make_frame(0, Session(scene).view(), {}, {});
-  painter_ = std::make_unique<AbPainter>(*context_, scene, start, AbView::side, options.width, options.height,
-                                         overlay_, camera);
-  painter_->set_quality(quality);
-  context_->release();
+  auto painter = std::make_unique<AbPainter>(*context_, scene, start, AbView::side, options.width,
+                                             options.height, overlay_, camera);
+  painter->set_quality(quality);
+  painter_ = std::move(painter);
 }
 
 Painter::~Painter() {
@@ -56,9 +57,7 @@ Painter::~Painter() {
 }
 
 Image Painter::draw(FrameView view) {
-  context_->make_current();
-  const std::unique_ptr<GlContext, void (*)(GlContext*)> current(context_.get(),
-                                                                 [](GlContext* c) { c->release(); });
+  const CurrentContext current(*context_);
   painter_->draw(make_frame(0, std::move(view), {}, {}));
   Image image;
   painter_->fetch(image);

@@ -22,6 +22,18 @@ class GlContext {
   virtual std::string name() const = 0;  // "EGL device 0", "EGL surfaceless", "OSMesa", "window"
 };
 
+// A context is current in this thread while this lives. Throws Error(no_context).
+class CurrentContext {
+ public:
+  explicit CurrentContext(GlContext& context) : context_(context) { context_.make_current(); }
+  ~CurrentContext() { context_.release(); }
+  CurrentContext(const CurrentContext&) = delete;
+  CurrentContext& operator=(const CurrentContext&) = delete;
+
+ private:
+  GlContext& context_;
+};
+
 // Where a context without a display comes from; automatic: EGL, then OSMesa.
 enum class Backend { automatic, egl, osmesa };
 

@@ -12,18 +12,6 @@
 namespace pabd {
 namespace {
 
-// A context is current while this lives.
-class Current {
- public:
-  explicit Current(GlContext& context) : context_(context) { context_.make_current(); }
-  ~Current() { context_.release(); }
-  Current(const Current&) = delete;
-  Current& operator=(const Current&) = delete;
-
- private:
-  GlContext& context_;
-};
-
 class Stopwatch {
  public:
   // ms since it was made, or since the last call.
@@ -91,7 +79,7 @@ bool DeviceEngine::Left::is(const State& state) const {
 
 DeviceCapacity DeviceEngine::capacity(Backend backend) {
   const auto context = open_context(backend);
-  const Current current(*context);
+  const CurrentContext current(*context);
   return device_capacity(*context);
 }
 
@@ -109,7 +97,7 @@ std::string DeviceEngine::why_not(const Model& model, const Params& params, cons
 }
 
 DeviceEngine::DeviceEngine(Backend backend) : context_(open_context(backend)) {
-  const Current current(*context_);
+  const CurrentContext current(*context_);
   const DeviceCapacity found = device_capacity(*context_);
   if (!found.why_not.empty()) throw Error(ErrorKind::no_context, found.why_not);
   name_ = found.renderer;
@@ -164,7 +152,7 @@ void DeviceEngine::make_ready(const Model& model, bool contacts, const State& st
 void DeviceEngine::prepare(const Model& model, const Params& params, const StepOptions& options,
                            const State& state) {
   check(model, params, options);
-  const Current current(*context_);
+  const CurrentContext current(*context_);
   make_ready(model, options.report_contacts, state);
 }
 
@@ -175,7 +163,7 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
     report = not_made(StepStatus::interrupted, model, params, state);
     return;
   }
-  const Current current(*context_);
+  const CurrentContext current(*context_);
   Stopwatch watch;
   make_ready(model, options.report_contacts, state);
   const double before = watch.lap();
@@ -196,7 +184,7 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
 
 void DeviceEngine::complete(State& state) {
   if (solver_ == nullptr || !left_.is(state)) return;
-  const Current current(*context_);
+  const CurrentContext current(*context_);
   solver_->read_state(state);
 }
 
