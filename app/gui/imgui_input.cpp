@@ -2,6 +2,8 @@
 // See imgui_input.h.
 #include "app/gui/imgui_input.h"
 
+#include "app/overlay/imgui_context.h"
+
 namespace pabd {
 namespace {
 
@@ -87,12 +89,8 @@ void set_up_keys(ImGuiIO& io) {
 }  // namespace
 
 ImGuiContext* make_gui_context() {
-  ImGuiContext* context = ImGui::CreateContext();
-  ImGui::SetCurrentContext(context);
+  ImGuiContext* context = new_imgui_context();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;
-  io.LogFilename = nullptr;
-  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   io.ConfigInputTextCursorBlink = false;  // every picture of a state is the same
   set_up_keys(io);
   return context;

@@ -8,6 +8,7 @@
 
 #include "app/overlay/font_atlas.h"
 #include "app/overlay/imgui_canvas.h"
+#include "app/overlay/imgui_context.h"
 #include "app/overlay/overlay_panels.h"
 #include "app/overlay/view_marks.h"
 
@@ -27,12 +28,7 @@ struct Overlay::Impl {
 
   static ImGuiContext* make_context() {
     ImGuiContext* previous = ImGui::GetCurrentContext();
-    ImGuiContext* fresh = ImGui::CreateContext();
-    ImGui::SetCurrentContext(fresh);
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.LogFilename = nullptr;
-    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    ImGuiContext* fresh = new_imgui_context();
     ImGuiStyle& style = ImGui::GetStyle();
     style.AntiAliasedLinesUseTex = false;  // widths that are no whole number of pixels
     style.CurveTessellationTol = 0.5f;
