@@ -83,22 +83,28 @@ FigureLayout layout_figure(const Figure& figure, double width, double height, co
   return layout;
 }
 
+void paint_title(const std::string& title, double width, double y, const PlotStyle& style, Canvas& canvas) {
+  if (title.empty()) return;
+  canvas.text({0.5 * width, y}, title, {1.15 * style.title, style.theme.text, AlignX::center, AlignY::top});
+}
+
+void paint_caption(const std::vector<std::string>& lines, double width, double y, const PlotStyle& style,
+                   Canvas& canvas) {
+  for (const std::string& line : lines) {
+    canvas.text({0.5 * width, y}, line, {style.tick, style.theme.muted, AlignX::center, AlignY::top});
+    y += FontMetrics::line * style.tick;
+  }
+}
+
 void paint_figure(const Figure& figure, double width, double height, Canvas& canvas, const PlotTheme& theme) {
   const FigureLayout layout = layout_figure(figure, width, height, canvas.font(), theme);
   const PlotStyle& style = layout.style;
-  if (!figure.title.empty()) {
-    canvas.text({0.5 * width, layout.title.y}, figure.title,
-                {1.15 * style.title, theme.text, AlignX::center, AlignY::top});
-  }
+  paint_title(figure.title, width, layout.title.y, style, canvas);
   for (std::size_t i = 0; i < figure.plots.size(); ++i) {
     paint_plot(figure.plots[i], layout_plot(figure.plots[i], layout.cells[i], style, canvas.font()), style,
                canvas);
   }
-  double y = layout.caption.y;
-  for (const std::string& line : layout.caption_lines) {
-    canvas.text({0.5 * width, y}, line, {style.tick, theme.muted, AlignX::center, AlignY::top});
-    y += FontMetrics::line * style.tick;
-  }
+  paint_caption(layout.caption_lines, width, layout.caption.y, style, canvas);
 }
 
 Picture figure_picture(Figure figure, const PlotTheme& theme) {

@@ -28,6 +28,10 @@ FigureLayout layout_figure(const Figure& figure, double width, double height, co
                            const PlotTheme& theme = light_theme());
 void paint_figure(const Figure& figure, double width, double height, Canvas& canvas,
                   const PlotTheme& theme = light_theme());
+// What figures and heat maps have in the middle: a title with its top at y, and the lines of a caption from y down.
+void paint_title(const std::string& title, double width, double y, const PlotStyle& style, Canvas& canvas);
+void paint_caption(const std::vector<std::string>& lines, double width, double y, const PlotStyle& style,
+                   Canvas& canvas);
 Picture figure_picture(Figure figure, const PlotTheme& theme = light_theme());
 
 // A whole SVG document. Text stays text, in DejaVu Sans or what comes next to it.

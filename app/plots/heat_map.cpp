@@ -262,9 +262,7 @@ void paint_heat_map(const HeatMap& map, double width, double height, Canvas& can
   const HeatLayout layout = layout_heat_map(map, width, height, canvas.font(), theme);
   const PlotStyle& style = layout.style;
   const double margin = 1.6 * style.tick;
-  if (!map.title.empty())
-    canvas.text({0.5 * width, margin}, map.title,
-                {1.15 * style.title, theme.text, AlignX::center, AlignY::top});
+  paint_title(map.title, width, margin, style, canvas);
   for (std::size_t panel = 0; panel < map.panels.size(); ++panel) {
     const Rect& inner = layout.panels[panel];
     if (!map.panels[panel].title.empty()) {
@@ -276,11 +274,9 @@ void paint_heat_map(const HeatMap& map, double width, double height, Canvas& can
     paint_heat_axes(map, layout, panel, canvas);
   }
   if (map.color) paint_color_bar(layout.bar, layout.scale, map.color, map.value_label, style, canvas);
-  double y = height - margin - static_cast<double>(layout.caption.size()) * FontMetrics::line * style.tick;
-  for (const std::string& line : layout.caption) {
-    canvas.text({0.5 * width, y}, line, {style.tick, theme.muted, AlignX::center, AlignY::top});
-    y += FontMetrics::line * style.tick;
-  }
+  const double lines = static_cast<double>(layout.caption.size());
+  paint_caption(layout.caption, width, height - margin - lines * FontMetrics::line * style.tick, style,
+                canvas);
 }
 
 Picture heat_map_picture(HeatMap map, const PlotTheme& theme) {
