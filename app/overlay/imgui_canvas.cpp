@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace pabd {
@@ -15,9 +16,7 @@ ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<floa
 
 ImU32 packed(Color c) { return IM_COL32(c.r, c.g, c.b, c.a); }
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kSharpTurn = 0.75;          // cosine: beyond about 40° a mitred corner would stick out
-constexpr double kItalicSlant = 0.20;        // of letters that stand for quantities
 constexpr std::size_t kLongestPiece = 8000;  // points of one draw call: indices have 16 bits
 
 }  // namespace
@@ -100,7 +99,8 @@ void ImGuiCanvas::fill_rect(const Rect& rect, Color color, double corner_radius)
 void ImGuiCanvas::fill_circle(const Point& center, double radius, Color color) {
   const int segments = std::clamp(static_cast<int>(4 + 5 * std::sqrt(radius)), 12, 64);
   const ImU32 ink = packed(color), clear = ink & ~IM_COL32_A_MASK;
-  const double soft = 0.5 / std::cos(kPi / segments);  // half the width of the rim, at the corners
+  const double soft =
+      0.5 / std::cos(std::numbers::pi / segments);  // half the width of the rim, at the corners
   const double inner = std::max(0.0, radius - soft), outer = radius + soft;
   list_.PrimReserve(3 * (segments - 2) + 6 * segments, 2 * segments);
   const unsigned first = list_._VtxCurrentIdx;
@@ -110,7 +110,8 @@ void ImGuiCanvas::fill_circle(const Point& center, double radius, Color color) {
                                               static_cast<unsigned>(ring)));
   };
   for (int k = 0; k < segments; ++k) {
-    const double x = std::cos(2 * kPi * k / segments), y = std::sin(2 * kPi * k / segments);
+    const double x = std::cos(2 * std::numbers::pi * k / segments),
+                 y = std::sin(2 * std::numbers::pi * k / segments);
     list_.PrimWriteVtx(vec(center.x + inner * x, center.y + inner * y), white, ink);
     list_.PrimWriteVtx(vec(center.x + outer * x, center.y + outer * y), white, clear);
   }
@@ -133,7 +134,7 @@ void ImGuiCanvas::text(const Point& at, std::string_view rich, const TextStyle& 
                                       : Point{at.x + start, std::round(at.y + down)};
   if (style.halo > 0) {
     for (int k = 0; k < 12; ++k) {
-      const double angle = 2 * kPi * k / 12;
+      const double angle = 2 * std::numbers::pi * k / 12;
       glyphs(layout, {origin.x + style.halo * std::cos(angle), origin.y + style.halo * std::sin(angle)},
              style.vertical, {style.halo_color.r, style.halo_color.g, style.halo_color.b, style.color.a});
     }
@@ -160,8 +161,8 @@ void ImGuiCanvas::glyphs(const TextLayout& layout, const Point& origin, bool ver
         const double y0 = baseline + static_cast<double>(glyph->Y0) - rise;
         const double y1 = baseline + static_cast<double>(glyph->Y1) - rise;
         // Slanted about the baseline.
-        const double top = run.italic ? -kItalicSlant * (y0 - baseline) : 0;
-        const double bottom = run.italic ? -kItalicSlant * (y1 - baseline) : 0;
+        const double top = run.italic ? -kSlant * (y0 - baseline) : 0;
+        const double bottom = run.italic ? -kSlant * (y1 - baseline) : 0;
         const auto place = [&](double x, double y) {
           return vertical ? vec(origin.x + y, origin.y - x) : vec(origin.x + x, origin.y + y);
         };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include FT_FREETYPE_H
 
@@ -16,9 +17,6 @@
 
 namespace pabd {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kSlant = 0.20;  // of letters that stand for quantities, as in frames
 
 // FreeType's view of the embedded font. cairo keeps it as long as it may need it and then calls `release`.
 struct Face {
@@ -187,7 +185,8 @@ void CairoCanvas::fill_rect(const Rect& rect, Color color, double corner_radius)
   if (r > 0) {
     const double xs[] = {rect.right() - r, rect.right() - r, rect.x + r, rect.x + r};
     const double ys[] = {rect.y + r, rect.bottom() - r, rect.bottom() - r, rect.y + r};
-    for (int k = 0; k < 4; ++k) cairo_arc(cairo, xs[k], ys[k], r, 0.5 * kPi * (k - 1), 0.5 * kPi * k);
+    for (int k = 0; k < 4; ++k)
+      cairo_arc(cairo, xs[k], ys[k], r, 0.5 * std::numbers::pi * (k - 1), 0.5 * std::numbers::pi * k);
     cairo_close_path(cairo);
   } else {
     cairo_rectangle(cairo, rect.x, rect.y, rect.w, rect.h);
@@ -198,7 +197,7 @@ void CairoCanvas::fill_rect(const Rect& rect, Color color, double corner_radius)
 void CairoCanvas::fill_circle(const Point& center, double radius, Color color) {
   impl_->ink(color);
   cairo_new_path(impl_->cairo);
-  cairo_arc(impl_->cairo, center.x, center.y, radius, 0, 2 * kPi);
+  cairo_arc(impl_->cairo, center.x, center.y, radius, 0, 2 * std::numbers::pi);
   cairo_fill(impl_->cairo);
 }
 
@@ -211,7 +210,7 @@ void CairoCanvas::text(const Point& at, std::string_view rich, const TextStyle& 
   for (const TextRun& run : layout.runs) {
     cairo_save(cairo);
     cairo_translate(cairo, at.x, at.y);
-    if (style.vertical) cairo_rotate(cairo, -0.5 * kPi);
+    if (style.vertical) cairo_rotate(cairo, -0.5 * std::numbers::pi);
     cairo_translate(cairo, start + run.x, baseline_offset(style.y, style.size) + run.y);
     impl_->show(run, font(), style);
     cairo_restore(cairo);

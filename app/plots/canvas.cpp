@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pabd {
 
@@ -31,7 +32,7 @@ void Canvas::circle(const Point& center, double radius, const Stroke& stroke) {
   const int n = std::clamp(static_cast<int>(std::ceil(2.5 * std::sqrt(radius) * 4)), 16, 96);
   std::vector<Point> points;
   for (int k = 0; k < n; ++k) {
-    const double angle = 2 * 3.14159265358979323846 * k / n;
+    const double angle = 2 * std::numbers::pi * k / n;
     points.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
   }
   polyline(points, stroke, true);

@@ -84,6 +84,9 @@ class Canvas {
   const FontMetrics& font_;
 };
 
+// Of letters that stand for quantities: how far they lean to the right, over their height.
+inline constexpr double kSlant = 0.20;
+
 // Anything that can be painted into a width × height picture.
 using Picture = std::function<void(Canvas& canvas, double width, double height)>;
 

@@ -3,11 +3,10 @@
 #include "render/visual/primitive_mesh.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace pabd {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct Builder {
   Mesh mesh;
@@ -31,7 +30,7 @@ struct Builder {
   void disc(double y, int sign, int segments) {
     const int centre = vertex(0, y, 0, 0, sign, 0);
     for (int i = 0; i < segments; ++i) {
-      const double a = 2 * kPi * i / segments;
+      const double a = 2 * std::numbers::pi * i / segments;
       vertex(std::sin(a), y, std::cos(a), 0, sign, 0);
     }
     for (int i = 0; i < segments; ++i) {
@@ -53,7 +52,7 @@ struct Builder {
     for (int j = 0; j <= rings; ++j) {
       const auto [r, y, nr, ny] = ring(j);
       for (int i = 0; i <= segments; ++i) {
-        const double a = 2 * kPi * (i % segments) / segments;
+        const double a = 2 * std::numbers::pi * (i % segments) / segments;
         vertex(r * std::sin(a), y, r * std::cos(a), nr * std::sin(a), ny, nr * std::cos(a));
       }
     }
@@ -105,7 +104,7 @@ void cube(Builder& b) {
 void ball(Builder& b, int segments, int quarters) {
   const int rings = segments / 4 * quarters;
   b.revolve(rings, segments, [&](int j) {
-    const double a = 0.5 * kPi * quarters * j / rings;
+    const double a = 0.5 * std::numbers::pi * quarters * j / rings;
     const double r = j == 0 || (quarters == 2 && j == rings) ? 0 : std::sin(a);
     const double y = std::cos(a);
     return RingShape{r, y, r, y};
@@ -151,7 +150,8 @@ Mesh make_mesh(Primitive primitive, int level) {
 
 int level_for_radius(float radius, float tolerance) {
   for (int level = 0; level < kLevels - 1; ++level) {
-    if (radius * (1 - std::cos(kPi / kSegments[level])) <= static_cast<double>(tolerance)) return level;
+    if (radius * (1 - std::cos(std::numbers::pi / kSegments[level])) <= static_cast<double>(tolerance))
+      return level;
   }
   return kLevels - 1;
 }
