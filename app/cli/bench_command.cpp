@@ -235,7 +235,7 @@ void add_bench_command(CLI::App& app, Action& action) {
                    "write the same as JSON, SI units and ms; -: to standard output in place of the table")
       ->type_name("JSON")
       ->group(group::kOutput);
-  command->add_flag("--force", options->force, "overwrite what exists")->group(group::kOutput);
+  add_force_option(*command, options->force);
   command->add_flag("--solvers", options->solvers,
                     "measure every scene with auto, descent and newton; a second table tells what auto costs "
                     "against the cheaper of the two");

@@ -58,14 +58,22 @@ void add_scene_options(CLI::App& command, CommonOptions& common) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false)
       ->group(group::kSimulation);
-  command
-      .add_option("--threads", common.threads,
-                  "threads of the solver, 1 … 1024; results do not depend on it. Default: the CPUs that this "
-                  "process may use, at most 64; 'pabd doctor' tells how many. Software GL and video encoders "
-                  "have threads of their own beside them")
+  add_threads_option(command, common.threads,
+                     "threads of the solver, 1 … 1024; results do not depend on it. Default: the CPUs that "
+                     "this process may use, at "
+                     "most 64; 'pabd doctor' tells how many. Software GL and video encoders have threads of "
+                     "their own beside them");
+}
+
+void add_threads_option(CLI::App& command, int& threads, const std::string& words) {
+  command.add_option("--threads", threads, words)
       ->type_name("N")
       ->group(group::kSimulation)
       ->check(CLI::Range(1, 1024));
+}
+
+void add_force_option(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "overwrite what exists")->group(group::kOutput);
 }
 
 void add_output_options(CLI::App& command, OutputOptions& output, const std::string& description) {
@@ -73,7 +81,7 @@ void add_output_options(CLI::App& command, OutputOptions& output, const std::str
       ->type_name("OUT")
       ->required()
       ->group(group::kOutput);
-  command.add_flag("--force", output.force, "overwrite what exists")->group(group::kOutput);
+  add_force_option(command, output.force);
 }
 
 FrameSize parse_size(const std::string& text) {

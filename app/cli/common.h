@@ -36,6 +36,12 @@ CLI::App* add_command(CLI::App& app, const std::string& name, const std::string&
 // --set and --threads, for commands that read a scene.
 void add_scene_options(CLI::App& command, CommonOptions& common);
 
+// --threads; `words`: what it is for and what it is unless given.
+void add_threads_option(CLI::App& command, int& threads, const std::string& words);
+
+// --force, beside the outputs that it is about.
+void add_force_option(CLI::App& command, bool& force);
+
 // -o/--out and --force.
 struct OutputOptions {
   std::string path;

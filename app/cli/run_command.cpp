@@ -206,7 +206,7 @@ void add_run_command(CLI::App& app, Action& action) {
                  "print the summary at the end as one JSON document to standard output, SI units")
       ->excludes(profile)
       ->group(group::kOutput);
-  command->add_flag("--force", options->force, "overwrite what exists")->group(group::kOutput);
+  add_force_option(*command, options->force);
   command->add_option("--from", options->from, "continue from a state file of this scene")
       ->type_name("STATE.json")
       ->group(group::kSimulation);

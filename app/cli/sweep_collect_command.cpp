@@ -62,7 +62,7 @@ void add_sweep_collect_command(CLI::App& sweep, Action& action) {
           "pareto.png and .svg, report.html (default DIR/collected)")
       ->type_name("FOLDER")
       ->group(group::kOutput);
-  command->add_flag("--force", options->collect.force, "overwrite what exists")->group(group::kOutput);
+  add_force_option(*command, options->collect.force);
   command
       ->add_option("--x", options->collect.x,
                    "parameter from left to right, by its key (default: one of the two with the most values)")

@@ -169,14 +169,10 @@ void add_options(CLI::App& command, SweepOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024))
       ->group(group::kSimulation);
-  command
-      .add_option(
-          "--threads", options.common.threads,
-          "threads of the solver a task, 1 … 1024; results do not depend on it. Default: 1, of one task "
-          "SLURM_CPUS_PER_TASK")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024))
-      ->group(group::kSimulation);
+  add_threads_option(
+      command, options.common.threads,
+      "threads of the solver a task, 1 … 1024; results do not depend on it. Default: 1, of one task "
+      "SLURM_CPUS_PER_TASK");
 }
 
 }  // namespace
