@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kGoldenPart = 0.6180339887498949;  // of the map from one part to the next: never alike
-constexpr double kDecades = 1e-4;                   // of a logarithmic range
 
 double value_of(const RunView& run, std::size_t i, ColorQuantity quantity) {
   if (run.model->fixed[i]) return kNone;
@@ -47,15 +46,6 @@ double largest(const std::vector<double>& values) {
   return out;
 }
 
-// The next of 1, 2, 5, 10, … times a power of ten.
-double round_up(double x) {
-  const double power = std::pow(10, std::floor(std::log10(x)));
-  for (const double step : {1.0, 2.0, 5.0}) {
-    if (x <= step * power * (1 + 1e-9)) return step * power;
-  }
-  return 10 * power;
-}
-
 }  // namespace
 
 double kinetic_energy_of(const Model& model, const State& state, Index body) {
@@ -84,15 +74,13 @@ BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity) {
                               : counted(out.count, "component") + ", one colour each; grey: alone or fixed";
     return out;
   }
-  out.range.logarithmic = quantity != ColorQuantity::speed;
   if (hi == 0 && quantity == ColorQuantity::projection) {
     out.title = out.note = "‖A − R‖ is 0: only sissm has an A";
     out.parts = true;
     return out;
   }
-  hi = std::max(hi, quantity == ColorQuantity::projection ? 1e-12 : 1e-6);
-  out.range.hi = round_up(hi);
-  out.range.lo = out.range.logarithmic ? kDecades * out.range.hi : 0;
+  out.range =
+      round_range(hi, quantity == ColorQuantity::projection ? 1e-12 : 1e-6, quantity != ColorQuantity::speed);
   out.title = quantity == ColorQuantity::projection ? "‖A − R‖"
               : quantity == ColorQuantity::speed    ? "speed, m/s"
                                                     : "kinetic and contact energy, J";

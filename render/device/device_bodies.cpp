@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <deque>
 #include <map>
@@ -12,10 +13,12 @@
 
 #include "render/device/compute_program.h"
 #include "render/device/device_layout.h"
+#include "render/device/device_solver.h"
 #include "render/device/draw_buffers.h"
 #include "render/device/shader_files.h"
 #include "render/gl/draw_list.h"
 #include "render/visual/body_parts.h"
+#include "render/visual/value_map.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -24,6 +27,8 @@ namespace {
 constexpr unsigned kThreads = 256;          // of a work group
 constexpr std::size_t kMostClasses = 2048;  // whose counts a work group can hold: 24 of 32 KiB
 constexpr std::size_t kLateFrames = 3;
+constexpr std::size_t kBodyLists = 3;  // of DeviceList, the first ones
+constexpr int kValueColors = 4096;     // of the map: the colours between them are off by less than 1e-7
 
 using namespace device;
 
@@ -75,6 +80,8 @@ struct DeviceBodies::Impl {
 
   void run(const ComputeProgram& program, std::size_t threads);
   void upload_view();
+  void color_by(unsigned values, const ValueRange& range);
+  float largest(unsigned values);
   std::uint32_t class_of(const BodyPart& part);
   ComputeProgram compile(const char* name, const char* define, const ShaderPart& main) const;
   void ask(const Question& question);
@@ -85,11 +92,16 @@ struct DeviceBodies::Impl {
   DeviceBodiesOptions options;
   std::size_t count;  // bodies
   std::vector<std::shared_ptr<const MeshData>> meshes;
-  std::vector<InstanceClass> classes;
+  std::vector<InstanceClass> classes;  // of bodies, then of marks
+  std::size_t body_classes = 0;
   std::map<std::pair<int, int>, std::uint32_t> known;  // first class of a primitive and its mesh
   DrawBuffers buffers;
-  std::optional<ComputeProgram> count_program, commands_program, emit_program, bounds_program;
+  std::optional<ComputeProgram> count_program, commands_program, emit_program, bounds_program,
+      largest_program;
   DrawView view{};
+  bool has_map = false;  // of values
+  std::optional<DeviceMarks> marks;
+  bool shows_marks = false;
   std::vector<MeshRange> places;  // as in DrawSlot::meshes
   std::array<DeviceBatches, kDeviceLists> batches;
 
@@ -105,7 +117,8 @@ struct DeviceBodies::Impl {
 
 DeviceBodies::Impl::Impl(GlContext& context, const BodyParts& bodies, unsigned pose_buffer,
                          const DeviceBodiesOptions& o)
-    : gl(context), options(o), count(bodies.of_body.size()), meshes(bodies.meshes), buffers(gl, pose_buffer) {
+    : gl(context), options(o), count(bodies.of_body.size()), meshes(bodies.meshes), buffers(gl) {
+  buffers.lend(DrawSlot::poses, pose_buffer);
   std::vector<DrawPart> parts;
   for (const BodyPart& part : bodies.parts) {
     DrawPart out{};
@@ -129,21 +142,24 @@ DeviceBodies::Impl::Impl(GlContext& context, const BodyParts& bodies, unsigned p
     colors.push_back(bodies.colors[i]);
     colors.back().w() = bodies.checkers[i] != 0 ? 2.0f : 1.0f;
   }
-  const std::size_t commands = kDeviceLists * classes.size();
+  body_classes = classes.size();
+  const std::size_t commands = kBodyLists * body_classes;
+  const std::vector<InstanceClass> of_marks = DeviceMarks::classes();
+  classes.insert(classes.end(), of_marks.begin(), of_marks.end());
   buffers.make(DrawSlot::parts, parts.size() * sizeof(DrawPart), parts.data());
   buffers.make(DrawSlot::ranges, ranges.size() * sizeof(ranges[0]), ranges.data());
   buffers.make(DrawSlot::colors, colors.size() * sizeof(Vec4f), colors.data());
   buffers.make(DrawSlot::view, sizeof(DrawView));
   buffers.make(DrawSlot::counts, commands * sizeof(std::uint32_t));
-  buffers.make(DrawSlot::meshes, classes.size() * sizeof(MeshRange));
+  buffers.make(DrawSlot::meshes, body_classes * sizeof(MeshRange));
   buffers.make(DrawSlot::commands, commands * kCommandBytes);
   buffers.make(DrawSlot::bounds, sizeof(DrawBounds));
   for (const DrawSlot slot : {DrawSlot::bodies, DrawSlot::casters, DrawSlot::floor_casters})
     buffers.make(slot, bodies.drawn * sizeof(GpuInstance));
-  for (std::size_t list = 0; list < kDeviceLists; ++list) {
+  for (std::size_t list = 0; list < kBodyLists; ++list) {
     const auto slot = static_cast<DrawSlot>(static_cast<unsigned>(DrawSlot::bodies) + list);
-    batches[list] = {buffers.id(slot), buffers.id(DrawSlot::commands), list * classes.size() * kCommandBytes,
-                     classes};
+    batches[list] = {buffers.id(slot), buffers.id(DrawSlot::commands), list * body_classes * kCommandBytes,
+                     std::span(classes).first(body_classes)};
   }
   count_program.emplace(compile("bodies to draw", "", shaders::device_draw_make_comp));
   emit_program.emplace(compile("instances", "#define EMIT\n", shaders::device_draw_make_comp));
@@ -159,13 +175,15 @@ ComputeProgram DeviceBodies::Impl::compile(const char* name, const char* define,
       {"COUNTS", DrawSlot::counts},     {"COLORS", DrawSlot::colors},
       {"BODIES", DrawSlot::bodies},     {"CASTERS", DrawSlot::casters},
       {"MESHES", DrawSlot::meshes},     {"FLOOR_CASTERS", DrawSlot::floor_casters},
-      {"COMMANDS", DrawSlot::commands}, {"BOUNDS", DrawSlot::bounds}};
-  std::string defines = fmt::format("#define GROUP {}u\n#define CLASSES {}u\n", kThreads,
-                                    std::max<std::size_t>(1, classes.size()));
+      {"COMMANDS", DrawSlot::commands}, {"BOUNDS", DrawSlot::bounds},
+      {"VALUES", DrawSlot::values},     {"VALUE_COLORS", DrawSlot::value_colors},
+      {"LARGEST", DrawSlot::largest}};
+  std::string defines = fmt::format("#define GROUP {}u\n#define CLASSES {}u\n#define VALUE_COLORS {}u\n",
+                                    kThreads, std::max<std::size_t>(1, body_classes), kValueColors);
   for (const auto& [word, slot] : kBindings)
     defines += fmt::format("#define DRAW_{} {}\n", word, static_cast<unsigned>(slot));
   defines += define;
-  return {gl, name, defines, std::array{shaders::device_draw_layout, main}};
+  return {gl, name, defines, std::array{shaders::device_draw_view, shaders::device_draw_layout, main}};
 }
 
 // Levels of one primitive are classes side by side.
@@ -190,6 +208,45 @@ void DeviceBodies::Impl::run(const ComputeProgram& program, std::size_t threads)
 void DeviceBodies::Impl::upload_view() {
   view.counts[0] = static_cast<std::uint32_t>(count);
   buffers.renew(DrawSlot::view, &view);
+}
+
+// --- colours by value ------------------------------------------------------------------------------------
+
+void DeviceBodies::Impl::color_by(unsigned values, const ValueRange& range) {
+  buffers.lend(DrawSlot::values, values);
+  view.counts[1] = values != 0 ? 1 : 0;
+  if (values == 0) return;
+  const double length = range.logarithmic ? std::log2(range.hi / range.lo) : range.hi - range.lo;
+  const bool is_range = range.lo < range.hi && (!range.logarithmic || range.lo > 0);
+  store(view.values,
+        Vec4f(static_cast<float>(range.lo), static_cast<float>(range.hi),
+              is_range ? static_cast<float>(1 / length) : 0.0f, is_range && range.logarithmic ? 1.0f : 0.0f));
+  if (has_map) return;
+  std::vector<Vec4f> map;
+  for (int k = 0; k < kValueColors; ++k)
+    map.push_back(value_color(static_cast<double>(k) / (kValueColors - 1)));
+  map.push_back(no_value_color());
+  buffers.make(DrawSlot::value_colors, map.size() * sizeof(Vec4f), map.data());
+  has_map = true;
+}
+
+float DeviceBodies::Impl::largest(unsigned values) {
+  if (!largest_program) {
+    largest_program.emplace(compile("largest value", "", shaders::device_draw_largest_comp));
+    buffers.make(DrawSlot::largest, sizeof(std::uint32_t));
+  }
+  const GLuint before = buffers.id(DrawSlot::values);
+  buffers.lend(DrawSlot::values, values);
+  upload_view();
+  buffers.clear(DrawSlot::largest);
+  buffers.bind();
+  run(*largest_program, count);
+  buffers.lend(DrawSlot::values, before);
+  std::uint32_t bits = 0;
+  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl.BindBuffer(GL_COPY_READ_BUFFER, buffers.id(DrawSlot::largest));
+  gl.GetBufferSubData(GL_COPY_READ_BUFFER, 0, sizeof bits, &bits);
+  return std::bit_cast<float>(bits);
 }
 
 // --- what casters span -----------------------------------------------------------------------------------
@@ -289,15 +346,14 @@ void DeviceBodies::make(const InstanceFrame& frame, std::span<const MeshRange> p
   m.upload_view();
   if (!std::equal(places.begin(), places.end(), m.places.begin(), m.places.end())) {
     m.places.assign(places.begin(), places.end());
-    m.gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, m.buffers.id(DrawSlot::meshes));
-    m.gl.BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(places.size_bytes()),
-                       places.data());
+    m.buffers.renew(DrawSlot::meshes, m.places.data());
   }
   m.buffers.clear(DrawSlot::counts);
   m.buffers.bind();
   m.run(*m.count_program, m.count);
-  m.run(*m.commands_program, kDeviceLists);
+  m.run(*m.commands_program, kBodyLists);
   m.run(*m.emit_program, m.count);
+  if (m.marks && m.shows_marks) m.marks->make(frame.scene, places.subspan(m.body_classes));
   m.gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
@@ -312,9 +368,24 @@ DeviceBodies::~DeviceBodies() {
 std::span<const InstanceClass> DeviceBodies::classes() const { return impl_->classes; }
 const std::vector<std::shared_ptr<const MeshData>>& DeviceBodies::meshes() const { return impl_->meshes; }
 const DeviceBatches& DeviceBodies::batches(DeviceList list) const {
+  if (list == DeviceList::glyphs && impl_->shows_marks) return impl_->marks->batches();
   return impl_->batches[static_cast<std::size_t>(list)];
 }
 
-std::size_t DeviceBodies::bytes() const { return impl_->buffers.total(); }
+void DeviceBodies::color_by(unsigned values, const ValueRange& range) { impl_->color_by(values, range); }
+float DeviceBodies::largest(unsigned values) { return impl_->largest(values); }
+
+void DeviceBodies::mark_contacts(const Model& model, const DeviceContacts& contacts,
+                                 const ContactMarks& marks) {
+  Impl& m = *impl_;
+  m.shows_marks = contacts.told != 0;
+  if (!m.shows_marks) return;
+  if (!m.marks) m.marks.emplace(m.gl, model, m.buffers.id(DrawSlot::view));
+  m.marks->set(contacts, marks);
+}
+
+std::size_t DeviceBodies::bytes() const {
+  return impl_->buffers.total() + (impl_->marks ? impl_->marks->bytes() : 0);
+}
 
 }  // namespace pabd

@@ -6,11 +6,13 @@
 #include <memory>
 
 #include "render/context/context.h"
+#include "render/device/device_marks.h"
 #include "render/gl/device_instances.h"
 
 namespace pabd {
 
-struct BodyParts;  // render/visual/body_parts.h
+struct BodyParts;   // render/visual/body_parts.h
+struct ValueRange;  // render/visual/value_map.h
 
 struct DeviceBodiesOptions {
   // The maps of light fit the bodies as they were up to three frames before, so that nobody waits for the GPU. False:
@@ -34,6 +36,17 @@ class DeviceBodies : public DeviceInstances {
   CasterBounds bounds(const VisualScene& scene) override;
   void make(const InstanceFrame& frame, std::span<const MeshRange> meshes) override;
   const DeviceBatches& batches(DeviceList list) const override;
+
+  // From now on: colours by a float a body (DeviceSolver::value_buffer()), as VisualOptions::values has them; -infinity
+  // keeps the body's own colour. `values`: GL name of a buffer that outlives its use here; 0: all have their own again.
+  void color_by(unsigned values, const ValueRange& range);
+  // The largest of such values that is a number, 0 where none is above; waits for the GPU.
+  float largest(unsigned values);
+
+  // From now on, until `contacts` has none: glyphs of the contacts that the step before tells, as VisualOptions::contacts
+  // has them. Those that bodies hide show through in the order of contacts, not of depth. To be called in each frame, as
+  // buffers of a step may be replaced; none in a frame whose step is made again with larger ones. `model`: of the bodies.
+  void mark_contacts(const Model& model, const DeviceContacts& contacts, const ContactMarks& marks);
 
   std::size_t bytes() const;  // of all buffers, without the poses
 

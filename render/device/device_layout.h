@@ -54,6 +54,7 @@ enum class Slot : std::uint32_t {
   raw_geometry,
   kept_geometry,
   touching,
+  body_values,
   count
 };
 

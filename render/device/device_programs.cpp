@@ -177,4 +177,12 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
   };
 }
 
+ComputeProgram make_values_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
+                                   BodyQuantity quantity) {
+  const Compiler compile(gl, precision, table, false);
+  return compile("values of bodies",
+                 {"COUNTERS", "KINDS", "POSES", "MOTIONS", "GRIPS", "END_FIRST", "ENDS", "BODY_VALUES"},
+                 quantity == BodyQuantity::energy ? "#define ENERGY\n" : "", {}, shaders::device_values_comp);
+}
+
 }  // namespace pabd::device

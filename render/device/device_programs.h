@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/device/compute_program.h"
+#include "render/device/device_solver.h"
 #include "render/device/shape_table.h"
 
 namespace pabd::device {
@@ -53,5 +54,9 @@ bool any_round(const std::set<int>& shapes);
 // Error(no_context) where a shader is refused.
 Programs make_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
                        const std::set<int>& shapes, int team);
+
+// That fills Slot::body_values; compiled only where somebody asks for it.
+ComputeProgram make_values_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
+                                   BodyQuantity quantity);
 
 }  // namespace pabd::device

@@ -164,6 +164,7 @@ void DeviceSolver::set_state(const State& state) {
   Impl& m = *impl_;
   write_poses(state, m.step.precision(), m.step.buffers);
   write_memory(state, m.step.model(), m.step.precision(), m.step.buffers, m.last);
+  m.step.buffers.clear(Slot::end_first);  // nobody knows of contacts before the next step
   m.step_number = state.step;
   m.time = state.time;
 }
@@ -209,5 +210,14 @@ std::uint32_t DeviceSolver::kept_pairs() const { return impl_->last.kept; }
 DeviceGain DeviceSolver::gain() const { return gain_of(impl_->last); }
 int DeviceSolver::repeated() const { return impl_->repeated; }
 unsigned DeviceSolver::pose_buffer() const { return impl_->step.buffers.id(Slot::poses); }
+DeviceContacts DeviceSolver::contact_buffers() const {
+  const Buffers& buffers = impl_->step.buffers;
+  return {buffers.id(Slot::told), buffers.id(Slot::counters),
+          buffers.bytes(Slot::told) / sizeof(ContactTold)};
+}
+unsigned DeviceSolver::value_buffer(BodyQuantity quantity) {
+  impl_->step.tell_values(quantity);
+  return impl_->step.buffers.id(Slot::body_values);
+}
 
 }  // namespace pabd

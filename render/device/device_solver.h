@@ -51,6 +51,19 @@ struct DeviceGain {
   bool ran_away(double h) const { return gained > 0 && fastest > 100 * width / h; }
 };
 
+// A number a body, to colour it by.
+enum class BodyQuantity {
+  speed,   // of the centre of mass; m/s
+  energy,  // kinetic, and half of that of each of its contacts; J
+};
+
+// What a step tells of its contacts: GL names of buffers.
+struct DeviceContacts {
+  unsigned told = 0;      // device::ContactTold (device_layout.h); 0: there are none
+  unsigned counters = 0;  // device::Counters
+  std::size_t room = 0;   // of told, in contacts
+};
+
 class DeviceSolver {
  public:
   // `context` is current, and stays so in all calls. Precondition: why_not() is empty. Throws Error(no_context) where
@@ -91,6 +104,12 @@ class DeviceSolver {
   DeviceGain gain() const;           // of the last step
   int repeated() const;              // steps that had to be made again with larger buffers
   unsigned pose_buffer() const;      // GL name: a body's c (4 doubles), q (4 doubles: x, y, z, w)
+  // GL name: a float a body, as the step that was asked for last leaves it, -infinity of bodies that do not move. Waits
+  // for nothing; energies of contacts are 0 before the first step. Filled by each call, the same buffer for all.
+  unsigned value_buffer(BodyQuantity quantity);
+  // Of the step that was asked for last, for DeviceBodies::mark_contacts(); good until the next one is asked for.
+  // Precondition: options.report_contacts.
+  DeviceContacts contact_buffers() const;
 
  private:
   struct Impl;

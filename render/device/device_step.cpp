@@ -212,4 +212,14 @@ void DeviceStep::enqueue(const Params& params, bool starts, DeviceTimes& times) 
   clock.lap(times.velocities);
 }
 
+void DeviceStep::tell_values(BodyQuantity quantity) {
+  auto at = value_programs_.find(quantity);
+  if (at == value_programs_.end()) {
+    at = value_programs_.emplace(quantity, make_values_program(gl, precision_, table_, quantity)).first;
+    if (buffers.bytes(Slot::body_values) == 0) buffers.make(Slot::body_values, bodies_ * sizeof(float));
+  }
+  set(at->second, "count", bodies_);
+  dispatch(at->second, groups(bodies_, kGroup));
+}
+
 }  // namespace pabd::device

@@ -2,6 +2,7 @@
 // The memory and the commands of a step on the GPU. Nothing here waits for it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 
@@ -21,6 +22,9 @@ class DeviceStep {
   // All commands of a step. `starts`: it is the first of a run. `times` is filled by clock.read(), later.
   void enqueue(const Params& params, bool starts, DeviceTimes& times);
   double kappa() const { return law_.barrier.kappa; }  // of the last one; J
+
+  // Fills Slot::body_values.
+  void tell_values(BodyQuantity quantity);
 
   // Larger buffers for what was too small in the step that these counters are of; steps are made again then.
   void make_room(const Counters& counters);
@@ -60,6 +64,7 @@ class DeviceStep {
   BodyKinds kinds_;
   std::set<int> shapes_;
   Programs programs_;
+  std::map<BodyQuantity, ComputeProgram> value_programs_;  // of those that were asked for
   std::uint32_t bodies_, buckets_, pair_room_ = 0, contact_room_ = 0;
   std::uint32_t color_limit_ = 16, rounds_ = 24;
   ContactLaw law_{};

@@ -15,8 +15,7 @@ constexpr double kMebi = 1 << 20;
 
 }  // namespace
 
-DrawBuffers::DrawBuffers(const ComputeFunctions& gl, unsigned poses)
-    : gl_(gl), limits_(compute_limits(gl)), poses_(poses) {
+DrawBuffers::DrawBuffers(const ComputeFunctions& gl) : gl_(gl), limits_(compute_limits(gl)) {
   const GLint bindings = gl.integer(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);
   if (bindings >= static_cast<GLint>(DrawSlot::end)) return;
   throw Error(ErrorKind::no_context,
@@ -59,10 +58,9 @@ void DrawBuffers::clear(DrawSlot slot) {
 }
 
 void DrawBuffers::bind() const {
-  gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFirst, poses_);
-  for (std::size_t k = 1; k < kSlots; ++k) {
-    const Array& array = arrays_[k];
-    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFirst + static_cast<unsigned>(k), array.buffer->id());
+  for (std::size_t k = 0; k < kSlots; ++k) {
+    if (const GLuint id = arrays_[k].id(); id != 0)
+      gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kFirst + static_cast<unsigned>(k), id);
   }
 }
 

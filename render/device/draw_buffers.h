@@ -27,6 +27,18 @@ enum class DrawSlot : unsigned {
   meshes,
   commands,
   bounds,
+  values,
+  value_colors,
+  largest,
+  reaches,
+  ray,
+  met,
+  told,
+  counters,
+  fixed,
+  glyphs,
+  glyph_classes,
+  knots,
   end
 };
 
@@ -45,9 +57,10 @@ struct DrawView {
   float floor[4], floor_size[4];
   float light[3][4], across[2][4];
   float centre[4], limits[4];
+  float values[4];
   std::uint32_t counts[4];
 };
-static_assert(sizeof(DrawView) == 23 * 16);
+static_assert(sizeof(DrawView) == 24 * 16);
 
 struct DrawBounds {
   std::uint32_t edge[10];
@@ -58,18 +71,20 @@ inline constexpr double kReachUnits = 1048576;  // of the largest reach that cou
 
 class DrawBuffers {
  public:
-  // `poses`: GL name, not owned. Throws Error(no_context) where the context has too few bindings.
-  DrawBuffers(const ComputeFunctions& gl, unsigned poses);
+  // Throws Error(no_context) where the context has too few bindings.
+  explicit DrawBuffers(const ComputeFunctions& gl);
 
   // Anew, of so many bytes, at least 16. Throws Error(no_context) where one buffer may not be that large here, or
   // memory is used up.
   void make(DrawSlot slot, std::size_t bytes, const void* data = nullptr);
   // As many bytes as it has, into a new store: a frame before may still read its own.
   void renew(DrawSlot slot, const void* data);
+  // A buffer of somebody else, which outlives this or is replaced before; 0: none.
+  void lend(DrawSlot slot, GLuint buffer) { arrays_[static_cast<unsigned>(slot) - kFirst].lent = buffer; }
   // Full of zeros.
   void clear(DrawSlot slot);
-  void bind() const;  // all, to their numbers
-  GLuint id(DrawSlot slot) const { return at(slot).buffer->id(); }
+  void bind() const;  // all that there are, to their numbers
+  GLuint id(DrawSlot slot) const { return at(slot).id(); }
   std::size_t total() const;  // bytes of all
 
  private:
@@ -78,12 +93,13 @@ class DrawBuffers {
   struct Array {
     std::optional<GlBuffer> buffer;
     std::size_t bytes = 0;
+    GLuint lent = 0;
+    GLuint id() const { return buffer ? buffer->id() : lent; }
   };
   const Array& at(DrawSlot slot) const { return arrays_[static_cast<unsigned>(slot) - kFirst]; }
 
   const ComputeFunctions& gl_;
   ComputeLimits limits_;
-  unsigned poses_;
   std::array<Array, kSlots> arrays_;
 };
 

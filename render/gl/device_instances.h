@@ -37,8 +37,9 @@ enum class DeviceList {
   bodies,         // opaque
   casters,        // into the shadow map
   floor_casters,  // into the map of the first floor
+  glyphs,         // opaque, which show through bodies
 };
-inline constexpr int kDeviceLists = 3;
+inline constexpr int kDeviceLists = 4;
 
 // Of the frame to be drawn.
 struct InstanceFrame {
@@ -61,7 +62,7 @@ class DeviceInstances {
   virtual CasterBounds bounds(const VisualScene& scene) = 0;
   // Makes the instances and the commands of all lists. `meshes`: of each class. Throws Error(no_context).
   virtual void make(const InstanceFrame& frame, std::span<const MeshRange> meshes) = 0;
-  // As the last make() left it; stays where it is.
+  // As the last make() left it; stays where it is. Without classes where there is nothing.
   virtual const DeviceBatches& batches(DeviceList list) const = 0;
 };
 

@@ -204,6 +204,7 @@ void Renderer::Impl::add_device(DeviceInstances& device, const InstanceFrame& fr
   list.bodies.device = &device.batches(DeviceList::bodies);
   list.casters.device = &device.batches(DeviceList::casters);
   list.floor_casters.device = &device.batches(DeviceList::floor_casters);
+  list.glyphs.device = &device.batches(DeviceList::glyphs);
 }
 
 void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay, const RenderQuality& quality,

@@ -94,7 +94,8 @@ void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer
 }
 
 void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer, Quality quality) {
-  if (list.glyphs.begin == list.glyphs.end) return;
+  const DeviceBatches* device = list.glyphs.device;
+  if (list.glyphs.begin == list.glyphs.end && (device == nullptr || device->classes.empty())) return;
   const Program& glyphs = programs_.of(quality).glyphs;
   blend(quality);
   gl_.DepthFunc(GL_GREATER);

@@ -24,8 +24,6 @@ namespace {
 
 constexpr double kApart = 4;  // pixels between two rings that do not blur into one
 
-constexpr double kStandardGravity = 9.81;  // m/s², for the weight that arrows are measured against
-
 // The list of the hull's instances; the mesh is made when it is seen first.
 MeshInstances& mesh_of(const Hull& hull, VisualScene& out) {
   for (MeshInstances& mesh : out.meshes) {
@@ -67,18 +65,6 @@ void add_body(const Shape& shape, const BodyPainter& painter, std::vector<Surfac
     const Plane& plane = as<Plane>(shape);
     painter.out.grounds.push_back({plane.normal.cast<float>(), static_cast<float>(plane.offset)});
   }
-}
-
-// A typical weight in N: the mean over movable bodies; 1 when nothing moves.
-double typical_weight(const Model& model) {
-  double mass = 0;
-  int count = 0;
-  for (Index i = 0; i < model.size(); ++i) {
-    if (model.fixed[i]) continue;
-    mass += model.mass[i];
-    ++count;
-  }
-  return mass > 0 ? kStandardGravity * mass / count : 1.0;
 }
 
 void add_selection(const Model& model, const State& state, const StepReport& report,

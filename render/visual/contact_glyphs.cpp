@@ -20,15 +20,7 @@
 namespace pabd {
 namespace {
 
-constexpr double kShaft = 0.19;       // radius of the shaft, × s
-constexpr double kHead = 0.52;        // radius of the head, × s
-constexpr double kHeadLength = 1.35;  // × s
-constexpr double kLongest = 10.0;     // longest arrow, × s
-constexpr double kShortest = 0.5;     // a shorter one says nothing, × s
-constexpr double kRim = 0.16;         // width of the dark rim, × s
-constexpr double kSide = 0.05;        // a normal that is less steep has no upper body
-constexpr double kSameNormal = 0.9;   // cosine
-constexpr std::uint32_t kRimInk = 0x1b1f27;
+using namespace glyph;
 
 // What is drawn of one contact, or of several in one place.
 struct Glyph {
@@ -104,7 +96,6 @@ std::vector<Glyph> merged(const Model& model, const StepReport& report) {
     const bool together = k > 0 && contacts[k]->a == contacts[k - 1]->a &&
                           contacts[k]->b == contacts[k - 1]->b &&
                           next.towards.dot(out.back().towards) > kSameNormal;
-    constexpr double kNoForce = 1e-9;  // so that contacts without any have a middle as well; N
     if (!together) {
       out.push_back({next.at, next.towards, next.d, force});
       load = force + kNoForce;
@@ -141,6 +132,19 @@ Mat4f place_along(const Vec3& p, const Vec3& axis, double sxz, double sy) {
   m.block<3, 1>(0, 2) = (sxz * z).cast<float>();
   m.block<3, 1>(0, 3) = p.cast<float>();
   return m;
+}
+
+constexpr double kStandardGravity = 9.81;  // m/s²
+
+double typical_weight(const Model& model) {
+  double mass = 0;
+  int count = 0;
+  for (Index i = 0; i < model.size(); ++i) {
+    if (model.fixed[i]) continue;
+    mass += model.mass[i];
+    ++count;
+  }
+  return mass > 0 ? kStandardGravity * mass / count : 1.0;
 }
 
 double default_glyph_scale(const Model& model) {

@@ -6,6 +6,23 @@
 
 namespace pabd {
 
+// What glyphs of contacts look like, for all who make them.
+namespace glyph {
+inline constexpr double kShaft = 0.19;       // radius of the shaft, × s
+inline constexpr double kHead = 0.52;        // radius of the head, × s
+inline constexpr double kHeadLength = 1.35;  // × s
+inline constexpr double kLongest = 10.0;     // longest arrow, × s
+inline constexpr double kShortest = 0.5;     // a shorter one says nothing, × s
+inline constexpr double kRim = 0.16;         // width of the dark rim, × s
+inline constexpr double kSide = 0.05;        // a normal that is less steep has no upper body
+inline constexpr double kSameNormal = 0.9;   // cosine
+inline constexpr double kNoForce = 1e-9;     // so that contacts without any have a middle as well; N
+inline constexpr std::uint32_t kRimInk = 0x1b1f27;
+}  // namespace glyph
+
+// A typical weight in N: the mean over movable bodies; 1 when nothing moves.
+double typical_weight(const Model& model);
+
 // Affine transform of a primitive: its y axis along `axis` (unit) scaled by `sy`, the others by `sxz`, moved
 // to `p`.
 Mat4f place_along(const Vec3& p, const Vec3& axis, double sxz, double sy);

@@ -33,11 +33,7 @@ constexpr std::uint32_t kFixedBody = 0x9a9a98;
 
 // Knots of the contact map; linear in linear light between them. Two reds meet at 0: whatever penetrates is
 // darker.
-struct Knot {
-  double x;
-  float r, g, b;
-};
-constexpr std::array<Knot, 8> kContactMap = {{
+constexpr std::array<ContactKnot, 8> kContactMap = {{
     {-1.0, 0.0667f, 0.0008f, 0.0053f},   // nearly black red
     {-1e-6, 0.2883f, 0.0025f, 0.0104f},  // deep red
     {0.0, 0.4729f, 0.0104f, 0.0094f},    // red
@@ -95,15 +91,17 @@ Vec4f joint_color(JointType type) {
   return srgb_color(kInk[static_cast<std::size_t>(type)]);
 }
 
+std::span<const ContactKnot> contact_knots() { return kContactMap; }
+
 Vec4f contact_color(double x) {
   if (!(x > kContactMap.front().x)) x = kContactMap.front().x;  // NaN too: nothing good
   const auto above =
-      std::find_if(kContactMap.begin(), kContactMap.end(), [x](const Knot& k) { return k.x >= x; });
+      std::find_if(kContactMap.begin(), kContactMap.end(), [x](const ContactKnot& k) { return k.x >= x; });
   if (above == kContactMap.begin()) return {above->r, above->g, above->b, 1};
   if (above == kContactMap.end())
     return {kContactMap.back().r, kContactMap.back().g, kContactMap.back().b, 1};
-  const Knot& lo = *(above - 1);
-  const Knot& hi = *above;
+  const ContactKnot& lo = *(above - 1);
+  const ContactKnot& hi = *above;
   const auto t = static_cast<float>((x - lo.x) / (hi.x - lo.x));
   return {lo.r + t * (hi.r - lo.r), lo.g + t * (hi.g - lo.g), lo.b + t * (hi.b - lo.b), 1};
 }

@@ -3,6 +3,8 @@
 // RGB.
 #pragma once
 
+#include <span>
+
 #include "render/visual/visual_scene.h"
 #include "sim/body/joint.h"
 
@@ -24,6 +26,13 @@ Vec4f body_color(Index number, bool fixed);
 Vec4f bond_point_i_color();
 Vec4f bond_point_j_color();
 Vec4f bond_line_color();
+
+// The colours that contact_color() (build_visual.h) lies between, by x = d/d̂, lowest first.
+struct ContactKnot {
+  double x;
+  float r, g, b;
+};
+std::span<const ContactKnot> contact_knots();
 
 // One colour a type of joint, told apart by people with any of the common colour vision deficiencies.
 Vec4f joint_color(JointType type);

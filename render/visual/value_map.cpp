@@ -20,6 +20,15 @@ namespace {
 constexpr double kDark = 0.44, kLight = 0.89;
 constexpr double kChroma = 0.1;
 constexpr double kFirstHue = 290, kLastHue = 100;  // degrees
+constexpr double kDecades = 1e-4;                  // of a logarithmic range
+
+double round_up(double x) {
+  const double power = std::pow(10, std::floor(std::log10(x)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (x <= step * power * (1 + 1e-9)) return step * power;
+  }
+  return 10 * power;
+}
 
 }  // namespace
 
@@ -28,6 +37,11 @@ double ValueRange::place(double value) const {
   if (!(lo < hi) || (logarithmic && !(lo > 0))) return 0;
   const double inside = std::clamp(value, lo, hi);
   return logarithmic ? std::log(inside / lo) / std::log(hi / lo) : (inside - lo) / (hi - lo);
+}
+
+ValueRange round_range(double largest, double least, bool logarithmic) {
+  const double hi = round_up(std::max(largest, least));
+  return {logarithmic ? kDecades * hi : 0, hi, logarithmic};
 }
 
 Vec4f value_color(double t) {

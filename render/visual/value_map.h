@@ -18,6 +18,10 @@ struct ValueRange {
   double place(double value) const;
 };
 
+// From 0, or four decades below, to the next of 1, 2, 5, 10, … times a power of ten above `largest` and `least` > 0: such
+// a range rests while numbers change.
+ValueRange round_range(double largest, double least, bool logarithmic);
+
 // Linear colour at t in 0 … 1 (clamped): violet blue over teal to light yellow, in steps that look
 // equal. Lightness grows all the way, so the order survives in grey and for every kind of colour blindness.
 // NaN: no_value_color().

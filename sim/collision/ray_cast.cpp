@@ -25,6 +25,31 @@ std::optional<SurfaceHit> meet(const Shape& shape, const Vec3& c, const Mat3& R,
   return hit;
 }
 
+// Of `count` bodies, which body(k) places.
+template <class Body>
+std::optional<RayHit> first_hit(const Model& model, std::size_t count, const Body& body, const Ray& ray) {
+  if (!is_usable(ray)) return std::nullopt;
+  const double length = ray.direction.stableNorm();
+  const RayLine line{ray.origin, ray.direction / length};
+  std::optional<RayHit> first;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto& [i, c, R] = body(k);
+    const auto hit = meet(model.shape[static_cast<std::size_t>(i)], c, R, line);
+    if (hit && (!first || hit->t < first->t)) first = {i, hit->t, {}, hit->normal};
+  }
+  if (first) {
+    first->point = line.o + first->t * line.u;
+    first->t /= length;
+  }
+  return first;
+}
+
+struct Reference {
+  Index body;
+  const Vec3& c;
+  const Mat3& R;
+};
+
 }  // namespace
 
 std::optional<SurfaceHit> ray_cast(const Shape& shape, const Vec3& c, const Mat3& R, const Ray& ray) {
@@ -37,19 +62,13 @@ std::optional<SurfaceHit> ray_cast(const Shape& shape, const Vec3& c, const Mat3
 
 std::optional<RayHit> ray_cast(const Model& model, const State& state, const Ray& ray) {
   assert(state.size() == model.size());
-  if (!is_usable(ray)) return std::nullopt;
-  const double length = ray.direction.stableNorm();
-  const RayLine line{ray.origin, ray.direction / length};
-  std::optional<RayHit> first;
-  for (std::size_t i = 0; i < model.shape.size(); ++i) {
-    const auto hit = meet(model.shape[i], state.c[i], state.R[i], line);
-    if (hit && (!first || hit->t < first->t)) first = {static_cast<Index>(i), hit->t, {}, hit->normal};
-  }
-  if (first) {
-    first->point = line.o + first->t * line.u;
-    first->t /= length;
-  }
-  return first;
+  const auto body = [&](std::size_t k) { return Reference{static_cast<Index>(k), state.c[k], state.R[k]}; };
+  return first_hit(model, model.shape.size(), body, ray);
+}
+
+std::optional<RayHit> ray_cast(const Model& model, std::span<const PlacedBody> some, const Ray& ray) {
+  return first_hit(
+      model, some.size(), [&](std::size_t k) -> const PlacedBody& { return some[k]; }, ray);
 }
 
 }  // namespace pabd

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "sim/body/line_cut.h"
 #include "sim/body/model.h"
@@ -34,5 +35,14 @@ std::optional<SurfaceHit> ray_cast(const Shape& shape, const Vec3& c, const Mat3
 // With all bodies; of equal t the body of the lower number. Linear in the number of bodies. Precondition:
 // state.size() == model.size().
 std::optional<RayHit> ray_cast(const Model& model, const State& state, const Ray& ray);
+
+// A body, and where it is.
+struct PlacedBody {
+  Index body;
+  Vec3 c;  // of mass, world; m
+  Mat3 R;  // body to world
+};
+// With some bodies, given in the order of their numbers: what the ray meets first of them, as if there were no others.
+std::optional<RayHit> ray_cast(const Model& model, std::span<const PlacedBody> some, const Ray& ray);
 
 }  // namespace pabd

@@ -15,6 +15,7 @@
 #include "render/visual/body_parts.h"
 #include "render/visual/primitive_mesh.h"
 #include "sim/base/error.h"
+#include "tests/device/device_pictures.h"
 #include "tests/device/device_scenes.h"
 #include "tests/support/tiny_model.h"
 
@@ -22,49 +23,6 @@ using namespace pabd;
 using namespace pabd::testing;
 
 namespace {
-
-Image picture(Renderer& renderer, const VisualScene& scene, const RenderQuality& quality,
-              DeviceInstances* device) {
-  Image image;
-  renderer.draw(scene, nullptr, quality, device);
-  renderer.queue_read();
-  renderer.fetch(image);
-  return image;
-}
-
-// What the processor draws of a state, and the same without its bodies.
-struct Twin {
-  VisualScene all, bare;
-
-  Twin(const Model& model, const State& state, const VisualOptions& options, const Camera& camera) {
-    all.camera = camera;
-    build_visual(model, state, {}, options, all);
-    add_grounds(model, bare);
-    bare.camera = camera;
-    bare.centre = all.centre;
-    bare.radius = all.radius;
-  }
-};
-
-// Poses on the GPU without a solver.
-class PoseBuffer {
- public:
-  PoseBuffer(const ComputeFunctions& gl, const State& state) : buffer_(gl) {
-    std::vector<device::Pose> poses;
-    for (std::size_t i = 0; i < state.c.size(); ++i) {
-      const Vec3& c = state.c[i];
-      const Quat q(state.R[i]);
-      poses.push_back({{c.x(), c.y(), c.z(), 0}, {q.x(), q.y(), q.z(), q.w()}});
-    }
-    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_.id());
-    gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(poses.size() * sizeof(poses[0])),
-                  poses.data(), GL_STATIC_DRAW);
-  }
-  unsigned id() const { return buffer_.id(); }
-
- private:
-  GlBuffer buffer_;
-};
 
 // Instances of each class that the last picture drew.
 std::vector<std::uint32_t> drawn(const ComputeFunctions& gl, const DeviceBatches& batches) {
@@ -85,14 +43,6 @@ std::uint32_t sum(const std::vector<std::uint32_t>& counts) {
 }
 
 constexpr int kWidth = 640, kHeight = 360;
-
-// Poses differ by a rounding of float, which may move an edge across a sample: software GL, which counts as one class
-// with itself, samples the same all the same; of a GPU some pixels in ten thousand may be others.
-bool same_but_edges(GlContext& context, const CompareResult& result) {
-  const bool is_software =
-      compute_limits(ComputeFunctions(context)).renderer.find("llvmpipe") != std::string::npos;
-  return result.equal || (!is_software && result.differing < 2e-4);
-}
 
 }  // namespace
 

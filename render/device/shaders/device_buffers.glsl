@@ -103,6 +103,9 @@ AT(35) buffer Parts { dvec4 part[]; };  // sums of work groups
 AT(37) buffer RawGeometry { ContactGeometry raw_geometry[]; };  // as Raw
 AT(38) buffer KeptGeometry { ContactGeometry kept_geometry[]; };  // as KeptStretch
 #endif
+#ifdef USES_BODY_VALUES
+AT(40) buffer BodyValues { uint body_value[]; };  // bits of a float
+#endif
 #ifdef USES_TOLD
 AT(36) buffer Told { ContactTold contact_told[]; };
 #endif

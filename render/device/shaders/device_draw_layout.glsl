@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the passes share that make what is drawn of bodies (device_bodies.h has the same records). std430.
-layout(local_size_x = GROUP) in;
-
-const uint LISTS = 3u;  // DeviceList: bodies, casters, casters near the floor
-const uint NONE = 0xffffffffu;
-
+// What the passes share that make what is drawn of bodies (draw_buffers.h has the same records). std430. Needs
+// device_draw_view.
 struct Pose {
   dvec4 c;  // centre of mass, world; m
   dvec4 q;  // body to world: x, y, z, w
@@ -17,27 +13,9 @@ struct Part {
   float reach;               // as the fit of the maps wants it
   uint pad_;
 };
-struct View {
-  vec4 clip[6];     // planes that what is seen lies above; unit normals
-  vec4 away;        // row: distance from the eye plane
-  vec4 rounder;     // radius in pixels beyond which each next level is needed
-  vec4 sizes;       // pixels of 1 m at 1 m; 1: parallel rays; a texel of the shadow map, m; its side, m
-  vec4 shadow[2];   // rows: place in the shadow map; 0 … 1
-  vec4 floor_map[2];  // rows: place in the map of the floor; 0 … 1
-  vec4 floor_;      // normal, offset of the first floor
-  vec4 floor_size;  // side of its map, m; 1: it has a map
-  // Of the bounds.
-  vec4 light[3];  // axes
-  vec4 across[2];  // axes of the floor
-  vec4 centre;    // of the scene; w: its radius
-  vec4 limits;    // farthest and largest caster, in radii; height near the floor, in reaches; 1: there is a floor
-  uvec4 counts;   // bodies
-};
-
 layout(std430, binding = DRAW_POSES) readonly buffer DrawPoses { Pose pose[]; };
 layout(std430, binding = DRAW_PARTS) readonly buffer DrawParts { Part parts[]; };
 layout(std430, binding = DRAW_RANGES) readonly buffer DrawRanges { uint part_range[]; };  // a body: first · 256 + count
-layout(std430, binding = DRAW_VIEW) readonly buffer DrawView { View view; };
 
 // By the bits: compilers need not keep comparisons of what is no number. What floats cannot tell is none either.
 bool is_finite(dvec4 v) {

@@ -7,6 +7,8 @@
 layout(std430, binding = DRAW_COUNTS) buffer DrawCounts { uint class_count[]; };  // list · CLASSES + class; EMIT: next
 #ifdef EMIT
 layout(std430, binding = DRAW_COLORS) readonly buffer DrawColors { vec4 body_color[]; };  // w: GpuInstance::shaded
+layout(std430, binding = DRAW_VALUES) readonly buffer DrawValues { uint body_value[]; };  // bits of floats
+layout(std430, binding = DRAW_VALUE_COLORS) readonly buffer DrawValueColors { vec4 value_color[]; };  // and of no value
 layout(std430, binding = DRAW_BODIES) writeonly buffer DrawBodies { float bodies_out[]; };
 layout(std430, binding = DRAW_CASTERS) writeonly buffer DrawCasters { float casters_out[]; };
 layout(std430, binding = DRAW_FLOOR_CASTERS) writeonly buffer DrawFloorCasters { float floor_casters_out[]; };
@@ -14,21 +16,10 @@ layout(std430, binding = DRAW_FLOOR_CASTERS) writeonly buffer DrawFloorCasters {
 
 shared uint here[LISTS * CLASSES];  // of this work group; EMIT: then where its next one goes
 
-bool in_sight(vec3 at, float radius) {
-  precise float least = 0.0;
-  for (int k = 0; k < 6; ++k) least = min(least, dot(view.clip[k].xyz, at) + view.clip[k].w + radius);
-  return least >= 0.0;
-}
-
 // Whether a ball meets a map whose sides go from 0 to 1; `room`: its radius there.
 bool meets(vec4 row_x, vec4 row_y, vec3 at, float room) {
   precise vec2 q = vec2(dot(row_x, vec4(at, 1.0)), dot(row_y, vec4(at, 1.0)));
   return all(greaterThan(q, vec2(-room))) && all(lessThan(q, vec2(1.0 + room)));
-}
-
-uint level_of(float radius) {
-  return uint(radius > view.rounder.x) + uint(radius > view.rounder.y) + uint(radius > view.rounder.z) +
-         uint(radius > view.rounder.w);
 }
 
 // In each list: NONE where it is not in it.
@@ -36,10 +27,7 @@ uvec3 classes_of(Part p, vec3 at) {
   uvec3 found = uvec3(NONE);
   const float scale = p.size.w, around = p.at.w;
   if (in_sight(at, around)) {
-    precise float depth = dot(view.away, vec4(at, 1.0));
-    precise float distance_ = view.sizes.y != 0.0 ? 1.0 : max(depth - scale, 1e-3 * scale + 1e-12);
-    precise float pixels = view.sizes.x * scale / distance_;
-    found.x = p.first_class + min(p.levels - 1u, level_of(pixels));
+    found.x = p.first_class + min(p.levels - 1u, level_of(pixels_of(at, scale)));
   }
   precise float texels = 0.5 * scale / view.sizes.z;
   const uint coarse = level_of(texels);
@@ -53,6 +41,18 @@ uvec3 classes_of(Part p, vec3 at) {
 }
 
 #ifdef EMIT
+// As ValueRange has it (render/visual/value_map.h), or the body's own where it has no place on the map: -infinity.
+vec3 color_by_value(uint body, vec3 own) {
+  const uint bits = body_value[body];
+  if (bits == 0xff800000u) return own;
+  if ((bits & 0x7f800000u) == 0x7f800000u) return value_color[VALUE_COLORS].rgb;
+  const float x = clamp(uintBitsToFloat(bits), view.values.x, view.values.y);
+  const float part = view.values.w != 0.0 ? log2(x / view.values.x) : x - view.values.x;
+  const float at = clamp(part * view.values.z, 0.0, 1.0) * float(VALUE_COLORS - 1u);
+  const uint k = min(uint(at), VALUE_COLORS - 2u);
+  return mix(value_color[k].rgb, value_color[k + 1u].rgb, at - float(k));
+}
+
 #define WRITE(out_)                                                            \
   {                                                                            \
     const uint to = 17u * place;                                               \
@@ -93,7 +93,8 @@ void main() {
     const dmat3 R = matrix_of(q.q);
     const vec3 columns[3] = vec3[3](vec3(R[0] * double(p.size.x)), vec3(R[1] * double(p.size.y)),
                                  vec3(R[2] * double(p.size.z)));
-    const vec4 color = body_color[body];
+    vec4 color = body_color[body];
+    if (view.counts.y != 0u) color.rgb = color_by_value(body, color.rgb);
     for (uint list = 0u; list < LISTS; ++list) {
       if (found[list] == NONE) continue;
       const uint place = atomicAdd(here[list * CLASSES + found[list]], 1u);

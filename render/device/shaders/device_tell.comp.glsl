@@ -15,8 +15,10 @@ void main() {
     const Push push = normal_push(c, s.d);
     const real limit = grips[k].x, slip = norm(s.u), weight = friction_weight(limit, slip), mu = c.before.w;
     grips[k].w = s.d;
+    grips[k].z = 0;
     if (s.d < real(params.d_hat)) {
-      total[t].x = double(push.value + friction_energy(limit, slip));
+      grips[k].z = push.value + friction_energy(limit, slip);
+      total[t].x = double(grips[k].z);
       atomicAdd(counters.pushing, 1u);
     }
     atomicMax(opening, floatBitsToUint(abs(float(c.n.w))));
