@@ -16,9 +16,9 @@
 #include "render/device/device_solver.h"
 #include "render/device/draw_buffers.h"
 #include "render/device/shader_files.h"
+#include "render/device/value_colors.h"
 #include "render/gl/draw_list.h"
 #include "render/visual/body_parts.h"
-#include "render/visual/value_map.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -26,9 +26,9 @@ namespace {
 
 constexpr unsigned kThreads = 256;          // of a work group
 constexpr std::size_t kMostClasses = 2048;  // whose counts a work group can hold: 24 of 32 KiB
+constexpr std::size_t kPrimitiveClasses = kCubeSides + (kPrimitiveCount - 1) * pabd::kLevels;
 constexpr std::size_t kLateFrames = 3;
 constexpr std::size_t kBodyLists = 3;  // of DeviceList, the first ones
-constexpr int kValueColors = 4096;     // of the map: the colours between them are off by less than 1e-7
 
 using namespace device;
 
@@ -80,7 +80,6 @@ struct DeviceBodies::Impl {
 
   void run(const ComputeProgram& program, std::size_t threads);
   void upload_view();
-  void color_by(unsigned values, const ValueRange& range);
   float largest(unsigned values);
   std::uint32_t class_of(const BodyPart& part);
   ComputeProgram compile(const char* name, const char* define, const ShaderPart& main) const;
@@ -99,7 +98,6 @@ struct DeviceBodies::Impl {
   std::optional<ComputeProgram> count_program, commands_program, emit_program, bounds_program,
       largest_program;
   DrawView view{};
-  bool has_map = false;  // of values
   std::optional<DeviceMarks> marks;
   bool shows_marks = false;
   std::vector<MeshRange> places;  // as in DrawSlot::meshes
@@ -127,13 +125,14 @@ DeviceBodies::Impl::Impl(GlContext& context, const BodyParts& bodies, unsigned p
     out.first_class = class_of(part);
     out.levels = has_levels(part.primitive) ? pabd::kLevels : 1;
     out.reach = part.size.norm();
+    out.sides = part.primitive == Primitive::cube ? 1 : 0;
     parts.push_back(out);
   }
   if (classes.size() > kMostClasses) {
     throw Error(
         ErrorKind::no_context,
         fmt::format("{} different hulls are too many to draw from the GPU, which takes {}: --device cpu",
-                    meshes.size(), kMostClasses - kPrimitiveCount * pabd::kLevels));
+                    meshes.size(), kMostClasses - kPrimitiveClasses));
   }
   std::vector<std::uint32_t> ranges;
   std::vector<Vec4f> colors;
@@ -143,24 +142,28 @@ DeviceBodies::Impl::Impl(GlContext& context, const BodyParts& bodies, unsigned p
     colors.back().w() = bodies.checkers[i] != 0 ? 2.0f : 1.0f;
   }
   body_classes = classes.size();
-  const std::size_t commands = kBodyLists * body_classes;
+  const std::size_t counts = kBodyLists * body_classes, commands = counts + body_classes;
   const std::vector<InstanceClass> of_marks = DeviceMarks::classes();
   classes.insert(classes.end(), of_marks.begin(), of_marks.end());
   buffers.make(DrawSlot::parts, parts.size() * sizeof(DrawPart), parts.data());
   buffers.make(DrawSlot::ranges, ranges.size() * sizeof(ranges[0]), ranges.data());
   buffers.make(DrawSlot::colors, colors.size() * sizeof(Vec4f), colors.data());
   buffers.make(DrawSlot::view, sizeof(DrawView));
-  buffers.make(DrawSlot::counts, commands * sizeof(std::uint32_t));
-  buffers.make(DrawSlot::meshes, body_classes * sizeof(MeshRange));
+  buffers.make(DrawSlot::counts, counts * sizeof(std::uint32_t));
+  buffers.make(DrawSlot::meshes, 2 * body_classes * sizeof(MeshRange));
   buffers.make(DrawSlot::commands, commands * kCommandBytes);
   buffers.make(DrawSlot::bounds, sizeof(DrawBounds));
   for (const DrawSlot slot : {DrawSlot::bodies, DrawSlot::casters, DrawSlot::floor_casters})
     buffers.make(slot, bodies.drawn * sizeof(GpuInstance));
-  for (std::size_t list = 0; list < kBodyLists; ++list) {
-    const auto slot = static_cast<DrawSlot>(static_cast<unsigned>(DrawSlot::bodies) + list);
-    batches[list] = {buffers.id(slot), buffers.id(DrawSlot::commands), list * body_classes * kCommandBytes,
-                     std::span(classes).first(body_classes)};
-  }
+  const auto batch = [&](DeviceList list, DrawSlot slot, std::size_t number) {
+    batches[static_cast<std::size_t>(list)] = {buffers.id(slot), buffers.id(DrawSlot::commands),
+                                               number * body_classes * kCommandBytes,
+                                               std::span(classes).first(body_classes)};
+  };
+  batch(DeviceList::bodies, DrawSlot::bodies, 0);
+  batch(DeviceList::casters, DrawSlot::casters, 1);
+  batch(DeviceList::floor_casters, DrawSlot::floor_casters, 2);
+  batch(DeviceList::near_casters, DrawSlot::casters, 3);
   count_program.emplace(compile("bodies to draw", "", shaders::device_draw_make_comp));
   emit_program.emplace(compile("instances", "#define EMIT\n", shaders::device_draw_make_comp));
   commands_program.emplace(compile("commands", "", shaders::device_draw_commands_comp));
@@ -193,6 +196,8 @@ std::uint32_t DeviceBodies::Impl::class_of(const BodyPart& part) {
   if (!fresh) return at->second;
   if (has_levels(part.primitive)) {
     for (int level = 0; level < pabd::kLevels; ++level) classes.push_back({part.primitive, level});
+  } else if (part.primitive == Primitive::cube) {
+    for (int sides = 0; sides < kCubeSides; ++sides) classes.push_back({part.primitive, 0, sides});
   } else {
     classes.push_back({part.primitive, std::max(part.mesh, 0)});
   }
@@ -211,24 +216,6 @@ void DeviceBodies::Impl::upload_view() {
 }
 
 // --- colours by value ------------------------------------------------------------------------------------
-
-void DeviceBodies::Impl::color_by(unsigned values, const ValueRange& range) {
-  buffers.lend(DrawSlot::values, values);
-  view.counts[1] = values != 0 ? 1 : 0;
-  if (values == 0) return;
-  const double length = range.logarithmic ? std::log2(range.hi / range.lo) : range.hi - range.lo;
-  const bool is_range = range.lo < range.hi && (!range.logarithmic || range.lo > 0);
-  store(view.values,
-        Vec4f(static_cast<float>(range.lo), static_cast<float>(range.hi),
-              is_range ? static_cast<float>(1 / length) : 0.0f, is_range && range.logarithmic ? 1.0f : 0.0f));
-  if (has_map) return;
-  std::vector<Vec4f> map;
-  for (int k = 0; k < kValueColors; ++k)
-    map.push_back(value_color(static_cast<double>(k) / (kValueColors - 1)));
-  map.push_back(no_value_color());
-  buffers.make(DrawSlot::value_colors, map.size() * sizeof(Vec4f), map.data());
-  has_map = true;
-}
 
 float DeviceBodies::Impl::largest(unsigned values) {
   if (!largest_program) {
@@ -334,6 +321,8 @@ void DeviceBodies::make(const InstanceFrame& frame, std::span<const MeshRange> p
   for (int level = 0; level < pabd::kLevels - 1; ++level)
     view.rounder[level] = static_cast<float>(frame.tolerance / (1 - std::cos(kPi / kSegments[level])));
   const Camera& camera = frame.scene.camera;
+  store(view.eye, camera.orthographic ? Vec3f(eye.row(2).head<3>().transpose()) : camera.eye,
+        camera.orthographic ? 0.0f : 1.0f);
   const auto side = static_cast<float>(frame.shadow.texels);
   store(view.sizes, Vec4f(static_cast<float>(frame.height) / (2 * half_height(camera)),
                           camera.orthographic ? 1.0f : 0.0f, frame.shadow.texel, side * frame.shadow.texel));
@@ -346,7 +335,14 @@ void DeviceBodies::make(const InstanceFrame& frame, std::span<const MeshRange> p
   m.upload_view();
   if (!std::equal(places.begin(), places.end(), m.places.begin(), m.places.end())) {
     m.places.assign(places.begin(), places.end());
-    m.buffers.renew(DrawSlot::meshes, m.places.data());
+    std::vector<MeshRange> ranges(places.begin(),
+                                  places.begin() + static_cast<std::ptrdiff_t>(m.body_classes));
+    for (std::size_t k = 0; k < m.body_classes; ++k) {
+      const int sides = m.classes[k].sides;
+      ranges.push_back(sides < 0 ? places[k]
+                                 : places[k + kCubeSides - 1 - 2 * static_cast<std::size_t>(sides)]);
+    }
+    m.buffers.renew(DrawSlot::meshes, ranges.data());
   }
   m.buffers.clear(DrawSlot::counts);
   m.buffers.bind();
@@ -372,7 +368,9 @@ const DeviceBatches& DeviceBodies::batches(DeviceList list) const {
   return impl_->batches[static_cast<std::size_t>(list)];
 }
 
-void DeviceBodies::color_by(unsigned values, const ValueRange& range) { impl_->color_by(values, range); }
+void DeviceBodies::color_by(unsigned values, const ValueRange& range) {
+  set_value_colors(values, range, impl_->view, impl_->buffers);
+}
 float DeviceBodies::largest(unsigned values) { return impl_->largest(values); }
 
 void DeviceBodies::mark_contacts(const Model& model, const DeviceContacts& contacts,

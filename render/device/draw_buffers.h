@@ -46,7 +46,7 @@ struct DrawPart {
   float at[4], size[4];
   std::uint32_t first_class, levels;
   float reach;
-  std::uint32_t pad;
+  std::uint32_t sides;  // 1: a cube, of which three are drawn
 };
 static_assert(sizeof(DrawPart) == 48);
 
@@ -57,10 +57,10 @@ struct DrawView {
   float floor[4], floor_size[4];
   float light[3][4], across[2][4];
   float centre[4], limits[4];
-  float values[4];
+  float values[4], eye[4];
   std::uint32_t counts[4];
 };
-static_assert(sizeof(DrawView) == 24 * 16);
+static_assert(sizeof(DrawView) == 25 * 16);
 
 struct DrawBounds {
   std::uint32_t edge[10];

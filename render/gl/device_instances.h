@@ -14,8 +14,10 @@ namespace pabd {
 // What is drawn by one command: instances of one mesh.
 struct InstanceClass {
   Primitive primitive;
-  int level = 0;  // of detail; of a mesh: its number in DeviceInstances::meshes()
+  int level = 0;   // of detail; of a mesh: its number in DeviceInstances::meshes()
+  int sides = -1;  // of a cube: the three whose normals are positive along the axes of its bits; −1: all six
 };
+inline constexpr int kCubeSides = 8;  // such threes
 
 // Where a mesh lies in the buffer of indices.
 struct MeshRange {
@@ -37,9 +39,10 @@ enum class DeviceList {
   bodies,         // opaque
   casters,        // into the shadow map
   floor_casters,  // into the map of the first floor
+  near_casters,   // casters, with the sides towards the sun where those have the sides away from it
   glyphs,         // opaque, which show through bodies
 };
-inline constexpr int kDeviceLists = 4;
+inline constexpr int kDeviceLists = 5;
 
 // Of the frame to be drawn.
 struct InstanceFrame {

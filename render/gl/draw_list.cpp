@@ -62,7 +62,7 @@ void DrawList::build(const VisualScene& scene, int height, float texel, float to
   std::stable_sort(body_entries_.begin(), body_entries_.end(), near_first);
   std::stable_sort(glyph_entries_.begin(), glyph_entries_.end(), far_first);
   std::stable_sort(transparent_entries_.begin(), transparent_entries_.end(), far_first);
-  casters = append(caster_entries_, true);
+  casters = near_casters = append(caster_entries_, true);
   floor_casters = append(floor_entries_, true);
   bodies = append(body_entries_, true);
   glyphs = append(glyph_entries_, true);

@@ -36,6 +36,7 @@ struct DrawList {
   std::vector<Batch> batches;
   std::vector<std::shared_ptr<const MeshData>> meshes;
   BatchRange casters;        // into the shadow map
+  BatchRange near_casters;   // the same; of the GPU: their sides towards the sun
   BatchRange floor_casters;  // those near the first floor
   BatchRange bodies;         // opaque, near ones first so that what they hide costs nothing
   BatchRange glyphs;         // opaque glyphs that show through bodies

@@ -27,6 +27,7 @@ InstanceDrawer::InstanceDrawer(const GlFunctions& gl)
       vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     }
   }
+  add_cube_sides();
   gl.BindVertexArray(array_.id());
   upload_meshes({});
   gl.VertexAttribPointer(kPositionAttribute, 3, GL_FLOAT, GL_FALSE, sizeof(MeshVertex),
@@ -38,6 +39,21 @@ InstanceDrawer::InstanceDrawer(const GlFunctions& gl)
   for (GLuint a = kRowAttribute; a <= kShadedAttribute; ++a) {
     gl.EnableVertexAttribArray(a);
     gl.VertexAttribDivisor(a, 1);
+  }
+}
+
+// Three sides of a cube, at whose corner all eyes are that see no others: the same triangles in the same order.
+void InstanceDrawer::add_cube_sides() {
+  const MeshRange cube = places_[static_cast<int>(Primitive::cube)][0];
+  for (int sides = 0; sides < kCubeSides; ++sides) {
+    const auto first = static_cast<std::uint32_t>(primitive_indices_.size());
+    for (std::uint32_t k = cube.first; k < cube.first + cube.count; ++k) {
+      const std::uint32_t index = primitive_indices_[k];
+      const float(&n)[3] = primitive_vertices_[index].normal;
+      const int axis = n[0] != 0 ? 0 : n[1] != 0 ? 1 : 2;
+      if ((n[axis] > 0) == ((sides >> axis & 1) != 0)) primitive_indices_.push_back(index);
+    }
+    cube_sides_[sides] = {static_cast<std::uint32_t>(primitive_indices_.size()) - first, first};
   }
 }
 
@@ -72,9 +88,9 @@ void InstanceDrawer::upload(const DrawList& list) {
   gl_.BufferData(GL_ARRAY_BUFFER, bytes, list.instances.data(), GL_STREAM_DRAW);
 }
 
-MeshRange InstanceDrawer::place(Primitive primitive, int level) const {
-  return primitive == Primitive::mesh ? mesh_places_[static_cast<std::size_t>(level)]
-                                      : places_[static_cast<int>(primitive)][level];
+MeshRange InstanceDrawer::place(const InstanceClass& mesh) const {
+  if (mesh.primitive == Primitive::mesh) return mesh_places_[static_cast<std::size_t>(mesh.level)];
+  return mesh.sides >= 0 ? cube_sides_[mesh.sides] : places_[static_cast<int>(mesh.primitive)][mesh.level];
 }
 
 void InstanceDrawer::allow_device(GlContext& context) {
@@ -111,7 +127,7 @@ void InstanceDrawer::draw(const DrawList& list, const BatchRange& range, bool (*
     if (only != nullptr && !only(batch.primitive)) continue;
     // GL 3.3 has no base instance: the pointers move instead.
     bind_instances(instances_.id(), batch.first * sizeof(GpuInstance));
-    const MeshRange mesh = place(batch.primitive, batch.level);
+    const MeshRange mesh = place({batch.primitive, batch.level});
     gl_.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(mesh.count), GL_UNSIGNED_INT,
                               offset(mesh.first * sizeof(std::uint32_t)), static_cast<GLsizei>(batch.count));
   }

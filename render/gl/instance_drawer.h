@@ -19,8 +19,8 @@ class InstanceDrawer {
   explicit InstanceDrawer(const GlFunctions& gl);
 
   void upload(const DrawList& list);
-  // Where a mesh that upload() has put on the GPU lies in the buffer of indices. `level`: as in Batch.
-  MeshRange place(Primitive primitive, int level) const;
+  // Where a mesh that upload() has put on the GPU lies in the buffer of indices. Its level: as in Batch.
+  MeshRange place(const InstanceClass& mesh) const;
   // Before a list with batches of the GPU is drawn. Throws Error(no_context) where the context cannot.
   void allow_device(GlContext& context);
   // Draws the batches of `range` with the program in use. `only`: a filter on the primitive, or null.
@@ -33,6 +33,7 @@ class InstanceDrawer {
   GlBuffer indices_;
   GlBuffer instances_;
   MeshRange places_[kPrimitiveCount][kLevels];
+  MeshRange cube_sides_[kCubeSides];
   std::vector<MeshVertex> primitive_vertices_;
   std::vector<std::uint32_t> primitive_indices_;
   std::vector<std::shared_ptr<const MeshData>> meshes_;  // on the GPU, after the primitives
@@ -42,6 +43,7 @@ class InstanceDrawer {
 
   void bind_instances(GLuint buffer, std::size_t first) const;
   void draw_device(const DeviceBatches& device, bool (*only)(Primitive)) const;
+  void add_cube_sides();
   void upload_meshes(const std::vector<std::shared_ptr<const MeshData>>& meshes);
 };
 

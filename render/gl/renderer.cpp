@@ -199,10 +199,12 @@ void Renderer::Impl::add_device(DeviceInstances& device, const InstanceFrame& fr
   drawer.upload(list);
   std::vector<MeshRange> places;
   for (const InstanceClass& c : device.classes())
-    places.push_back(drawer.place(c.primitive, c.primitive == Primitive::mesh ? meshes + c.level : c.level));
+    places.push_back(
+        drawer.place({c.primitive, c.primitive == Primitive::mesh ? meshes + c.level : c.level, c.sides}));
   device.make(frame, places);
   list.bodies.device = &device.batches(DeviceList::bodies);
   list.casters.device = &device.batches(DeviceList::casters);
+  list.near_casters.device = &device.batches(DeviceList::near_casters);
   list.floor_casters.device = &device.batches(DeviceList::floor_casters);
   list.glyphs.device = &device.batches(DeviceList::glyphs);
 }

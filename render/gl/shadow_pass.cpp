@@ -87,7 +87,7 @@ void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int te
   gl_.BindFramebuffer(GL_FRAMEBUFFER, near_framebuffer_.id());
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   gl_.CullFace(GL_FRONT);
-  drawer.draw(list, list.casters, is_flat_sided);
+  drawer.draw(list, list.near_casters, is_flat_sided);
   gl_.CullFace(GL_BACK);
 
   gl_.BindFramebuffer(GL_FRAMEBUFFER, range_framebuffer_.id());

@@ -166,6 +166,53 @@ TEST_CASE("the GPU draws what is in sight, at the levels of detail that its size
         103);  // no higher than three half heights
 }
 
+TEST_CASE("of a box three sides are drawn, and the picture is that of all six") {
+  const auto context = any_context();
+  const ComputeFunctions gl(*context);
+  TinyModel tiny;
+  tiny.add_fixed(Plane{{0, 1, 0}, 0}, Vec3::Zero());
+  for (int k = 0; k < 40; ++k) {
+    const Vec3 half(0.2 + 0.05 * (k % 5), 0.3, 0.1 + 0.1 * (k % 3)), axis(std::sin(k), std::cos(3 * k), 1);
+    const Mat3 R = Eigen::AngleAxisd(0.7 * k, axis.normalized()).toRotationMatrix();
+    tiny.add(Box{half}, {1.1 * (k % 8), 0.5 + 0.9 * (k / 8), 1.3 * (k % 3)},
+             k % 4 == 0 ? Mat3::Identity() : R);
+  }
+  const PoseBuffer poses(gl, tiny.state);
+  Renderer renderer(*context, kWidth, kHeight);
+  DeviceBodies bodies(*context, body_parts(tiny.model), poses.id(), {.late_bounds = false});
+  Camera camera = frame_camera(tiny.model, tiny.state, double{kWidth} / kHeight);
+  const Vec3f way = camera.eye - camera.target;
+  const int look = GENERATE(0, 1, 2, 3, 4, 5);
+  if (look == 1) camera.eye = camera.target + Vec3f(-way.x(), way.y(), -way.z());
+  if (look == 2) camera.eye = camera.target + Vec3f(0, way.norm(), 0.01f);
+  if (look == 3) camera.orthographic = true;
+  if (look == 4)
+    camera.eye = tiny.state.c[20].cast<float>();           // in a box, whose sides are not seen from inside
+  if (look == 5) camera.eye = camera.target + 0.2f * way;  // among them
+  RenderQuality quality;
+  quality.level = look == 0 ? Quality::best : Quality::good;
+  const Twin twin(tiny.model, tiny.state, {}, camera);
+  const Image expected = picture(renderer, twin.all, quality, nullptr);
+  const CompareResult result =
+      compare_images(picture(renderer, twin.bare, quality, &bodies), expected, CompareTier::same_class);
+  CAPTURE(look, result.reason, result.max_difference, result.differing);
+  CHECK(same_but_edges(*context, result));
+  for (const DeviceList list : {DeviceList::bodies, DeviceList::casters, DeviceList::near_casters}) {
+    const DeviceBatches& batches = bodies.batches(list);
+    std::uint32_t indices = 0;
+    for (std::size_t k = 0; k < batches.classes.size(); ++k) {
+      std::uint32_t command[5];
+      gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, batches.commands);
+      gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER,
+                          static_cast<GLintptr>(batches.first_command + k * kCommandBytes), sizeof command,
+                          command);
+      indices += command[0] * command[1];
+    }
+    CHECK(indices == 18 * sum(drawn(gl, batches)));
+    CHECK(indices > 0);
+  }
+}
+
 TEST_CASE("maps of light fit bodies late, but those of another scene at once") {
   const auto context = any_context();
   const ComputeFunctions gl(*context);

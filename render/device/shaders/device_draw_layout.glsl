@@ -11,7 +11,7 @@ struct Part {
   vec4 size;  // scale of the primitive, negative where it is turned about x. w: the largest
   uint first_class, levels;  // classes of finer levels follow
   float reach;               // as the fit of the maps wants it
-  uint pad_;
+  uint sides;                // 1: a cube, of which three sides are drawn, a class for each such three
 };
 layout(std430, binding = DRAW_POSES) readonly buffer DrawPoses { Pose pose[]; };
 layout(std430, binding = DRAW_PARTS) readonly buffer DrawParts { Part parts[]; };

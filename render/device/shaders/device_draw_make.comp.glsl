@@ -22,8 +22,24 @@ bool meets(vec4 row_x, vec4 row_y, vec3 at, float room) {
   return all(greaterThan(q, vec2(-room))) && all(lessThan(q, vec2(1.0 + room)));
 }
 
+// Of a cube: the three sides that face along `way`, a bit an axis. The others are hidden by them.
+uint sides_along(vec3 way, dvec4 q, vec3 size) {
+  precise dvec3 v = dvec3(way), t = 2.0lf * cross(v, q.xyz), in_body = v + q.w * t + cross(t, q.xyz);
+  return uint(in_body.x * double(size.x) > 0.0lf) | uint(in_body.y * double(size.y) > 0.0lf) << 1u |
+         uint(in_body.z * double(size.z) > 0.0lf) << 2u;
+}
+
+uvec3 with_sides(uvec3 found, Part p, vec3 at, dvec4 q) {
+  if (p.sides == 0u) return found;
+  const vec3 to_eye = view.eye.w != 0.0 ? view.eye.xyz - at : view.eye.xyz;
+  if (found.x != NONE) found.x += sides_along(to_eye, q, p.size.xyz);
+  if (found.y != NONE) found.y += sides_along(view.light[2].xyz, q, p.size.xyz);  // away from the sun
+  if (found.z != NONE) found.z += sides_along(-view.floor_.xyz, q, p.size.xyz);
+  return found;
+}
+
 // In each list: NONE where it is not in it.
-uvec3 classes_of(Part p, vec3 at) {
+uvec3 classes_of(Part p, vec3 at, dvec4 q) {
   uvec3 found = uvec3(NONE);
   const float scale = p.size.w, around = p.at.w;
   if (in_sight(at, around)) {
@@ -34,10 +50,10 @@ uvec3 classes_of(Part p, vec3 at) {
   if (meets(view.shadow[0], view.shadow[1], at, around / view.sizes.w))
     found.y = p.first_class + min(p.levels - 1u, min(2u, coarse));
   precise float height = dot(view.floor_.xyz, at) - view.floor_.w;
-  if (view.floor_size.y == 0.0 || height >= 3.0 * scale) return found;
+  if (view.floor_size.y == 0.0 || height >= 3.0 * scale) return with_sides(found, p, at, q);
   if (meets(view.floor_map[0], view.floor_map[1], at, around / view.floor_size.x))
     found.z = p.first_class + min(p.levels - 1u, min(1u, coarse));
-  return found;
+  return with_sides(found, p, at, q);
 }
 
 #ifdef EMIT
@@ -73,7 +89,7 @@ void main() {
   barrier();
   const uint range = range_of(body), first = range >> 8u, end = first + (range & 255u);
   for (uint k = first; k < end; ++k) {
-    const uvec3 found = classes_of(parts[k], place_of(parts[k], pose[body]));
+    const uvec3 found = classes_of(parts[k], place_of(parts[k], pose[body]), pose[body].q);
     for (uint list = 0u; list < LISTS; ++list) {
       if (found[list] != NONE) atomicAdd(here[list * CLASSES + found[list]], 1u);
     }
@@ -88,7 +104,7 @@ void main() {
     const Part p = parts[k];
     const Pose q = pose[body];
     const vec3 at = place_of(p, q);
-    const uvec3 found = classes_of(p, at);
+    const uvec3 found = classes_of(p, at, q.q);
     if (found == uvec3(NONE)) continue;
     const dmat3 R = matrix_of(q.q);
     const vec3 columns[3] = vec3[3](vec3(R[0] * double(p.size.x)), vec3(R[1] * double(p.size.y)),

@@ -20,6 +20,7 @@ struct View {
   vec4 centre;    // of the scene; w: its radius
   vec4 limits;    // farthest and largest caster, in radii; height near the floor, in reaches; 1: there is a floor
   vec4 values;    // range of the map of values; 1 over its length, or over its octaves; 1: logarithmic
+  vec4 eye;       // w 0: of parallel rays, the way to it
   uvec4 counts;   // bodies; 1: they are coloured by values
 };
 
