@@ -3,12 +3,14 @@
 // of both, and of both with the picture read back.
 //
 //   bench_million [towers|avalanche] N frames [--png|--jpg DIR every] [--size W H] [--close] [--shadow SIDE] [--steps K] [--sweeps K]
-//                [--kappa J] [--team K]
+//                [--kappa J] [--team K] [--color speed|energy] [--contacts]
 //
 // towers: columns of ten boxes and a ball of steel that rolls through them. avalanche: boxes, balls, capsules and hulls
 // on a slope. --png and --jpg write every so many frames of the last run. --close looks at where things happen first. --shadow:
 // texels of a side of the shadow map, 4096. --steps: of a frame of 1/60 s, 4 for towers, else 1. --sweeps: of a step,
-// 10. --kappa: stiffness of contacts. --team: threads that share a body in a sweep. Every run starts anew.
+// 10. --kappa: stiffness of contacts. --team: threads that share a body in a sweep. --color: by a number that stays on
+// the GPU; in each frame its largest comes back, for the range. --contacts: their glyphs. Every run starts anew.
+// Also: indices that a picture draws, ms of a pick in the middle of it, and of the same after reading the state.
 #include <fmt/format.h>
 #include <stb_image_write.h>
 
@@ -21,12 +23,15 @@
 
 #include "render/device/compute_functions.h"
 #include "render/device/device_bodies.h"
+#include "render/device/device_marks.h"
+#include "render/device/device_pick.h"
 #include "render/device/device_solver.h"
 #include "render/gl/renderer.h"
 #include "render/output/png.h"
 #include "render/visual/body_parts.h"
 #include "render/visual/framing.h"
 #include "render/visual/palette.h"
+#include "render/visual/value_map.h"
 #include "sim/base/error.h"
 #include "tests/bench/device_settings.h"
 
@@ -44,6 +49,7 @@ struct Options {
   std::string folder;
   int every = 0;
   bool jpg = false;
+  std::optional<BodyQuantity> color;
 };
 
 Options parse(int argc, char** argv) {
@@ -68,6 +74,10 @@ Options parse(int argc, char** argv) {
       out.close = true;
     } else if (word == "--shadow") {
       out.shadow = std::atoi(next(k).c_str()) / 8 * 8;
+    } else if (word == "--color") {
+      out.color = next(k) == "energy" ? BodyQuantity::energy : BodyQuantity::speed;
+    } else if (word == "--contacts") {
+      out.device.report_contacts = true;
     } else if (word == "--kappa") {
       out.kappa = std::atof(next(k).c_str());
     } else if (word == "--team") {
@@ -84,7 +94,8 @@ Options parse(int argc, char** argv) {
     throw Error(
         ErrorKind::bad_input,
         "expected: bench_million [towers|avalanche] N frames [--png|--jpg DIR every] [--size W H] [--close] "
-        "[--shadow SIDE] [--steps K] [--sweeps K] [--kappa J] [--team K]");
+        "[--shadow SIDE] [--steps K] [--sweeps K] [--kappa J] [--team K] [--color speed|energy] "
+        "[--contacts]");
   }
   out.device.time_phases = true;
   out.bodies = numbers[0];
@@ -154,7 +165,52 @@ struct Bench {
   void step() {
     for (int k = 0; k < options.steps; ++k) solver.enqueue(setting.params);
   }
-  void draw() { renderer.draw(scene, nullptr, quality, &bodies); }
+  void draw() {
+    if (options.color) {
+      const unsigned values = solver.value_buffer(*options.color);
+      bodies.color_by(values,
+                      round_range(bodies.largest(values), 1e-6, *options.color == BodyQuantity::energy));
+    }
+    if (options.device.report_contacts)
+      bodies.mark_contacts(setting.model, solver.contact_buffers(), {.d_hat = setting.params.contact.d_hat});
+    renderer.draw(scene, nullptr, quality, &bodies);
+  }
+  // Of the last picture.
+  std::uint64_t corners(DeviceList list) {
+    const DeviceBatches& batches = bodies.batches(list);
+    std::uint64_t sum = 0;
+    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, batches.commands);
+    for (std::size_t k = 0; k < batches.classes.size(); ++k) {
+      std::uint32_t command[5];
+      gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER,
+                          static_cast<GLintptr>(batches.first_command + k * kCommandBytes), sizeof command,
+                          command);
+      sum += std::uint64_t{command[0]} * command[1];
+    }
+    return sum;
+  }
+  void tell_picks() {
+    DevicePick pick(*context, setting.model, solver.pose_buffer());
+    const Vec3 eye = scene.camera.eye.cast<double>();
+    const Ray ray{eye, scene.camera.target.cast<double>() - eye};
+    static_cast<void>(pick(ray));  // compiles
+    auto start = Clock::now();
+    const auto hit = pick(ray);
+    const double here = ms_since(start);
+    start = Clock::now();
+    State state;
+    solver.read_state(state, false);
+    const double reading = ms_since(start);
+    start = Clock::now();
+    const auto expected = ray_cast(setting.model, state, ray);
+    const double casting = ms_since(start);
+    fmt::print(
+        "pick: {:.2f} ms, {:.1f} KB read; of a state that is read back {:.2f} ms ({:.1f} MB) and {:.2f} ms: "
+        "{}\n",
+        here, static_cast<double>(pick.bytes_read()) / 1e3, reading,
+        static_cast<double>(96 * state.c.size()) / 1e6, casting,
+        hit && expected && hit->body == expected->body && hit->t == expected->t ? "the same" : "ANOTHER");
+  }
   void read(int frame) {
     renderer.queue_read();
     if (renderer.queued() == 2) take(frame - 1);
@@ -226,6 +282,13 @@ int main(int argc, char** argv) try {
   row("draw (the last state)", bench.measure(false, true, false));
   row("step and draw", bench.measure(true, true, false));
   row("step, draw and read back", bench.measure(true, true, true));
+  for (const auto& [list, name] : {std::pair(DeviceList::bodies, "bodies"),
+                                   {DeviceList::casters, "casters"},
+                                   {DeviceList::near_casters, "casters, near sides"},
+                                   {DeviceList::floor_casters, "casters near the floor"},
+                                   {DeviceList::glyphs, "glyphs"}})
+    fmt::print("indices of {}: {:.2f} million\n", name, static_cast<double>(bench.corners(list)) / 1e6);
+  bench.tell_picks();
   const StepSummary& summary = bench.solver.finish();
   const DeviceTimes& t = bench.solver.times();
   fmt::print("last step: {:.2f} ms: broad {:.2f}, narrow {:.2f}, set up {:.2f}, solve {:.2f}, end {:.2f}\n",
