@@ -23,7 +23,6 @@ namespace {
 using namespace device;
 
 constexpr unsigned kThreads = 256;  // of a work group
-constexpr std::size_t kPieces = 6;  // of a glyph, at most
 constexpr std::array kMeshes = {Primitive::disc, Primitive::cylinder, Primitive::cone};
 constexpr std::size_t kClasses = kMeshes.size() * pabd::kLevels;
 
@@ -82,12 +81,16 @@ struct DeviceMarks::Impl {
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   }
 
+  void make_room();
+  std::size_t places() const { return kClasses * record.work_groups; }  // where those of work groups begin
+
   const ComputeFunctions& gl;
   DrawBuffers buffers;
   ComputeProgram count, starts, emit;
   double scale, weight;  // of the model
   GlyphRecord record{};
-  std::size_t room = 0;
+  std::size_t room = 0;         // of contacts
+  std::size_t instances = 256;  // that there is room for
   std::vector<InstanceClass> classes = DeviceMarks::classes();
   DeviceBatches batches;
 };
@@ -111,8 +114,21 @@ DeviceMarks::Impl::Impl(const ComputeFunctions& functions, const Model& model, u
   buffers.make(DrawSlot::glyphs, sizeof(GlyphRecord));
   buffers.make(DrawSlot::meshes, kClasses * sizeof(MeshRange));
   buffers.make(DrawSlot::commands, kClasses * kCommandBytes);
-  buffers.make(DrawSlot::bodies, 1);
+  buffers.make(DrawSlot::bodies, instances * sizeof(GpuInstance));
   batches = {buffers.id(DrawSlot::bodies), buffers.id(DrawSlot::commands), 0, classes};
+}
+
+// For all that were counted: their number comes back.
+void DeviceMarks::Impl::make_room() {
+  std::uint32_t found = 0;
+  gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  gl.BindBuffer(GL_COPY_READ_BUFFER, buffers.id(DrawSlot::counts));
+  gl.GetBufferSubData(GL_COPY_READ_BUFFER, static_cast<GLintptr>(places() * sizeof found), sizeof found,
+                      &found);
+  if (found <= instances) return;
+  instances = found + found / 2;
+  buffers.make(DrawSlot::bodies, instances * sizeof(GpuInstance));
+  buffers.bind();
 }
 
 DeviceMarks::DeviceMarks(const ComputeFunctions& gl, const Model& model, unsigned view)
@@ -137,8 +153,7 @@ void DeviceMarks::set(const DeviceContacts& contacts, const ContactMarks& marks)
   m.room = contacts.room;
   m.record.work_groups = static_cast<std::uint32_t>((m.room + kThreads - 1) / kThreads);
   m.buffers.make(DrawSlot::glyph_classes, m.room * sizeof(std::uint32_t));
-  m.buffers.make(DrawSlot::counts, kClasses * m.record.work_groups * sizeof(std::uint32_t));
-  m.buffers.make(DrawSlot::bodies, m.room * kPieces * sizeof(GpuInstance));
+  m.buffers.make(DrawSlot::counts, (m.places() + 1) * sizeof(std::uint32_t));
 }
 
 void DeviceMarks::make(const VisualScene& scene, std::span<const MeshRange> meshes) {
@@ -150,6 +165,7 @@ void DeviceMarks::make(const VisualScene& scene, std::span<const MeshRange> mesh
   m.buffers.bind();
   m.run(m.count, m.record.work_groups);
   m.run(m.starts, 1);
+  m.make_room();
   m.run(m.emit, m.record.work_groups);
 }
 

@@ -32,7 +32,7 @@ class DeviceMarks {
 
   // From now on.
   void set(const DeviceContacts& contacts, const ContactMarks& marks);
-  // Makes the instances and the commands. `meshes`: of each class.
+  // Makes the instances and the commands. `meshes`: of each class. Waits for the GPU to count them.
   void make(const VisualScene& scene, std::span<const MeshRange> meshes);
   const DeviceBatches& batches() const;
   std::size_t bytes() const;  // of all buffers of its own

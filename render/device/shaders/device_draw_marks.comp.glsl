@@ -27,7 +27,7 @@ layout(std430, binding = DRAW_GLYPHS) readonly buffer DrawGlyphs {
   uint work_groups;
 };
 layout(std430, binding = DRAW_GLYPH_CLASSES) buffer DrawGlyphClasses { uint glyph_classes[]; };
-layout(std430, binding = DRAW_COUNTS) buffer DrawCounts { uint group_first[]; };  // class · work_groups + work group
+layout(std430, binding = DRAW_COUNTS) buffer DrawCounts { uint group_first[]; };  // class · work_groups + work group; then of all
 
 #ifdef STARTS
 layout(std430, binding = DRAW_MESHES) readonly buffer DrawMeshes { uvec2 mesh_range[]; };  // a class: indices, first
@@ -53,6 +53,7 @@ void main() {
   }
   memoryBarrierBuffer();
   barrier();
+  if (t == 0u) group_first[size] = total;
   if (t >= CLASSES) return;
   const uint first = group_first[t * work_groups], next = t + 1u < CLASSES ? group_first[(t + 1u) * work_groups] : total;
   commands[t] = Command(mesh_range[t].x, next - first, mesh_range[t].y, 0, first);
