@@ -294,9 +294,9 @@ TEST_CASE("frames of the GPU are not continued by the processor, nor the other w
   const TempFolder folder;
   write_text(folder / "ball.json", kBall);
   for (const auto& [first, second] : {std::pair("gpu", "cpu"), std::pair("cpu", "gpu")}) {
-    const auto render = [&](const char* device) {
-      return run_pabd({"render", folder / "ball.json", "-o", folder / (std::string(first) + "{frame}.png"),
-                       "--frames", "2", "--size", "64x36", "--resume", "--device", device});
+    const auto render = [&folder, named = std::string(first)](const char* device) {
+      return run_pabd({"render", folder / "ball.json", "-o", folder / (named + "{frame}.png"), "--frames",
+                       "2", "--size", "64x36", "--resume", "--device", device});
     };
     REQUIRE(render(first).exit_code == 0);
     CHECK(render(first).exit_code == 0);
