@@ -23,8 +23,8 @@ DrawBuffers::DrawBuffers(const ComputeFunctions& gl) : gl_(gl), limits_(compute_
                           limits_.renderer, bindings, static_cast<unsigned>(DrawSlot::end)));
 }
 
-void DrawBuffers::make(DrawSlot slot, std::size_t bytes, const void* data) {
-  bytes = std::max<std::size_t>(16, bytes);
+void DrawBuffers::make(DrawSlot slot, std::size_t size, const void* data) {
+  const std::size_t bytes = std::max<std::size_t>(16, size);
   if (static_cast<std::int64_t>(bytes) > limits_.largest_buffer) {
     throw Error(
         ErrorKind::no_context,
@@ -38,7 +38,10 @@ void DrawBuffers::make(DrawSlot slot, std::size_t bytes, const void* data) {
   while (gl_.GetError() != GL_NO_ERROR) {
   }
   gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, array.buffer->id());
-  gl_.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_COPY);
+  gl_.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), bytes == size ? data : nullptr,
+                 GL_DYNAMIC_COPY);
+  if (data && bytes != size)
+    gl_.BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, static_cast<GLsizeiptr>(size), data);
   if (gl_.GetError() == GL_OUT_OF_MEMORY) {
     throw Error(ErrorKind::no_context, fmt::format("{} has no memory left for {:.0f} MiB more: --device cpu",
                                                    limits_.renderer, static_cast<double>(bytes) / kMebi));

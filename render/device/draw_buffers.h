@@ -74,9 +74,9 @@ class DrawBuffers {
   // Throws Error(no_context) where the context has too few bindings.
   explicit DrawBuffers(const ComputeFunctions& gl);
 
-  // Anew, of so many bytes, at least 16. Throws Error(no_context) where one buffer may not be that large here, or
+  // Anew, of `size` bytes, at least 16. Throws Error(no_context) where one buffer may not be that large here, or
   // memory is used up.
-  void make(DrawSlot slot, std::size_t bytes, const void* data = nullptr);
+  void make(DrawSlot slot, std::size_t size, const void* data = nullptr);
   // As many bytes as it has, into a new store: a frame before may still read its own.
   void renew(DrawSlot slot, const void* data);
   // A buffer of somebody else, which outlives this or is replaced before; 0: none.
