@@ -5,6 +5,7 @@
 // some placement a hair away, and there may be few such pairs.
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "render/device/narrow_parts.h"
 #include "tests/collision/reference.h"
@@ -342,7 +343,9 @@ TEST_CASE("in float the shaders of the narrow phase find the CPU's contacts but 
       std::sort(errors.begin(), errors.end());
       const double usual = errors[errors.size() / 2];
       CAPTURE(decided_otherwise, other_gap, usual);
-      CHECK(decided_otherwise <= kinds.pairs / 50);
+      // One in fifty, of pairs that chance chose (and compilers, which draw arguments in orders of their own).
+      const double usually = kinds.pairs / 50.0;
+      CHECK(decided_otherwise <= usually + 3 * std::sqrt(usually));
       CHECK(other_gap <= 1 + kinds.pairs / 1000);
       CHECK(usual < 1e-10);  // gaps are measured again in double
     }
