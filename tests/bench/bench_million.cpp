@@ -34,6 +34,7 @@
 #include "render/visual/value_map.h"
 #include "sim/base/error.h"
 #include "tests/bench/device_settings.h"
+#include "tests/device/drawn_commands.h"
 
 using namespace pabd;
 using namespace pabd::bench;
@@ -177,16 +178,9 @@ struct Bench {
   }
   // Of the last picture.
   std::uint64_t corners(DeviceList list) {
-    const DeviceBatches& batches = bodies.batches(list);
     std::uint64_t sum = 0;
-    gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, batches.commands);
-    for (std::size_t k = 0; k < batches.classes.size(); ++k) {
-      std::uint32_t command[5];
-      gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER,
-                          static_cast<GLintptr>(batches.first_command + k * kCommandBytes), sizeof command,
-                          command);
-      sum += std::uint64_t{command[0]} * command[1];
-    }
+    for (const pabd::testing::DrawnCommand& c : pabd::testing::drawn_commands(gl, bodies.batches(list)))
+      sum += std::uint64_t{c.indices} * c.instances;
     return sum;
   }
   void tell_picks() {

@@ -17,6 +17,7 @@
 #include "sim/base/error.h"
 #include "tests/device/device_pictures.h"
 #include "tests/device/device_scenes.h"
+#include "tests/device/drawn_commands.h"
 #include "tests/support/tiny_model.h"
 
 using namespace pabd;
@@ -27,14 +28,7 @@ namespace {
 // Instances of each class that the last picture drew.
 std::vector<std::uint32_t> drawn(const ComputeFunctions& gl, const DeviceBatches& batches) {
   std::vector<std::uint32_t> out;
-  gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, batches.commands);
-  for (std::size_t k = 0; k < batches.classes.size(); ++k) {
-    std::uint32_t command[5];
-    gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER,
-                        static_cast<GLintptr>(batches.first_command + k * kCommandBytes), sizeof command,
-                        command);
-    out.push_back(command[1]);
-  }
+  for (const DrawnCommand& c : drawn_commands(gl, batches)) out.push_back(c.instances);
   return out;
 }
 
@@ -200,14 +194,7 @@ TEST_CASE("of a box three sides are drawn, and the picture is that of all six") 
   for (const DeviceList list : {DeviceList::bodies, DeviceList::casters, DeviceList::near_casters}) {
     const DeviceBatches& batches = bodies.batches(list);
     std::uint32_t indices = 0;
-    for (std::size_t k = 0; k < batches.classes.size(); ++k) {
-      std::uint32_t command[5];
-      gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, batches.commands);
-      gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER,
-                          static_cast<GLintptr>(batches.first_command + k * kCommandBytes), sizeof command,
-                          command);
-      indices += command[0] * command[1];
-    }
+    for (const DrawnCommand& c : drawn_commands(gl, batches)) indices += c.indices * c.instances;
     CHECK(indices == 18 * sum(drawn(gl, batches)));
     CHECK(indices > 0);
   }

@@ -13,6 +13,7 @@
 #include "render/visual/contact_glyphs.h"
 #include "tests/device/device_pictures.h"
 #include "tests/device/device_scenes.h"
+#include "tests/device/drawn_commands.h"
 #include "tests/support/tiny_model.h"
 
 using namespace pabd;
@@ -24,16 +25,8 @@ constexpr int kWidth = 640, kHeight = 360;
 
 // Instances of glyphs that the last picture drew.
 std::uint32_t drawn(const ComputeFunctions& gl, const DeviceBodies& bodies) {
-  const DeviceBatches& batches = bodies.batches(DeviceList::glyphs);
   std::uint32_t sum = 0;
-  gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, batches.commands);
-  for (std::size_t k = 0; k < batches.classes.size(); ++k) {
-    std::uint32_t command[5];
-    gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER,
-                        static_cast<GLintptr>(batches.first_command + k * kCommandBytes), sizeof command,
-                        command);
-    sum += command[1];
-  }
+  for (const DrawnCommand& c : drawn_commands(gl, bodies.batches(DeviceList::glyphs))) sum += c.instances;
   return sum;
 }
 
