@@ -110,6 +110,11 @@ void add_action(const Joint& joint, InspectorRows& rows) {
   }
   if (action.damping > 0) rows.push_back({"damping", text(action.damping, turns ? "N m s/rad" : "N s/m")});
   if (action.friction > 0) rows.push_back({"friction", text(action.friction, turns ? "N m" : "N")});
+  const JointSpring& spring = action.spring;
+  if (spring.stiffness == 0) return;
+  rows.push_back({"spring", text(spring.stiffness, turns ? "N m/rad" : "N/m")});
+  rows.push_back(
+      {"its rest", turns ? fmt::format("{:.3f}°", kDegrees * spring.rest) : text(spring.rest, "m")});
 }
 
 // What a joint measures and what keeps it in range.

@@ -114,6 +114,7 @@ void Session::describe_start() {
   report_.min_gap = std::numeric_limits<double>::infinity();
   report_.kinetic = kinetic_energy(*model_, state_);
   report_.potential = potential_energy(*model_, *params_, state_);
+  report_.elastic = spring_energy(*model_, state_);
 }
 
 }  // namespace pabd

@@ -90,12 +90,19 @@ struct JointMotor {
   double gain = 0;  // force per missing speed; N m s/rad or N s/m; 0: as stiff as steps can follow
 };
 
+// Pulls the angle or offset of a joint back to where it is at rest.
+struct JointSpring {
+  double stiffness = 0;  // N m/rad or N/m; 0: none
+  double rest = 0;       // rad, in [−π, π], or m
+};
+
 // What acts along the angle, offset or length of a joint, or on the turn of a ball, beside what holds it
 // (sim/joint/action.h). The same on both bodies, the other way round.
 struct JointAction {
   std::optional<JointMotor> motor;
   double damping = 0;   // viscous; N m s/rad or N s/m
   double friction = 0;  // dry: holds up to so much, and brakes with it; N m or N
+  JointSpring spring = {};
 };
 
 // What few joints have (limits, drives) is out of line, so that a million joints fit in 0.3 GB.

@@ -286,7 +286,11 @@ std::optional<RobotJoint> mjcf_joint(const MjcfElement& element, const MjcfConte
   joint.place = place_of(own);
   joint.name = own.find("name").value_or("");
   const std::string type = element.with("type").find("type").value_or("hinge");
-  if (type == "free") return {};
+  if (type == "free") {
+    if (element.with("stiffness").resistance("stiffness") > 0)
+      element.with("stiffness").note(*context.notes, "stiffness of a free joint: not taken");
+    return {};
+  }
   if (type == "ball") {
     joint.kind = RobotJointKind::ball;
   } else if (type == "slide") {
@@ -304,6 +308,12 @@ std::optional<RobotJoint> mjcf_joint(const MjcfElement& element, const MjcfConte
   }
   const double unit_size = joint.kind == RobotJointKind::slide ? 1 : context.compiler.angle;
   joint.ref = element.with("ref").number("ref").value_or(0) * unit_size;
+  joint.action.stiffness = element.with("stiffness").resistance("stiffness");
+  joint.action.rest = element.with("springref").number("springref").value_or(0) * unit_size - joint.ref;
+  if (joint.kind == RobotJointKind::ball && joint.action.stiffness > 0) {
+    element.with("stiffness").note(*context.notes, "stiffness of a ball joint: not taken");
+    joint.action.stiffness = 0;
+  }
   const auto range = element.with("range").numbers("range", 2, 2);
   const std::string limited = element.with("limited").find("limited").value_or("auto");
   const bool held = limited == "true" || (limited == "auto" && context.compiler.autolimits && range);

@@ -63,9 +63,11 @@ struct RobotAction {
   std::optional<double> speed;  // of a motor; rad/s or m/s
   double gain = 0;              // force per missing speed; N m s/rad or N s/m
   std::optional<double> most;   // force with which the speed is held; N m or N
+  double stiffness = 0;         // of a spring; N m/rad or N/m
+  double rest = 0;              // where it gives nothing, measured from the pose of the file; rad or m
 
   bool motor() const { return force || speed; }
-  bool any() const { return motor() || damping > 0 || friction > 0; }
+  bool any() const { return motor() || damping > 0 || friction > 0 || stiffness > 0; }
 };
 
 struct RobotJoint {

@@ -147,7 +147,7 @@ void add_action(const JointPlan& joint, double unit, OrderedJson& out, ImportNot
   const RobotAction& action = joint.action;
   if (!action.any()) return;
   if (joint.target) {
-    notes.add("damping, friction and motor of a joint that a position actuator holds: not taken",
+    notes.add("damping, friction, spring and motor of a joint that a position actuator holds: not taken",
               joint.place.file, joint.place.line);
     return;
   }
@@ -160,6 +160,11 @@ void add_action(const JointPlan& joint, double unit, OrderedJson& out, ImportNot
   }
   if (action.damping > 0) out["damping"] = action.damping;
   if (action.friction > 0) out["friction"] = action.friction;
+  if (action.stiffness == 0) return;
+  const double rest = action.rest / unit;
+  if (!slides && std::abs(rest) > kMostTurn)
+    return notes.add("spring of a joint rests beyond ±180°: not taken", joint.place.file, joint.place.line);
+  out["spring"] = {{"stiffness", action.stiffness}, {"rest", rest}};
 }
 
 OrderedJson json_of_joint(const JointPlan& joint, const ScenePlan& plan, ImportNotes& notes) {

@@ -29,7 +29,7 @@ constexpr ImportRow kMjcf[] = {
      "conaffinity "
      "rgba material",
      "group user", ""},
-    {"joint", "name class type pos axis range limited ref damping frictionloss",
+    {"joint", "name class type pos axis range limited ref damping frictionloss stiffness springref",
      "group user actuatorfrclimited", ""},
     {"freejoint", "name", "group align", ""},
     {"mesh", "name class file scale vertex refpos refquat",

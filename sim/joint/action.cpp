@@ -28,6 +28,10 @@ BondSlope slope_of(const ActionHold& hold, double u) {
 BondSlope slope_of(const ActionStep& action, double way) {
   BondSlope sum{-action.force * way + 0.5 * action.damping * way * way, -action.force + action.damping * way,
                 action.damping};
+  const double x = action.away + way;
+  sum.value += 0.5 * action.spring * x * x;
+  sum.first += action.spring * x;
+  sum.second += action.spring;
   for (const ActionHold& hold : action.hold) {
     if (hold.most == 0) continue;
     const BondSlope part = slope_of(hold, way - hold.way);
@@ -57,6 +61,13 @@ double way_of(const JointMeasure& measure, const ActionStep& action, const Place
   const double way = measure.value(fi, fj) - action.start;
   if (measure.of != JointMeasure::Of::angle) return way;
   return action.expected + std::remainder(way - action.expected, 2 * kPi);
+}
+
+// From the spring's rest.
+double way_from_rest(const JointMeasure& measure, const JointSpring& spring, const PlacedFrame& fi,
+                     const PlacedFrame& fj) {
+  const double way = measure.value(fi, fj) - spring.rest;
+  return measure.of == JointMeasure::Of::angle ? std::remainder(way, 2 * kPi) : way;
 }
 
 // ∂φ/∂y of a point of j at e from the axis: φ turns with t · δe.
@@ -188,6 +199,8 @@ ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedF
     return action;
   }
   action.start = measure->value(fi, fj);
+  action.spring = given.spring.stiffness;
+  if (action.spring > 0) action.away = way_from_rest(*measure, given.spring, fi, fj);
   const double coming = way_of_motion(measure->of, fi, fj, start.i, start.j);
   const bool turns = measure->of == JointMeasure::Of::angle;
   if (turns) action.expected = coming;
@@ -220,12 +233,21 @@ void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame&
   }
 }
 
+double spring_energy(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj) {
+  const JointMeasure* measure = measure_of(joint);
+  if (!measure || !joint.action || joint.action->spring.stiffness == 0) return 0;
+  const double x = way_from_rest(*measure, joint.action->spring, fi, fj);
+  return 0.5 * joint.action->spring.stiffness * x * x;
+}
+
 double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
                       const PlacedFrame& fj) {
   const JointMeasure* measure = measure_of(joint);
   if (!measure) return -action.damping * turn_since(action, fi, fj).squaredNorm();
   const double way = way_of(*measure, action, fi, fj);
-  return -slope_of(action, way).first * way;
+  ActionStep lost = action;  // what the spring takes it gives back
+  lost.spring = 0;
+  return -slope_of(lost, way).first * way;
 }
 
 void foresee_way(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What acts along a joint while it moves: motors, dampers, dry friction. As a potential of the way Δ that its
+// What acts along a joint: motors, dampers, springs, dry friction. As a potential of the way Δ that its
 // angle, offset or length goes in a step of length h, and so a part of E like any bond:
 //
 //   W = −F Δ                      a motor that gives the force (or torque) F
 //     + c/(2h) Δ²                 a damper; of a ball c/(2h) ‖θ‖², θ the rotation vector of j against i
+//     + s/2 (x + Δ)²                a spring, x away from its rest at the start: of an angle the shorter way round
 //     + P(Δ − h v; k, f)          a motor that gives the speed v; friction, with v = 0
 //
 //   P(u; k, f) = ½ k u² where k |u| ≤ f, else f (|u| − f/2k): a force of at most f. Without a gain, k is
@@ -47,6 +48,7 @@ struct ActionStep {
   Mat3 turned = Mat3::Identity();    // of a ball: j against i at the start
   double force = 0;                  // F
   double damping = 0;                // c/h; N m/rad or N/m
+  double spring = 0, away = 0;       // s and x; N m/rad or N/m, rad or m
   std::array<ActionHold, 2> hold{};  // the motor's and the friction's; f = 0: none
 };
 
@@ -75,7 +77,10 @@ ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedF
 void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi, const PlacedFrame& fj,
                 BondList& out);
 
-// Work of the force that W gives there on the way to there; J.
+// Energy of its spring with the frames there; J.
+double spring_energy(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj);
+
+// Work of the force that W gives there on the way to there, but for that of the spring, which keeps it; J.
 double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
                       const PlacedFrame& fj);
 

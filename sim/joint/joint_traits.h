@@ -45,6 +45,12 @@ struct PlacedFrame {
 inline PlacedFrame place(const JointFrame& frame, const Pose& pose) {
   return {pose.c + pose.R * frame.r, pose.R * frame.F};
 }
+// On `body`, or in the world for kWorld.
+inline PlacedFrame place(const JointFrame& frame, Index body, const State& state) {
+  if (body == kWorld) return {frame.r, frame.F};
+  const auto k = static_cast<std::size_t>(body);
+  return place(frame, {state.c[k], state.R[k]});
+}
 
 // Where an angle is drawn, about the anchor of i: the directions of 0 and of +90°.
 struct AnglePlane {

@@ -104,6 +104,12 @@ struct Motor {
   std::optional<double> gain = {};    // force per missing speed; N m s/rad or N s/m
 };
 
+// A spring along the angle of a hinge or the offset of a slider.
+struct Spring {
+  double stiffness = 0;             // N m/rad or N/m
+  std::optional<double> rest = {};  // where it gives nothing; degrees or m
+};
+
 // Joins two bodies, or one and the world. Entries that the type does not have are refused.
 struct Joint {
   JointType type = JointType::spherical;
@@ -123,6 +129,7 @@ struct Joint {
   std::optional<Motor> motor = {};       // hinge, slider
   std::optional<double> damping = {};    // N m s/rad or N s/m
   std::optional<double> friction = {};   // hinge, slider: dry; N m or N
+  std::optional<Spring> spring = {};     // hinge, slider
   std::optional<Twist> twist = {};       // slider
   std::optional<Limits> twist_limits = {};  // slider with limited twist; degrees
   Law law = {};

@@ -97,6 +97,12 @@ void put_motor(Json& out, const spec::Joint& joint) {
   out["motor"] = std::move(motor);
 }
 
+void put_spring(Json& out, const spec::Joint& joint) {
+  if (!joint.spring) return;
+  out["spring"] = {{"stiffness", joint.spring->stiffness}};
+  put(out["spring"], "rest", joint.spring->rest);
+}
+
 void put_twist(Json& out, const spec::Joint& joint) {
   if (joint.twist == Twist::free) out["twist"] = "free";
   if (joint.twist == Twist::locked) out["twist"] = "locked";
@@ -144,6 +150,7 @@ Json json_of(const spec::Joint& joint) {
   put_motor(out, joint);
   put(out, "damping", joint.damping);
   put(out, "friction", joint.friction);
+  put_spring(out, joint);
   put_twist(out, joint);
   put_law(out, joint.law);
   if (joint.collide) out["collide"] = true;

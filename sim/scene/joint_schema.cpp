@@ -81,6 +81,8 @@ void add_motion(const JointMeasure& measure, OrderedJson& out) {
   out["friction"] =
       described(number({0, 1e12}), angle ? "Dry friction in N m: holds up to so much, and brakes with it."
                                          : "Dry friction in N: holds up to so much, and brakes with it.");
+  out["spring"] = {{"$ref", angle ? "#/$defs/spring" : "#/$defs/linear_spring"},
+                   {"description", "What pulls j back. Not together with drive."}};
 }
 
 void add_damping(const JointTraits& traits, OrderedJson& out) {

@@ -20,7 +20,7 @@ std::vector<std::string_view> keys_of(const JointTraits& joint) {
   add(!joint.points, {"anchor"});
   add(joint.axes > 0, {"axis"});
   add(joint.axes > 1, {"second_axis"});
-  add(moved_measure(joint), {"start", "limits", "drive", "motor", "friction"});
+  add(moved_measure(joint), {"start", "limits", "drive", "motor", "friction", "spring"});
   add(measure_with(joint, &Joint::twist_limits), {"twist"});
   add(joint.turn, {"drive", "axes"});
   add(may_be_damped(joint), {"damping"});
@@ -80,6 +80,8 @@ std::span<const KeyTable> key_tables() {
                                      KeyTable{"twist", keys::twist},
                                      KeyTable{"motor", keys::motor},
                                      KeyTable{"linear_motor", keys::linear_motor},
+                                     KeyTable{"spring", keys::spring},
+                                     KeyTable{"linear_spring", keys::spring},
                                      KeyTable{"friction_anchor", keys::friction_anchor}};
   static const auto kTables = [] {
     std::vector<KeyTable> tables = made_tables();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motors, dampers and friction of joints. See read_joint.h.
+// Motors, dampers, springs and friction of joints. See read_joint.h.
 #include <fmt/format.h>
 
 #include "sim/joint/joint_traits.h"
@@ -15,14 +15,15 @@ constexpr double kDegree = kPi / 180;
 
 // The words of a motor that turns, and of one that pushes.
 struct MotorWords {
-  std::string_view force, most, unit, rate_unit;
+  std::string_view force, most, unit, rate_unit, spring_unit;
   std::span<const std::string_view> keys;
-  Range speed;
-  double speed_unit;
+  Range speed, place;
+  double size;  // of the unit of both
 };
-constexpr MotorWords kTurning{"torque",    "max_torque",     "N m",  "N m s/rad",
-                              keys::motor, kMotorTurnsRange, kDegree};
-constexpr MotorWords kPushing{"force", "max_force", "N", "N s/m", keys::linear_motor, kVelocityRange, 1};
+constexpr MotorWords kTurning{"torque",    "max_torque",     "N m",       "N m s/rad", "N m/rad",
+                              keys::motor, kMotorTurnsRange, kAngleRange, kDegree};
+constexpr MotorWords kPushing{"force",        "max_force",    "N", "N s/m", "N/m", keys::linear_motor,
+                              kVelocityRange, kPositionRange, 1};
 
 // A number, or what a drive has: { "value" } or { "keys" }.
 Profile read_profile(const ObjectReader& in, std::string_view key, const Range& range, double unit) {
@@ -46,10 +47,16 @@ JointMotor read_motor(const Node& node, const MotorWords& words) {
     return motor;
   }
   motor.gives = JointMotor::Gives::speed;
-  motor.profile = read_profile(in, "speed", words.speed, words.speed_unit);
+  motor.profile = read_profile(in, "speed", words.speed, words.size);
   motor.most = in.optional_number(words.most, {0, kMostForce, words.unit}).value_or(motor.most);
   motor.gain = in.optional_number("gain", {1e-12, kMostForce, words.rate_unit}).value_or(motor.gain);
   return motor;
+}
+
+JointSpring read_spring(const Node& node, const MotorWords& words) {
+  const ObjectReader in(node, keys::spring);
+  const double stiffness = in.number("stiffness", {0, kMostForce, words.spring_unit});
+  return {stiffness, words.size * in.number("rest", words.place, 0)};
 }
 
 }  // namespace
@@ -58,7 +65,7 @@ void read_action(const ObjectReader& in, Joint& joint) {
   const MotorWords& words = acts_by_torque(traits_of(joint.type)) ? kTurning : kPushing;
   JointAction action;
   bool acts = false;
-  for (const std::string_view key : {"motor", "damping", "friction"}) {
+  for (const std::string_view key : {"motor", "damping", "friction", "spring"}) {
     if (!in.has(key)) continue;
     if (in.has("drive"))
       in.fail_key(
@@ -69,7 +76,9 @@ void read_action(const ObjectReader& in, Joint& joint) {
   if (const auto motor = in.find("motor")) action.motor = read_motor(*motor, words);
   action.damping = in.optional_number("damping", {0, kMostForce, words.rate_unit}).value_or(0);
   action.friction = in.optional_number("friction", {0, kMostForce, words.unit}).value_or(0);
-  if (action.motor || action.damping > 0 || action.friction > 0) joint.action = std::move(action);
+  if (const auto spring = in.find("spring")) action.spring = read_spring(*spring, words);
+  if (action.motor || action.damping > 0 || action.friction > 0 || action.spring.stiffness > 0)
+    joint.action = std::move(action);
 }
 
 }  // namespace pabd

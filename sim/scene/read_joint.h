@@ -25,7 +25,7 @@ JointRange read_limits(const ObjectReader& in, std::string_view key, const Range
 Profile read_drive(const Node& node, const Range& range, double unit);
 TurnProfile read_turn(const Node& node);  // rotation vectors in degrees
 
-// "motor", "damping" and "friction" of a joint whose type may have them (read_action.cpp).
+// "motor", "damping", "friction" and "spring" of a joint whose type may have them (read_action.cpp).
 void read_action(const ObjectReader& in, Joint& joint);
 
 }  // namespace pabd

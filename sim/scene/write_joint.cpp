@@ -13,12 +13,6 @@ namespace {
 
 constexpr double kDegrees = 180 / kPi;
 
-PlacedFrame placed(const State& state, Index body, const JointFrame& frame) {
-  if (body == kWorld) return {frame.r, frame.F};
-  const auto k = static_cast<std::size_t>(body);
-  return place(frame, {state.c[k], state.R[k]});
-}
-
 OrderedJson range_json(const JointRange& range, double unit) {
   return OrderedJson::array({range.lo * unit, range.hi * unit});
 }
@@ -66,6 +60,11 @@ void add_action(const Joint& joint, double now, OrderedJson& out) {
     out["motor"] = motor_json(*joint.action->motor, now, acts_by_torque(traits_of(joint.type)));
   if (joint.action->damping > 0) out["damping"] = joint.action->damping;
   if (joint.action->friction > 0) out["friction"] = joint.action->friction;
+  const JointSpring& spring = joint.action->spring;
+  if (spring.stiffness == 0) return;
+  out["spring"] = {{"stiffness", spring.stiffness}};
+  const double unit = acts_by_torque(traits_of(joint.type)) ? kDegrees : 1;
+  if (spring.rest != 0) out["spring"]["rest"] = spring.rest * unit;
 }
 
 void add_twist(const Joint& joint, OrderedJson& out) {
@@ -95,7 +94,7 @@ void add_own_law(const Joint& joint, const BondLaw& joint_law, OrderedJson& out)
 
 OrderedJson json_of_joint(const Model& model, const State& state, const Joint& joint, const std::string& name,
                           const BondLaw& joint_law) {
-  const PlacedFrame on_i = placed(state, joint.i, joint.on_i), on_j = placed(state, joint.j, joint.on_j);
+  const PlacedFrame on_i = place(joint.on_i, joint.i, state), on_j = place(joint.on_j, joint.j, state);
   OrderedJson out{{"name", name}, {"type", to_string(joint.type)}};
   out["bodies"] = OrderedJson::array();
   for (const Index end : {joint.i, joint.j})

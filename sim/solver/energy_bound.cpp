@@ -74,6 +74,7 @@ double energy_at_start(const Problem& p, const Island& island, EnergyBound bound
     it.pose[i] = p.start_pose(i);
     energy += kinetic_energy(*p.model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
   }
+  for (const Index k : island.joints) energy += spring_energy(p, it, k);
   if (bound == EnergyBound::kinetic) {
     for (const Index k : island.manifolds) energy += given_back(p, it, it.manifold[k]);
     for (const Index k : island.joints) energy += given_back(p, it, k);
@@ -100,7 +101,7 @@ double energy_at_part(const Problem& p, const Island& island, EnergyBound bound,
     energy += t * t * kinetic_energy(*p.model, i, end[i].R, velocities.v[i], velocities.omega[i]) -
               p.model->mass[i] * p.params->gravity.dot(pose.c - start.c);
   }
-  for (const Index k : island.joints) energy -= drive_work_of(p, it, k);
+  for (const Index k : island.joints) energy += spring_energy(p, it, k) - drive_work_of(p, it, k);
   if (bound == EnergyBound::kinetic) return energy;
   energy += contact_energies(p, island, it);
   for (const Index k : island.joints) energy += energy_of_joint(p, it, k);

@@ -122,6 +122,13 @@ bool switch_actions(const Problem& p, const Island& island, bool converged, Iter
   return !settled;
 }
 
+double spring_energy(const Problem& p, const Iterate& it, Index k) {
+  const Joint& joint = p.joints[k];
+  if (!joint.action) return 0;
+  const PlacedFrames at = frames_at(it, joint);
+  return spring_energy(joint, at.i, at.j);
+}
+
 double action_work(const Problem& p, const Iterate& it, Index k) {
   const Index place = place_of(p, k);
   if (place < 0) return 0;

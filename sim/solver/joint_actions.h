@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Motors, dampers and friction of the joints of a step (joint/action.h).
+// Motors, dampers, springs and friction of the joints of a step (joint/action.h).
 #pragma once
 
 #include "sim/solver/islands.h"
@@ -18,7 +18,10 @@ void foresee_actions(const Problem& p, const Island& island, const std::vector<V
 // over decides nothing.
 bool switch_actions(const Problem& p, const Island& island, bool converged, Iterate& it);
 
-// Work of what acts along joint k in this step, as far as the iterate has gone; J.
+// Energy of the spring of joint k at the iterate; J.
+double spring_energy(const Problem& p, const Iterate& it, Index k);
+
+// Work of what else acts along joint k in this step, as far as the iterate has gone; J.
 double action_work(const Problem& p, const Iterate& it, Index k);
 
 }  // namespace pabd

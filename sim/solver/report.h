@@ -87,7 +87,7 @@ struct StepSummary {
   int iterations = 0;          // of the island that needed most
   double kinetic = 0;          // J
   double potential = 0;        // −Σ m g·c; J
-  double elastic = 0;          // energy in contacts and bonds; J
+  double elastic = 0;          // energy in contacts, bonds and springs; J
   double kappa = 0;            // resolved contact κ; J
   int contacts = 0;            // with d < d̂
   double max_penetration = 0;  // m

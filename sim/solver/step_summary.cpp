@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/solver/step_summary.h"
 
+#include "sim/joint/action.h"
+
 #include <limits>
 
 #include "sim/body/mass_properties.h"
@@ -26,6 +28,15 @@ double kinetic_energy(const Model& model, const State& state) {
 double potential_energy(const Model& model, const Params& params, const State& state) {
   double energy = 0;
   for (Index i = 0; i < model.size(); ++i) energy -= model.mass[i] * params.gravity.dot(state.c[i]);
+  return energy;
+}
+
+double spring_energy(const Model& model, const State& state) {
+  double energy = 0;
+  for (const Joint& joint : model.joints) {
+    if (!joint.action) continue;
+    energy += spring_energy(joint, place(joint.on_i, joint.i, state), place(joint.on_j, joint.j, state));
+  }
   return energy;
 }
 

@@ -15,6 +15,9 @@ double kinetic_energy(const Model& model, Index i, const Mat3& R, const Vec3& v,
 double kinetic_energy(const Model& model, const State& state);
 double potential_energy(const Model& model, const Params& params, const State& state);
 
+// Of the springs of all joints; J.
+double spring_energy(const Model& model, const State& state);
+
 // elastic, contacts, max_penetration, min_gap, friction_excess and, if asked, contact_reports at the iterate.
 void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports, StepReport& report);
 

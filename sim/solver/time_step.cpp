@@ -131,6 +131,7 @@ void summarize(const Problem& p, const StepMemory& m, const StepOptions& options
   summarize_contacts(p, m.iterate, options.report_contacts, report);
   for (std::size_t k = 0; k < p.joints.size(); ++k)
     report.elastic += energy_of_joint(p, m.iterate, static_cast<Index>(k));
+  report.elastic += spring_energy(*p.model, end);
   report.drive_work = drive_work(p, m.iterate);
   report.max_joint_error = largest_joint_error(p, m.iterate);
   if (options.report_joints) report_joints(p, m.iterate, end.joint_force, report.joint_reports);

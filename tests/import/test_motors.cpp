@@ -35,6 +35,7 @@ TEST_CASE("motors of an MJCF file turn as it says, at the control nearest to 0",
   CHECK(joint_of(run, "held").drive);
   CHECK_FALSE(joint_of(run, "held").action);
   CHECK(joint_of(run, "block").action->friction == 4);
+  CHECK(joint_of(run, "block").action->spring.stiffness == 3);
   CHECK(joint_of(run, "ball").action->damping == 0.3);
 
   const double inertia = 0.5 * 3 * 0.2 * 0.2;
@@ -47,7 +48,6 @@ TEST_CASE("motors of an MJCF file turn as it says, at the control nearest to 0",
   CHECK(note_with(imported, "position actuator holds").where[0].second == 16);
   CHECK(note_with(imported, "frictionloss of a ball").where[0].second == 24);
   CHECK(note_with(imported, "armature: not taken").where[0].second == 16);
-  CHECK(note_with(imported, "stiffness: not taken").where[0].second == 20);
   CHECK(note_with(imported, "not the same both ways").where[0].second == 30);
 }
 
@@ -75,9 +75,36 @@ TEST_CASE("a URDF wheel slows down by its damping and friction", "[import]") {
   CHECK(std::abs(speed_of(run, "wheel")) < 1e-6);
 }
 
+TEST_CASE("springs of an MJCF file pull back to where they rest, which is told from the joint's ref",
+          "[import]") {
+  const ImportedScene imported = import_robot_text(R"(<mujoco><option gravity='0 0 0'/><default>
+      <joint stiffness='7'/></default><worldbody>
+      <body pos='0 0 1'><joint name='turned' ref='30' springref='50' damping='1'/><geom size='0.1'/></body>
+      <body pos='1 0 1'><joint name='pushed' type='slide' ref='0.2' stiffness='9'/><geom size='0.1'/></body>
+      <body pos='2 0 1'><joint name='ball' type='ball'/><geom size='0.1'/></body>
+      <body pos='3 0 1'><joint name='far' springref='181'/><geom size='0.1'/></body>
+      <body pos='4 0 1'><joint name='held'/><geom size='0.1'/></body>
+      <body pos='5 0 1'><joint type='free'/><geom size='0.1'/></body>
+      </worldbody><actuator><position joint='held'/></actuator></mujoco>)",
+                                                   "m.xml", {});
+  ImportedRun run(imported.text);
+  const JointSpring turned = joint_of(run, "turned").action->spring,
+                    pushed = joint_of(run, "pushed").action->spring;
+  CHECK(turned.stiffness == 7);
+  CHECK(turned.rest == Approx(kPi / 9));
+  CHECK(pushed.stiffness == 9);
+  CHECK(pushed.rest == Approx(-0.2));
+  CHECK_FALSE(joint_of(run, "far").action);
+  CHECK(note_with(imported, "stiffness of a ball").where[0].second == 2);
+  CHECK(note_with(imported, "rests beyond").where[0].second == 6);
+  CHECK(note_with(imported, "position actuator holds").where[0].second == 7);
+  CHECK(note_with(imported, "stiffness of a free").where[0].second == 2);
+}
+
 TEST_CASE("damping that pushes is refused", "[import]") {
   for (const char* text :
        {"<mujoco><worldbody><body><joint damping='-1'/><geom size='1'/></body></worldbody></mujoco>",
+        "<mujoco><worldbody><body><joint stiffness='-1'/><geom size='1'/></body></worldbody></mujoco>",
         "<mujoco><worldbody><body><joint frictionloss='-1'/><geom size='1'/></body></worldbody></mujoco>",
         "<robot name='r'><link name='world'/><link name='a'><inertial><mass value='1'/><inertia ixx='1' "
         "iyy='1' "

@@ -141,6 +141,21 @@ TEST_CASE("a pendulum hangs and swings as in MuJoCo", "[import]") {
   }
 }
 
+TEST_CASE("springs pull as in MuJoCo", "[import]") {
+  Both robot("springs.xml", R"(<mujoco><compiler angle="degree"/><worldbody>
+      <body name="arm" pos="0 0 1"><joint axis="0 1 0" stiffness="3" springref="-20" ref="10"/>
+        <geom type="box" size="0.2 0.02 0.02" pos="0.2 0 0" mass="1"/></body>
+      <body name="block" pos="0 1 1"><joint type="slide" axis="0 0 1" stiffness="40" springref="0.1"/>
+        <geom size="0.1" mass="2"/></body></worldbody></mujoco>)",
+             {"arm", "block"});
+  for (const double t : {0.1, 0.5, 1.0}) {
+    robot.run(t);
+    INFO(t);
+    CHECK(robot.apart() < 2e-3);  // of 0.6 m
+    CHECK(robot.turned_apart() < 0.3);
+  }
+}
+
 TEST_CASE("a block slides as in MuJoCo, until its end", "[import]") {
   Both robot("slider.urdf", text_of("slider.urdf"), {"block"});
   robot.run(0.4);

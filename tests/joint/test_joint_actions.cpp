@@ -8,50 +8,18 @@
 #include "sim/joint/expand.h"
 #include "sim/math/so3.h"
 #include "sim/solver/step_summary.h"
-#include "tests/support/scenario.h"
+#include "tests/joint/one_joint.h"
 
 using namespace pabd;
-using testing::World;
+using namespace pabd::testing;
 
 namespace {
-
-constexpr double kI = 2.0 * (0.3 * 0.3 + 0.3 * 0.3) / 3;  // of the wheel below about z; kg m²
 
 JointMotor gives_force(const Profile& force) { return {JointMotor::Gives::force, force}; }
 JointMotor gives_speed(double speed, double most, double gain = 0) {
   return {JointMotor::Gives::speed, Profile{{{0, speed}}}, most, gain};
 }
 Profile always(double value) { return Profile{{{0, value}}}; }
-
-// A block of 2 kg about, or along, the z axis of the world, without weight.
-World one_joint(JointType type, const JointAction& action, const Vec3& gravity = Vec3::Zero(),
-                bool swapped = false) {
-  World world;
-  world.params.gravity = gravity;
-  const Index block = world.add(Box{{0.3, 0.3, 0.1}}, 2, Vec3(0, 0.5, 0));
-  Joint joint =
-      testing::make_joint(world, type, swapped ? block : kWorld, swapped ? kWorld : block, Vec3(0, 0.5, 0));
-  joint.action = action;
-  testing::add_joint(world, joint);
-  return world;
-}
-
-void check_converged(const StepReport& report) { REQUIRE(report.status == StepStatus::converged); }
-
-Vec3 momentum(const World& world) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < world.model.mass.size(); ++i) sum += world.model.mass[i] * world.state.v[i];
-  return sum;
-}
-Vec3 spin(const World& world) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < world.model.mass.size(); ++i) {
-    const Mat3& R = world.state.R[i];
-    sum += world.model.mass[i] * world.state.c[i].cross(world.state.v[i]) +
-           R * inertia_tensor(world.model.J[i]) * R.transpose() * world.state.omega[i];
-  }
-  return sum;
-}
 
 }  // namespace
 
@@ -67,7 +35,7 @@ TEST_CASE("a torque τ turns a wheel by ω = τ t/I, a force pushes a block by v
         world->params.solver.method = method;
         world->params.solver.iterations = 500;
         world->params.solver.tolerance = 1e-12;
-        testing::run(*world, 60);
+        run(*world, 60);
       }
       // A sweep of `descent` may leave E higher by 1e-12 of it: √(2e-12 τ Δ/I) a step, 1e-4 in all.
       const double turns_within = method == SolverMethod::descent ? 1e-4 : 1e-6;
@@ -81,7 +49,7 @@ TEST_CASE("a torque τ turns a wheel by ω = τ t/I, a force pushes a block by v
 
 TEST_CASE("a torque that rises with time gives its integral") {
   World wheel = one_joint(JointType::hinge, {gives_force(Profile{{{0, 0}, {1, 2}}})});
-  testing::run(wheel, 60, {}, check_converged);
+  run(wheel, 60, {}, check_converged);
   CHECK(wheel.state.omega[0].z() == Approx(1.0 / kI).epsilon(1e-9));
 }
 
@@ -95,9 +63,9 @@ World floating(JointType type, const JointAction& action) {
   world.params.gravity.setZero();
   world.add(Box{{0.2, 0.1, 0.1}}, 0.5, Vec3(0.4, 0, 0));
   world.add(Box{{0.3, 0.2, 0.2}}, 500, Vec3(-0.3, 0.1, 0));
-  Joint joint = testing::make_joint(world, type, kHeavy, kLight, kAnchor, kAxis);
+  Joint joint = make_joint(world, type, kHeavy, kLight, kAnchor, kAxis);
   joint.action = action;
-  testing::add_joint(world, joint);
+  add_joint(world, joint);
   world.model.no_collide.emplace_back(kLight, kHeavy);
   return world;
 }
@@ -109,7 +77,7 @@ TEST_CASE("a motor between two bodies that float keeps their momentum, for masse
   const double infinity = std::numeric_limits<double>::infinity();
   const auto check = [](const JointMotor& motor, double at_least) {
     World world = floating(JointType::hinge, {motor, 0.05, 0.02});
-    testing::run(world, 90, {}, check_converged);
+    run(world, 90, {}, check_converged);
     CHECK(turns(world) > at_least);
     CHECK(momentum(world).norm() < 1e-12 * 500);
     CHECK(spin(world).norm() < 1e-11 * 500);
@@ -122,13 +90,13 @@ TEST_CASE("a motor of given speed speeds up with its torque, holds the speed bel
   const double most = 0.6, speed = 4, h = 1.0 / 60;
   World wheel = one_joint(JointType::hinge, {gives_speed(speed, most)});
   for (int k = 1; k <= 60; ++k) {
-    testing::run(wheel, 1, {}, check_converged);
+    run(wheel, 1, {}, check_converged);
     CHECK(wheel.state.omega[0].z() == Approx(std::min(speed, most * k * h / kI)).epsilon(1e-5));
   }
   // Up along z against a weight of 20 N.
   const auto lifted = [&](double force) {
     World lift = one_joint(JointType::slider, {gives_speed(0.5, force)}, Vec3(0, 0, -10));
-    testing::run(lift, 60, {}, check_converged);
+    run(lift, 60, {}, check_converged);
     return lift.state.v[0].z();
   };
   CHECK(lifted(25) == Approx(std::min(0.5, 2.5)).epsilon(1e-5));
@@ -140,12 +108,12 @@ TEST_CASE("a motor without a largest torque reaches any speed, by 1/h a step, an
   const double h = 1.0 / 60;
   for (const double speed : {50.0, 200.0, 400.0, -1000.0}) {
     World wheel = one_joint(JointType::hinge, {gives_speed(speed, std::numeric_limits<double>::infinity())});
-    testing::run(wheel, static_cast<int>(std::abs(speed) * h) + 5, {}, check_converged);
+    run(wheel, static_cast<int>(std::abs(speed) * h) + 5, {}, check_converged);
     CHECK(wheel.state.omega[0].z() == Approx(speed).epsilon(1e-4));
   }
   World brake = one_joint(JointType::hinge, {{}, 0, 1e6});
   brake.state.omega[0].z() = 400;
-  testing::run(brake, 12, {}, check_converged);
+  run(brake, 12, {}, check_converged);
   CHECK(brake.state.omega[0].norm() < 1e-3);
 }
 
@@ -156,14 +124,14 @@ TEST_CASE("a soft gain speeds a wheel up by as much as it says, however far it i
   double omega = 0;
   for (int k = 0; k < 60; ++k) {
     omega = (omega + h * gain / kI * speed) / (1 + h * gain / kI);
-    testing::run(wheel, 1, {}, check_converged);
+    run(wheel, 1, {}, check_converged);
     CHECK(wheel.state.omega[0].z() == Approx(omega).epsilon(1e-5));
   }
 }
 
 TEST_CASE("a gain makes a motor give way to a load: v = v_t − F/g") {
   World lift = one_joint(JointType::slider, {gives_speed(0.5, 100, 80)}, Vec3(0, 0, -10));
-  testing::run(lift, 120, {}, check_converged);
+  run(lift, 120, {}, check_converged);
   CHECK(lift.state.v[0].z() == Approx(0.5 - 20.0 / 80).epsilon(1e-6));
 }
 
@@ -175,7 +143,7 @@ TEST_CASE("a damped wheel, ball and block slow down as the implicit scheme has i
   wheel.state.omega[0].z() = ball.state.omega[0].z() = 2;
   block.state.v[0].z() = tube.state.v[0].z() = 2;
   tube.state.omega[0].z() = 2;
-  for (World* world : {&wheel, &ball, &block, &tube}) testing::run(*world, steps, {}, check_converged);
+  for (World* world : {&wheel, &ball, &block, &tube}) run(*world, steps, {}, check_converged);
   const double turns = 2 * std::pow(1 + h * c / kI, -steps), slides = 2 * std::pow(1 + h * c / 2, -steps);
   CHECK(wheel.state.omega[0].z() == Approx(turns).epsilon(1e-6));
   CHECK(ball.state.omega[0].z() == Approx(turns).epsilon(1e-6));
@@ -187,7 +155,7 @@ TEST_CASE("a damped wheel, ball and block slow down as the implicit scheme has i
   World fine = one_joint(JointType::hinge, {{}, c});
   fine.params.h = h / 2;
   fine.state.omega[0].z() = 2;
-  testing::run(fine, 2 * steps);
+  run(fine, 2 * steps);
   CHECK((wheel.state.omega[0].z() - exact) / (fine.state.omega[0].z() - exact) == Approx(2).epsilon(0.02));
 }
 
@@ -202,7 +170,7 @@ TEST_CASE("dampers of any strength only take energy") {
       if (type == JointType::slider) world.state.omega[0].setZero();
       double energy = kinetic_energy(world.model, world.state);
       INFO(to_string(type) << " c " << c);
-      testing::run(world, 30, {}, [&](const StepReport& r) {
+      run(world, 30, {}, [&](const StepReport& r) {
         REQUIRE(r.kinetic <= energy * (1 + 1e-9) + 1e-12);
         CHECK(r.drive_work <= 1e-12);
         energy = r.kinetic;
@@ -220,7 +188,7 @@ TEST_CASE("dampers of any strength beside the centres of bodies that float only 
       const Vec3 before = momentum(world), spun = spin(world);
       double energy = kinetic_energy(world.model, world.state);
       INFO(to_string(type) << " c " << c);
-      testing::run(world, 30, {}, [&](const StepReport& r) {
+      run(world, 30, {}, [&](const StepReport& r) {
         check_converged(r);
         REQUIRE(r.kinetic + r.elastic <= energy * (1 + 1e-9));
         energy = r.kinetic + r.elastic;
@@ -296,7 +264,7 @@ TEST_CASE("a spring with a damper moves as the implicit scheme has it") {
   for (int n = 0; n < 120; ++n) {
     v = (v - h / m * k * x) / (1 + h / m * (c + h * k));
     x += h * v;
-    testing::run(world, 1, {}, check_converged);
+    run(world, 1, {}, check_converged);
     CHECK(world.state.c[ball].x() - length == Approx(x).margin(1e-7));
   }
   CHECK(world.state.v[ball].x() == Approx(v).margin(1e-6));
@@ -307,32 +275,32 @@ TEST_CASE("dry friction brakes with its force, then holds against less") {
   World block = one_joint(JointType::slider, {{}, 0, 4});
   block.state.v[0].z() = 1;
   for (int k = 1; k <= 60; ++k) {  // 2 m/s²
-    testing::run(block, 1, {}, check_converged);
+    run(block, 1, {}, check_converged);
     CHECK(block.state.v[0].z() == Approx(std::max(0.0, 1 - 2 * k * h)).margin(1e-6));
   }
   World held = one_joint(JointType::slider, {{}, 0, 21}, Vec3(0, 0, -10));
-  testing::run(held, 60, {}, check_converged);
+  run(held, 60, {}, check_converged);
   CHECK(held.state.c[0].z() == Approx(-60 * 20 / (1e5 * 2 / (h * h))).epsilon(1e-3));  // F/k a step
   World slips = one_joint(JointType::slider, {{}, 0, 19}, Vec3(0, 0, -10));
-  testing::run(slips, 60, {}, check_converged);
+  run(slips, 60, {}, check_converged);
   CHECK(slips.state.v[0].z() == Approx(-0.5).epsilon(1e-6));
 }
 
 TEST_CASE("friction holds a soft joint as it does a stiff one") {
   World arm;
   const Index box = arm.add(Box{{0.3, 0.3, 0.1}}, 2, Vec3(0.3, 0.5, 0));
-  Joint joint = testing::make_joint(arm, JointType::hinge, kWorld, box, Vec3(0, 0.5, 0));
+  Joint joint = make_joint(arm, JointType::hinge, kWorld, box, Vec3(0, 0.5, 0));
   joint.law.kappa = 1e4;
   joint.action = JointAction{{}, 0, 8};  // against 5.9 N m
   arm.model.joints.push_back(joint);
-  testing::run(arm, 60, {}, check_converged);
+  run(arm, 60, {}, check_converged);
   CHECK(std::abs(arm.state.R[box](1, 0)) < 1e-5);
 }
 
 TEST_CASE("what a motor puts in is its torque times the angle, and at most that is found as energy") {
   World wheel = one_joint(JointType::hinge, {gives_force(always(1.5))});
   double work = 0, kinetic = 0;
-  testing::run(wheel, 60, {}, [&](const StepReport& r) {
+  run(wheel, 60, {}, [&](const StepReport& r) {
     work += r.drive_work;
     kinetic = r.kinetic;
     CHECK(r.elastic < 1e-12);
@@ -350,13 +318,13 @@ World arms(int count) {
   Index last = kWorld;
   for (int k = 0; k < count; ++k) {
     const Index arm = world.add(Box{{0.25, 0.05, 0.05}}, 1 + 0.3 * k, Vec3(0.5 * k + 0.25, 2, 0));
-    Joint joint = testing::make_joint(world, JointType::hinge, last, arm, Vec3(0.5 * k, 2, 0),
-                                      k % 2 ? Vec3::UnitY() : Vec3::UnitZ());
+    Joint joint = make_joint(world, JointType::hinge, last, arm, Vec3(0.5 * k, 2, 0),
+                             k % 2 ? Vec3::UnitY() : Vec3::UnitZ());
     joint.arm = 0.1;
     if (k % 3 == 0) joint.action = JointAction{gives_speed(1, 40), 0.1, 0};
     if (k % 3 == 1) joint.action = JointAction{gives_force(always(2)), 0.3, 1};
     if (k % 3 == 2) joint.action = JointAction{{}, 0.5, 2};
-    testing::add_joint(world, joint);
+    add_joint(world, joint);
     if (k > 0) world.model.no_collide.emplace_back(last, arm);
     last = arm;
   }
@@ -368,12 +336,12 @@ World arms(int count) {
 TEST_CASE("an arm of many motors and brakes converges, to the same bytes for any number of threads") {
   World one = arms(12), three = arms(12);
   int iterations = 0;
-  testing::run(one, 120, StepOptions{.threads = 1}, [&](const StepReport& r) {
+  run(one, 120, StepOptions{.threads = 1}, [&](const StepReport& r) {
     check_converged(r);
     iterations += r.iterations;
   });
   CHECK(iterations < 120 * 8);
-  testing::run(three, 120, StepOptions{.threads = 3});
+  run(three, 120, StepOptions{.threads = 3});
   for (std::size_t i = 0; i < one.state.c.size(); ++i) {
     CHECK(one.state.c[i] == three.state.c[i]);
     CHECK(one.state.omega[i] == three.state.omega[i]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Motors, dampers and friction of joints in scene files and in scenes built in C++: what is said arrives in the model,
-// comes out of a saved scene, and bad ones are refused.
+// Motors, dampers, springs and friction of joints in scene files and in scenes built in C++: what is said arrives in
+// the model, comes out of a saved scene, and bad ones are refused.
 #include <cmath>
 
 #include "sim/scene/builder.h"
@@ -59,6 +59,17 @@ TEST_CASE("motors: torques and forces, speeds in degrees or metres a second", "[
   CHECK(free.motor->gain == 0);
 }
 
+TEST_CASE("springs: N m/rad about an angle in degrees, N/m about an offset in metres", "[scene]") {
+  const JointSpring turns = only_action(kHinge + R"(, "spring": { "stiffness": 5, "rest": 30 })").spring;
+  CHECK(turns.stiffness == 5);
+  CHECK(turns.rest == Approx(30 * kDegree));
+  const JointSpring pushes = only_action(kSlider + R"(, "spring": { "stiffness": 7, "rest": -2 })").spring;
+  CHECK(pushes.stiffness == 7);
+  CHECK(pushes.rest == -2);
+  CHECK(only_action(kSlider + R"(, "spring": { "stiffness": 7 })").spring.rest == 0);
+  CHECK_FALSE(parse(joints("{" + kHinge + R"(, "spring": { "stiffness": 0 } })")).model.joints[0].action);
+}
+
 TEST_CASE("dampers of hinges, sliders, balls and rods", "[scene]") {
   for (const std::string& joint : {kHinge, kSlider, kBall, kRod}) {
     INFO(joint);
@@ -71,8 +82,9 @@ TEST_CASE("dampers of hinges, sliders, balls and rods", "[scene]") {
 TEST_CASE("a saved scene has the motors it had, from its own time on", "[scene]") {
   const Scene scene = parse(joints(
       "{" + kHinge + R"(, "motor": { "speed": { "keys": [[0, 0], [2, 360]] }, "max_torque": 4, "gain": 2 },
-        "damping": 0.1, "friction": 0.2 }, {)" +
-      kSlider + R"(, "motor": { "force": 7 } }, {)" + kBall + R"(, "damping": 3 })"));
+        "damping": 0.1, "friction": 0.2, "spring": { "stiffness": 3, "rest": -20 } }, {)" +
+      kSlider + R"(, "motor": { "force": 7 }, "spring": { "stiffness": 4, "rest": 0.5 } }, {)" + kBall +
+      R"(, "damping": 3 })"));
   State state = scene.initial;
   state.time = 1;
   const std::string saved = scene_to_json(scene.model, state, scene.params, scene.joint_law, "saved", {}, {},
@@ -87,6 +99,10 @@ TEST_CASE("a saved scene has the motors it had, from its own time on", "[scene]"
   CHECK(turns.motor->gain == 2);
   CHECK(turns.damping == 0.1);
   CHECK(turns.friction == 0.2);
+  CHECK(turns.spring.stiffness == 3);
+  CHECK(turns.spring.rest == Approx(-20 * kDegree));
+  CHECK(pushes.spring.stiffness == 4);
+  CHECK(pushes.spring.rest == 0.5);
   CHECK(pushes.motor->gives == JointMotor::Gives::force);
   CHECK(pushes.motor->profile.at(0) == 7);
   CHECK(again.joints[2].action->damping == 3);
@@ -97,7 +113,8 @@ TEST_CASE("motors built in C++ are those of a file", "[scene]") {
       { "name": "a", "shape": { "type": "sphere", "radius": 0.4 }, "mass": 3, "position": [0, 50, 0] },
       { "name": "b", "shape": { "type": "sphere", "radius": 0.4 }, "mass": 3, "position": [0, 40, 0] } ], "joints": [
       { "type": "hinge", "bodies": [null, "a"], "anchor": [1, 50, 0], "axis": [0, 0, 1], "start": 30,
-        "motor": { "speed": { "keys": [[0, 1], [1, 2]] }, "max_torque": 4, "gain": 5 }, "damping": 6, "friction": 7 },
+        "motor": { "speed": { "keys": [[0, 1], [1, 2]] }, "max_torque": 4, "gain": 5 }, "damping": 6, "friction": 7,
+        "spring": { "stiffness": 9, "rest": 10 } },
       { "type": "slider", "bodies": [null, "b"], "anchor": [1, 50, 0], "axis": [0, 0, 1],
         "motor": { "force": { "keys": [[0, 8]] } } } ] })",
                                  "it", {});
@@ -111,7 +128,8 @@ TEST_CASE("motors built in C++ are those of a file", "[scene]") {
                           .start = 30,
                           .motor = spec::Motor{.speed = Profile{{{0, 1}, {1, 2}}}, .most = 4, .gain = 5},
                           .damping = 6,
-                          .friction = 7});
+                          .friction = 7,
+                          .spring = spec::Spring{9, 10}});
   builder.add(spec::Joint{.type = JointType::slider,
                           .j = "b",
                           .anchor = Vec3(1, 50, 0),
@@ -138,6 +156,14 @@ TEST_CASE("bad motors, dampers and friction are refused", "[scene]") {
        {"/joints/0/motor", "one of \"motor\" and \"drive\""}},
       {kHinge + R"(, "friction": -1)", {"/joints/0/friction", "(N m)"}},
       {kSlider + R"(, "friction": 1, "drive": { "value": 0 })", {"/joints/0/friction", "remove one"}},
+      {kHinge + R"(, "spring": 5)", {"/joints/0/spring", "expected an object"}},
+      {kHinge + R"(, "spring": { "rest": 5 })", {"/joints/0/spring", "stiffness"}},
+      {kHinge + R"(, "spring": { "stiffness": -1 })", {"/joints/0/spring/stiffness", "(N m/rad)"}},
+      {kSlider + R"(, "spring": { "stiffness": -1 })", {"/joints/0/spring/stiffness", "(N/m)"}},
+      {kHinge + R"(, "spring": { "stiffness": 1, "rest": 181 })", {"/joints/0/spring/rest", "(degrees)"}},
+      {kHinge + R"(, "spring": { "stiffness": 1 }, "drive": { "value": 0 })",
+       {"/joints/0/spring", "remove one"}},
+      {kRod + R"(, "spring": { "stiffness": 1 })", {"/joints/0/spring", "unknown key"}},
       {kHinge + R"(, "damping": -1)", {"/joints/0/damping", "(N m s/rad)"}},
       {kRod + R"(, "damping": -1)", {"/joints/0/damping", "(N s/m)"}},
       {kRod + R"(, "friction": 1)", {"/joints/0/friction", "unknown key"}},
@@ -151,12 +177,14 @@ TEST_CASE("bad motors, dampers and friction are refused", "[scene]") {
 TEST_CASE("every value of a motor, damper or brake changes the hash of the scene", "[scene]") {
   const std::string base =
       joints("{" + kHinge +
-             R"(, "motor": { "speed": 5, "max_torque": 4, "gain": 2 }, "damping": 1, "friction": 2 }, {)" +
+             R"(, "motor": { "speed": 5, "max_torque": 4, "gain": 2 }, "damping": 1, "friction": 2,
+             "spring": { "stiffness": 3, "rest": 4 } }, {)" +
              kSlider + R"(, "motor": { "force": 7 }, "start": 0.1 })");
   std::vector<std::string> hashes{parse(base).hash};
-  for (const char* change : {"joints.0.motor.speed=6", "joints.0.motor.max_torque=5", "joints.0.motor.gain=3",
-                             "joints.0.damping=2", "joints.0.friction=3", "joints.1.motor.force=8",
-                             "joints.1.start=0.2", "joints.0.start=1"}) {
+  for (const char* change :
+       {"joints.0.motor.speed=6", "joints.0.motor.max_torque=5", "joints.0.motor.gain=3",
+        "joints.0.damping=2", "joints.0.spring.stiffness=4", "joints.0.spring.rest=5", "joints.0.friction=3",
+        "joints.1.motor.force=8", "joints.1.start=0.2", "joints.0.start=1"}) {
     INFO(change);
     hashes.push_back(parse(base, {change}).hash);
     for (std::size_t k = 0; k + 1 < hashes.size(); ++k) CHECK(hashes[k] != hashes.back());

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Springs of joints against closed forms: T = 2π √(I/s), the rest angle under gravity, the implicit scheme itself
+//   I (ω' − ω)/h = −s (φ' − φ₀),  φ' = φ + h ω'
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sim/solver/step_summary.h"
+#include "tests/joint/one_joint.h"
+
+using namespace pabd;
+using namespace pabd::testing;
+
+namespace {
+
+constexpr double kStiffness = 12;
+
+JointAction spring(double stiffness, double rest, double damping = 0) {
+  return {{}, damping, 0, {stiffness, rest}};
+}
+
+double angle(const World& world) { return std::atan2(world.state.R[0](1, 0), world.state.R[0](0, 0)); }
+double offset(const World& world) { return world.state.c[0].z(); }
+
+// Mean time between the moments at which `value` comes up through 0.
+template <class Value>
+double period(World& world, int steps, const Value& value) {
+  double first = 0, last = 0, before = value(world);
+  int count = 0;
+  run(world, steps, {}, [&](const StepReport& r) {
+    REQUIRE(r.status == StepStatus::converged);
+    const double now = value(world);
+    if (before < 0 && now >= 0) {
+      last = r.time - world.params.h * now / (now - before);
+      if (count++ == 0) first = last;
+    }
+    before = now;
+  });
+  REQUIRE(count > 3);
+  return (last - first) / (count - 1);
+}
+
+}  // namespace
+
+TEST_CASE("the period of a torsional pendulum is 2π √(I/s), of a block on a spring 2π √(m/s)") {
+  World wheel = one_joint(JointType::hinge, spring(kStiffness, 0.4)),
+        block = one_joint(JointType::slider, spring(kStiffness, 0.3));
+  for (World* world : {&wheel, &block}) world->params.h = 1.0 / 960;
+  // The implicit scheme has 2π h/atan(h ω), longer by (h ω)²/3: 4e-5.
+  const double turns = period(wheel, 4000, [](const World& w) { return angle(w) - 0.4; });
+  CHECK(turns == Approx(2 * kPi * std::sqrt(kI / kStiffness)).epsilon(2e-4));
+  const double slides = period(block, 10000, [](const World& w) { return offset(w) - 0.3; });
+  CHECK(slides == Approx(2 * kPi * std::sqrt(2 / kStiffness)).epsilon(2e-4));
+}
+
+TEST_CASE("springs move as the implicit scheme has it, in every solver and either way round") {
+  const double h = 1.0 / 60;
+  for (const SolverMethod method :
+       {SolverMethod::automatic, SolverMethod::newton, SolverMethod::descent, SolverMethod::sissm}) {
+    for (const bool swapped : {false, true}) {
+      INFO(to_string(method) << swapped);
+      World wheel = one_joint(JointType::hinge, spring(kStiffness, 0.4), Vec3::Zero(), swapped),
+            block = one_joint(JointType::slider, spring(kStiffness, 0.3), Vec3::Zero(), swapped);
+      const double sign = swapped ? -1 : 1;  // of the block's motion
+      for (World* world : {&wheel, &block}) {
+        world->params.solver.method = method;
+        world->params.solver.iterations = 500;
+        world->params.solver.tolerance = 1e-12;
+      }
+      double phi = 0, omega = 0, x = 0, v = 0;
+      for (int n = 0; n < 60; ++n) {
+        omega = (omega - h / kI * kStiffness * (phi - 0.4)) / (1 + h * h / kI * kStiffness);
+        phi += h * omega;
+        v = (v - h / 2 * kStiffness * (x - 0.3)) / (1 + h * h / 2 * kStiffness);
+        x += h * v;
+        run(wheel, 1);
+        run(block, 1);
+      }
+      const bool exact = method == SolverMethod::newton || method == SolverMethod::automatic;
+      const double within = exact ? 1e-4 : 2e-3;  // a turn's inertia is that of sin(ω h): 2e-5 of it
+      CHECK(std::abs(sign * angle(wheel) - phi) < within);
+      CHECK(std::abs(sign * offset(block) - x) < within);
+    }
+  }
+}
+
+TEST_CASE(
+    "a spring holds an arm where its torque is that of the weight, and a block by m g/s below its rest") {
+  World arm;
+  const Index box = arm.add(Box{{0.3, 0.05, 0.05}}, 2, Vec3(0.3, 0.5, 0));
+  Joint joint = make_joint(arm, JointType::hinge, kWorld, box, Vec3(0, 0.5, 0));
+  joint.action = spring(8, 0.5, 2);
+  add_joint(arm, joint);
+  run(arm, 900, {}, check_converged);
+  double low = -kPi / 2, high = 0.5;  // s (φ₀ − φ) = m g r cos φ
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (8 * (0.5 - middle) > 2 * 9.81 * 0.3 * std::cos(middle) ? low : high) = middle;
+  }
+  CHECK(angle(arm) == Approx(low).margin(1e-6));
+  World block = one_joint(JointType::slider, spring(40, 0.1, 10), Vec3(0, 0, -10));
+  run(block, 900, {}, check_converged);
+  CHECK(offset(block) == Approx(0.1 - 20.0 / 40).margin(1e-6));
+}
+
+TEST_CASE("the energy of a spring is in the report; together with what moves it never rises") {
+  for (const double stiffness : {1e-2, 1.0, 1e2, 1e4, 1e6}) {
+    for (const SolverMethod method : {SolverMethod::newton, SolverMethod::descent, SolverMethod::sissm}) {
+      for (const JointType type : {JointType::hinge, JointType::slider}) {
+        World world = one_joint(type, spring(stiffness, 0.5));
+        world.params.solver.method = method;
+        INFO(to_string(type) << ' ' << to_string(method) << ' ' << stiffness);
+        const double first = 0.5 * stiffness * 0.25;
+        double energy = first;
+        run(world, 60, {}, [&](const StepReport& r) {
+          CHECK(r.kinetic + r.elastic <= energy * (1 + 1e-6) + 1e-9);
+          CHECK(std::abs(r.drive_work) < 1e-12);
+          const double away = (type == JointType::hinge ? angle(world) : offset(world)) - 0.5;
+          CHECK(r.elastic == Approx(0.5 * stiffness * away * away).margin(1e-3 * first));
+          energy = r.kinetic + r.elastic;
+        });
+      }
+    }
+  }
+}
+
+TEST_CASE("a spring of a hinge takes the shorter way round") {
+  World wheel = one_joint(JointType::hinge, spring(kStiffness, 170 * kPi / 180, 3));
+  const double from = -170 * kPi / 180;
+  wheel.state.R[0] = Eigen::AngleAxisd(from, Vec3::UnitZ()).toRotationMatrix();
+  bool through_half = false;
+  run(wheel, 300, {}, [&](const StepReport& r) {
+    check_converged(r);
+    CHECK(std::abs(angle(wheel)) > 165 * kPi / 180);
+    through_half = through_half || angle(wheel) > 0;
+  });
+  CHECK(through_half);
+  CHECK(angle(wheel) == Approx(170 * kPi / 180).margin(1e-6));
+}
+
+TEST_CASE("a spring between two bodies that float keeps their momentum") {
+  World world;
+  world.params.gravity.setZero();
+  const Index light = world.add(Box{{0.2, 0.1, 0.1}}, 0.5, Vec3(0.4, 0, 0)),
+              heavy = world.add(Box{{0.3, 0.2, 0.2}}, 500, Vec3(-0.3, 0.1, 0));
+  Joint joint =
+      make_joint(world, JointType::hinge, heavy, light, Vec3(0.1, 0, 0), Vec3(0, 1, 1).normalized());
+  joint.action = spring(2, 0.7);
+  add_joint(world, joint);
+  world.model.no_collide.emplace_back(light, heavy);
+  run(world, 90, {}, [&](const StepReport& r) {
+    check_converged(r);
+    CHECK(momentum(world).norm() < 1e-12 * 500);
+    CHECK(spin(world).norm() < 1e-11 * 500);
+  });
+  CHECK(world.state.omega[light].norm() > 0.1);
+}
