@@ -9,7 +9,7 @@ import { join } from "node:path";
 import test from "node:test";
 
 import { Server } from "./server.mjs";
-import { difference, page_data, remember, require_module, until } from "./support.mjs";
+import { TEST_LIMIT, difference, page_data, remember, require_module, until } from "./support.mjs";
 
 const BAR = 35;
 const HANDLE = [1036, 199]; // of κ, as in serve.test.mjs
@@ -45,7 +45,7 @@ class Wire {
   }
 }
 
-test("Firefox: loads, drags κ, sees it change, comes back", { skip, timeout: 90000 }, async () => {
+test("Firefox: loads, drags κ, sees it change, comes back", { skip, timeout: TEST_LIMIT }, async () => {
   const wire = await new Wire().start();
   // The first name is in the link that is printed, and has the server's port.
   const server = await new Server().start("two_boxes", "--port", "0", "--host", "127.0.0.1", "--host", `127.0.0.1:${wire.port}`);

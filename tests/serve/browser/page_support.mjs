@@ -3,7 +3,7 @@
 import test from "node:test";
 
 import { MockServer } from "./mock_server.mjs";
-import { close_browser, wait_frame, with_visitor } from "./support.mjs";
+import { TEST_LIMIT, close_browser, wait_frame, with_visitor } from "./support.mjs";
 
 export const RED = [200, 30, 40];
 export const BLUE = [30, 60, 200];
@@ -14,7 +14,7 @@ test.after(close_browser);
 // A server and a visitor who has seen his first frame; nobody answers for longer than the test. `options.mock`: members
 // of the server; `options.no_key`: the visitor comes without one.
 export const page_test = (name, options, act) =>
-  test(name, { timeout: 60000 }, async () => {
+  test(name, { timeout: TEST_LIMIT }, async () => {
     const mock = Object.assign(new MockServer(), options.mock ?? {});
     await mock.start();
     try {

@@ -5,7 +5,7 @@ import test from "node:test";
 
 import { Server } from "./server.mjs";
 import { canvas_size, close_browser, difference, pixel, remember, require_module, stage, until } from "./support.mjs";
-import { wait_frame, wait_role, wait_state, with_visitor } from "./support.mjs";
+import { TEST_LIMIT, wait_frame, wait_role, wait_state, with_visitor } from "./support.mjs";
 
 const BAR = 35; // px of the page's bar: with it the window has 1280×720 in a page of 1280×755
 const SIZE = [1280, 720 + BAR];
@@ -27,7 +27,7 @@ test.after(async () => {
 
 // A visitor who controls and has seen the window; the scene as it begins.
 const serve_test = (name, options, act) =>
-  test(name, { skip, timeout: 90000 }, () =>
+  test(name, { skip, timeout: TEST_LIMIT }, () =>
     with_visitor(server.link, { size: SIZE, init: same_visitor, colorScheme: "dark", ...options }, async (page) => {
       await wait_role(page, "control");
       await server.act({ do: "pause" }, { do: "load", scene: "two_boxes", force: true });
@@ -212,7 +212,7 @@ serve_test("the link for watchers only watches", {}, async () => {
   });
 });
 
-test("a wrong key is refused, in words", { skip, timeout: 60000 }, () =>
+test("a wrong key is refused, in words", { skip, timeout: TEST_LIMIT }, () =>
   with_visitor(server.url + "#k=" + "0".repeat(32), {}, async (page) => {
     await page.waitForFunction(() => document.getElementById("notice-title").textContent === "The key was refused");
     await page.fill("#key", server.link);
@@ -221,7 +221,7 @@ test("a wrong key is refused, in words", { skip, timeout: 60000 }, () =>
   }),
 );
 
-test("another origin or host gets no socket", { skip, timeout: 30000 }, async () => {
+test("another origin or host gets no socket", { skip, timeout: TEST_LIMIT }, async () => {
   const { WebSocket } = require_module("ws");
   const url = server.url.replace("http", "ws") + "socket";
   const attempt = (headers) =>
@@ -315,7 +315,7 @@ serve_test("the numbers of the link are numbers", {}, async (page, box) => {
   await page.keyboard.press("Space");
 });
 
-test("with --sessions every visitor has a simulation and files of their own", { skip, timeout: 60000 }, async () => {
+test("with --sessions every visitor has a simulation and files of their own", { skip, timeout: TEST_LIMIT }, async () => {
   const own = await new Server().start("two_boxes", "--port", "0", "--sessions", "2");
   try {
     await with_visitor(own.link, { size: SIZE }, async (one) => {
@@ -346,7 +346,7 @@ test("with --sessions every visitor has a simulation and files of their own", { 
   }
 });
 
-test("after a new start the page says that the session has ended", { skip, timeout: 90000 }, async () => {
+test("after a new start the page says that the session has ended", { skip, timeout: TEST_LIMIT }, async () => {
   const first = await new Server().start("two_boxes", "--port", "0");
   const args = ["two_boxes", "--port", String(first.port)];
   let second = null;

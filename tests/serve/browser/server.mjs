@@ -22,7 +22,7 @@ export class Server {
     this.#child.stdout.on("data", hear);
     this.#child.stderr.on("data", hear);
     this.ended = new Promise((resolve) => this.#child.on("exit", (code, signal) => resolve(code ?? signal)));
-    await until("the link", () => /#k=[0-9a-f]{32}[^]*open the link/.test(this.#said), 60000);
+    await until("the link", () => /#k=[0-9a-f]{32}[^]*open the link/.test(this.#said));
     const links = this.#said.match(/https?:\/\/\S+#k=[0-9a-f]{32}/g);
     [this.link, this.watch] = links;
     this.url = this.link.split("#")[0];

@@ -13,6 +13,10 @@ const work = process.env.PABD_BROWSER_WORK;
 if (!work) throw new Error("PABD_BROWSER_WORK is not set: run tests/serve/browser/run.sh");
 const here = dirname(fileURLToPath(import.meta.url));
 
+// A deadline is for what never comes: with sanitizers, two cores and two simulations a frame may take a second.
+export const PATIENCE = 60000; // ms, for one thing
+export const TEST_LIMIT = 180000; // ms, for a test of several
+
 export const page_folder = join(here, "../../../app/serve/page");
 export const require_module = createRequire(join(work, "package.json"));
 // A module of the page, for tests of its own.
@@ -47,6 +51,7 @@ export async function visitor(url, { size = [1280, 720], expected = [], init, ..
     acceptDownloads: true,
     ...options,
   });
+  context.setDefaultTimeout(PATIENCE);
   const page = await context.newPage();
   const complaints = [];
   page.on("pageerror", (error) => complaints.push("exception: " + (error.stack ?? error.message)));
@@ -88,12 +93,12 @@ export async function with_visitor(url, options, act) {
 // What the page says of itself: state, role, frame, codec.
 export const page_data = (page) => page.evaluate(() => ({ ...document.documentElement.dataset }));
 export const state_of = (page) => page.evaluate(() => document.documentElement.dataset.state);
-export const wait_state = (page, state, timeout = 15000) =>
+export const wait_state = (page, state, timeout = PATIENCE) =>
   page.waitForFunction((wanted) => document.documentElement.dataset.state === wanted, state, { timeout, polling: 50 });
-export const wait_role = (page, role, timeout = 15000) =>
+export const wait_role = (page, role, timeout = PATIENCE) =>
   page.waitForFunction((wanted) => document.documentElement.dataset.role === wanted, role, { timeout, polling: 50 });
 export const shown_frame = (page) => page.evaluate(() => Number(document.documentElement.dataset.frame ?? 0));
-export const wait_frame = (page, least, timeout = 15000) =>
+export const wait_frame = (page, least, timeout = PATIENCE) =>
   page.waitForFunction((n) => Number(document.documentElement.dataset.frame ?? 0) >= n, least, { timeout, polling: 50 });
 
 // Reads the canvas of the page through a copy, so that its own stays where the browser likes it: read(x, y, w, h).
@@ -127,7 +132,7 @@ export const stage = (page) =>
     return { x: box.x, y: box.y, w: box.width, h: box.height };
   });
 
-export async function until(what, holds, limit = 10000) {
+export async function until(what, holds, limit = PATIENCE) {
   const end = Date.now() + limit;
   for (;;) {
     const value = await holds();
