@@ -130,8 +130,8 @@ std::string DeviceChoices::words() const {
   return " · steps of A by " + name(a) + ", of B by " + name(*b);
 }
 
-DeviceChoices solve_on_device(const std::string& option, Backend backend, const std::string& source, Run& a,
-                              Run* b, const StepOptions& wanted) {
+DeviceChoices choose_devices(const std::string& option, Backend backend, const std::string& source,
+                             const Run& a, const Run* b, const StepOptions& wanted) {
   const auto choose = [&](const std::vector<DeviceTask>& tasks) {
     return choose_device(option, backend, source, tasks, wanted);
   };
@@ -146,9 +146,12 @@ DeviceChoices solve_on_device(const std::string& option, Backend backend, const 
     out.a = choose({of_a});
     out.b = choose({of_b});
   }
-  a.solve_with(out.a.engine(backend));
-  if (b != nullptr) b->solve_with((out.b ? *out.b : out.a).engine(backend));
   return out;
+}
+
+void solve_by(const DeviceChoices& choices, Backend backend, Run& a, Run* b) {
+  a.solve_with(choices.a.engine(backend));
+  if (b != nullptr) b->solve_with((choices.b ? *choices.b : choices.a).engine(backend));
 }
 
 }  // namespace pabd::cli

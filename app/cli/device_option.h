@@ -58,9 +58,11 @@ struct DeviceChoices {
   std::string words() const;  // of both, as above
 };
 
-// Chooses for one run or two in step, which have their engines afterwards; `b` may be null.
-DeviceChoices solve_on_device(const std::string& option, Backend backend, const std::string& source, Run& a,
-                              Run* b, const StepOptions& wanted);
+// For one run, or two in step; `b` may be null.
+DeviceChoices choose_devices(const std::string& option, Backend backend, const std::string& source,
+                             const Run& a, const Run* b, const StepOptions& wanted);
+// Both have the engines that were chosen.
+void solve_by(const DeviceChoices& choices, Backend backend, Run& a, Run* b);
 
 // Why "auto" leaves so many bodies that move to the processor; empty: it does not.
 std::string why_processor(Index moving, const DeviceCapacity& capacity);

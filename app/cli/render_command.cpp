@@ -213,9 +213,12 @@ int render(const RenderOptions& asked) {
     b.emplace(open_patched(options, a, inputs));
     b->observe(overlay.needs_iterations(), overlay.needs_contacts());
   }
-  const DeviceChoices device = solve_on_device(
-      options.device, parse_backend(options.backend), options.scene, a, b ? &*b : nullptr,
+  const Backend backend = parse_backend(options.backend);
+  const DeviceChoices device = choose_devices(
+      options.device, backend, options.scene, a, b ? &*b : nullptr,
       {.record_iterations = overlay.needs_iterations(), .report_contacts = overlay.needs_contacts()});
+  const bool filmed = device.a.gpu && !b && trail_points.empty() && DeviceFilm::shows_all(a, overlay, camera);
+  if (!filmed) solve_by(device, backend, a, b ? &*b : nullptr);
   std::optional<FrameView> start_b;
   if (b) start_b = b->view();
   const Frame start = make_frame(0, a.view(), std::move(start_b), {});
@@ -223,7 +226,7 @@ int render(const RenderOptions& asked) {
   std::optional<TextOutput> timings;
   if (!options.timings.empty()) timings.emplace("--timings", options.timings, options.output.force, inputs);
   std::vector<ContextAttempt> attempts;
-  const auto context = create_headless_context(parse_backend(options.backend), attempts);
+  const auto context = create_headless_context(backend, attempts);
   AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
                     b ? b->shared_scene() : nullptr);
   painter.set_quality(parse_quality(options.quality));
@@ -261,10 +264,27 @@ int render(const RenderOptions& asked) {
   const InterruptGuard interrupt;
   std::optional<Progress> progress(std::in_place, "frame", range.count, !options.common.quiet);
   const auto show = [&](int frames, const StepSummary& step) { progress->update(frames, step); };
-  LiveSource source(std::move(a), std::move(b), range, show,
-                    TrailRecorder(std::move(trail_points), options.trail_time));
-  const RenderResult result =
-      render_frames(source, painter, sink, {[&] { return interrupt.requested(); }, show});
+  const RenderWatch watch{[&] { return interrupt.requested(); }, show};
+  std::optional<DeviceFilm> film;
+  if (filmed) {
+    try {
+      film.emplace(*context, a, range, overlay.contacts, show);
+    } catch (const Error& error) {  // solver and pictures do not fit together
+      if (error.kind() != ErrorKind::no_context) throw;
+      solve_by(device, backend, a, nullptr);
+    }
+  }
+  RenderResult result;
+  std::optional<LiveSource::Diverged> diverged;
+  if (film) {
+    result = render_film(*film, painter, sink, watch);
+    if (film->diverged()) diverged = {*film->diverged(), false};
+  } else {
+    LiveSource source(std::move(a), std::move(b), range, show,
+                      TrailRecorder(std::move(trail_points), options.trail_time));
+    result = render_frames(source, painter, sink, watch);
+    diverged = source.diverged();
+  }
   progress.reset();  // what follows has a line of its own
   if (timings) {
     timings->write(timings_json(result));
@@ -276,7 +296,7 @@ int render(const RenderOptions& asked) {
                              result.times.total, result.times.simulate, result.times.draw,
                              result.times.encode, context->name(), painter.gl_renderer(), device.words()));
   }
-  if (const auto diverged = source.diverged())
+  if (diverged)
     throw diverged_error(options.scene + (diverged->in_b ? " with " + options.ab : ""), diverged->step);
   return interrupt.exit_code();
 }

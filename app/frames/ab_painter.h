@@ -25,7 +25,8 @@ class AbPainter {
             const std::shared_ptr<const Scene>& scene_b = nullptr);
 
   void set_quality(const RenderQuality& quality);  // of the pictures that follow
-  void draw(const Frame& frame);                   // and starts copying it back
+  // And starts copying it back. `on_device`: as FramePainter; not with two runs.
+  void draw(const Frame& frame, const BodiesOnDevice* on_device = nullptr);
   int queued() const { return left_->queued(); }
   void fetch(Image& out);  // the oldest picture that was drawn; precondition: queued() > 0
   std::string gl_renderer() const { return left_->gl_renderer(); }

@@ -12,6 +12,7 @@
 #include "app/frames/scene_framing.h"
 #include "app/overlay/overlay_panels.h"
 #include "render/visual/body_marks.h"
+#include "render/visual/body_parts.h"
 #include "render/visual/bounds.h"
 #include "sim/base/error.h"
 
@@ -110,7 +111,7 @@ void FramePainter::set_camera(const FrameView& first, std::span<const Spot> spot
 }
 
 void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
-                        double time) {
+                        double time, const BodiesOnDevice* on_device) {
   VisualOptions options;
   options.bonds = choice_.bonds;
   options.contacts = choice_.contacts;
@@ -124,7 +125,13 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
     way = view.state.c[static_cast<std::size_t>(*followed_)] - follow_from_;
   visual_.camera = apply_camera(camera_option_, base_camera_,
                                 camera_option_.keys.empty() ? time - start_time_ : time, way);
-  build_visual(*view.model, view.state, view.report, options, visual_);
+  if (on_device) {
+    visual_.clear();
+    add_grounds(*view.model, visual_);
+    if (on_device->around) set_sphere(*on_device->around, visual_);
+  } else {
+    build_visual(*view.model, view.state, view.report, options, visual_);
+  }
   if (other && ghost_) add_ghost(*view.model, other->state, ghost_color(), visual_);
   for (std::size_t k = 0; k < view.trails.size(); ++k)
     add_trail(view.trails[k].path, trail_color(k), visual_);
@@ -133,7 +140,8 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   data_.distances = apart;
   const auto draw_on = [&](const PictureTheme& theme) {
     visual_.theme = &theme;
-    renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_), quality_);
+    renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_), quality_,
+                   on_device ? on_device->bodies : nullptr);
     renderer_.queue_read();
   };
   if (!choice_.theme->transparent) return draw_on(*choice_.theme);

@@ -12,6 +12,7 @@
 #include "app/overlay/overlay.h"
 #include "app/session/frame_view.h"
 #include "render/gl/renderer.h"
+#include "render/visual/bounds.h"
 #include "render/visual/build_visual.h"
 #include "render/visual/framing.h"
 #include "render/visual/picture_marks.h"
@@ -50,6 +51,12 @@ struct Comparison {
   std::size_t lines = 0;                  // room for so many details; the same for pictures side by side
 };
 
+// Bodies of a frame whose poses lie on the GPU (DeviceFilm): the view has none.
+struct BodiesOnDevice {
+  DeviceInstances* bodies;               // not null
+  std::optional<BoundingSphere> around;  // what is to be seen of them
+};
+
 class FramePainter {
  public:
   // `context` is current and outlives this. Unless the camera is given it shows all of `spots` in what panels and
@@ -60,8 +67,10 @@ class FramePainter {
                const CameraOption& camera, const Comparison& comparison = {});
 
   // Draws, and starts copying it back. `other`: the other run, or null; `apart`: how far the two are from
-  // each other. `time`: where the camera is; s.
-  void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart, double time);
+  // each other. `time`: where the camera is; s. `on_device`: where the bodies are, if not in the view; nothing is drawn
+  // then that takes their places.
+  void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart, double time,
+            const BodiesOnDevice* on_device = nullptr);
   // Of the pictures that follow.
   void set_quality(const RenderQuality& quality) { quality_ = quality; }
   int queued() const { return renderer_.queued() + static_cast<int>(mattes_.size()); }

@@ -16,14 +16,12 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-}  // namespace
-
-RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink,
-                           const RenderWatch& watch) {
-  const auto start = Clock::now();
-  RenderResult result;
+// `next`: the frame to be drawn, none after the last one. `draw` starts copying its picture back. `result` gets the frames and
+// how long drawing took.
+template <class Next, class Draw>
+void draw_frames(const Next& next, const Draw& draw, AbPainter& painter, AsyncSink& sink,
+                 const RenderWatch& watch, RenderResult& result) {
   Image image;
-  FrameThread frames(source, watch.stop);
 
   // The copy back of a frame runs while the next one is drawn, so one is always on its way.
   const auto deliver = [&] {
@@ -34,22 +32,55 @@ RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& s
     ++result.frames;
   };
   while (!watch.stop()) {
-    const auto frame = frames.next(true);
+    const auto frame = next();
     if (!frame) break;
     const auto begin = Clock::now();
-    painter.draw(*frame);
+    draw(*frame);
     result.times.draw += seconds_since(begin);
     if (painter.queued() > 1) deliver();
     watch.progress(frame->number + 1, frame->a.report);
   }
   while (painter.queued() > 0) deliver();
-  frames.stop();
-  if (result.frames > 0) sink.finish();
+}
 
-  result.times.simulate = frames.busy_seconds();
+// With what is known at the end.
+RenderResult finished(RenderResult result, AsyncSink& sink, Clock::time_point start, double simulated) {
+  if (result.frames > 0) sink.finish();
+  result.times.simulate = simulated;
   result.times.encode = sink.busy_ms() / 1000;
   result.times.total = seconds_since(start);
   return result;
+}
+
+}  // namespace
+
+RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink,
+                           const RenderWatch& watch) {
+  const auto start = Clock::now();
+  RenderResult result;
+  FrameThread frames(source, watch.stop);
+  draw_frames([&] { return frames.next(true); }, [&](const Frame& frame) { painter.draw(frame); }, painter,
+              sink, watch, result);
+  frames.stop();
+  return finished(result, sink, start, frames.busy_seconds());
+}
+
+RenderResult render_film(DeviceFilm& film, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch) {
+  const auto start = Clock::now();
+  RenderResult result;
+  double simulated = 0;
+  const auto next = [&] {
+    const auto begin = Clock::now();
+    auto frame = film.next(watch.stop);
+    simulated += seconds_since(begin);
+    return frame;
+  };
+  const auto draw = [&](const Frame& frame) {
+    const BodiesOnDevice bodies = film.bodies();
+    painter.draw(frame, &bodies);
+  };
+  draw_frames(next, draw, painter, sink, watch, result);
+  return finished(result, sink, start, simulated);
 }
 
 SinkOptions sink_options(const FrameView& start, const PngText& common, const FrameRange& range, int width,

@@ -4,10 +4,12 @@
 //     simulating (FrameThread) → drawing (the caller's thread, which has the GL context)
 //                              → encoding and writing (AsyncSink, a thread)
 //
-// The queues between them are short: a slow stage holds back those before it.
+// The queues between them are short: a slow stage holds back those before it. Where a GPU makes the steps and draws
+// them from its own memory, the first two are one.
 #pragma once
 
 #include "app/frames/ab_painter.h"
+#include "app/frames/device_film.h"
 #include "app/frames/frame_text.h"
 #include "app/frames/live_source.h"
 #include "render/output/async_sink.h"
@@ -37,6 +39,9 @@ struct RenderWatch {
 // frames that are whole by then. Throws what a stage threw.
 RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink,
                            const RenderWatch& watch);
+
+// The same of a film, whose steps are made where it is drawn: in the caller's thread, between the pictures.
+RenderResult render_film(DeviceFilm& film, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch);
 
 // The sink for these frames: size, speed, and in every PNG where it came from (`common`). `start` is what
 // frame 0 shows. Frames are written from `first_written` on (0: those before `range.first` are part of the

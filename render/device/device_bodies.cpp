@@ -186,7 +186,9 @@ ComputeProgram DeviceBodies::Impl::compile(const char* name, const char* define,
   for (const auto& [word, slot] : kBindings)
     defines += fmt::format("#define DRAW_{} {}\n", word, static_cast<unsigned>(slot));
   defines += define;
-  return {gl, name, defines, std::array{shaders::device_draw_view, shaders::device_draw_layout, main}};
+  return {
+      gl, name, defines,
+      std::array{shaders::device_draw_view, shaders::device_draw_pose, shaders::device_draw_layout, main}};
 }
 
 // Levels of one primitive are classes side by side.

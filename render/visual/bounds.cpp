@@ -35,8 +35,17 @@ std::optional<BoundingSphere> sphere_around(const Model& model, const State& sta
 
 }  // namespace
 
+void set_sphere(const BoundingSphere& around, VisualScene& out) {
+  out.centre = around.centre.cast<float>();
+  out.radius = static_cast<float>(around.radius);
+}
+
 bool has_finite_pose(const State& state, Index body) {
   return state.c[body].allFinite() && state.R[body].allFinite();
+}
+
+bool is_scenery(const BoundingSphere& movable, const Vec3& c, double radius) {
+  return (c - movable.centre).norm() + radius > kScenery * movable.radius;
 }
 
 std::vector<std::uint8_t> bodies_in_picture(const Model& model, const State& state) {
@@ -45,8 +54,7 @@ std::vector<std::uint8_t> bodies_in_picture(const Model& model, const State& sta
   for (Index i = 0; i < model.size(); ++i) {
     if (is_plane(model.shape[i]) || !has_finite_pose(state, i)) continue;
     const bool scenery =
-        movable && model.fixed[i] &&
-        (state.c[i] - movable->centre).norm() + bounding_radius(model.shape[i]) > kScenery * movable->radius;
+        movable && model.fixed[i] && is_scenery(*movable, state.c[i], bounding_radius(model.shape[i]));
     out[static_cast<std::size_t>(i)] = scenery ? 0 : 1;
   }
   return out;

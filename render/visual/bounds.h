@@ -18,8 +18,14 @@ struct BoundingSphere {
   double radius;  // m, > 0
 };
 
+// As the scene has it.
+void set_sphere(const BoundingSphere& around, VisualScene& out);
+
 // True when every number of the body's pose is finite: others cannot be drawn.
 bool has_finite_pose(const State& state, Index body);
+
+// Whether a fixed body is much larger than `movable`, the sphere around what moves. `radius`: bounding; m.
+bool is_scenery(const BoundingSphere& movable, const Vec3& c, double radius);
 
 // 1: the body belongs to the picture, that is, it is movable, or fixed and not much larger than what moves. Without a
 // movable body every fixed one does. Planes and bodies without a finite pose never do.

@@ -115,10 +115,7 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
   if (options.inertia) add_inertia_ellipsoids(model, state, out);
   if (options.velocities) add_velocity_arrows(model, state, out);
   add_selection(model, state, report, options, scale, out);
-  if (const auto around = bounding_sphere(model, state)) {
-    out.centre = around->centre.cast<float>();
-    out.radius = static_cast<float>(around->radius);
-  }
+  if (const auto around = bounding_sphere(model, state)) set_sphere(*around, out);
 }
 
 // A touch smaller: faces that coincide with those of the first state lie behind them, without speckles.

@@ -142,13 +142,15 @@ TEST_CASE("render's parts keep apart") {
   CHECK(violations("render/context/", kImGui) == List{});
   CHECK(violations("render/context/", {"render/gl/", "render/visual/", "render/output/"}) == List{});
   CHECK(violations("render/device/", kImGui) == List{});
-  // The solver knows of no pictures; three files draw from where it leaves poses, numbers and
+  // The solver knows of no pictures; four files draw from where it leaves poses, numbers and
   // contacts.
   CHECK(violations("render/device/", {"render/visual/", "render/output/"}) ==
         List{"render/device/device_bodies.cpp includes render/visual/body_parts.h",
              "render/device/device_marks.cpp includes render/visual/contact_glyphs.h",
              "render/device/device_marks.cpp includes render/visual/line_shapes.h",
              "render/device/device_marks.cpp includes render/visual/palette.h",
+             "render/device/device_sphere.cpp includes render/visual/body_parts.h",
+             "render/device/device_sphere.h includes render/visual/bounds.h",
              "render/device/value_colors.cpp includes render/visual/value_map.h"});
   // Pictures are drawn whether or not a GPU solves.
   for (const char* folder : {"render/visual/", "render/output/", "render/context/", "render/gl/"})

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The bodies whose bounding balls a ray may meet, in any order, with their poses: a thread a body. What of them it meets
-// is looked at by the processor (sim/collision/ray_cast.h).
+// is looked at by the processor (sim/collision/ray_cast.h). Needs device_draw_pose.
 layout(local_size_x = GROUP) in;
 
-struct Pose {
-  dvec4 c;  // centre of mass, world; m
-  dvec4 q;  // body to world: x, y, z, w
-};
 struct Met {
   uvec4 body;
   Pose at;
 };
-layout(std430, binding = DRAW_POSES) readonly buffer DrawPoses { Pose pose[]; };
 layout(std430, binding = DRAW_REACHES) readonly buffer DrawReaches { float reach[]; };  // radius, rounded up; inf: a plane
 layout(std430, binding = DRAW_RAY) readonly buffer DrawRay {
   dvec4 origin, direction;  // unit

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// See device_film.h.
+#include "app/frames/device_film.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/frames/frame_schedule.h"
+#include "app/frames/scene_framing.h"
+#include "render/visual/body_parts.h"
+
+namespace pabd {
+namespace {
+
+VisualOptions options_of(const Run& run) {
+  VisualOptions options;
+  options.looks = looks_of(run.scene(), run.model());
+  return options;
+}
+
+DeviceOptions solver_options(bool contacts) {
+  DeviceOptions options;
+  options.time_phases = true;
+  options.report_contacts = contacts;
+  return options;
+}
+
+}  // namespace
+
+bool DeviceFilm::shows_all(const Run& run, const OverlayChoice& overlay, const CameraOption& camera) {
+  const std::vector<BodyLook> looks = looks_of(run.scene(), run.model());
+  const bool opaque =
+      std::all_of(looks.begin(), looks.end(), [](const BodyLook& l) { return l.opacity == 1; });
+  const bool plain = !overlay.bonds && !overlay.needs_iterations() &&
+                     overlay.panels.needing(&OverlayPanel::contacts) == nullptr &&
+                     !overlay.marks.velocities && !overlay.marks.boxes && !overlay.marks.inertia;
+  return opaque && plain && camera.follow.empty() && run.pulls() == nullptr &&
+         DeviceSolver::why_not(run.model(), run.params()).empty();
+}
+
+DeviceFilm::DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
+                       LiveSource::Skipped skipped)
+    : DeviceFilm(context, start, range, contacts, std::move(skipped),
+                 body_parts(start.model(), options_of(start))) {}
+
+DeviceFilm::DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
+                       LiveSource::Skipped skipped, const BodyParts& parts)
+    : view_(start.view()),
+      range_(range),
+      contacts_(contacts),
+      skipped_(std::move(skipped)),
+      first_step_(view_.state.step),
+      solver_(context, *view_.model, view_.state, solver_options(contacts)),
+      bodies_(context, parts, solver_.pose_buffer(), {.late_bounds = false}),
+      sphere_(context, *view_.model, view_.state, parts, solver_.pose_buffer()) {
+  State now;
+  now.step = view_.state.step;
+  now.time = view_.state.time;
+  view_.state = std::move(now);
+}
+
+std::optional<Frame> DeviceFilm::next(const Stop& stop) {
+  while (next_ < range_.count) {
+    const int frame = next_++;
+    if (!advance_to(first_step_ + step_of_frame(frame, range_.fps, view_.params.h), stop)) return {};
+    if (frame >= range_.first) {
+      view_.history = reports_.view();
+      return make_frame(frame, view_, {}, {});
+    }
+    if (skipped_) skipped_(frame + 1, view_.report);
+  }
+  return {};
+}
+
+bool DeviceFilm::advance_to(std::int64_t step, const Stop& stop) {
+  while (view_.state.step < step) {
+    if (stop()) return false;
+    const StepSummary& made = solver_.step(view_.params);
+    if (made.status == StepStatus::non_finite) {
+      diverged_ = made;
+      return false;
+    }
+    view_.state.step = made.step;
+    view_.state.time = made.time;
+    view_.report = {};
+    static_cast<StepSummary&>(view_.report) = made;
+    add_report(reports_, made);
+  }
+  return true;
+}
+
+BodiesOnDevice DeviceFilm::bodies() {
+  if (contacts_ && view_.state.step > first_step_)
+    bodies_.mark_contacts(*view_.model, solver_.contact_buffers(), {.d_hat = view_.params.contact.d_hat});
+  return {&bodies_, sphere_()};
+}
+
+}  // namespace pabd

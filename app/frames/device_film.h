@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Frames of a run that a GPU both simulates and draws, in one OpenGL context: bodies go from the solver to the picture in
+// its memory, and no state comes back.
+#pragma once
+
+#include "app/frames/frame_painter.h"
+#include "app/frames/live_source.h"
+#include "render/device/device_bodies.h"
+#include "render/device/device_solver.h"
+#include "render/device/device_sphere.h"
+
+namespace pabd {
+
+class DeviceFilm : public FrameSource {
+ public:
+  // Whether the pictures show nothing but what the GPU can draw of the run by itself: opaque bodies, panels that need
+  // reports only, glyphs of contacts; from a camera that follows no body.
+  static bool shows_all(const Run& run, const OverlayChoice& overlay, const CameraOption& camera);
+
+  // From where the run is. `context`: of the painter; current in all calls, and outlives this. Precondition:
+  // shows_all(). `skipped`: as LiveSource. Throws Error(no_context) where the GPU lacks room.
+  DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
+             LiveSource::Skipped skipped = {});
+
+  // Views of these frames have a time, but no bodies: bodies(), until the next frame is asked for.
+  std::optional<Frame> next(const Stop& stop) override;
+  BodiesOnDevice bodies();
+
+  // The step that left the numbers; none: none did.
+  const std::optional<StepSummary>& diverged() const { return diverged_; }
+
+ private:
+  DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
+             LiveSource::Skipped skipped, const BodyParts& parts);
+  bool advance_to(std::int64_t step, const Stop& stop);
+
+  FrameView view_;  // of now
+  const FrameRange range_;
+  const bool contacts_;
+  const LiveSource::Skipped skipped_;
+  const std::int64_t first_step_;
+  int next_ = 0;
+  ReportList reports_;
+  std::optional<StepSummary> diverged_;
+  DeviceSolver solver_;
+  DeviceBodies bodies_;
+  DeviceSphere sphere_;
+};
+
+}  // namespace pabd
