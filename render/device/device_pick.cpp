@@ -47,7 +47,8 @@ ComputeProgram compile(const ComputeFunctions& gl) {
       "#define DRAW_MET {}\n",
       kThreads, number(DrawSlot::poses), number(DrawSlot::reaches), number(DrawSlot::ray),
       number(DrawSlot::met));
-  return {gl, "bodies along a ray", defines, std::array{shaders::device_draw_pose, shaders::device_pick_comp}};
+  return {gl, "bodies along a ray", defines,
+          std::array{shaders::device_draw_pose, shaders::device_pick_comp}};
 }
 
 }  // namespace
