@@ -88,6 +88,6 @@ endif()
 if(PABD_TESTS)
   find_package(Catch2 2.13 REQUIRED)
   pabd_precompile(pabd_precompiled_tests LINKS Catch2::Catch2 nlohmann_json::nlohmann_json
-    OPTIONS ${PABD_QUICK_TO_COMPILE} HEADERS <catch2/catch.hpp> <nlohmann/json.hpp>)
+    OPTIONS ${PABD_TEST_OPTIONS} HEADERS <catch2/catch.hpp> <nlohmann/json.hpp>)
   pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/tests pabd_precompiled_tests)
 endif()
