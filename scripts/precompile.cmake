@@ -87,7 +87,13 @@ endif()
 
 if(PABD_TESTS)
   find_package(Catch2 2.13 REQUIRED)
-  pabd_precompile(pabd_precompiled_tests LINKS Catch2::Catch2 nlohmann_json::nlohmann_json
-    OPTIONS ${PABD_TEST_OPTIONS} HEADERS <catch2/catch.hpp> <nlohmann/json.hpp>)
+  set(of_tests LINKS Catch2::Catch2 nlohmann_json::nlohmann_json HEADERS <catch2/catch.hpp> <nlohmann/json.hpp>)
+  pabd_precompile(pabd_precompiled_tests ${of_tests} OPTIONS ${PABD_TEST_OPTIONS})
   pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/tests pabd_precompiled_tests)
+  if(PABD_SANITIZE)
+    pabd_precompile(pabd_precompiled_computing ${of_tests} OPTIONS ${PABD_QUICK_TO_COMPILE})
+    foreach(folder collision frames)  # as in their CMakeLists.txt
+      pabd_reuse_precompiled(${PROJECT_SOURCE_DIR}/tests/${folder} pabd_precompiled_computing)
+    endforeach()
+  endif()
 endif()
