@@ -272,6 +272,7 @@ int render(const RenderOptions& asked) {
     } catch (const Error& error) {  // solver and pictures do not fit together
       if (error.kind() != ErrorKind::no_context) throw;
       solve_by(device, backend, a, nullptr);
+      context->make_current();  // an engine has one of its own, and leaves none current
     }
   }
   RenderResult result;

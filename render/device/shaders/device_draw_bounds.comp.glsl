@@ -11,11 +11,6 @@ shared uint edge_here[10], casters_here, reach_here;
 
 const float REACH_UNITS = 1048576.0;  // of the largest reach that counts
 
-uint ordered_bits(float x) {
-  const uint bits = floatBitsToUint(x);
-  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
-}
-
 void widen(uint k, float middle, float r) {
   atomicMax(edge_here[k], ordered_bits(r - middle));
   atomicMax(edge_here[k + 1u], ordered_bits(middle + r));

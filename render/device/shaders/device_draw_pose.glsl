@@ -21,3 +21,9 @@ dmat3 matrix_of(dvec4 q) {
                x.y - w.z, 1.0lf - (x.x + zz), yz + w.x,  //
                x.z + w.y, yz - w.x, 1.0lf - (x.x + yy));
 }
+
+// In the order of the floats; 0 is none of them.
+uint ordered_bits(float x) {
+  const uint bits = floatBitsToUint(x);
+  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What moving bodies span along the axes of the world, or with RADIUS how far from a centre: a thread a body. Floats are
-// kept as bits in their order, lowest ones negated, so that all are maxima of what is 0 at first.
+// kept as bits in their order, lowest ones negated, so that all are maxima of what is 0 at first. Needs device_draw_pose.
 layout(local_size_x = GROUP) in;
 
 // A piece of a body, in the body frame (render/visual/body_parts.h); m.
@@ -19,11 +19,6 @@ layout(std430, binding = DRAW_BOUNDS) buffer DrawSpan {
   uint edge[6];         // -lowest, highest
 };
 shared uint edge_here[6], radius_here;
-
-uint ordered_bits(float x) {
-  const uint bits = floatBitsToUint(x);
-  return (bits & 0x80000000u) != 0u ? ~bits : bits | 0x80000000u;
-}
 
 // Along the axis with that row of the body's matrix: the lowest and the highest from the piece's own place.
 dvec2 span(Piece p, dvec3 row) {
