@@ -205,6 +205,27 @@ struct Bench {
         static_cast<double>(96 * state.c.size()) / 1e6, casting,
         hit && expected && hit->body == expected->body && hit->t == expected->t ? "the same" : "ANOTHER");
   }
+  // Of pictures that wait for each of their passes.
+  void tell_passes() {
+    constexpr int kPictures = 5;
+    renderer.measure_passes(true);
+    PassTimes sum;
+    for (int k = 0; k < kPictures; ++k) {
+      draw();
+      const PassTimes t = renderer.pass_times();
+      sum.prepare += t.prepare / kPictures;
+      sum.shadow += t.shadow / kPictures;
+      sum.contact_shade += t.contact_shade / kPictures;
+      sum.bodies += t.bodies / kPictures;
+      sum.ground += t.ground / kPictures;
+      sum.resolve += t.resolve / kPictures;
+    }
+    renderer.measure_passes(false);
+    fmt::print(
+        "passes, ms: prepare {:.2f}, shadow {:.2f}, contact shade {:.2f}, bodies {:.2f}, ground {:.2f}, "
+        "resolve {:.2f}\n",
+        sum.prepare, sum.shadow, sum.contact_shade, sum.bodies, sum.ground, sum.resolve);
+  }
   void read(int frame) {
     renderer.queue_read();
     if (renderer.queued() == 2) take(frame - 1);
@@ -276,6 +297,7 @@ int main(int argc, char** argv) try {
   row("draw (the last state)", bench.measure(false, true, false));
   row("step and draw", bench.measure(true, true, false));
   row("step, draw and read back", bench.measure(true, true, true));
+  bench.tell_passes();
   for (const auto& [list, name] : {std::pair(DeviceList::bodies, "bodies"),
                                    {DeviceList::casters, "casters"},
                                    {DeviceList::near_casters, "casters, near sides"},
