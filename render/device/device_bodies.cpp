@@ -11,10 +11,11 @@
 #include <map>
 #include <optional>
 
-#include "render/device/compute_program.h"
+#include "render/device/device_hiding.h"
 #include "render/device/device_layout.h"
 #include "render/device/device_solver.h"
 #include "render/device/draw_buffers.h"
+#include "render/device/draw_programs.h"
 #include "render/device/shader_files.h"
 #include "render/device/value_colors.h"
 #include "render/gl/draw_list.h"
@@ -24,11 +25,12 @@
 namespace pabd {
 namespace {
 
-constexpr unsigned kThreads = 256;          // of a work group
 constexpr std::size_t kMostClasses = 2048;  // whose counts a work group can hold: 24 of 32 KiB
 constexpr std::size_t kPrimitiveClasses = kCubeSides + (kPrimitiveCount - 1) * pabd::kLevels;
 constexpr std::size_t kLateFrames = 3;
 constexpr std::size_t kBodyLists = 3;  // of DeviceList, the first ones
+// Lists that have commands: these, near casters, then what is revealed: bodies, casters, near casters.
+constexpr std::size_t kCommandLists = 7;
 
 using namespace device;
 
@@ -39,12 +41,20 @@ void store(float (&out)[4], const Vec3f& v, float w = 0) {
 void store(float (&out)[4], const Vec4f& v) { std::copy_n(v.data(), 4, out); }
 
 // The planes of what a camera sees: inside is where their values are positive.
-void store_clip(const float (&world_to_clip)[16], DrawView& out) {
-  const Mat4f m = Eigen::Map<const Mat4f>(world_to_clip);
+void store_clip(const Mat4f& m, DrawView& out) {
   for (int k = 0; k < 6; ++k) {
     const Vec4f plane = m.row(3).transpose() + (k % 2 == 0 ? 1.0f : -1.0f) * m.row(k / 2).transpose();
     store(out.clip[k], Vec4f(plane / std::max(plane.head<3>().norm(), 1e-30f)));
   }
+}
+
+// World to the clip space of the shadow map, as shadow.vert.glsl has it.
+Mat4f clip_of(const ShadowVolume& shadow) {
+  const auto side = static_cast<float>(shadow.texels);
+  const Vec4f scale(2 / side, 2 / side, 2 / shadow.depth_range, 1), origin(-1, -1, -1, 0);
+  Mat4f out = scale.asDiagonal() * shadow.world_to_shadow;
+  out.col(3) += origin;
+  return out;
 }
 
 // Of the ball around a primitive of these half sizes, in m.
@@ -78,7 +88,6 @@ struct Question {
 struct DeviceBodies::Impl {
   Impl(GlContext& context, const BodyParts& bodies, unsigned pose_buffer, const DeviceBodiesOptions& o);
 
-  void run(const ComputeProgram& program, std::size_t threads);
   void upload_view();
   float largest(unsigned values);
   std::uint32_t class_of(const BodyPart& part);
@@ -101,7 +110,10 @@ struct DeviceBodies::Impl {
   std::optional<DeviceMarks> marks;
   bool shows_marks = false;
   std::vector<MeshRange> places;  // as in DrawSlot::meshes
-  std::array<DeviceBatches, kDeviceLists> batches;
+  using Batches = std::array<DeviceBatches, kDeviceLists>;
+  Batches batches, revealed;
+  std::optional<DeviceHiding> hiding;
+  Mat4f world_to_clip = Mat4f::Identity(), light_to_clip = Mat4f::Identity();
 
   struct Asked {
     Question question;
@@ -142,7 +154,7 @@ DeviceBodies::Impl::Impl(GlContext& context, const BodyParts& bodies, unsigned p
     colors.back().w() = bodies.checkers[i] != 0 ? 2.0f : 1.0f;
   }
   body_classes = classes.size();
-  const std::size_t counts = kBodyLists * body_classes, commands = counts + body_classes;
+  const std::size_t counts = kBodyLists * body_classes, commands = kCommandLists * body_classes;
   const std::vector<InstanceClass> of_marks = DeviceMarks::classes();
   classes.insert(classes.end(), of_marks.begin(), of_marks.end());
   buffers.make(DrawSlot::parts, parts.size() * sizeof(DrawPart), parts.data());
@@ -155,40 +167,28 @@ DeviceBodies::Impl::Impl(GlContext& context, const BodyParts& bodies, unsigned p
   buffers.make(DrawSlot::bounds, sizeof(DrawBounds));
   for (const DrawSlot slot : {DrawSlot::bodies, DrawSlot::casters, DrawSlot::floor_casters})
     buffers.make(slot, bodies.drawn * sizeof(GpuInstance));
-  const auto batch = [&](DeviceList list, DrawSlot slot, std::size_t number) {
-    batches[static_cast<std::size_t>(list)] = {buffers.id(slot), buffers.id(DrawSlot::commands),
-                                               number * body_classes * kCommandBytes,
-                                               std::span(classes).first(body_classes)};
+  const auto batch = [&](Batches& of, DeviceList list, DrawSlot slot, std::size_t number) {
+    of[static_cast<std::size_t>(list)] = {buffers.id(slot), buffers.id(DrawSlot::commands),
+                                          number * body_classes * kCommandBytes,
+                                          std::span(classes).first(body_classes)};
   };
-  batch(DeviceList::bodies, DrawSlot::bodies, 0);
-  batch(DeviceList::casters, DrawSlot::casters, 1);
-  batch(DeviceList::floor_casters, DrawSlot::floor_casters, 2);
-  batch(DeviceList::near_casters, DrawSlot::casters, 3);
+  batch(batches, DeviceList::bodies, DrawSlot::bodies, 0);
+  batch(batches, DeviceList::casters, DrawSlot::casters, 1);
+  batch(batches, DeviceList::floor_casters, DrawSlot::floor_casters, 2);
+  batch(batches, DeviceList::near_casters, DrawSlot::casters, 3);
+  batch(revealed, DeviceList::bodies, DrawSlot::bodies, 4);
+  batch(revealed, DeviceList::casters, DrawSlot::casters, 5);
+  batch(revealed, DeviceList::near_casters, DrawSlot::casters, 6);
   count_program.emplace(compile("bodies to draw", "", shaders::device_draw_make_comp));
   emit_program.emplace(compile("instances", "#define EMIT\n", shaders::device_draw_make_comp));
   commands_program.emplace(compile("commands", "", shaders::device_draw_commands_comp));
   bounds_program.emplace(compile("bounds of casters", "", shaders::device_draw_bounds_comp));
+  hiding.emplace(gl, buffers, count, body_classes);
 }
 
 ComputeProgram DeviceBodies::Impl::compile(const char* name, const char* define,
                                            const ShaderPart& main) const {
-  constexpr std::pair<const char*, DrawSlot> kBindings[] = {
-      {"POSES", DrawSlot::poses},       {"PARTS", DrawSlot::parts},
-      {"RANGES", DrawSlot::ranges},     {"VIEW", DrawSlot::view},
-      {"COUNTS", DrawSlot::counts},     {"COLORS", DrawSlot::colors},
-      {"BODIES", DrawSlot::bodies},     {"CASTERS", DrawSlot::casters},
-      {"MESHES", DrawSlot::meshes},     {"FLOOR_CASTERS", DrawSlot::floor_casters},
-      {"COMMANDS", DrawSlot::commands}, {"BOUNDS", DrawSlot::bounds},
-      {"VALUES", DrawSlot::values},     {"VALUE_COLORS", DrawSlot::value_colors},
-      {"LARGEST", DrawSlot::largest}};
-  std::string defines = fmt::format("#define GROUP {}u\n#define CLASSES {}u\n#define VALUE_COLORS {}u\n",
-                                    kThreads, std::max<std::size_t>(1, body_classes), kValueColors);
-  for (const auto& [word, slot] : kBindings)
-    defines += fmt::format("#define DRAW_{} {}\n", word, static_cast<unsigned>(slot));
-  defines += define;
-  return {
-      gl, name, defines,
-      std::array{shaders::device_draw_view, shaders::device_draw_pose, shaders::device_draw_layout, main}};
+  return compile_draw_program(gl, name, body_classes, define, std::array{shaders::device_draw_depths, main});
 }
 
 // Levels of one primitive are classes side by side.
@@ -204,12 +204,6 @@ std::uint32_t DeviceBodies::Impl::class_of(const BodyPart& part) {
     classes.push_back({part.primitive, std::max(part.mesh, 0)});
   }
   return first;
-}
-
-void DeviceBodies::Impl::run(const ComputeProgram& program, std::size_t threads) {
-  program.use();
-  gl.DispatchCompute(static_cast<GLuint>((threads + kThreads - 1) / kThreads), 1, 1);
-  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void DeviceBodies::Impl::upload_view() {
@@ -229,7 +223,7 @@ float DeviceBodies::Impl::largest(unsigned values) {
   upload_view();
   buffers.clear(DrawSlot::largest);
   buffers.bind();
-  run(*largest_program, count);
+  run_draw_program(gl, *largest_program, count);
   buffers.lend(DrawSlot::values, before);
   std::uint32_t bits = 0;
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -255,7 +249,7 @@ void DeviceBodies::Impl::ask(const Question& question) {
   upload_view();
   buffers.clear(DrawSlot::bounds);
   buffers.bind();
-  run(*bounds_program, count);
+  run_draw_program(gl, *bounds_program, count);
   Asked now{question, GlBuffer(gl), nullptr};
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   gl.BindBuffer(GL_COPY_WRITE_BUFFER, now.copy.id());
@@ -317,7 +311,9 @@ CasterBounds DeviceBodies::bounds(const VisualScene& scene) {
 void DeviceBodies::make(const InstanceFrame& frame, std::span<const MeshRange> places) {
   Impl& m = *impl_;
   DrawView& view = m.view;
-  store_clip(frame.uniforms.world_to_clip, view);
+  m.world_to_clip = Eigen::Map<const Mat4f>(frame.uniforms.world_to_clip);
+  m.light_to_clip = clip_of(frame.shadow);
+  store_clip(m.world_to_clip, view);
   const Mat4f eye = eye_matrix(frame.scene);
   store(view.away, Vec4f(-eye.row(2).transpose()));
   for (int level = 0; level < pabd::kLevels - 1; ++level)
@@ -348,9 +344,9 @@ void DeviceBodies::make(const InstanceFrame& frame, std::span<const MeshRange> p
   }
   m.buffers.clear(DrawSlot::counts);
   m.buffers.bind();
-  m.run(*m.count_program, m.count);
-  m.run(*m.commands_program, kBodyLists);
-  m.run(*m.emit_program, m.count);
+  run_draw_program(m.gl, *m.count_program, m.count);
+  run_draw_program(m.gl, *m.commands_program, kBodyLists);
+  run_draw_program(m.gl, *m.emit_program, m.count);
   if (m.marks && m.shows_marks) m.marks->make(frame.scene, places.subspan(m.body_classes));
   m.gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
@@ -368,6 +364,15 @@ const std::vector<std::shared_ptr<const MeshData>>& DeviceBodies::meshes() const
 const DeviceBatches& DeviceBodies::batches(DeviceList list) const {
   if (list == DeviceList::glyphs && impl_->shows_marks) return impl_->marks->batches();
   return impl_->batches[static_cast<std::size_t>(list)];
+}
+
+void DeviceBodies::reveal(DeviceList list, const DepthPicture& depth) {
+  Impl& m = *impl_;
+  m.hiding->reveal(list, depth, list == DeviceList::bodies ? m.world_to_clip : m.light_to_clip);
+}
+
+const DeviceBatches& DeviceBodies::revealed(DeviceList list) const {
+  return impl_->revealed[static_cast<std::size_t>(list)];
 }
 
 void DeviceBodies::color_by(unsigned values, const ValueRange& range) {

@@ -36,6 +36,8 @@ class DeviceBodies : public DeviceInstances {
   CasterBounds bounds(const VisualScene& scene) override;
   void make(const InstanceFrame& frame, std::span<const MeshRange> meshes) override;
   const DeviceBatches& batches(DeviceList list) const override;
+  void reveal(DeviceList list, const DepthPicture& depth) override;
+  const DeviceBatches& revealed(DeviceList list) const override;
 
   // From now on: colours by a float a body (DeviceSolver::value_buffer()), as VisualOptions::values has them; -infinity
   // keeps the body's own colour. `values`: GL name of a buffer that outlives its use here; 0: all have their own again.

@@ -39,6 +39,8 @@ enum class DrawSlot : unsigned {
   glyphs,
   glyph_classes,
   knots,
+  depths,
+  seen,
   end
 };
 
@@ -61,6 +63,13 @@ struct DrawView {
   std::uint32_t counts[4];
 };
 static_assert(sizeof(DrawView) == 25 * 16);
+
+struct DrawDepths {  // then a float a cell of each level
+  float to_clip[4][4];
+  std::uint32_t picture_size[2], cells[2];
+  std::uint32_t list;
+};
+static_assert(sizeof(DrawDepths) == 84);
 
 struct DrawBounds {
   std::uint32_t edge[10];

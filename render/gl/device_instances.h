@@ -44,6 +44,12 @@ enum class DeviceList {
 };
 inline constexpr int kDeviceLists = 5;
 
+// Depths in [0, 1], least at the eye, into which some of a list has been drawn.
+struct DepthPicture {
+  unsigned texture = 0;  // GL name; of several samples: multisampled
+  int width = 0, height = 0, samples = 1;
+};
+
 // Of the frame to be drawn.
 struct InstanceFrame {
   const VisualScene& scene;
@@ -63,10 +69,17 @@ class DeviceInstances {
 
   // Around the casters, for the maps of light. May be that of a frame or two before, so that nobody waits.
   virtual CasterBounds bounds(const VisualScene& scene) = 0;
-  // Makes the instances and the commands of all lists. `meshes`: of each class. Throws Error(no_context).
+  // Makes the instances and the commands of all lists, but for bodies and casters that others hid in the frame before.
+  // `meshes`: of each class. Throws Error(no_context).
   virtual void make(const InstanceFrame& frame, std::span<const MeshRange> meshes) = 0;
   // As the last make() left it; stays where it is. Without classes where there is nothing.
   virtual const DeviceBatches& batches(DeviceList list) const = 0;
+
+  // Makes those that make() left out and that `depth` does not hide, into which the others have been drawn: together they
+  // are all that can be seen. `list`: bodies; or casters, with near_casters. Binds another program, and no framebuffer.
+  virtual void reveal(DeviceList list, const DepthPicture& depth) = 0;
+  // As the last reveal() left it.
+  virtual const DeviceBatches& revealed(DeviceList list) const = 0;
 };
 
 }  // namespace pabd

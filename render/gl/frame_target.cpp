@@ -63,7 +63,7 @@ void FrameTarget::allocate() {
         ErrorKind::bad_input,
         fmt::format("frame size {}x{}: expected at least 1x1; give --size WIDTHxHEIGHT", width_, height_));
   }
-  const GLint limit = std::min(gl_.integer(GL_MAX_RENDERBUFFER_SIZE), gl_.integer(GL_MAX_TEXTURE_SIZE));
+  const GLint limit = gl_.integer(GL_MAX_TEXTURE_SIZE);
   const auto refuse = [&](const std::string& reason, const std::string& remedy = "choose a smaller --size") {
     throw Error(
         ErrorKind::no_context,
@@ -71,7 +71,8 @@ void FrameTarget::allocate() {
                     width_, height_, samples_, samples_ == 1 ? "" : "s", reason, remedy));
   };
   if (width_ > limit || height_ > limit) refuse(fmt::format("the largest side is {}", limit));
-  const GLint most = std::min(gl_.integer(GL_MAX_SAMPLES), gl_.integer(GL_MAX_COLOR_TEXTURE_SAMPLES));
+  const GLint most = std::min({gl_.integer(GL_MAX_SAMPLES), gl_.integer(GL_MAX_COLOR_TEXTURE_SAMPLES),
+                               gl_.integer(GL_MAX_DEPTH_TEXTURE_SAMPLES)});
   if (most < samples_) refuse(fmt::format("it offers {}", most), driver_remedy());
 
   // The old storage goes first, so that both never exist together.
@@ -84,20 +85,21 @@ void FrameTarget::allocate() {
 
   const bool several = samples_ > 1;
   const GLenum kind = several ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
-  gl_.BindTexture(kind, light_->id());
-  if (several) {
-    gl_.TexImage2DMultisample(kind, samples_, GL_RGBA16, width_, height_, GL_TRUE);
-  } else {
-    gl_.TexImage2D(kind, 0, GL_RGBA16, width_, height_, 0, GL_RGBA, GL_UNSIGNED_SHORT, nullptr);
+  const auto make = [&](const GlTexture& texture, GLint format, GLenum channels, GLenum type) {
+    gl_.BindTexture(kind, texture.id());
+    if (several) {
+      gl_.TexImage2DMultisample(kind, samples_, static_cast<GLenum>(format), width_, height_, GL_TRUE);
+      return;
+    }
+    gl_.TexImage2D(kind, 0, format, width_, height_, 0, channels, type, nullptr);
     gl_.TexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl_.TexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  }
-  gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_->id());
-  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, several ? samples_ : 0, GL_DEPTH_COMPONENT24, width_,
-                                     height_);
+  };
+  make(*light_, GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT);
+  make(*depth_, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
   gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind, light_->id(), 0);
-  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_->id());
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, kind, depth_->id(), 0);
   GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) {
     gl_.BindTexture(GL_TEXTURE_2D, color_->id());

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/gl/device_instances.h"
 #include "render/gl/gl_objects.h"
 #include "render/output/image.h"
 #include "sim/math/team.h"
@@ -37,6 +38,7 @@ class FrameTarget {
   int samples() const { return samples_; }
 
   void bind_for_drawing() const;  // linear light, 16 bits a channel, with a depth buffer
+  DepthPicture depth() const { return {depth_->id(), width_, height_, samples_}; }
   void resolve(const EncodePass& encode) const;
   // The same by the processor, for one sample a pixel. `smooth`: there are tags in the alpha channel, see
   // OutlineSmoother.
@@ -68,8 +70,7 @@ class FrameTarget {
   int samples_;
   GlFramebuffer drawn_;
   GlFramebuffer resolved_;
-  std::optional<GlTexture> light_, color_;
-  std::optional<GlRenderbuffer> depth_;
+  std::optional<GlTexture> light_, depth_, color_;
   std::vector<std::uint16_t> tagged_;
   std::vector<std::uint8_t> smooth_;
   Slot slots_[2];

@@ -34,7 +34,7 @@
   X(GetUniformIndices, GETUNIFORMINDICES) \
   X(GetUniformLocation, GETUNIFORMLOCATION) X(LinkProgram, LINKPROGRAM) X(MapBufferRange, MAPBUFFERRANGE) \
   X(PixelStorei, PIXELSTOREI) X(PolygonOffset, POLYGONOFFSET) X(ReadBuffer, READBUFFER) X(ReadPixels, READPIXELS) \
-  X(RenderbufferStorage, RENDERBUFFERSTORAGE) X(RenderbufferStorageMultisample, RENDERBUFFERSTORAGEMULTISAMPLE) \
+  X(RenderbufferStorage, RENDERBUFFERSTORAGE) \
   X(Scissor, SCISSOR) X(ShaderSource, SHADERSOURCE) X(TexImage2D, TEXIMAGE2D) \
   X(TexImage2DMultisample, TEXIMAGE2DMULTISAMPLE) X(TexParameteri, TEXPARAMETERI) X(TexSubImage2D, TEXSUBIMAGE2D) \
   X(Uniform1f, UNIFORM1F) X(Uniform1i, UNIFORM1I) X(Uniform2f, UNIFORM2F) X(Uniform4f, UNIFORM4F) \

@@ -162,7 +162,7 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   gl.BufferData(GL_UNIFORM_BUFFER, sizeof(frame), &frame, GL_STREAM_DRAW);
   lap(passes.prepare);
 
-  shadow_pass.draw(list, drawer, quality.shadow_texels(), quality.level != Quality::draft);
+  shadow_pass.draw(list, drawer, quality.shadow_texels(), quality.level != Quality::draft, device);
   lap(passes.shadow);
   contact_shade_pass.draw(list, drawer, floor);
   lap(passes.contact_shade);
@@ -175,6 +175,12 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   shadow_pass.bind_maps();
   contact_shade_pass.bind_map();
   surface_pass.draw_bodies(list, drawer, quality.level);
+  if (device != nullptr) {
+    device->reveal(DeviceList::bodies, into.depth());
+    into.bind_for_drawing();
+    list.bodies = {0, 0, &device->revealed(DeviceList::bodies)};
+    surface_pass.draw_bodies(list, drawer, quality.level);
+  }
   lap(passes.bodies);
   ground_pass.draw(scene, shadow, floor, quality.level);
   background_pass.draw();

@@ -12,8 +12,10 @@ class ShadowPass {
  public:
   explicit ShadowPass(const GlFunctions& gl);
 
-  // Draws the casters into a map of texels². `with_range`: for kernels of more than two texels.
-  void draw(const DrawList& list, const InstanceDrawer& drawer, int texels, bool with_range);
+  // Draws the casters into a map of texels². `with_range`: for kernels of more than two texels. `device`: who made those of
+  // the list that are on the GPU, or null.
+  void draw(const DrawList& list, const InstanceDrawer& drawer, int texels, bool with_range,
+            DeviceInstances* device);
   // Makes map and range the textures of units 0 and 3, where lit programs read them.
   void bind_maps() const;
 

@@ -179,8 +179,10 @@ struct Bench {
   // Of the last picture.
   std::uint64_t corners(DeviceList list) {
     std::uint64_t sum = 0;
-    for (const pabd::testing::DrawnCommand& c : pabd::testing::drawn_commands(gl, bodies.batches(list)))
-      sum += std::uint64_t{c.indices} * c.instances;
+    for (const DeviceBatches* batches : {&bodies.batches(list), &bodies.revealed(list)}) {
+      for (const pabd::testing::DrawnCommand& c : pabd::testing::drawn_commands(gl, *batches))
+        sum += std::uint64_t{c.indices} * c.instances;
+    }
     return sum;
   }
   void tell_picks() {

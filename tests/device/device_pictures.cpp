@@ -26,16 +26,16 @@ Twin::Twin(const Model& model, const State& state, const VisualOptions& options,
   bare.radius = all.radius;
 }
 
-PoseBuffer::PoseBuffer(const ComputeFunctions& gl, const State& state) : buffer_(gl) {
+void PoseBuffer::set(const State& state) {
   std::vector<device::Pose> poses;
   for (std::size_t i = 0; i < state.c.size(); ++i) {
     const Vec3& c = state.c[i];
     const Quat q(state.R[i]);
     poses.push_back({{c.x(), c.y(), c.z(), 0}, {q.x(), q.y(), q.z(), q.w()}});
   }
-  gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_.id());
-  gl.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(poses.size() * sizeof(poses[0])),
-                poses.data(), GL_STATIC_DRAW);
+  gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer_.id());
+  gl_.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(poses.size() * sizeof(poses[0])),
+                 poses.data(), GL_STATIC_DRAW);
 }
 
 bool same_but_edges(GlContext& context, const CompareResult& result) {

@@ -27,10 +27,12 @@ struct Twin {
 // Poses on the GPU without a solver.
 class PoseBuffer {
  public:
-  PoseBuffer(const ComputeFunctions& gl, const State& state);
+  PoseBuffer(const ComputeFunctions& gl, const State& state) : gl_(gl), buffer_(gl) { set(state); }
+  void set(const State& state);
   unsigned id() const { return buffer_.id(); }
 
  private:
+  const ComputeFunctions& gl_;
   GlBuffer buffer_;
 };
 

@@ -19,6 +19,7 @@ static_assert(sizeof(DrawnCommand) == kCommandBytes);
 
 inline std::vector<DrawnCommand> drawn_commands(const ComputeFunctions& gl, const DeviceBatches& batches) {
   std::vector<DrawnCommand> out(batches.classes.size());
+  if (out.empty()) return out;
   gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, batches.commands);
   gl.GetBufferSubData(GL_SHADER_STORAGE_BUFFER, static_cast<GLintptr>(batches.first_command),
                       static_cast<GLsizeiptr>(out.size() * kCommandBytes), out.data());

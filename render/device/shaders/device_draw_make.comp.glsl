@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which parts of bodies are drawn in which lists and with which meshes, as render/gl/draw_list.cpp has it, without those
 // that are out of sight. A thread a body.
-//   (none)   counts each class of each list
+//   (none)   counts each class of each list, without bodies and casters that were hidden in the frame before
 //   EMIT     writes the instances, those of a class side by side, in any order
+//   REVEAL   the same of one list: those that were left out and that its depths do not hide
 // Both must find the same, whatever a compiler does to either: what decides is `precise`.
 layout(std430, binding = DRAW_COUNTS) buffer DrawCounts { uint class_count[]; };  // list · CLASSES + class; EMIT: next
 #ifdef EMIT
@@ -56,6 +57,65 @@ uvec3 classes_of(Part p, vec3 at, dvec4 q) {
   return with_sides(found, p, at, q);
 }
 
+#if defined(REVEAL) && !defined(EMIT)
+const float NOT_ROUNDING = 1e-6;  // of depths
+const float SNAP = 0.1;           // pixels: corners of triangles are moved to parts of a pixel
+const uint MOST_CELLS = 4u;       // along an axis, that are looked at
+
+// Whether the depths hide all of a part: of a cube itself, else of a cube around its ball.
+bool is_hidden(Part p, vec3 at, dvec4 q) {
+  mat3 half_ = mat3(p.at.w);
+  if (p.sides != 0u) {
+    const dmat3 R = matrix_of(q);
+    half_ = mat3(vec3(R[0] * double(p.size.x)), vec3(R[1] * double(p.size.y)), vec3(R[2] * double(p.size.z)));
+  }
+  vec2 low = vec2(1.0), high = vec2(-1.0);
+  float nearest = 1.0;
+  for (uint corner = 0u; corner < 8u; ++corner) {
+    const vec3 way = vec3(corner & 1u, corner >> 1u & 1u, corner >> 2u) * 2.0 - 1.0;
+    const vec4 x = vec4(at + half_ * way, 1.0);
+    const float w = dot(to_clip[3], x);
+    if (w <= 0.0) return false;  // beside or behind the eye
+    const vec3 place = vec3(dot(to_clip[0], x), dot(to_clip[1], x), dot(to_clip[2], x)) / w;
+    low = min(low, place.xy);
+    high = max(high, place.xy);
+    nearest = min(nearest, place.z);
+  }
+  const vec2 size = vec2(picture_size);
+  const uvec2 last = cells - 1u;
+  uvec2 from = min(uvec2(clamp((0.5 * low + 0.5) * size - SNAP, vec2(0.0), size)) / CELL, last),
+        to = min(uvec2(clamp((0.5 * high + 0.5) * size + SNAP, vec2(0.0), size)) / CELL, last);
+  uint level = 0u;
+  while (any(greaterThanEqual(to - from, uvec2(MOST_CELLS)))) {
+    from >>= 1u;
+    to >>= 1u;
+    ++level;
+  }
+  const uint first = first_of(level), row = cells_of(level).x;
+  float depth = 0.0;
+  for (uint y = from.y; y <= to.y; ++y) {
+    for (uint x = from.x; x <= to.x; ++x) depth = max(depth, greatest[first + y * row + x]);
+  }
+  return 0.5 * nearest + 0.5 > depth + NOT_ROUNDING;
+}
+#endif
+
+// The classes of those that are drawn now.
+#ifdef REVEAL
+uvec3 drawn_of(uint body, Part p, vec3 at, dvec4 q) {
+  uvec3 found = uvec3(NONE);
+  found[list] = classes_of(p, at, q)[list];
+  return found;
+}
+#else
+uvec3 drawn_of(uint body, Part p, vec3 at, dvec4 q) {
+  uvec3 found = classes_of(p, at, q);
+  if ((seen[body] & 1u) == 0u) found.x = NONE;
+  if ((seen[body] & 2u) == 0u) found.y = NONE;
+  return found;
+}
+#endif
+
 #ifdef EMIT
 // As ValueRange has it (render/visual/value_map.h), or the body's own where it has no place on the map: -infinity.
 vec3 color_by_value(uint body, vec3 own) {
@@ -87,9 +147,24 @@ void main() {
   const uint t = gl_LocalInvocationID.x, body = gl_GlobalInvocationID.x;
   for (uint k = t; k < LISTS * CLASSES; k += GROUP) here[k] = 0u;
   barrier();
-  const uint range = range_of(body), first = range >> 8u, end = first + (range & 255u);
+  const uint range = range_of(body), first = range >> 8u;
+  uint end = first + (range & 255u);
+#ifdef REVEAL
+  const uint before = 1u << list, now = 4u << list;
+  if (body < view.counts.x) {
+#ifndef EMIT
+    bool shows = false;
+    for (uint k = first; k < end && !shows; ++k) {
+      const vec3 at = place_of(parts[k], pose[body]);
+      shows = classes_of(parts[k], at, pose[body].q)[list] != NONE && !is_hidden(parts[k], at, pose[body].q);
+    }
+    seen[body] = shows ? seen[body] | now : seen[body] & ~now;
+#endif
+    if ((seen[body] & (before | now)) != now) end = first;
+  }
+#endif
   for (uint k = first; k < end; ++k) {
-    const uvec3 found = classes_of(parts[k], place_of(parts[k], pose[body]), pose[body].q);
+    const uvec3 found = drawn_of(body, parts[k], place_of(parts[k], pose[body]), pose[body].q);
     for (uint list = 0u; list < LISTS; ++list) {
       if (found[list] != NONE) atomicAdd(here[list * CLASSES + found[list]], 1u);
     }
@@ -104,7 +179,7 @@ void main() {
     const Part p = parts[k];
     const Pose q = pose[body];
     const vec3 at = place_of(p, q);
-    const uvec3 found = classes_of(p, at, q.q);
+    const uvec3 found = drawn_of(body, p, at, q.q);
     if (found == uvec3(NONE)) continue;
     const dmat3 R = matrix_of(q.q);
     const vec3 columns[3] = vec3[3](vec3(R[0] * double(p.size.x)), vec3(R[1] * double(p.size.y)),
@@ -119,5 +194,8 @@ void main() {
       if (list == 2u) WRITE(floor_casters_out)
     }
   }
+#ifdef REVEAL
+  if (body < view.counts.x) seen[body] = (seen[body] & ~before) | ((seen[body] & now) != 0u ? before : 0u);
+#endif
 #endif
 }
