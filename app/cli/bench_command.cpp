@@ -148,8 +148,11 @@ class Bench {
     using Clock = std::chrono::steady_clock;
     Session session(scene.scene, threads_);
     session.solve_with(engine);
+    session.let_bodies_stay(true);
     session.prepare();
     session.stop_when([this] { return interrupt_.requested(); });
+    double kinetic = row.kinetic;  // as the last step told it
+    bool failed = false;
     for (std::int64_t done = 0; done < scene.steps && !interrupt_.requested();) {
       const double cpu = process_cpu_ms();
       const auto start = Clock::now();
@@ -160,7 +163,9 @@ class Bench {
       row.cpu_ms.push_back(process_cpu_ms() - cpu);
       if (repetition == 0) row.statistics.add(report);
       progress.update(repetition * scene.steps + ++done, report);
-      if (report.status != StepStatus::non_finite) continue;
+      failed = report.status == StepStatus::non_finite;
+      if (!failed) kinetic = report.kinetic;
+      if (!failed) continue;
       if (!failure_) failure_ = diverged_error(scene.name, session.report());
       break;
     }
@@ -171,7 +176,7 @@ class Bench {
       throw std::logic_error(
           fmt::format("{}: repetition {} ended in another state", scene.name, repetition + 1));
     row.hash = hash;
-    row.kinetic = kinetic_energy(session.model(), session.state());
+    row.kinetic = failed ? kinetic : kinetic_energy(session.model(), session.state());
   }
 
   const BenchOptions& options_;

@@ -38,6 +38,8 @@ class Session {
   void report_contacts(bool on) { options_.report_contacts = on; }
   void report_bodies(bool on) { options_.report_bodies = on; }
   void report_joints(bool on) { options_.report_joints = on; }
+  // For who asks for no state() between complete_state() and the next: an engine then need not bring it back.
+  void let_bodies_stay(bool on) { options_.bodies_stay = on; }
 
   // Later steps ask it now and then and end when it says true (StepOptions::stop).
   void stop_when(std::function<bool()> stop) { options_.stop = std::move(stop); }

@@ -129,7 +129,7 @@ void DeviceEngine::check(const Model& model, const Params& params, const StepOpt
 }
 
 void DeviceEngine::make_ready(const Model& model, bool contacts, const State& state) {
-  const bool known = left_.is(state);
+  const bool known = knows(state);
   if (solver_ != nullptr && model_ == &model && (contacts_ || !contacts)) {
     if (!known) solver_->set_state(state);
   } else {
@@ -146,7 +146,7 @@ void DeviceEngine::make_ready(const Model& model, bool contacts, const State& st
     model_ = &model;
     contacts_ = contacts;
   }
-  left_.set(state);
+  if (!left_.is(state)) left_.set(state);
 }
 
 void DeviceEngine::prepare(const Model& model, const Params& params, const StepOptions& options,
@@ -167,15 +167,25 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
   Stopwatch watch;
   make_ready(model, options.report_contacts, state);
   const double before = watch.lap();
-  left_.step = kNone;  // until the state is whole again
+  left_.step = whole_.step = kNone;  // until the state is whole again
   const StepSummary& summary = solver_->step(params);
   const double solving = watch.lap();
   if (summary.status == StepStatus::non_finite) {
     report = failed(summary);
     return;
   }
-  solver_->read_state(state, false);
-  left_.set(state);
+  if (options.bodies_stay) {
+    state.step = summary.step;
+    state.time = summary.time;
+    state.contacts.clear();
+    state.joint_force.clear();
+    left_.step = state.step;  // where bodies are it knows: as before
+    left_.time = state.time;
+  } else {
+    solver_->read_state(state, false);
+    left_.set(state);
+  }
+  stayed_ = options.bodies_stay;
   report = {};
   static_cast<StepSummary&>(report) = summary;
   if (options.report_contacts) solver_->read_contacts(report.contact_reports);
@@ -183,9 +193,10 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
 }
 
 void DeviceEngine::complete(State& state) {
-  if (solver_ == nullptr || !left_.is(state)) return;
+  if (solver_ == nullptr || !knows(state)) return;
   const CurrentContext current(*context_);
   solver_->read_state(state);
+  if (stayed_) whole_.set(state);
 }
 
 }  // namespace pabd

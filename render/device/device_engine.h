@@ -57,6 +57,7 @@ class DeviceEngine : public StepEngine {
   };
 
   void check(const Model& model, const Params& params, const StepOptions& options);
+  bool knows(const State& state) const { return left_.is(state) || whole_.is(state); }
   void make_ready(const Model& model, bool contacts, const State& state);
 
   std::unique_ptr<GlContext> context_;  // current only while this works
@@ -66,7 +67,9 @@ class DeviceEngine : public StepEngine {
   bool contacts_ = false;         // it tells of them
   const Model* checked_ = nullptr;
   Params checked_params_;
-  Left left_;
+  Left left_;            // by step()
+  Left whole_;           // by complete(), where step() had left bodies out
+  bool stayed_ = false;  // it had
 };
 
 }  // namespace pabd

@@ -3,6 +3,7 @@
 #include "render/device/device_state.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <tuple>
 
@@ -40,6 +41,18 @@ std::vector<Item> read_items(const Buffers& buffers, Slot slot, std::size_t coun
   return items;
 }
 
+// The same a block at a time, which stays in the cache: visit(first, items).
+template <class Item, class Visit>
+void visit_items(const Buffers& buffers, Slot slot, std::size_t count, const Visit& visit) {
+  constexpr std::size_t kBlock = (std::size_t{4} << 20) / sizeof(Item);
+  std::vector<Item> items(std::min(count, kBlock));
+  for (std::size_t first = 0; first < count; first += kBlock) {
+    const std::span<Item> block = std::span(items).first(std::min(kBlock, count - first));
+    buffers.read(slot, first * sizeof(Item), std::as_writable_bytes(block));
+    visit(first, std::span<const Item>(block));
+  }
+}
+
 template <class Item>
 void write_items(Buffers& buffers, Slot slot, const std::vector<Item>& items) {
   if (buffers.bytes(slot) < items.size() * sizeof(Item)) buffers.make(slot, items.size() * sizeof(Item));
@@ -71,23 +84,24 @@ void write_poses(const State& state, Precision precision, Buffers& buffers) {
 }
 
 void read_poses(Precision precision, const Buffers& buffers, std::uint32_t bodies, State& out) {
-  const auto poses = read_items<device::Pose>(buffers, Slot::poses, bodies);
   out.c.resize(bodies);
   out.R.resize(bodies);
   out.v.resize(bodies);
   out.omega.resize(bodies);
-  for (std::size_t i = 0; i < bodies; ++i) {
-    const auto& [c, q] = poses[i];
-    out.c[i] = {c[0], c[1], c[2]};
-    out.R[i] = Quat(q[3], q[0], q[1], q[2]).toRotationMatrix();
-  }
-  with_real(precision, [&](auto real) {
-    const auto motion = read_items<Vec4r<decltype(real)>>(buffers, Slot::motions, 2 * std::size_t{bodies});
-    for (std::size_t i = 0; i < bodies; ++i) {
-      const auto &v = motion[2 * i], &w = motion[2 * i + 1];
-      out.v[i] = Vec3(v.x, v.y, v.z);
-      out.omega[i] = Vec3(w.x, w.y, w.z);
+  visit_items<device::Pose>(buffers, Slot::poses, bodies, [&](std::size_t i, auto poses) {
+    for (const auto& [c, q] : poses) {
+      out.c[i] = {c[0], c[1], c[2]};
+      out.R[i++] = Quat(q[3], q[0], q[1], q[2]).toRotationMatrix();
     }
+  });
+  with_real(precision, [&](auto real) {
+    using Motion = std::array<Vec4r<decltype(real)>, 2>;
+    visit_items<Motion>(buffers, Slot::motions, bodies, [&](std::size_t i, auto motions) {
+      for (const auto& [v, w] : motions) {
+        out.v[i] = Vec3(v.x, v.y, v.z);
+        out.omega[i++] = Vec3(w.x, w.y, w.z);
+      }
+    });
   });
 }
 

@@ -21,7 +21,7 @@ Params of_whole(const Model& model, const Params& params) {
 
 // Of joints the processor tells.
 StepOptions of_device(StepOptions options) {
-  options.report_joints = false;
+  options.report_joints = options.bodies_stay = false;
   return options;
 }
 

@@ -21,7 +21,8 @@ class StepEngine {
                        const State& state) = 0;
 
   // As step() of time_step.h, with its preconditions. It may leave the memory of contacts out of `state`, as long as
-  // it has it itself for the next step: complete().
+  // it has it itself for the next step: complete(). Of options.bodies_stay it may leave out where bodies are and how they
+  // move as well, which are then those of a step before; a step that fails leaves them so.
   // Throws Error(bad_input), with the remedy, where it does not take the model, the parameters or what is asked of
   // the report, and Error(no_context) when the device is lost; the state is then as it was.
   virtual void step(const Model& model, const Params& params, const StepOptions& options, State& state,

@@ -31,6 +31,7 @@ struct StepOptions {
   std::vector<Pull> pulls = {};    // finite
   bool report_bodies = false;      // fill StepReport::body_reports (one pass over bodies and contacts)
   bool report_joints = false;      // fill StepReport::joint_reports (one pass over the joints)
+  bool bodies_stay = false;        // an engine need not say where bodies are: StepEngine::step
   // Asked between pieces of work, in a slow step many times and from any thread: true ends the step at once,
   // as StepStatus::interrupted.
   std::function<bool()> stop = {};

@@ -73,6 +73,38 @@ TEST_CASE("the engine's steps are those of the processor") {
   CHECK(kinetic_energy(tiny.model, gpu) == Approx(reports.back().kinetic).epsilon(1e-4));
 }
 
+TEST_CASE("bodies that stay on the GPU are the same ones once they are asked for, and so is what follows") {
+  const TinyModel tiny = balls();
+  const auto engine = shared_engine();
+  State told = tiny.state, kept = tiny.state;
+  const std::vector<StepReport> expected = advance(*engine, tiny.model, 20, told);
+  engine->complete(told);
+  StepOptions stay;
+  stay.bodies_stay = true;
+  StepReport report;
+  for (int k = 0; k < 10; ++k) engine->step(tiny.model, fine(), stay, kept, report);
+  CHECK(kept.step == 10);
+  CHECK(kept.c[2] == tiny.state.c[2]);
+  const bool copied = GENERATE(false, true);  // whoever asks has a copy, or the state itself
+  State copy = kept;
+  engine->complete(copied ? copy : kept);
+  CHECK((copied ? copy : kept).c[2] != tiny.state.c[2]);
+  for (int k = 10; k < 20; ++k) {
+    engine->step(tiny.model, fine(), stay, kept, report);
+    CHECK(report.kinetic == expected[static_cast<std::size_t>(k)].kinetic);
+  }
+  engine->complete(kept);
+  CHECK(kept.step == told.step);
+  CHECK(kept.time == told.time);
+  for (std::size_t i = 0; i < told.c.size(); ++i) {
+    CHECK(kept.c[i] == told.c[i]);
+    CHECK(kept.R[i] == told.R[i]);
+    CHECK(kept.v[i] == told.v[i]);
+    CHECK(kept.omega[i] == told.omega[i]);
+  }
+  CHECK(kept.contacts.size() == told.contacts.size());
+}
+
 TEST_CASE("a state that is not the one it left is taken over: the same start gives the same bits") {
   const TinyModel tiny = balls();
   const auto engine = shared_engine();
