@@ -55,7 +55,7 @@ const StepReport& Session::step() {
 }
 
 void Session::take(std::shared_ptr<const Model> model) {
-  if (engine_ && model != model_) engine_->forget();
+  if (engine_ && (model != model_ || options_.bodies_stay)) engine_->forget();
   model_ = std::move(model);
 }
 

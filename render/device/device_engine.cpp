@@ -128,14 +128,17 @@ void DeviceEngine::check(const Model& model, const Params& params, const StepOpt
   checked_params_ = params;
 }
 
-void DeviceEngine::make_ready(const Model& model, bool contacts, const State& state) {
-  const bool known = knows(state);
+void DeviceEngine::make_ready(const Model& model, const StepOptions& options, const State& state) {
+  const bool stays = stayed_ && options.bodies_stay && left_.step == state.step && left_.time == state.time &&
+                     left_.c.size() == state.c.size();
+  const bool left = stays || left_.is(state), known = left || whole_.is(state);
+  const bool contacts = options.report_contacts;
   if (solver_ != nullptr && model_ == &model && (contacts_ || !contacts)) {
     if (!known) solver_->set_state(state);
   } else {
     State whole = state;
     if (solver_ != nullptr && known && model_ == &model) solver_->read_state(whole);
-    left_.step = kNone;
+    left_.step = whole_.step = kNone;
     solver_.reset();
     solver_ = std::make_unique<DeviceSolver>(*context_, model, whole,
                                              DeviceOptions{.precision = DevicePrecision::single,
@@ -146,14 +149,14 @@ void DeviceEngine::make_ready(const Model& model, bool contacts, const State& st
     model_ = &model;
     contacts_ = contacts;
   }
-  if (!left_.is(state)) left_.set(state);
+  if (!left || left_.step == kNone) left_.set(state);
 }
 
 void DeviceEngine::prepare(const Model& model, const Params& params, const StepOptions& options,
                            const State& state) {
   check(model, params, options);
   const CurrentContext current(*context_);
-  make_ready(model, options.report_contacts, state);
+  make_ready(model, options, state);
 }
 
 void DeviceEngine::step(const Model& model, const Params& params, const StepOptions& options, State& state,
@@ -165,7 +168,7 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
   }
   const CurrentContext current(*context_);
   Stopwatch watch;
-  make_ready(model, options.report_contacts, state);
+  make_ready(model, options, state);
   const double before = watch.lap();
   left_.step = whole_.step = kNone;  // until the state is whole again
   const StepSummary& summary = solver_->step(params);
