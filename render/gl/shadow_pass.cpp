@@ -69,7 +69,7 @@ void ShadowPass::allocate(int texels) {
   texels_ = texels;
 }
 
-void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int texels, bool with_range,
+void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int texels, ShadowRange range,
                       DeviceInstances* device) {
   allocate(texels);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
@@ -89,15 +89,17 @@ void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int te
     program_.use();
     drawer.draw(list, {0, 0, &device->revealed(DeviceList::casters)});
   }
-  if (!with_range) return;
+  if (range == ShadowRange::none) return;
 
   gl_.BindFramebuffer(GL_FRAMEBUFFER, near_framebuffer_.id());
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
-  gl_.CullFace(GL_FRONT);
-  drawer.draw(list, list.near_casters, is_flat_sided);
-  if (device != nullptr)
-    drawer.draw(list, {0, 0, &device->revealed(DeviceList::near_casters)}, is_flat_sided);
-  gl_.CullFace(GL_BACK);
+  if (range == ShadowRange::both_sides) {
+    gl_.CullFace(GL_FRONT);
+    drawer.draw(list, list.near_casters, is_flat_sided);
+    if (device != nullptr)
+      drawer.draw(list, {0, 0, &device->revealed(DeviceList::near_casters)}, is_flat_sided);
+    gl_.CullFace(GL_BACK);
+  }
 
   gl_.BindFramebuffer(GL_FRAMEBUFFER, range_framebuffer_.id());
   gl_.Viewport(0, 0, texels / kRangeCell, texels / kRangeCell);

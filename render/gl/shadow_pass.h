@@ -8,13 +8,19 @@
 
 namespace pabd {
 
+// What kernels of more than two texels may know before they read them. The picture is the same with both.
+enum class ShadowRange {
+  none,
+  far_sides,   // of casters
+  both_sides,  // tells more, where bodies are flat; they are drawn once more for it
+};
+
 class ShadowPass {
  public:
   explicit ShadowPass(const GlFunctions& gl);
 
-  // Draws the casters into a map of texels². `with_range`: for kernels of more than two texels. `device`: who made those of
-  // the list that are on the GPU, or null.
-  void draw(const DrawList& list, const InstanceDrawer& drawer, int texels, bool with_range,
+  // Draws the casters into a map of texels². `device`: who made those of the list that are on the GPU, or null.
+  void draw(const DrawList& list, const InstanceDrawer& drawer, int texels, ShadowRange range,
             DeviceInstances* device);
   // Makes map and range the textures of units 0 and 3, where lit programs read them.
   void bind_maps() const;
