@@ -119,3 +119,19 @@ TEST_CASE("a run that can be wound back has no engine, one without a past may") 
   CHECK(run.state().contacts.size() == 1);
   CHECK_NOTHROW(run.fork());
 }
+
+TEST_CASE("an engine that keeps bodies to itself is told of states that did not come from it") {
+  const auto scene = thrown_balls(SolverDevice::cpu);
+  const auto drift = std::make_shared<Drift>();
+  Session session(scene);
+  session.solve_with(drift);
+  session.step();
+  session.reset();
+  CHECK(drift->forgotten == 0);  // it looks at the state itself
+  session.let_bodies_stay(true);
+  session.step();
+  session.reset();
+  CHECK(drift->forgotten == 1);
+  session.set_state(session.whole_state());
+  CHECK(drift->forgotten == 2);
+}
