@@ -130,7 +130,7 @@ void DeviceEngine::check(const Model& model, const Params& params, const StepOpt
 
 void DeviceEngine::make_ready(const Model& model, const StepOptions& options, const State& state) {
   const bool stays = stayed_ && options.bodies_stay && left_.step == state.step && left_.time == state.time &&
-                     left_.c.size() == state.c.size();
+                     left_.c.size() == state.c.size() && whole_.step == kNone;  // nobody asked for them
   const bool left = stays || left_.is(state), known = left || whole_.is(state);
   const bool contacts = options.report_contacts;
   if (solver_ != nullptr && model_ == &model && (contacts_ || !contacts)) {
