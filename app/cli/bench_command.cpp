@@ -151,7 +151,8 @@ class Bench {
     session.let_bodies_stay(true);
     session.prepare();
     session.stop_when([this] { return interrupt_.requested(); });
-    double kinetic = row.kinetic;  // as the last step told it
+    double kinetic =
+        row.kinetic;  // as the last step told it: where the next one fails the state may be an older one
     bool failed = false;
     for (std::int64_t done = 0; done < scene.steps && !interrupt_.requested();) {
       const double cpu = process_cpu_ms();
@@ -163,9 +164,11 @@ class Bench {
       row.cpu_ms.push_back(process_cpu_ms() - cpu);
       if (repetition == 0) row.statistics.add(report);
       progress.update(repetition * scene.steps + ++done, report);
-      failed = report.status == StepStatus::non_finite;
-      if (!failed) kinetic = report.kinetic;
-      if (!failed) continue;
+      if (report.status != StepStatus::non_finite) {
+        kinetic = report.kinetic;
+        continue;
+      }
+      failed = true;
       if (!failure_) failure_ = diverged_error(scene.name, session.report());
       break;
     }

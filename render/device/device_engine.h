@@ -35,7 +35,8 @@ class DeviceEngine : public StepEngine {
   // prepare(), step() and complete() leave no context current in their thread. The solver is compiled for the model
   // that comes first, and anew where contacts are to be told of that were not before. step() leaves the memory of
   // contacts on the GPU. A state that is not the one that it left is taken over whole; it is known by its step, its
-  // time, and where bodies are and how they move; where they stayed (StepOptions::bodies_stay), by step and time. Phases are times of the GPU.
+  // time, and where bodies are and how they move; where they stayed (StepOptions::bodies_stay), by step and time.
+  // Phases are times of the GPU.
   void prepare(const Model& model, const Params& params, const StepOptions& options,
                const State& state) override;
   void step(const Model& model, const Params& params, const StepOptions& options, State& state,

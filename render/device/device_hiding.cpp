@@ -13,7 +13,6 @@
 namespace pabd::device {
 namespace {
 
-constexpr unsigned kCell = 2;   // pixels of a side, as in shaders/device_draw_depths.glsl
 constexpr unsigned kUnit = 5;   // of textures: nobody else's
 constexpr unsigned kLists = 2;  // whose bodies hide each other: bodies, casters
 
@@ -62,7 +61,7 @@ void DeviceHiding::find_depths(DeviceList list, const DepthPicture& depth, const
   const unsigned size[2] = {static_cast<unsigned>(depth.width), static_cast<unsigned>(depth.height)};
   for (int axis = 0; axis < 2; ++axis) {
     head.picture_size[axis] = size[axis];
-    head.cells[axis] = (size[axis] + kCell - 1) / kCell;
+    head.cells[axis] = (size[axis] + kDepthCell - 1) / kDepthCell;
   }
   head.list = static_cast<std::uint32_t>(list);
   const auto cells_of = [&](unsigned level) {

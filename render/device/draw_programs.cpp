@@ -26,8 +26,9 @@ ComputeProgram compile_draw_program(const ComputeFunctions& gl, const char* name
       {"VALUES", DrawSlot::values},     {"VALUE_COLORS", DrawSlot::value_colors},
       {"LARGEST", DrawSlot::largest},   {"DEPTHS", DrawSlot::depths},
       {"SEEN", DrawSlot::seen}};
-  std::string words = fmt::format("#define GROUP {}u\n#define CLASSES {}u\n#define VALUE_COLORS {}u\n",
-                                  kDrawThreads, std::max<std::size_t>(1, classes), kValueColors);
+  std::string words =
+      fmt::format("#define GROUP {}u\n#define CLASSES {}u\n#define VALUE_COLORS {}u\n#define CELL {}u\n",
+                  kDrawThreads, std::max<std::size_t>(1, classes), kValueColors, kDepthCell);
   for (const auto& [word, slot] : kBindings)
     words += fmt::format("#define DRAW_{} {}\n", word, static_cast<unsigned>(slot));
   std::vector<ShaderPart> all = {shaders::device_draw_view, shaders::device_draw_pose,

@@ -10,6 +10,7 @@
 namespace pabd::device {
 
 inline constexpr unsigned kDrawThreads = 256;  // of a work group
+inline constexpr unsigned kDepthCell = 2;      // pixels of a side (shaders/device_draw_depths.glsl)
 
 // `classes`: meshes that are drawn by a command each. `defines`: more of them, whole lines. `parts`: what comes after the
 // layout of view, poses and parts of bodies. Throws Error(no_context).

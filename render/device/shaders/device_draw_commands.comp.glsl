@@ -13,7 +13,7 @@ layout(std430, binding = DRAW_COMMANDS) writeonly buffer DrawCommands { Command 
 
 void main() {
 #ifdef REVEAL
-  const uint which = list, to = LISTS + 1u + which, opposite = LISTS + 3u;
+  const uint which = drawn_list, to = LISTS + 1u + which, opposite = LISTS + 3u;
   if (gl_LocalInvocationID.x != 0u) return;
   uint first = drawn[which];
 #else

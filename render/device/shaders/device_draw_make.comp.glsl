@@ -104,7 +104,7 @@ bool is_hidden(Part p, vec3 at, dvec4 q) {
 #ifdef REVEAL
 uvec3 drawn_of(uint body, Part p, vec3 at, dvec4 q) {
   uvec3 found = uvec3(NONE);
-  found[list] = classes_of(p, at, q)[list];
+  found[drawn_list] = classes_of(p, at, q)[drawn_list];
   return found;
 }
 #else
@@ -150,13 +150,13 @@ void main() {
   const uint range = range_of(body), first = range >> 8u;
   uint end = first + (range & 255u);
 #ifdef REVEAL
-  const uint before = 1u << list, now = 4u << list;
+  const uint before = 1u << drawn_list, now = 4u << drawn_list;
   if (body < view.counts.x) {
 #ifndef EMIT
     bool shows = false;
     for (uint k = first; k < end && !shows; ++k) {
       const vec3 at = place_of(parts[k], pose[body]);
-      shows = classes_of(parts[k], at, pose[body].q)[list] != NONE && !is_hidden(parts[k], at, pose[body].q);
+      shows = classes_of(parts[k], at, pose[body].q)[drawn_list] != NONE && !is_hidden(parts[k], at, pose[body].q);
     }
     seen[body] = shows ? seen[body] | now : seen[body] & ~now;
 #endif
