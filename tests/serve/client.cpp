@@ -205,6 +205,21 @@ RunningServer::RunningServer(const std::function<void(ServerOptions&, LobbyOptio
 
 RunningServer::~RunningServer() { stop(); }
 
+nlohmann::json RunningServer::state_when(const std::function<bool(const nlohmann::json&)>& wanted) const {
+  nlohmann::json now;
+  comes([&] { return wanted(now = state()); });
+  return now;
+}
+
+bool comes(const std::function<bool()>& holds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return true;
+}
+
 void RunningServer::stop() {
   leave_ = true;
   if (thread_.joinable()) thread_.join();

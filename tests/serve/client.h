@@ -15,6 +15,9 @@
 
 namespace pabd {
 
+// Whether it comes to hold within a minute: what has no message of its own is asked again and again.
+bool comes(const std::function<bool()>& holds);
+
 // A TCP connection to 127.0.0.1; nothing waits for longer than ten seconds.
 class Socket {
  public:
@@ -83,6 +86,9 @@ class RunningServer {
   const std::string& watch() const { return options_.tokens.watch.hex(); }
   const TempFolder& root() const { return root_; }
   HttpAnswer get(const std::string& target) const { return http(port(), "GET", target, bearer(control())); }
+  nlohmann::json state() const { return nlohmann::json::parse(get("/state").body); }
+  // The first state that is as wanted; after a minute, the one there is.
+  nlohmann::json state_when(const std::function<bool(const nlohmann::json&)>& wanted) const;
   HttpAnswer act(const nlohmann::json& actions) const {
     return http(port(), "POST", "/actions", bearer(control()), actions.dump());
   }

@@ -53,7 +53,7 @@ TEST_CASE("a script is carried out, and says where it went wrong") {
       server.act(Json::parse(R"([{"do":"step","steps":5},{"do":"print","at":"/a/step"}])"));
   CHECK(done.status == 200);
   CHECK(Json::parse(done.body) == Json::parse(R"({"done":2,"printed":["/a/step 5"]})"));
-  const Json state = Json::parse(server.get("/state").body);
+  const Json state = server.state();
   CHECK(state["a"]["step"] == 5);
 
   const HttpAnswer wrong =
@@ -64,7 +64,7 @@ TEST_CASE("a script is carried out, and says where it went wrong") {
   const HttpAnswer unknown = server.act(Json::parse(R"([{"do":"step"},{"do":"step"},{"do":"jump"}])"));
   CHECK(unknown.status == 422);
   CHECK(Json::parse(unknown.body)["action"] == 2);
-  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 6);  // nothing of the last one
+  CHECK(server.state()["a"]["step"] == 6);  // nothing of the last one
   for (const std::string& broken : {std::string("no JSON"), std::string(100000, '['), std::string("{}")}) {
     const HttpAnswer answer = http(server.port(), "POST", "/actions", bearer(server.control()), broken);
     CHECK(answer.status == 422);
@@ -90,7 +90,7 @@ TEST_CASE("a picture of another size is none that the controller's hand is in") 
     lobby.desk.width = 1280;
     lobby.desk.height = 720;
   });
-  const auto kappa = [&] { return Json::parse(server.get("/state").body)["a"]["kappa"].get<double>(); };
+  const auto kappa = [&] { return server.state()["a"]["kappa"].get<double>(); };
   // The handle of κ, dragged a little: held, it would be elsewhere in a window of another size.
   CHECK(server.act(Json::parse(R"([{"do":"step","steps":60}])")).status == 200);
   const double before = kappa();
@@ -117,7 +117,7 @@ TEST_CASE("a script has no window that a page could not have") {
   CHECK(Json::parse(large.body)["error"].get<std::string>().find("a served window") != std::string::npos);
   CHECK(server.act(Json::parse(R"([{"do":"window","size":[8192,8192],"may_fail":true},{"do":"step"}])"))
             .status == 200);
-  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 1);
+  CHECK(server.state()["a"]["step"] == 1);
 }
 
 TEST_CASE("events are lines, one a change, until somebody closes") {
@@ -169,7 +169,7 @@ TEST_CASE("files go up and down, and into scenes") {
             .act(Json::parse(R"([{"do":"load","scene":"mine.json"},{"do":"save_patch","path":"p.json"},
                                    {"do":"frame","path":"f.png"},{"do":"screenshot","path":"s.png"}])"))
             .status == 200);
-  CHECK(Json::parse(server.get("/state").body)["scene"]["name"] == "stack");
+  CHECK(server.state()["scene"]["name"] == "stack");
   for (const char* name : {"p.json", "f.png", "s.png"}) CHECK(fs::exists(server.root() / name));
 }
 

@@ -35,7 +35,7 @@ TEST_CASE("a page gets a frame, its input changes the simulation, and its stamp 
   page.say({{"t", "key"}, {"key", "space"}, {"down", false}, {"mods", 0}, {"repeat", false}, {"s", 3}});
   page.until([](const Message& m) { return is_frame(m) && m.head().stamp == 3; });
   for (int i = 0; i < 10; ++i) page.until(is_frame);
-  const Json state = Json::parse(server.get("/state").body);
+  const Json state = server.state_when([](const Json& now) { return now["a"]["step"] > 0; });
   CHECK(state["playing"] == true);
   CHECK(state["a"]["step"] > 0);
   page.say({{"t", "size"}, {"size", {800, 500}}, {"scale", 1}});
@@ -61,7 +61,7 @@ TEST_CASE("one controls, others watch; control is asked for, handed over, and lo
     page->say({{"t", "ping"}, {"at", 5}});
     CHECK(page->until_text("pong")["at"] == 5);
   }
-  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 0);
+  CHECK(server.state()["a"]["step"] == 0);
   Json role;
   do role = first.until_text("role");
   while (role["asks"] != true);
@@ -70,7 +70,7 @@ TEST_CASE("one controls, others watch; control is asked for, handed over, and lo
   while (role["role"] != "control");
   second.say({{"t", "script"}, {"actions", Json::parse(R"([{"do":"step","steps":7}])")}});
   second.until([](const Message& m) { return is_frame(m) && m.head().width == 700; });
-  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 7);
+  CHECK(server.state_when([](const Json& now) { return now["a"]["step"] == 7; })["a"]["step"] == 7);
 }
 
 TEST_CASE("a page that comes back finds its role and the same state; the same page twice is one") {
@@ -85,7 +85,7 @@ TEST_CASE("a page that comes back finds its role and the same state; the same pa
   page.say(WebSocketPage::hello(server.control()));
   CHECK(page.until_text("welcome")["role"] == "control");
   page.until(is_frame);
-  CHECK(Json::parse(server.get("/state").body)["a"]["step"] == 4);
+  CHECK(server.state()["a"]["step"] == 4);
   WebSocketPage again(server.port());
   again.say(WebSocketPage::hello(server.control()));
   CHECK(again.until_text("welcome")["role"] == "control");
@@ -98,27 +98,23 @@ TEST_CASE("without visitors the simulation goes on, or waits as it was asked to"
       lobby.desk.pause_when_alone = pauses;
       lobby.desk.play = true;
     });
-    const auto step = [&] { return Json::parse(server.get("/state").body)["a"]["step"].get<int>(); };
     {
       WebSocketPage page(server.port());
       page.say(WebSocketPage::hello(server.control()));
       for (int i = 0; i < 5; ++i) page.until(is_frame);
     }
-    const auto playing = [&] { return Json::parse(server.get("/state").body)["playing"].get<bool>(); };
-    for (int i = 0; i < 100 && playing() == pauses; ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    CHECK(playing() == !pauses);
-    const int then = step();
-    for (int i = 0; i < 200 && step() == then; ++i) {
-      if (pauses && i == 20) break;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    CHECK((step() > then) == !pauses);
+    CHECK(server.state_when([&](const Json& now) { return now["playing"] == !pauses; })["playing"] ==
+          !pauses);
+    const auto rest = std::chrono::milliseconds(pauses ? 200 : 0);  // a step may have been under way
+    std::this_thread::sleep_for(rest);
+    const int then = server.state()["a"]["step"];
+    const auto went_on = [&](const Json& now) { return now["a"]["step"] > then; };
+    std::this_thread::sleep_for(rest);
+    CHECK(went_on(pauses ? server.state() : server.state_when(went_on)) == !pauses);
     WebSocketPage page(server.port());
     page.say(WebSocketPage::hello(server.control()));
     page.until_text("welcome");
-    for (int i = 0; i < 200 && !playing(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    CHECK(playing());
+    CHECK(server.state_when([](const Json& now) { return now["playing"] == true; })["playing"] == true);
   }
 }
 
@@ -151,9 +147,7 @@ TEST_CASE("with sessions, each visitor has a simulation and files of its own; id
     CHECK(Json::parse(files.body)["files"].empty());
     CHECK(server.get("/state").status == 404);
   }
-  for (int i = 0; i < 100 && !state("000000000000000a").is_null(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  CHECK(state("000000000000000a").is_null());
+  CHECK(comes([&] { return state("000000000000000a").is_null(); }));
   WebSocketPage later(server.port());
   later.say(WebSocketPage::hello(server.control(), "000000000000000d"));
   CHECK(later.until_text("welcome")["role"] == "control");
@@ -198,8 +192,7 @@ TEST_CASE(
     CAPTURE(heard);
     CHECK(("\r\n" + heard).ends_with("\r\n0\r\n\r\n"));  // the last chunk
     const auto folder = server.root() / ("session-" + id);
-    for (int i = 0; !keeps && i < 100 && std::filesystem::exists(folder); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    CHECK((keeps || comes([&] { return !std::filesystem::exists(folder); })));
     CHECK(std::filesystem::exists(folder / "a.json") == keeps);
   }
 }
