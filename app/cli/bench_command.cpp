@@ -151,8 +151,8 @@ class Bench {
     session.let_bodies_stay(true);
     session.prepare();
     session.stop_when([this] { return interrupt_.requested(); });
-    double kinetic =
-        row.kinetic;  // as the last step told it: where the next one fails the state may be an older one
+    // As the last step told it: where the next one fails the state may be an older one.
+    double kinetic = row.kinetic;
     bool failed = false;
     for (std::int64_t done = 0; done < scene.steps && !interrupt_.requested();) {
       const double cpu = process_cpu_ms();

@@ -21,6 +21,15 @@ std::string shipped(const std::string& name) { return std::string(PABD_SCENES) +
 
 }  // namespace
 
+bool comes(const std::function<bool()>& holds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return true;
+}
+
 Socket::Socket(int port, int receive_buffer) : fd_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   const timeval limit{kPatience, 0};
   ::setsockopt(fd_.get(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
@@ -209,15 +218,6 @@ nlohmann::json RunningServer::state_when(const std::function<bool(const nlohmann
   nlohmann::json now;
   comes([&] { return wanted(now = state()); });
   return now;
-}
-
-bool comes(const std::function<bool()>& holds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return true;
 }
 
 void RunningServer::stop() {
