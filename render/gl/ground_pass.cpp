@@ -3,10 +3,12 @@
 //
 //   R        radius of the scene                                  m
 //   s        spacing of the fine grid, 10^⌊log₁₀(R/2.5)⌋          m; the coarse one is 10 s
+//   p        part of the way to the next s, log₁₀(R/2.5 s)        0…1
 //   r        distance from the point below the scene's centre     m
 //
-// The fine grid fades out as R grows towards the next power of ten, so that nothing jumps while a scene
-// spreads. The floor ends in the background colour at r = 9 R, its lines earlier.
+// As p grows the fine grid fades out, then the coarse one becomes what the fine one is at p = 0, and a
+// grid of 100 s comes: nothing jumps while a scene spreads, and radii nearly equal give floors nearly
+// equal. The floor ends in the background colour at r = 9 R, its lines earlier.
 #include "render/gl/ground_pass.h"
 
 #include <Eigen/Geometry>
@@ -23,6 +25,12 @@ namespace pabd {
 namespace {
 
 constexpr float kExtent = 9.0f;  // half width of the quad, in R
+
+// GLSL's smoothstep.
+float smooth_step(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
 
 }  // namespace
 
@@ -84,8 +92,8 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
   const float decade = std::log10(radius / 2.5f);
   const float spacing = std::pow(10.0f, std::floor(decade));
   const float part = decade - std::floor(decade);
-  const float t = std::clamp((part - 0.45f) / 0.5f, 0.0f, 1.0f);
-  const float fine_weight = 1 - t * t * (3 - 2 * t);
+  const float fine_weight = 1 - smooth_step(0.45f, 0.95f, part);
+  const float turning = smooth_step(0.75f, 1.0f, part);
 
   const auto at = [&](float a, float b) -> Vec3f { return below + a * axis_u + b * axis_v; };
   const auto corners = [&](const Eigen::AlignedBox2f& box) {
@@ -123,7 +131,7 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
     gl_.Uniform4f(p.normal, n.x(), n.y(), n.z(), ground.offset);
     gl_.Uniform4f(p.axis_u, axis_u.x(), axis_u.y(), axis_u.z(), axis_u.dot(below));
     gl_.Uniform4f(p.axis_v, axis_v.x(), axis_v.y(), axis_v.z(), axis_v.dot(below));
-    gl_.Uniform4f(p.grid, spacing, fine_weight, &ground == &scene.grounds.front() ? 1.0f : 0.0f, 0);
+    gl_.Uniform4f(p.grid, spacing, fine_weight, turning, &ground == &scene.grounds.front() ? 1.0f : 0.0f);
   };
 
   std::vector<Vec3f> triangles;

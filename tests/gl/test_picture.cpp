@@ -240,6 +240,34 @@ TEST_CASE("lines are as wide as they say, scale with the frame, and hide unless 
   CHECK_NOTHROW(render(f.renderer, scene));
 }
 
+TEST_CASE("radii nearly equal give floors nearly equal, at every size") {
+  RenderFixture f(240, 160);
+  VisualScene scene;
+  scene.grounds.push_back({{0, 1, 0}, 0});
+  scene.camera.target = {0, 0, 0};
+  for (float radius = 0.2f; radius < 30; radius *= 1.07f) {
+    // The middle of a pair is at each end of a decade once: 2.5 · 10ᵏ m.
+    const float decade = 0.25f * std::pow(10.0f, std::round(std::log10(radius / 0.25f)));
+    const float middle = std::abs(radius / decade - 1) < 0.035f ? decade : radius;
+    scene.camera.eye = {1.5f * middle, 2 * middle, 2.5f * middle};
+    scene.radius = 0.9995f * middle;
+    const Image smaller = render(f.renderer, scene);
+    scene.radius = 1.0005f * middle;
+    const Image larger = render(f.renderer, scene);
+    int worst = 0, dark = 255, light = 0;
+    for (std::size_t i = 0; i < smaller.rgb.size(); ++i) {
+      worst = std::max(worst, std::abs(smaller.rgb[i] - larger.rgb[i]));
+      if (i < smaller.rgb.size() / 2) continue;  // below: the floor alone
+      dark = std::min<int>(dark, smaller.rgb[i]);
+      light = std::max<int>(light, smaller.rgb[i]);
+    }
+    CAPTURE(middle);
+    CHECK(worst <= 2);
+    CHECK(light - dark > 5);  // there is a grid to be seen
+    if (middle == decade) keep_image("floor " + std::to_string(middle), smaller);
+  }
+}
+
 TEST_CASE("scenes that make no sense are drawn as far as they do") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   RenderFixture f(40, 30);

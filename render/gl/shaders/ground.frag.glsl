@@ -3,6 +3,7 @@
 in vec2 at;           // in spacings of the fine grid
 in vec2 from_centre;  // in radii of the scene
 flat in float fine_weight;
+flat in float turning;  // how much the coarse grid turns into the next fine one
 flat in vec3 far_bottom;  // what is behind everything: at the lower border of the picture, and how it changes to the upper one
 flat in vec3 far_change;
 flat in float picture_height;
@@ -32,9 +33,12 @@ void main() {
   vec2 pixel = max(fwidth(at), vec2(1e-9)), pixels = 1.0 / pixel;
 
   float near = 1.0 - smoothstep(1.0, 5.5, r);
-  float fine = lines(at, pixel, pixels, 0.018) * fine_weight;
-  float coarse = lines(0.1 * at, 0.1 * pixel, 10.0 * pixels, 0.003);
-  float line = max(0.30 * fine, 0.42 * coarse) * near;
+  const float kFine = 0.30, kCoarse = 0.42;              // how dark they are
+  const float kFineWidth = 0.018, kCoarseWidth = 0.003;  // in spacings of their own
+  float line = kFine * fine_weight * lines(at, pixel, pixels, kFineWidth);
+  line = max(line, mix(kCoarse, kFine, turning) * lines(0.1 * at, 0.1 * pixel, 10.0 * pixels, mix(kCoarseWidth, kFineWidth, turning)));
+  if (turning > 0.0) line = max(line, kCoarse * turning * lines(0.01 * at, 0.01 * pixel, 100.0 * pixels, kCoarseWidth));
+  line *= near;
 
   vec3 color = sky_part;
 #ifdef SHADOWED

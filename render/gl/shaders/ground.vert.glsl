@@ -5,10 +5,11 @@ layout(location = 0) in vec3 position;
 uniform vec4 normal;  // w: offset
 uniform vec4 axis_u;  // xyz: unit; w: of the point below the scene's centre
 uniform vec4 axis_v;
-uniform vec4 grid;    // spacing of the fine grid, its weight, 1 for the first floor, -
+uniform vec4 grid;    // spacing of the fine grid, its weight, how much the coarse one turns into it, 1 for the first floor
 out vec2 at;           // in spacings of the fine grid
 out vec2 from_centre;  // in radii of the scene
 flat out float fine_weight;
+flat out float turning;
 flat out vec3 far_bottom;  // what is behind everything: at the lower border of the picture, and how it changes to the upper one
 flat out vec3 far_change;
 flat out float picture_height;
@@ -26,6 +27,7 @@ void main() {
   at = place / grid.x;
   from_centre = (place - vec2(axis_u.w, axis_v.w)) / frame.centre.w;
   fine_weight = grid.y;
+  turning = grid.z;
   far_bottom = frame.background_bottom.rgb;
   far_change = frame.background_top.rgb - far_bottom;
   picture_height = frame.viewport.y;
@@ -34,7 +36,7 @@ void main() {
   vec3 sky = ambient(n), sunlight = frame.sun.rgb * max(dot(n, frame.light.xyz), 0.0);
   sun_part = sky_part * (sunlight / (sky + sunlight));
   sky_part *= sky / (sky + sunlight);
-  closeness = 0.8 * frame.floor_shade.y * grid.z;
+  closeness = 0.8 * frame.floor_shade.y * grid.w;
   shade_at = (frame.world_to_floor * vec4(position, 1.0)).xy;
   sun_at = sun_place(position);
   sloping = sun_slope(n);
