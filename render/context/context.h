@@ -20,6 +20,10 @@ class GlContext {
   virtual void framebuffer_size(int& width, int& height) const = 0;  // 0×0 when off-screen only
   virtual void present() = 0;                                        // no-op when off-screen
   virtual std::string name() const = 0;  // "EGL device 0", "EGL surfaceless", "OSMesa", "window"
+  // Another one without a framebuffer that has the same buffers and fences (and textures, but no framebuffers and vertex
+  // arrays), for another thread. Current nowhere, and gone before this one. What is current in the calling thread stays; of
+  // a window made and destroyed in the main thread. Throws Error(no_context).
+  virtual std::unique_ptr<GlContext> share() = 0;
 };
 
 // A context is current in this thread while this lives. Throws Error(no_context).

@@ -20,8 +20,13 @@ namespace {
 
 class EglContext final : public GlContext {
  public:
-  EglContext(std::shared_ptr<const EglLibrary> egl, EGLDisplay display, std::string name)
-      : egl_(std::move(egl)), display_(display), name_(std::move(name)) {}
+  // `partner`: whose buffers it has, or null.
+  EglContext(std::shared_ptr<const EglLibrary> egl, EGLDisplay display, std::string name,
+             const EglContext* partner = nullptr)
+      : egl_(std::move(egl)),
+        display_(display),
+        partner_(partner ? partner->context_ : EGL_NO_CONTEXT),
+        name_(std::move(name)) {}
 
   // The display stays initialised: EGL hands out the same one to every context on a device.
   ~EglContext() override {
@@ -35,38 +40,19 @@ class EglContext final : public GlContext {
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  // Empty on success, otherwise the reason.
+  // Empty on success, otherwise the reason. Current afterwards.
   std::string open() {
-    EGLint major = 0, minor = 0;
-    if (!egl_->initialize(display_, &major, &minor)) return egl_->describe_error("eglInitialize");
-    if (!egl_->bind_api(EGL_OPENGL_API)) return egl_->describe_error("eglBindAPI");
-    const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
-                                        EGL_PBUFFER_BIT, EGL_NONE};
-    EGLConfig config = nullptr;
-    EGLint count = 0;
-    if (!egl_->choose_config(display_, config_attributes, &config, 1, &count)) {
-      return egl_->describe_error("eglChooseConfig");
-    }
-    if (count == 0) return "the driver offers no configuration for OpenGL";
-    for (const auto [wanted_major, wanted_minor] : kAskedVersions) {
-      const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                   wanted_major,
-                                   EGL_CONTEXT_MINOR_VERSION,
-                                   wanted_minor,
-                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                   EGL_NONE};
-      context_ = egl_->create_context(display_, config, EGL_NO_CONTEXT, attributes);
-      if (context_ != EGL_NO_CONTEXT) break;
-    }
-    if (context_ == EGL_NO_CONTEXT) return egl_->describe_error("eglCreateContext");
-    if (!has_word(egl_->query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
-      const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
-      surface_ = egl_->create_pbuffer_surface(display_, config, size);
-      if (surface_ == EGL_NO_SURFACE) return egl_->describe_error("eglCreatePbufferSurface");
-    }
+    std::string failure = create();
+    if (!failure.empty()) return failure;
     if (!bind()) return egl_->describe_error("eglMakeCurrent");
     return check_gl_version(*this);
+  }
+
+  std::unique_ptr<GlContext> share() override {
+    auto out = std::make_unique<EglContext>(egl_, display_, name_, this);
+    if (const std::string failure = out->create(); !failure.empty())
+      throw Error(ErrorKind::no_context, name_ + ": a context that shares buffers: " + failure);
+    return out;
   }
 
   void make_current() override {
@@ -87,6 +73,38 @@ class EglContext final : public GlContext {
   std::string name() const override { return name_; }
 
  private:
+  std::string create() {
+    EGLint major = 0, minor = 0;
+    if (!egl_->initialize(display_, &major, &minor)) return egl_->describe_error("eglInitialize");
+    if (!egl_->bind_api(EGL_OPENGL_API)) return egl_->describe_error("eglBindAPI");
+    const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
+                                        EGL_PBUFFER_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (!egl_->choose_config(display_, config_attributes, &config, 1, &count)) {
+      return egl_->describe_error("eglChooseConfig");
+    }
+    if (count == 0) return "the driver offers no configuration for OpenGL";
+    for (const auto [wanted_major, wanted_minor] : kAskedVersions) {
+      const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                   wanted_major,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   wanted_minor,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   EGL_NONE};
+      context_ = egl_->create_context(display_, config, partner_, attributes);
+      if (context_ != EGL_NO_CONTEXT) break;
+    }
+    if (context_ == EGL_NO_CONTEXT) return egl_->describe_error("eglCreateContext");
+    if (!has_word(egl_->query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+      const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
+      surface_ = egl_->create_pbuffer_surface(display_, config, size);
+      if (surface_ == EGL_NO_SURFACE) return egl_->describe_error("eglCreatePbufferSurface");
+    }
+    return {};
+  }
+
   bool bind() {
     // The API is a setting of the thread.
     return egl_->bind_api(EGL_OPENGL_API) && egl_->make_current(display_, surface_, surface_, context_);
@@ -94,7 +112,7 @@ class EglContext final : public GlContext {
 
   std::shared_ptr<const EglLibrary> egl_;
   EGLDisplay display_;
-  EGLContext context_ = EGL_NO_CONTEXT;
+  EGLContext partner_, context_ = EGL_NO_CONTEXT;
   EGLSurface surface_ = EGL_NO_SURFACE;
   std::string name_;
 };

@@ -52,10 +52,38 @@ class Glfw {
   DisplayLoss loss_;
 };
 
-class GlfwContext final : public GlContext {
+// What a window or a hidden one is made with, but for the version.
+void set_hints(int api, bool visible) {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+  // Frames come whole: the window itself needs neither depth nor samples.
+  for (const int hint : {GLFW_DEPTH_BITS, GLFW_STENCIL_BITS, GLFW_ALPHA_BITS, GLFW_SAMPLES})
+    glfwWindowHint(hint, 0);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "pabd");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "pabd");
+}
+
+// Null, with the reason in last_error().
+GLFWwindow* create_window(int width, int height, const char* title, GLFWwindow* partner) {
+  for (const auto [major, minor] : kAskedVersions) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+    if (GLFWwindow* window = glfwCreateWindow(width, height, title, nullptr, partner)) return window;
+  }
+  return nullptr;
+}
+
+class GlfwContext : public GlContext {
  public:
-  GlfwContext(Glfw& glfw, GLFWwindow* window, std::string name)
-      : glfw_(glfw), window_(window), name_(std::move(name)) {}
+  GlfwContext(Glfw& glfw, GLFWwindow* window, int api)
+      : glfw_(glfw),
+        window_(window),
+        api_(api),
+        name_(api == GLFW_EGL_CONTEXT_API ? "window (EGL)" : "window") {}
 
   void make_current() override {
     if (glfw_.lost()) return;
@@ -78,12 +106,41 @@ class GlfwContext final : public GlContext {
     glfw_.opened();
   }
   std::string name() const override { return name_; }
+  std::unique_ptr<GlContext> share() override;
 
- private:
+ protected:
   Glfw& glfw_;
   GLFWwindow* window_;
+
+ private:
+  int api_;
   std::string name_;
 };
+
+// Of a window that is never shown: GLFW has no context without one.
+class HiddenContext final : public GlfwContext {
+ public:
+  using GlfwContext::GlfwContext;
+  ~HiddenContext() override {
+    if (!glfw_.lost()) glfwDestroyWindow(window_);
+  }
+  HiddenContext(const HiddenContext&) = delete;
+  HiddenContext& operator=(const HiddenContext&) = delete;
+  void make_current() override {
+    if (glfw_.lost()) throw Error(ErrorKind::no_context, "the display was lost");
+    GlfwContext::make_current();
+  }
+  void framebuffer_size(int& width, int& height) const override { width = height = 0; }
+  void present() override {}
+};
+
+std::unique_ptr<GlContext> GlfwContext::share() {
+  set_hints(api_, false);
+  GLFWwindow* window = glfw_.lost() ? nullptr : create_window(1, 1, "", window_);
+  if (window == nullptr)
+    throw Error(ErrorKind::no_context, "the window's GL context cannot be shared: " + last_error());
+  return std::make_unique<HiddenContext>(glfw_, window, api_);
+}
 
 class GlfwWindow final : public Window {
  public:
@@ -194,27 +251,11 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : glfw_(options.display_los
 
 // Empty on success, otherwise the reason; then nothing is left behind.
 std::string GlfwWindow::create(const WindowOptions& options, int api, const char* name) {
-  glfwDefaultWindowHints();
-  glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
-  // Frames come whole: the window itself needs neither depth nor samples.
-  for (const int hint : {GLFW_DEPTH_BITS, GLFW_STENCIL_BITS, GLFW_ALPHA_BITS, GLFW_SAMPLES})
-    glfwWindowHint(hint, 0);
-  glfwWindowHintString(GLFW_X11_CLASS_NAME, "pabd");
-  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "pabd");
-  for (const auto [major, minor] : kAskedVersions) {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-    window_ = glfwCreateWindow(std::max(options.width, 1), std::max(options.height, 1), options.title.c_str(),
-                               nullptr, nullptr);
-    if (window_ != nullptr) break;
-  }
+  set_hints(api, options.visible);
+  window_ =
+      create_window(std::max(options.width, 1), std::max(options.height, 1), options.title.c_str(), nullptr);
   if (window_ == nullptr) return last_error();
-  context_ =
-      std::make_unique<GlfwContext>(glfw_, window_, api == GLFW_EGL_CONTEXT_API ? "window (EGL)" : "window");
+  context_ = std::make_unique<GlfwContext>(glfw_, window_, api);
   glfwMakeContextCurrent(window_);
   std::string failure = glfwGetCurrentContext() == window_ ? check_gl_version(*context_)
                                                            : fmt::format("{} cannot be made current", name);

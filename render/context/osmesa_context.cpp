@@ -41,7 +41,9 @@ struct OsMesaLibrary {
 
 class OsMesaContext final : public GlContext {
  public:
-  explicit OsMesaContext(std::shared_ptr<const OsMesaLibrary> library) : library_(std::move(library)) {}
+  // `partner`: whose buffers it has, or null.
+  explicit OsMesaContext(std::shared_ptr<const OsMesaLibrary> library, const OsMesaContext* partner = nullptr)
+      : library_(std::move(library)), partner_(partner ? partner->context_ : nullptr) {}
 
   ~OsMesaContext() override {
     if (context_ == nullptr) return;
@@ -52,24 +54,17 @@ class OsMesaContext final : public GlContext {
   OsMesaContext(const OsMesaContext&) = delete;
   OsMesaContext& operator=(const OsMesaContext&) = delete;
 
-  // Empty on success, otherwise the reason.
+  // Empty on success, otherwise the reason. Current afterwards.
   std::string open() {
-    for (const auto [major, minor] : kAskedVersions) {
-      const int attributes[] = {OSMESA_FORMAT,
-                                OSMESA_RGBA,
-                                OSMESA_PROFILE,
-                                OSMESA_CORE_PROFILE,
-                                OSMESA_CONTEXT_MAJOR_VERSION,
-                                major,
-                                OSMESA_CONTEXT_MINOR_VERSION,
-                                minor,
-                                0};
-      context_ = library_->create(attributes, nullptr);
-      if (context_ != nullptr) break;
-    }
-    if (context_ == nullptr) return "OSMesaCreateContextAttribs refused OpenGL 3.3 core";
+    if (!create()) return "OSMesaCreateContextAttribs refused OpenGL 3.3 core";
     if (!bind()) return "OSMesaMakeCurrent failed";
     return check_gl_version(*this);
+  }
+
+  std::unique_ptr<GlContext> share() override {
+    auto out = std::make_unique<OsMesaContext>(library_, this);
+    if (!out->create()) throw Error(ErrorKind::no_context, "OSMesa refused a context that shares buffers");
+    return out;
   }
 
   void make_current() override {
@@ -88,12 +83,29 @@ class OsMesaContext final : public GlContext {
   std::string name() const override { return "OSMesa"; }
 
  private:
+  bool create() {
+    for (const auto [major, minor] : kAskedVersions) {
+      const int attributes[] = {OSMESA_FORMAT,
+                                OSMESA_RGBA,
+                                OSMESA_PROFILE,
+                                OSMESA_CORE_PROFILE,
+                                OSMESA_CONTEXT_MAJOR_VERSION,
+                                major,
+                                OSMESA_CONTEXT_MINOR_VERSION,
+                                minor,
+                                0};
+      context_ = library_->create(attributes, partner_);
+      if (context_ != nullptr) break;
+    }
+    return context_ != nullptr;
+  }
+
   bool bind() {
     return library_->make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, kSize, kSize) == GL_TRUE;
   }
 
   std::shared_ptr<const OsMesaLibrary> library_;
-  OSMesaContext context_ = nullptr;
+  OSMesaContext partner_, context_ = nullptr;
   std::array<unsigned char, 4 * kSize * kSize> buffer_{};
 };
 

@@ -327,6 +327,7 @@ class LostContext : public GlContext {
   void framebuffer_size(int& width, int& height) const override { inside_.framebuffer_size(width, height); }
   void present() override {}
   std::string name() const override { return inside_.name(); }
+  std::unique_ptr<GlContext> share() override { return inside_.share(); }
 
  private:
   static GLenum APIENTRY fail_to_wait(GLsync, GLbitfield, GLuint64) { return GL_WAIT_FAILED; }

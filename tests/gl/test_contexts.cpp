@@ -4,10 +4,14 @@
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <set>
+#include <thread>
 
+#include "render/gl/gl_objects.h"
+#include "sim/base/error.h"
 #include "tests/gl/drawn_scenes.h"
 #include "tests/gl/render_fixture.h"
 #include "tests/support/files.h"
@@ -72,6 +76,48 @@ TEST_CASE("every context draws the same bytes, in this order of preference") {
   }
   const std::set<std::uint8_t> values(first.rgb.begin(), first.rgb.end());
   CHECK(values.size() > 100);  // a picture, not a plain colour
+}
+
+TEST_CASE("a context that is shared has the buffers of its partner, in another thread at the same time") {
+  std::vector<ContextAttempt> attempts;
+  for (const auto& context : create_every_headless_context(Backend::automatic, attempts)) {
+    CAPTURE(context->name());
+    context->make_current();
+    const GlFunctions gl(*context);
+    const std::vector<float> numbers = {1, 2, 3.5f, -4};
+    const auto bytes = static_cast<GLsizeiptr>(numbers.size() * sizeof(float));
+    const GlBuffer buffer(gl);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
+    gl.BufferData(GL_ARRAY_BUFFER, bytes, numbers.data(), GL_STATIC_DRAW);
+    gl.Finish();
+    std::unique_ptr<GlContext> other = context->share();
+    std::vector<float> found(numbers.size());
+    std::string failure;
+    std::thread([&] {
+      try {
+        const CurrentContext current(*other);
+        const GlFunctions there(*other);
+        there.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
+        if (const void* at = there.MapBufferRange(GL_ARRAY_BUFFER, 0, bytes, GL_MAP_READ_BIT)) {
+          std::memcpy(found.data(), at, static_cast<std::size_t>(bytes));
+          there.UnmapBuffer(GL_ARRAY_BUFFER);
+        }
+        // A buffer that is made there is known here.
+        there.BufferData(GL_ARRAY_BUFFER, 2 * bytes, nullptr, GL_STATIC_DRAW);
+        there.Finish();
+      } catch (const Error& error) {
+        failure = error.what();
+      }
+    }).join();
+    CHECK(failure.empty());
+    CHECK(found == numbers);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer.id());
+    CHECK(gl.MapBufferRange(GL_ARRAY_BUFFER, 0, 2 * bytes, GL_MAP_READ_BIT) !=
+          nullptr);  // this one is current still
+    gl.UnmapBuffer(GL_ARRAY_BUFFER);
+    other.reset();
+    context->release();
+  }
 }
 
 // Run in a process of its own by the next test: software GL reads its thread count once.

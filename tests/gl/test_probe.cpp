@@ -19,6 +19,7 @@ struct NoContext final : GlContext {
   void framebuffer_size(int& width, int& height) const override { width = height = 0; }
   void present() override {}
   std::string name() const override { return "none"; }
+  std::unique_ptr<GlContext> share() override { return nullptr; }
 };
 
 ContextCandidate works(const std::string& name) {
