@@ -12,14 +12,16 @@
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/solver/params.h"
+#include "sim/solver/step_engine.h"
 
 namespace pabd {
 
 struct FrameView {
   std::shared_ptr<const Model> model;  // null only in a view of nothing
   Params params;
-  double kappa = 0;  // contact stiffness that params.contact.kappa comes to; J
-  State state;
+  double kappa = 0;                            // contact stiffness that params.contact.kappa comes to; J
+  State state;                                 // where `poses` has the bodies it has a step and a time only
+  std::shared_ptr<const PoseCopy> poses = {};  // where the bodies are, if not in `state`
   StepReport report;  // of the step that led here, with what was observed; energies only where none did
   Reports history;    // of the run that it is a moment of
   std::vector<Trail> trails;  // of the points that somebody asked for

@@ -126,6 +126,8 @@ bool Run::advance() {
   }
   const StepStatus status = make_step();
   if (status == StepStatus::non_finite || status == StepStatus::interrupted) return false;
+  const bool past = timeline_.budget() != kNoPast;  // else the state need not be whole
+  if (session_.has_engine() && past && keeps_state() && !bring_back()) return true;
   add_moment();
   compare();
   return true;
@@ -272,12 +274,14 @@ void Run::add_moment(std::shared_ptr<const MadeEdit> edit, bool start) {
       session_.shared_model(),  session_.shared_params(), nullptr, session_.report().summary(), start,
       start ? nullptr : pulls_, std::move(edit)};
   moment.device = !start && session_.has_engine();
-  const bool past = timeline_.budget() != kNoPast;  // else the state need not be whole
-  if (moment.device && past && timeline_.wants(state().step, state_bytes(state()))) session_.complete_state();
-  if (!moment.device || !past || timeline_.wants(state().step, state_bytes(state())))
-    moment.state = std::make_shared<const State>(session_.state());
+  if (!moment.device || keeps_state()) moment.state = std::make_shared<const State>(session_.state());
   timeline_.add(std::move(moment));
   cursor_ = timeline_.size() - 1;
+}
+
+// Whether the state of a step that a device made is to be kept.
+bool Run::keeps_state() const {
+  return timeline_.budget() == kNoPast || timeline_.wants(state().step, state_bytes(state()), !stayed_);
 }
 
 void Run::compare() {

@@ -39,7 +39,7 @@ class Run {
   double kappa() const { return session_.kappa(); }               // J
 
   // Of now, with the parameters of the next step, without a history.
-  FrameView view() const { return session_.view(); }
+  FrameView view() const { return stayed_ ? session_.view_on_device(poses_) : session_.view(); }
 
   const Timeline& timeline() const { return timeline_; }
   std::size_t cursor() const { return cursor_; }
@@ -70,14 +70,20 @@ class Run {
   const DeviceStatus& device() const { return devices_.status(); }
   // The device and what it holds, to a run that takes the place of this one; null: nobody needs it.
   void give_device_to(Run* other);
-  // After this, state() and the timeline have all of the present: a device may leave something out.
+  // After this, state() and the timeline have all of the present: a device may leave something out. Where it is lost with
+  // bodies that stayed, the run is back at the last moment whose state was kept.
   void complete();
+  // In steps to come bodies may stay on a device that pictures are drawn from: state() has a step and a time only until
+  // complete().
+  void let_bodies_stay(bool on) { may_stay_ = on; }
+  bool bodies_stayed() const { return stayed_; }
 
   // A step that is under way ends when it says true, as do the steps of forks (StepOptions::stop).
   void stop_when(const std::function<bool()>& stop);
 
   // One step on: in the past the one that was made, at the end a new one. False, with the state as it was,
-  // when the new one left the numbers or was stopped; report() tells of it.
+  // when the new one left the numbers or was stopped; report() tells of it. Where bodies had stayed on a device that left the
+  // numbers, the state is the last one that was kept.
   bool advance();
   // To moment i of the timeline, or the last before that is kept (Timeline::kept). Precondition: it exists.
   void seek(std::size_t i);
@@ -118,6 +124,9 @@ class Run {
   void ask_device();
   void work_with(const std::shared_ptr<StepEngine>& engine);
   void leave_device();
+  bool bring_back();
+  bool keeps_state() const;
+  void go_back_to_kept(StepReport report);
   void go_to(std::size_t i);
   bool tells_again(std::size_t i) const;
   void branch();
@@ -131,6 +140,9 @@ class Run {
   DeviceSwitch devices_;
   int threads_;
   bool iterations_ = false, contacts_ = false, bodies_ = false;
+  bool may_stay_ = false;
+  bool stayed_ = false;                    // state() has no bodies of now,
+  std::shared_ptr<const PoseCopy> poses_;  // but this
   Timeline timeline_;
   std::size_t cursor_ = 0;
   std::shared_ptr<const Params> newest_;  // of the next step at the end, while the cursor is elsewhere

@@ -2,6 +2,8 @@
 // The part of a run that asks who makes its steps, and goes back to what others made: see run.h.
 #include "app/session/run.h"
 
+#include <fmt/format.h>
+
 namespace pabd {
 
 void Run::offer(std::shared_ptr<const StepDevices> devices) {
@@ -31,14 +33,39 @@ void Run::give_device_to(Run* other) {
 // What a device made lies nowhere else as long as the timeline does not want it.
 void Run::complete() {
   if (timeline_.budget() == kNoPast || !session_.has_engine()) return;
-  try {
-    session_.complete_state();
-  } catch (const Error& error) {  // it is lost: friction begins anew
-    devices_.fail(error.what());
-    work_with(nullptr);
-  }
+  if (!bring_back()) return;
   if (at_end() && !timeline_.back().state)
     timeline_.put_state(std::make_shared<const State>(session_.state()));
+}
+
+// False when bodies are lost, and the run is where they were kept.
+bool Run::bring_back() {
+  try {
+    session_.complete_state();
+  } catch (const Error& error) {
+    const bool lost = bodies_stayed();  // else friction begins anew
+    work_with(nullptr);
+    if (lost) {
+      StepReport kept;
+      static_cast<StepSummary&>(kept) = timeline_[timeline_.kept(cursor_)].report;
+      go_back_to_kept(std::move(kept));
+    }
+    devices_.fail(lost ? fmt::format("{}; back at t = {:.4g} s, which was kept", error.what(), state().time)
+                       : error.what());
+    if (lost) return false;
+  }
+  stayed_ = false;
+  poses_.reset();
+  return true;
+}
+
+// Bodies that stayed on a device are lost: the run goes on where they were read back last.
+void Run::go_back_to_kept(StepReport report) {
+  cursor_ = timeline_.kept(cursor_);
+  timeline_.branch(cursor_);
+  session_.restore(timeline_[cursor_].model, *timeline_.state(cursor_, threads_), std::move(report));
+  stayed_ = false;
+  poses_.reset();
 }
 
 // null: the processor. Devices do not tell of iterations and single bodies.
@@ -67,8 +94,17 @@ StepStatus Run::make_step() {
     return session_.step().status;
   }
   work_with(engine);
+  const bool stay = may_stay_ && !left_ && timeline_.budget() != kNoPast && session_.can_let_bodies_stay();
+  session_.let_bodies_stay(stay);
   try {
-    return session_.step().status;
+    const StepStatus status = session_.step().status;
+    if (status == StepStatus::non_finite) {
+      if (bodies_stayed()) go_back_to_kept(StepReport(session_.report()));
+    } else if (status != StepStatus::interrupted) {
+      stayed_ = stay;
+      poses_ = stay ? session_.copy_poses() : nullptr;
+    }
+    return status;
   } catch (const Error& error) {
     devices_.fail(error.what());
     leave_device();

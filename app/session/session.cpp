@@ -24,7 +24,7 @@ Session::Session(std::shared_ptr<const Scene> scene, int threads)
 
 double Session::kappa() const { return resolve_kappa(*model_, *params_); }
 
-FrameView Session::view() const { return {model_, *params_, kappa(), state_, report_, {}, {}, {}}; }
+FrameView Session::view() const { return {model_, *params_, kappa(), state_, {}, report_, {}, {}, {}}; }
 
 void Session::solve_with(std::shared_ptr<StepEngine> engine) {
   const auto before = std::exchange(engine_, std::move(engine));
@@ -37,6 +37,13 @@ void Session::prepare() {
 
 void Session::complete_state() {
   if (engine_) engine_->complete(state_);
+}
+
+FrameView Session::view_on_device(std::shared_ptr<const PoseCopy> poses) const {
+  State now;
+  now.step = state_.step;
+  now.time = state_.time;
+  return {model_, *params_, kappa(), std::move(now), std::move(poses), report_, {}, {}, {}};
 }
 
 State Session::whole_state() const {

@@ -32,6 +32,8 @@ class Session {
   const StepReport& report() const { return report_; }  // of the last step; energies only before the first
   double kappa() const;                                 // resolved contact stiffness; J
   FrameView view() const;                               // of now, without a history
+  // The same, with the bodies where the engine has them.
+  FrameView view_on_device(std::shared_ptr<const PoseCopy> poses) const;
 
   // What later steps put into their reports. None changes a result.
   void record_iterations(bool on) { options_.record_iterations = on; }
@@ -51,6 +53,9 @@ class Session {
   // Precondition: it knows no model that is gone (StepEngine::forget).
   void solve_with(std::shared_ptr<StepEngine> engine);
   bool has_engine() const { return engine_ != nullptr; }
+  bool can_let_bodies_stay() const { return engine_ && engine_->keeps_bodies(*model_); }
+  // As StepEngine::copy_poses.
+  std::shared_ptr<const PoseCopy> copy_poses() { return engine_->copy_poses(); }
   // What the engine does before the first step, before that is asked for. Throws as it does.
   void prepare();
   // After this, state() has all that the next step depends on: an engine may leave something out of it.

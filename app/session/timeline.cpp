@@ -48,8 +48,8 @@ std::size_t Timeline::newest_of_device(std::size_t bytes) const {
   return std::min(kAllKept, room / std::max<std::size_t>(bytes, 1));
 }
 
-bool Timeline::wants(std::int64_t step, std::size_t bytes) const {
-  return newest_of_device(bytes) > 0 || step % stride_ == 0;
+bool Timeline::wants(std::int64_t step, std::size_t bytes, bool newest) const {
+  return (newest && newest_of_device(bytes) > 0) || step % stride_ == 0;
 }
 
 void Timeline::put_state(std::shared_ptr<const State> state) {

@@ -55,8 +55,9 @@ class Timeline {
   // absent where the moments before lead to it, or a device does: wants().
   void add(Moment moment);
 
-  // Whether the budget has room for the state of a device's step of that number; `bytes`: about (state_bytes).
-  bool wants(std::int64_t step, std::size_t bytes) const;
+  // Whether the budget has room for the state of a device's step of that number; `bytes`: about (state_bytes). `newest`: also
+  // as one of the newest, which later ones replace.
+  bool wants(std::int64_t step, std::size_t bytes, bool newest = true) const;
   // The last moment gets its state. Precondition: it has none.
   void put_state(std::shared_ptr<const State> state);
 

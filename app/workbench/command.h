@@ -211,11 +211,15 @@ struct Tell {
 // What is recorded of later steps: only what somebody looks at.
 struct Observe {
   static constexpr const char* name = "observe";
-  bool iterations = true, contacts = true, bodies = false;
+  bool iterations = true, contacts = true, bodies = false, states = true;
+  bool operator==(const Observe&) const = default;
   void fields(auto&& f) {
     f(need("iterations", "every iteration of a step", "true"), iterations);
     f(need("contacts", "every contact", "true"), contacts);
     f(may("bodies", "every body", "true"), bodies);
+    f(may("states", "where bodies are while it plays; else the GPU that makes the steps may keep them",
+          "true"),
+      states);
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "app/session/joint_settings.h"
 #include "app/session/step_at_time.h"
@@ -17,6 +18,14 @@ namespace {
 
 constexpr std::size_t kMostMessages = 20, kMostHeld = 6;
 constexpr int kMostSteps = 1'000'000;  // of one command
+
+// Commands that do not ask where bodies are, which may be a device.
+template <class C>
+constexpr bool leaves_bodies(const C&) {
+  return std::is_same_v<C, command::Play> || std::is_same_v<C, command::Speed> ||
+         std::is_same_v<C, command::Set> || std::is_same_v<C, command::Tell> ||
+         std::is_same_v<C, command::Observe>;
+}
 
 // `value` at place i, in place of `replaced` elements.
 void put(SharedList<RunDistance>& list, std::size_t i, std::size_t replaced, const RunDistance& value) {
@@ -40,6 +49,7 @@ void Workbench::apply(const Command& command) {
   std::visit(
       [this](const auto& c) {
         about_ = c.name;
+        if (!leaves_bodies(c)) a_->complete();
         carry_out(c);
       },
       command);
@@ -61,6 +71,7 @@ void Workbench::tell(Severity severity, const std::string& text, const std::stri
 bool Workbench::advance() {
   for (auto* run : {&a_, &b_})
     if (*run) (*run)->stop_when(options_.stop);
+  a_->let_bodies_stay(playing_ && !observe_.states && !b_);
   diverged_ = !a_->advance() || (b_ && !follow(*a_, *b_));
   tell_of_device(*a_, b_ ? "A: " : "", told_a_);
   if (b_) tell_of_device(*b_, "B: ", told_b_);
@@ -70,11 +81,17 @@ bool Workbench::advance() {
   if (options_.stop && options_.stop()) return diverged_ = false;
   const bool first = a_->report().status == StepStatus::non_finite;
   const Run& run = first ? *a_ : *b_;
+  const StepReport& failed = run.report();
+  const bool elsewhere =
+      failed.step != run.state().step + 1;  // the step began on a device, from where it is lost
   tell(Severity::error,
        fmt::format(
-           "{}diverged at step {} (t = {:.4g} s): the state was no longer finite. Go back, and try a smaller "
+           "{}diverged at step {} (t = {:.4g} s): the state was no longer finite. {}, and try a smaller "
            "time_step, a smaller contact.kappa, or solver.method descent",
-           b_ ? (first ? "A: " : "B: ") : "", run.state().step + 1, run.state().time + run.params().h),
+           b_ ? (first ? "A: " : "B: ") : "", failed.step, failed.time,
+           elsewhere ? fmt::format("This is t = {:.4g} s, the last state that was kept: go back if need be",
+                                   run.state().time)
+                     : "Go back"),
        {}, ErrorKind::diverged);
   return false;
 }
@@ -192,6 +209,7 @@ void Workbench::carry_out(const command::Observe& c) {
   const bool more = (c.iterations && !observe_.iterations) || (c.contacts && !observe_.contacts) ||
                     (c.bodies && !observe_.bodies);
   observe_ = c;
+  if (c.states) a_->complete();
   for (auto* run : {&a_, &b_}) {
     if (!*run) continue;
     (*run)->observe(c.iterations, c.contacts, c.bodies);
@@ -219,6 +237,7 @@ void Workbench::measure_distance() {
 }
 
 Snapshot Workbench::snapshot() {
+  if (!playing_) a_->complete();
   Snapshot s;
   s.serial = ++serial_;
   s.scene_serial = scene_serial_;

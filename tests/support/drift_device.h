@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/session/step_devices.h"
@@ -37,6 +38,12 @@ inline void drift(const Params& params, State& state, StepReport& report) {
   report.status = StepStatus::converged;
 }
 
+// Bodies as a step of the drift left them.
+struct DriftPoses : PoseCopy {
+  explicit DriftPoses(State s) : state(std::move(s)) {}
+  State state;
+};
+
 class DriftEngine : public StepEngine {
  public:
   std::string name() const override { return "drift"; }
@@ -47,18 +54,38 @@ class DriftEngine : public StepEngine {
       throw Error(ErrorKind::bad_input, "drift: not taken");
     if (steps == lost_after) throw Error(ErrorKind::no_context, "drift: lost");
     ++steps;
-    drift(params, state, report);
+    State now = away && state.step == away->step ? *away : state;
+    drift(params, now, report);
+    if (steps == diverges_at) {
+      report.status = StepStatus::non_finite;
+      away.reset();
+      return;
+    }
+    away.reset();
+    if (options.bodies_stay) {
+      away = now;
+      state.step = now.step;
+      state.time = now.time;
+    } else {
+      state = now;
+    }
     if (options.report_contacts) report.contact_reports.resize(1);
     memory_of = state.step;
   }
   void complete(State& state) override {
     if (steps == lost_after) throw Error(ErrorKind::no_context, "drift: lost");
+    if (away && state.step == away->step) state = *away;
     if (state.step == memory_of)
       state.contacts.assign(1, ContactMemory{1, 0, Vec3(static_cast<double>(state.step), 0, 0)});
   }
   void forget() override { ++forgotten; }
 
-  int steps = 0, forgotten = 0, lost_after = -1;
+  bool keeps_bodies(const Model&) const override { return draws; }
+  std::shared_ptr<const PoseCopy> copy_poses() override { return std::make_shared<DriftPoses>(*away); }
+
+  bool draws = false;
+  std::optional<State> away;  // the state that has its bodies here alone
+  int steps = 0, forgotten = 0, lost_after = -1, diverges_at = -1;
   std::int64_t memory_of = -1;
 };
 
@@ -82,12 +109,14 @@ class DriftDevices : public StepDevices {
     if (refuses) throw Error(ErrorKind::no_context, "drift: not there");
     ++opened;
     newest = std::make_shared<DriftEngine>();
+    newest->draws = draws;
     return newest;
   }
 
   mutable int opened = 0;
   mutable std::shared_ptr<DriftEngine> newest;
   bool refuses = false;
+  bool draws = false;  // pictures are drawn from where its bodies are
 };
 
 }  // namespace pabd::test

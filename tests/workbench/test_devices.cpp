@@ -142,3 +142,67 @@ TEST_CASE("the simulation's thread makes the steps on the device, and copies are
   CHECK(copies.a.state().step == 3);
   CHECK(runner.settle()->a.state.step == 7);
 }
+
+TEST_CASE("while it plays bodies stay on a device where nobody asks for states; at rest they are there") {
+  const auto devices = std::make_shared<DriftDevices>();
+  devices->draws = true;
+  WorkbenchOptions options;
+  options.devices = devices;
+  options.memory = 3000;
+  Workbench bench(options, command::Load{kTwoBoxes, {"solver.device=gpu"}, false});
+  const auto stays = [&] {  // at some step of several, as some states are kept
+    bool any = false;
+    for (int k = 0; k < 9; ++k) {
+      REQUIRE(bench.advance());
+      const Snapshot s = bench.snapshot();
+      any = any || s.a.poses != nullptr;
+      CHECK((s.a.poses != nullptr) == (s.a.state.size() == 0));
+      CHECK(s.a.report.step == s.a.state.step);
+    }
+    return any;
+  };
+  bench.apply(command::Play{});
+  CHECK_FALSE(stays());
+  bench.apply(command::Observe{.iterations = false, .contacts = false, .states = false});
+  CHECK(stays());
+  while (!bench.run().bodies_stayed()) REQUIRE(bench.advance());
+  bench.apply(command::Set{"contact.N", "7"});
+  bench.apply(command::Speed{0});
+  CHECK(bench.run().bodies_stayed());
+  CHECK(bench.snapshot().a.poses != nullptr);
+  bench.apply(command::Pause{});
+  CHECK(bench.snapshot().a.state.size() == 3);
+  bench.apply(command::Step{5});
+  CHECK_FALSE(bench.run().bodies_stayed());
+  bench.apply(command::Play{});
+  CHECK(stays());
+  while (!bench.run().bodies_stayed()) REQUIRE(bench.advance());
+  bench.apply(command::Observe{.iterations = false, .contacts = false, .states = true});
+  CHECK(bench.snapshot().a.state.size() == 3);
+  bench.apply(command::Observe{.iterations = false, .contacts = false, .states = false});
+  // A comparison takes the states of both.
+  bench.apply(command::Compare{{"contact.N=9"}});
+  CHECK_FALSE(stays());
+}
+
+TEST_CASE("the message of a step that leaves the numbers says which moment is left of bodies that stayed") {
+  const auto devices = std::make_shared<DriftDevices>();
+  devices->draws = true;
+  WorkbenchOptions options;
+  options.devices = devices;
+  options.memory = 3000;
+  Workbench bench(options, command::Load{kTwoBoxes, {"solver.device=gpu"}, false});
+  bench.apply(command::Play{});
+  bench.apply(command::Observe{.iterations = false, .contacts = false, .states = false});
+  for (int k = 0; k < 20; ++k) REQUIRE(bench.advance());
+  while (!bench.run().bodies_stayed()) REQUIRE(bench.advance());
+  const std::int64_t step = bench.run().state().step;
+  devices->newest->diverges_at = devices->newest->steps + 1;
+  CHECK_FALSE(bench.advance());
+  const Snapshot s = bench.snapshot();
+  CHECK(s.diverged);
+  CHECK(s.a.state.size() == 3);
+  const std::string& text = s.messages.back().text;
+  CHECK(text.find("diverged at step " + std::to_string(step + 1)) == 0);
+  CHECK(text.find("the last state that was kept") != std::string::npos);
+}
