@@ -12,7 +12,7 @@
   X(DispatchComputeIndirect, DISPATCHCOMPUTEINDIRECT) X(FenceSync, FENCESYNC) X(GenQueries, GENQUERIES) \
   X(GetBufferSubData, GETBUFFERSUBDATA) X(GetInteger64v, GETINTEGER64V) \
   X(GetQueryObjectui64v, GETQUERYOBJECTUI64V) X(MemoryBarrier, MEMORYBARRIER) X(QueryCounter, QUERYCOUNTER) \
-  X(Uniform1ui, UNIFORM1UI)
+  X(Uniform1ui, UNIFORM1UI) X(WaitSync, WAITSYNC)
 // clang-format on
 
 namespace pabd {

@@ -375,6 +375,8 @@ const DeviceBatches& DeviceBodies::revealed(DeviceList list) const {
   return impl_->revealed[static_cast<std::size_t>(list)];
 }
 
+void DeviceBodies::draw_from(unsigned poses) { impl_->buffers.lend(DrawSlot::poses, poses); }
+
 void DeviceBodies::color_by(unsigned values, const ValueRange& range) {
   set_value_colors(values, range, impl_->view, impl_->buffers);
 }

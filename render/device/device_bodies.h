@@ -24,8 +24,8 @@ struct DeviceBodiesOptions {
 // but for the last bits of places. Order: none; bodies out of sight are not drawn.
 class DeviceBodies : public DeviceInstances {
  public:
-  // `poses`: GL name of a buffer with a pose a body (DeviceSolver::pose_buffer()), which outlives this, and is written
-  // in the same context, which is current in all calls. Throws Error(no_context) where the context lacks compute
+  // `poses`: GL name of a buffer with a pose a body (DeviceSolver::pose_buffer()), which outlives its use here, and is
+  // written in the same context or before (pose_copies.h); the context is current in all calls. Throws Error(no_context) where the context lacks compute
   // shaders, a buffer is larger than it allows, or there are more hulls than it can tell apart.
   DeviceBodies(GlContext& context, const BodyParts& bodies, unsigned poses,
                const DeviceBodiesOptions& options = {});
@@ -38,6 +38,9 @@ class DeviceBodies : public DeviceInstances {
   const DeviceBatches& batches(DeviceList list) const override;
   void reveal(DeviceList list, const DepthPicture& depth) override;
   const DeviceBatches& revealed(DeviceList list) const override;
+
+  // From now on another buffer of poses.
+  void draw_from(unsigned poses);
 
   // From now on: colours by a float a body (DeviceSolver::value_buffer()), as VisualOptions::values has them; -infinity
   // keeps the body's own colour. `values`: GL name of a buffer that outlives its use here; 0: all have their own again.

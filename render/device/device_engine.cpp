@@ -96,23 +96,36 @@ std::string DeviceEngine::why_not(const Model& model, const Params& params, cons
   return DeviceSolver::why_not(model, params);
 }
 
-DeviceEngine::DeviceEngine(Backend backend) : context_(open_context(backend)) {
-  const CurrentContext current(*context_);
-  const DeviceCapacity found = device_capacity(*context_);
-  if (!found.why_not.empty()) throw Error(ErrorKind::no_context, found.why_not);
-  name_ = found.renderer;
+DeviceEngine::DeviceEngine(Backend backend, SharedContext* drawing) : context_(open_context(backend)) {
+  {
+    const CurrentContext current(*context_);
+    const DeviceCapacity found = device_capacity(*context_);
+    if (!found.why_not.empty()) throw Error(ErrorKind::no_context, found.why_not);
+    name_ = found.renderer;
+  }
+  if (drawing) work_beside(drawing->take());
+}
+
+void DeviceEngine::work_beside(SharedContext::Lent lent) {
+  if (!lent.context) return;
+  const CurrentContext current(*lent.context);
+  const DeviceCapacity found = device_capacity(*lent.context);
+  if (!found.why_not.empty() || found.renderer != name_) return;
+  gl_ = std::make_unique<ComputeFunctions>(*lent.context);
+  context_ = std::move(lent.context);
+  copies_ = std::move(lent.copies);
 }
 
 // In a thread of its own, so that the context of whoever draws in this one stays current.
 DeviceEngine::~DeviceEngine() {
   std::thread([this] {
     try {
-      context_->make_current();
+      const CurrentContext current(*context_);
+      solver_.reset();
     } catch (const Error&) {  // the GPU is lost, and what was on it with it: nobody can be asked to free it
       static_cast<void>(solver_.release());
-      static_cast<void>(context_.release());
+      static_cast<void>(new std::shared_ptr<GlContext>(context_));
     }
-    solver_.reset();
     context_.reset();
   }).join();
 }
@@ -189,14 +202,23 @@ void DeviceEngine::step(const Model& model, const Params& params, const StepOpti
     left_.set(state);
   }
   stayed_ = options.bodies_stay;
+  away_ = stayed_ ? state.step : kNone;
   report = {};
   static_cast<StepSummary&>(report) = summary;
   if (options.report_contacts) solver_->read_contacts(report.contact_reports);
   add_times(before, solving, watch.lap(), report.times);
 }
 
+std::shared_ptr<const PoseCopy> DeviceEngine::copy_poses() {
+  const CurrentContext current(*context_);
+  return copies_->copy(*gl_, solver_->pose_buffer(), solver_->pose_bytes());
+}
+
 void DeviceEngine::complete(State& state) {
-  if (solver_ == nullptr || !knows(state)) return;
+  if (solver_ == nullptr || !knows(state)) {
+    if (state.step != away_) return;
+    throw Error(ErrorKind::no_context, "the bodies that were on the GPU are lost");
+  }
   const CurrentContext current(*context_);
   solver_->read_state(state);
   if (stayed_) whole_.set(state);

@@ -9,6 +9,7 @@
 #include "render/context/context.h"
 #include "render/device/device_capacity.h"
 #include "render/device/device_solver.h"
+#include "render/device/shared_context.h"
 #include "sim/solver/step_engine.h"
 
 namespace pabd {
@@ -23,8 +24,9 @@ class DeviceEngine : public StepEngine {
   // does. Linear in the number of bodies.
   static std::string why_not(const Model& model, const Params& params, const StepOptions& options);
 
-  // Throws Error(no_context), with the remedy, where there is no context that can take it.
-  explicit DeviceEngine(Backend backend);
+  // In the context that `drawing` lends, so that bodies can stay, where that is of the same GPU; else in one of its own. Throws
+  // Error(no_context), with the remedy, where there is no context that can take it.
+  explicit DeviceEngine(Backend backend, SharedContext* drawing = nullptr);
   // From any thread; what is current in it stays.
   ~DeviceEngine() override;
   DeviceEngine(const DeviceEngine&) = delete;
@@ -42,6 +44,8 @@ class DeviceEngine : public StepEngine {
   void step(const Model& model, const Params& params, const StepOptions& options, State& state,
             StepReport& report) override;
   void complete(State& state) override;
+  bool keeps_bodies(const Model&) const override { return copies_ != nullptr; }
+  std::shared_ptr<const PoseCopy> copy_poses() override;
   void forget() override { model_ = nullptr; }
 
  private:
@@ -57,20 +61,24 @@ class DeviceEngine : public StepEngine {
     bool is(const State& state) const;
   };
 
+  void work_beside(SharedContext::Lent lent);
   void check(const Model& model, const Params& params, const StepOptions& options);
   bool knows(const State& state) const { return left_.is(state) || whole_.is(state); }
   void make_ready(const Model& model, const StepOptions& options, const State& state);
 
-  std::unique_ptr<GlContext> context_;  // current only while this works
+  std::shared_ptr<GlContext> context_;  // current only while this works
+  std::shared_ptr<PoseCopies> copies_;  // null: nobody draws from its buffers
+  std::unique_ptr<ComputeFunctions> gl_;
   std::string name_;
   std::unique_ptr<DeviceSolver> solver_;
   const Model* model_ = nullptr;  // that the solver is compiled for
   bool contacts_ = false;         // it tells of them
   const Model* checked_ = nullptr;
   Params checked_params_;
-  Left left_;            // by step()
-  Left whole_;           // by complete(), where step() had left bodies out
-  bool stayed_ = false;  // it had
+  Left left_;                  // by step()
+  Left whole_;                 // by complete(), where step() had left bodies out
+  bool stayed_ = false;        // it had
+  std::int64_t away_ = kNone;  // step of the state that has them nowhere else
 };
 
 }  // namespace pabd

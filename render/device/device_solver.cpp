@@ -210,6 +210,7 @@ std::uint32_t DeviceSolver::kept_pairs() const { return impl_->last.kept; }
 DeviceGain DeviceSolver::gain() const { return gain_of(impl_->last); }
 int DeviceSolver::repeated() const { return impl_->repeated; }
 unsigned DeviceSolver::pose_buffer() const { return impl_->step.buffers.id(Slot::poses); }
+std::size_t DeviceSolver::pose_bytes() const { return impl_->step.buffers.bytes(Slot::poses); }
 DeviceContacts DeviceSolver::contact_buffers() const {
   const Buffers& buffers = impl_->step.buffers;
   return {buffers.id(Slot::told), buffers.id(Slot::counters),

@@ -104,6 +104,7 @@ class DeviceSolver {
   DeviceGain gain() const;           // of the last step
   int repeated() const;              // steps that had to be made again with larger buffers
   unsigned pose_buffer() const;      // GL name: a body's c (4 doubles), q (4 doubles: x, y, z, w)
+  std::size_t pose_bytes() const;    // of it
   // GL name: a float a body, as the step that was asked for last leaves it, -infinity of bodies that do not move. Waits
   // for nothing; energies of contacts are 0 before the first step. Filled by each call, the same buffer for all.
   unsigned value_buffer(BodyQuantity quantity);

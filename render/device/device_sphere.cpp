@@ -156,6 +156,8 @@ DeviceSphere::DeviceSphere(GlContext& context, const Model& model, const State& 
     : impl_(std::make_unique<Impl>(context, model, start, bodies, poses)) {}
 DeviceSphere::~DeviceSphere() = default;
 
+void DeviceSphere::look_at(unsigned poses) { impl_->buffers.lend(DrawSlot::poses, poses); }
+
 std::optional<BoundingSphere> DeviceSphere::operator()() {
   Impl& m = *impl_;
   Wide wide;

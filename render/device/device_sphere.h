@@ -21,6 +21,9 @@ class DeviceSphere {
                unsigned poses);
   ~DeviceSphere();
 
+  // From now on another buffer of poses.
+  void look_at(unsigned poses);
+
   // bounding_sphere() of the poses as they are, to the rounding of float. Waits for the GPU, twice or three times.
   std::optional<BoundingSphere> operator()();
 

@@ -21,7 +21,7 @@ class SplitEngine : public StepEngine {
   static Index on_gpu(const Model& model, const Params& params, const State& state);
 
   // As DeviceEngine.
-  explicit SplitEngine(Backend backend) : device_(backend) {}
+  explicit SplitEngine(Backend backend, SharedContext* drawing = nullptr) : device_(backend, drawing) {}
 
   std::string name() const override { return device_.name(); }
   void prepare(const Model& model, const Params& params, const StepOptions& options,
@@ -31,6 +31,10 @@ class SplitEngine : public StepEngine {
   void step(const Model& model, const Params& params, const StepOptions& options, State& state,
             StepReport& report) override;
   void complete(State& state) override;
+  bool keeps_bodies(const Model& model) const override {
+    return model.joints.empty() && device_.keeps_bodies(model);
+  }
+  std::shared_ptr<const PoseCopy> copy_poses() override { return device_.copy_poses(); }
   void forget() override;
 
  private:

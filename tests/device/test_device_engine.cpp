@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "render/device/device_engine.h"
+#include "render/device/pose_copies.h"
 #include "render/gl/gl_objects.h"
 #include "sim/solver/step_summary.h"
 #include "tests/support/errors.h"
@@ -312,4 +313,77 @@ TEST_CASE("there is room for as many bodies as buffers and memory have") {
   CHECK(here.renderer == shared_engine()->name());
   CHECK(here.bodies == bodies_in(here.largest_buffer, here.memory));
   CHECK(here.bodies > 1000);
+}
+
+namespace {
+
+// c of each body, as a copy has it.
+std::vector<Vec3> places(const ComputeFunctions& gl, const GlPoses& poses, std::size_t bodies) {
+  std::vector<double> numbers(8 * bodies);
+  gl.BindBuffer(GL_COPY_READ_BUFFER, poses.begin(gl));
+  gl.GetBufferSubData(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(numbers.size() * sizeof(double)),
+                      numbers.data());
+  poses.end(gl);
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < bodies; ++i)
+    out.emplace_back(numbers[8 * i], numbers[8 * i + 1], numbers[8 * i + 2]);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("who lends a context draws from copies of the poses, which stay as they are while steps go on") {
+  const TinyModel tiny = balls();
+  std::vector<ContextAttempt> attempts;
+  const auto drawer = create_headless_context(Backend::automatic, attempts);
+  SharedContext shared;
+  shared.put_beside(*drawer);
+  auto engine = std::make_unique<DeviceEngine>(Backend::automatic, &shared);
+  REQUIRE(engine->keeps_bodies(tiny.model));
+  CHECK_FALSE(shared_engine()->keeps_bodies(tiny.model));  // nobody lent it one
+  // What is lent is lent once.
+  CHECK_FALSE(DeviceEngine(Backend::automatic, &shared).keeps_bodies(tiny.model));
+
+  State told = tiny.state, kept = tiny.state;
+  std::vector<State> expected;
+  for (int k = 0; k < 6; ++k) {
+    advance(*shared_engine(), tiny.model, 1, told);
+    expected.push_back(told);
+  }
+  drawer->make_current();
+  const ComputeFunctions gl(*drawer);
+  StepOptions stay;
+  stay.bodies_stay = true;
+  StepReport report;
+  std::vector<std::shared_ptr<const PoseCopy>> copies;
+  const auto check_all = [&] {
+    drawer->make_current();
+    for (std::size_t k = 0; k < copies.size(); ++k) {
+      CAPTURE(k, copies.size());
+      CHECK(places(gl, dynamic_cast<const GlPoses&>(*copies[k]), told.c.size()) == expected[k].c);
+    }
+  };
+  for (int k = 0; k < 6; ++k) {
+    std::thread([&] {
+      engine->step(tiny.model, fine(), stay, kept, report);
+      copies.push_back(engine->copy_poses());
+    }).join();
+    check_all();
+  }
+  // A copy that is let go is used again; what others hold stays, also after the engine.
+  const GLuint first = dynamic_cast<const GlPoses&>(*copies[0]).begin(gl);
+  copies.erase(copies.begin(), copies.begin() + 2);
+  expected.erase(expected.begin(), expected.begin() + 2);
+  const auto again = engine->copy_poses();
+  const GLuint used = dynamic_cast<const GlPoses&>(*again).begin(gl);
+  CHECK((used == first || used == first + 1));
+  engine->complete(kept);
+  CHECK(kept.c == expected.back().c);
+  engine.reset();
+  check_all();
+  engine = std::make_unique<DeviceEngine>(Backend::automatic, &shared);
+  CHECK(engine->keeps_bodies(tiny.model));
+  engine.reset();
+  shared.drop();
+  CHECK_FALSE(DeviceEngine(Backend::automatic, &shared).keeps_bodies(tiny.model));
 }
