@@ -21,7 +21,8 @@ std::string as_parameter(std::string text) {
 
 class GpuDevices : public StepDevices {
  public:
-  explicit GpuDevices(Backend backend) : backend_(backend) {}
+  GpuDevices(Backend backend, std::shared_ptr<SharedContext> drawing)
+      : backend_(backend), drawing_(std::move(drawing)) {}
 
   Answer decide(const Model& model, const Params& params, const State& state) const override {
     Answer answer;
@@ -39,7 +40,9 @@ class GpuDevices : public StepDevices {
     return answer;
   }
 
-  std::shared_ptr<StepEngine> open() const override { return std::make_shared<SplitEngine>(backend_); }
+  std::shared_ptr<StepEngine> open() const override {
+    return std::make_shared<SplitEngine>(backend_, drawing_.get());
+  }
 
  private:
   DeviceCapacity capacity() const {
@@ -49,14 +52,15 @@ class GpuDevices : public StepDevices {
   }
 
   Backend backend_;
+  std::shared_ptr<SharedContext> drawing_;
   mutable std::mutex mutex_;
   mutable std::optional<DeviceCapacity> capacity_;
 };
 
 }  // namespace
 
-std::shared_ptr<const StepDevices> gpu_devices(Backend backend) {
-  return std::make_shared<GpuDevices>(backend);
+std::shared_ptr<const StepDevices> gpu_devices(Backend backend, std::shared_ptr<SharedContext> drawing) {
+  return std::make_shared<GpuDevices>(backend, std::move(drawing));
 }
 
 }  // namespace pabd::cli

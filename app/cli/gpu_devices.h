@@ -6,10 +6,11 @@
 
 #include "app/session/step_devices.h"
 #include "render/context/context.h"
+#include "render/device/shared_context.h"
 
 namespace pabd::cli {
 
-// Looks for the GPU when it is first asked for, once.
-std::shared_ptr<const StepDevices> gpu_devices(Backend backend);
+// Looks for the GPU when it is first asked for, once. `drawing`: what who draws the run lends to it (not null).
+std::shared_ptr<const StepDevices> gpu_devices(Backend backend, std::shared_ptr<SharedContext> drawing);
 
 }  // namespace pabd::cli

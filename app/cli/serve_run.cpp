@@ -110,7 +110,9 @@ LobbyOptions lobby_options(const ServeSetup& setup, const Root& root, const Acce
   desk.threads = std::max(1, setup.common.thread_count() / setup.sessions);
   desk.memory = static_cast<std::size_t>(setup.past * kBytesPerMegabyte);
   desk.backend = parse_backend(setup.backend);
-  desk.devices = gpu_devices(desk.backend);
+  desk.devices = [backend = desk.backend](std::shared_ptr<SharedContext> drawing) {
+    return gpu_devices(backend, std::move(drawing));
+  };
   desk.files = std::make_shared<FileRoot>(root.folder());
   desk.find_scene = shipped_scene;
   desk.shipped_scenes = [] { return shipped_scenes(); };

@@ -33,6 +33,16 @@ constexpr std::size_t kMostScriptBytes = std::size_t{16} << 20;
 constexpr const char *kSize = "1280x720", *kScene = "two_boxes";
 constexpr double kIdle = 0.1;  // seconds that a window at rest waits for an event
 
+// What steps are made with has a context of the window: it ends first.
+struct RunnerEnd {
+  std::unique_ptr<Runner>& runner;
+  SharedContext& shared;
+  ~RunnerEnd() {
+    runner.reset();
+    shared.drop();
+  }
+};
+
 // Ends a script early: the window was closed, or the program was interrupted.
 struct LeftScript {};
 
@@ -53,12 +63,12 @@ ViewerOptions viewer_options(const ViewOptions& options, double screen_scale) {
   return out;
 }
 
-std::unique_ptr<Runner> start_runner(const ViewOptions& options) {
+std::unique_ptr<Runner> start_runner(const ViewOptions& options, std::shared_ptr<SharedContext> shared) {
   WorkbenchOptions bench;
   bench.threads = options.common.thread_count();
   bench.memory = static_cast<std::size_t>(options.memory * kBytesPerMegabyte);
   bench.find_scene = [](const std::string& name) { return find_scene(name).string(); };
-  bench.devices = gpu_devices(parse_backend(options.backend));
+  bench.devices = gpu_devices(parse_backend(options.backend), std::move(shared));
   std::vector<std::string> sets = options.common.sets;
   if (!options.device.empty()) sets.push_back("solver.device=" + options.device);
   return std::make_unique<Runner>(
@@ -97,9 +107,11 @@ void show_sweep(const ViewOptions& options, Viewer& viewer) {
 
 int view_headless(const ViewOptions& options, const FrameSize& size) {
   const Script script(read_script(options), options.script);
-  const auto runner = start_runner(options);
+  const auto shared = std::make_shared<SharedContext>();
+  const auto runner = start_runner(options, shared);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(parse_backend(options.backend), attempts);
+  shared->put_beside(*context);
   Viewer viewer(*context, *runner, viewer_options(options, 1));
   show_sweep(options, viewer);
   script.run(viewer, *runner,
@@ -135,7 +147,8 @@ int view_window(const ViewOptions& options, FrameSize size) {
   std::unique_ptr<Script> script;
   if (!options.script.empty()) script = std::make_unique<Script>(read_script(options), options.script);
   const InterruptGuard interrupt;  // before the window can be seen
-  const auto runner = start_runner(options);
+  const auto shared = std::make_shared<SharedContext>();
+  auto runner = start_runner(options, shared);
   const Settings kept = kept_settings(options, *runner);
   if (options.size.empty() && kept.width > 0 && kept.height > 0) size = {kept.width, kept.height};
   WindowOptions window_options;
@@ -143,6 +156,8 @@ int view_window(const ViewOptions& options, FrameSize size) {
   window_options.height = size.height;
   window_options.display_lost_status = exit_code(ErrorKind::no_context);
   const auto window = open_window(window_options);
+  shared->put_beside(window->context());
+  const RunnerEnd before_window{runner, *shared};
   ViewerOptions setup = viewer_options(options, window->content_scale());
   setup.start = kept.ui;
   setup.clipboard = [&] { return window->clipboard(); };

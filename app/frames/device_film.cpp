@@ -2,7 +2,6 @@
 // See device_film.h.
 #include "app/frames/device_film.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/frames/frame_schedule.h"
@@ -28,9 +27,7 @@ DeviceOptions solver_options(bool contacts) {
 }  // namespace
 
 bool DeviceFilm::shows_all(const Run& run, const OverlayChoice& overlay, const CameraOption& camera) {
-  const std::vector<BodyLook> looks = looks_of(run.scene(), run.model());
-  const bool opaque =
-      std::all_of(looks.begin(), looks.end(), [](const BodyLook& l) { return l.opacity == 1; });
+  const bool opaque = all_opaque(looks_of(run.scene(), run.model()));
   const bool plain = !overlay.bonds && !overlay.needs_iterations() &&
                      overlay.panels.needing(&OverlayPanel::contacts) == nullptr &&
                      !overlay.marks.velocities && !overlay.marks.boxes && !overlay.marks.inertia;

@@ -126,9 +126,7 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   visual_.camera = apply_camera(camera_option_, base_camera_,
                                 camera_option_.keys.empty() ? time - start_time_ : time, way);
   if (on_device) {
-    visual_.clear();
-    add_grounds(*view.model, visual_);
-    if (on_device->around) set_sphere(*on_device->around, visual_);
+    show_on_device(*view.model, on_device->around, visual_);
   } else {
     build_visual(*view.model, view.state, view.report, options, visual_);
   }

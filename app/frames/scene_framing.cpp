@@ -7,6 +7,7 @@
 
 #include "app/overlay/overlay_panels.h"
 #include "app/session/session.h"
+#include "render/visual/body_parts.h"
 #include "render/visual/bounds.h"
 #include "sim/base/error.h"
 
@@ -145,6 +146,16 @@ std::vector<BodyLook> looks_of(const Scene& scene, const Model& model) {
     if (const auto look = scene.looks.find(model.name[i]); look != scene.looks.end()) out[i] = look->second;
   }
   return out;
+}
+
+bool all_opaque(const std::vector<BodyLook>& looks) {
+  return std::all_of(looks.begin(), looks.end(), [](const BodyLook& look) { return look.opacity == 1; });
+}
+
+void show_on_device(const Model& model, const std::optional<BoundingSphere>& around, VisualScene& visual) {
+  visual.clear();
+  add_grounds(model, visual);
+  if (around) set_sphere(*around, visual);
 }
 
 Camera scene_camera(const Scene& scene, double aspect) {

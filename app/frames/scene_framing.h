@@ -9,6 +9,7 @@
 #include "app/frames/camera_option.h"
 #include "app/overlay/panel_layout.h"
 #include "app/session/frame_view.h"
+#include "render/visual/bounds.h"
 #include "render/visual/framing.h"
 #include "sim/scene/scene.h"
 
@@ -45,6 +46,11 @@ Camera come_near(const CameraOption& option, const Camera& framed, const Spot& b
 
 // How the scene wants its bodies to be drawn, by number in `model`, which may have been edited; empty: it says nothing.
 std::vector<BodyLook> looks_of(const Scene& scene, const Model& model);
+bool all_opaque(const std::vector<BodyLook>& looks);
+
+// What a picture has beside bodies whose poses lie on a GPU; its camera and theme stay. `around`: what is to be seen of
+// those.
+void show_on_device(const Model& model, const std::optional<BoundingSphere>& around, VisualScene& visual);
 
 // The camera of a scene at its start, for pictures without a run.
 Camera scene_camera(const Scene& scene, double aspect);

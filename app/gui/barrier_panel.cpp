@@ -262,8 +262,10 @@ class BarrierPanelView final : public GuiPanel {
     ImGui::BeginChild("##advice", {0, 0});
     const auto& reports = f.sim.a.report.contact_reports;
     if (advice_.empty()) {
-      muted_label(f, f.sim.a.report.step == 0      ? "No contacts yet: press play (space)."
-                     : !reports.empty()            ? "No warnings: nothing overlaps."
+      muted_label(f, f.sim.a.report.step == 0 ? "No contacts yet: press play (space)."
+                     : !reports.empty()       ? "No warnings: nothing overlaps."
+                     : f.sim.a.poses && f.sim.a.report.contacts > 0
+                         ? "The contacts of so many bodies stay on the GPU."
                      : f.sim.a.report.contacts > 0 ? "The contacts of this step were not kept."
                                                    : "No contacts in this step.");
     }

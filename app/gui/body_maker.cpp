@@ -25,6 +25,7 @@ AddBody body_at(const RunView& run, const Shape& shape, double density, const Ve
   double top = 0;
   for (const Vec3& c : run.state.c) top = std::max(top, c.y());
   const Vec3 sky(place.x(), std::max(top, place.y()) + 1e3, place.z());
+  if (run.poses) return out;
   const auto hit = ray_cast(*run.model, run.state, Ray{sky, -Vec3::UnitY()});
   if (hit)
     out.position.y() =

@@ -48,13 +48,13 @@ void CameraMotion::follow(const State& state, UiState& ui) {
 }
 
 void CameraMotion::move(const Snapshot& sim, UiState& ui) {
-  follow(sim.a.state, ui);
+  if (!sim.a.poses) follow(sim.a.state, ui);
   if (trails_.points() != ui.trails || scene_ != sim.scene_serial)
     trails_ = TrailRecorder(ui.trails, kTrailTime);
   scene_ = sim.scene_serial;
   const double time = sim.a.state.time;
   const bool jumped = sim.jumps != jumps_ && time > shown_ + kOneStep * sim.a.made_with.h;
-  trails_.add(*sim.a.model, sim.a.state, jumped);
+  if (!sim.a.poses) trails_.add(*sim.a.model, sim.a.state, jumped);
   jumps_ = sim.jumps;
   shown_ = time;
   if (ui.fly && !ui.camera_keys.empty() && time != flown_to_) ui.camera = camera_at(ui.camera_keys, time);

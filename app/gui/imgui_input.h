@@ -20,6 +20,7 @@ class ImGuiInput {
   void add(const WindowEvent& event) { waiting_.push_back(event); }
   bool empty() const { return waiting_.empty(); }
   std::size_t waiting() const { return waiting_.size(); }
+  const std::deque<WindowEvent>& events() const { return waiting_; }  // oldest first
 
   // Hands the events of one frame to ImGui and returns them.
   std::vector<WindowEvent> feed(ImGuiIO& io);

@@ -78,6 +78,7 @@ double median(List list, double otherwise) {
 
 std::optional<PickedBody> pick_body(const RunView& run, const CameraPose& camera, const Viewport& port,
                                     double x, double y) {
+  if (run.poses) return std::nullopt;
   const ViewRay ray = ray_through(camera, port, x, y);
   const auto hit = ray_cast(*run.model, run.state, Ray{ray.origin, ray.direction});
   if (!hit) return std::nullopt;

@@ -55,8 +55,8 @@ bool SceneView::same(const Key& a, const Key& b) {
 }
 
 bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<Trail>& trails,
-                     const GuiLayout& layout, const RenderQuality& quality, double scale,
-                     Renderer& renderer) {
+                     const GuiLayout& layout, const RenderQuality& quality, double scale, Renderer& renderer,
+                     DevicePicture& device) {
   const auto pixels = [scale](double length) {
     return std::max(1, static_cast<int>(std::lround(scale * length)));
   };
@@ -66,6 +66,11 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<T
                 ui.color,   ui.selection,       ui.dark, quality.level, ui.marks,    ui.theme, ui.trails};
   if (same(key, key_)) return false;
   key_ = key;
+  if (sim.a.poses) {
+    visual_[0].camera = rounded(ui.camera);
+    visual_[0].theme = ui.theme;
+    return device.draw(sim.a, visual_[0], width, height, quality, renderer);
+  }
   build(sim, Side::a, ui, visual_[0]);
   for (std::size_t k = 0; k < trails.size(); ++k) add_trail(trails[k].path, trail_color(k), visual_[0]);
   if (sim.b && !two) add_ghost(*sim.b->model, sim.b->state, ghost_color(), visual_[0]);

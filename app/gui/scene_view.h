@@ -3,6 +3,7 @@
 // them changed.
 #pragma once
 
+#include "app/gui/device_picture.h"
 #include "app/gui/gui_layout.h"
 #include "app/gui/ui_state.h"
 #include "app/workbench/snapshot.h"
@@ -16,8 +17,9 @@ namespace pabd {
 class SceneView {
  public:
   // Into the renderer's views, `scale` times as large as their places; true when something was drawn. `trails`: of A.
+  // `device` draws bodies that are on the GPU only.
   bool draw(const Snapshot& sim, const UiState& ui, const std::vector<Trail>& trails, const GuiLayout& layout,
-            const RenderQuality& quality, double scale, Renderer& renderer);
+            const RenderQuality& quality, double scale, Renderer& renderer, DevicePicture& device);
 
   // What was built last, for labels and picking.
   const VisualScene& scene() const { return visual_[0]; }

@@ -19,6 +19,7 @@
 #include "app/gui/key_table.h"
 #include "app/gui/live_picture.h"
 #include "app/gui/named_files.h"
+#include "app/gui/observer.h"
 #include "app/gui/palette.h"
 #include "app/gui/panels.h"
 #include "app/gui/pick.h"
@@ -70,6 +71,7 @@ struct Viewer::Impl {
   std::string followed;  // file of the scene that the camera was set for
   ImGuiInput input;
   PictureMouse mouse;
+  DevicePicture device;
   SceneView view;
   LivePicture live;
   double plain_composing = 0;  // s that a frame without a new picture took
@@ -88,7 +90,7 @@ struct Viewer::Impl {
   int width = kStartWidth, height = kStartHeight;
   bool themed_dark = false;
   double themed_unit = 0;
-  command::Observe observed;
+  Observer observer;
 
   Impl(GlContext& context, Runner& r, const ViewerOptions& o)
       : runner(r),
@@ -99,17 +101,19 @@ struct Viewer::Impl {
                                             int h) { return renderer.upload_font_atlas(rgba, w, h); }),
         ui(o.start),
         sim(runner.latest()),
+        device(context),
         scenes(o.shipped_scenes, o.steady, o.files),
         sweeps(renderer, o.steady, o.files == nullptr),
         studio(context, r, o.steady,
-               [this](Severity severity, const std::string& text) { tell(severity, text); }) {
+               [this](Severity severity, const std::string& text) { tell(severity, text); }),
+        observer(r) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = this;
     io.GetClipboardTextFn = [](void* self) { return static_cast<Impl*>(self)->clipboard_text(); };
     io.SetClipboardTextFn = [](void* self, const char* text) { static_cast<Impl*>(self)->copy(text); };
     for (const WindowPanel* panel : window_panels()) panels.emplace(panel, panel->make());
     layout = layout_gui(ui, width, height, unit(), false);
-    observe();
+    observer.observe(*sim, ui, takes_states());
   }
   ~Impl() { ImGui::DestroyContext(imgui); }
   Impl(const Impl&) = delete;
@@ -150,6 +154,7 @@ struct Viewer::Impl {
   }
 
   void act(const ViewCommand& c) {
+    sim = observer.with_states(sim);
     apply_view_command(c, *sim, port(), ui);
     studio.act(c, *sim, ui);
     // What it loads is the sweep's: names of files were checked when that was opened.
@@ -171,22 +176,8 @@ struct Viewer::Impl {
     }
   }
 
-  // Only what somebody looks at is recorded.
-  void observe() {
-    command::Observe want;
-    const auto seen = [&](bool WindowPanel::*need) {
-      return std::any_of(panels.begin(), panels.end(),
-                         [&](const auto& panel) { return panel.first->*need && ui.shows(*panel.first); });
-    };
-    want.iterations = seen(&WindowPanel::iterations);
-    want.contacts = ui.contacts || ui.bonds || seen(&WindowPanel::contacts);
-    want.bodies = ui.color != ColorQuantity::body || ui.selection.kind == Selection::Kind::body;
-    want.contacts = want.contacts || ui.selection.kind != Selection::Kind::none;
-    if (want.iterations == observed.iterations && want.contacts == observed.contacts &&
-        want.bodies == observed.bodies)
-      return;
-    observed = want;
-    runner.send(want);
+  bool takes_states() const {
+    return pabd::takes_states(*sim, ui) || studio.busy() || !device.can_draw(sim->a);
   }
 
   void handle_keys(const WindowEvent& event, Outbox& out) {
@@ -257,7 +248,7 @@ struct Viewer::Impl {
   void send_all(Outbox& out) {
     for (const Command& c : out.commands) send(c);
     for (const ViewCommand& c : out.view) try_to(c);
-    observe();
+    observer.observe(*sim, ui, takes_states());
   }
 
   // What belongs to the scene starts anew with another one.
@@ -300,6 +291,8 @@ struct Viewer::Impl {
     ImGui::SetCurrentContext(imgui);
     const auto latest = runner.latest();
     const auto last = std::exchange(sim, options.steady ? latest : live.choose(latest, seconds_now()));
+    if (takes_states() || (hand == Hand::there && observer.asks(input.events(), layout.view, seconds_now())))
+      sim = observer.with_states(sim);
     costs.begin();
     layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
     follow_scene(*last);
@@ -331,8 +324,9 @@ struct Viewer::Impl {
     const double before = seconds_now();
     const LivePicture::Plan plan = options.steady ? LivePicture::Plan{} : live.plan(*sim, ui, seconds_now());
     const bool drawn =
-        plan.draw && view.draw(*sim, ui, motion.trails(), layout, plan.quality, plan.scale, renderer);
+        plan.draw && view.draw(*sim, ui, motion.trails(), layout, plan.quality, plan.scale, renderer, device);
     const double between = seconds_now();
+    observer.tell_of(device);
     costs.done(FrameCosts::picture);
     std::vector<ViewPlace> places;
     for (int i = 0; i < (sim->b && ui.side_by_side ? 2 : 1); ++i) {
@@ -344,7 +338,10 @@ struct Viewer::Impl {
     // Software GL does the work of a picture when it is put to use.
     const double composing = seconds_now() - between;
     if (!drawn) plain_composing = composing;
-    if (drawn) live.took(plan, 1000 * (between - before + std::max(0.0, composing - plain_composing)));
+    // What a GPU draws by itself takes nothing from the simulation that this would give back.
+    if (drawn)
+      live.took(plan,
+                sim->a.poses ? 0 : 1000 * (between - before + std::max(0.0, composing - plain_composing)));
     if (hand == Hand::there) studio.work(*sim, ui, width, height, renderer);
     costs.done(FrameCosts::compose);
     send_all(out);

@@ -37,6 +37,7 @@ struct ServedDesk::Impl {
   DeskQueue queue;
   std::atomic<bool> events{false};
   std::shared_ptr<Runner> runner;  // to be stopped from outside
+  const std::shared_ptr<SharedContext> shared = std::make_shared<SharedContext>();
   std::mutex runner_mutex;
   std::promise<void> ready;
   std::thread thread;
@@ -55,6 +56,8 @@ struct ServedDesk::Impl {
       start_runner();  // first: a run that is made on the GPU makes a context of its own current
       std::vector<ContextAttempt> attempts;
       const auto context = create_headless_context(options.backend, attempts);
+      if (options.devices) shared->put_beside(*context);
+      if (options.play) runner->send(command::Play{});  // now bodies can be drawn from where steps are made
       std::unique_lock turn(*options.turn);
       DeskWork desk(*context, *runner, options, hear);
       turn.unlock();
@@ -72,7 +75,7 @@ struct ServedDesk::Impl {
     WorkbenchOptions bench;
     bench.threads = options.threads;
     bench.memory = options.memory;
-    bench.devices = options.devices;
+    if (options.devices) bench.devices = options.devices(shared);
     bench.find_scene = [this](const std::string& name) { return scene_file(name); };
     for (const auto& folder : options.mesh_folders) options.files->allow(folder);
     // Whoever started the server named the scene, and with it its meshes.
@@ -84,7 +87,6 @@ struct ServedDesk::Impl {
     auto made = std::make_shared<Runner>(
         std::make_unique<Workbench>(bench, command::Load{options.scene, options.sets, false}));
     *starting = false;
-    if (options.play) made->send(command::Play{});
     const std::scoped_lock lock(runner_mutex);
     runner = std::move(made);
   }

@@ -22,6 +22,7 @@
 #include "app/workbench/file_root.h"
 #include "render/context/context.h"
 #include "render/context/window.h"
+#include "render/device/shared_context.h"
 #include "render/output/video_options.h"
 
 namespace pabd {
@@ -35,7 +36,8 @@ struct DeskOptions {
   std::shared_ptr<FileRoot> files;  // of the visitors; never null
   // Of scenes that are not among the files of the visitors. Throws Error.
   std::function<std::string(const std::string& name)> find_scene;
-  std::shared_ptr<const StepDevices> devices;       // beside the processor; null: none
+  // Beside the processor, given what the desk lends to them; null: none.
+  std::function<std::shared_ptr<const StepDevices>(std::shared_ptr<SharedContext>)> devices;
   std::vector<std::filesystem::path> mesh_folders;  // that scenes may read from, beside those files
   std::function<std::vector<std::filesystem::path>()> shipped_scenes;
   // Held by whoever draws: the interface has one current context in a process. Never null.

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Bodies of a run that are drawn from the memory of the GPU that moves them: no state comes back for a picture.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/workbench/snapshot.h"
+#include "render/context/context.h"
+#include "render/gl/device_instances.h"
+#include "render/gl/quality.h"
+#include "render/gl/renderer.h"
+
+namespace pabd {
+
+class DevicePicture {
+ public:
+  // `context` is current in all calls, and outlives this. One that cannot draw so draws nothing: can_draw().
+  explicit DevicePicture(GlContext& context);
+  ~DevicePicture();
+  DevicePicture(const DevicePicture&) = delete;
+  DevicePicture& operator=(const DevicePicture&) = delete;
+
+  // Whether it can draw opaque bodies of the run, as far as it is known before.
+  bool can_draw(const RunView& run) const;
+
+  // The run's bodies and floor into the renderer's first view, `visual` has the camera and the theme. Precondition:
+  // run.poses is not null. False, and can_draw() is false from then on, where the GPU cannot: failure().
+  bool draw(const RunView& run, VisualScene& visual, int width, int height, const RenderQuality& quality,
+            Renderer& renderer);
+
+  const std::string& failure() const;  // empty: none
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pabd
