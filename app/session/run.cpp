@@ -86,8 +86,8 @@ Run Run::fork() const {
   out.timeline_ = timeline_;
   if (!timeline_.back().state && at_end())
     out.timeline_.put_state(std::make_shared<const State>(session_.whole_state()));
-  out.cursor_ = cursor_;
-  out.seek(cursor_);
+  out.cursor_ = at_end() ? out.timeline_.size() - 1 : cursor_;  // the oldest may be forgotten for that state
+  out.seek(out.cursor_);
   out.session_.set_params(session_.shared_params());
   out.newest_ = newest_;
   out.pulls_ = pulls_;
@@ -135,8 +135,9 @@ bool Run::advance() {
 
 void Run::seek(std::size_t i) {
   needs_processor();
+  const std::size_t before = timeline_.forgotten();
   complete();
-  i = timeline_.kept(i);
+  i = timeline_.kept(i - std::min(i, timeline_.forgotten() - before));
   if (at_end()) newest_ = session_.shared_params();
   go_to(i);
   // The parameters of a start are only those that were in force.
@@ -179,6 +180,7 @@ std::shared_ptr<const MadeEdit> Run::edit(const ModelEdit& edit) {
   complete();
   if (continued_after_now()) branch();  // the model to edit is that of the scene it goes on with
   session_.edit(edit_from_json(made->text, "edit"));
+  poses_.reset();
   if (!at_end()) branch();
   pulls_.reset();
   add_moment(made);
@@ -208,6 +210,7 @@ void Run::continue_as(std::shared_ptr<const Scene> scene) {
   const State here = session_.state();
   scene_ = std::move(scene);
   session_ = Session(scene_, threads_);
+  poses_.reset();
   observe(iterations_, contacts_, bodies_);
   stop_when(stop_);
   session_.set_params(params);

@@ -39,7 +39,7 @@ class Run {
   double kappa() const { return session_.kappa(); }               // J
 
   // Of now, with the parameters of the next step, without a history.
-  FrameView view() const { return stayed_ ? session_.view_on_device(poses_) : session_.view(); }
+  FrameView view() const { return poses_ && may_stay_ ? session_.view_on_device(poses_) : session_.view(); }
 
   const Timeline& timeline() const { return timeline_; }
   std::size_t cursor() const { return cursor_; }
@@ -73,8 +73,8 @@ class Run {
   // After this, state() and the timeline have all of the present: a device may leave something out. Where it is lost with
   // bodies that stayed, the run is back at the last moment whose state was kept.
   void complete();
-  // In steps to come bodies may stay on a device that pictures are drawn from: state() has a step and a time only until
-  // complete().
+  // Bodies may stay on a device that pictures are drawn from, in steps to come; where they did, state() has those of a step
+  // before until complete(), and view() none.
   void let_bodies_stay(bool on) { may_stay_ = on; }
   bool bodies_stayed() const { return stayed_; }
 
@@ -141,8 +141,8 @@ class Run {
   int threads_;
   bool iterations_ = false, contacts_ = false, bodies_ = false;
   bool may_stay_ = false;
-  bool stayed_ = false;                    // state() has no bodies of now,
-  std::shared_ptr<const PoseCopy> poses_;  // but this
+  bool stayed_ = false;                    // state() has no bodies of now
+  std::shared_ptr<const PoseCopy> poses_;  // of now, where a device keeps bodies; else null
   Timeline timeline_;
   std::size_t cursor_ = 0;
   std::shared_ptr<const Params> newest_;  // of the next step at the end, while the cursor is elsewhere

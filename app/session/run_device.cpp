@@ -33,9 +33,10 @@ void Run::give_device_to(Run* other) {
 // What a device made lies nowhere else as long as the timeline does not want it.
 void Run::complete() {
   if (timeline_.budget() == kNoPast || !session_.has_engine()) return;
-  if (!bring_back()) return;
-  if (at_end() && !timeline_.back().state)
-    timeline_.put_state(std::make_shared<const State>(session_.state()));
+  if (at_end() && timeline_.back().state) return;  // it came back for that
+  if (!bring_back() || !at_end()) return;
+  timeline_.put_state(std::make_shared<const State>(session_.state()));
+  cursor_ = timeline_.size() - 1;  // the oldest may be forgotten for it
 }
 
 // False when bodies are lost, and the run is where they were kept.
@@ -44,6 +45,7 @@ bool Run::bring_back() {
     session_.complete_state();
   } catch (const Error& error) {
     const bool lost = bodies_stayed();  // else friction begins anew
+    poses_.reset();
     work_with(nullptr);
     if (lost) {
       StepReport kept;
@@ -55,7 +57,6 @@ bool Run::bring_back() {
     if (lost) return false;
   }
   stayed_ = false;
-  poses_.reset();
   return true;
 }
 
@@ -80,6 +81,7 @@ void Run::work_with(const std::shared_ptr<StepEngine>& engine) {
 }
 
 void Run::leave_device() {
+  poses_.reset();
   if (timeline_.budget() == kNoPast || !session_.has_engine()) return;
   complete();
   work_with(nullptr);

@@ -68,10 +68,17 @@ void Workbench::tell(Severity severity, const std::string& text, const std::stri
   if (messages_.size() > kMostMessages) messages_.erase(messages_.begin());
 }
 
+// Where nobody asks for states; whether it is so.
+bool Workbench::let_bodies_stay() {
+  const bool may = playing_ && !observe_.states && !b_;
+  a_->let_bodies_stay(may);
+  return may;
+}
+
 bool Workbench::advance() {
   for (auto* run : {&a_, &b_})
     if (*run) (*run)->stop_when(options_.stop);
-  a_->let_bodies_stay(playing_ && !observe_.states && !b_);
+  let_bodies_stay();
   diverged_ = !a_->advance() || (b_ && !follow(*a_, *b_));
   tell_of_device(*a_, b_ ? "A: " : "", told_a_);
   if (b_) tell_of_device(*b_, "B: ", told_b_);
@@ -237,7 +244,7 @@ void Workbench::measure_distance() {
 }
 
 Snapshot Workbench::snapshot() {
-  if (!playing_) a_->complete();
+  if (!let_bodies_stay()) a_->complete();
   Snapshot s;
   s.serial = ++serial_;
   s.scene_serial = scene_serial_;

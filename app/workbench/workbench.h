@@ -172,6 +172,7 @@ class Workbench {
   void check_device(const Run& run, const Params& after) const;
   void tell_of_device(const Run& run, const char* name, DeviceStatus& told);
   void seek_to(std::size_t moment);
+  bool let_bodies_stay();
   RunView view(const Run& run, ChangedKeys& changed) const;
   void measure_distance();
 

@@ -7,6 +7,7 @@
 #include "app/gui/viewer.h"
 #include "render/output/compare_images.h"
 #include "sim/scene/scene.h"
+#include "tests/support/drift_device.h"
 #include "tests/support/gpu_steps.h"
 
 using namespace pabd;
@@ -75,12 +76,14 @@ TEST_CASE("a run is drawn from the GPU's memory as from its states, at rest and 
     REQUIRE(run.view().poses);
     const Image of_gpu = picture();
     std::thread([&] { run.complete(); }).join();
+    run.let_bodies_stay(false);
     REQUIRE(run.view().poses == nullptr);
     const Image of_state = picture();
     const CompareResult result = compare_images(of_gpu, of_state, CompareTier::same_class);
     CAPTURE(round, result.reason);
     CHECK(result.equal);
     ++compared;
+    run.let_bodies_stay(true);
     ui.camera.eye += Vec3(0.3, 0.2, -0.4);
   }
   CHECK(compared == 3);
@@ -151,4 +154,40 @@ TEST_CASE("the window lets bodies stay while it plays, and has states for what t
     draw();
     CHECK(whole());
   }
+}
+
+TEST_CASE("where pictures cannot be drawn from a device's memory, states come back, and that is told once") {
+  const auto context = any_context();
+  const auto devices = std::make_shared<test::DriftDevices>();
+  devices->draws = true;  // so it says
+  WorkbenchOptions bench;
+  bench.memory = 3000;
+  bench.devices = devices;
+  Runner runner(std::make_unique<Workbench>(bench, command::Load{kTwoBoxes, {"solver.device=gpu"}, false}));
+  context->make_current();
+  ViewerOptions options;
+  options.steady = true;
+  options.start.open = {};
+  options.start.contacts = options.start.bonds = false;
+  Viewer viewer(*context, runner, options);
+  viewer.send(Command(command::Speed{0}));
+  viewer.send(Command(command::Play{}));
+  const auto told = [&] {
+    const auto& messages = viewer.snapshot().messages;
+    return std::count_if(messages.begin(), messages.end(), [](const Message& message) {
+      return message.text.find("bodies come back from the GPU for each picture") == 0;
+    });
+  };
+  const auto draw = [&] {
+    runner.settle();
+    viewer.draw(640, 360, 0.02);
+  };
+  for (int k = 0; k < 400 && told() == 0; ++k) draw();
+  REQUIRE(told() == 1);
+  for (int k = 0; k < 50; ++k) {
+    draw();
+    CHECK(viewer.snapshot().a.state.size() == 3);
+  }
+  CHECK(told() == 1);
+  CHECK(viewer.snapshot().playing);
 }

@@ -52,13 +52,9 @@ TEST_CASE("bodies that may stay on a device come back where a state is kept, and
     CHECK(run.view().state.step == k);
     CHECK(run.report().step == k);
     away += run.bodies_stayed() ? 1 : 0;
-    if (!run.bodies_stayed()) {
-      CHECK(run.state().c[0].x() == Approx(3 * h * k));
-      CHECK(run.view().poses == nullptr);
-    } else {
-      CHECK(drawn_x(run) == Approx(3 * h * k));
-      CHECK(run.view().state.size() == 0);
-    }
+    if (!run.bodies_stayed()) CHECK(run.state().c[0].x() == Approx(3 * h * k));
+    CHECK(drawn_x(run) == Approx(3 * h * k));
+    CHECK(run.view().state.size() == 0);
   }
   CHECK(away > 150);
   CHECK(run.timeline().size() == 201);
@@ -68,11 +64,17 @@ TEST_CASE("bodies that may stay on a device come back where a state is kept, and
   CHECK(run.state().c[0].x() == Approx(3 * h * 200));
   CHECK(run.state().contacts.size() == 1);
   CHECK(run.timeline().back().state != nullptr);
+  CHECK(run.view().poses != nullptr);  // pictures are drawn from there still
+  run.let_bodies_stay(false);
+  CHECK(run.view().poses == nullptr);
+  CHECK(run.view().state.size() == 2);
+  run.let_bodies_stay(true);
   made.go(1);
   // What looks at the past or changes it has them first.
   const std::size_t middle = run.timeline().kept(100);
   run.seek(middle);
   CHECK(run.state().c[0].x() == Approx(3 * h * static_cast<double>(middle)));
+  CHECK(run.view().poses == nullptr);
   run.seek(201);
   CHECK(run.state().c[0].x() == Approx(3 * h * 201));
   made.go(3);
@@ -86,6 +88,29 @@ TEST_CASE("bodies that may stay on a device come back where a state is kept, and
   made.go(1);
   CHECK_FALSE(run.bodies_stayed());
   CHECK(run.state().c[0].x() == Approx(3 * h * 213));
+}
+
+TEST_CASE(
+    "states that are asked for take the room of the oldest moments, and the run is at its end all the same") {
+  Staying made;
+  Run& run = made.run;
+  for (int k = 1; k <= 3000; ++k) {
+    made.go(1);
+    if (k % 7 != 0) continue;
+    run.complete();
+    REQUIRE(run.at_end());
+    REQUIRE(run.state().step == k);
+    REQUIRE(run.timeline()[run.cursor()].report.step == k);
+    if (k % 70 == 0) REQUIRE(run.fork().state().step == k);
+  }
+  CHECK(run.timeline().forgotten() > 0);
+  made.go(1);
+  while (!run.bodies_stayed()) made.go(1);
+  // A moment that is gone to is the one that was meant, whatever had to be forgotten on the way.
+  const std::size_t i = run.timeline().kept(run.timeline().size() - 100);
+  const std::int64_t step = run.timeline()[i].report.step;
+  run.seek(i);
+  CHECK(run.state().step == step);
 }
 
 TEST_CASE("a device without pictures brings every state back") {
