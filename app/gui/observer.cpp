@@ -69,7 +69,8 @@ std::shared_ptr<const Snapshot> Observer::with_states(std::shared_ptr<const Snap
 }
 
 void Observer::tell_of(const DevicePicture& device) {
-  if (std::exchange(failed_, !device.failure().empty()) == failed_) return;
+  if (failed_ || device.failure().empty()) return;
+  failed_ = true;
   runner_.send(command::Tell{"bodies come back from the GPU for each picture: " + device.failure(), false});
 }
 

@@ -98,7 +98,9 @@ void measure(GlContext& context, const Options& options, const std::string& scen
     viewer.draw(options.width, options.height, seconds_since(last));
     last = start;
     if (k >= 0) ms.push_back(1e3 * seconds_since(start));
-    if (k < 0 || std::exchange(shown, viewer.snapshot().a.state.step) == shown) continue;
+    const std::int64_t now = viewer.snapshot().a.state.step;
+    if (k < 0 || now == shown) continue;
+    shown = now;
     ++pictures;
     if (viewer.snapshot().a.poses) ++away;
     contacts = std::max(contacts, viewer.snapshot().a.report.StepSummary::contacts);
