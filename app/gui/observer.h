@@ -26,7 +26,7 @@ class Observer {
   void observe(const Snapshot& sim, const UiState& ui, bool states);
 
   // Whether what a person does now may ask where bodies are: all but turning the camera, and what takes no button. `view`:
-  // the picture; `now` in s, since whenever.
+  // the picture; `now`: ImGui's time, by which it counts double clicks; s.
   bool asks(const std::deque<WindowEvent>& events, const Rect& view, double now);
 
   // The snapshot, or a later one that says where bodies are: waits for the rest of a step, and for the GPU.

@@ -291,7 +291,8 @@ struct Viewer::Impl {
     ImGui::SetCurrentContext(imgui);
     const auto latest = runner.latest();
     const auto last = std::exchange(sim, options.steady ? latest : live.choose(latest, seconds_now()));
-    if (takes_states() || (hand == Hand::there && observer.asks(input.events(), layout.view, seconds_now())))
+    if (takes_states() ||
+        (hand == Hand::there && observer.asks(input.events(), layout.view, ImGui::GetTime())))
       sim = observer.with_states(sim);
     costs.begin();
     layout = layout_gui(ui, width, height, unit(), sim->b && ui.side_by_side);
