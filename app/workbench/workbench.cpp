@@ -49,7 +49,7 @@ void Workbench::apply(const Command& command) {
   std::visit(
       [this](const auto& c) {
         about_ = c.name;
-        if (!leaves_bodies(c)) a_->complete();
+        if (!leaves_bodies(c)) bring_bodies_back();
         carry_out(c);
       },
       command);
@@ -73,6 +73,10 @@ bool Workbench::let_bodies_stay() {
   const bool may = playing_ && !observe_.states && !b_;
   a_->let_bodies_stay(may);
   return may;
+}
+
+void Workbench::bring_bodies_back() {
+  if (a_->bodies_stayed()) a_->complete();
 }
 
 bool Workbench::advance() {
@@ -216,7 +220,7 @@ void Workbench::carry_out(const command::Observe& c) {
   const bool more = (c.iterations && !observe_.iterations) || (c.contacts && !observe_.contacts) ||
                     (c.bodies && !observe_.bodies);
   observe_ = c;
-  if (c.states) a_->complete();
+  if (c.states) bring_bodies_back();
   for (auto* run : {&a_, &b_}) {
     if (!*run) continue;
     (*run)->observe(c.iterations, c.contacts, c.bodies);
@@ -244,7 +248,7 @@ void Workbench::measure_distance() {
 }
 
 Snapshot Workbench::snapshot() {
-  if (!let_bodies_stay()) a_->complete();
+  if (!let_bodies_stay()) bring_bodies_back();
   Snapshot s;
   s.serial = ++serial_;
   s.scene_serial = scene_serial_;

@@ -173,6 +173,7 @@ class Workbench {
   void tell_of_device(const Run& run, const char* name, DeviceStatus& told);
   void seek_to(std::size_t moment);
   bool let_bodies_stay();
+  void bring_bodies_back();
   RunView view(const Run& run, ChangedKeys& changed) const;
   void measure_distance();
 
