@@ -52,7 +52,7 @@ struct BenchScene {
   DeviceChoice device;
 };
 
-void check_options(const BenchOptions& options) {
+void check_bench(const BenchOptions& options) {
   if (options.time) check_range("--time", *options.time, 0, 1e6, "s");
   if (options.steps)
     check_range("--steps", static_cast<double>(*options.steps), 1, static_cast<double>(kMostSteps));
@@ -190,7 +190,7 @@ class Bench {
 };
 
 int bench(const BenchOptions& options) {
-  check_options(options);
+  check_bench(options);
   InputFiles inputs;
   const std::vector<BenchScene> scenes = open_scenes(options, inputs);
   std::optional<TextOutput> json;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "app/cli/help_text.h"
 #include "sim/base/available_cpus.h"
@@ -82,6 +83,11 @@ void add_output_options(CLI::App& command, OutputOptions& output, const std::str
       ->required()
       ->group(group::kOutput);
   add_force_option(command, output.force);
+}
+
+std::string bytes_text(double bytes) {
+  return bytes < 1e6 ? fmt::format("{:.0f} kB", std::ceil(bytes / 1e3))
+                     : fmt::format("{:.1f} MB", bytes / 1e6);
 }
 
 FrameSize parse_size(const std::string& text) {

@@ -49,6 +49,14 @@ struct OutputOptions {
 };
 void add_output_options(CLI::App& command, OutputOptions& output, const std::string& description);
 
+// What `render` and `export` take unless it is said otherwise, and the most that is no slip of the hand.
+inline constexpr double kDefaultTime = 5;  // s
+inline constexpr int kMostFrames = 10'000'000;
+
+inline constexpr int kBytesPerMegabyte = 1'000'000;
+// "640 kB", "3.1 MB".
+std::string bytes_text(double bytes);
+
 // A size as "1280x720". Throws Error(bad_input) for anything else, or outside 16 … 16384.
 struct FrameSize {
   int width = 1280;

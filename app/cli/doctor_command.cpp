@@ -31,7 +31,7 @@ std::int64_t rounded(std::int64_t bodies) {
 }
 
 // "yes: NVIDIA H200, OpenGL 4.6, buffers of up to 4 GiB, about 1.2 million bodies".
-std::string solver_text(const GlFacts& gl) {
+std::string gl_solver_text(const GlFacts& gl) {
   const DeviceCapacity& solver = gl.solver;
   if (gl.context.empty()) return "no: there is no OpenGL";
   if (!solver.why_not.empty()) return "no: " + solver.why_not;
@@ -97,7 +97,7 @@ std::string to_text(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts
     text += fmt::format("            {}: {}\n", attempt.name,
                         attempt.failure.empty() ? "works" : attempt.failure);
   }
-  text += fmt::format("GPU solver  {}\n", solver_text(gl));
+  text += fmt::format("GPU solver  {}\n", gl_solver_text(gl));
   text += ffmpeg.found ? fmt::format(
                              "ffmpeg      {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {} · h264_nvenc {} · "
                              "h264_vaapi {}\n",

@@ -24,9 +24,7 @@
 namespace pabd::cli {
 namespace {
 
-constexpr double kDefaultTime = 5;
-constexpr double kFps = 30;
-constexpr std::int64_t kMostFrames = 10'000'000;
+constexpr double kExportFps = 30;
 constexpr std::size_t kRecordingMemory = std::size_t{512} << 20;  // bytes for states of its past
 
 struct ExportOptions {
@@ -46,17 +44,12 @@ struct ExportOptions {
 
 int segments_of(const std::string& quality) { return quality == "draft" ? 16 : quality == "best" ? 96 : 48; }
 
-std::string bytes_text(double bytes) {
-  return bytes < 1e6 ? fmt::format("{:.0f} kB", std::ceil(bytes / 1e3))
-                     : fmt::format("{:.1f} MB", bytes / 1e6);
-}
-
 // Where the frames come from, and how many there are.
 struct Frames {
   std::unique_ptr<FrameSource> source;
   SessionSource* live = nullptr;  // the same, where it simulates
   std::int64_t count = 0;
-  double fps = kFps;
+  double fps = kExportFps;
   FrameView start;
   std::string device_words;
 };
@@ -88,7 +81,7 @@ std::int64_t frame_count(const ExportOptions& options, const Scene& scene, doubl
 Frames live_frames(const ExportOptions& options, Session session, bool arrays) {
   Frames out;
   // Of arrays every step is a row, unless it is said otherwise.
-  out.fps = options.fps.value_or(arrays ? 1 / session.params().h : kFps);
+  out.fps = options.fps.value_or(arrays ? 1 / session.params().h : kExportFps);
   out.count = frame_count(options, session.scene(), out.fps);
   StepOptions wanted;
   wanted.report_contacts = wanted.report_joints = arrays;
@@ -111,7 +104,7 @@ Frames recorded_frames(const ExportOptions& options, const std::shared_ptr<const
   Timeline past = read_recording(options.recording, scene, kRecordingMemory);
   const double h = past.back().params->h;
   Frames out;
-  out.fps = options.fps.value_or(arrays ? 1 / h : kFps);
+  out.fps = options.fps.value_or(arrays ? 1 / h : kExportFps);
   Run run(scene, options.common.thread_count(), std::move(past));
   if (options.time) check_range("--time", *options.time, 0, 1e6, "s");
   run.seek(0);

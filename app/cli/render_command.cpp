@@ -29,11 +29,9 @@
 namespace pabd::cli {
 namespace {
 
-constexpr double kDefaultTime = 5;
 // A GIF is for a page: files of three digits of megabytes are of no use there.
 constexpr double kFps = 60, kGifFps = 20;
 constexpr const char *kSize = "1280x720", *kGifSize = "640x360";
-constexpr int kMostFrames = 10'000'000;
 constexpr std::size_t kMostPatchBytes = std::size_t{1} << 20;
 
 struct RenderOptions {
@@ -80,11 +78,6 @@ RenderOptions completed(RenderOptions options) {
 
 // One PNG shows the state at the end; everything else shows the way there.
 bool is_still(const std::string& out) { return out.ends_with(".png") && !is_frame_template(out); }
-
-std::string bytes_text(double bytes) {
-  return bytes < 1e6 ? fmt::format("{:.0f} kB", std::ceil(bytes / 1e3))
-                     : fmt::format("{:.1f} MB", bytes / 1e6);
-}
 
 // "wrote pyramid.mp4: 300 frames of 1280x720, 5 s at 60 a second, 3.1 MB".
 std::string written_text(const RenderOptions& options, const FrameRange& range, int frames) {

@@ -81,7 +81,7 @@ class RunOutputs {
   std::ostringstream text_;
 };
 
-void check_options(const RunOptions& options) {
+void check_run(const RunOptions& options) {
   if (options.time) check_range("--time", *options.time, 0, 1e6, "s");
   if (options.steps) check_range("--steps", static_cast<double>(*options.steps), 0, 1e9);
   const std::string* paths[] = {&options.trace, &options.iterations, &options.joints, &options.state};
@@ -120,7 +120,7 @@ void solve_on_device(const RunOptions& options, Session& session, RunFacts& fact
 }
 
 int run(const RunOptions& options) {
-  check_options(options);
+  check_run(options);
   InputFiles inputs;
   Session session = open_session(options.scene, options.common, options.from, inputs);
   const double time = options.time.value_or(session.scene().duration.value_or(5.0));

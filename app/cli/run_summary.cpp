@@ -15,7 +15,7 @@
 namespace pabd::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kFrictionSaid = 0.01;  // of μ f_n; what is below is no news
 
@@ -23,13 +23,13 @@ double ms_a_step(const RunFacts& facts) {
   return facts.steps > 0 ? 1e3 * facts.seconds / static_cast<double>(facts.steps) : 0;
 }
 
-Json counts_json(const StepCounts& counts) {
-  Json json = Json::object();
+OrderedJson counts_json(const StepCounts& counts) {
+  OrderedJson json = OrderedJson::object();
   for (const auto& [name, count] : counts) json[name] = count;
   return json;
 }
 
-Json times_json(const PhaseTimes& sums, std::int64_t steps) {
+OrderedJson times_json(const PhaseTimes& sums, std::int64_t steps) {
   const auto mean = [&](double ms) { return steps > 0 ? ms / static_cast<double>(steps) : 0; };
   return {{"detect", mean(sums.detect)},
           {"set_up", mean(sums.set_up)},
@@ -85,7 +85,7 @@ std::string summary_text(const Session& session, const RunFacts& facts) {
 nlohmann::ordered_json summary_json(const Session& session, const RunFacts& facts) {
   const Extremes& worst = facts.worst;
   const StepStatistics& s = facts.statistics;
-  const auto or_null = [](bool there, double value) { return there ? Json(value) : Json(); };
+  const auto or_null = [](bool there, double value) { return there ? OrderedJson(value) : OrderedJson(); };
   return {{"format", "pabd-run-summary"},
           {"version", 1},
           {"program", "pabd " PABD_VERSION},

@@ -23,7 +23,7 @@ struct ScenesOptions {
   bool names = false;
 };
 
-struct Row {
+struct SceneRow {
   std::string name;
   Index bodies;
   std::size_t joints;
@@ -41,7 +41,7 @@ int scenes(const ScenesOptions& options) {
     write_stdout(names);
     return 0;
   }
-  std::vector<Row> rows;
+  std::vector<SceneRow> rows;
   for (const auto& file : shipped_scenes()) {
     const Scene scene = load_any_scene(file);
     rows.push_back({file.stem().string(), scene.model.size(), scene.model.joints.size(), scene.description});
@@ -53,7 +53,7 @@ int scenes(const ScenesOptions& options) {
   std::string text;
   if (options.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Row& row : rows) {
+    for (const SceneRow& row : rows) {
       list.push_back({{"name", row.name},
                       {"bodies", row.bodies},
                       {"joints", row.joints},
@@ -62,9 +62,9 @@ int scenes(const ScenesOptions& options) {
     text = list.dump(2) + "\n";
   } else {
     std::size_t width = 5;
-    for (const Row& row : rows) width = std::max(width, row.name.size());
+    for (const SceneRow& row : rows) width = std::max(width, row.name.size());
     text = fmt::format("{:<{}}  bodies  joints  description\n", "scene", width);
-    for (const Row& row : rows)
+    for (const SceneRow& row : rows)
       text +=
           fmt::format("{:<{}}  {:>6}  {:>6}  {}\n", row.name, width, row.bodies, row.joints, row.description);
   }

@@ -23,7 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kBytesPerMegabyte = 1'000'000;
 constexpr int kTries = 20;  // ports
 
 // The folder of the visitors' files: one that stays, or a new one that goes with the object.

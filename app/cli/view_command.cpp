@@ -28,9 +28,8 @@ namespace fs = std::filesystem;
 namespace pabd::cli {
 namespace {
 
-constexpr int kBytesPerMegabyte = 1'000'000;
 constexpr std::size_t kMostScriptBytes = std::size_t{16} << 20;
-constexpr const char *kSize = "1280x720", *kScene = "two_boxes";
+constexpr const char *kWindowSize = "1280x720", *kScene = "two_boxes";
 constexpr double kIdle = 0.1;  // seconds that a window at rest waits for an event
 
 // What steps are made with has a context of the window: it ends first.
@@ -225,7 +224,7 @@ int view(ViewOptions options) {
     return 0;
   }
   open_sweep_of(options);
-  const FrameSize size = parse_size(options.size.empty() ? kSize : options.size);
+  const FrameSize size = parse_size(options.size.empty() ? kWindowSize : options.size);
   if (options.scale != 0) check_range("--scale", options.scale, 0.5, 4);
   check_range("--memory", options.memory, 1, 1e6, "MB");
   if (options.headless && options.script.empty()) {

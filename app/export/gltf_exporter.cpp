@@ -26,7 +26,7 @@
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 enum Component { kFloat = 5126, kUnsigned = 5125 };
 enum Target { kNoTarget = 0, kVertices = 34962, kTriangles = 34963 };
@@ -35,18 +35,18 @@ enum Mode { kLineStrip = 3 };
 // The buffer: parts of it that are of one kind, a view each; accessors are written into its JSON.
 class Buffer {
  public:
-  explicit Buffer(Json& document) : document_(document) {
-    document_["accessors"] = Json::array();
-    document_["bufferViews"] = Json::array();
+  explicit Buffer(OrderedJson& document) : document_(document) {
+    document_["accessors"] = OrderedJson::array();
+    document_["bufferViews"] = OrderedJson::array();
   }
 
   // Numbers of `width` components each; returns the accessor. `bounds`: with min and max.
   int add(std::span<const float> values, int width, Target target, bool bounds) {
     static constexpr const char* kTypes[] = {"", "SCALAR", "", "VEC3", "VEC4"};
-    Json accessor = {{"bufferView", view(bytes_of(values), target)},
-                     {"componentType", kFloat},
-                     {"count", values.size() / static_cast<std::size_t>(width)},
-                     {"type", kTypes[width]}};
+    OrderedJson accessor = {{"bufferView", view(bytes_of(values), target)},
+                            {"componentType", kFloat},
+                            {"count", values.size() / static_cast<std::size_t>(width)},
+                            {"type", kTypes[width]}};
     if (bounds) {
       for (const auto& [name, better] :
            {std::pair<const char*, bool (*)(float, float)>{"min", [](float a, float b) { return a < b; }},
@@ -73,18 +73,18 @@ class Buffer {
 
  private:
   int view(std::string_view part, Target target) {
-    Json view = {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", part.size()}};
+    OrderedJson view = {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", part.size()}};
     if (target != kNoTarget) view["target"] = target;
     document_["bufferViews"].push_back(std::move(view));
     bytes_ += part;  // all are of 4-byte numbers: aligned
     return static_cast<int>(document_["bufferViews"].size()) - 1;
   }
-  int push(Json accessor) {
+  int push(OrderedJson accessor) {
     document_["accessors"].push_back(std::move(accessor));
     return static_cast<int>(document_["accessors"].size()) - 1;
   }
 
-  Json& document_;
+  OrderedJson& document_;
   std::string bytes_;
 };
 
@@ -94,20 +94,21 @@ std::span<const float> floats(const std::vector<Vec3f>& list) {
 }
 
 template <class V>
-Json numbers(const V& v) {
+OrderedJson numbers(const V& v) {
   return std::vector<float>(v.data(), v.data() + v.size());
 }
 
-int push(Json& document, const char* list, Json item) {
+int push(OrderedJson& document, const char* list, OrderedJson item) {
   document[list].push_back(std::move(item));
   return static_cast<int>(document[list].size()) - 1;
 }
 
-int add_material(Json& document, const std::string& name, const Vec4f& color, double roughness,
+int add_material(OrderedJson& document, const std::string& name, const Vec4f& color, double roughness,
                  bool two_sided) {
-  Json out = {{"name", name},
-              {"pbrMetallicRoughness",
-               {{"baseColorFactor", numbers(color)}, {"metallicFactor", 0}, {"roughnessFactor", roughness}}}};
+  OrderedJson out = {
+      {"name", name},
+      {"pbrMetallicRoughness",
+       {{"baseColorFactor", numbers(color)}, {"metallicFactor", 0}, {"roughnessFactor", roughness}}}};
   if (color.w() < 1) out["alphaMode"] = "BLEND";
   if (two_sided) out["doubleSided"] = true;
   return push(document, "materials", std::move(out));
@@ -128,13 +129,13 @@ class GltfExporter : public Exporter {
   void add(std::int64_t frame, const FrameView& view) override { motion_.add(frame, view); }
 
   void finish() override {
-    Json document = {
+    OrderedJson document = {
         {"asset",
          {{"version", "2.0"},
           {"generator", "pabd " PABD_VERSION},
           {"extras", {{"scene", name_}, {"scene_hash", hash_}, {"length_unit", "m"}, {"up", "y"}}}}},
         {"scene", 0},
-        {"scenes", Json::array({Json{{"name", name_}, {"nodes", Json::array()}}})}};
+        {"scenes", OrderedJson::array({OrderedJson{{"name", name_}, {"nodes", OrderedJson::array()}}})}};
     Buffer buffer(document);
     add_bodies(document, buffer);
     add_trails(document, buffer);
@@ -144,13 +145,13 @@ class GltfExporter : public Exporter {
   }
 
  private:
-  Json primitive(const std::pair<int, int>& vertices, int indices, int material) const {
+  OrderedJson primitive(const std::pair<int, int>& vertices, int indices, int material) const {
     return {{"attributes", {{"POSITION", vertices.first}, {"NORMAL", vertices.second}}},
             {"indices", indices},
             {"material", material}};
   }
 
-  void add_bodies(Json& document, Buffer& buffer) {
+  void add_bodies(OrderedJson& document, Buffer& buffer) {
     for (std::size_t k = 0; k < bodies_.materials.size(); ++k)
       add_material(document, fmt::format("color {}", k), bodies_.materials[k], kBodyRoughness, false);
 
@@ -172,7 +173,7 @@ class GltfExporter : public Exporter {
     int floor_material = -1;
     for (std::size_t i = 0; i < bodies_.bodies.size(); ++i) {
       const MeshedBody& body = bodies_.bodies[i];
-      Json node = {{"name", body.name}};
+      OrderedJson node = {{"name", body.name}};
       if (body.mesh == kNoMesh) {
         if (floor_material < 0) {
           const float* c = kStudioTheme.floor;
@@ -182,16 +183,16 @@ class GltfExporter : public Exporter {
             plane_mesh(std::get<Plane>(model_->shape[i]), motion_.middle(), motion_.reach());
         const std::pair<int, int> vertices{buffer.add(floats(quad.positions), 3, kVertices, true),
                                            buffer.add(floats(quad.normals), 3, kVertices, false)};
-        node["mesh"] =
-            push(document, "meshes",
-                 {{"name", body.name},
-                  {"primitives",
-                   Json::array({primitive(vertices, buffer.add_indices(quad.light), floor_material)})}});
+        node["mesh"] = push(
+            document, "meshes",
+            {{"name", body.name},
+             {"primitives",
+              OrderedJson::array({primitive(vertices, buffer.add_indices(quad.light), floor_material)})}});
       } else {
         const auto [at, is_new] = known.try_emplace({body.mesh, body.material}, 0);
         if (is_new) {
           const Accessors& a = of_mesh[static_cast<std::size_t>(body.mesh)];
-          Json primitives = Json::array();
+          OrderedJson primitives = OrderedJson::array();
           if (a.light >= 0) primitives.push_back(primitive(a.vertices, a.light, body.material));
           if (a.dark >= 0) primitives.push_back(primitive(a.vertices, a.dark, body.dark_material));
           at->second = push(
@@ -206,20 +207,20 @@ class GltfExporter : public Exporter {
     }
   }
 
-  void add_trails(Json& document, Buffer& buffer) {
+  void add_trails(OrderedJson& document, Buffer& buffer) {
     for (std::size_t k = 0; k < motion_.trails().size(); ++k) {
       const std::vector<Vec3f>& path = motion_.trails()[k];
       if (path.size() < 2) continue;
       const Vec4f color = trail_color(k);
       const int material = add_material(document, fmt::format("trail {}", k), color, 1, false);
-      document["materials"].back()["extensions"]["KHR_materials_unlit"] = Json::object();
-      document["extensionsUsed"] = Json::array({"KHR_materials_unlit"});
+      document["materials"].back()["extensions"]["KHR_materials_unlit"] = OrderedJson::object();
+      document["extensionsUsed"] = OrderedJson::array({"KHR_materials_unlit"});
       const std::string name = "trail of " + trail_words(motion_.trail_points()[k]);
       const int mesh = push(
           document, "meshes",
           {{"name", name},
-           {"primitives",
-            Json::array({Json{{"attributes", {{"POSITION", buffer.add(floats(path), 3, kVertices, true)}}},
+           {"primitives", OrderedJson::array({OrderedJson{
+                              {"attributes", {{"POSITION", buffer.add(floats(path), 3, kVertices, true)}}},
                               {"mode", kLineStrip},
                               {"material", material}}})}});
       document["scenes"][0]["nodes"].push_back(push(document, "nodes", {{"name", name}, {"mesh", mesh}}));
@@ -227,7 +228,7 @@ class GltfExporter : public Exporter {
   }
 
   // From where `pabd render` looks at the start.
-  void add_camera(Json& document) const {
+  void add_camera(OrderedJson& document) const {
     const Eigen::Matrix4d to_world = view_matrix(camera_).cast<double>().inverse();
     const Vec4f turn = continued(to_world.topLeftCorner<3, 3>(), Quat(0, 0, 0, 0)).coeffs().cast<float>();
     const double distance = static_cast<double>((camera_.eye - camera_.target).norm());
@@ -246,9 +247,9 @@ class GltfExporter : public Exporter {
     document["scenes"][0]["nodes"].push_back(node);
   }
 
-  void add_animation(Json& document, Buffer& buffer) const {
+  void add_animation(OrderedJson& document, Buffer& buffer) const {
     if (motion_.keys() < 2) return;
-    Json samplers = Json::array(), channels = Json::array();
+    OrderedJson samplers = OrderedJson::array(), channels = OrderedJson::array();
     int times = -1;
     const auto add = [&](std::size_t node, const char* path, std::span<const float> values, int width) {
       if (times < 0) times = buffer.add(motion_.times(), 1, kNoTarget, true);
@@ -277,17 +278,17 @@ class GltfExporter : public Exporter {
       }
     }
     if (!channels.empty())
-      document["animations"] = Json::array(
-          {Json{{"name", name_}, {"channels", std::move(channels)}, {"samplers", std::move(samplers)}}});
+      document["animations"] = OrderedJson::array({OrderedJson{
+          {"name", name_}, {"channels", std::move(channels)}, {"samplers", std::move(samplers)}}});
   }
 
-  void write(Json& document, const std::string& bytes) {
+  void write(OrderedJson& document, const std::string& bytes) {
     if (bytes.empty()) {
       for (const char* list : {"accessors", "bufferViews"}) document.erase(list);
     } else {
-      document["buffers"] = Json::array({Json{{"byteLength", bytes.size()}}});
+      document["buffers"] = OrderedJson::array({OrderedJson{{"byteLength", bytes.size()}}});
     }
-    std::string text = document.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string text = document.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
     text.append((4 - text.size() % 4) % 4, ' ');
     const double length = 28.0 + static_cast<double>(text.size()) + static_cast<double>(bytes.size());
     if (length > kMostGlbBytes) {

@@ -19,7 +19,7 @@
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 template <class T>
 constexpr const char* kType = nullptr;
@@ -93,7 +93,7 @@ class NpzExporter : public Exporter {
                 {"program", "pabd " PABD_VERSION},
                 {"scene", scene.name},
                 {"scene_hash", scene.hash},
-                {"parameters", Json::parse(parameters_json(start.params, start.kappa))},
+                {"parameters", OrderedJson::parse(parameters_json(start.params, start.kappa))},
                 {"axes", "right-handed, y up"},
                 {"quaternions", "w, x, y, z"}}) {
     describe();
@@ -127,14 +127,14 @@ class NpzExporter : public Exporter {
   }
 
   void finish() override {
-    Json arrays = Json::object();
+    OrderedJson arrays = OrderedJson::object();
     const auto tell = [&](const auto& column, std::size_t rows) {
       arrays[column.name] = {
           {"shape", column.shape(rows)}, {"unit", column.unit}, {"meaning", column.meaning}};
     };
     for_each(tell);
     about_["arrays"] = std::move(arrays);
-    const std::string text = about_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text = about_.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
     zip_.begin("about.json", text.size());
     zip_.write(text);
     for_each([&](const auto& column, std::size_t rows) { column.write(rows, zip_); });
@@ -143,8 +143,8 @@ class NpzExporter : public Exporter {
 
  private:
   void describe() {
-    Json bodies = Json::array(), joints = Json::array();
-    const auto end = [&](Index body) -> Json {
+    OrderedJson bodies = OrderedJson::array(), joints = OrderedJson::array();
+    const auto end = [&](Index body) -> OrderedJson {
       if (body == kWorld) return nullptr;
       return model_->name[static_cast<std::size_t>(body)];
     };
@@ -153,7 +153,7 @@ class NpzExporter : public Exporter {
     for (const Joint& joint : model_->joints) {
       joints.push_back({{"name", joint.name},
                         {"type", to_string(joint.type)},
-                        {"bodies", Json::array({end(joint.i), end(joint.j)})}});
+                        {"bodies", OrderedJson::array({end(joint.i), end(joint.j)})}});
     }
     about_["bodies"] = std::move(bodies);
     about_["joints"] = std::move(joints);
@@ -231,7 +231,7 @@ class NpzExporter : public Exporter {
   ZipFile zip_;
   std::shared_ptr<const Model> model_;
   std::size_t bodies_, joints_, rows_ = 0;
-  Json about_;
+  OrderedJson about_;
   std::vector<Quat> last_;
 
   Column<double> time_{"time", {}, "s", "of the state, since the start of the scene"};

@@ -18,10 +18,12 @@ namespace {
 // What each frame has of its own.
 constexpr const char *kFrame = "Frame", *kTime = "Time";
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // Invalid UTF-8 in a name must not end a run.
-std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string dump(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
 
 std::string camera_text(const Scene& scene, const std::string& option) {
   if (!option.empty()) return option;
@@ -29,9 +31,9 @@ std::string camera_text(const Scene& scene, const std::string& option) {
 }
 
 // As in a scene file: N and d_hat belong to the hard potential.
-Json law_json(const BondLaw& law) {
+OrderedJson law_json(const BondLaw& law) {
   const bool hard = law.potential == BondPotential::hard;
-  Json json = {{"potential", hard ? "hard" : "soft"}, {"kappa", law.kappa}};
+  OrderedJson json = {{"potential", hard ? "hard" : "soft"}, {"kappa", law.kappa}};
   if (hard) {
     json["N"] = law.N;
     json["d_hat"] = law.d_hat;
@@ -44,7 +46,7 @@ Json law_json(const BondLaw& law) {
 std::string parameters_json(const Params& params, double kappa, const BondLaw* joints) {
   Params resolved = params;
   resolved.contact.kappa = kappa;
-  Json json = Json::parse(params_json(resolved));
+  OrderedJson json = OrderedJson::parse(params_json(resolved));
   json["solver"].erase("device");  // who made the steps has an entry of its own
   if (joints) json["joints_default"] = law_json(*joints);
   return dump(json);
@@ -52,10 +54,10 @@ std::string parameters_json(const Params& params, double kappa, const BondLaw* j
 
 PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView& a, const FrameView* b,
                     const std::string& ab_view) {
-  Json view_json = {{"size", {facts.width, facts.height}},
-                    {"fps", facts.fps},
-                    {"overlay", facts.overlay},
-                    {"camera", camera_text(scene, facts.camera)}};
+  OrderedJson view_json = {{"size", {facts.width, facts.height}},
+                           {"fps", facts.fps},
+                           {"overlay", facts.overlay},
+                           {"camera", camera_text(scene, facts.camera)}};
   if (facts.theme != "studio") view_json["theme"] = facts.theme;
   if (!facts.trails.empty()) view_json["trails"] = facts.trails;
   const BondLaw* joints = a.model->joints.empty() ? nullptr : &scene.joint_law;
@@ -68,7 +70,7 @@ PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView&
       {"GL_RENDERER", facts.gl_renderer},
   };
   if (b) {
-    text["B patch"] = dump(Json::parse(patch_json(a.params, b->params)));
+    text["B patch"] = dump(OrderedJson::parse(patch_json(a.params, b->params)));
     text["B parameters"] = parameters_json(b->params, b->kappa, joints);
   }
   return text;
@@ -77,11 +79,11 @@ PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView&
 void add_joints_of_b(const Scene& scene_a, const FrameView& a, const Scene& scene_b, const FrameView& b,
                      PngText& common) {
   const auto law = [](const Scene& scene, const FrameView& of) {
-    return Json::parse(parameters_json(of.params, of.kappa, &scene.joint_law))["joints_default"];
+    return OrderedJson::parse(parameters_json(of.params, of.kappa, &scene.joint_law))["joints_default"];
   };
-  const Json joints_b = law(scene_b, b);
+  const OrderedJson joints_b = law(scene_b, b);
   if (joints_b == law(scene_a, a)) return;
-  Json patch = Json::parse(common["B patch"]);
+  OrderedJson patch = OrderedJson::parse(common["B patch"]);
   patch["joints_default"] = joints_b;
   common["B patch"] = dump(patch);
   common["B parameters"] = parameters_json(b.params, b.kappa, &scene_b.joint_law);

@@ -24,7 +24,7 @@
 namespace pabd {
 namespace {
 
-constexpr double kReach = 8;                     // of a grip, px of an ordinary screen
+constexpr double kGripReach = 8;                 // of a grip, px of an ordinary screen
 constexpr int kLinger = 40;                      // frames: warnings that come and go move nothing
 constexpr double kTall = 430;                    // from here on there is room for everything
 constexpr double kStrip = 30, kHistogram = 150;  // heights, the same
@@ -174,7 +174,7 @@ class BarrierPanelView final : public GuiPanel {
         plot_widget(f, "barrier", panel_.plot, {ImGui::GetContentRegionAvail().x, height});
     layout_ = touch.layout;
     const BarrierGrip under =
-        touch.hovered ? barrier_grip(panel_, touch.layout, touch.mouse, f.px(kReach)) : BarrierGrip::none;
+        touch.hovered ? barrier_grip(panel_, touch.layout, touch.mouse, f.px(kGripReach)) : BarrierGrip::none;
     if (touch.pressed && under != BarrierGrip::none)
       drag_.begin(under, panel_, f.sim.a.kappa, touch.layout, touch.mouse);
     if (drag_.active() && touch.held) {

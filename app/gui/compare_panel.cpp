@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "app/gui/joint_law_row.h"
+#include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
 #include "app/overlay/imgui_canvas.h"
@@ -20,13 +21,13 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kWords[] = {"distance", "gap", "penetration", "energies", "joint error", "contacts"};
-static_assert(std::size(kWords) == std::size(kDifferenceViews));
+constexpr const char* kDifferenceWords[] = {"distance", "gap",         "penetration",
+                                            "energies", "joint error", "contacts"};
+static_assert(std::size(kDifferenceWords) == std::size(kDifferenceViews));
 
-constexpr std::size_t kMostPoints = 1600;
-constexpr int kRows = 3;  // of the table before it scrolls
+constexpr int kDifferingRows = 3;  // of the table before it scrolls
 
-std::size_t shown(const UiState& ui) {
+std::size_t shown_difference(const UiState& ui) {
   const auto it = std::find(std::begin(kDifferenceViews), std::end(kDifferenceViews), ui.difference);
   return it == std::end(kDifferenceViews) ? 0 : static_cast<std::size_t>(it - std::begin(kDifferenceViews));
 }
@@ -36,12 +37,6 @@ std::string short_number(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   return !text.empty() && *end == 0 ? format_value(value) : text;
-}
-
-void wrapped(const GuiFrame& f, const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  muted_label(f, text);
-  ImGui::PopTextWrapPos();
 }
 
 class ComparePanel final : public GuiPanel {
@@ -64,7 +59,7 @@ class ComparePanel final : public GuiPanel {
  private:
   static void offer(GuiFrame& f) {
     ImGui::Dummy({0, f.px(4)});
-    wrapped(
+    wrapped_muted_label(
         f,
         "Compare two parameter sets on the same scene. B is a second simulation that runs in step with A, "
         "shown as a ghost or side by side. It starts with A's parameters: change them under Parameters, B" +
@@ -107,11 +102,12 @@ class ComparePanel final : public GuiPanel {
 
   void table(GuiFrame& f) const {
     if (differing_.empty()) {
-      wrapped(f, "A and B have the same parameters. Choose B in the Parameters panel and change one.");
+      wrapped_muted_label(
+          f, "A and B have the same parameters. Choose B in the Parameters panel and change one.");
       return;
     }
     const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-    const int rows = std::min(static_cast<int>(differing_.size()), kRows);
+    const int rows = std::min(static_cast<int>(differing_.size()), kDifferingRows);
     const auto flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp;
     if (!ImGui::BeginTable("##differing", 3, flags, {0, line * static_cast<float>(rows + 1) + f.px(2)}))
       return;
@@ -136,8 +132,8 @@ class ComparePanel final : public GuiPanel {
   }
 
   void now(GuiFrame& f) {
-    if (const auto i = word_combo("##what", kWords, std::size(kWords), shown(f.ui), f.px(104),
-                                  "What of B − A is plotted over time"))
+    if (const auto i = word_combo("##what", kDifferenceWords, std::size(kDifferenceWords),
+                                  shown_difference(f.ui), f.px(104), "What of B − A is plotted over time"))
       f.out.send(ViewCommand(command::DifferenceView{std::string(kDifferenceViews[*i])}));
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -158,7 +154,7 @@ class ComparePanel final : public GuiPanel {
   }
 
   void update(const GuiFrame& f) {
-    const std::size_t what = shown(f.ui);
+    const std::size_t what = shown_difference(f.ui);
     if (serial_ == f.sim.serial && what_ == what) return;
     const bool numbers = serial_ != f.sim.serial;
     serial_ = f.sim.serial;
@@ -185,7 +181,7 @@ class ComparePanel final : public GuiPanel {
       plot_.series[0].name.clear();
       if (distances.size() < 2) plot_.none = "no step to a common time yet: press play";
     }
-    thin_lines(plot_, kMostPoints);
+    thin_lines(plot_, kMostCurvePoints);
     Series cursor;
     cursor.style = SeriesStyle::level_x;
     cursor.x = {a.state.time};

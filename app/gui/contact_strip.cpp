@@ -16,7 +16,7 @@
 namespace pabd {
 namespace {
 
-constexpr double kText = 10.5;  // px of an ordinary screen
+constexpr double kTextSize = 10.5;  // px of an ordinary screen
 
 // m
 double bin_start(const ContactStrip& strip, int bin) {
@@ -53,7 +53,7 @@ void draw_contact_strip(GuiFrame& f, const ContactStrip& strip, const PlotLayout
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto left = static_cast<float>(plot.inner.x), right = static_cast<float>(plot.inner.right());
   const float foot = at.y + height - f.px(1);
-  const float room = height - f.px(3) - static_cast<float>(kText * f.unit);  // for bars, below the words
+  const float room = height - f.px(3) - static_cast<float>(kTextSize * f.unit);  // for bars, below the words
   const auto x = [&](double d) {
     return std::clamp(static_cast<float>(plot.map(d, plot.y.hi).x), left, right);
   };
@@ -80,7 +80,7 @@ void draw_contact_strip(GuiFrame& f, const ContactStrip& strip, const PlotLayout
                                                                             : "d [m]; no contacts")
                                   : fmt::format("d [m]; {}, median {} d̂", counted(strip.contacts, "contact"),
                                                 format_value(strip.median, 3)));
-  if (ImFont* font = f.fonts.font(kText * f.unit))
+  if (ImFont* font = f.fonts.font(kTextSize * f.unit))
     list.AddText(font, font->FontSize, {left + f.px(3), at.y}, packed(f.theme().muted), text.c_str());
   if (hovered && !under.empty()) tooltip(under);
 }

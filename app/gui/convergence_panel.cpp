@@ -15,13 +15,13 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kWords[] = {"all in one",  "E − E_end",   "energy E", "residual",
-                                  "penetration", "joint error", "‖A − R‖"};
-static_assert(std::size(kWords) == std::size(kConvergenceViews));
+constexpr const char* kConvergenceWords[] = {"all in one",  "E − E_end",   "energy E", "residual",
+                                             "penetration", "joint error", "‖A − R‖"};
+static_assert(std::size(kConvergenceWords) == std::size(kConvergenceViews));
 
 constexpr const char* kMethods[] = {"sissm", "descent", "newton"};
 
-std::size_t shown(const UiState& ui) {
+std::size_t shown_convergence(const UiState& ui) {
   const auto it = std::find(std::begin(kConvergenceViews), std::end(kConvergenceViews), ui.convergence);
   return it == std::end(kConvergenceViews) ? 0 : static_cast<std::size_t>(it - std::begin(kConvergenceViews));
 }
@@ -39,8 +39,8 @@ class ConvergencePanel final : public GuiPanel {
 
  private:
   void controls(GuiFrame& f) const {
-    const std::size_t now = shown(f.ui);
-    if (const auto i = word_combo("##what", kWords, std::size(kWords), now, f.px(112),
+    const std::size_t now = shown_convergence(f.ui);
+    if (const auto i = word_combo("##what", kConvergenceWords, std::size(kConvergenceWords), now, f.px(112),
                                   "What of every iteration is plotted"))
       f.out.send(ViewCommand(command::ConvergenceView{std::string(kConvergenceViews[*i])}));
     ImGui::SameLine();
@@ -69,7 +69,7 @@ class ConvergencePanel final : public GuiPanel {
   // Curves are compared quantity by quantity.
   static void hold(GuiFrame& f, const char* method) {
     f.out.send(Command(command::Hold{method}));
-    if (shown(f.ui) == 0) f.out.send(ViewCommand(command::ConvergenceView{"residual"}));
+    if (shown_convergence(f.ui) == 0) f.out.send(ViewCommand(command::ConvergenceView{"residual"}));
   }
 
   static void status(const GuiFrame& f) {
@@ -104,7 +104,7 @@ class ConvergencePanel final : public GuiPanel {
   }
 
   void update(const GuiFrame& f) {
-    const std::size_t what = shown(f.ui);
+    const std::size_t what = shown_convergence(f.ui);
     if (serial_ == f.sim.serial && what_ == what) return;
     serial_ = f.sim.serial;
     what_ = what;

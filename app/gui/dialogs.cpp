@@ -88,13 +88,7 @@ std::vector<std::string> endings_of(const std::string& what) {
   return {".json"};
 }
 
-constexpr int kRows = 9;  // of files that are seen at once
-
-void wrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  label(text);
-  ImGui::PopTextWrapPos();
-}
+constexpr int kFileRows = 9;  // of files that are seen at once
 
 }  // namespace
 
@@ -217,7 +211,7 @@ void Dialogs::browser(GuiFrame& f, bool& go) {
                           : std::filesystem::absolute(folder, ignored).lexically_normal().string());
   const bool reads = open_ == "open" && !f.ui.recent.empty() && !only_one;
   const float row = ImGui::GetTextLineHeightWithSpacing(), width = ImGui::GetContentRegionAvail().x;
-  ImGui::BeginChild("##files", {reads ? 0.55f * width : 0, row * kRows}, true);
+  ImGui::BeginChild("##files", {reads ? 0.55f * width : 0, row * kFileRows}, true);
   const std::string own = std::filesystem::path(text_).filename().string();
   if (!only_one && ImGui::Selectable("../")) {
     const auto above = folder == std::filesystem::path(".") ? std::filesystem::path("..") : folder / "..";
@@ -237,7 +231,7 @@ void Dialogs::browser(GuiFrame& f, bool& go) {
   ImGui::EndChild();
   if (!reads) return;
   ImGui::SameLine();
-  ImGui::BeginChild("##recent", {0, row * kRows}, true);
+  ImGui::BeginChild("##recent", {0, row * kFileRows}, true);
   muted_label(f, "recently open");
   for (const std::string& path : f.ui.recent) {
     ImGui::PushID(path.c_str());
@@ -272,10 +266,10 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
   bool go = false;
   if (q->named) fields(f, go);
   const std::string gone = warning(open_, f);
-  if (!gone.empty()) wrapped(gone);
+  if (!gone.empty()) wrapped_label(gone);
   if (!refusal_.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, im_color(f.theme().color(1)));
-    wrapped(refusal_);
+    wrapped_label(refusal_);
     ImGui::PopStyleColor();
   }
   ImGui::Dummy({0, f.px(2)});

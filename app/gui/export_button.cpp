@@ -13,7 +13,7 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kText = "Save…";
+constexpr const char* kLong = "Save…";
 constexpr const char* kShort = "…";  // where the line is full
 constexpr const char* kEndings[] = {".csv", ".svg", ".pdf", ".png"};
 
@@ -27,12 +27,12 @@ float width_of(const char* text) {
 
 }  // namespace
 
-float export_width(const GuiFrame&) { return width_of(kText); }
+float export_width(const GuiFrame&) { return width_of(kLong); }
 
 void export_button(GuiFrame& f, const char* panel, std::string& path) {
   ImGui::SameLine(0, f.px(2));
   const float end = ImGui::GetWindowContentRegionMax().x, here = ImGui::GetCursorPosX();
-  const char* text = here + width_of(kText) <= end ? kText : kShort;
+  const char* text = here + width_of(kLong) <= end ? kLong : kShort;
   ImGui::SetCursorPosX(std::max(here, end - width_of(text)));
   if (ImGui::Button(text)) {
     if (path.empty()) path = fmt::format("{}_{}.pdf", f.sim.scene->name, panel);

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 20;  // larger ones are scenes
+constexpr std::size_t kMostSniffed = std::size_t{1} << 20;  // larger ones are scenes
 
 bool digit(char c) { return c >= '0' && c <= '9'; }
 char small(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -75,7 +75,7 @@ DroppedKind kind_of_dropped(const std::string& path) {
   if (!path.ends_with(".json") || !fs::is_regular_file(path, unknown)) return DroppedKind::scene;
   std::string head;
   try {
-    head = read_file(path, kMostBytes, "a JSON file");
+    head = read_file(path, kMostSniffed, "a JSON file");
   } catch (const Error&) {
     return DroppedKind::scene;
   }

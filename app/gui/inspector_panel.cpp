@@ -12,6 +12,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 #include "sim/base/counted.h"
+#include "sim/base/utf8.h"
 #include "sim/joint/joint_traits.h"
 
 namespace pabd {
@@ -19,17 +20,14 @@ namespace {
 
 constexpr std::size_t kMostLines = 40;  // of contacts of one body
 
-void select(GuiFrame& f, const char* kind, std::size_t number) {
+void choose(GuiFrame& f, const char* kind, std::size_t number) {
   f.out.send(ViewCommand(command::Select{kind, std::to_string(number)}));
 }
 
 void edit(GuiFrame& f, const ModelEdit& what) { f.out.send(Command(command::Edit{to_json(what)})); }
 
 bool contains(const std::string& text, const std::string& part) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-  };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+  return lower_case(text).find(lower_case(part)) != std::string::npos;
 }
 
 // A line that can be clicked: a name, and something about it on the right.
@@ -86,7 +84,7 @@ class NameList {
     const std::string kind = e.joint ? std::string(to_string(model.joints[i].type)) + " joint"
                                      : (model.fixed[i] ? "fixed" : fmt::format("{:.4g} kg", model.mass[i]));
     if (entry(f, fmt::format("##{}{}", e.joint ? "j" : "b", e.number), title, kind))
-      select(f, e.joint ? "joint" : "body", i);
+      choose(f, e.joint ? "joint" : "body", i);
   }
 
   std::string filter_;
@@ -170,7 +168,7 @@ class InspectorPanel final : public GuiPanel {
       if (model.joints[k].i != number && model.joints[k].j != number) continue;
       if (ImGui::Selectable(
               ui_text(fmt::format("{}##joint{}", joint_title(model, static_cast<Index>(k)), k)).c_str()))
-        select(f, "joint", k);
+        choose(f, "joint", k);
     }
     join(f, number);
   }
@@ -187,7 +185,7 @@ class InspectorPanel final : public GuiPanel {
       }
       const std::string other = body_title(*f.sim.a.model, c.a == number ? c.b : c.a);
       if (entry(f, fmt::format("##contact{}", k), "with " + other, force_text(c.normal_force)))
-        select(f, "contact", k);
+        choose(f, "contact", k);
     }
     if (more > 0) muted_label(f, fmt::format("and {} more", more));
   }
@@ -256,7 +254,7 @@ class InspectorPanel final : public GuiPanel {
       if (body == kWorld || body >= f.sim.a.model->size()) continue;
       if (ImGui::Selectable(
               ui_text(fmt::format("{}##end{}", body_title(*f.sim.a.model, body), body)).c_str()))
-        select(f, "body", static_cast<std::size_t>(body));
+        choose(f, "body", static_cast<std::size_t>(body));
     }
   }
 

@@ -6,28 +6,22 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "app/gui/key_table.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
 
-constexpr int kRows = 12;  // that are seen at once
+constexpr int kEntryRows = 12;  // that are seen at once
 
 using Act = std::function<void(const Snapshot&, const UiState&, Outbox&)>;
 
 template <class C>
 Act sends(C command) {
   return [command](const Snapshot&, const UiState&, Outbox& out) { out.send(command); };
-}
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return std::tolower(c); });
-  return out;
 }
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -60,7 +54,7 @@ void add_keyless(std::vector<PaletteEntry>& out) {
     out.push_back({group, words, "", std::move(act)});
   };
   for (const WindowPanel* panel : window_panels())
-    add("Panels", lower(panel->help) + " (" + panel->title + ")",
+    add("Panels", lower_case(panel->help) + " (" + panel->title + ")",
         sends(ViewCommand(command::Panel{panel->name, true})));
   for (const Slot slot : kSlots) {
     const std::string name = slot == Slot::left        ? "at the left"
@@ -123,10 +117,10 @@ const std::vector<PaletteEntry>& palette_entries() {
 
 std::vector<const PaletteEntry*> find_entries(const std::vector<PaletteEntry>& entries,
                                               std::string_view text) {
-  const std::vector<std::string> words = words_of(lower(text));
+  const std::vector<std::string> words = words_of(lower_case(text));
   std::vector<const PaletteEntry*> first, then;
   for (const PaletteEntry& entry : entries) {
-    const int how = fit(lower(entry.group + " " + entry.words + " " + entry.keys), words);
+    const int how = fit(lower_case(entry.group + " " + entry.words + " " + entry.keys), words);
     if (how > 0) (how == 2 ? first : then).push_back(&entry);
   }
   first.insert(first.end(), then.begin(), then.end());
@@ -143,7 +137,7 @@ void Palette::draw(GuiFrame& f, int width, int height) {
   }
   const float room_x = static_cast<float>(width) - f.px(24), row = ImGui::GetTextLineHeightWithSpacing();
   const float list_height =
-      std::min(row * kRows, std::max(row, 0.8f * static_cast<float>(height) - f.px(90)));
+      std::min(row * kEntryRows, std::max(row, 0.8f * static_cast<float>(height) - f.px(90)));
   ImGui::SetNextWindowPos({0.5f * static_cast<float>(width), 0.12f * static_cast<float>(height)},
                           ImGuiCond_Always, {0.5f, 0});
   ImGui::SetNextWindowSize({std::min(f.px(560), room_x), 0});

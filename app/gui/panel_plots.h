@@ -13,6 +13,8 @@
 
 namespace pabd {
 
+inline constexpr std::size_t kMostCurvePoints = 1600;  // that a panel draws of a curve of steps
+
 // `x`, `y`: ranges that a drag holds.
 BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& view,
                               const std::optional<PlotRange>& x = {}, const std::optional<PlotRange>& y = {});

@@ -16,7 +16,7 @@ namespace {
 constexpr double kTurn = 2.6;      // rad a height of the picture
 constexpr double kNotch = 1.15;    // nearer a notch of the wheel
 constexpr double kDragZoom = 3.0;  // e-folds a height of the picture
-constexpr double kReach = 8;       // pixels of an ordinary screen around a glyph
+constexpr double kGlyphReach = 8;  // pixels of an ordinary screen around a glyph
 
 struct Place {
   const RunView& run;
@@ -156,7 +156,7 @@ void PictureMouse::select(const GuiLayout& layout, GuiFrame& f) const {
     return;
   const Place at = place_at(layout, f, x, y);
   const Selection found =
-      pick(at.run, f.ui, {at.rect.w, at.rect.h}, x - at.rect.x, y - at.rect.y, kReach * f.unit);
+      pick(at.run, f.ui, {at.rect.w, at.rect.h}, x - at.rect.x, y - at.rect.y, kGlyphReach * f.unit);
   if (f.ui.joining) {
     if (found.kind != Selection::Kind::body)
       return tell(f, "that is no body; double-click one, or press Esc");

@@ -13,7 +13,7 @@
 namespace pabd {
 namespace {
 
-constexpr int kLeastSide = 16, kLargestSide = 16384;  // pixels
+constexpr int kLeastPicture = 16, kLargestPicture = 16384;  // pixels
 
 Frame frame_of(const Snapshot& sim) {
   std::optional<FrameView> b;
@@ -73,10 +73,10 @@ void save_window(const std::string& path, const Snapshot& sim, const UiState& ui
 
 std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, int width, int height,
                                         GlContext& context) {
-  const auto fits = [](int side) { return side >= kLeastSide && side <= kLargestSide; };
+  const auto fits = [](int side) { return side >= kLeastPicture && side <= kLargestPicture; };
   if (!fits(width) || !fits(height)) {
     throw Error(ErrorKind::bad_input, fmt::format("screenshot: {} × {} pixels: expected {} to {} a side",
-                                                  width, height, kLeastSide, kLargestSide));
+                                                  width, height, kLeastPicture, kLargestPicture));
   }
   const ViewFacts facts = facts_of(sim, ui, width, height, "");
   const Frame frame = frame_of(sim);

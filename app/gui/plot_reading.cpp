@@ -12,7 +12,7 @@
 namespace pabd {
 namespace {
 
-constexpr double kReach = 18;  // px of an ordinary screen
+constexpr double kPointReach = 18;  // px of an ordinary screen
 
 void keep(const Series& from, std::size_t i, Series& to) {
   to.x.push_back(from.x[i]);
@@ -69,7 +69,7 @@ void thin_lines(Plot& plot, std::size_t most) {
 std::optional<PlotPick> read_point(GuiFrame& f, const Plot& plot, const PlotTouch& touch,
                                    const char* x_name) {
   if (!touch.hovered) return std::nullopt;
-  const auto pick = nearest_point(plot, touch.layout, touch.mouse, f.px(kReach));
+  const auto pick = nearest_point(plot, touch.layout, touch.mouse, f.px(kPointReach));
   if (!pick) return std::nullopt;
   ImGui::GetWindowDrawList()->AddCircle({static_cast<float>(pick->at.x), static_cast<float>(pick->at.y)},
                                         f.px(5), packed(f.theme().text), 20, f.px(1.5));

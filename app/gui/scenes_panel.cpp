@@ -5,7 +5,6 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "app/gui/panels.h"
@@ -20,15 +19,9 @@ namespace {
 constexpr double kPictureWidth = 112, kPictureHeight = 63;  // pixels of an ordinary screen
 constexpr int kLines = 2;                                   // of a description
 
-std::string lower(const std::string& text) {
-  std::string out = text;
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
-
 bool matches(const SceneCard& card, const std::string& wanted) {
-  return wanted.empty() || lower(card.name + " " + card.description).find(lower(wanted)) != std::string::npos;
+  return wanted.empty() ||
+         lower_case(card.name + " " + card.description).find(lower_case(wanted)) != std::string::npos;
 }
 
 std::string counts(const SceneCard& card) {

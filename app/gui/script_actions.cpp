@@ -8,7 +8,6 @@
 
 #include "app/workbench/command_json.h"
 #include "render/context/keyboard.h"
-#include "sim/base/error.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -19,19 +18,15 @@ using ActionJson = nlohmann::ordered_json;
 constexpr int kMostFrames = 10000;
 constexpr double kLongestWait = 3600;  // s
 
-[[noreturn]] void refuse(const std::string& what, const std::string& why) {
-  throw Error(ErrorKind::bad_input, what, why);
-}
-
 void check_point(const std::vector<double>& numbers, const char* field, const std::string& what) {
-  if (numbers.size() != 2) refuse(what, fmt::format("\"{}\": expected [x, y] in pixels", field));
+  if (numbers.size() != 2) refuse_action(what, fmt::format("\"{}\": expected [x, y] in pixels", field));
 }
 
 void check_word(const std::string& word, std::initializer_list<std::string_view> words, const char* field,
                 const std::string& what) {
   const std::vector<std::string_view> list(words);
   if (std::find(list.begin(), list.end(), word) == list.end())
-    refuse(what, fmt::format("\"{}\": {} is not one of {}", field, in_quotes(word), one_of(list)));
+    refuse_action(what, fmt::format("\"{}\": {} is not one of {}", field, in_quotes(word), one_of(list)));
 }
 
 // What is wrong with an action however the program stands.
@@ -56,9 +51,10 @@ struct Checker {
     if (!a.size.empty()) {
       check_point(a.size, "size", what);
       if (!(a.size[0] >= 64 && a.size[0] <= 8192 && a.size[1] >= 64 && a.size[1] <= 8192))
-        refuse(what, "\"size\": expected 64 to 8192 pixels");
+        refuse_action(what, "\"size\": expected 64 to 8192 pixels");
     }
-    if (a.scale != 0 && !(a.scale >= 0.5 && a.scale <= 4)) refuse(what, "\"scale\": expected 0.5 to 4");
+    if (a.scale != 0 && !(a.scale >= 0.5 && a.scale <= 4))
+      refuse_action(what, "\"scale\": expected 0.5 to 4");
   }
   void operator()(const action::Frame& a) const {
     check_word(a.of, {"window", "left", "right_top", "right_bottom", "picture", "toolbar", "timeline"}, "of",
@@ -68,16 +64,16 @@ struct Checker {
   void operator()(const action::Until& a) const {
     condition(a);
     if (!(a.seconds >= 0 && a.seconds <= kLongestWait))
-      refuse(what, fmt::format("\"seconds\": expected 0 to {}", kLongestWait));
+      refuse_action(what, fmt::format("\"seconds\": expected 0 to {}", kLongestWait));
   }
   void operator()(const action::Print&) const {}
   void operator()(const action::Wait& a) const {
     if (a.frames < 0 || a.frames > kMostFrames)
-      refuse(what, fmt::format("\"frames\": expected 0 to {}", kMostFrames));
+      refuse_action(what, fmt::format("\"frames\": expected 0 to {}", kMostFrames));
   }
   void condition(const action::Condition& a) const {
-    if (!a.says_something()) refuse(what, "expected one of is, is_not, near, above, below, contains");
-    if (a.within && !a.near) refuse(what, "\"within\" belongs to \"near\"; expected both");
+    if (!a.says_something()) refuse_action(what, "expected one of is, is_not, near, above, below, contains");
+    if (a.within && !a.near) refuse_action(what, "\"within\" belongs to \"near\"; expected both");
   }
 };
 
@@ -99,12 +95,12 @@ AnyAction parse_action(ActionJson a, const std::string& what) {
   if (command_from_json(name, a, what, view)) return view;
   ScriptAction own;
   if (!command_from_json(name, a, what, own))
-    refuse(what, fmt::format("there is no {}{}", in_quotes(name), did_you_mean(name, all_names())));
+    refuse_action(what, fmt::format("there is no {}{}", in_quotes(name), did_you_mean(name, all_names())));
   try {
     std::visit(Checker{what}, own);
   } catch (const Error& error) {
     if (error.source() == what) throw;
-    refuse(what, error.what());
+    refuse_action(what, error.what());
   }
   return own;
 }

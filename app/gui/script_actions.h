@@ -11,6 +11,7 @@
 
 #include "app/gui/view_command.h"
 #include "app/workbench/command.h"
+#include "sim/base/error.h"
 
 namespace pabd::action {
 
@@ -111,6 +112,11 @@ struct Wait {
 }  // namespace pabd::action
 
 namespace pabd {
+
+// Throws Error(bad_input) "WHAT: WHY".
+[[noreturn]] inline void refuse_action(const std::string& what, const std::string& why) {
+  throw Error(ErrorKind::bad_input, what, why);
+}
 
 // Every action may have it: the script goes on although the action is refused or fails.
 inline constexpr const char* kMayFail = "may_fail";

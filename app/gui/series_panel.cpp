@@ -14,12 +14,11 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kWords[] = {"overview", "gap",        "penetration", "energies",   "joint error",
-                                  "contacts", "iterations", "ms a step",   "y against x"};
-static_assert(std::size(kWords) == std::size(kSeriesViews));
+constexpr const char* kSeriesWords[] = {"overview", "gap",        "penetration", "energies",   "joint error",
+                                        "contacts", "iterations", "ms a step",   "y against x"};
+static_assert(std::size(kSeriesWords) == std::size(kSeriesViews));
 
-constexpr std::size_t kMostPoints = 1600;  // of a curve
-std::size_t shown(const UiState& ui) {
+std::size_t shown_series(const UiState& ui) {
   const auto it = std::find(std::begin(kSeriesViews), std::end(kSeriesViews), ui.series);
   return it == std::end(kSeriesViews) ? 0 : static_cast<std::size_t>(it - std::begin(kSeriesViews));
 }
@@ -27,9 +26,9 @@ std::size_t shown(const UiState& ui) {
 class SeriesPanel final : public GuiPanel {
  public:
   void draw(GuiFrame& f) override {
-    const std::size_t now = shown(f.ui);
-    if (const auto i =
-            word_combo("##what", kWords, std::size(kWords), now, f.px(112), "What of every step is plotted"))
+    const std::size_t now = shown_series(f.ui);
+    if (const auto i = word_combo("##what", kSeriesWords, std::size(kSeriesWords), now, f.px(112),
+                                  "What of every step is plotted"))
       send(f, std::string(kSeriesViews[*i]), f.ui.series_x, f.ui.series_y);
     ImGui::SameLine();
     const bool chosen = f.ui.series == kChosenSeries;
@@ -119,7 +118,7 @@ class SeriesPanel final : public GuiPanel {
     plot_.title.clear();  // the list says it
     shorten_legend();
     // Of a path every point is one that can be gone to.
-    if (f.ui.series != kChosenSeries || f.ui.series_x == "time") thin_lines(plot_, kMostPoints);
+    if (f.ui.series != kChosenSeries || f.ui.series_x == "time") thin_lines(plot_, kMostCurvePoints);
   }
 
   // Several curves of two runs: the line above says which of them is dashed.

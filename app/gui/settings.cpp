@@ -18,11 +18,10 @@ namespace pabd {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-constexpr std::size_t kMostRecent = 10;
 constexpr int kLeastSide = 320, kLargestSide = 8192;  // pixels
-constexpr std::uintmax_t kMostBytes = 100'000;
+constexpr std::uintmax_t kMostSettings = 100'000;
 
 [[noreturn]] void refuse(const std::string& source, const std::string& place, const std::string& expected) {
   throw Error(ErrorKind::bad_input,
@@ -37,14 +36,14 @@ std::optional<fs::path> folder_of(const char* variable) {
 
 // A field that may be missing.
 template <class T>
-void read(const Json& json, const char* field, bool fits, const std::string& source, const char* expected,
-          T& out) {
+void read(const OrderedJson& json, const char* field, bool fits, const std::string& source,
+          const char* expected, T& out) {
   if (!json.contains(field)) return;
   if (!fits) refuse(source, std::string("/") + field, expected);
   out = json[field].get<T>();
 }
 
-void read_flag(const Json& json, const char* field, const std::string& source, bool& out) {
+void read_flag(const OrderedJson& json, const char* field, const std::string& source, bool& out) {
   read(json, field, json.contains(field) && json[field].is_boolean(), source, "true or false", out);
 }
 
@@ -68,28 +67,28 @@ std::string settings_json(const Settings& settings) {
   const UiState& ui = settings.ui;
   // A window that was too small or too large to be asked for again.
   const auto side = [](int pixels) { return pixels >= kLeastSide && pixels <= kLargestSide ? pixels : 0; };
-  Json shown = Json::array();
+  OrderedJson shown = OrderedJson::array();
   for (const Slot slot : kSlots) shown.push_back(ui.shown[slot]->name);
-  const Json json = {{"format", "pabd-view-settings"},
-                     {"version", 1},
-                     {"dark", ui.dark},
-                     {"scale", ui.scale},
-                     {"shown", shown},
-                     {"open", ui.open.of},
-                     {"contacts", ui.contacts},
-                     {"bonds", ui.bonds},
-                     {"color", to_string(ui.color)},
-                     {"width", side(settings.width)},
-                     {"height", side(settings.height)},
-                     {"recent", ui.recent}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const OrderedJson json = {{"format", "pabd-view-settings"},
+                            {"version", 1},
+                            {"dark", ui.dark},
+                            {"scale", ui.scale},
+                            {"shown", shown},
+                            {"open", ui.open.of},
+                            {"contacts", ui.contacts},
+                            {"bonds", ui.bonds},
+                            {"color", to_string(ui.color)},
+                            {"width", side(settings.width)},
+                            {"height", side(settings.height)},
+                            {"recent", ui.recent}};
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 Settings parse_settings(const std::string& text, const std::string& source) {
-  Json json;
+  OrderedJson json;
   try {
-    json = Json::parse(text);
-  } catch (const Json::exception& error) {
+    json = OrderedJson::parse(text);
+  } catch (const OrderedJson::exception& error) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{}: {}; the settings were not used", source, error.what()));
   }
@@ -108,14 +107,14 @@ Settings parse_settings(const std::string& text, const std::string& source) {
     ui.color = color_of(json["color"].is_string() ? json["color"].get<std::string>() : "", source);
   const auto list = [&](const char* field, std::size_t least, std::size_t most, auto fits) {
     if (!json.contains(field)) return false;
-    const Json& a = json[field];
+    const OrderedJson& a = json[field];
     if (!a.is_array() || a.size() < least || a.size() > most || !std::all_of(a.begin(), a.end(), fits))
       refuse(source, std::string("/") + field, fmt::format("a list of {} to {}", least, most));
     return true;
   };
-  const auto is_text = [](const Json& j) { return j.is_string(); };
+  const auto is_text = [](const OrderedJson& j) { return j.is_string(); };
   constexpr std::size_t kCount = std::size(kSlots);
-  if (list("open", kCount, kCount, [](const Json& j) { return j.is_boolean(); }))
+  if (list("open", kCount, kCount, [](const OrderedJson& j) { return j.is_boolean(); }))
     ui.open.of = json["open"].get<std::array<bool, kCount>>();
   if (list("shown", kCount, kCount, is_text)) {
     for (std::size_t i = 0; i < kCount; ++i) {
@@ -136,7 +135,7 @@ Settings parse_settings(const std::string& text, const std::string& source) {
 Settings read_settings(const fs::path& path) {
   std::error_code failure;
   if (!fs::exists(path, failure)) return {};
-  const std::string text = read_file(path, kMostBytes, "the settings of the window; they were not used");
+  const std::string text = read_file(path, kMostSettings, "the settings of the window; they were not used");
   return parse_settings(text, path.string());
 }
 

@@ -23,23 +23,23 @@
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBodies = 100;
 
-Json vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+OrderedJson vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Json run_json(const RunView& run) {
-  Json params = Json::parse(params_json(run.params));
-  Json changed = Json::object();
+OrderedJson run_json(const RunView& run) {
+  OrderedJson params = OrderedJson::parse(params_json(run.params));
+  OrderedJson changed = OrderedJson::object();
   for (const auto& [key, value] : run.changed) changed[key] = value;
   const StepReport& r = run.report;
-  Json bodies = Json::array();
+  OrderedJson bodies = OrderedJson::array();
   for (std::size_t i = 0; i < std::min(kMostBodies, run.state.c.size()); ++i) {
     bodies.push_back(
         {{"name", run.model->name[i]}, {"position", vec(run.state.c[i])}, {"velocity", vec(run.state.v[i])}});
   }
-  Json parting;
+  OrderedJson parting;
   if (run.parting) {
     parting = {{"time", run.parting->time}, {"differs", nullptr}, {"parted", nullptr}};
     if (run.parting->differs) parting["differs"] = *run.parting->differs;
@@ -57,8 +57,8 @@ Json run_json(const RunView& run) {
           {"gone", run.gone},
           {"kappa", run.kappa},
           {"changed", std::move(changed)},
-          {"joints_default",
-           Json::parse(parameters_json(run.params, run.kappa, &run.scene->joint_law))["joints_default"]},
+          {"joints_default", OrderedJson::parse(parameters_json(run.params, run.kappa,
+                                                                &run.scene->joint_law))["joints_default"]},
           {"report",
            {{"method", to_string(r.method)},
             {"status", to_string(r.status)},
@@ -78,9 +78,9 @@ Json run_json(const RunView& run) {
 }
 
 // Keys of what is chosen, also where the view leaves that open.
-Json sweep_json(const OpenedSweep& sweep) {
+OrderedJson sweep_json(const OpenedSweep& sweep) {
   if (sweep.folder.empty()) return nullptr;
-  Json json = {{"folder", sweep.folder}, {"reading", sweep.reading}, {"problem", sweep.problem}};
+  OrderedJson json = {{"folder", sweep.folder}, {"reading", sweep.reading}, {"problem", sweep.problem}};
   if (!sweep.read) return json;
   const CollectedSweep& read = *sweep.read;
   json["tasks"] = read.tasks.size();
@@ -98,26 +98,27 @@ Json sweep_json(const OpenedSweep& sweep) {
   json["metric"] = measured ? shown.criteria[shown.criterion].quantity.key : "";
   json["slice"] = shown.slice;
   json["pictures"] = sweep.view.pictures;
-  json["loaded"] = sweep.loaded ? Json(read.tasks[*sweep.loaded].index) : Json();
+  json["loaded"] = sweep.loaded ? OrderedJson(read.tasks[*sweep.loaded].index) : OrderedJson();
   return json;
 }
 
 }  // namespace
 
-Json state_document(const Snapshot& sim, const UiState& ui) {
+OrderedJson state_document(const Snapshot& sim, const UiState& ui) {
   static constexpr const char* kKinds[] = {"none", "body", "joint", "contact"};
-  Json panels = Json::array(), camera_keys = Json::array(), trails = Json::array();
+  OrderedJson panels = OrderedJson::array(), camera_keys = OrderedJson::array(),
+              trails = OrderedJson::array();
   for (const TrailPoint& point : ui.trails) trails.push_back(trail_words(point));
   for (const Slot slot : kSlots) panels.push_back(ui.shown[slot]->name);
   for (const CameraKey& key : ui.camera_keys)
     camera_keys.push_back({{"time", key.time}, {"eye", vec(key.pose.eye)}});
-  Json held = Json::array();
+  OrderedJson held = OrderedJson::array();
   for (const HeldCurve& h : sim.held) held.push_back(h.name);
-  Json messages = Json::array();
+  OrderedJson messages = OrderedJson::array();
   for (const Message& m : sim.messages) messages.push_back(m.text);
   return {{"scene", {{"name", sim.scene->name}, {"hash", sim.scene->hash}}},
           {"a", run_json(sim.a)},
-          {"b", sim.b ? run_json(*sim.b) : Json()},
+          {"b", sim.b ? run_json(*sim.b) : OrderedJson()},
           {"distances", sim.distances.size()},
           {"distance", sim.b ? state_distance(sim.a.state, sim.b->state).position : 0},
           {"playing", sim.playing},

@@ -16,7 +16,7 @@
 namespace pabd {
 namespace {
 
-constexpr std::chrono::milliseconds kShare{20};  // of a frame, for a video
+constexpr std::chrono::milliseconds kVideoShare{20};  // of a frame, for a video
 
 struct Keys {
   const Snapshot& sim;
@@ -100,7 +100,7 @@ void Studio::work(const Snapshot& sim, const UiState& ui, int width, int height,
       tell_(Severity::error, error.what());
     }
   }
-  if (const auto outcome = recorder_.update(kShare, steady_))
+  if (const auto outcome = recorder_.update(kVideoShare, steady_))
     tell_(outcome->error ? Severity::error : Severity::note, outcome->text);
   ImGui::SetCurrentContext(current);
 }

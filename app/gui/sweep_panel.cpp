@@ -22,12 +22,6 @@ namespace {
 
 constexpr int kBarSteps = 64;
 
-void wrapped(const GuiFrame& f, const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  muted_label(f, text);
-  ImGui::PopTextWrapPos();
-}
-
 class SweepPanel : public GuiPanel {
  public:
   void draw(GuiFrame& f) override {
@@ -52,17 +46,18 @@ class SweepPanel : public GuiPanel {
   bool update(GuiFrame& f) {
     const OpenedSweep& sweep = f.ui.sweep;
     if (sweep.folder.empty()) {
-      wrapped(f,
-              "A sweep is a scene with many sets of parameters: pabd sweep PLAN -o DIR makes one. Open its "
-              "folder "
-              "to see all runs over two parameters, or drop it on the window.");
+      wrapped_muted_label(
+          f,
+          "A sweep is a scene with many sets of parameters: pabd sweep PLAN -o DIR makes one. Open its "
+          "folder "
+          "to see all runs over two parameters, or drop it on the window.");
       if (ImGui::Button("Open a sweep…")) f.out.send(ViewCommand(command::Ask{"open_sweep"}));
       return false;
     }
     if (!sweep.read) {
       read_.reset();
       title(f, sweep.folder);
-      wrapped(f, sweep.reading ? "reading…" : sweep.problem);
+      wrapped_muted_label(f, sweep.reading ? "reading…" : sweep.problem);
       return false;
     }
     if (read_ != sweep.read || view_ != sweep.view) {
@@ -93,7 +88,7 @@ class SweepPanel : public GuiPanel {
 
   void head(GuiFrame& f) const {
     title(f, read_->title);
-    wrapped(f, counts_words(*read_) + (f.ui.sweep.reading ? "; reading…" : ""));
+    wrapped_muted_label(f, counts_words(*read_) + (f.ui.sweep.reading ? "; reading…" : ""));
     if (read_->notes.empty()) return;
     muted_label(f, counted(read_->notes.size(), "note") + " on what is missing or damaged");
     std::string all;
@@ -285,7 +280,7 @@ class SweepPanel : public GuiPanel {
       color_strip(f, {at.x, at.y, width, high});
     }
     const std::string signs = signs_words(*read_);
-    if (!signs.empty()) wrapped(f, signs);
+    if (!signs.empty()) wrapped_muted_label(f, signs);
   }
 
   void color_strip(GuiFrame& f, const Rect& bar) const {

@@ -13,7 +13,7 @@ namespace pabd {
 namespace {
 
 constexpr std::size_t kMostUploads = 8;              // in a frame
-constexpr std::size_t kMostBytes = 1 << 16;          // of a file of a task
+constexpr std::size_t kMostTaskBytes = 1 << 16;      // of a file of a task
 constexpr int kLargeWidth = 320, kSmallWidth = 160;  // pixels
 
 }  // namespace
@@ -37,7 +37,7 @@ SweepReader::Read SweepReader::read_folder(const std::string& folder) const {
   try {
     CollectLimits limits;
     limits.tasks = kMostTasks;
-    limits.bytes = kMostBytes;
+    limits.bytes = kMostTaskBytes;
     limits.links = links_;
     auto sweep = std::make_shared<const CollectedSweep>(collect_sweep(folder, limits));
     out.answer.text = sweep->title + ": " + counts_words(*sweep);

@@ -15,12 +15,6 @@ namespace {
 
 constexpr double kWidth = 288, kPictureHeight = 162;  // pixels of an ordinary screen
 
-void wrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(0);
-  label(text);
-  ImGui::PopTextWrapPos();
-}
-
 void picture(GuiFrame& f, const SweptTask& task) {
   const ImVec2 at = ImGui::GetCursorScreenPos(), size = {f.px(kWidth), f.px(kPictureHeight)};
   ImGui::Dummy(size);
@@ -66,7 +60,7 @@ void sweep_tooltip(GuiFrame& f, const CollectedSweep& sweep, const ShownSweep& s
   heading(f, (task.index < 0 ? "task " + task.hash : fmt::format("task {}", task.index)) +
                  (task.status == SweptStatus::done ? "" : ": " + std::string(status_word(task.status))) +
                  (loaded ? " (shown here)" : ""));
-  if (!task.why.empty()) wrapped(task.why);
+  if (!task.why.empty()) wrapped_label(task.why);
   for (const std::size_t p : varied_parameters(sweep)) {
     if (!task.parameters[p].absent())
       read_out(f, sweep.parameters[p].words, value_words(task.parameters[p], sweep.parameters[p].unit));

@@ -27,6 +27,7 @@ inline constexpr std::string_view kConvergenceViews[] = {
 inline constexpr std::string_view kSeriesViews[] = {"overview",   "gap",          "penetration",
                                                     "energies",   "joint_error",  "contacts",
                                                     "iterations", "milliseconds", "chosen"};
+inline constexpr std::size_t kMostRecent = 10;               // scenes that are remembered
 inline constexpr std::string_view kChosenSeries = "chosen";  // ui.series_y against ui.series_x
 inline constexpr std::string_view kBarrierAbscissas[] = {"d", "d_hat", "N", "kappa"};  // as BarrierAbscissa
 inline constexpr std::string_view kDifferenceViews[] = {"distance", "gap",         "penetration",
@@ -90,7 +91,7 @@ struct UiState {
 
   std::string dialog;               // see command::Ask; empty: none
   std::string dialog_text;          // what it starts with; empty: something that fits
-  std::vector<std::string> recent;  // scenes that were open, newest first
+  std::vector<std::string> recent;  // scenes that were open, newest first; at most kMostRecent
   bool quit = false;
 
   // Whether that panel is to be seen.

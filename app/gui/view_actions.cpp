@@ -23,7 +23,6 @@
 namespace pabd {
 namespace {
 
-constexpr std::size_t kMostRecent = 10;
 constexpr double kStepBack = 1.4;  // between cut-off sides and small bodies
 
 // The one of `words` that is meant. Throws Error(bad_input) with the list.

@@ -76,6 +76,18 @@ void muted_label(const GuiFrame& frame, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
+void wrapped_label(const std::string& text) {
+  ImGui::PushTextWrapPos(0);
+  label(text);
+  ImGui::PopTextWrapPos();
+}
+
+void wrapped_muted_label(const GuiFrame& frame, const std::string& text) {
+  ImGui::PushTextWrapPos(0);
+  muted_label(frame, text);
+  ImGui::PopTextWrapPos();
+}
+
 std::string shortened(const std::string& text, float width) {
   if (ImGui::CalcTextSize(ui_text(text).c_str()).x <= width) return text;
   std::u32string letters = decode_text(text);

@@ -13,6 +13,9 @@ namespace pabd {
 // Text with d̂ and other signs, for ImGui's own functions.
 void label(const std::string& text);
 void muted_label(const GuiFrame& frame, const std::string& text);
+// The same in lines as wide as the panel.
+void wrapped_label(const std::string& text);
+void wrapped_muted_label(const GuiFrame& frame, const std::string& text);
 // Cut where it would be wider than so many pixels, with "…" for the rest.
 std::string shortened(const std::string& text, float width);
 // Shows `text` while the mouse rests on the last item: beside it, or beside the mouse on what is large, so that it

@@ -13,7 +13,7 @@ namespace pabd {
 namespace {
 
 constexpr double kBar = 16;  // width of the bar, px at scale 1
-constexpr double kCellWidth = 84, kCellHeight = 54;
+constexpr double kHeatWidth = 84, kHeatHeight = 54;
 constexpr int kBarSteps = 96;
 
 std::size_t columns_of(const HeatMap& map) { return std::max<std::size_t>(1, map.x_names.size()); }
@@ -85,9 +85,9 @@ Color color_of(const HeatMap& map, const HeatLayout& layout, double value) {
 PictureSize default_size(const HeatMap& map) {
   const int columns = panel_columns(map), rows = panel_rows(map);
   const double w =
-      std::clamp(kCellWidth * static_cast<double>(columns_of(map)), 300.0, columns > 1 ? 620.0 : 1200.0);
+      std::clamp(kHeatWidth * static_cast<double>(columns_of(map)), 300.0, columns > 1 ? 620.0 : 1200.0);
   const double h =
-      std::clamp(kCellHeight * static_cast<double>(rows_of(map)), 220.0, rows > 1 ? 420.0 : 800.0);
+      std::clamp(kHeatHeight * static_cast<double>(rows_of(map)), 220.0, rows > 1 ? 420.0 : 800.0);
   return {static_cast<int>(columns * (w + 110) + 150), static_cast<int>(rows * (h + 100) + 110)};
 }
 

@@ -16,13 +16,15 @@
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kLeastWidth = 320, kLeastHeight = 240, kMostSide = 4096;
 constexpr double kSecondsOfFirst = 1.0 / 60;
 constexpr double kMostPixels = 3840.0 * 2400;
 
-std::string written(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string message_text(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
 
 const char* word(MouseCursor cursor) {
   switch (cursor) {
@@ -68,7 +70,7 @@ DeskWork::DeskWork(GlContext& context, Runner& runner, const DeskOptions& option
                 out.clipboard = [this] { return clipboard_; };
                 out.set_clipboard = [this](const std::string& copied) {
                   clipboard_ = copied;
-                  text(written({{"t", "clipboard"}, {"text", copied}}), true);
+                  text(message_text({{"t", "clipboard"}, {"text", copied}}), true);
                 };
                 out.files = options.files;
                 out.can_quit = false;
@@ -122,7 +124,7 @@ bool DeskWork::take(DeskInput& input, const More& more, const std::function<bool
     stream_.arrive(arrive->visitor, arrive->shows_video);
     tell_scene();
     tell_scheme();
-    text(written({{"t", "cursor"}, {"cursor", word(cursor_)}}), true);
+    text(message_text({{"t", "cursor"}, {"cursor", word(cursor_)}}), true);
   } else if (const auto* scheme = std::get_if<desk::Scheme>(&input)) {
     viewer_.send(ViewCommand(command::Theme{scheme->dark}));
   } else if (const auto* depart = std::get_if<desk::Depart>(&input)) {
@@ -149,7 +151,7 @@ bool DeskWork::take(DeskInput& input, const More& more, const std::function<bool
       viewer_.handle(FilesDropped{{viewer_.file_of(open->name)}});
       stamps_.push_back(stamp_);
     } catch (const Error& error) {
-      text(written({{"t", "error"}, {"text", error.what()}}), true);
+      text(message_text({{"t", "error"}, {"text", error.what()}}), true);
     }
   } else if (const auto* script = std::get_if<desk::Run>(&input)) {
     run(*script, more, stop);
@@ -194,11 +196,11 @@ bool DeskWork::take_frame(double began) {
 void DeskWork::tell_changes() {
   if (const MouseCursor cursor = viewer_.cursor(); cursor != cursor_) {
     cursor_ = cursor;
-    text(written({{"t", "cursor"}, {"cursor", word(cursor)}}), true);
+    text(message_text({{"t", "cursor"}, {"cursor", word(cursor)}}), true);
   }
   if (const bool wants = viewer_.wants_text(); wants != wants_text_) {
     wants_text_ = wants;
-    text(written({{"t", "text_input"}, {"on", wants}}), true);
+    text(message_text({{"t", "text_input"}, {"on", wants}}), true);
   }
   if (viewer_.snapshot().scene_serial != scene_) tell_scene();
   if (viewer_.ui().dark != dark_) tell_scheme();
@@ -210,12 +212,12 @@ void DeskWork::tell_changes() {
 
 void DeskWork::tell_scene() {
   scene_ = viewer_.snapshot().scene_serial;
-  text(written({{"t", "scene"}, {"scene", scene_name(viewer_.snapshot())}}), false);
+  text(message_text({{"t", "scene"}, {"scene", scene_name(viewer_.snapshot())}}), false);
 }
 
 void DeskWork::tell_scheme() {
   dark_ = viewer_.ui().dark;
-  text(written({{"t", "scheme"}, {"dark", dark_}}), false);
+  text(message_text({{"t", "scheme"}, {"dark", dark_}}), false);
 }
 
 // Whatever was saved said so.
@@ -223,13 +225,13 @@ void DeskWork::tell_files() {
   std::vector<FileRoot::Entry> files = options_.files->list();
   for (const FileRoot::Entry& file : files) {
     if (std::find(files_.begin(), files_.end(), file) == files_.end())
-      text(written({{"t", "file"}, {"name", file.name}, {"bytes", file.bytes}}), true);
+      text(message_text({{"t", "file"}, {"name", file.name}, {"bytes", file.bytes}}), true);
   }
   files_ = std::move(files);
 }
 
 void DeskWork::tell_events(const Snapshot& sim) {
-  const auto tell = [&](const Json& json) { hear_(desk::Event{written(json)}); };
+  const auto tell = [&](const OrderedJson& json) { hear_(desk::Event{message_text(json)}); };
   if (sim.scene_serial != event_scene_) {
     event_scene_ = sim.scene_serial;
     event_step_ = -1;
@@ -256,7 +258,7 @@ void DeskWork::tell_events(const Snapshot& sim) {
 
 void DeskWork::tell_stats(double now) {
   const auto stats = stream_.stats(now);
-  Json json = {{"t", "stats"}, {"fps", 0}};
+  OrderedJson json = {{"t", "stats"}, {"fps", 0}};
   if (stats) {
     json["fps"] = tenth(stats->fps);
     json["kbps"] = std::round(stats->kbps);
@@ -268,7 +270,7 @@ void DeskWork::tell_stats(double now) {
     json["rtt_ms"] = tenth(stats->link_ms);
   }
   if (!stream_.video_failure().empty()) json["no_video"] = stream_.video_failure();
-  if (std::string said = written(json); said != stats_) {
+  if (std::string said = message_text(json); said != stats_) {
     stats_ = said;
     text(std::move(said), false);
   }

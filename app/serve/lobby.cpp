@@ -12,12 +12,13 @@
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostListeners = 8;  // of a session's events
 
-std::shared_ptr<const std::string> shared(const Json& json) {
-  return std::make_shared<const std::string>(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+std::shared_ptr<const std::string> shared(const OrderedJson& json) {
+  return std::make_shared<const std::string>(
+      json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
 }
 
 MouseMoved at(double x, double y) { return {x, y}; }
@@ -115,15 +116,15 @@ std::optional<Lobby::Seat> Lobby::enter(const message::Hello& hello, Access acce
   here->guests[arrival->id] = {link, {hello.width, hello.height, hello.scale}, ""};
   const bool controls = here->roles.controls(arrival->id);
   const std::string role = controls ? "control" : "watch";
-  Json welcome = {{"t", "welcome"},
-                  {"role", role},
-                  {"may_control", access == Access::control},
-                  {"version", options_.version},
-                  {"scene", std::filesystem::path(options_.desk.scene).stem().string()},
-                  {"visitors", here->roles.present()},
-                  {"id", hello.id},
-                  {"session", name},  // what the page's requests name
-                  {"codec", options_.desk.video ? "h264" : "jpeg"}};
+  OrderedJson welcome = {{"t", "welcome"},
+                         {"role", role},
+                         {"may_control", access == Access::control},
+                         {"version", options_.version},
+                         {"scene", std::filesystem::path(options_.desk.scene).stem().string()},
+                         {"visitors", here->roles.present()},
+                         {"id", hello.id},
+                         {"session", name},  // what the page's requests name
+                         {"codec", options_.desk.video ? "h264" : "jpeg"}};
   if (access == Access::control && !options_.watch_token.empty()) welcome["watch"] = options_.watch_token;
   link->send_text(shared(welcome));
   if (controls && hello.dark && !std::exchange(here->dressed, true))
@@ -145,10 +146,10 @@ void Lobby::tell_roles(Room& room) {
   }
   for (auto& [id, guest] : room.guests) {
     const bool controls = controller == id;
-    const Json json = {{"t", "role"},
-                       {"role", controls ? "control" : "watch"},
-                       {"visitors", room.roles.present()},
-                       {"asks", controls && room.roles.somebody_asks()}};
+    const OrderedJson json = {{"t", "role"},
+                              {"role", controls ? "control" : "watch"},
+                              {"visitors", room.roles.present()},
+                              {"asks", controls && room.roles.somebody_asks()}};
     auto text = shared(json);
     if (*text == guest.said) continue;
     guest.said = *text;

@@ -70,10 +70,10 @@ Route find(const HttpRequest& request, std::string_view path, std::string_view q
   if (path == "/events") return only_get(at(Endpoint::events));
   if (path == "/frame.png") return only_get(picture(query));
   if (path == "/files" || path == "/files/") return only_get(at(Endpoint::file_list));
-  constexpr std::string_view kFiles = "/files/";
-  if (path.starts_with(kFiles)) {
+  constexpr std::string_view kUnderFiles = "/files/";
+  if (path.starts_with(kUnderFiles)) {
     if (!get && request.method != "PUT") return refuse(405, "expected GET or PUT");
-    const auto name = percent_decoded(path.substr(kFiles.size()));
+    const auto name = percent_decoded(path.substr(kUnderFiles.size()));
     if (!name) return refuse(400, "the name is not well encoded");
     if (const std::string why = refusal_of_name(*name); !why.empty()) return refuse(400, why);
     return at(get ? Endpoint::read_file : Endpoint::write_file, *name);

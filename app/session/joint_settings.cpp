@@ -12,7 +12,7 @@
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string setting(std::string_view key, const std::string& value) {
   return fmt::format("{}.{}={}", kJointSettings, key, value);
@@ -40,10 +40,10 @@ std::vector<std::string> take_joint_settings(std::vector<std::string>& settings)
 }
 
 std::vector<std::string> take_joint_settings(std::string& patch, const std::string& source) {
-  Json json = Json::parse(patch, nullptr, false);
+  OrderedJson json = OrderedJson::parse(patch, nullptr, false);
   std::vector<std::string> out;
   if (!json.is_object() || !json.contains(kJointSettings)) return out;
-  const Json joints = json[std::string(kJointSettings)];
+  const OrderedJson joints = json[std::string(kJointSettings)];
   if (!joints.is_object())
     throw Error(ErrorKind::bad_input, fmt::format("{}: {}: expected an object", source, kJointSettings));
   for (const auto& [key, value] : joints.items())
@@ -62,10 +62,10 @@ std::vector<std::pair<std::string, std::string>> joint_settings(const BondLaw& l
   const bool hard = law.potential == BondPotential::hard;
   const auto key = [](const char* name) { return fmt::format("{}.{}", kJointSettings, name); };
   std::vector<std::pair<std::string, std::string>> out = {{key("potential"), hard ? "hard" : "soft"},
-                                                          {key("kappa"), Json(law.kappa).dump()}};
+                                                          {key("kappa"), OrderedJson(law.kappa).dump()}};
   if (!hard) return out;
   out.emplace_back(key("N"), std::to_string(law.N));
-  out.emplace_back(key("d_hat"), Json(law.d_hat).dump());
+  out.emplace_back(key("d_hat"), OrderedJson(law.d_hat).dump());
   return out;
 }
 
@@ -94,11 +94,11 @@ std::vector<std::string> joint_settings_after(const BondLaw& scene, const BondLa
 
 std::string patch_with_joints(const std::string& patch, const BondLaw& from, const BondLaw& to) {
   if (same_law(from, to)) return patch;
-  Json json = Json::parse(patch);
+  OrderedJson json = OrderedJson::parse(patch);
   for (const auto& [key, value] : joint_differences(from, to)) {
-    const Json number = Json::parse(value, nullptr, false);
+    const OrderedJson number = OrderedJson::parse(value, nullptr, false);
     json[std::string(kJointSettings)][key.substr(kJointSettings.size() + 1)] =
-        number.is_discarded() ? Json(value) : number;
+        number.is_discarded() ? OrderedJson(value) : number;
   }
   return json.dump(2) + "\n";
 }

@@ -60,7 +60,7 @@ std::vector<std::size_t> scatter_axes(const CollectedSweep& sweep) {
   return axes;
 }
 
-Axis axis_of(const CollectedSweep& sweep, std::size_t parameter) {
+Axis plot_axis_of(const CollectedSweep& sweep, std::size_t parameter) {
   std::vector<double> values;
   for (const SweptValue& value : values_of(sweep, parameter)) values.push_back(*value.number);
   return {.label = sweep.parameters[parameter].label(), .log = wants_log(values)};
@@ -87,8 +87,8 @@ SizedPicture scatter_picture(const CollectedSweep& sweep, const Criterion& crite
   scatter->label = criterion.quantity.label();
   Plot& plot = scatter->plot;
   plot.title = criterion.quantity.words;
-  plot.x = axis_of(sweep, axes[0]);
-  plot.y = axis_of(sweep, axes[1]);
+  plot.x = plot_axis_of(sweep, axes[0]);
+  plot.y = plot_axis_of(sweep, axes[1]);
   plot.caption = counts_words(sweep);
   Series points = series({}, SeriesStyle::markers);
   points.weight = 1.8;

@@ -13,7 +13,7 @@
 namespace pabd {
 namespace {
 
-constexpr std::size_t kNamed = 4;  // equals that are named one by one
+constexpr std::size_t kNamedEquals = 4;  // equals that are named one by one
 constexpr const char* kStepTime = "step_time";
 
 std::string number_of(const CollectedSweep& sweep, std::size_t task) {
@@ -24,7 +24,7 @@ std::string number_of(const CollectedSweep& sweep, std::size_t task) {
 // "2, 5 and 7".
 std::string numbers_of(const CollectedSweep& sweep, const std::vector<std::size_t>& tasks) {
   std::string out;
-  const std::size_t shown = std::min(tasks.size(), kNamed);
+  const std::size_t shown = std::min(tasks.size(), kNamedEquals);
   for (std::size_t i = 0; i < shown; ++i)
     out += (i == 0 ? "" : i + 1 == tasks.size() ? " and " : ", ") + number_of(sweep, tasks[i]);
   if (shown < tasks.size()) out += fmt::format(" and {} more", tasks.size() - shown);

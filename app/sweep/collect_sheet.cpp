@@ -20,8 +20,8 @@ namespace {
 constexpr double kSheetWidth = 3200;  // what all columns share
 constexpr double kWidest = 320, kNarrowest = 96;
 constexpr double kMargin = 24, kGap = 6;
-constexpr int kMostSide = 2048;              // of a task's picture
-constexpr std::size_t kMostBytes = 8 << 20;  // of its file
+constexpr int kMostSide = 2048;                     // of a task's picture
+constexpr std::size_t kMostPictureBytes = 8 << 20;  // of its file
 constexpr Color kEmpty{236, 239, 242, 255};
 
 double widest(const std::vector<std::string>& names, const FontMetrics& font, double size) {
@@ -214,7 +214,7 @@ Image contact_sheet(const CollectedSweep& sweep, const TaskGrid& grid, std::size
 
 Image read_end_picture(const SweptTask& task) {
   // The size comes first: a small file can hold a picture that is larger than the memory.
-  const std::string bytes = read_file(task.picture, kMostBytes, "a picture of a task");
+  const std::string bytes = read_file(task.picture, kMostPictureBytes, "a picture of a task");
   const std::string source = task.picture.string();
   if (bytes.size() < 24 || !bytes.starts_with("\x89PNG"))
     throw Error(ErrorKind::bad_input, source, "is no PNG file");

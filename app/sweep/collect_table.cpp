@@ -70,7 +70,7 @@ Column text(const CollectedSweep& sweep, const std::string& name,
           }};
 }
 
-std::vector<Column> columns_of(const CollectedSweep& sweep) {
+std::vector<Column> table_columns_of(const CollectedSweep& sweep) {
   std::vector<Column> columns;
   columns.push_back(whole("index", [](const SweptTask& t) { return t.index; }));
   columns.push_back(text(sweep, "hash", [](const SweptTask& t) { return t.hash; }));
@@ -168,7 +168,7 @@ std::string table_jsonl(const CollectedSweep& sweep) {
 }
 
 std::string table_npy(const CollectedSweep& sweep) {
-  std::vector<Column> columns = columns_of(sweep);
+  std::vector<Column> columns = table_columns_of(sweep);
   make_unique(columns);
   std::string header = "{'descr': [";
   for (const Column& column : columns)

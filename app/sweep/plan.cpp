@@ -27,10 +27,10 @@ constexpr std::array kMetric = {Key("name"), Key("metric"), Key("at"), Key("take
 constexpr std::array kStop = {Key("time"), Key("steps"), Key("when")};
 constexpr std::array kWhen = {Key("at"), Key("below"), Key("above"), Key("for")};
 
-constexpr std::size_t kMostBytes = std::size_t{4} << 20;
+constexpr std::size_t kMostPlanBytes = std::size_t{4} << 20;
 constexpr std::size_t kMostMetrics = 100, kMostSet = 1000;
 constexpr double kLongest = 1e6;  // s, as of --time
-constexpr std::int64_t kMostSteps = 1'000'000'000;
+constexpr std::int64_t kMostPlannedSteps = 1'000'000'000;
 
 KeyValues read_values(const ObjectReader& plan, Key key) {
   KeyValues out;
@@ -125,7 +125,7 @@ StopRule read_stop(const ObjectReader& plan) {
   const ObjectReader object(*node, kStop);
   if (object.has("time") && object.has("steps")) node->fail("expected \"time\" or \"steps\", not both");
   if (object.has("time")) stop.time = object.number("time", {0, kLongest, "s"});
-  if (object.has("steps")) stop.steps = object.integer("steps", 0, kMostSteps);
+  if (object.has("steps")) stop.steps = object.integer("steps", 0, kMostPlannedSteps);
   if (const auto when = object.find("when")) stop.when = read_when(*when);
   return stop;
 }
@@ -165,11 +165,11 @@ std::string measures_of(const SweepPlan& plan) {
 std::string kept_text(const nlohmann::ordered_json& plan, const std::string& source) {
   for (const int indent : {2, -1}) {
     std::string text = plan.dump(indent) + "\n";
-    if (text.size() <= kMostBytes) return text;
+    if (text.size() <= kMostPlanBytes) return text;
   }
   throw Error(ErrorKind::bad_input, source,
               fmt::format("is longer than {} MiB with its numbers written out; take fewer or shorter values",
-                          kMostBytes >> 20));
+                          kMostPlanBytes >> 20));
 }
 
 void check_keys_apart(const SweepPlan& plan, const ObjectReader& reader) {
@@ -190,7 +190,7 @@ void check_keys_apart(const SweepPlan& plan, const ObjectReader& reader) {
 SweepPlan parse_plan(const std::string& text, const std::string& source, const fs::path& folder,
                      const FindScene& find_scene) {
   ReadContext context{source, {}, {}};
-  const Json json = parse_document(text, source, {kMostBytes, std::size_t{1} << 20, 16});
+  const Json json = parse_document(text, source, {kMostPlanBytes, std::size_t{1} << 20, 16});
   const ObjectReader reader(Node(json, context), kPlan);
   static constexpr std::array<Choice, 1> kFormat = {{{"pabd-sweep", 0}}};
   reader.choice("format", kFormat);
@@ -221,7 +221,7 @@ SweepPlan parse_plan(const std::string& text, const std::string& source, const f
 }
 
 SweepPlan read_plan(const fs::path& file, const FindScene& find_scene) {
-  const std::string text = read_file(file, kMostBytes, "the plan of a sweep");
+  const std::string text = read_file(file, kMostPlanBytes, "the plan of a sweep");
   return parse_plan(text, file.string(), file.parent_path(), find_scene);
 }
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace pabd {
 namespace {
 
-constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+constexpr std::size_t kMostTaskBytes = std::size_t{16} << 20;
 
 [[noreturn]] void fail(const fs::path& path, const char* what, const std::string& reason) {
   throw Error(ErrorKind::file, path.string(), fmt::format("{}: {}", what, reason));
@@ -59,7 +59,7 @@ Descriptor lock(const fs::path& path) {
 void count_anew(const fs::path& place, const SweepTask& task) {
   for (const char* name : {"task.json", "result.json"}) {
     const fs::path path = place / name;
-    auto json = nlohmann::ordered_json::parse(read_if_possible(path, kMostBytes), nullptr, false);
+    auto json = nlohmann::ordered_json::parse(read_if_possible(path, kMostTaskBytes), nullptr, false);
     if (!json.is_object() || !json.contains("index") || json["index"] == task.index) continue;
     json["index"] = task.index;
     write_file(path, json.dump(2) + "\n");
@@ -72,7 +72,7 @@ void prepare_sweep_folder(const fs::path& folder, const SweepPlan& plan, const s
                           bool force) {
   make_folder(folder / "tasks");
   const fs::path path = folder / "plan.json";
-  const std::string there = read_if_possible(path, kMostBytes);
+  const std::string there = read_if_possible(path, kMostTaskBytes);
   if (there == plan.text) return;
   std::error_code ignored;
   if (!force && fs::exists(path, ignored))

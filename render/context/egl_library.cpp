@@ -9,7 +9,7 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kNames[] = {"libEGL.so.1", nullptr};
+constexpr const char* kEglNames[] = {"libEGL.so.1", nullptr};
 
 struct ErrorName {
   EGLint code;
@@ -50,7 +50,7 @@ bool has_word(const char* list, const char* word) {
   return false;
 }
 
-EglLibrary::EglLibrary() : library_(kNames) {
+EglLibrary::EglLibrary() : library_(kEglNames) {
   if (!library_.is_open()) {
     failure_ = library_.error();
     return;

@@ -11,11 +11,11 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kNames[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", nullptr};
+constexpr const char* kMesaNames[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so", nullptr};
 constexpr int kSize = 16;  // of the buffer that OSMesa insists on; frames are drawn into framebuffer objects
 
 struct OsMesaLibrary {
-  OsMesaLibrary() : library(kNames) {
+  OsMesaLibrary() : library(kMesaNames) {
     if (!library.is_open()) {
       failure = library.error();
       return;

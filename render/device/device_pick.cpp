@@ -19,8 +19,8 @@ namespace {
 
 using namespace device;
 
-constexpr unsigned kThreads = 256;     // of a work group
-constexpr std::uint32_t kFirst = 128;  // bodies that are read at once with their number
+constexpr unsigned kPickThreads = 256;  // of a work group
+constexpr std::uint32_t kFirst = 128;   // bodies that are read at once with their number
 
 struct RayRecord {
   double origin[4], direction[4];
@@ -45,7 +45,7 @@ ComputeProgram compile(const ComputeFunctions& gl) {
   const std::string defines = fmt::format(
       "#define GROUP {}u\n#define DRAW_POSES {}\n#define DRAW_REACHES {}\n#define DRAW_RAY {}\n"
       "#define DRAW_MET {}\n",
-      kThreads, number(DrawSlot::poses), number(DrawSlot::reaches), number(DrawSlot::ray),
+      kPickThreads, number(DrawSlot::poses), number(DrawSlot::reaches), number(DrawSlot::ray),
       number(DrawSlot::met));
   return {gl, "bodies along a ray", defines,
           std::array{shaders::device_draw_pose, shaders::device_pick_comp}};
@@ -102,7 +102,7 @@ std::uint32_t DevicePick::Impl::find(const Ray& ray) {
   buffers.clear(DrawSlot::met);
   buffers.bind();
   program.use();
-  gl.DispatchCompute((record.bodies + kThreads - 1) / kThreads, 1, 1);
+  gl.DispatchCompute((record.bodies + kPickThreads - 1) / kPickThreads, 1, 1);
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   read(0, sizeof first, &first);
   return first.head.count;

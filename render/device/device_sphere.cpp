@@ -21,7 +21,7 @@ namespace {
 
 using namespace device;
 
-constexpr unsigned kThreads = 256;  // of a work group
+constexpr unsigned kSphereThreads = 256;  // of a work group
 
 struct Piece {
   float at[4], size[4];
@@ -38,7 +38,7 @@ struct Corner {
 };
 
 ComputeProgram compile(const ComputeFunctions& gl, const char* name, const char* define) {
-  std::string defines = fmt::format("#define GROUP {}u\n{}", kThreads, define);
+  std::string defines = fmt::format("#define GROUP {}u\n{}", kSphereThreads, define);
   for (const auto& [word, slot] : {std::pair("POSES", DrawSlot::poses),
                                    {"PARTS", DrawSlot::parts},
                                    {"RANGES", DrawSlot::ranges},
@@ -139,7 +139,7 @@ Span DeviceSphere::Impl::ask(const ComputeProgram& program, const Vec3& centre) 
   buffers.renew(DrawSlot::bounds, &span);
   buffers.bind();
   program.use();
-  gl.DispatchCompute((count + kThreads - 1) / kThreads, 1, 1);
+  gl.DispatchCompute((count + kSphereThreads - 1) / kSphereThreads, 1, 1);
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   gl.BindBuffer(GL_COPY_READ_BUFFER, buffers.id(DrawSlot::bounds));
   gl.GetBufferSubData(GL_COPY_READ_BUFFER, 0, sizeof span, &span);

@@ -24,9 +24,9 @@ constexpr std::string_view kStartCode{"\0\0\0\1", 4};
 }
 
 // Takes from the front; refuses to go beyond the end.
-class Reader {
+class FlvReader {
  public:
-  explicit Reader(std::string_view bytes) : rest_(bytes) {}
+  explicit FlvReader(std::string_view bytes) : rest_(bytes) {}
   std::string_view bytes(std::size_t count) {
     if (count > rest_.size()) refuse("it ends in the middle of something");
     const std::string_view out = rest_.substr(0, count);
@@ -54,14 +54,14 @@ std::optional<VideoUnit> FlvUnits::next() {
     begun_ = true;
   }
   while (bytes_.size() >= kTagHead) {
-    Reader head(bytes_);
+    FlvReader head(bytes_);
     const std::uint32_t kind = head.number(1);
     const std::size_t size = head.number(3);
     if (bytes_.size() < kTagHead + size + kTagTail) break;
     const std::string tag = bytes_.substr(kTagHead, size);
     bytes_.erase(0, kTagHead + size + kTagTail);
     if (kind != kVideoTag) continue;  // names and numbers of the file
-    Reader in(tag);
+    FlvReader in(tag);
     const std::uint32_t codec = in.number(1), packet = in.number(1);
     in.bytes(kVideoHead - 2);
     if (codec != kKeyAvc && codec != kDeltaAvc) refuse("it is another codec");
@@ -73,7 +73,7 @@ std::optional<VideoUnit> FlvUnits::next() {
 }
 
 void FlvUnits::read_parameters(std::string_view record) {
-  Reader in(record);
+  FlvReader in(record);
   const std::string_view head = in.bytes(kRecordHead);
   if (head[0] != 1 || (head[4] & 3) != 3) refuse("lengths of NAL units are not four bytes");
   parameters_.clear();
@@ -90,7 +90,7 @@ void FlvUnits::read_parameters(std::string_view record) {
 VideoUnit FlvUnits::read_unit(std::string_view data, bool key) const {
   // What says where the unit begins comes first of all; libx264's first unit has a message before it.
   std::string delimiter, rest;
-  for (Reader in(data); !in.empty();) {
+  for (FlvReader in(data); !in.empty();) {
     const std::string_view nal = in.bytes(in.number(4));
     if (nal.empty()) refuse("a NAL unit is empty");
     std::string& part = (static_cast<unsigned char>(nal[0]) & 31u) == kDelimiter ? delimiter : rest;

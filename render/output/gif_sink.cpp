@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "render/output/encoder_process.h"
+#include "render/output/ffmpeg_arguments.h"
 #include "render/output/sinks.h"
 #include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
@@ -25,8 +26,6 @@ namespace pabd {
 namespace {
 
 namespace fs = std::filesystem;
-using Arguments = std::vector<std::string>;
-
 constexpr double kFastest =
     50;  // frames a second: a GIF counts in 1/100 s, and viewers slow down one of them
 constexpr std::size_t kBlock = 255;  // bytes of a part of a comment

@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "render/output/encoder_trial.h"
+#include "render/output/ffmpeg_arguments.h"
 #include "sim/base/error.h"
 
 namespace pabd {
 namespace {
-
-using Arguments = std::vector<std::string>;
 
 constexpr auto kLook = std::chrono::milliseconds(50);  // between two looks whether ffmpeg is still there
 

@@ -54,9 +54,9 @@ void on_warning(png_structp png, png_const_charp message) {
 }
 
 // A PNG file open for reading, closed and freed at the end of the scope.
-class Reader {
+class PngReader {
  public:
-  explicit Reader(const fs::path& path) : path_(path) {
+  explicit PngReader(const fs::path& path) : path_(path) {
     Descriptor file = require_input(path, "a PNG file");
     file_.reset(::fdopen(file.get(), "rb"));
     if (!file_) fail_file(errno);
@@ -76,9 +76,9 @@ class Reader {
       throw Error(ErrorKind::file, fmt::format("{}: out of memory while opening", path.string()));
     }
   }
-  ~Reader() { png_destroy_read_struct(&png_, &info_, nullptr); }
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
 
   bool read_header() {
     if (setjmp(png_jmpbuf(png_))) return false;
@@ -143,7 +143,7 @@ class Reader {
 }  // namespace
 
 Image read_png(const fs::path& path) {
-  Reader reader(path);
+  PngReader reader(path);
   if (!reader.read_header()) reader.fail();
   std::error_code unknown;
   const auto file_bytes = fs::file_size(path, unknown);

@@ -6,15 +6,10 @@
 #include <utility>
 
 #include "render/output/compare_images.h"
+#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
-
-std::string lower(const std::string& text) {
-  std::string result;
-  for (char c : text) result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 // "llvmpipe (LLVM 15.0.6, 256 bits)": code for other vectors may round elsewhere.
 std::string llvmpipe_class(const std::string& name) {
@@ -29,7 +24,7 @@ std::string llvmpipe_class(const std::string& name) {
 }  // namespace
 
 std::string renderer_class(const std::string& gl_renderer) {
-  const std::string name = lower(gl_renderer);
+  const std::string name = lower_case(gl_renderer);
   if (name.starts_with("llvmpipe")) return llvmpipe_class(name);
 
   std::string word;  // also safe as a folder name

@@ -9,12 +9,11 @@
 #include <cstddef>
 
 #include "render/output/encoder_trial.h"
+#include "render/output/ffmpeg_arguments.h"
 #include "sim/base/error.h"
 
 namespace pabd {
 namespace {
-
-using Arguments = std::vector<std::string>;
 
 constexpr VideoDefaults kMp4{18, 51, "veryfast"}, kWebm{24, 63, "fast"};
 constexpr int kMostPlays = 65535;
@@ -72,10 +71,6 @@ Arguments vp9(const VideoOptions& options) {
           "-cpu-used",     std::to_string(speed),
           "-row-mt",       "1",
           "-tile-columns", "2"};
-}
-
-void append(Arguments& arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "render/output/encoder_process.h"
 #include "render/output/extended_image.h"
+#include "render/output/ffmpeg_arguments.h"
 #include "render/output/sinks.h"
 #include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
@@ -18,12 +19,6 @@
 
 namespace pabd {
 namespace {
-
-using Arguments = std::vector<std::string>;
-
-void append(Arguments& arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-}
 
 // Tags of the file; what a system limits in a command line is left out.
 Arguments metadata(const PngText& about) {

@@ -16,7 +16,7 @@
 namespace pabd {
 namespace {
 
-constexpr float kDegree = 3.14159265358979f / 180.0f;
+constexpr float kFloatDegree = 3.14159265358979f / 180.0f;
 
 // A unit vector across `v`.
 Vec3f any_across(const Vec3f& v) {
@@ -32,7 +32,7 @@ bool same_camera(const Camera& a, const Camera& b) {
 }
 
 float half_height(const Camera& camera) {
-  const float slope = std::tan(0.5f * camera.fov * kDegree);
+  const float slope = std::tan(0.5f * camera.fov * kFloatDegree);
   return camera.orthographic ? slope * std::max((camera.eye - camera.target).norm(), 1e-12f) : slope;
 }
 

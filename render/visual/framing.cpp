@@ -25,7 +25,7 @@ namespace pabd {
 namespace {
 
 constexpr int kRimPoints = 32;
-constexpr double kAzimuth = -26 * kPi / 180, kElevation = 17 * kPi / 180;
+constexpr double kEyeAzimuth = -26 * kPi / 180, kEyeElevation = 17 * kPi / 180;
 constexpr float kFov = 32;  // degrees
 constexpr double kNearFloor =
     1.5;                          // a floor within this many radii of what is above it belongs to the picture
@@ -301,8 +301,8 @@ Camera fit_orbit(std::span<const Spot> spots, const Camera& like, double aspect,
 Camera pleasing_side() {
   Camera camera;
   camera.target = Vec3f::Zero();
-  camera.eye = Vec3(std::sin(kAzimuth) * std::cos(kElevation), std::sin(kElevation),
-                    std::cos(kAzimuth) * std::cos(kElevation))
+  camera.eye = Vec3(std::sin(kEyeAzimuth) * std::cos(kEyeElevation), std::sin(kEyeElevation),
+                    std::cos(kEyeAzimuth) * std::cos(kEyeElevation))
                    .cast<float>();
   camera.fov = kFov;
   return camera;

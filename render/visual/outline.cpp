@@ -22,7 +22,7 @@
 namespace pabd {
 namespace {
 
-constexpr std::uint32_t kAmber = 0xffb31a, kRim = 0x1c1a22;
+constexpr std::uint32_t kAmber = 0xffb31a, kRimColor = 0x1c1a22;
 constexpr double kInnerWidth = 2.6, kOuterWidth = 5.4;  // pixels at 720 px frame height
 constexpr double kLeastRing = 11;                       // pixels
 
@@ -156,7 +156,7 @@ class OutlinePainter {
 };
 
 constexpr std::array<std::pair<std::uint32_t, double>, 2> kPens = {
-    {{kRim, kOuterWidth}, {kAmber, kInnerWidth}}};
+    {{kRimColor, kOuterWidth}, {kAmber, kInnerWidth}}};
 
 Vec3 towards_eye(const Vec3& p, const VisualScene& out) { return PixelMeter(out.camera).to_eye(p); }
 
@@ -186,7 +186,7 @@ void add_spring(const Vec3& hand, const Vec3& body, VisualScene& out) {
   const Vec3 side = (body - hand).cross(towards_eye(hand, out));
   for (const auto& [ink, width] : kPens)
     add_coil(out, hand, body, kRadius * pixel, kTurns, true, side, {srgb_color(ink), width});
-  for (const auto& [ink, radius] : {std::pair{kRim, kDot}, {kAmber, kDot - 1.8}}) {
+  for (const auto& [ink, radius] : {std::pair{kRimColor, kDot}, {kAmber, kDot - 1.8}}) {
     const Vec3 v = towards_eye(hand, out);
     const double lift = ink == kAmber ? 0.5 * pixel : 0;
     out.instances[static_cast<int>(Primitive::disc)].push_back(

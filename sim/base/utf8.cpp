@@ -110,6 +110,13 @@ std::string utf8_from_latin1(std::string_view text) {
   return utf8;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
 std::string_view first_bytes(std::string_view text, std::size_t size) {
   const std::size_t longest = size + 3;  // what only looks like the rest of a character ends, too
   while (size < text.size() && size < longest && continues(byte_at(text, size))) ++size;

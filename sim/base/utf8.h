@@ -25,6 +25,9 @@ void append_character(std::string& text, char32_t c);
 // Text of one byte a character (ISO 8859-1).
 std::string utf8_from_latin1(std::string_view text);
 
+// With ASCII's capital letters as small ones.
+std::string lower_case(std::string_view text);
+
 // The first `size` bytes of `text` and the rest of the character that they cut; all of a shorter text.
 std::string_view first_bytes(std::string_view text, std::size_t size);
 // `text` without its last character. Precondition: it has one.

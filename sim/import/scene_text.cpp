@@ -17,7 +17,6 @@
 namespace pabd {
 namespace {
 
-constexpr double kDegree = kPi / 180;
 constexpr double kMostTurn = 180;  // degrees: what limits of a hinge can say
 constexpr double kRounded = 0.01;  // degrees: 3.1416 is half a turn
 constexpr double kDead = 1;        // κ h²/(m d̂²) that leaves a tenth of the speed of a hit

@@ -23,5 +23,6 @@ using Quat = Eigen::Quaterniond;
 using Index = std::int32_t;  // body, bond and contact numbers
 
 inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kDegree = kPi / 180;  // rad
 
 }  // namespace pabd

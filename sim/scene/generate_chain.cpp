@@ -13,15 +13,15 @@ namespace {
 
 enum class Ends { none, first, both };
 
-constexpr Choice kJoints[] = {{"spherical", static_cast<int>(JointType::spherical)},
-                              {"hinge", static_cast<int>(JointType::hinge)},
-                              {"fixed", static_cast<int>(JointType::fixed)}};
+constexpr Choice kChainJoints[] = {{"spherical", static_cast<int>(JointType::spherical)},
+                                   {"hinge", static_cast<int>(JointType::hinge)},
+                                   {"fixed", static_cast<int>(JointType::fixed)}};
 constexpr Choice kEnds[] = {{"none", static_cast<int>(Ends::none)},
                             {"first", static_cast<int>(Ends::first)},
                             {"both", static_cast<int>(Ends::both)}};
 
 // A link that is size.x long and size.y thick.
-Shape make_shape(const ObjectReader& in, int kind, const Vec3& size) {
+Shape link_shape(const ObjectReader& in, int kind, const Vec3& size) {
   const Shape link = generated_shape(kind, size, size.x(), {size.x(), size.y()});
   if (is_rod(kind) && !(kind_of(link).sizes_of(link)[1] >= kSizeRange.lo)) {
     in.fail_key("size", fmt::format("a {} {} m long and {} m thick has no straight part; expected the first "
@@ -60,7 +60,7 @@ void generate_chain(const ObjectReader& in, const GeneratorContext& context, Mod
   const Vec3 direction = along ? along->unit_vector() : Vec3(Vec3::UnitX());
   in.record("direction", direction);
   const auto type =
-      static_cast<JointType>(in.choice("joint", kJoints, static_cast<int>(JointType::spherical)));
+      static_cast<JointType>(in.choice("joint", kChainJoints, static_cast<int>(JointType::spherical)));
   const auto axis_node = in.find("axis");
   if (axis_node && traits_of(type).axes == 0) {
     axis_node->fail("only hinges have an axis; set \"joint\": \"hinge\" or remove this key");
@@ -74,7 +74,7 @@ void generate_chain(const ObjectReader& in, const GeneratorContext& context, Mod
 
   const Mat3 along_chain = frame_about(direction);
   const Mat3 F = joint_frame(type, axis, std::nullopt);
-  const Shape shape = make_shape(in, kind, size);
+  const Shape shape = link_shape(in, kind, size);
   const double pitch = size.x() + gap;
   const auto first = static_cast<Index>(out.model.name.size());
   out.reserve(links, in);

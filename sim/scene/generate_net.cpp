@@ -17,8 +17,8 @@ enum class Edges { none, corners, edges, top };
 
 constexpr Choice kKinds[] = {{"box", static_cast<int>(Kind::box)},
                              {"sphere", static_cast<int>(Kind::sphere)}};
-constexpr Choice kJoints[] = {{"spherical", static_cast<int>(JointType::spherical)},
-                              {"distance", static_cast<int>(JointType::distance)}};
+constexpr Choice kNetJoints[] = {{"spherical", static_cast<int>(JointType::spherical)},
+                                 {"distance", static_cast<int>(JointType::distance)}};
 constexpr Choice kEdges[] = {{"none", static_cast<int>(Edges::none)},
                              {"corners", static_cast<int>(Edges::corners)},
                              {"edges", static_cast<int>(Edges::edges)},
@@ -58,7 +58,7 @@ void generate_net(const ObjectReader& in, const GeneratorContext& context, Model
   const double gap = in.number("gap", {0, 1e3, "m"}, context.d_hat);
   const bool upright = in.boolean("upright", false);
   const auto type =
-      static_cast<JointType>(in.choice("joint", kJoints, static_cast<int>(JointType::spherical)));
+      static_cast<JointType>(in.choice("joint", kNetJoints, static_cast<int>(JointType::spherical)));
   grid.edges = static_cast<Edges>(in.choice("fixed", kEdges, static_cast<int>(Edges::corners)));
   const MassSpec mass = read_mass(in);
   const bool collide = in.boolean("collide", false);

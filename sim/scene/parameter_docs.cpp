@@ -13,21 +13,21 @@
 namespace pabd {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json numbers(const char* type, const ParameterRange& range) {
-  Json out{{"type", type}};
+OrderedJson numbers(const char* type, const ParameterRange& range) {
+  OrderedJson out{{"type", type}};
   if (std::isfinite(range.lo)) out[range.above ? "exclusiveMinimum" : "minimum"] = range.lo;
   if (std::isfinite(range.hi)) out[range.below ? "exclusiveMaximum" : "maximum"] = range.hi;
   return out;
 }
 
-Json type_of(const ParameterRow& row) {
+OrderedJson type_of(const ParameterRow& row) {
   switch (kind_of(row)) {
     case ParameterKind::real: {
-      const Json number = numbers("number", row.range);
+      const OrderedJson number = numbers("number", row.range);
       if (!may_be_auto(row)) return number;
-      return {{"anyOf", Json::array({{{"const", "auto"}}, number})}};
+      return {{"anyOf", OrderedJson::array({{{"const", "auto"}}, number})}};
     }
     case ParameterKind::whole:
       return numbers("integer", row.range);
@@ -36,7 +36,7 @@ Json type_of(const ParameterRow& row) {
     case ParameterKind::vector:
       return {{"type", "array"}, {"items", numbers("number", row.range)}, {"minItems", 3}, {"maxItems", 3}};
     case ParameterKind::choice: {
-      Json words = Json::array();
+      OrderedJson words = OrderedJson::array();
       for (const ParameterChoice& choice : choices_of(row)) words.push_back(choice.word);
       return {{"enum", words}};
     }
@@ -45,12 +45,12 @@ Json type_of(const ParameterRow& row) {
 }
 
 // As it is in fresh parameters.
-Json default_of(const char* key, ParameterTable table) {
-  return Json::parse(params_json(Params{}, table)).at(Json::json_pointer(pointer_of(key)));
+OrderedJson default_of(const char* key, ParameterTable table) {
+  return OrderedJson::parse(params_json(Params{}, table)).at(OrderedJson::json_pointer(pointer_of(key)));
 }
 
-Json property(const ParameterRow& row, ParameterTable table) {
-  Json out = type_of(row);
+OrderedJson property(const ParameterRow& row, ParameterTable table) {
+  OrderedJson out = type_of(row);
   std::string text = fmt::format("{}.", row.help);
   if (*row.unit) text += fmt::format(" Unit: {}.", row.unit);
   if (row.follows) {
@@ -64,19 +64,19 @@ Json property(const ParameterRow& row, ParameterTable table) {
 
 std::string_view definition_of(std::string_view section) { return section.substr(section.rfind('.') + 1); }
 
-Json reference_to(const std::string& section, ParameterTable table) {
-  const Json ref{{"$ref", fmt::format("#/$defs/{}", definition_of(section))}};
+OrderedJson reference_to(const std::string& section, ParameterTable table) {
+  const OrderedJson ref{{"$ref", fmt::format("#/$defs/{}", definition_of(section))}};
   const ParameterSection* known = find_section(section);
   if (!known || !known->as_number) return ref;
   const ParameterRow& first =
       *find_parameter(key_below(section, parameter_keys(section, table).front()), table);
   return {{"description", fmt::format("{}.", known->as_number)},
-          {"anyOf", Json::array({type_of(first), ref})},
+          {"anyOf", OrderedJson::array({type_of(first), ref})},
           {"default", default_of(section.c_str(), table)}};
 }
 
-Json properties(std::string_view section, ParameterTable table) {
-  Json out = Json::object();
+OrderedJson properties(std::string_view section, ParameterTable table) {
+  OrderedJson out = OrderedJson::object();
   for (const std::string_view part : parameter_keys(section, table)) {
     const std::string key = key_below(section, part);
     const ParameterRow* row = find_parameter(key, table);
@@ -88,7 +88,7 @@ Json properties(std::string_view section, ParameterTable table) {
 }  // namespace
 
 std::string parameter_schema(ParameterTable table) {
-  Json definitions = Json::object();
+  OrderedJson definitions = OrderedJson::object();
   for (const std::string_view section : sections_of(table)) {
     const ParameterSection* known = find_section(section);
     definitions[std::string(definition_of(section))] = {
@@ -97,7 +97,7 @@ std::string parameter_schema(ParameterTable table) {
         {"additionalProperties", false},
         {"properties", properties(section, table)}};
   }
-  return Json{{"properties", properties("", table)}, {"$defs", definitions}}.dump(2) + "\n";
+  return OrderedJson{{"properties", properties("", table)}, {"$defs", definitions}}.dump(2) + "\n";
 }
 
 std::string parameter_reference(ParameterTable table) {

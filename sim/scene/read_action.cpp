@@ -11,7 +11,6 @@ namespace pabd {
 namespace {
 
 constexpr double kMostForce = 1e12;
-constexpr double kDegree = kPi / 180;
 
 // The words of a motor that turns, and of one that pushes.
 struct MotorWords {

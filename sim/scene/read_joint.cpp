@@ -19,7 +19,6 @@ namespace pabd {
 
 namespace {
 
-constexpr double kDegree = kPi / 180;
 constexpr Range kTurnsRange{-1e6, 1e6, "degrees"};  // a drive may go round many times
 
 constexpr Choice kPotentials[] = {{"soft", static_cast<int>(BondPotential::soft)},

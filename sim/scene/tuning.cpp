@@ -19,7 +19,7 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 template <class AnyJson>
-AnyJson json_of(const ParameterValue& value) {
+AnyJson value_json(const ParameterValue& value) {
   return std::visit(
       []<class Type>(const Type& v) -> AnyJson {
         if constexpr (std::is_same_v<Type, Vec3>) return AnyJson::array({v.x(), v.y(), v.z()});
@@ -55,7 +55,7 @@ template <class AnyJson>
 AnyJson to_json(const Params& params, ParameterTable table) {
   AnyJson document = AnyJson::object();
   for (const ParameterRow& row : table) {
-    put(document, row.key, json_of<AnyJson>(value_of(row, params)), table);
+    put(document, row.key, value_json<AnyJson>(value_of(row, params)), table);
   }
   return document;
 }
@@ -108,7 +108,7 @@ Params patched(const Params& params, const std::string& patch, const std::string
 }
 
 std::string value_text(const ParameterValue& value) {
-  const Json json = json_of<Json>(value);
+  const Json json = value_json<Json>(value);
   return json.is_string() ? json.get<std::string>() : json.dump();
 }
 
@@ -137,7 +137,7 @@ std::vector<std::pair<std::string, std::string>> differences(const Params& from,
 std::string patch_json(const Params& from, const Params& to, ParameterTable table) {
   OrderedJson patch = OrderedJson::object();
   for (const ParameterRow* row : differing(from, to, table)) {
-    put(patch, row->key, json_of<OrderedJson>(value_of(*row, to)), table);
+    put(patch, row->key, value_json<OrderedJson>(value_of(*row, to)), table);
   }
   return patch.dump(2) + "\n";
 }
@@ -159,7 +159,7 @@ std::string tuned_scene_text(const std::string& scene, const std::string& source
   const Node root(checked, context);
   const Params before = read_params(ObjectReader(root, scene_object_keys(table)), table);
   for (const ParameterRow* row : differing(before, params, table)) {
-    put(document, row->key, json_of<OrderedJson>(value_of(*row, params)), table);
+    put(document, row->key, value_json<OrderedJson>(value_of(*row, params)), table);
   }
   return document.dump(2) + "\n";
 }

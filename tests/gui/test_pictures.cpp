@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kScene = PABD_SCENES "/two_boxes.json";
+const std::string kPictureScene = PABD_SCENES "/two_boxes.json";
 constexpr const char* kCamera = "eye=3,2,4,target=0,0.5,0,fov=40";
 
 std::unique_ptr<GlContext> make_context() {
@@ -31,7 +31,7 @@ std::unique_ptr<GlContext> make_context() {
 void render(const std::string& out, int count, double fps, const std::string& overlay_text,
             const std::string& camera, const std::vector<std::string>& sets = {}) {
   const auto context = make_context();
-  Run run(std::make_shared<const Scene>(load_scene(kScene, sets)), 1, kNoPast);
+  Run run(std::make_shared<const Scene>(load_scene(kPictureScene, sets)), 1, kNoPast);
   const OverlayChoice overlay = parse_overlay(overlay_text);
   run.observe(overlay.needs_iterations(), overlay.needs_contacts());
   const CameraOption option = parse_camera(camera);
@@ -47,7 +47,7 @@ void render(const std::string& out, int count, double fps, const std::string& ov
 
 void play(const std::string& actions, const fs::path& folder) {
   const auto context = make_context();
-  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kScene, {}, false}));
+  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kPictureScene, {}, false}));
   ViewerOptions options;
   options.steady = true;
   Viewer viewer(*context, runner, options);
@@ -157,7 +157,7 @@ TEST_CASE("the plot of a panel is written as what its name says") {
 }
 
 TEST_CASE("frames of the past: which moment each shows") {
-  const auto scene = std::make_shared<const Scene>(load_scene(kScene));
+  const auto scene = std::make_shared<const Scene>(load_scene(kPictureScene));
   Run run(scene, 1, 1 << 24);
   for (int i = 0; i < 30; ++i) REQUIRE(run.advance());
   const double h = run.params().h;

@@ -27,7 +27,7 @@ Settings unusual() {
   return s;
 }
 
-std::string refusal(const std::string& json) {
+std::string settings_refusal(const std::string& json) {
   try {
     static_cast<void>(parse_settings(json, "view.json"));
   } catch (const Error& error) {
@@ -55,24 +55,25 @@ TEST_CASE("settings come back as they were") {
 
 TEST_CASE("settings that make no sense are refused with their place") {
   const std::string head = R"({"format":"pabd-view-settings","version":1,)";
-  CHECK(refusal(head + R"("dark":true})").empty());
-  CHECK_THAT(refusal("{"), Catch::Contains("view.json"));
-  CHECK_THAT(refusal("[]"), Catch::Contains("/format"));
-  CHECK_THAT(refusal(head + R"("dark":1})"), Catch::Contains("/dark"));
-  CHECK_THAT(refusal(head + R"("scale":1e9})"), Catch::Contains("/scale"));
-  CHECK_THAT(refusal(head + R"("scale":null})"), Catch::Contains("/scale"));
-  CHECK_THAT(refusal(head + R"("color":"mauve"})"), Catch::Contains("/color"));
-  CHECK_THAT(refusal(head + R"("open":[true]})"), Catch::Contains("/open"));
-  CHECK_THAT(refusal(head + R"("shown":["x","y","z"]})"), Catch::Contains("panel"));
-  CHECK_THAT(refusal(head + R"("recent":[1]})"), Catch::Contains("/recent"));
-  CHECK_THAT(refusal(head + R"("width":-3})"), Catch::Contains("/width"));
+  CHECK(settings_refusal(head + R"("dark":true})").empty());
+  CHECK_THAT(settings_refusal("{"), Catch::Contains("view.json"));
+  CHECK_THAT(settings_refusal("[]"), Catch::Contains("/format"));
+  CHECK_THAT(settings_refusal(head + R"("dark":1})"), Catch::Contains("/dark"));
+  CHECK_THAT(settings_refusal(head + R"("scale":1e9})"), Catch::Contains("/scale"));
+  CHECK_THAT(settings_refusal(head + R"("scale":null})"), Catch::Contains("/scale"));
+  CHECK_THAT(settings_refusal(head + R"("color":"mauve"})"), Catch::Contains("/color"));
+  CHECK_THAT(settings_refusal(head + R"("open":[true]})"), Catch::Contains("/open"));
+  CHECK_THAT(settings_refusal(head + R"("shown":["x","y","z"]})"), Catch::Contains("panel"));
+  CHECK_THAT(settings_refusal(head + R"("recent":[1]})"), Catch::Contains("/recent"));
+  CHECK_THAT(settings_refusal(head + R"("width":-3})"), Catch::Contains("/width"));
   // Any beginning of the file, and any byte of it another one: an error or settings, never anything else.
   const std::string whole = settings_json(unusual());
-  for (std::size_t n = 0; n + 2 < whole.size(); ++n) CHECK_FALSE(refusal(whole.substr(0, n)).empty());
+  for (std::size_t n = 0; n + 2 < whole.size(); ++n)
+    CHECK_FALSE(settings_refusal(whole.substr(0, n)).empty());
   for (std::size_t n = 0; n < whole.size(); ++n) {
     std::string spoiled = whole;
     spoiled[n] = static_cast<char>(spoiled[n] ^ 0x11);
-    CHECK_NOTHROW(refusal(spoiled));
+    CHECK_NOTHROW(settings_refusal(spoiled));
   }
 }
 

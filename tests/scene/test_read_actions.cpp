@@ -33,8 +33,6 @@ const std::string kSlider =
 const std::string kBall = R"("type": "spherical", "bodies": ["a", "b"], "anchor": [1, 1, 0])";
 const std::string kRod = R"("type": "distance", "bodies": ["a", "b"], "points": [[0, 1, 0], [2, 1, 0.5]])";
 
-constexpr double kDegree = kPi / 180;
-
 }  // namespace
 
 TEST_CASE("motors: torques and forces, speeds in degrees or metres a second", "[scene]") {

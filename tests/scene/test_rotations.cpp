@@ -13,8 +13,6 @@ using namespace pabd::test;
 
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 std::string body(const std::string& orientation) {
   return only_body(R"({ "shape": { "type": "box", "size": [1, 2, 3] }, "orientation": )" + orientation +
                    " }");

@@ -12,8 +12,6 @@ using namespace pabd::test;
 
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 Mat3 about_z(double degrees) {
   return Eigen::AngleAxisd(degrees * kDegree, Vec3::UnitZ()).toRotationMatrix();
 }

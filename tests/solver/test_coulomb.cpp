@@ -13,7 +13,6 @@ using testing::World;
 namespace {
 
 constexpr double kG = 9.81;
-constexpr double kDegree = kPi / 180;
 
 struct OnBed {
   World world;

@@ -11,7 +11,7 @@ using testing::World;
 
 namespace {
 
-constexpr double kG = 9.81, kDegree = kPi / 180;
+constexpr double kG = 9.81;
 constexpr FrictionRule kRules[] = {FrictionRule::geometric_mean, FrictionRule::average, FrictionRule::min,
                                    FrictionRule::max, FrictionRule::product};
 

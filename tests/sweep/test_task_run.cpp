@@ -23,7 +23,7 @@ SweepPlan plan_of(const std::string& scene, const std::string& members) {
                     [](const std::string& name) { return kScenes / (name + ".json"); });
 }
 
-std::vector<SweepTask> tasks(const SweepPlan& plan) { return tasks_of(plan, base_scene(plan)); }
+std::vector<SweepTask> tasks_of(const SweepPlan& plan) { return tasks_of(plan, base_scene(plan)); }
 
 // All that does not differ between runs.
 std::string bytes_of(const TaskResult& result) {
@@ -38,7 +38,7 @@ TEST_CASE("metrics are those of the steps") {
     "parameters": [{"key": "contact.N", "values": [2]}],
     "metrics": ["penetration", "energy_error", "iterations", "step_time", "drift",
       {"name": "contacts", "at": "/contacts", "take": "sum"}, {"at": "/kinetic"}, {"name": "gap", "at": "/min_gap", "take": "min"}])");
-  const auto result = run_task(plan, tasks(plan).at(0), "/nowhere/checkpoint.json", {});
+  const auto result = run_task(plan, tasks_of(plan).at(0), "/nowhere/checkpoint.json", {});
   REQUIRE(result.has_value());
 
   Session session(load_scene(kScenes / "drop.json", {"time_step=0.01", "contact.N=2"}));
@@ -73,7 +73,7 @@ TEST_CASE("stopped anywhere, a run goes on to the same bytes") {
   for (const std::string scene : {"two_boxes", "four_bar", "incline"}) {
     CAPTURE(scene);
     const SweepPlan plan = plan_of(scene, members);
-    const SweepTask task = tasks(plan).at(0);
+    const SweepTask task = tasks_of(plan).at(0);
     const auto whole = run_task(plan, task, "/nowhere/checkpoint.json", {});
     REQUIRE(whole.has_value());
     CHECK(whole->metrics["distance"].get<double>() > 0);
@@ -99,7 +99,7 @@ TEST_CASE("stopped anywhere, a run goes on to the same bytes") {
 TEST_CASE("a checkpoint that does not fit is left aside") {
   const SweepPlan plan =
       plan_of("two_boxes", R"("stop": {"steps": 5}, "parameters": [{"key": "contact.N", "values": [2, 3]}])");
-  const auto all = tasks(plan);
+  const auto all = tasks_of(plan);
   const auto whole = run_task(plan, all[0], "/nowhere/checkpoint.json", {});
   const TempFolder folder;
   const auto checkpoint = folder.path() / "checkpoint.json";
@@ -120,7 +120,7 @@ TEST_CASE("the reference is at its last step that is not after") {
   // are 3/8 g h t apart.
   const SweepPlan plan = plan_of("drop", R"("stop": {"steps": 8}, "set": {"time_step": 0.01},
     "parameters": [{"key": "contact.N", "values": [2]}], "reference": {"time_step": 0.0025}, "metrics": ["distance"])");
-  const auto result = run_task(plan, tasks(plan).at(0), "/nowhere/checkpoint.json", {});
+  const auto result = run_task(plan, tasks_of(plan).at(0), "/nowhere/checkpoint.json", {});
   REQUIRE(result.has_value());
   CHECK(result->metrics["distance"].get<double>() == Approx(0.375 * 9.81 * 0.01 * 0.08).epsilon(1e-6));
 }
@@ -130,7 +130,7 @@ TEST_CASE("a run ends when its rule has held long enough") {
     const SweepPlan plan = plan_of(
         "drop", R"("stop": {"steps": 50, "when": )" + when +
                     R"(}, "set": {"time_step": 0.01}, "parameters": [{"key": "contact.N", "values": [2]}])");
-    return run_task(plan, tasks(plan).at(0), "/nowhere/checkpoint.json", {})->step;
+    return run_task(plan, tasks_of(plan).at(0), "/nowhere/checkpoint.json", {})->step;
   };
   CHECK(steps(R"({"at": "/time", "above": 0.095})") == 10);
   CHECK(steps(R"({"at": "/time", "above": 0.095, "for": 0.1})") == 20);
@@ -140,7 +140,7 @@ TEST_CASE("a run ends when its rule has held long enough") {
 TEST_CASE("what the scene refuses is a result, and says why") {
   const SweepPlan plan = plan_of(
       "two_boxes", R"("stop": {"steps": 2}, "parameters": [{"key": "contact.d_hat", "values": [-1]}])");
-  const auto result = run_task(plan, tasks(plan).at(0), "/nowhere/checkpoint.json", {});
+  const auto result = run_task(plan, tasks_of(plan).at(0), "/nowhere/checkpoint.json", {});
   REQUIRE(result.has_value());
   CHECK(result->status == "refused");
   CHECK(result->why.find("d_hat") != std::string::npos);

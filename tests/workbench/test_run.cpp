@@ -4,18 +4,10 @@
 
 #include "app/session/run.h"
 #include "sim/scene/tuning.h"
+#include "tests/workbench/workbench_helpers.h"
 
 using namespace pabd;
-
-namespace {
-
-std::shared_ptr<const Scene> two_boxes() {
-  return std::make_shared<const Scene>(load_scene(PABD_SCENES "/two_boxes.json"));
-}
-
-constexpr std::size_t kPlenty = std::size_t{64} << 20;
-
-}  // namespace
+using test::kPlenty, test::two_boxes;
 
 TEST_CASE("seeking gives the states and reports of the steps as they were made") {
   const auto scene = two_boxes();

@@ -9,16 +9,12 @@
 #include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 #include "tests/support/temp_folder.h"
+#include "tests/workbench/workbench_helpers.h"
 
 using namespace pabd;
+using test::kPlenty, test::two_boxes;
 
 namespace {
-
-std::shared_ptr<const Scene> two_boxes() {
-  return std::make_shared<const Scene>(load_scene(PABD_SCENES "/two_boxes.json"));
-}
-
-constexpr std::size_t kPlenty = std::size_t{64} << 20;
 
 Index movable(const Model& model) {
   Index i = 0;

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kScene = PABD_SCENES "/two_boxes.json";
+const std::string kRunnerScene = PABD_SCENES "/two_boxes.json";
 
 // The first snapshot for which it holds; gives up after five minutes.
 template <class Holds>
@@ -40,7 +40,7 @@ TEST_CASE(
     "a scene that changes on disk is told of, and loaded when somebody says so; nothing is lost before") {
   const TempFolder folder;
   const fs::path path = folder / "scene.json";
-  const std::string good = read_scene_text(kScene);
+  const std::string good = read_scene_text(kRunnerScene);
   write(path, good);
   Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{path.string(), {}, false}));
   runner.send(command::Set{"contact.N", "7"});
@@ -76,7 +76,7 @@ TEST_CASE(
 }
 
 TEST_CASE("commands are carried out, and shown, while it plays") {
-  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kScene, {}, false}));
+  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kRunnerScene, {}, false}));
   runner.send(command::Play{});
   CHECK(runner.settle()->playing);
   runner.send(command::Set{"contact.N", "6"});
@@ -86,7 +86,7 @@ TEST_CASE("commands are carried out, and shown, while it plays") {
 }
 
 TEST_CASE("copies of the runs are where the runs were, and go on by themselves") {
-  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kScene, {}, false}));
+  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kRunnerScene, {}, false}));
   runner.send(command::Step{10});
   RunCopies alone = runner.copy_runs().get();
   CHECK_FALSE(alone.b);
@@ -106,7 +106,8 @@ TEST_CASE("copies of the runs are where the runs were, and go on by themselves")
 
   std::future<RunCopies> broken;
   {
-    Runner short_lived(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kScene, {}, false}));
+    Runner short_lived(
+        std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{kRunnerScene, {}, false}));
     broken = short_lived.copy_runs();
   }
   try {  // either in time, or never

@@ -15,8 +15,8 @@
 namespace pabd {
 namespace {
 
-constexpr double kLeft = -0.5, kRight = 1.15;  // of the range without deeper contacts; d̂
-constexpr int kSamples = 300;
+constexpr double kPanelLeft = -0.5, kPanelRight = 1.15;  // of the range without deeper contacts; d̂
+constexpr int kPanelSamples = 300;
 constexpr double kFoot = 0.999;    // d/d̂ at which a log axis ends: below lies only the way to 0
 constexpr double kDecades = 1e-9;  // a log axis spans no more than this
 
@@ -66,7 +66,7 @@ double height(const Barrier& barrier, double d, const BarrierPanelOptions& optio
 Series sampled(const Barrier& barrier, double lo, double hi, double scale,
                const BarrierPanelOptions& options) {
   Series series;
-  for (int k = 0; k <= kSamples; ++k) series.x.push_back(lo + (hi - lo) * k / kSamples);
+  for (int k = 0; k <= kPanelSamples; ++k) series.x.push_back(lo + (hi - lo) * k / kPanelSamples);
   for (const double jump : {barrier.d_hat, barrier.d_hat * (1 - barrier.onset)}) {
     series.x.push_back(jump - 1e-12 * barrier.d_hat);
     series.x.push_back(jump + 1e-12 * barrier.d_hat);
@@ -157,9 +157,9 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
   // κ in joules.
   const double scale = !options.energy ? 1 : traits.per_area ? kappa * contact.d_hat * contact.d_hat : kappa;
 
-  double left = kLeft * contact.d_hat;
+  double left = kPanelLeft * contact.d_hat;
   if (!gaps.empty()) left = std::min(left, gaps.front() - 0.1 * contact.d_hat);
-  const PlotRange x = options.x.value_or(PlotRange{left, kRight * contact.d_hat});
+  const PlotRange x = options.x.value_or(PlotRange{left, kPanelRight * contact.d_hat});
   const PlotRange y = options.y.value_or(fitted_range(current, x.lo, scale, options));
   Plot& plot = panel.plot;
   plot.title = options.energy ? "Contact potential" : "Contact barrier";
