@@ -33,7 +33,8 @@ function(pabd_unite target)
     get_source_file_property(definitions ${source} TARGET_DIRECTORY ${target} COMPILE_DEFINITIONS)
     cmake_path(IS_PREFIX PROJECT_BINARY_DIR ${source} made)
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
-    if(definitions OR made OR NOT source MATCHES "\\.cpp$" OR source IN_LIST files_apart)
+    if(definitions OR made OR NOT source MATCHES "\\.cpp$" OR source IN_LIST files_apart
+       OR NOT EXISTS ${PROJECT_SOURCE_DIR}/${source})  # shaders and pages are made
       continue()
     endif()
     list(APPEND batch ${source})

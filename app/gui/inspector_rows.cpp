@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kDegrees = 180 / kPi;
 
-std::string text(double x, const char* unit = "") {
+std::string in_unit(double x, const char* unit = "") {
   return fmt::format("{:.4g}{}{}", std::abs(x) < 1e-14 ? 0.0 : x, *unit ? " " : "", unit);
 }
 // Tenths of a millimetre where they fit, without a sign on zero.
@@ -32,7 +32,7 @@ std::string part(double x, int digits) {
   if (std::abs(x) < 0.5 * step) x = 0;
   return std::abs(x) < 1e4 ? fmt::format("{:.{}f}", x, digits) : fmt::format("{:.3g}", x);
 }
-std::string text(const Vec3& v, const char* unit, int digits = 3) {
+std::string in_unit(const Vec3& v, const char* unit, int digits = 3) {
   return fmt::format("{}  {}  {}{}{}", part(v.x(), digits), part(v.y(), digits), part(v.z(), digits),
                      *unit ? " " : "", unit);
 }
@@ -59,7 +59,7 @@ OnBody contact_force(const RunView& run, Index body) {
 void add_pose(const RunView& run, std::size_t i, InspectorRows& rows) {
   const State& s = run.state;
   rows.push_back({"pose", ""});
-  rows.push_back({"position", text(s.c[i], "m", 4), "Of the centre of mass, in the world"});
+  rows.push_back({"position", in_unit(s.c[i], "m", 4), "Of the centre of mass, in the world"});
   Quat q(s.R[i]);
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   rows.push_back(
@@ -68,7 +68,7 @@ void add_pose(const RunView& run, std::size_t i, InspectorRows& rows) {
   const Vec3 turn = log_so3(s.R[i]);
   const double angle = turn.norm();
   rows.push_back({"turned by", fmt::format("{}°", part(angle * kDegrees, 3)), "Angle of the same rotation"});
-  if (angle > 1e-9) rows.push_back({"about", text(turn / angle, "", 4), "Its axis, unit"});
+  if (angle > 1e-9) rows.push_back({"about", in_unit(turn / angle, "", 4), "Its axis, unit"});
 }
 
 void add_motion(const RunView& run, Index body, InspectorRows& rows) {
@@ -76,13 +76,13 @@ void add_motion(const RunView& run, Index body, InspectorRows& rows) {
   const State& s = run.state;
   const double mass = run.model->mass[i];
   rows.push_back({"motion and energy", ""});
-  rows.push_back({"speed", text(s.v[i].norm(), "m/s")});
-  rows.push_back({"velocity", text(s.v[i], "m/s")});
-  rows.push_back({"ω", text(s.omega[i], "rad/s"), "Angular velocity, world"});
-  rows.push_back({"kinetic energy", text(kinetic_energy_of(*run.model, s, body), "J")});
-  rows.push_back({"potential energy", text(-mass * run.params.gravity.dot(s.c[i]), "J"), "−m g·c"});
+  rows.push_back({"speed", in_unit(s.v[i].norm(), "m/s")});
+  rows.push_back({"velocity", in_unit(s.v[i], "m/s")});
+  rows.push_back({"ω", in_unit(s.omega[i], "rad/s"), "Angular velocity, world"});
+  rows.push_back({"kinetic energy", in_unit(kinetic_energy_of(*run.model, s, body), "J")});
+  rows.push_back({"potential energy", in_unit(-mass * run.params.gravity.dot(s.c[i]), "J"), "−m g·c"});
   if (i < run.report.body_reports.size()) {
-    rows.push_back({"contact energy", text(run.report.body_reports[i].contact_energy, "J"),
+    rows.push_back({"contact energy", in_unit(run.report.body_reports[i].contact_energy, "J"),
                     "Half of the energy of each contact of this body"});
   }
 }
@@ -96,7 +96,7 @@ void add_solver(const RunView& run, std::size_t i, InspectorRows& rows) {
        r.island < 0 ? "none: nothing touches it" : fmt::format("{}, by {}", r.island, to_string(r.solver)),
        "Bodies that hang together through contacts or joints are solved together"});
   rows.push_back(
-      {"‖A − R‖", text(r.projection_change),
+      {"‖A − R‖", in_unit(r.projection_change),
        "How far the affine matrix of the last iteration was from the rotation it became; sissm only"});
   rows.push_back({"det A", fmt::format("{:.6f}", r.det_A), "1 for a rotation", !(r.det_A > 0)});
 }
@@ -108,13 +108,13 @@ void add_action(const Joint& joint, InspectorRows& rows) {
     const bool speed = action.motor->gives == JointMotor::Gives::speed;
     rows.push_back({"motor", speed ? "holds a speed" : turns ? "gives a torque" : "gives a force"});
   }
-  if (action.damping > 0) rows.push_back({"damping", text(action.damping, turns ? "N m s/rad" : "N s/m")});
-  if (action.friction > 0) rows.push_back({"friction", text(action.friction, turns ? "N m" : "N")});
+  if (action.damping > 0) rows.push_back({"damping", in_unit(action.damping, turns ? "N m s/rad" : "N s/m")});
+  if (action.friction > 0) rows.push_back({"friction", in_unit(action.friction, turns ? "N m" : "N")});
   const JointSpring& spring = action.spring;
   if (spring.stiffness == 0) return;
-  rows.push_back({"spring", text(spring.stiffness, turns ? "N m/rad" : "N/m")});
+  rows.push_back({"spring", in_unit(spring.stiffness, turns ? "N m/rad" : "N/m")});
   rows.push_back(
-      {"its rest", turns ? fmt::format("{:.3f}°", kDegrees * spring.rest) : text(spring.rest, "m")});
+      {"its rest", turns ? fmt::format("{:.3f}°", kDegrees * spring.rest) : in_unit(spring.rest, "m")});
 }
 
 // What a joint measures and what keeps it in range.
@@ -122,10 +122,10 @@ void add_measures(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
   const JointTraits& traits = traits_of(joint.type);
   for (const JointMeasure& measure : traits.measures) {
     const double value = measure.value(fi, fj);
-    rows.push_back(
-        {measure.words,
-         measure.of == JointMeasure::Of::angle ? fmt::format("{:.3f}°", kDegrees * value) : text(value, "m"),
-         measure.help ? measure.help : ""});
+    rows.push_back({measure.words,
+                    measure.of == JointMeasure::Of::angle ? fmt::format("{:.3f}°", kDegrees * value)
+                                                          : in_unit(value, "m"),
+                    measure.help ? measure.help : ""});
   }
   const auto add_limits = [&](const char* words, Rare<JointRange> Joint::*limits) {
     const JointMeasure* measure = measure_with(traits, limits);
@@ -139,7 +139,7 @@ void add_measures(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
   add_limits("angle limits", &Joint::twist_limits);
   if (joint.drive || joint.turn) rows.push_back({"drive", "follows its time profile"});
   if (joint.action) add_action(joint, rows);
-  if (traits.points) rows.push_back({"rest length", text(joint.length, "m")});
+  if (traits.points) rows.push_back({"rest length", in_unit(joint.length, "m")});
 }
 
 }  // namespace
@@ -162,10 +162,10 @@ InspectorRows body_rows(const RunView& run, Index body) {
   InspectorRows rows;
   rows.push_back({"number", std::to_string(body)});
   rows.push_back({"shape", text_of(run.model->shape[i])});
-  rows.push_back({"mass", fixed ? "fixed: it never moves" : text(run.model->mass[i], "kg")});
+  rows.push_back({"mass", fixed ? "fixed: it never moves" : in_unit(run.model->mass[i], "kg")});
   if (const Plane* plane = std::get_if<Plane>(&run.model->shape[i])) {
-    rows.push_back({"normal", text(plane->normal, "")});
-    rows.push_back({"offset", text(plane->offset, "m")});
+    rows.push_back({"normal", in_unit(plane->normal, "")});
+    rows.push_back({"offset", in_unit(plane->offset, "m")});
   } else {
     add_pose(run, i, rows);
   }
@@ -177,7 +177,7 @@ InspectorRows body_rows(const RunView& run, Index body) {
   rows.push_back({"contacts", ""});
   rows.push_back({"number of contacts", std::to_string(on.contacts), "With d < d̂"});
   if (on.contacts > 0) {
-    rows.push_back({"force", text(on.force.norm(), "N"), "Size of the sum over its contacts"});
+    rows.push_back({"force", in_unit(on.force.norm(), "N"), "Size of the sum over its contacts"});
     rows.push_back({"as a vector", force_text(on.force)});
   }
   return rows;
@@ -205,12 +205,12 @@ InspectorRows joint_rows(const RunView& run, Index number) {
   rows.push_back({"j", body_title(model, joint.j)});
   rows.push_back(
       {"potential", soft ? "soft" : fmt::format("hard, N = {}, d̂ = {:.4g} m", joint.law.N, joint.law.d_hat)});
-  rows.push_back({"κ", text(joint.law.kappa, soft ? "N/m" : "J")});
+  rows.push_back({"κ", in_unit(joint.law.kappa, soft ? "N/m" : "J")});
   rows.push_back({"now", ""});
-  rows.push_back({"error", text(error, "m"), "Largest distance between two points that should meet"});
+  rows.push_back({"error", in_unit(error, "m"), "Largest distance between two points that should meet"});
   add_measures(joint, place(joint.on_i, i), place(joint.on_j, j), rows);
-  rows.push_back({"force", text(force.norm(), "N"), "On j, summed over its bonds"});
-  rows.push_back({"energy", text(energy, "J")});
+  rows.push_back({"force", in_unit(force.norm(), "N"), "On j, summed over its bonds"});
+  rows.push_back({"energy", in_unit(energy, "J")});
   return rows;
 }
 
@@ -221,18 +221,18 @@ InspectorRows contact_rows(const RunView& run, Index number) {
   rows.push_back({"a", body_title(*run.model, c.a), "Owns the normal"});
   rows.push_back({"b", body_title(*run.model, c.b)});
   rows.push_back({"gap", ""});
-  rows.push_back({"d", text(c.d, "m"), "Below 0 the two overlap", c.d < 0});
+  rows.push_back({"d", in_unit(c.d, "m"), "Below 0 the two overlap", c.d < 0});
   rows.push_back({"d / d̂", fmt::format("{:.4f}", c.d / d_hat), "At 1 the barrier begins to push", c.d < 0});
   rows.push_back({"force", ""});
-  rows.push_back({"normal force", text(c.normal_force, "N"), "−Ψ'(d)"});
-  rows.push_back({"friction force", text(friction, "N")});
+  rows.push_back({"normal force", in_unit(c.normal_force, "N"), "−Ψ'(d)"});
+  rows.push_back({"friction force", in_unit(friction, "N")});
   if (c.normal_force > 0)
     rows.push_back({"friction / normal", fmt::format("{:.4f}", friction / c.normal_force), "At most μ"});
   rows.push_back({"state", c.sticking ? "sticks" : "slides"});
   rows.push_back({"place", ""});
-  rows.push_back({"normal n", text(c.n, "", 4), "Unit, from a to b"});
-  rows.push_back({"point on a", text(c.y_a, "m", 4)});
-  rows.push_back({"point on b", text(c.y_b, "m", 4)});
+  rows.push_back({"normal n", in_unit(c.n, "", 4), "Unit, from a to b"});
+  rows.push_back({"point on a", in_unit(c.y_a, "m", 4)});
+  rows.push_back({"point on b", in_unit(c.y_b, "m", 4)});
   return rows;
 }
 

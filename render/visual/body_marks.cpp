@@ -19,7 +19,7 @@ namespace pabd {
 namespace {
 
 constexpr std::uint32_t kVelocity = 0x1b4fd0, kBox = 0x2f3a4a, kInertia = 0x7a1fa2;
-constexpr double kLeastArrow = 4, kHead = 9;  // pixels at 720 px frame height
+constexpr double kLeastArrow = 4, kArrowHead = 9;  // pixels at 720 px frame height
 constexpr double kHalfHead = 0.36;            // half of its width, × its length
 constexpr int kEllipsePieces = 40;
 
@@ -49,7 +49,7 @@ void add_velocity_arrows(const Model& model, const State& state, VisualScene& ou
     if (!std::isfinite(length) || length < kLeastArrow * pixel) return;
     const Vec3 tip = state.c[i] + way, along = way / length;
     const Vec3 side = along.cross(meter.to_eye(tip)).stableNormalized();
-    const double head = std::min(kHead * pixel, 0.6 * length);
+    const double head = std::min(kArrowHead * pixel, 0.6 * length);
     add_line(out, state.c[i], tip, pen);
     for (const double sign : {-1.0, 1.0})
       add_line(out, tip, tip - head * along + sign * kHalfHead * head * side, pen);

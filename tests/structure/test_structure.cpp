@@ -7,51 +7,20 @@
 #include <filesystem>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/structure/sources.h"
 #include "tests/support/files.h"
 
 namespace fs = std::filesystem;
 
+using pabd::Source;
+using pabd::sources;
+
 namespace {
 
 constexpr std::size_t kMaxLines = 400;
-
-struct Source {
-  std::string path;  // from the repository root
-  std::string text;
-  std::vector<std::string> includes;
-  std::size_t lines = 0;
-};
-
-// Every C++ file of the repository's own folders, sorted by path.
-const std::vector<Source>& sources() {
-  static const std::vector<Source> all = [] {
-    std::vector<Source> found;
-    const fs::path root = PABD_SOURCE_DIR;
-    const std::regex include("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]");
-    for (const char* folder : {"app", "render", "sim", "tests"}) {
-      for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-        const std::string extension = entry.path().extension();
-        if (extension != ".cpp" && extension != ".h") continue;
-        Source source;
-        source.path = fs::relative(entry.path(), root).string();
-        source.text = pabd::read_bytes(entry.path());
-        std::istringstream text(source.text);
-        for (std::string line; std::getline(text, line); ++source.lines) {
-          std::smatch match;
-          if (std::regex_search(line, match, include)) source.includes.push_back(match[1]);
-        }
-        found.push_back(std::move(source));
-      }
-    }
-    std::sort(found.begin(), found.end(), [](const Source& a, const Source& b) { return a.path < b.path; });
-    return found;
-  }();
-  return all;
-}
 
 bool begins_with_any(const std::string& text, const std::vector<std::string>& starts) {
   return std::any_of(starts.begin(), starts.end(),
