@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/plots/axis_ticks.h"
+#include "app/plots/figures/parameter_text.h"
 #include "app/plots/plot_palette.h"
 #include "app/plots/quantities.h"
 #include "sim/solver/parameter_table.h"
@@ -69,12 +70,6 @@ void limit_range(Axis& axis, const std::vector<Curve>& curves, double lo, bool s
   axis.hi = largest + room;
 }
 
-// "d̂ = 0.01 m"
-std::string quantity(const ParameterMember& member, double v) {
-  const ParameterRow& row = parameter_of(member);
-  return fmt::format("{} = {}{}{}", row.symbol, format_value(v), *row.unit ? " " : "", row.unit);
-}
-
 Series vertical_at(double x, std::string name) {
   Series series;
   series.name = std::move(name);
@@ -130,7 +125,7 @@ Figure figure1() {
 
   for (const double thickness : {0.005, 0.01, 0.015, 0.02}) {
     Series series;
-    series.name = quantity(&ContactParams::d_hat, thickness);
+    series.name = parameter_text(&ContactParams::d_hat, thickness);
     add_curve({{BarrierKind::polynomial, 3, thickness, 1, 0}, {}, {}, 1}, -0.005, 0.0225, samples, nullptr,
               &series);
     right.series.push_back(std::move(series));

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/plots/axis_ticks.h"
+#include "app/plots/figures/parameter_text.h"
 
 namespace pabd {
 namespace barrier_family {
@@ -65,23 +66,18 @@ bool is_curve(const Family& f, const Index5& at, std::size_t first_order) {
   return true;
 }
 
-std::string quantity(const ParameterMember& member, double v) {
-  const ParameterRow& row = parameter_of(member);
-  return fmt::format("{} = {}{}{}", row.symbol, format_value(v), *row.unit ? " " : "", row.unit);
-}
-
 std::string value_of(const Family& f, Dim dim, std::size_t i) {
   switch (dim) {
     case orders:
       return fmt::format("N = {}", f.in.N[i]);
     case thickness:
-      return quantity(&ContactParams::d_hat, f.in.d_hat[i]);
+      return parameter_text(&ContactParams::d_hat, f.in.d_hat[i]);
     case gaps:
       return fmt::format("d = {} m", format_value(f.in.gaps[i]));
     case kind:
       return to_string(f.in.kinds[i]);
     default:
-      return quantity(&ContactParams::kappa, f.in.kappa[i]);
+      return parameter_text(&ContactParams::kappa, f.in.kappa[i]);
   }
 }
 

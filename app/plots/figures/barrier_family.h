@@ -48,8 +48,6 @@ void for_each_curve(const Family& f, std::size_t row, const Visit& visit) {
             if (is_curve(f, at, range[orders].first)) visit(at);
 }
 
-// "d̂ = 0.01 m"
-std::string quantity(const ParameterMember& member, double value);
 std::string value_of(const Family& family, Dim dim, std::size_t i);
 // What tells a curve from the others of the figure.
 std::string name_of(const Family& family, const Index5& at);

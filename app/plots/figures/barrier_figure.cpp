@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/plots/axis_ticks.h"
+#include "app/plots/figures/parameter_text.h"
 #include "app/plots/quantities.h"
 #include "sim/solver/parameter_table.h"
 
@@ -213,7 +214,7 @@ std::string caption_of(const Family& f) {
   if (f.energy && fixed(stiffness, BarrierAbscissa::kappa)) parts.push_back(value_of(f, stiffness, 0));
   const auto has_onset = [](BarrierKind k) { return traits_of(k).has_onset; };
   if (std::any_of(in.kinds.begin(), in.kinds.end(), has_onset))
-    parts.push_back("onset width " + quantity(&ContactParams::onset, in.onset));
+    parts.push_back("onset width " + parameter_text(&ContactParams::onset, in.onset));
   std::string out = fmt::format("{}. For d < 0 the bodies overlap", fmt::join(parts, ", "));
   out += in.abscissa == BarrierAbscissa::gap ? ": the polynomial barriers stay finite and push them apart."
                                              : "; where d ≥ d̂ nothing acts.";
