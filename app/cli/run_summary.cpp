@@ -9,13 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/counted.h"
+#include "sim/base/ordered_json.h"
 #include "sim/solver/step_summary.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::cli {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kFrictionSaid = 0.01;  // of μ f_n; what is below is no news
 

@@ -21,12 +21,11 @@
 #include "render/visual/body_marks.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
+#include "sim/base/ordered_json.h"
 #include "sim/body/shape_kind.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 enum Component { kFloat = 5126, kUnsigned = 5125 };
 enum Target { kNoTarget = 0, kVertices = 34962, kTriangles = 34963 };

@@ -14,12 +14,11 @@
 #include "app/export/zip_file.h"
 #include "app/frames/frame_text.h"
 #include "sim/base/error.h"
+#include "sim/base/ordered_json.h"
 #include "sim/body/shape_kind.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 template <class T>
 constexpr const char* kType = nullptr;

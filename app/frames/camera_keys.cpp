@@ -10,12 +10,11 @@
 
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/ordered_json.h"
 #include "sim/scene/document.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kSameTime = 1e-6;  // s
 constexpr double kLargest = 1e6;    // of every number

@@ -9,6 +9,7 @@
 
 #include "render/output/frame_sink.h"
 #include "sim/base/error.h"
+#include "sim/base/ordered_json.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 
@@ -17,8 +18,6 @@ namespace {
 
 // What each frame has of its own.
 constexpr const char *kFrame = "Frame", *kTime = "Time";
-
-using OrderedJson = nlohmann::ordered_json;
 
 // Invalid UTF-8 in a name must not end a run.
 std::string dump(const OrderedJson& json) {

@@ -13,13 +13,12 @@
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/ordered_json.h"
 
 namespace pabd {
 namespace {
 
 namespace fs = std::filesystem;
-using OrderedJson = nlohmann::ordered_json;
-
 constexpr int kLeastSide = 320, kLargestSide = 8192;  // pixels
 constexpr std::uintmax_t kMostSettings = 100'000;
 

@@ -17,13 +17,12 @@
 #include "app/gui/view_actions.h"
 #include "app/plots/figures/difference.h"
 #include "app/workbench/command_json.h"
+#include "sim/base/ordered_json.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBodies = 100;
 

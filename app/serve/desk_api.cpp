@@ -9,12 +9,11 @@
 #include "app/serve/desk_work.h"
 #include "render/output/png.h"
 #include "sim/base/error.h"
+#include "sim/base/ordered_json.h"
 #include "sim/scene/document.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char *kJson = "application/json", *kPng = "image/png";
 

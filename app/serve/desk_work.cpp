@@ -12,11 +12,10 @@
 #include "app/gui/panel.h"
 #include "app/serve/clock.h"
 #include "sim/base/error.h"
+#include "sim/base/ordered_json.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kLeastWidth = 320, kLeastHeight = 240, kMostSide = 4096;
 constexpr double kSecondsOfFirst = 1.0 / 60;

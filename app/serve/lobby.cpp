@@ -8,11 +8,10 @@
 
 #include "app/serve/clock.h"
 #include "sim/base/error.h"
+#include "sim/base/ordered_json.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostListeners = 8;  // of a session's events
 

@@ -8,11 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
+#include "sim/base/ordered_json.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 std::string setting(std::string_view key, const std::string& value) {
   return fmt::format("{}.{}={}", kJointSettings, key, value);

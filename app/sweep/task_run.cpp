@@ -13,6 +13,7 @@
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/ordered_json.h"
 #include "sim/trace/trace.h"
 
 namespace fs = std::filesystem;
@@ -20,7 +21,6 @@ namespace fs = std::filesystem;
 namespace pabd {
 namespace {
 
-using OrderedJson = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kDuration = 5;  // s, of a scene that says nothing

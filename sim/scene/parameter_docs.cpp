@@ -7,13 +7,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/ordered_json.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson numbers(const char* type, const ParameterRange& range) {
   OrderedJson out{{"type", type}};

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "sim/base/error.h"
+#include "sim/base/ordered_json.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/overrides.h"
 #include "sim/scene/read_params.h"
@@ -15,8 +16,6 @@
 
 namespace pabd {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 template <class AnyJson>
 AnyJson value_json(const ParameterValue& value) {

@@ -2,14 +2,11 @@
 // Values of a model as the JSON of scene files: SI units, angles in degrees. Internal to those who write it.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "sim/base/ordered_json.h"
 #include "sim/body/joint.h"
 #include "sim/body/shape.h"
 
 namespace pabd {
-
-using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson json_of(const Vec3& v);
 OrderedJson json_of_rotation(const Mat3& R);  // unit quaternion [w, x, y, z], w ≥ 0
