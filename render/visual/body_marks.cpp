@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t kVelocity = 0x1b4fd0, kBox = 0x2f3a4a, kInertia = 0x7a1fa2;
 constexpr double kLeastArrow = 4, kArrowHead = 9;  // pixels at 720 px frame height
-constexpr double kHalfHead = 0.36;            // half of its width, × its length
+constexpr double kHalfHead = 0.36;                 // half of its width, × its length
 constexpr int kEllipsePieces = 40;
 
 template <class F>

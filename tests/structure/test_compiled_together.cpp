@@ -24,6 +24,7 @@ using Names = std::set<std::string, std::less<>>;
 
 namespace {
 
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 // The identifier that ends before `end`; none where it belongs to a class or a namespace (A::name).
@@ -63,21 +64,29 @@ Names declared(const std::string& text, bool own) {
   return names;
 }
 
+// Where the text or the character that begins at i ends, R"glsl(…)glsl" too.
+std::size_t after_literal(const std::string& text, std::size_t i) {
+  if (text[i] == 'R') {
+    const std::size_t open = text.find('(', i);
+    const std::string close = ")" + text.substr(i + 2, open - i - 2) + "\"";
+    return std::min(text.find(close, open), text.size() - close.size()) + close.size();
+  }
+  const char quote = text[i++];
+  while (i < text.size() && text[i] != quote) i += text[i] == '\\' ? 2 : 1;
+  return std::min(i + 1, text.size());
+}
+
 // Every identifier that stands alone: neither a member (a.b, a->b) nor A::b; no comments, no texts.
 Names used(const std::string& text) {
   Names names;
   for (std::size_t i = 0; i < text.size();) {
     if (text.compare(i, 2, "//") == 0 || text[i] == '#') {
       i = std::min(text.find('\n', i), text.size());
-    } else if (text.compare(i, 3, "R\"(") == 0) {
-      i = text.find(")\"", i) + 2;
-    } else if (text[i] == '"' || (text[i] == '\'' && !(i > 0 && is_letter(text[i - 1])))) {
-      const char quote = text[i++];
-      while (text[i] != quote) i += text[i] == '\\' ? 2 : 1;
-      ++i;
+    } else if (text[i] == '"' || text[i] == '\'' || text.compare(i, 2, "R\"") == 0) {
+      i = after_literal(text, i);
     } else if (is_letter(text[i])) {
       const std::size_t begin = i;
-      while (i < text.size() && is_letter(text[i])) ++i;
+      while (i < text.size() && (is_letter(text[i]) || (text[i] == '\'' && is_digit(text[begin])))) ++i;
       const char before = begin > 0 ? text[begin - 1] : ' ';
       if (before != '.' && before != ':' && before != '>') names.insert(text.substr(begin, i - begin));
     } else {
@@ -145,6 +154,10 @@ TEST_CASE("a name that hides a header's is found") {
   CHECK(hidden({&after, &before}).empty());
   after.text = "double twice() {\n  return 2 * example::kPlainLimit;  // kPlainLimit\n}\n";
   CHECK(hidden({&before, &after}).empty());
+  after.text = "const char* const kText = R\"t(body's kPlainLimit)t\";\nconst int k = 1'000;\n";
+  CHECK(hidden({&before, &after}).empty());
+  after.text = "int f() {\n  return R\"t(body's)t\"[0] + 1'000 + '\\'' + kPlainLimit;\n}\n";
+  CHECK(hidden({&before, &after}) == one);
   after.text = "namespace {\nint kPlainLimit();\n}  // namespace\nint f() {\n  return kPlainLimit();\n}\n";
   CHECK(hidden({&before, &after}).empty());
 }
