@@ -124,6 +124,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
   };
   const std::vector<ShaderPart> contact = {device_barrier, device_contact};
   return {
+      .clear = compile("zeros", {"VALUES"}, "", {}, device_clear_comp),
       .fly = compile("free flight",
                      {"COUNTERS", "KINDS", "POSES", "MOTIONS", "FLIGHTS", "BOUNDS", "CELLS", "PLANES"}, "",
                      {device_cells}, device_fly_comp),
@@ -164,10 +165,8 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
       .reports = compile("contact reports",
                          {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "TOLD"}, "",
                          contact, device_reports_comp),
-      .keep = compile("memory",
-                      {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "PAIR_FIRST", "PAIRS", "CONTACTS", "GRIPS",
-                       "KEPT_PAIRS"},
-                      "", {device_barrier, device_contact, device_recovery}, device_keep_comp),
+      .keep = compile("memory", {"COUNTERS", "PAIR_FIRST", "PAIRS", "CONTACTS", "GRIPS", "KEPT_PAIRS"}, "",
+                      {device_recovery}, device_keep_comp),
       .finish = compile("velocities",
                         {"COUNTERS", "KINDS", "POSES", "MOTIONS", "FLIGHTS", "PLACES", "END_FIRST", "ENDS",
                          "CONTACTS", "PARTS"},

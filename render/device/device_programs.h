@@ -37,7 +37,7 @@ struct Programs {
     std::uint32_t kinds;  // of the shapes: kDeviceShapes · lower + higher
     ComputeProgram program;
   };
-  ComputeProgram fly, scatter, count_pairs, list_pairs;
+  ComputeProgram clear, fly, scatter, count_pairs, list_pairs;
   ComputeProgram reuse;
   Sort sort_pairs;
   std::vector<Touch> touch;  // one a pair of kinds of shapes

@@ -96,6 +96,14 @@ void DeviceStep::set(const ComputeProgram& program, const char* name, std::uint3
   gl.Uniform1ui(gl.GetUniformLocation(program.id(), name), value);
 }
 
+// The first `count` numbers of 32 bits become 0.
+void DeviceStep::clear(Slot slot, std::size_t count) {
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(Slot::values), buffers.id(slot));
+  set(programs_.clear, "count", static_cast<std::uint32_t>(count));
+  dispatch(programs_.clear, groups(count, kGroup));
+  buffers.bind(Slot::values);
+}
+
 // values[k] becomes the sum of values[0 … k).
 void DeviceStep::scan(Slot slot, std::size_t count) {
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(Slot::values), buffers.id(slot));
@@ -109,8 +117,8 @@ void DeviceStep::scan(Slot slot, std::size_t count) {
 
 void DeviceStep::find_pairs() {
   const std::uint32_t body_groups = groups(bodies_, kGroup);
-  buffers.clear(Slot::cell_first);
-  buffers.clear(Slot::cursors);
+  clear(Slot::cell_first, buckets_ + 1);
+  clear(Slot::cursors, buckets_);
   dispatch(programs_.fly, body_groups);
   scan(Slot::cell_first, buckets_ + 1);
   dispatch(programs_.scatter, body_groups);
@@ -121,7 +129,7 @@ void DeviceStep::find_pairs() {
 }
 
 void DeviceStep::find_contacts() {
-  buffers.clear(Slot::contact_first);
+  clear(Slot::contact_first, std::size_t{pair_room_} + 1);
   if (options_.keep_contacts) dispatch(programs_.reuse, groups(pair_room_, kGroup));
   dispatch(programs_.sort_pairs.count, groups(pair_room_, kGroup));
   dispatch(programs_.sort_pairs.starts, 1);
@@ -137,8 +145,8 @@ void DeviceStep::find_contacts() {
 
 void DeviceStep::list_ends() {
   scan(Slot::contact_first, std::size_t{pair_room_} + 1);
-  buffers.clear(Slot::end_first);
-  buffers.clear(Slot::cursors);
+  clear(Slot::end_first, bodies_ + 1);
+  clear(Slot::cursors, bodies_);
   dispatch(programs_.place, groups(pair_room_, kGroup));
   scan(Slot::end_first, bodies_ + 1);
   dispatch(programs_.fill_ends, groups(contact_room_, kGroup));

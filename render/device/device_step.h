@@ -50,6 +50,7 @@ class DeviceStep {
   void set_params(const Params& params, bool starts);
   void dispatch(const ComputeProgram& program, std::uint32_t work_groups);
   void set(const ComputeProgram& program, const char* name, std::uint32_t value);
+  void clear(Slot slot, std::size_t count);
   void scan(Slot slot, std::size_t count);
   void find_pairs();
   void find_contacts();

@@ -106,17 +106,19 @@ void main() {
 }
 #endif
 #ifdef STARTS
+shared uint size[COLORS];
 void main() {
-  if (gl_GlobalInvocationID.x != 0u) return;
-  if (counters.uncolored != 0u) atomicOr(counters.overflow, TOO_FEW_ROUNDS);
+  const uint t = gl_LocalInvocationID.x;
+  const bool overflows = counters.overflow != 0u || counters.uncolored != 0u;
+  if (t < COLORS) size[t] = overflows ? 0u : counters.color_size[t];
+  barrier();
+  if (t == 0u && counters.uncolored != 0u) atomicOr(counters.overflow, TOO_FEW_ROUNDS);
+  if (t >= COLORS) return;
   uint first = 0u;
-  for (uint c = 0u; c < COLORS; ++c) {
-    const uint n = counters.overflow != 0u ? 0u : counters.color_size[c];
-    counters.color_first[c] = first;
-    first += n;
-    arguments[c] = dispatch_of((n * TEAM + SWEEP_GROUP - 1u) / SWEEP_GROUP, n);
-    if (n > 0u) counters.colors = c + 1u;
-  }
+  for (uint c = 0u; c < t; ++c) first += size[c];
+  counters.color_first[t] = first;
+  arguments[t] = dispatch_of((size[t] * TEAM + SWEEP_GROUP - 1u) / SWEEP_GROUP, size[t]);
+  if (size[t] > 0u) atomicMax(counters.colors, t + 1u);
 }
 #endif
 #ifdef LISTS

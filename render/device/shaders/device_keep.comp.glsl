@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What pairs of bodies remember: who slides, who still comes apart (sim/solver/friction.cpp, recovery.cpp). A thread a
-// pair, and one a body for the lists.
+// pair, and one a body for the lists. To be run after device_tell.
 void main() {
   const uint p = gl_GlobalInvocationID.x;
   if (counters.overflow != 0u) return;
@@ -12,14 +12,12 @@ void main() {
   bool goes_on = false;
   real bound = 0, used = 0;
   for (uint k = pair.first; k < pair.first + count; ++k) {
-    const Contact c = contacts[k];
-    const ContactNow s = contact_now(c, place[c.id.x], place[c.id.y]);
-    const real limit = max(grips[k].x, real(0));
-    bound += limit;
-    used += min(real(params.k_t) * norm(s.u), limit);
-    const real opens = way(c.n.w);
-    const bool rests = s.d >= 0 && abs(s.d - c.n.w) <= opens / 10;
-    if (s.d < real(params.d_hat) - opens && !rests) goes_on = true;
+    const Grip grip = grips[k];
+    const real start = contacts[k].n.w, d = grip.w, opens = way(start);
+    bound += max(grip.x, real(0));
+    used += grip.y;
+    const bool rests = d >= 0 && abs(d - start) <= opens / 10;
+    if (d < real(params.d_hat) - opens && !rests) goes_on = true;
   }
   const bool slides = bound > 0 && used >= real(0.999lf) * bound;
   pair.count = count | ((slides ? SLIDES : 0u) | (recovered && goes_on ? RECOVERS : 0u)) << 16;

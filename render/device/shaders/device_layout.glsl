@@ -67,7 +67,7 @@ struct Contact {
   real4 r_a;    // from a's centre to its normal point
 #endif
 };
-// What moves of it: x: friction bound; y: change it last asked for; z: gain, in the end its energy; w: in the end its d.
+// What moves of it: x: friction bound; y: change it last asked for; z: gain. In the end y: friction; z: energy; w: d.
 #define Grip real4
 
 // A contact for whoever asks.

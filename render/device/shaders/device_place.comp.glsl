@@ -57,13 +57,12 @@ void main() {
       c.apart.w = normal_push(d).first / normal_push(end).first;
     }
     contacts[to + k] = c;
-    if (kinds[kind_number[c.id.x]].fixed_ == 0) atomicAdd(end_first[c.id.x], 1u);
-    if (kinds[kind_number[c.id.y]].fixed_ == 0) atomicAdd(end_first[c.id.y], 1u);
-    if (closest < d_hat) {
-      flight[c.id.x].v.w = 1;
-      flight[c.id.y].v.w = 1;
-    }
   }
+  if (count > 0u) {
+    if (kinds[kind_number[emitter]].fixed_ == 0) atomicAdd(end_first[emitter], count);
+    if (kinds[kind_number[other]].fixed_ == 0) atomicAdd(end_first[other], count);
+  }
+  if (closest < d_hat) flight[emitter].v.w = flight[other].v.w = 1;
   pairs[p].first = to;
   pairs[p].count = count | flags << 16;
 }

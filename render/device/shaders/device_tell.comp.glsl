@@ -1,34 +1,39 @@
 // SPDX-License-Identifier: MIT
 // What the contacts of the step tell (sim/solver/step_summary.cpp), and what they remember: a thread a contact. To be
 // run before the poses move on.
-shared dvec4 total[GROUP];
-shared uint opening;
+struct Told {
+  double energy;
+  uint pushing, min_gap, friction_excess, friction_error, opening;  // as in Counters
+};
+shared Told told[GROUP];  // of the work group: one atomic for all its contacts
+
+Told together(Told a, Told b) {
+  return Told(a.energy + b.energy, a.pushing + b.pushing, max(a.min_gap, b.min_gap),
+              max(a.friction_excess, b.friction_excess), max(a.friction_error, b.friction_error),
+              max(a.opening, b.opening));
+}
 
 void main() {
   const uint k = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
-  total[t] = dvec4(0);
-  if (t == 0u) opening = 0u;
-  barrier();
+  Told mine = Told(0, 0u, 0u, 0u, 0u, 0u);
   if (k < counters.contacts && counters.overflow == 0u) {
     const Contact c = contacts[k];
     const ContactNow s = contact_now(c, place[c.id.x], place[c.id.y]);
     const Push push = normal_push(c, s.d);
     const real limit = grips[k].x, slip = norm(s.u), weight = friction_weight(limit, slip), mu = c.before.w;
-    grips[k].w = s.d;
-    grips[k].z = 0;
-    if (s.d < real(params.d_hat)) {
-      grips[k].z = push.value + friction_energy(limit, slip);
-      total[t].x = double(grips[k].z);
-      atomicAdd(counters.pushing, 1u);
-    }
-    atomicMax(opening, floatBitsToUint(abs(float(c.n.w))));
-    atomicMax(counters.min_gap, ~ordered(float(s.d)));
+    const bool pushes = s.d < real(params.d_hat);
+    const real energy = pushes ? push.value + friction_energy(limit, slip) : real(0);
+    const real used = min(real(params.k_t) * slip, max(limit, real(0)));
+    grips[k] = Grip(limit, used, energy, s.d);
+    mine.energy = double(energy);
+    mine.pushing = pushes ? 1u : 0u;
+    mine.opening = floatBitsToUint(abs(float(c.n.w)));
+    mine.min_gap = ~ordered(float(s.d));
     if (mu > 0) {
       const real least = real(params.least_load), bound = mu * max(-push.first, least);
-      atomicMax(counters.friction_excess, ordered(float(weight * slip / bound - 1)));
-      const real pull = real(params.k_t) * slip;
-      const real error = abs(min(pull, max(limit, real(0))) - min(pull, mu * -push.first));
-      atomicMax(counters.friction_error, ordered(float(error / bound)));
+      const real error = abs(used - min(real(params.k_t) * slip, mu * -push.first));
+      mine.friction_excess = ordered(float(weight * slip / bound - 1));
+      mine.friction_error = ordered(float(error / bound));
     }
     // What is left of the stretch: all of it while it sticks.
     const real3 stretch = weight / real(params.k_t) * s.u;
@@ -43,13 +48,17 @@ void main() {
     kept_feature[k] = c.id.z;
     kept_geometry[k] = raw_geometry[c.id.w];
   }
+  told[t] = mine;
   barrier();
   for (uint reach = GROUP / 2u; reach > 0u; reach /= 2u) {
-    if (t < reach) total[t] += total[t + reach];
+    if (t < reach) told[t] = together(told[t], told[t + reach]);
     barrier();
   }
-  if (t == 0u) {
-    part[gl_WorkGroupID.x] = total[0];
-    atomicMax(counters.opening, opening);
-  }
+  if (t != 0u) return;
+  part[gl_WorkGroupID.x] = dvec4(told[0].energy, 0, 0, 0);
+  atomicAdd(counters.pushing, told[0].pushing);
+  atomicMax(counters.min_gap, told[0].min_gap);
+  atomicMax(counters.friction_excess, told[0].friction_excess);
+  atomicMax(counters.friction_error, told[0].friction_error);
+  atomicMax(counters.opening, told[0].opening);
 }
