@@ -10,6 +10,7 @@
 namespace pabd::device {
 
 inline constexpr std::uint32_t kLevels = 16, kColors = 128;
+inline constexpr std::uint32_t kSweepLists = 2 * kColors;  // of a color each; then of its crowded bodies
 inline constexpr std::uint32_t kTwoKinds = kDeviceShapes * kDeviceShapes;  // of shapes, in either order
 
 // Binding of each array of shaders/device_buffers.glsl.
@@ -67,22 +68,24 @@ struct StepParams {
   std::uint32_t pair_room, contact_room;
   std::int32_t friction_rule;  // a FrictionRule; -1: no body has friction of its own
   std::uint32_t groups;        // 1: some keep bodies apart
+  std::uint32_t crowds, pad;   // 1: those of crowded bodies are dispatched
 };
-static_assert(sizeof(StepParams) == 160);
+static_assert(sizeof(StepParams) == 168);
 
 enum Overflow : std::uint32_t {
   too_many_pairs = 1,
   too_many_contacts = 2,
   too_many_colors = 4,
-  too_few_rounds = 8
+  too_few_rounds = 8,
+  crowds_unexpected = 16
 };
 
 struct Counters {
   std::uint32_t overflow;
   std::uint32_t pairs, contacts, raw;
   std::uint32_t level[kLevels];
-  std::uint32_t huge_next, uncolored, colors, rounds;
-  std::uint32_t color_size[kColors], color_first[kColors], color_next[kColors];
+  std::uint32_t huge_next, uncolored, colors, rounds, crowded;
+  std::uint32_t list_size[kSweepLists], list_first[kSweepLists], list_next[kSweepLists];
   std::uint32_t residual, unsettled;
   std::uint32_t done, sweeps, pushing, min_gap, friction_excess, friction_error, bad;
   std::uint32_t kept;
@@ -91,7 +94,7 @@ struct Counters {
   double gained;
   double kinetic, potential, elastic;
 };
-static_assert(sizeof(Counters) == 2168);
+static_assert(sizeof(Counters) == 3712);
 
 struct BodyKind {
   double J[6];

@@ -35,7 +35,7 @@ void DeviceStep::make_body_buffers() {
   buffers.make(Slot::end_first, (n + 1) * sizeof(std::uint32_t));
   buffers.make(Slot::color_of, n * sizeof(std::uint32_t));
   buffers.make(Slot::order, n * sizeof(std::uint32_t));
-  buffers.make(Slot::arguments, (kColors + kTwoKinds) * 16);
+  buffers.make(Slot::arguments, (kSweepLists + kTwoKinds) * 16);
   buffers.make(Slot::cursors, std::max<std::size_t>(n, buckets_) * sizeof(std::uint32_t));
   buffers.make(Slot::steps, n * 2 * vec4());
   buffers.make(Slot::kept_first, (n + 1) * sizeof(std::uint32_t));
@@ -94,6 +94,8 @@ void DeviceStep::make_room(const Counters& c) {
     color_limit_ = kColors;
   }
   if ((c.overflow & too_few_rounds) != 0) rounds_ *= 2;
+  if ((c.overflow & crowds_unexpected) != 0 && !crowd_programs_)
+    crowd_programs_.emplace(make_crowd_programs(gl, precision_, table_, shapes_, sharing_));
   buffers.clear(Slot::counters, 0, sizeof(Counters::overflow));
 }
 

@@ -21,7 +21,9 @@ constexpr const char* kTwofold =
 
 class Compiler {
  public:
-  Compiler(const ComputeFunctions& gl, Precision precision, const ShapeTable& table, bool round) : gl_(gl) {
+  Compiler(const ComputeFunctions& gl, Precision precision, const ShapeTable& table, bool round,
+           const Sharing& sharing = {})
+      : gl_(gl) {
     const bool single = precision == Precision::single;
     common_ = std::string(single ? kSingle : kTwofold) + (single ? kWideIsFloat : kWideIsDouble);
     const auto number = [](BarrierKind kind) { return static_cast<int>(kind); };
@@ -37,7 +39,7 @@ class Compiler {
                            static_cast<int>(kDevicePlane));
     common_ += fmt::format("#define SHAPES_BINDING {}\n#define HULLS_BINDING {}\n",
                            static_cast<unsigned>(Slot::shapes), static_cast<unsigned>(Slot::hulls));
-    common_ += fmt::format("#define SWEEP_GROUP {}u\n#define TOUCH_GROUP {}u\n", kSweepGroup, kTouchGroup);
+    common_ += fmt::format("#define CROWD {}u\n#define TOUCH_GROUP {}u\n", sharing.crowd, kTouchGroup);
     common_ += fmt::format("#define SHAPE_KINDS {}u\n#define TWO_KINDS {}u\n",
                            static_cast<int>(kDeviceShapes), kTwoKinds);
     common_ += hull_sizes(table);
@@ -62,6 +64,26 @@ class Compiler {
   const ComputeFunctions& gl_;
   std::string common_;
 };
+
+// Work groups of sweeps, and threads that share a body.
+std::string teams(unsigned group, unsigned team) {
+  return fmt::format("#define SWEEP_GROUP {}u\n#define TEAM {}u\n", group, team);
+}
+
+ComputeProgram lists_of_contacts(const Compiler& compile, const std::string& more) {
+  return compile("lists of contacts",
+                 {"COUNTERS", "KINDS", "CONTACTS", "END_FIRST", "ENDS", "COLORS", "CURSORS"}, more, {},
+                 shaders::device_ends_comp);
+}
+
+ComputeProgram sweep(const Compiler& compile, unsigned group, unsigned team) {
+  using namespace shaders;
+  return compile(
+      "sweep",
+      {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "END_FIRST", "ENDS", "COLORS", "STEPS"},
+      teams(group, team) + "#define ACCESS restrict\n", {device_barrier, device_contact, device_inertia},
+      device_sweep_comp, group);
+}
 
 std::vector<ShaderPart> with_touch(std::vector<ShaderPart> narrow) {
   narrow.insert(narrow.begin(), shaders::device_kept);
@@ -96,16 +118,16 @@ bool any_round(const std::set<int>& shapes) {
 }
 
 Programs make_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
-                       const std::set<int>& shapes, int team) {
+                       const std::set<int>& shapes, const Sharing& sharing) {
   using namespace shaders;
-  const Compiler compile(gl, precision, table, any_round(shapes));
-  const std::string of_team = fmt::format("#define TEAM {}u\n", team);
+  const Compiler compile(gl, precision, table, any_round(shapes), sharing);
+  const auto team = static_cast<unsigned>(sharing.team);
   const auto scan = [&](const char* pass) {
     return compile("sums", {"VALUES"}, std::string("#define PASS ") + pass + "\n", {}, device_scan_comp);
   };
   const auto color = [&](const char* pass) {
     return compile("colors", {"COUNTERS", "KINDS", "END_FIRST", "ENDS", "COLORS", "VALUES"},
-                   of_team + "#define " + pass + "\n", {}, device_color_comp);
+                   teams(kSweepGroup, team) + "#define " + pass + "\n", {}, device_color_comp);
   };
   const auto sort = [&](const char* pass) {
     return compile("pairs by kinds", {"COUNTERS", "KINDS", "PAIRS", "ARGUMENTS", "TOUCHING"},
@@ -114,10 +136,6 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
   const auto pairs = [&](const char* more) {
     return compile("pairs", {"COUNTERS", "KINDS", "BOUNDS", "CELLS", "PAIR_FIRST", "PAIRS", "PLANES"}, more,
                    {device_cells}, device_pairs_comp);
-  };
-  const auto ends = [&](const char* pass) {
-    return compile("lists of contacts", {"COUNTERS", "KINDS", "CONTACTS", "END_FIRST", "ENDS", "CURSORS"},
-                   std::string("#define PASS ") + pass + "\n", {}, device_ends_comp);
   };
   const auto total = [&](const char* more) {
     return compile("totals", {"COUNTERS", "PARTS"}, more, {}, device_total_comp);
@@ -142,21 +160,17 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",
                         "END_FIRST", "KEPT_PAIRS", "KEPT_STRETCH", "KEPT_FEATURE"},
                        "", {device_barrier, device_recovery, device_memory}, device_place_comp),
-      .fill_ends = ends("0"),
-      .sort_ends = ends("1"),
+      .fill_ends = lists_of_contacts(compile, "#define PASS 0\n"),
+      .sort_ends = lists_of_contacts(compile, "#define PASS 1\n"),
       .scan = {scan("0"), scan("1"), scan("2")},
       .colors = {color("CHECK"), color("TAKE"), color("ROUND_OF_COLORS"), color("SIZES"), color("STARTS"),
-                 color("LISTS")},
+                 color("FILL")},
       .start_bodies = compile("first iterate", {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "STEPS"},
                               "#define BODIES\n", {}, device_start_comp),
       .start_contacts =
           compile("first bounds", {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS"}, "",
                   contact, device_start_comp),
-      .sweep = compile("sweep",
-                       {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "END_FIRST", "ENDS",
-                        "COLORS", "STEPS"},
-                       of_team + "#define ACCESS restrict\n",
-                       {device_barrier, device_contact, device_inertia}, device_sweep_comp, kSweepGroup),
+      .sweep = sweep(compile, kSweepGroup, team),
       .between = compile("between sweeps", {"COUNTERS", "COLORS"}, "", {}, device_between_comp, 1),
       .tell = compile("report",
                       {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "KEPT_STRETCH",
@@ -174,6 +188,13 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
       .total_bodies = total("#define BODIES\n"),
       .total_contacts = total(""),
   };
+}
+
+CrowdPrograms make_crowd_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
+                                  const std::set<int>& shapes, const Sharing& sharing) {
+  const Compiler compile(gl, precision, table, any_round(shapes), sharing);
+  return {.sort_ends = lists_of_contacts(compile, "#define PASS 2\n#define ACCESS coherent\n"),
+          .sweep = sweep(compile, kCrowdGroup, kCrowdGroup)};
 }
 
 ComputeProgram make_values_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,

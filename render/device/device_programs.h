@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/device/compute_program.h"
+#include "render/device/device_layout.h"
 #include "render/device/device_solver.h"
 #include "render/device/shape_table.h"
 
@@ -15,7 +16,9 @@ namespace pabd::device {
 // What displacements and forces are computed in. twofold (double) is for comparison with the processor's solver.
 enum class Precision { single, twofold };
 
-inline constexpr unsigned kGroup = 256, kSweepGroup = 32, kTouchGroup = 32;  // threads of a work group
+inline constexpr unsigned kGroup = 256, kSweepGroup = 32, kCrowdGroup = 128,
+                          kTouchGroup = 32;  // threads of a work group
+static_assert(kSweepLists <= kGroup);        // device_color: a thread a list
 // How many work groups of `size` threads that many items need; at least one.
 constexpr std::uint32_t groups(std::size_t items, unsigned size) {
   return items == 0 ? 1 : static_cast<std::uint32_t>((items + size - 1) / size);
@@ -48,12 +51,24 @@ struct Programs {
   ComputeProgram tell, reports, keep, finish, total_bodies, total_contacts;
 };
 
+// Of bodies that touch many others: compiled only where there are some.
+struct CrowdPrograms {
+  ComputeProgram sort_ends, sweep;
+};
+
+// How bodies are shared in a sweep: threads of each; contacts from which on it is a whole work group.
+struct Sharing {
+  int team = 1, crowd = 64;
+};
+
 bool any_round(const std::set<int>& shapes);
 
-// For models that have these shapes, and bodies of these kinds of DeviceShape; `team`: DeviceOptions::team. Throws
-// Error(no_context) where a shader is refused.
+// For models that have these shapes, and bodies of these kinds of DeviceShape. Throws Error(no_context) where a shader
+// is refused.
 Programs make_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
-                       const std::set<int>& shapes, int team);
+                       const std::set<int>& shapes, const Sharing& sharing);
+CrowdPrograms make_crowd_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
+                                  const std::set<int>& shapes, const Sharing& sharing);
 
 // That fills Slot::body_values; compiled only where somebody asks for it.
 ComputeProgram make_values_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,

@@ -30,6 +30,8 @@ struct DeviceOptions {
   // Threads that share the contacts of a body in a sweep: 1, 2, 4 … 64; 0: by the number of bodies, more where there are
   // few. Sums are made in another order for each.
   int team = 0;
+  // Contacts from which on a body is shared by a whole work group: 1 … ; 0: 64.
+  int crowd = 0;
 };
 
 // On the GPU's own clock; ms. Of the last step that was made.

@@ -13,10 +13,15 @@ namespace {
 
 constexpr std::uint32_t kMostRounds = 4096;  // of coloring that a step is dispatched for
 
+constexpr std::uint32_t kCrowdGroups = 256;  // that sort lists of crowded bodies
+
 // Few bodies leave a GPU idle, so that more threads a body cost nothing and wait less (tests/bench/README.md).
-int team_for(const Model& model) {
-  if (model.size() < 50'000) return 16;
-  return model.size() < 500'000 ? 8 : 2;
+Sharing sharing_for(const Model& model, const DeviceOptions& options) {
+  Sharing out;
+  out.team = model.size() < 50'000 ? 16 : model.size() < 500'000 ? 8 : 2;
+  if (options.team > 0) out.team = options.team;
+  if (options.crowd > 0) out.crowd = options.crowd;
+  return out;
 }
 
 // Of bodies: their parts have rows too.
@@ -38,8 +43,8 @@ DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptio
       table_(make_shape_table(model)),
       kinds_(make_body_kinds(model, table_)),
       shapes_(shapes_of(table_)),
-      programs_(
-          make_programs(gl, precision_, table_, shapes_, options.team > 0 ? options.team : team_for(model))),
+      sharing_(sharing_for(model, options)),
+      programs_(make_programs(gl, precision_, table_, shapes_, sharing_)),
       bodies_(static_cast<std::uint32_t>(model.size())),
       buckets_(std::bit_ceil(std::max(1024u, bodies_))) {
   make_body_buffers();
@@ -82,6 +87,7 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   p.contact_room = contact_room_;
   p.friction_rule = model_.friction.empty() ? -1 : static_cast<std::int32_t>(params.contact.friction_rule);
   p.groups = model_.groups.avoids.empty() ? 0 : 1;
+  p.crowds = crowd_programs_ ? 1 : 0;
   buffers.write(Slot::params, 0, std::as_bytes(std::span(&p, 1)));
 }
 
@@ -138,7 +144,7 @@ void DeviceStep::find_contacts() {
   gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
   for (const Programs::Touch& touch : programs_.touch) {  // none sees what another one writes
     touch.program.use();
-    gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * (kColors + touch.kinds)));
+    gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * (kSweepLists + touch.kinds)));
   }
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
@@ -151,6 +157,7 @@ void DeviceStep::list_ends() {
   scan(Slot::end_first, bodies_ + 1);
   dispatch(programs_.fill_ends, groups(contact_room_, kGroup));
   dispatch(programs_.sort_ends, groups(bodies_, kGroup));
+  if (crowd_programs_) dispatch(crowd_programs_->sort_ends, std::min(bodies_, kCrowdGroups));
 }
 
 void DeviceStep::color_bodies() {
@@ -167,10 +174,15 @@ void DeviceStep::color_bodies() {
   dispatch(colors.lists, body_groups);
 }
 
+// Of the bodies in a list; `list` as in device_layout.glsl.
+void DeviceStep::relax(const ComputeProgram& program, std::uint32_t list, bool move_limits) {
+  set(program, "list_", list);
+  gl.Uniform1i(gl.GetUniformLocation(program.id(), "move_limits"), move_limits);
+  gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * list));
+}
+
 void DeviceStep::sweep(const Params& params) {
-  const GLuint sweeping = programs_.sweep.id(), between = programs_.between.id();
-  const GLint color = gl.GetUniformLocation(sweeping, "color_"),
-              limits = gl.GetUniformLocation(sweeping, "move_limits");
+  const GLuint between = programs_.between.id();
   const GLint last_place = gl.GetUniformLocation(between, "last_");
   programs_.between.use();
   gl.Uniform4f(gl.GetUniformLocation(between, "tolerance"), static_cast<float>(params.solver.tolerance),
@@ -178,11 +190,10 @@ void DeviceStep::sweep(const Params& params) {
   gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffers.id(Slot::arguments));
   gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
   for (int k = 0; k < params.solver.iterations; ++k) {
-    programs_.sweep.use();
-    gl.Uniform1i(limits, k > 0 && has_friction(model_, params.contact));
-    for (std::uint32_t c = 0; c < color_limit_; ++c) {
-      gl.Uniform1ui(color, c);
-      gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * c));
+    const bool move_limits = k > 0 && has_friction(model_, params.contact);
+    for (std::uint32_t color = 0; color < color_limit_; ++color) {
+      if (crowd_programs_) relax(crowd_programs_->sweep, kColors + color, move_limits);
+      relax(programs_.sweep, color, move_limits);  // of one color, they share nothing
       gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     programs_.between.use();

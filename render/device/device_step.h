@@ -56,6 +56,7 @@ class DeviceStep {
   void find_contacts();
   void list_ends();
   void color_bodies();
+  void relax(const ComputeProgram& program, std::uint32_t list, bool move_limits);
   void sweep(const Params& params);
 
   Model model_;
@@ -64,7 +65,9 @@ class DeviceStep {
   ShapeTable table_;
   BodyKinds kinds_;
   std::set<int> shapes_;
+  Sharing sharing_;
   Programs programs_;
+  std::optional<CrowdPrograms> crowd_programs_;            // once there was a crowded body
   std::map<BodyQuantity, ComputeProgram> value_programs_;  // of those that were asked for
   std::uint32_t bodies_, buckets_, pair_room_ = 0, contact_room_ = 0;
   std::uint32_t color_limit_ = 16, rounds_ = 24;

@@ -23,6 +23,16 @@ TEST_CASE("however many threads share a body on the GPU, a step is the same but 
     const State together = run(scene, options, 1);
     CHECK(pose_difference(alone, together) < rounding);
   }
+  options.team = 1;
+  for (const int crowd : {1, 2, 3}) {
+    CAPTURE(crowd);
+    options.crowd = crowd;
+    int repeated = 0;
+    const State together = run(scene, options, 1, &repeated);
+    CHECK(repeated == 1);  // there were crowded bodies
+    CHECK(pose_difference(alone, together) < rounding);
+  }
+  options.crowd = 0;
   // Sums are made in another order.
   options.precision = DevicePrecision::single;
   options.team = 1;

@@ -8,7 +8,7 @@ void main() {
   const float residual = uintBitsToFloat(counters.residual);
   if (residual < tolerance.x && uintBitsToFloat(counters.unsettled) < tolerance.y) {
     counters.done = 1u;
-    for (uint c = 0u; c < COLORS; ++c) arguments[c].x = 0u;
+    for (uint list = 0u; list < SWEEP_LISTS; ++list) arguments[list].x = 0u;
   } else if (last_ == 0) {
     counters.residual = counters.unsettled = 0u;
   }

@@ -62,11 +62,11 @@ AT(18) buffer Ends { uvec2 ends[]; };
 #endif
 #ifdef USES_COLORS
 AT(19) buffer ColorOf { uint color_of[]; };  // a body: color + 1, 0: none; from bit 8 on: round that gave it
-AT(20) buffer Order { uint order[]; };      // bodies by color
+AT(20) buffer Order { uint order[]; };      // bodies by list
 #define USES_ARGUMENTS
 #endif
 #ifdef USES_ARGUMENTS
-AT(21) buffer Arguments { uvec4 arguments[]; };  // of indirect dispatch: a color, then two kinds of shapes
+AT(21) buffer Arguments { uvec4 arguments[]; };  // of indirect dispatch: a list, then two kinds of shapes
 #endif
 #ifdef USES_TOUCHING
 AT(39) buffer Touching { uint touching[]; };  // pairs by their kinds

@@ -3,7 +3,7 @@
 //
 //   CHECK    a thread a body: who shares its color with a neighbor that goes first loses it;  TAKE  puts that down
 //   ROUND    who goes first among its neighbors without a color takes the least that is free
-//   SIZES    of the colors;  STARTS  where they begin, and how to dispatch them;  LISTS  who is in which
+//   SIZES    of the lists;  STARTS  where they begin, and how to dispatch them;  FILL  who is in which
 //
 // A color that was given in this round counts as none, so that all see the same. Where the rounds were too few the step
 // is made again with more.
@@ -23,6 +23,14 @@ bool goes_first(uint i, uint j) {
 }
 bool has_ends(uint i) {
   return end_first[i + 1u] != end_first[i];
+}
+
+// Which list a body is in; SWEEP_LISTS: none.
+uint list_of(uint i) {
+  if (i >= params.bodies || counters.overflow != 0u || kinds[kind_number[i]].fixed_ != 0 || !has_ends(i)) return SWEEP_LISTS;
+  const uint color = color_of[i] & 0xffu;
+  if (color == 0u) return SWEEP_LISTS;
+  return color - 1u + (is_crowded(end_first[i + 1u] - end_first[i]) ? COLORS : 0u);
 }
 
 // The color that body i takes in round r, plus one; 0: it waits.
@@ -92,47 +100,43 @@ void main() {
 }
 #endif
 #ifdef SIZES
-shared uint size[COLORS];
+shared uint size[SWEEP_LISTS];
 void main() {
   const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
-  if (t < COLORS) size[t] = 0u;
+  if (t < SWEEP_LISTS) size[t] = 0u;
   barrier();
-  if (i < params.bodies && counters.overflow == 0u && kinds[kind_number[i]].fixed_ == 0 && has_ends(i)) {
-    const uint color = color_of[i] & 0xffu;  // 0: the rounds were too few
-    if (color != 0u) atomicAdd(size[color - 1u], 1u);
-  }
+  const uint list = list_of(i);  // none: the rounds were too few
+  if (list < SWEEP_LISTS) atomicAdd(size[list], 1u);
   barrier();
-  if (t < COLORS && size[t] > 0u) atomicAdd(counters.color_size[t], size[t]);
+  if (t < SWEEP_LISTS && size[t] > 0u) atomicAdd(counters.list_size[t], size[t]);
 }
 #endif
 #ifdef STARTS
-shared uint size[COLORS];
+shared uint size[SWEEP_LISTS];
 void main() {
   const uint t = gl_LocalInvocationID.x;
   const bool overflows = counters.overflow != 0u || counters.uncolored != 0u;
-  if (t < COLORS) size[t] = overflows ? 0u : counters.color_size[t];
+  if (t < SWEEP_LISTS) size[t] = overflows ? 0u : counters.list_size[t];
   barrier();
   if (t == 0u && counters.uncolored != 0u) atomicOr(counters.overflow, TOO_FEW_ROUNDS);
-  if (t >= COLORS) return;
+  if (t >= SWEEP_LISTS) return;
   uint first = 0u;
-  for (uint c = 0u; c < t; ++c) first += size[c];
-  counters.color_first[t] = first;
-  arguments[t] = dispatch_of((size[t] * TEAM + SWEEP_GROUP - 1u) / SWEEP_GROUP, size[t]);
-  if (size[t] > 0u) atomicMax(counters.colors, t + 1u);
+  for (uint list = 0u; list < t; ++list) first += size[list];
+  counters.list_first[t] = first;
+  arguments[t] = dispatch_of(t < COLORS ? (size[t] * TEAM + SWEEP_GROUP - 1u) / SWEEP_GROUP : size[t], size[t]);
+  if (size[t] > 0u) atomicMax(counters.colors, t % COLORS + 1u);
 }
 #endif
-#ifdef LISTS
-shared uint size[COLORS], base[COLORS];
+#ifdef FILL
+shared uint size[SWEEP_LISTS], base[SWEEP_LISTS];
 void main() {
   const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
-  if (t < COLORS) size[t] = 0u;
+  if (t < SWEEP_LISTS) size[t] = 0u;
   barrier();
-  const bool listed = i < params.bodies && counters.overflow == 0u && kinds[kind_number[i]].fixed_ == 0 && has_ends(i);
-  const uint c = listed ? (color_of[i] & 0xffu) - 1u : 0u;
-  const uint at = listed ? atomicAdd(size[c], 1u) : 0u;
+  const uint list = list_of(i), at = list < SWEEP_LISTS ? atomicAdd(size[list], 1u) : 0u;
   barrier();
-  if (t < COLORS && size[t] > 0u) base[t] = counters.color_first[t] + atomicAdd(counters.color_next[t], size[t]);
+  if (t < SWEEP_LISTS && size[t] > 0u) base[t] = counters.list_first[t] + atomicAdd(counters.list_next[t], size[t]);
   barrier();
-  if (listed) order[base[c] + at] = i;
+  if (list < SWEEP_LISTS) order[base[list] + at] = i;
 }
 #endif

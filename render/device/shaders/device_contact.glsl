@@ -32,7 +32,8 @@ ContactNow contact_now(Contact c, Place a, Place b) {
   s.normal_b = c.r_b.xyz + turned_b;
   const real3 from_a = c.apart.xyz + apart + s.normal_b;  // b's normal point, from a's centre
 #ifdef ROUND
-  const real radius_a = radius_of(c.id.x), radius_b = radius_of(c.id.y);
+  const bool rolls = c.r_a.w > 0;
+  const real radius_a = rolls ? radius_of(c.id.x) : real(0), radius_b = rolls ? radius_of(c.id.y) : real(0);
   const bool turns = radius_a == 0;
   const real3 r_a = c.r_a.xyz;
 #else
@@ -50,7 +51,7 @@ ContactNow contact_now(Contact c, Place a, Place b) {
   s.surface_b = s.normal_b;
   s.y = from_a;
 #ifdef ROUND
-  if (!turns || radius_b > 0) {
+  if (rolls) {
     const real4 roll_a = turns || radius_a > 0 ? roll_of(c.id.x, a) : real4(0, 0, 0, 1);
     const real4 roll_b = radius_b > 0 ? roll_of(c.id.y, b) : real4(0, 0, 0, 1);
     const real rolling_a = turns ? -radius_b : radius_a;

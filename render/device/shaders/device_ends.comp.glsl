@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which contacts end at a body. PASS 0: a thread a contact puts it into the lists of its bodies. PASS 1: a thread a
-// body sorts its list, so that sums are made in one order always.
+// Which contacts end at a body. PASS 0: a thread a contact puts it into the lists of its bodies. Then these are sorted,
+// so that sums are made in one order always: PASS 1: a thread a body; PASS 2: a work group a crowded body.
 #if PASS == 0
 void main() {
   const uint k = gl_GlobalInvocationID.x;
@@ -11,39 +11,49 @@ void main() {
   if (kinds[kind_number[id.y]].fixed_ == 0)
     ends[end_first[id.y] + atomicAdd(cursor[id.y], 1u)] = uvec2(2u * k, id.x);
 }
-#else
-// Restores the heap of `size` ends from `first` on below `root`.
-void sift_down(uint first, uint root, uint size) {
-  const uvec2 value = ends[first + root];
-  for (uint child = 2u * root + 1u; child < size; child = 2u * root + 1u) {
-    if (child + 1u < size && ends[first + child].x < ends[first + child + 1u].x) ++child;
-    if (ends[first + child].x <= value.x) break;
-    ends[first + root] = ends[first + child];
-    root = child;
-  }
-  ends[first + root] = value;
-}
-
+#elif PASS == 1
 void main() {
   const uint i = gl_GlobalInvocationID.x;
   if (i >= params.bodies || counters.overflow != 0u) return;
   const uint first = end_first[i], size = end_first[i + 1u] - first;
-  if (size < 2u) return;
-  if (size <= 32u) {
-    for (uint k = 1u; k < size; ++k) {
-      const uvec2 value = ends[first + k];
-      uint at = k;
-      for (; at > 0u && ends[first + at - 1u].x > value.x; --at) ends[first + at] = ends[first + at - 1u];
-      ends[first + at] = value;
-    }
+  if (is_crowded(size)) {
+    order[atomicAdd(counters.crowded, 1u)] = i;
+    if (params.crowds == 0u) atomicOr(counters.overflow, CROWDS_UNEXPECTED);
     return;
   }
-  for (uint root = size / 2u; root-- > 0u;) sift_down(first, root, size);
-  for (uint last = size - 1u; last > 0u; --last) {
-    const uvec2 value = ends[first];
-    ends[first] = ends[first + last];
-    ends[first + last] = value;
-    sift_down(first, 0u, last);
+  for (uint k = 1u; k < size; ++k) {
+    const uvec2 value = ends[first + k];
+    uint at = k;
+    for (; at > 0u && ends[first + at - 1u].x > value.x; --at) ends[first + at] = ends[first + at - 1u];
+    ends[first + at] = value;
+  }
+}
+#else
+// Of `size` ends from `first` on each below `step` of a block of 2 step, and the one as far from the block's other end
+// (`mirrored`) or `step` beyond: the smaller one comes first.
+void compare(uint first, uint size, uint step, bool mirrored) {
+  for (uint n = gl_LocalInvocationID.x; n / step * 2u * step < size; n += GROUP) {
+    const uint block = n / step * 2u * step, k = block + n % step;
+    const uint other = mirrored ? block + 2u * step - 1u - n % step : k + step;
+    if (other < size && ends[first + k].x > ends[first + other].x) {
+      const uvec2 larger = ends[first + k];
+      ends[first + k] = ends[first + other];
+      ends[first + other] = larger;
+    }
+  }
+  memoryBarrierBuffer();
+  barrier();
+}
+
+// A bitonic sort whose comparisons all go one way, so that a list may have any length.
+void main() {
+  if (counters.overflow != 0u) return;
+  for (uint c = gl_WorkGroupID.x; c < counters.crowded; c += gl_NumWorkGroups.x) {
+    const uint first = end_first[order[c]], size = end_first[order[c] + 1u] - first;
+    for (uint half_ = 1u; half_ < size; half_ *= 2u) {
+      compare(first, size, half_, true);
+      for (uint step = half_ / 2u; step > 0u; step /= 2u) compare(first, size, step, false);
+    }
   }
 }
 #endif

@@ -64,7 +64,7 @@ struct Contact {
   real4 apart;  // from a's centre to b's. w: scale of the barrier
   real4 before; // slip that the step starts with: stretch, and what rolls. w: μ
 #ifdef ROUND
-  real4 r_a;    // from a's centre to its normal point
+  real4 r_a;    // from a's centre to its normal point. w: 1 where one of them rolls
 #endif
 };
 // What moves of it: x: friction bound; y: change it last asked for; z: gain. In the end y: friction; z: energy; w: d.
@@ -87,17 +87,22 @@ struct StepParams {
   uint pair_room, contact_room;
   int friction_rule;  // GEOMETRIC_MEAN …; -1: no body has friction of its own
   uint groups;        // 1: some keep bodies apart
+  uint crowds, pad_;  // 1: those of crowded bodies are dispatched
 };
 // Barriers and shapes have the numbers of BarrierKind and DeviceShape: POLYNOMIAL, FORM_BOX, … are macros.
 
 const uint LEVELS = 16u;  // of the grid; the last one is no grid: whoever is too large for the others
 const uint COLORS = 128u;
+// Of bodies, each a work of its own: those of a color, and from COLORS on those of a color that are crowded, with more
+// than CROWD contacts, which a whole work group shares.
+const uint SWEEP_LISTS = 2u * COLORS;
 struct Counters {
   uint overflow;  // what was too small, a bit each: the step was not made. Not cleared with the rest
   uint pairs, contacts, raw;
   uint level[LEVELS];
   uint huge_next, uncolored, colors, rounds;
-  uint color_size[COLORS], color_first[COLORS], color_next[COLORS];
+  uint crowded;  // bodies
+  uint list_size[SWEEP_LISTS], list_first[SWEEP_LISTS], list_next[SWEEP_LISTS];
   uint residual, unsettled;  // of the sweep: longest step, worst friction; bits of floats
   uint done;      // the sweeps may end
   uint sweeps;
@@ -123,7 +128,12 @@ uint work_group() {
   return gl_WorkGroupID.y * ROW + gl_WorkGroupID.x;
 }
 
-const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u, TOO_FEW_ROUNDS = 8u;
+bool is_crowded(uint ends) {
+  return ends > CROWD;
+}
+
+const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u, TOO_FEW_ROUNDS = 8u,
+           CROWDS_UNEXPECTED = 16u;
 
 // A float as bits that are in the order of the values.
 uint ordered(float x) {

@@ -19,7 +19,7 @@ void main() {
     const uint n = counters.touch_size[k];
     counters.touch_first[k] = counters.touch_next[k] = first;
     first += n;
-    arguments[COLORS + k] = dispatch_of((n + TOUCH_GROUP - 1u) / TOUCH_GROUP, n);
+    arguments[SWEEP_LISTS + k] = dispatch_of((n + TOUCH_GROUP - 1u) / TOUCH_GROUP, n);
   }
 }
 #else

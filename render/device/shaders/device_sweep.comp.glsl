@@ -2,7 +2,7 @@
 // Block coordinate descent, sim/solver/descent.cpp: a team of TEAM threads relaxes a body of a color while all others
 // stand still. It minimises a quadratic model of E in the tangent space of SE(3); a step that does not lower the body's
 // own energy is halved until it does. The threads share the contacts of their body; the first one, which leads, solves.
-uniform uint color_;
+uniform uint list_;
 uniform int move_limits;  // of friction, on the way
 
 struct Model6 {
@@ -16,6 +16,7 @@ const uint VALUES = 29u;                 // of a model, its energy, the room aro
 shared real value[VALUES * SWEEP_GROUP];  // a thread each; then a team's sum where its first thread's was
 shared Place trial_of[BODIES];
 shared uint trying;                 // bodies of this group whose step is not accepted yet
+shared bool tries_of[BODIES];
 shared vec2 largest[SWEEP_GROUP];   // way of a body's step over d̂; error of a friction force as a part of μ f_n
 float friction_error = 0;
 
@@ -257,7 +258,7 @@ Attempt first_attempt(uint i, Model6 m, real room, real radius) {
 
 void main() {
   const uint t = gl_LocalInvocationID.x, first = work_group() * BODIES, team = t / TEAM;
-  const uint size = arguments[color_].w, order_first = counters.color_first[color_];
+  const uint size = arguments[list_].w, order_first = counters.list_first[list_];
   const real h = real(params.h), inv_h2 = 1 / (h * h);
   if (t == 0u) trying = 0u;
 
@@ -297,15 +298,16 @@ void main() {
     }
   }
   bool tries = leads && !attempt.accepted;
+  if (t < BODIES) tries_of[t] = tries;
   bool go_on = true;
   for (int k = 0; k < 8 && go_on; ++k) {
     barrier();
     go_on = trying > 0u;
-    if (go_on && is_there) put(0u, contact_energy(i, trial_of[team]));
+    if (go_on && is_there && tries_of[team]) put(0u, contact_energy(i, trial_of[team]));
     barrier();
     if (tries && inertia_energy(f, trial_of[t], inv_h2) + team_sum(0u, t) <= energy * (1 + 1000 * EPSILON)) {
       place[led] = trial_of[t];
-      tries = false;
+      tries = tries_of[t] = false;
       atomicAdd(trying, 0xffffffffu);
     } else if (tries) {
       const real shorter = k == 0 && attempt.factor > 1 ? 1 / attempt.factor : real(0.5lf);

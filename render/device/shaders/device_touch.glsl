@@ -102,7 +102,7 @@ void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked s
   c.apart = real4(real3(apart), 1);
   c.before = real4(before, 0);
 #ifdef ROUND
-  c.r_a = real4(real3(r_a), 0);
+  c.r_a = real4(real3(r_a), radius_a > 0 || radius_b > 0 ? 1 : 0);
 #endif
   raw[at] = c;
   raw_geometry[at] = ContactGeometry(
