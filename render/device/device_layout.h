@@ -10,8 +10,8 @@
 namespace pabd::device {
 
 inline constexpr std::uint32_t kLevels = 16, kColors = 128;
-inline constexpr std::uint32_t kSweepLists = 2 * kColors;  // of a color each; then of its crowded bodies
-inline constexpr std::uint32_t kTwoKinds = kDeviceShapes * kDeviceShapes;  // of shapes, in either order
+inline constexpr std::uint32_t kShares = 3, kSweepLists = kShares * kColors;  // as in device_layout.glsl
+inline constexpr std::uint32_t kTwoKinds = kDeviceShapes * kDeviceShapes;     // of shapes, in either order
 
 // Binding of each array of shaders/device_buffers.glsl.
 enum class Slot : std::uint32_t {
@@ -68,7 +68,7 @@ struct StepParams {
   std::uint32_t pair_room, contact_room;
   std::int32_t friction_rule;  // a FrictionRule; -1: no body has friction of its own
   std::uint32_t groups;        // 1: some keep bodies apart
-  std::uint32_t crowds, pad;   // 1: those of crowded bodies are dispatched
+  std::uint32_t shares, pad;   // a bit each: those that are dispatched
 };
 static_assert(sizeof(StepParams) == 168);
 
@@ -77,7 +77,7 @@ enum Overflow : std::uint32_t {
   too_many_contacts = 2,
   too_many_colors = 4,
   too_few_rounds = 8,
-  crowds_unexpected = 16
+  share_unexpected = 16  // shifted by the share
 };
 
 struct Counters {
@@ -94,7 +94,7 @@ struct Counters {
   double gained;
   double kinetic, potential, elastic;
 };
-static_assert(sizeof(Counters) == 3712);
+static_assert(sizeof(Counters) == 5248);
 
 struct BodyKind {
   double J[6];

@@ -94,8 +94,8 @@ void DeviceStep::make_room(const Counters& c) {
     color_limit_ = kColors;
   }
   if ((c.overflow & too_few_rounds) != 0) rounds_ *= 2;
-  if ((c.overflow & crowds_unexpected) != 0 && !crowd_programs_)
-    crowd_programs_.emplace(make_crowd_programs(gl, precision_, table_, shapes_, sharing_));
+  for (std::uint32_t share = 0; share < kShares; ++share)
+    if ((c.overflow & share_unexpected << share) != 0) make_sweep(share);
   buffers.clear(Slot::counters, 0, sizeof(Counters::overflow));
 }
 

@@ -39,7 +39,8 @@ class Compiler {
                            static_cast<int>(kDevicePlane));
     common_ += fmt::format("#define SHAPES_BINDING {}\n#define HULLS_BINDING {}\n",
                            static_cast<unsigned>(Slot::shapes), static_cast<unsigned>(Slot::hulls));
-    common_ += fmt::format("#define CROWD {}u\n#define TOUCH_GROUP {}u\n", sharing.crowd, kTouchGroup);
+    common_ += fmt::format("#define FEW {}u\n#define CROWD {}u\n", sharing.few, sharing.crowd);
+    common_ += fmt::format("#define TOUCH_GROUP {}u\n", kTouchGroup);
     common_ += fmt::format("#define SHAPE_KINDS {}u\n#define TWO_KINDS {}u\n",
                            static_cast<int>(kDeviceShapes), kTwoKinds);
     common_ += hull_sizes(table);
@@ -65,24 +66,10 @@ class Compiler {
   std::string common_;
 };
 
-// Work groups of sweeps, and threads that share a body.
-std::string teams(unsigned group, unsigned team) {
-  return fmt::format("#define SWEEP_GROUP {}u\n#define TEAM {}u\n", group, team);
-}
-
 ComputeProgram lists_of_contacts(const Compiler& compile, const std::string& more) {
   return compile("lists of contacts",
                  {"COUNTERS", "KINDS", "CONTACTS", "END_FIRST", "ENDS", "COLORS", "CURSORS"}, more, {},
                  shaders::device_ends_comp);
-}
-
-ComputeProgram sweep(const Compiler& compile, unsigned group, unsigned team) {
-  using namespace shaders;
-  return compile(
-      "sweep",
-      {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "END_FIRST", "ENDS", "COLORS", "STEPS"},
-      teams(group, team) + "#define ACCESS restrict\n", {device_barrier, device_contact, device_inertia},
-      device_sweep_comp, group);
 }
 
 std::vector<ShaderPart> with_touch(std::vector<ShaderPart> narrow) {
@@ -121,13 +108,16 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
                        const std::set<int>& shapes, const Sharing& sharing) {
   using namespace shaders;
   const Compiler compile(gl, precision, table, any_round(shapes), sharing);
-  const auto team = static_cast<unsigned>(sharing.team);
+  std::string group_bodies = "#define GROUP_BODIES uint[SHARES](";
+  for (std::uint32_t share = 0; share < kShares; ++share)
+    group_bodies += fmt::format("{}{}u", share > 0 ? ", " : "", sharing.group(share) / sharing.team[share]);
+  group_bodies += ")\n";
   const auto scan = [&](const char* pass) {
     return compile("sums", {"VALUES"}, std::string("#define PASS ") + pass + "\n", {}, device_scan_comp);
   };
   const auto color = [&](const char* pass) {
     return compile("colors", {"COUNTERS", "KINDS", "END_FIRST", "ENDS", "COLORS", "VALUES"},
-                   teams(kSweepGroup, team) + "#define " + pass + "\n", {}, device_color_comp);
+                   group_bodies + "#define " + pass + "\n", {}, device_color_comp);
   };
   const auto sort = [&](const char* pass) {
     return compile("pairs by kinds", {"COUNTERS", "KINDS", "PAIRS", "ARGUMENTS", "TOUCHING"},
@@ -170,7 +160,6 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
       .start_contacts =
           compile("first bounds", {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS"}, "",
                   contact, device_start_comp),
-      .sweep = sweep(compile, kSweepGroup, team),
       .between = compile("between sweeps", {"COUNTERS", "COLORS"}, "", {}, device_between_comp, 1),
       .tell = compile("report",
                       {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "KEPT_STRETCH",
@@ -190,11 +179,23 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
   };
 }
 
-CrowdPrograms make_crowd_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
-                                  const std::set<int>& shapes, const Sharing& sharing) {
+ComputeProgram make_sweep_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
+                                  const std::set<int>& shapes, const Sharing& sharing, std::uint32_t share) {
+  using namespace shaders;
   const Compiler compile(gl, precision, table, any_round(shapes), sharing);
-  return {.sort_ends = lists_of_contacts(compile, "#define PASS 2\n#define ACCESS coherent\n"),
-          .sweep = sweep(compile, kCrowdGroup, kCrowdGroup)};
+  const std::string threads =
+      fmt::format("#define SWEEP_GROUP {}u\n#define TEAM {}u\n", sharing.group(share), sharing.team[share]);
+  return compile(
+      "sweep",
+      {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "END_FIRST", "ENDS", "COLORS", "STEPS"},
+      threads + "#define ACCESS restrict\n", {device_barrier, device_contact, device_inertia},
+      device_sweep_comp, sharing.group(share));
+}
+
+ComputeProgram make_crowd_sort_program(const ComputeFunctions& gl, Precision precision,
+                                       const ShapeTable& table, const Sharing& sharing) {
+  return lists_of_contacts(Compiler(gl, precision, table, false, sharing),
+                           "#define PASS 2\n#define ACCESS coherent\n");
 }
 
 ComputeProgram make_values_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,

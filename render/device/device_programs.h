@@ -2,6 +2,7 @@
 // The compute shaders of a step, compiled for a model: only the pairs of shapes that it has.
 #pragma once
 
+#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,7 +19,6 @@ enum class Precision { single, twofold };
 
 inline constexpr unsigned kGroup = 256, kSweepGroup = 32, kCrowdGroup = 128,
                           kTouchGroup = 32;  // threads of a work group
-static_assert(kSweepLists <= kGroup);        // device_color: a thread a list
 // How many work groups of `size` threads that many items need; at least one.
 constexpr std::uint32_t groups(std::size_t items, unsigned size) {
   return items == 0 ? 1 : static_cast<std::uint32_t>((items + size - 1) / size);
@@ -47,18 +47,15 @@ struct Programs {
   ComputeProgram place, fill_ends, sort_ends;
   Scan scan;
   Colors colors;
-  ComputeProgram start_bodies, start_contacts, sweep, between;
+  ComputeProgram start_bodies, start_contacts, between;
   ComputeProgram tell, reports, keep, finish, total_bodies, total_contacts;
 };
 
-// Of bodies that touch many others: compiled only where there are some.
-struct CrowdPrograms {
-  ComputeProgram sort_ends, sweep;
-};
-
-// How bodies are shared in a sweep: threads of each; contacts from which on it is a whole work group.
+// How bodies are shared in a sweep, by how many contacts they have (SHARES of device_layout.glsl).
 struct Sharing {
-  int team = 1, crowd = 64;
+  unsigned few = 64, crowd = 64;  // contacts up to which a body is of share 0, and above which of share 2
+  std::array<unsigned, kShares> team = {1, 8, kCrowdGroup};  // threads of a body
+  unsigned group(std::uint32_t share) const { return share == 2 ? kCrowdGroup : kSweepGroup; }
 };
 
 bool any_round(const std::set<int>& shapes);
@@ -67,8 +64,12 @@ bool any_round(const std::set<int>& shapes);
 // is refused.
 Programs make_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
                        const std::set<int>& shapes, const Sharing& sharing);
-CrowdPrograms make_crowd_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
-                                  const std::set<int>& shapes, const Sharing& sharing);
+// Of a share.
+ComputeProgram make_sweep_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
+                                  const std::set<int>& shapes, const Sharing& sharing, std::uint32_t share);
+// The lists of contacts of bodies of share 2.
+ComputeProgram make_crowd_sort_program(const ComputeFunctions& gl, Precision precision,
+                                       const ShapeTable& table, const Sharing& sharing);
 
 // That fills Slot::body_values; compiled only where somebody asks for it.
 ComputeProgram make_values_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,

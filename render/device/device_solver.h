@@ -30,8 +30,9 @@ struct DeviceOptions {
   // Threads that share the contacts of a body in a sweep: 1, 2, 4 … 64; 0: by the number of bodies, more where there are
   // few. Sums are made in another order for each.
   int team = 0;
-  // Contacts from which on a body is shared by a whole work group: 1 … ; 0: 64.
-  int crowd = 0;
+  // Contacts up to which that many threads share a body, of more eight do; and above which a whole work group does: 1 …;
+  // 0: 12 where the team is smaller than eight; 64.
+  int few = 0, crowd = 0;
 };
 
 // On the GPU's own clock; ms. Of the last step that was made.

@@ -17,10 +17,13 @@ constexpr std::uint32_t kCrowdGroups = 256;  // that sort lists of crowded bodie
 
 // Few bodies leave a GPU idle, so that more threads a body cost nothing and wait less (tests/bench/README.md).
 Sharing sharing_for(const Model& model, const DeviceOptions& options) {
+  const auto or_usual = [](int given, unsigned usual) {
+    return given > 0 ? static_cast<unsigned>(given) : usual;
+  };
   Sharing out;
-  out.team = model.size() < 50'000 ? 16 : model.size() < 500'000 ? 8 : 2;
-  if (options.team > 0) out.team = options.team;
-  if (options.crowd > 0) out.crowd = options.crowd;
+  out.team[0] = or_usual(options.team, model.size() < 50'000 ? 16 : model.size() < 500'000 ? 8 : 2);
+  out.crowd = or_usual(options.crowd, 64);
+  out.few = or_usual(options.few, out.team[0] < out.team[1] ? 12 : out.crowd);
   return out;
 }
 
@@ -50,6 +53,13 @@ DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptio
   make_body_buffers();
   make_pair_buffers(options.pairs > 0 ? options.pairs : 4 * bodies_ + 1024);
   make_contact_buffers(options.contacts > 0 ? options.contacts : 8 * bodies_ + 1024);
+  make_sweep(0);
+}
+
+void DeviceStep::make_sweep(std::uint32_t share) {
+  if (sweeps_.contains(share)) return;
+  sweeps_.emplace(share, make_sweep_program(gl, precision_, table_, shapes_, sharing_, share));
+  if (share == 2) crowd_sort_.emplace(make_crowd_sort_program(gl, precision_, table_, sharing_));
 }
 
 void DeviceStep::expect(const Counters& counters) {
@@ -87,7 +97,7 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   p.contact_room = contact_room_;
   p.friction_rule = model_.friction.empty() ? -1 : static_cast<std::int32_t>(params.contact.friction_rule);
   p.groups = model_.groups.avoids.empty() ? 0 : 1;
-  p.crowds = crowd_programs_ ? 1 : 0;
+  for (const auto& [share, program] : sweeps_) p.shares |= 1u << share;
   buffers.write(Slot::params, 0, std::as_bytes(std::span(&p, 1)));
 }
 
@@ -157,7 +167,7 @@ void DeviceStep::list_ends() {
   scan(Slot::end_first, bodies_ + 1);
   dispatch(programs_.fill_ends, groups(contact_room_, kGroup));
   dispatch(programs_.sort_ends, groups(bodies_, kGroup));
-  if (crowd_programs_) dispatch(crowd_programs_->sort_ends, std::min(bodies_, kCrowdGroups));
+  if (crowd_sort_) dispatch(*crowd_sort_, std::min(bodies_, kCrowdGroups));
 }
 
 void DeviceStep::color_bodies() {
@@ -192,8 +202,8 @@ void DeviceStep::sweep(const Params& params) {
   for (int k = 0; k < params.solver.iterations; ++k) {
     const bool move_limits = k > 0 && has_friction(model_, params.contact);
     for (std::uint32_t color = 0; color < color_limit_; ++color) {
-      if (crowd_programs_) relax(crowd_programs_->sweep, kColors + color, move_limits);
-      relax(programs_.sweep, color, move_limits);  // of one color, they share nothing
+      for (const auto& [share, program] : sweeps_)  // of one color: none waits for another share
+        relax(program, share * kColors + color, move_limits);
       gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     programs_.between.use();

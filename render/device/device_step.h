@@ -50,6 +50,7 @@ class DeviceStep {
   void set_params(const Params& params, bool starts);
   void dispatch(const ComputeProgram& program, std::uint32_t work_groups);
   void set(const ComputeProgram& program, const char* name, std::uint32_t value);
+  void make_sweep(std::uint32_t share);
   void clear(Slot slot, std::size_t count);
   void scan(Slot slot, std::size_t count);
   void find_pairs();
@@ -67,7 +68,8 @@ class DeviceStep {
   std::set<int> shapes_;
   Sharing sharing_;
   Programs programs_;
-  std::optional<CrowdPrograms> crowd_programs_;            // once there was a crowded body
+  std::map<std::uint32_t, ComputeProgram> sweeps_;         // by share: 0, and those of bodies that were met
+  std::optional<ComputeProgram> crowd_sort_;               // beside that of share 2
   std::map<BodyQuantity, ComputeProgram> value_programs_;  // of those that were asked for
   std::uint32_t bodies_, buckets_, pair_room_ = 0, contact_room_ = 0;
   std::uint32_t color_limit_ = 16, rounds_ = 24;

@@ -24,15 +24,19 @@ TEST_CASE("however many threads share a body on the GPU, a step is the same but 
     CHECK(pose_difference(alone, together) < rounding);
   }
   options.team = 1;
-  for (const int crowd : {1, 2, 3}) {
-    CAPTURE(crowd);
-    options.crowd = crowd;
+  struct Shares {
+    int few, crowd, repeated;
+  };
+  for (const Shares shares : {Shares{1, 1, 1}, {2, 2, 1}, {3, 3, 1}, {1, 64, 1}, {2, 3, 1}, {64, 64, 0}}) {
+    CAPTURE(shares.few, shares.crowd);
+    options.few = shares.few;
+    options.crowd = shares.crowd;
     int repeated = 0;
     const State together = run(scene, options, 1, &repeated);
-    CHECK(repeated == 1);  // there were crowded bodies
+    CHECK(repeated == shares.repeated);  // nobody knew of bodies with so many contacts
     CHECK(pose_difference(alone, together) < rounding);
   }
-  options.crowd = 0;
+  options.few = options.crowd = 0;
   // Sums are made in another order.
   options.precision = DevicePrecision::single;
   options.team = 1;

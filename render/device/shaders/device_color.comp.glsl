@@ -30,7 +30,7 @@ uint list_of(uint i) {
   if (i >= params.bodies || counters.overflow != 0u || kinds[kind_number[i]].fixed_ != 0 || !has_ends(i)) return SWEEP_LISTS;
   const uint color = color_of[i] & 0xffu;
   if (color == 0u) return SWEEP_LISTS;
-  return color - 1u + (is_crowded(end_first[i + 1u] - end_first[i]) ? COLORS : 0u);
+  return color - 1u + share_of(end_first[i + 1u] - end_first[i]) * COLORS;
 }
 
 // The color that body i takes in round r, plus one; 0: it waits.
@@ -102,13 +102,15 @@ void main() {
 #ifdef SIZES
 shared uint size[SWEEP_LISTS];
 void main() {
-  const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
-  if (t < SWEEP_LISTS) size[t] = 0u;
+  const uint t = gl_LocalInvocationID.x;
+  for (uint k = t; k < SWEEP_LISTS; k += GROUP) size[k] = 0u;
   barrier();
-  const uint list = list_of(i);  // none: the rounds were too few
+  const uint list = list_of(gl_GlobalInvocationID.x);  // none: the rounds were too few
   if (list < SWEEP_LISTS) atomicAdd(size[list], 1u);
   barrier();
-  if (t < SWEEP_LISTS && size[t] > 0u) atomicAdd(counters.list_size[t], size[t]);
+  for (uint k = t; k < SWEEP_LISTS; k += GROUP) {
+    if (size[k] > 0u) atomicAdd(counters.list_size[k], size[k]);
+  }
 }
 #endif
 #ifdef STARTS
@@ -116,26 +118,30 @@ shared uint size[SWEEP_LISTS];
 void main() {
   const uint t = gl_LocalInvocationID.x;
   const bool overflows = counters.overflow != 0u || counters.uncolored != 0u;
-  if (t < SWEEP_LISTS) size[t] = overflows ? 0u : counters.list_size[t];
+  for (uint k = t; k < SWEEP_LISTS; k += GROUP) size[k] = overflows ? 0u : counters.list_size[k];
   barrier();
   if (t == 0u && counters.uncolored != 0u) atomicOr(counters.overflow, TOO_FEW_ROUNDS);
-  if (t >= SWEEP_LISTS) return;
-  uint first = 0u;
-  for (uint list = 0u; list < t; ++list) first += size[list];
-  counters.list_first[t] = first;
-  arguments[t] = dispatch_of(t < COLORS ? (size[t] * TEAM + SWEEP_GROUP - 1u) / SWEEP_GROUP : size[t], size[t]);
-  if (size[t] > 0u) atomicMax(counters.colors, t % COLORS + 1u);
+  for (uint k = t; k < SWEEP_LISTS; k += GROUP) {
+    uint first = 0u;
+    for (uint list = 0u; list < k; ++list) first += size[list];
+    counters.list_first[k] = first;
+    const uint bodies = GROUP_BODIES[k / COLORS];
+    arguments[k] = dispatch_of((size[k] + bodies - 1u) / bodies, size[k]);
+    if (size[k] > 0u) atomicMax(counters.colors, k % COLORS + 1u);
+  }
 }
 #endif
 #ifdef FILL
 shared uint size[SWEEP_LISTS], base[SWEEP_LISTS];
 void main() {
   const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
-  if (t < SWEEP_LISTS) size[t] = 0u;
+  for (uint k = t; k < SWEEP_LISTS; k += GROUP) size[k] = 0u;
   barrier();
   const uint list = list_of(i), at = list < SWEEP_LISTS ? atomicAdd(size[list], 1u) : 0u;
   barrier();
-  if (t < SWEEP_LISTS && size[t] > 0u) base[t] = counters.list_first[t] + atomicAdd(counters.list_next[t], size[t]);
+  for (uint k = t; k < SWEEP_LISTS; k += GROUP) {
+    if (size[k] > 0u) base[k] = counters.list_first[k] + atomicAdd(counters.list_next[k], size[k]);
+  }
   barrier();
   if (list < SWEEP_LISTS) order[base[list] + at] = i;
 }

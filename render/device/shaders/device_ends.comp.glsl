@@ -16,9 +16,10 @@ void main() {
   const uint i = gl_GlobalInvocationID.x;
   if (i >= params.bodies || counters.overflow != 0u) return;
   const uint first = end_first[i], size = end_first[i + 1u] - first;
-  if (is_crowded(size)) {
+  const uint share = share_of(size);
+  if ((params.shares >> share & 1u) == 0u) atomicOr(counters.overflow, SHARE_UNEXPECTED << share);
+  if (size > CROWD) {
     order[atomicAdd(counters.crowded, 1u)] = i;
-    if (params.crowds == 0u) atomicOr(counters.overflow, CROWDS_UNEXPECTED);
     return;
   }
   for (uint k = 1u; k < size; ++k) {

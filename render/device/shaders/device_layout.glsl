@@ -87,15 +87,18 @@ struct StepParams {
   uint pair_room, contact_room;
   int friction_rule;  // GEOMETRIC_MEAN …; -1: no body has friction of its own
   uint groups;        // 1: some keep bodies apart
-  uint crowds, pad_;  // 1: those of crowded bodies are dispatched
+  uint shares, pad_;  // a bit each: those that are dispatched
 };
 // Barriers and shapes have the numbers of BarrierKind and DeviceShape: POLYNOMIAL, FORM_BOX, … are macros.
 
 const uint LEVELS = 16u;  // of the grid; the last one is no grid: whoever is too large for the others
 const uint COLORS = 128u;
-// Of bodies, each a work of its own: those of a color, and from COLORS on those of a color that are crowded, with more
-// than CROWD contacts, which a whole work group shares.
-const uint SWEEP_LISTS = 2u * COLORS;
+// Bodies are relaxed in lists, one a color and share. How many threads share a body hangs on how many contacts it has.
+const uint SHARES = 3u;  // few contacts; more than FEW; more than CROWD, for a whole work group
+const uint SWEEP_LISTS = SHARES * COLORS;
+uint share_of(uint ends) {
+  return ends > CROWD ? 2u : ends > FEW ? 1u : 0u;
+}
 struct Counters {
   uint overflow;  // what was too small, a bit each: the step was not made. Not cleared with the rest
   uint pairs, contacts, raw;
@@ -128,12 +131,8 @@ uint work_group() {
   return gl_WorkGroupID.y * ROW + gl_WorkGroupID.x;
 }
 
-bool is_crowded(uint ends) {
-  return ends > CROWD;
-}
-
 const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u, TOO_FEW_ROUNDS = 8u,
-           CROWDS_UNEXPECTED = 16u;
+           SHARE_UNEXPECTED = 16u;  // shifted by the share
 
 // A float as bits that are in the order of the values.
 uint ordered(float x) {
