@@ -154,7 +154,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
       .sort_ends = lists_of_contacts(compile, "#define PASS 1\n"),
       .scan = {scan("0"), scan("1"), scan("2")},
       .colors = {color("CHECK"), color("TAKE"), color("ROUND_OF_COLORS"), color("SIZES"), color("STARTS"),
-                 color("FILL")},
+                 color("LISTS")},
       .start_bodies = compile("first iterate", {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "STEPS"},
                               "#define BODIES\n", {}, device_start_comp),
       .start_contacts =

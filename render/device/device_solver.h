@@ -27,12 +27,11 @@ struct DeviceOptions {
   // Flat bodies that moved against each other by less than 0.05 d̂ since their contacts were found keep them: a point of
   // one over a plane of the other.
   bool keep_contacts = true;
-  // Threads that share the contacts of a body in a sweep: 1, 2, 4 … 64; 0: by the number of bodies, more where there are
+  // Threads that share the contacts of a body in a sweep: 1, 2, 4 … 32; 0: by the number of bodies, more where there are
   // few. Sums are made in another order for each.
   int team = 0;
-  // Contacts up to which that many threads share a body, of more eight do; and above which a whole work group does: 1 …;
-  // 0: 12 where the team is smaller than eight; 64.
-  int few = 0, crowd = 0;
+  int few = 0;    // a body with more contacts than that is shared by eight; 0: 12 where the team is smaller
+  int crowd = 0;  // one with more than that, by a whole work group; 0: 64
 };
 
 // On the GPU's own clock; ms. Of the last step that was made.

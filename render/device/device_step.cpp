@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/friction.h"
@@ -58,7 +59,10 @@ DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptio
 
 void DeviceStep::make_sweep(std::uint32_t share) {
   if (sweeps_.contains(share)) return;
-  sweeps_.emplace(share, make_sweep_program(gl, precision_, table_, shapes_, sharing_, share));
+  ComputeProgram program = make_sweep_program(gl, precision_, table_, shapes_, sharing_, share);
+  const GLint list = gl.GetUniformLocation(program.id(), "list_"),
+              move_limits = gl.GetUniformLocation(program.id(), "move_limits");
+  sweeps_.emplace(share, Sweep{std::move(program), list, move_limits});
   if (share == 2) crowd_sort_.emplace(make_crowd_sort_program(gl, precision_, table_, sharing_));
 }
 
@@ -97,7 +101,7 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   p.contact_room = contact_room_;
   p.friction_rule = model_.friction.empty() ? -1 : static_cast<std::int32_t>(params.contact.friction_rule);
   p.groups = model_.groups.avoids.empty() ? 0 : 1;
-  for (const auto& [share, program] : sweeps_) p.shares |= 1u << share;
+  for (const auto& [share, sweep] : sweeps_) p.shares |= 1u << share;
   buffers.write(Slot::params, 0, std::as_bytes(std::span(&p, 1)));
 }
 
@@ -184,13 +188,6 @@ void DeviceStep::color_bodies() {
   dispatch(colors.lists, body_groups);
 }
 
-// Of the bodies in a list; `list` as in device_layout.glsl.
-void DeviceStep::relax(const ComputeProgram& program, std::uint32_t list, bool move_limits) {
-  set(program, "list_", list);
-  gl.Uniform1i(gl.GetUniformLocation(program.id(), "move_limits"), move_limits);
-  gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * list));
-}
-
 void DeviceStep::sweep(const Params& params) {
   const GLuint between = programs_.between.id();
   const GLint last_place = gl.GetUniformLocation(between, "last_");
@@ -202,8 +199,13 @@ void DeviceStep::sweep(const Params& params) {
   for (int k = 0; k < params.solver.iterations; ++k) {
     const bool move_limits = k > 0 && has_friction(model_, params.contact);
     for (std::uint32_t color = 0; color < color_limit_; ++color) {
-      for (const auto& [share, program] : sweeps_)  // of one color: none waits for another share
-        relax(program, share * kColors + color, move_limits);
+      for (const auto& [share, sweep] : sweeps_) {  // of one color: none waits for another share
+        const std::uint32_t list = share * kColors + color;
+        sweep.program.use();
+        gl.Uniform1ui(sweep.list, list);
+        gl.Uniform1i(sweep.move_limits, move_limits);
+        gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * list));
+      }
       gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     programs_.between.use();

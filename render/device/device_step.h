@@ -41,6 +41,10 @@ class DeviceStep {
   PhaseClock clock;
 
  private:
+  struct Sweep {
+    ComputeProgram program;
+    GLint list, move_limits;  // its uniforms
+  };
   std::size_t vec4() const { return 4 * (precision_ == Precision::single ? sizeof(float) : sizeof(double)); }
   std::size_t contact_bytes() const;
   void make_body_buffers();
@@ -57,7 +61,6 @@ class DeviceStep {
   void find_contacts();
   void list_ends();
   void color_bodies();
-  void relax(const ComputeProgram& program, std::uint32_t list, bool move_limits);
   void sweep(const Params& params);
 
   Model model_;
@@ -68,7 +71,7 @@ class DeviceStep {
   std::set<int> shapes_;
   Sharing sharing_;
   Programs programs_;
-  std::map<std::uint32_t, ComputeProgram> sweeps_;         // by share: 0, and those of bodies that were met
+  std::map<std::uint32_t, Sweep> sweeps_;                  // by share: 0, and those of bodies that were met
   std::optional<ComputeProgram> crowd_sort_;               // beside that of share 2
   std::map<BodyQuantity, ComputeProgram> value_programs_;  // of those that were asked for
   std::uint32_t bodies_, buckets_, pair_room_ = 0, contact_room_ = 0;

@@ -90,7 +90,7 @@ int main(int argc, char** argv) try {
     } else if (word == "--gpu") {
       compare = false;
     } else if (word == "--team" && k + 1 < argc) {
-      team = std::clamp(std::atoi(argv[++k]), 1, 64);
+      team = std::clamp(std::atoi(argv[++k]), 1, 32);
     } else {
       sizes.push_back(std::atoi(argv[k]));
     }

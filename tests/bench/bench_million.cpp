@@ -82,7 +82,7 @@ Options parse(int argc, char** argv) {
     } else if (word == "--kappa") {
       out.kappa = std::atof(next(k).c_str());
     } else if (word == "--team") {
-      out.device.team = std::clamp(std::atoi(next(k).c_str()), 1, 64);
+      out.device.team = std::clamp(std::atoi(next(k).c_str()), 1, 32);
     } else if (word == "--sweeps") {
       out.sweeps = std::max(1, std::atoi(next(k).c_str()));
     } else if (word == "--steps") {

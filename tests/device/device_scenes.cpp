@@ -91,18 +91,18 @@ Scene board_on_posts(int side) {
   builder.params.contact.mu_static = builder.params.contact.mu_dynamic = 0.5;
   for (int k = 0; k < side * side; ++k) {
     builder.add(spec::Body{.name = {},
-                           .shape = Box{{0.2, 0.25, 0.2}},
+                           .shape = Box{{0.2, 1.5, 0.2}},
                            .fixed = true,
-                           .position = Vec3(0.5 * (k % side), -0.25, 0.5 * (k / side))});
+                           .position = Vec3(0.5 * (k % side), 1.5, 0.5 * (k / side))});
   }
   const double middle = 0.25 * (side - 1);
   builder.add(spec::Body{.name = "board",
                          .shape = Box{{middle + 0.3, 0.1, middle + 0.3}},
                          .density = 100,
-                         .position = Vec3(middle, 0.109, middle)});
+                         .position = Vec3(middle, 3.109, middle)});
   for (const double x : {0.3, middle}) {
     builder.add(spec::Body{
-        .name = {}, .shape = Box{{0.2, 0.2, 0.2}}, .density = 100, .position = Vec3(x, 0.418, 0.6)});
+        .name = {}, .shape = Box{{0.2, 0.2, 0.2}}, .density = 100, .position = Vec3(x, 3.418, 0.6)});
   }
   return builder.build();
 }

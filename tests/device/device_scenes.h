@@ -23,7 +23,7 @@ Shape bench();
 // on a plane in rows; `at`: where all of it is, m.
 Scene mixed_heap(int each, const Vec3& at = Vec3::Zero(), bool compounds = false);
 
-// A board on side × side posts that stand still, four contacts with each, and two boxes on it.
+// A board on side × side posts of 3 m that stand still, four contacts with each, and two boxes on it.
 Scene board_on_posts(int side);
 
 // The first context of this machine, current.

@@ -3,7 +3,7 @@
 //
 //   CHECK    a thread a body: who shares its color with a neighbor that goes first loses it;  TAKE  puts that down
 //   ROUND    who goes first among its neighbors without a color takes the least that is free
-//   SIZES    of the lists;  STARTS  where they begin, and how to dispatch them;  FILL  who is in which
+//   SIZES    of the lists;  STARTS  where they begin, and how to dispatch them;  LISTS  who is in which
 //
 // A color that was given in this round counts as none, so that all see the same. Where the rounds were too few the step
 // is made again with more.
@@ -131,7 +131,7 @@ void main() {
   }
 }
 #endif
-#ifdef FILL
+#ifdef LISTS
 shared uint size[SWEEP_LISTS], base[SWEEP_LISTS];
 void main() {
   const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;

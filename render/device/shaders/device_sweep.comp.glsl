@@ -16,7 +16,7 @@ const uint VALUES = 29u;                 // of a model, its energy, the room aro
 shared real value[VALUES * SWEEP_GROUP];  // a thread each; then a team's sum where its first thread's was
 shared Place trial_of[BODIES];
 shared uint trying;                 // bodies of this group whose step is not accepted yet
-shared bool tries_of[BODIES];
+shared bool tries_of[BODIES];       // which they are
 shared vec2 largest[SWEEP_GROUP];   // way of a body's step over d̂; error of a friction force as a part of μ f_n
 float friction_error = 0;
 
