@@ -54,12 +54,12 @@ constexpr double kScale = 0.1;  // m
 const Vec4f kDark(0.02f, 0.03f, 0.05f, 1);
 const Vec4f kOverlap(0.72f, 0.11f, 0.04f, 0.55f);
 
-struct Body {
+struct PlacedShape {
   const Shape* shape;
   Pose pose;
 };
 
-Body body_of(const Model& model, const State& state, Index k) {
+PlacedShape body_of(const Model& model, const State& state, Index k) {
   const auto at = static_cast<std::size_t>(k);
   return {&model.shape[at], {state.c[at], state.R[at]}};
 }
@@ -101,7 +101,7 @@ Figure6 figure6(const Model& model, const Params& params, const State& state, do
     return out;
   }
   const PixelMeter meter(out.scene.camera);
-  const Body i = body_of(model, state, pair->a), j = body_of(model, state, pair->b);
+  const PlacedShape i = body_of(model, state, pair->a), j = body_of(model, state, pair->b);
   if (const auto* a = std::get_if<Box>(i.shape), *b = std::get_if<Box>(j.shape); a && b) {
     if (auto shaded = convex_solid(overlap_corners(*a, i.pose, *b, j.pose), kOverlap))
       out.scene.meshes.push_back(std::move(*shaded));

@@ -17,6 +17,7 @@
 #include "app/plots/figures/run_caption.h"
 #include "app/plots/figures/time_series.h"
 #include "app/plots/theme.h"
+#include "app/python/painter.h"
 #include "app/python/simulation.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
@@ -28,7 +29,6 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-constexpr int kLeastSide = 16, kMostSide = 16384;
 constexpr std::size_t kMostCurves = 64;
 constexpr int kMostIterations = 100000;
 
@@ -41,10 +41,7 @@ const PlotTheme& theme_of(const std::string& style) {
 PictureSize size_of(const Figure& figure, std::optional<int> width, std::optional<int> height) {
   const PictureSize usual = default_size(figure);
   const PictureSize size{width.value_or(usual.width), height.value_or(usual.height)};
-  for (const int side : {size.width, size.height})
-    if (side < kLeastSide || side > kMostSide)
-      throw Error(ErrorKind::bad_input, fmt::format("size {}x{}: expected {} to {} pixels a side", size.width,
-                                                    size.height, kLeastSide, kMostSide));
+  check_size(size.width, size.height);
   return size;
 }
 

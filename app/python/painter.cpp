@@ -13,8 +13,6 @@
 namespace pabd::python {
 namespace {
 
-constexpr int kLeastSide = 16, kMostSide = 16384;
-
 RenderQuality quality_of(const std::string& word) {
   if (word == "draft") return RenderQuality::live();
   if (word == "good") return {};
@@ -22,18 +20,19 @@ RenderQuality quality_of(const std::string& word) {
   throw Error(ErrorKind::bad_input, fmt::format("quality {}: expected draft, good or best", word));
 }
 
-void check_size(const PictureOptions& options) {
-  for (const int side : {options.width, options.height})
-    if (side < kLeastSide || side > kMostSide)
-      throw Error(ErrorKind::bad_input, fmt::format("size {}x{}: expected {} to {} pixels a side",
-                                                    options.width, options.height, kLeastSide, kMostSide));
-}
-
 }  // namespace
+
+void check_size(int width, int height) {
+  constexpr int kLeastSide = 16, kMostSide = 16384;
+  for (const int side : {width, height})
+    if (side < kLeastSide || side > kMostSide)
+      throw Error(ErrorKind::bad_input, fmt::format("size {}x{}: expected {} to {} pixels a side", width,
+                                                    height, kLeastSide, kMostSide));
+}
 
 Painter::Painter(std::shared_ptr<const Scene> scene, const PictureOptions& options)
     : options_(options), overlay_(parse_overlay(options.overlay)) {
-  check_size(options);
+  check_size(options.width, options.height);
   overlay_.theme = &find_theme(options.theme);
   const CameraOption camera = parse_camera(options.camera);
   const RenderQuality quality = quality_of(options.quality);

@@ -17,6 +17,9 @@ struct PictureOptions {
   bool operator==(const PictureOptions&) const = default;
 };
 
+// Throws Error(bad_input) for a picture that is too small or too large; in pixels.
+void check_size(int width, int height);
+
 class Painter {
  public:
   // Opens an OpenGL context without a display. Throws Error(no_context), and Error(bad_input) for words that it does not

@@ -9,12 +9,11 @@
 
 namespace pabd::net {
 
-template <class Stream>
-class EventStream : public EventLink, public std::enable_shared_from_this<EventStream<Stream>> {
+class EventStream : public EventLink, public std::enable_shared_from_this<EventStream> {
  public:
   static constexpr std::size_t kMostWaiting = 256 * 1024;  // bytes; who reads slower is closed
 
-  EventStream(Shared& shared, Stream stream, Place place)
+  EventStream(Shared& shared, NetStream stream, Place place)
       : shared_(shared), stream_(std::move(stream)), place_(std::move(place)), farewell_(shared.io) {}
 
   void begin() {
@@ -24,9 +23,9 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
     head->chunked(true);
     head->keep_alive(false);
     auto writer = std::make_shared<http::response_serializer<http::empty_body>>(*head);
-    beast::get_lowest_layer(stream_).expires_never();
+    stream_.expires_never();
     http::async_write_header(stream_, *writer,
-                             [self = this->shared_from_this(), head, writer](Failure failure, std::size_t) {
+                             [self = shared_from_this(), head, writer](Failure failure, std::size_t) {
                                self->started_ = true;
                                failure ? self->end() : self->write();
                              });
@@ -39,8 +38,8 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
         std::make_shared<TextAnswer>(json_answer(shared_, 503, {{"error", "too many read the events"}}));
     answer->keep_alive(false);
     answer->prepare_payload();
-    beast::get_lowest_layer(stream_).expires_after(std::chrono::seconds(10));
-    http::async_write(stream_, *answer, [self = this->shared_from_this(), answer](Failure, std::size_t) {});
+    stream_.expires_after(std::chrono::seconds(10));
+    http::async_write(stream_, *answer, [self = shared_from_this(), answer](Failure, std::size_t) {});
   }
 
   void send_line(const std::string& json) override {
@@ -66,7 +65,7 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
     busy_ = true;
     auto lines = std::make_shared<std::string>(std::exchange(waiting_, {}));
     asio::async_write(stream_, http::make_chunk(asio::buffer(*lines)),
-                      [self = this->shared_from_this(), lines](Failure failure, std::size_t) {
+                      [self = shared_from_this(), lines](Failure failure, std::size_t) {
                         self->busy_ = false;
                         failure ? self->end() : self->write();
                       });
@@ -75,7 +74,7 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
   // A second, in tenths: time in which this thread had other work is not time that was not used to read.
   void wait_for_reader(int tenths) {
     farewell_.expires_after(std::chrono::milliseconds(100));
-    farewell_.async_wait([weak = this->weak_from_this(), tenths](Failure cancelled) {
+    farewell_.async_wait([weak = weak_from_this(), tenths](Failure cancelled) {
       const auto self = weak.lock();
       if (!self || cancelled || !self->open_) return;
       tenths > 1 ? self->wait_for_reader(tenths - 1) : self->end();
@@ -85,25 +84,24 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
   void write_last() {
     busy_ = true;
     asio::async_write(stream_, http::make_chunk_last(),
-                      [self = this->shared_from_this()](Failure, std::size_t) { self->end(); });
+                      [self = shared_from_this()](Failure, std::size_t) { self->end(); });
   }
 
   // The client's end is seen by reading.
   void watch() {
-    stream_.async_read_some(asio::buffer(rest_),
-                            [self = this->shared_from_this()](Failure failure, std::size_t) {
-                              failure ? self->end() : self->watch();
-                            });
+    stream_.async_read_some(asio::buffer(rest_), [self = shared_from_this()](Failure failure, std::size_t) {
+      failure ? self->end() : self->watch();
+    });
   }
 
   void end() {
     open_ = false;
     waiting_.clear();
-    beast::get_lowest_layer(stream_).close();
+    stream_.close();
   }
 
   Shared& shared_;
-  Stream stream_;
+  NetStream stream_;
   Place place_;
   asio::steady_timer farewell_;
   std::string waiting_;

@@ -20,31 +20,23 @@ constexpr std::uint32_t kMostHeader = 16 * 1024;
 constexpr auto kIdle = 30s, kLongest = 600s;
 constexpr std::size_t kMostUploads = 2, kMostWaiting = 16;
 
-template <class Stream>
-class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream>> {
+class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(Shared& shared, Stream stream, Place place)
+  HttpConnection(Shared& shared, NetStream stream, Place place)
       : shared_(shared), stream_(std::move(stream)), place_(std::move(place)) {}
   ~HttpConnection() {
     if (uploading_) --shared_.uploads;
   }
 
   void begin() {
-    if constexpr (std::is_same_v<Stream, TlsStream>) {
-      expire(10s);
-      stream_.async_handshake(asio::ssl::stream_base::server,
-                              [self = this->shared_from_this()](Failure failure) {
-                                if (!failure) self->read();
-                              });
-    } else {
-      read();
-    }
+    expire(10s);
+    stream_.handshake([self = shared_from_this()](Failure failure) {
+      if (!failure) self->read();
+    });
   }
 
  private:
-  void expire(std::chrono::steady_clock::duration after) {
-    beast::get_lowest_layer(stream_).expires_after(after);
-  }
+  void expire(std::chrono::steady_clock::duration after) { stream_.expires_after(after); }
 
   void read() {
     parser_.emplace();
@@ -53,7 +45,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
     expire(kIdle);
     http::async_read_header(
         stream_, buffer_, *parser_,
-        [self = this->shared_from_this()](Failure failure, std::size_t) { self->take(failure); });
+        [self = shared_from_this()](Failure failure, std::size_t) { self->take(failure); });
   }
 
   void take(Failure failure) {
@@ -91,7 +83,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
       case Endpoint::page:
         return send(page_answer(shared_, *find_page_file(route.name)));
       case Endpoint::socket:
-        beast::get_lowest_layer(stream_).expires_never();
+        stream_.expires_never();
         return serve_socket(shared_, std::move(stream_), parser_->release(), std::move(place_));
       case Endpoint::actions:
       case Endpoint::write_file:
@@ -123,13 +115,13 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
     body_.emplace(std::move(*parser_));
     body_->body_limit(route.most_body);
     expire(route.endpoint == Endpoint::write_file ? kLongest : kIdle);
-    const auto on_body = [self = this->shared_from_this(), route](Failure failure, std::size_t) {
+    const auto on_body = [self = shared_from_this(), route](Failure failure, std::size_t) {
       self->take_body(route, failure);
     };
     if (!waits) return http::async_read(stream_, buffer_, *body_, on_body);
     auto go_on = std::make_shared<http::response<http::empty_body>>(http::status::continue_, 11);
     http::async_write(stream_, *go_on,
-                      [self = this->shared_from_this(), go_on, on_body](Failure failure, std::size_t) {
+                      [self = shared_from_this(), go_on, on_body](Failure failure, std::size_t) {
                         if (!failure) http::async_read(self->stream_, self->buffer_, *self->body_, on_body);
                       });
   }
@@ -231,14 +223,14 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
       return refuse(503, "too many requests are being worked on; try again");
     if (!shared_.lobby->files(session_)) return no_session();
     expire(std::chrono::hours(24));
-    const auto pending = std::make_shared<Pending>(this->shared_from_this());
+    const auto pending = std::make_shared<Pending>(shared_from_this());
     const auto reply = [pending](desk::Answer answer) { pending->answer(std::move(answer)); };
     if (!shared_.lobby->ask(session_, question(reply))) pending->refuse("the session is busy; try again");
   }
 
   void listen() {
     if (!shared_.lobby->files(session_)) return no_session();
-    auto events = std::make_shared<EventStream<Stream>>(shared_, std::move(stream_), std::move(place_));
+    auto events = std::make_shared<EventStream>(shared_, std::move(stream_), std::move(place_));
     if (!shared_.lobby->listen(session_, events)) return events->refuse();
     events->begin();
   }
@@ -264,37 +256,29 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
   template <class Answer>
   void write(std::shared_ptr<Answer> answer, std::chrono::seconds limit) {
     expire(limit);
-    http::async_write(stream_, *answer,
-                      [self = this->shared_from_this(), answer](Failure failure, std::size_t) {
-                        if (failure || !self->keep_alive_ || self->shared_.leaving) return self->close();
-                        self->read();
-                      });
+    http::async_write(stream_, *answer, [self = shared_from_this(), answer](Failure failure, std::size_t) {
+      if (failure || !self->keep_alive_ || self->shared_.leaving) return self->close();
+      self->read();
+    });
   }
 
   // What the client still sends is read, for a moment, so that it sees the answer and no reset.
   void close() {
-    if constexpr (std::is_same_v<Stream, PlainStream>) {
-      Failure ignored;
-      stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
-      if (ignored) return;
-      expire(1s);
-      drain();
-    } else {
-      expire(2s);
-      stream_.async_shutdown([self = this->shared_from_this()](Failure) {});
-    }
+    expire(stream_.secure() ? 2s : 1s);
+    stream_.shutdown([self = shared_from_this()](Failure failure) {
+      if (!failure && !self->stream_.secure()) self->drain();
+    });
   }
 
   void drain() {
-    stream_.async_read_some(asio::buffer(rest_),
-                            [self = this->shared_from_this()](Failure failure, std::size_t n) {
-                              self->drained_ += n;
-                              if (!failure && self->drained_ < (std::size_t{4} << 20)) self->drain();
-                            });
+    stream_.async_read_some(asio::buffer(rest_), [self = shared_from_this()](Failure failure, std::size_t n) {
+      self->drained_ += n;
+      if (!failure && self->drained_ < (std::size_t{4} << 20)) self->drain();
+    });
   }
 
   Shared& shared_;
-  Stream stream_;
+  NetStream stream_;
   Place place_;
   beast::flat_buffer buffer_{128 * 1024};
   std::optional<http::request_parser<http::empty_body>> parser_;
@@ -307,13 +291,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection<Stream
 
 }  // namespace
 
-void serve_plain(Shared& shared, PlainStream stream, Place place) {
-  std::make_shared<HttpConnection<PlainStream>>(shared, std::move(stream), std::move(place))->begin();
-}
-
-void serve_tls(Shared& shared, PlainStream stream, asio::ssl::context& tls, Place place) {
-  std::make_shared<HttpConnection<TlsStream>>(shared, TlsStream(std::move(stream), tls), std::move(place))
-      ->begin();
+void serve(Shared& shared, NetStream stream, Place place) {
+  std::make_shared<HttpConnection>(shared, std::move(stream), std::move(place))->begin();
 }
 
 }  // namespace pabd::net

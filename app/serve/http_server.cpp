@@ -130,9 +130,7 @@ struct HttpServer::Impl {
     socket.set_option(tcp::no_delay(true), failure);
     Place place(shared, peer.address().to_string());
     if (shared.refused > kMostRefused) return;
-    PlainStream stream(std::move(socket));
-    if (tls) return serve_tls(shared, std::move(stream), *tls, std::move(place));
-    serve_plain(shared, std::move(stream), std::move(place));
+    serve(shared, NetStream(shared.io, std::move(socket), tls ? &*tls : nullptr), std::move(place));
   }
 
   void tick(const std::function<bool()>& leave) {

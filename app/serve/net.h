@@ -2,29 +2,20 @@
 // What the connections share. Includes Boost.Beast: only for the files that talk to sockets.
 #pragma once
 
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ssl/context.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
-#include <boost/beast/ssl.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "app/serve/gate.h"
 #include "app/serve/http_server.h"
+#include "app/serve/net_stream.h"
 #include "app/serve/routes.h"
 
 namespace pabd::net {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
 namespace http = boost::beast::http;
-using tcp = asio::ip::tcp;
-using PlainStream = beast::tcp_stream;
-using TlsStream = beast::ssl_stream<beast::tcp_stream>;
-using Failure = beast::error_code;
 
 struct Shared {
   ServerOptions options;
@@ -70,12 +61,10 @@ class Place {
 };
 
 // Answers requests of one connection, until it becomes a WebSocket or ends.
-void serve_plain(Shared& shared, PlainStream stream, Place place);
-void serve_tls(Shared& shared, PlainStream stream, asio::ssl::context& tls, Place place);
+void serve(Shared& shared, NetStream stream, Place place);
 
 // The request was found to be in order, but for the subprotocol.
 using UpgradeRequest = http::request<http::empty_body>;
-void serve_socket(Shared& shared, PlainStream stream, UpgradeRequest request, Place place);
-void serve_socket(Shared& shared, TlsStream stream, UpgradeRequest request, Place place);
+void serve_socket(Shared& shared, NetStream stream, UpgradeRequest request, Place place);
 
 }  // namespace pabd::net

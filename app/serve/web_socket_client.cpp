@@ -2,7 +2,6 @@
 // A visitor's WebSocket: hello first, then messages with limits; one frame waits at most, the newest.
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/websocket.hpp>
-#include <boost/beast/websocket/ssl.hpp>
 #include <deque>
 
 #include "app/serve/client_message.h"
@@ -29,10 +28,9 @@ bool offers_protocol(const UpgradeRequest& request) {
   return false;
 }
 
-template <class Stream>
-class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<WebSocketClient<Stream>> {
+class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<WebSocketClient> {
  public:
-  WebSocketClient(Shared& shared, Stream stream, Place place)
+  WebSocketClient(Shared& shared, NetStream stream, Place place)
       : shared_(shared), socket_(std::move(stream)), place_(std::move(place)), hello_timer_(shared.io) {}
   ~WebSocketClient() override {
     if (seat_ && shared_.lobby) shared_.lobby->leave(*seat_);
@@ -51,7 +49,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     socket_.auto_fragment(false);
     socket_.read_message_max(kMostHelloBytes);
     socket_.async_accept(*request_,
-                         [self = this->shared_from_this()](Failure failure) { self->accepted(failure); });
+                         [self = shared_from_this()](Failure failure) { self->accepted(failure); });
   }
 
   // ---- VisitorLink ----
@@ -79,7 +77,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     reason.code = static_cast<std::uint16_t>(code);
     const std::string_view shown = first_bytes(why, kLongestReason);
     reason.reason.assign(shown.data(), shown.size());
-    socket_.async_close(reason, [self = this->shared_from_this()](Failure) {});
+    socket_.async_close(reason, [self = shared_from_this()](Failure) {});
   }
 
  private:
@@ -89,7 +87,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     if (!fits_) return close(CloseCode::version, "expected the subprotocol pabd.1");
     if (shared_.leaving) return close(CloseCode::going_away, "the server is going down");
     hello_timer_.expires_after(5s);
-    hello_timer_.async_wait([weak = this->weak_from_this()](Failure cancelled) {
+    hello_timer_.async_wait([weak = weak_from_this()](Failure cancelled) {
       const auto self = weak.lock();
       if (self && !cancelled && !self->seat_)
         self->close(CloseCode::malformed, "expected a hello within 5 s");
@@ -97,7 +95,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
   }
 
   void read() {
-    socket_.async_read(buffer_, [self = this->shared_from_this()](Failure failure, std::size_t) {
+    socket_.async_read(buffer_, [self = shared_from_this()](Failure failure, std::size_t) {
       if (failure) return self->lost();
       self->take();
       self->read();
@@ -134,7 +132,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     if (access == Access::none) return close(CloseCode::refused, "the link's token is not the server's");
     hello_timer_.cancel();
     socket_.read_message_max(kMostMessageBytes);
-    seat_ = shared_.lobby->enter(*hello, access, this->shared_from_this());
+    seat_ = shared_.lobby->enter(*hello, access, shared_from_this());
   }
 
   // Texts first, then the parts of the frame that is under way, then the one that waits.
@@ -160,14 +158,14 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     busy_ = true;
     socket_.binary(binary);
     socket_.async_write(asio::buffer(*bytes),
-                        [self = this->shared_from_this(), bytes](Failure failure, std::size_t) {
+                        [self = shared_from_this(), bytes](Failure failure, std::size_t) {
                           self->busy_ = false;
                           if (!failure) self->write();
                         });
   }
 
   Shared& shared_;
-  websocket::stream<Stream> socket_;
+  websocket::stream<NetStream> socket_;
   Place place_;
   asio::steady_timer hello_timer_;
   std::shared_ptr<UpgradeRequest> request_;
@@ -182,14 +180,8 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
 
 }  // namespace
 
-void serve_socket(Shared& shared, PlainStream stream, UpgradeRequest request, Place place) {
-  std::make_shared<WebSocketClient<PlainStream>>(shared, std::move(stream), std::move(place))
-      ->begin(std::move(request));
-}
-
-void serve_socket(Shared& shared, TlsStream stream, UpgradeRequest request, Place place) {
-  std::make_shared<WebSocketClient<TlsStream>>(shared, std::move(stream), std::move(place))
-      ->begin(std::move(request));
+void serve_socket(Shared& shared, NetStream stream, UpgradeRequest request, Place place) {
+  std::make_shared<WebSocketClient>(shared, std::move(stream), std::move(place))->begin(std::move(request));
 }
 
 }  // namespace pabd::net

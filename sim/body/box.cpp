@@ -10,13 +10,13 @@
 namespace pabd {
 namespace {
 
-constexpr ShapeSize kSizes[] = {{"size", 3, "Edge along"}};
-constexpr auto kKeys = keys_of(kSizes);
+constexpr ShapeSize kBoxSizes[] = {{"size", 3, "Edge along"}};
+constexpr auto kBoxKeys = keys_of(kBoxSizes);
 
 const Vec3& half(const Shape& shape) { return as<Box>(shape).half; }
-double volume_of(const Shape& shape) { return 8.0 * half(shape).prod(); }
+double box_volume(const Shape& shape) { return 8.0 * half(shape).prod(); }
 
-std::optional<SurfaceHit> hit(const Shape& shape, const RayLine& line) {
+std::optional<SurfaceHit> box_hit(const Shape& shape, const RayLine& line) {
   Interval cut;
   for (int k = 0; k < 3; ++k) {
     clip(line, Vec3::Unit(k), half(shape)[k], cut);
@@ -31,8 +31,8 @@ extern const ShapeKind box_kind;
 
 constinit const ShapeKind box_kind{
     .name = "box",
-    .keys = kKeys,
-    .sizes = kSizes,
+    .keys = kBoxKeys,
+    .sizes = kBoxSizes,
     .make = [](const Sizes& edges) -> Shape { return Box{0.5 * Vec3(edges[0], edges[1], edges[2])}; },
     .sizes_of =
         [](const Shape& shape) {
@@ -44,9 +44,9 @@ constinit const ShapeKind box_kind{
           const Vec3 edges = 2 * half(shape);
           return fmt::format("box {:.4g} × {:.4g} × {:.4g} m", edges[0], edges[1], edges[2]);
         },
-    .volume = volume_of,
+    .volume = box_volume,
     .second_moment = [](const Shape& shape) -> Mat3 {
-      return Vec3(volume_of(shape) / 3.0 * half(shape).cwiseAbs2()).asDiagonal();
+      return Vec3(box_volume(shape) / 3.0 * half(shape).cwiseAbs2()).asDiagonal();
     },
     .bounds = [](const Shape& shape, const Vec3& c, const Mat3& R) -> Aabb {
       const Vec3 e = R.cwiseAbs() * half(shape);
@@ -54,7 +54,7 @@ constinit const ShapeKind box_kind{
     },
     .bounding_radius = [](const Shape& shape) { return half(shape).norm(); },
     .inner_radius = [](const Shape& shape) { return half(shape).minCoeff(); },
-    .hit = hit,
+    .hit = box_hit,
     .surface =
         [](const Shape& shape, std::vector<SurfacePart>& out) {
           out.push_back({.form = SurfaceForm::box, .size = half(shape)});

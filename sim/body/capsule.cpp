@@ -11,15 +11,15 @@
 namespace pabd {
 namespace {
 
-constexpr ShapeSize kSizes[] = {{"radius", 1, "Radius"},
-                                {"length", 1, "Between the centres of the two caps; along y"}};
-constexpr auto kKeys = keys_of(kSizes);
+constexpr ShapeSize kCapsuleSizes[] = {{"radius", 1, "Radius"},
+                                       {"length", 1, "Between the centres of the two caps; along y"}};
+constexpr auto kCapsuleKeys = keys_of(kCapsuleSizes);
 
 const Capsule& capsule(const Shape& shape) { return as<Capsule>(shape); }
 double ball_volume(double r) { return 4.0 / 3.0 * kPi * r * r * r; }
 double tube_volume(double r, double length) { return kPi * r * r * length; }
 
-Mat3 second_moment(const Shape& shape) {
+Mat3 capsule_second_moment(const Shape& shape) {
   const double r = capsule(shape).radius, length = capsule(shape).length;
   const double tube = tube_volume(r, length), caps = ball_volume(r);
   const double across = tube * r * r / 4.0 + caps * r * r / 5.0;
@@ -30,7 +30,7 @@ Mat3 second_moment(const Shape& shape) {
 
 // One interval from the first to the last of tube and both balls: a capsule is convex. The balls come first:
 // where they meet the tube, the normals of its flat ends do not count.
-std::optional<SurfaceHit> hit(const Shape& shape, const RayLine& line) {
+std::optional<SurfaceHit> capsule_hit(const Shape& shape, const RayLine& line) {
   const double r = capsule(shape).radius, half = 0.5 * capsule(shape).length;
   const Vec3 end(0, half, 0);
   Interval cut = Interval::nothing();
@@ -49,7 +49,7 @@ std::optional<SurfaceHit> hit(const Shape& shape, const RayLine& line) {
   return first_hit(cut);
 }
 
-void surface(const Shape& shape, std::vector<SurfacePart>& out) {
+void capsule_surface(const Shape& shape, std::vector<SurfacePart>& out) {
   const double r = capsule(shape).radius, half = 0.5 * capsule(shape).length;
   if (half > 0) out.push_back({.form = SurfaceForm::tube, .size = {r, half, r}});
   out.push_back({.form = SurfaceForm::half_ball, .at = {0, half, 0}, .size = {r, r, r}});
@@ -63,8 +63,8 @@ extern const ShapeKind capsule_kind;
 
 constinit const ShapeKind capsule_kind{
     .name = "capsule",
-    .keys = kKeys,
-    .sizes = kSizes,
+    .keys = kCapsuleKeys,
+    .sizes = kCapsuleSizes,
     .make = [](const Sizes& sizes) -> Shape {
       return Capsule{sizes[0], sizes[1]};
     },
@@ -84,7 +84,7 @@ constinit const ShapeKind capsule_kind{
           return tube_volume(capsule(shape).radius, capsule(shape).length) +
                  ball_volume(capsule(shape).radius);
         },
-    .second_moment = second_moment,
+    .second_moment = capsule_second_moment,
     .bounds = [](const Shape& shape, const Vec3& c, const Mat3& R) -> Aabb {
       const Vec3 e =
           (0.5 * capsule(shape).length) * R.col(1).cwiseAbs() + Vec3::Constant(capsule(shape).radius);
@@ -95,8 +95,8 @@ constinit const ShapeKind capsule_kind{
     .rolling_radius = [](const Shape& shape) { return capsule(shape).radius; },
     .core_radius = [](const Shape& shape) { return 0.5 * capsule(shape).length; },
     .round_about_y = true,
-    .hit = hit,
-    .surface = surface,
+    .hit = capsule_hit,
+    .surface = capsule_surface,
 };
 
 }  // namespace pabd

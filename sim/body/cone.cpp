@@ -15,33 +15,33 @@ Frustum cone_frustum(const Sizes& sizes) {
 
 namespace {
 
-constexpr ShapeSize kSizes[] = {{"radius", 1, "Radius of the base"}, {"height", 1, "Along y"}};
-constexpr auto kKeys = keys_of(kSizes);
+constexpr ShapeSize kConeSizes[] = {{"radius", 1, "Radius of the base"}, {"height", 1, "Along y"}};
+constexpr auto kConeKeys = keys_of(kConeSizes);
 
-double volume(const Shape& shape) {
+double cone_volume(const Shape& shape) {
   const auto [r, h, unused] = sizes_of_solid(shape);
   return kPi * r * r * h / 3;
 }
 
-Mat3 second_moment(const Shape& shape) {
+Mat3 cone_second_moment(const Shape& shape) {
   const auto [r, h, unused] = sizes_of_solid(shape);
-  return (volume(shape) * Vec3(3 * r * r / 20, 3 * h * h / 80, 3 * r * r / 20)).asDiagonal();
+  return (cone_volume(shape) * Vec3(3 * r * r / 20, 3 * h * h / 80, 3 * r * r / 20)).asDiagonal();
 }
 
-void surface(const Shape& shape, std::vector<SurfacePart>& out) {
+void cone_surface(const Shape& shape, std::vector<SurfacePart>& out) {
   const auto [r, h, unused] = sizes_of_solid(shape);
   out.push_back({.form = SurfaceForm::cone, .at = {0, -0.25 * h, 0}, .size = {r, h, r}});
 }
 
-constexpr FrustumKind<cone_frustum> kKind{.name = "cone",
-                                          .keys = kKeys,
-                                          .sizes = kSizes,
-                                          .volume = volume,
-                                          .second_moment = second_moment,
-                                          .surface = surface};
+constexpr FrustumKind<cone_frustum> kConeKind{.name = "cone",
+                                              .keys = kConeKeys,
+                                              .sizes = kConeSizes,
+                                              .volume = cone_volume,
+                                              .second_moment = cone_second_moment,
+                                              .surface = cone_surface};
 
 }  // namespace
 
-constinit const ShapeKind cone_kind = kKind.as_row<cone_kind>();
+constinit const ShapeKind cone_kind = kConeKind.as_row<cone_kind>();
 
 }  // namespace pabd

@@ -15,33 +15,33 @@ Frustum cylinder_frustum(const Sizes& sizes) {
 
 namespace {
 
-constexpr ShapeSize kSizes[] = {{"radius", 1, "Radius"}, {"height", 1, "Along y"}};
-constexpr auto kKeys = keys_of(kSizes);
+constexpr ShapeSize kCylinderSizes[] = {{"radius", 1, "Radius"}, {"height", 1, "Along y"}};
+constexpr auto kCylinderKeys = keys_of(kCylinderSizes);
 
-double volume(const Shape& shape) {
+double cylinder_volume(const Shape& shape) {
   const auto [r, h, unused] = sizes_of_solid(shape);
   return kPi * r * r * h;
 }
 
-Mat3 second_moment(const Shape& shape) {
+Mat3 cylinder_second_moment(const Shape& shape) {
   const auto [r, h, unused] = sizes_of_solid(shape);
-  return (volume(shape) * Vec3(r * r / 4, h * h / 12, r * r / 4)).asDiagonal();
+  return (cylinder_volume(shape) * Vec3(r * r / 4, h * h / 12, r * r / 4)).asDiagonal();
 }
 
-void surface(const Shape& shape, std::vector<SurfacePart>& out) {
+void cylinder_surface(const Shape& shape, std::vector<SurfacePart>& out) {
   const auto [r, h, unused] = sizes_of_solid(shape);
   out.push_back({.form = SurfaceForm::cylinder, .size = {r, 0.5 * h, r}});
 }
 
-constexpr FrustumKind<cylinder_frustum> kKind{.name = "cylinder",
-                                              .keys = kKeys,
-                                              .sizes = kSizes,
-                                              .volume = volume,
-                                              .second_moment = second_moment,
-                                              .surface = surface};
+constexpr FrustumKind<cylinder_frustum> kCylinderKind{.name = "cylinder",
+                                                      .keys = kCylinderKeys,
+                                                      .sizes = kCylinderSizes,
+                                                      .volume = cylinder_volume,
+                                                      .second_moment = cylinder_second_moment,
+                                                      .surface = cylinder_surface};
 
 }  // namespace
 
-constinit const ShapeKind cylinder_kind = kKind.as_row<cylinder_kind>();
+constinit const ShapeKind cylinder_kind = kCylinderKind.as_row<cylinder_kind>();
 
 }  // namespace pabd

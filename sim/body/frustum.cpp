@@ -18,8 +18,6 @@ extern const ShapeKind cone_kind;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 double slope(const Frustum& f) { return (f.r_low - f.r_high) / (f.high - f.low); }
 
 Vec3 without_y(const Vec3& v) { return {v.x(), 0, v.z()}; }

@@ -7,11 +7,7 @@
 #include <cmath>
 
 namespace pabd {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 Interval Interval::nothing() { return {kInfinity, -kInfinity, Vec3::Zero(), Vec3::Zero()}; }
 

@@ -7,8 +7,7 @@
 namespace pabd {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array<std::string_view, 4> kKeys{"type", "file", "scale", "parts"};
+constexpr std::array<std::string_view, 4> kMeshKeys{"type", "file", "scale", "parts"};
 
 const HullData& hull(const Shape& shape) { return *as<Hull>(shape).data; }
 const CompoundData& compound(const Shape& shape) { return *as<Compound>(shape).data; }
@@ -55,7 +54,7 @@ extern const ShapeKind hull_kind, compound_kind;
 
 constinit const ShapeKind hull_kind{
     .name = "mesh",
-    .keys = kKeys,
+    .keys = kMeshKeys,
     .text = [](const Shape&) { return std::string("convex hull"); },
     .volume = [](const Shape& shape) { return hull(shape).volume; },
     .second_moment = [](const Shape& shape) { return hull(shape).second_moment; },
@@ -71,7 +70,7 @@ constinit const ShapeKind hull_kind{
 
 constinit const ShapeKind compound_kind{
     .name = "mesh",
-    .keys = kKeys,
+    .keys = kMeshKeys,
     .text = [](const Shape&) { return std::string("compound of hulls"); },
     .volume = [](const Shape& shape) { return compound(shape).volume; },
     .second_moment = [](const Shape& shape) { return compound(shape).second_moment; },

@@ -5,8 +5,7 @@
 namespace pabd {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::array<std::string_view, 3> kKeys{"type", "normal", "offset"};
+constexpr std::array<std::string_view, 3> kPlaneKeys{"type", "normal", "offset"};
 
 double endless(const Shape&) { return kInfinity; }
 
@@ -16,7 +15,7 @@ extern const ShapeKind plane_kind;
 
 constinit const ShapeKind plane_kind{
     .name = "plane",
-    .keys = kKeys,
+    .keys = kPlaneKeys,
     .text = [](const Shape&) { return std::string("plane"); },
     .volume = [](const Shape&) { return 0.0; },
     .second_moment = [](const Shape&) -> Mat3 { return Mat3::Zero(); },

@@ -5,11 +5,11 @@
 namespace pabd {
 namespace {
 
-constexpr ShapeSize kSizes[] = {{"radius", 1, "Radius"}};
-constexpr auto kKeys = keys_of(kSizes);
+constexpr ShapeSize kSphereSizes[] = {{"radius", 1, "Radius"}};
+constexpr auto kSphereKeys = keys_of(kSphereSizes);
 
 double radius(const Shape& shape) { return as<Sphere>(shape).radius; }
-double volume_of(const Shape& shape) {
+double sphere_volume(const Shape& shape) {
   const double r = radius(shape);
   return 4.0 / 3.0 * kPi * r * r * r;
 }
@@ -20,13 +20,13 @@ extern const ShapeKind sphere_kind;
 
 constinit const ShapeKind sphere_kind{
     .name = "sphere",
-    .keys = kKeys,
-    .sizes = kSizes,
+    .keys = kSphereKeys,
+    .sizes = kSphereSizes,
     .make = [](const Sizes& sizes) -> Shape { return Sphere{sizes[0]}; },
     .sizes_of = [](const Shape& shape) { return Sizes{radius(shape)}; },
-    .volume = volume_of,
+    .volume = sphere_volume,
     .second_moment = [](const Shape& shape) -> Mat3 {
-      return Vec3::Constant(volume_of(shape) * radius(shape) * radius(shape) / 5.0).asDiagonal();
+      return Vec3::Constant(sphere_volume(shape) * radius(shape) * radius(shape) / 5.0).asDiagonal();
     },
     .bounds = [](const Shape& shape, const Vec3& c, const Mat3&) -> Aabb {
       const Vec3 e = Vec3::Constant(radius(shape));

@@ -19,7 +19,6 @@
 namespace pabd::narrow {
 namespace {
 
-constexpr int kNext[3] = {1, 2, 0};
 constexpr std::uint32_t kEdgeFeature = 1u << 16, kCornerFeature = 1u << 17;
 
 struct Relative {

@@ -22,7 +22,6 @@
 namespace pabd::narrow {
 namespace {
 
-constexpr int kNext[3] = {1, 2, 0};
 constexpr double kSnap = 0.02;    // corners closer than this times the smallest half edge are one
 constexpr double kRunOn = 0.05;   // tangent of the angle below which an edge and a side are one
 constexpr double kDeeper = 0.02;  // of the snap distance: what decides between two corners of one name

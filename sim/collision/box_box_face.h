@@ -6,6 +6,8 @@
 
 namespace pabd::narrow {
 
+inline constexpr int kNext[3] = {1, 2, 0};  // the axis after one
+
 // The incident box as the reference box sees it.
 struct FaceQuery {
   const Placed<Box>& reference;

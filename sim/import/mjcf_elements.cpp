@@ -11,6 +11,7 @@
 
 #include "sim/import/geometry.h"
 #include "sim/import/taken.h"
+#include "sim/math/so3.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -77,7 +78,7 @@ bool read_fromto(const MjcfElement& element, RobotGeom& geom) {
   if (sizes_of(geom.kind) < 2) source.fail_at("fromto", "expected a capsule, cylinder, box or ellipsoid");
   const Vec3 a((*ends)[0], (*ends)[1], (*ends)[2]), b((*ends)[3], (*ends)[4], (*ends)[5]);
   geom.at.t = (a + b) / 2;
-  geom.at.R = Quat::FromTwoVectors(Vec3::UnitZ(), unit(source, "fromto", a - b)).toRotationMatrix();
+  geom.at.R = rotation_between(Vec3::UnitZ(), unit(source, "fromto", a - b));
   const double half = (a - b).norm() / 2;
   const XmlElement& sized = element.with("size");
   const auto size = sized.numbers("size", 1, 3);
@@ -212,7 +213,7 @@ Mat3 mjcf_rotation(const XmlElement& element, const MjcfCompiler& compiler) {
     return R;
   }
   if (const auto z = element.vec3("zaxis"))
-    return Quat::FromTwoVectors(Vec3::UnitZ(), unit(element, "zaxis", *z)).toRotationMatrix();
+    return rotation_between(Vec3::UnitZ(), unit(element, "zaxis", *z));
   return Mat3::Identity();
 }
 

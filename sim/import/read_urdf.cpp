@@ -11,6 +11,7 @@
 #include "sim/import/geometry.h"
 #include "sim/import/readers.h"
 #include "sim/import/taken.h"
+#include "sim/math/so3.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -216,7 +217,7 @@ class UrdfReader {
       for (int k = 0; k < 3; ++k)
         link.joints.push_back(along(joint, RobotJointKind::slide, Vec3::Unit(k), k));
     } else if (type == "planar") {
-      const Mat3 F = Quat::FromTwoVectors(Vec3::UnitX(), joint.axis).toRotationMatrix();
+      const Mat3 F = rotation_between(Vec3::UnitX(), joint.axis);
       link.joints.push_back(along(joint, RobotJointKind::slide, F.col(1), 0));
       link.joints.push_back(along(joint, RobotJointKind::slide, F.col(2), 1));
     } else if (type != "continuous") {

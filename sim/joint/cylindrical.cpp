@@ -5,17 +5,17 @@
 namespace pabd {
 namespace {
 
-constexpr JointMeasure kMeasures[] = {{.of = JointMeasure::Of::offset,
-                                       .words = "offset λ",
-                                       .help = "Of j along the axis, from the start",
-                                       .value = joint_offset,
-                                       .limits = &Joint::limits},
-                                      {.of = JointMeasure::Of::angle,
-                                       .words = "angle φ",
-                                       .help = "Of j against i about the axis",
-                                       .value = joint_angle,
-                                       .plane = angle_plane,
-                                       .limits = &Joint::twist_limits}};
+constexpr JointMeasure kCylindricalMeasures[] = {{.of = JointMeasure::Of::offset,
+                                                  .words = "offset λ",
+                                                  .help = "Of j along the axis, from the start",
+                                                  .value = joint_offset,
+                                                  .limits = &Joint::limits},
+                                                 {.of = JointMeasure::Of::angle,
+                                                  .words = "angle φ",
+                                                  .help = "Of j against i about the axis",
+                                                  .value = joint_angle,
+                                                  .plane = angle_plane,
+                                                  .limits = &Joint::twist_limits}};
 
 }  // namespace
 
@@ -24,7 +24,7 @@ const JointTraits joints::cylindrical{
     .translations = 1,
     .rotations = 1,
     .expand = slide_along_axis,
-    .measures = kMeasures,
+    .measures = kCylindricalMeasures,
     .axes = 1,
     .twist = Twist::free};
 

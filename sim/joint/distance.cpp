@@ -10,7 +10,7 @@ void expand_distance(const Joint& joint, const PlacedFrame& fi, const PlacedFram
   out.add(fi.y, fj.y).length = joint.length;
 }
 
-constexpr JointMeasure kMeasures[] = {
+constexpr JointMeasure kDistanceMeasures[] = {
     {.of = JointMeasure::Of::length,
      .words = "length",
      .help = nullptr,
@@ -22,7 +22,7 @@ const JointTraits joints::distance{.help = "Two points at a distance: a rod, or 
                                    .translations = 2,
                                    .rotations = 3,
                                    .expand = expand_distance,
-                                   .measures = kMeasures,
+                                   .measures = kDistanceMeasures,
                                    .points = true};
 
 }  // namespace pabd

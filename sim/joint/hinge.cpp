@@ -19,12 +19,12 @@ void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
   }
 }
 
-constexpr JointMeasure kMeasures[] = {{.of = JointMeasure::Of::angle,
-                                       .words = "angle φ",
-                                       .help = "Of j against i about the axis",
-                                       .value = joint_angle,
-                                       .plane = angle_plane,
-                                       .limits = &Joint::limits}};
+constexpr JointMeasure kHingeMeasures[] = {{.of = JointMeasure::Of::angle,
+                                            .words = "angle φ",
+                                            .help = "Of j against i about the axis",
+                                            .value = joint_angle,
+                                            .plane = angle_plane,
+                                            .limits = &Joint::limits}};
 
 }  // namespace
 
@@ -33,7 +33,7 @@ const JointTraits joints::hinge{
     .translations = 0,
     .rotations = 1,
     .expand = expand_hinge,
-    .measures = kMeasures,
+    .measures = kHingeMeasures,
     .axes = 1};
 
 }  // namespace pabd

@@ -32,18 +32,18 @@ void slide_along_axis(const Joint& joint, const PlacedFrame& fi, const PlacedFra
 
 namespace {
 
-constexpr JointMeasure kMeasures[] = {{.of = JointMeasure::Of::angle,
-                                       .words = "angle φ",
-                                       .help = "Of j against i about the axis",
-                                       .value = joint_angle,
-                                       .plane = angle_plane,
-                                       .limits = &Joint::twist_limits,
-                                       .held = true},
-                                      {.of = JointMeasure::Of::offset,
-                                       .words = "offset λ",
-                                       .help = "Of j along the axis, from the start",
-                                       .value = joint_offset,
-                                       .limits = &Joint::limits}};
+constexpr JointMeasure kSliderMeasures[] = {{.of = JointMeasure::Of::angle,
+                                             .words = "angle φ",
+                                             .help = "Of j against i about the axis",
+                                             .value = joint_angle,
+                                             .plane = angle_plane,
+                                             .limits = &Joint::twist_limits,
+                                             .held = true},
+                                            {.of = JointMeasure::Of::offset,
+                                             .words = "offset λ",
+                                             .help = "Of j along the axis, from the start",
+                                             .value = joint_offset,
+                                             .limits = &Joint::limits}};
 
 }  // namespace
 
@@ -54,7 +54,7 @@ const JointTraits joints::slider{
     .translations = 1,
     .rotations = 0,
     .expand = slide_along_axis,
-    .measures = kMeasures,
+    .measures = kSliderMeasures,
     .axes = 1};
 
 }  // namespace pabd

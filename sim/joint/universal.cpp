@@ -30,16 +30,16 @@ double second_angle(const PlacedFrame& fi, const PlacedFrame& fj) {
   return std::atan2(n.dot(plane.ahead), n.dot(plane.zero));
 }
 
-constexpr JointMeasure kMeasures[] = {{.of = JointMeasure::Of::angle,
-                                       .words = "angle φ",
-                                       .help = "Of the second axis about the first",
-                                       .value = joint_angle,
-                                       .plane = angle_plane},
-                                      {.of = JointMeasure::Of::angle,
-                                       .words = "angle ψ",
-                                       .help = "Of j about the second axis",
-                                       .value = second_angle,
-                                       .plane = second_plane}};
+constexpr JointMeasure kUniversalMeasures[] = {{.of = JointMeasure::Of::angle,
+                                                .words = "angle φ",
+                                                .help = "Of the second axis about the first",
+                                                .value = joint_angle,
+                                                .plane = angle_plane},
+                                               {.of = JointMeasure::Of::angle,
+                                                .words = "angle ψ",
+                                                .help = "Of j about the second axis",
+                                                .value = second_angle,
+                                                .plane = second_plane}};
 
 }  // namespace
 
@@ -50,7 +50,7 @@ const JointTraits joints::universal{
     .translations = 0,
     .rotations = 2,
     .expand = expand_universal,
-    .measures = kMeasures,
+    .measures = kUniversalMeasures,
     .axes = 2};
 
 }  // namespace pabd

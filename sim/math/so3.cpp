@@ -21,6 +21,19 @@ Mat3 project_by_eigenvector(const Mat3& B) {
 
 }  // namespace
 
+Mat3 rotation_between(const Vec3& from, const Vec3& to) {
+  const Vec3 a = from.normalized(), b = to.normalized();
+  const double twice_cosine = 2 * (1 + a.dot(b));  // 4 cos²(angle/2)
+  if (twice_cosine < 1e-12) {
+    const Vec3 side = std::abs(a.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+    const Vec3 axis = (side - side.dot(a) * a).normalized();
+    return 2 * axis * axis.transpose() - Mat3::Identity();
+  }
+  const double s = std::sqrt(twice_cosine);
+  const Vec3 v = a.cross(b) / s;
+  return Quat(s / 2, v.x(), v.y(), v.z()).normalized().toRotationMatrix();
+}
+
 Mat3 project_to_so3(const Mat3& B, const Mat3& guess) {
   const double scale = B.norm();
   if (!(scale > 0) || !std::isfinite(scale)) return guess;

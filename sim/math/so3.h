@@ -92,6 +92,10 @@ inline Vec3 cayley_inverse(const Mat3& R) {
   return (2 / q.w()) * q.vec();
 }
 
+// The rotation of least angle that brings direction `from` to direction `to`, neither of them 0; of opposite ones by π about an
+// axis across `from`. (Eigen's decomposes a matrix for the opposite ones, which takes a compiler five seconds a file.)
+Mat3 rotation_between(const Vec3& from, const Vec3& to);
+
 // One Newton step to the orthogonal matrix nearest to a matrix that is almost orthogonal: removes rounding
 // drift.
 inline Mat3 reorthonormalized(const Mat3& R) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <limits>
 
 namespace pabd {
 
@@ -22,6 +23,7 @@ using Quat = Eigen::Quaterniond;
 
 using Index = std::int32_t;  // body, bond and contact numbers
 
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kDegree = kPi / 180;  // rad
 

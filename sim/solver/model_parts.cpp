@@ -13,8 +13,6 @@
 namespace pabd {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // All that a body may touch in a step, wherever its contacts are looked for (place_for_detection of contact_setup.cpp):
 // at its start or at the end of its flight, as far around as it flies and turns.
 double reach(const Model& model, const Params& params, const State& state, Index i) {

@@ -16,7 +16,8 @@
 #include "tests/support/file_size_limit.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_atomic_file {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -238,3 +239,5 @@ TEST_CASE("writing goes on after short writes on a pipe that does not block") {
   reader.join();
   CHECK(total == text.size());
 }
+
+}  // namespace pabd::test_atomic_file

@@ -9,7 +9,7 @@
 #include "tests/support/running.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_children {
 
 namespace {
 
@@ -83,3 +83,5 @@ TEST_CASE("what still runs is among the leftovers") {
   CHECK(child.ending() == "signal 9");
   CHECK(child.exit_status() == -1);
 }
+
+}  // namespace pabd::test_children

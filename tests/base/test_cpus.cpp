@@ -8,7 +8,8 @@
 #include "sim/base/available_cpus.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_cpus {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -134,3 +135,5 @@ TEST_CASE("this process: never more than the cores, and one where it is kept to 
   })
       .join();
 }
+
+}  // namespace pabd::test_cpus

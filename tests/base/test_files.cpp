@@ -17,7 +17,8 @@
 #include "tests/support/errors.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_files {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -151,3 +152,5 @@ TEST_CASE("whoever leaves without destructors can remove what is temporary") {
   remove_leftovers();
   CHECK(folder.names() == std::vector<std::string>{"kept", "past"});
 }
+
+}  // namespace pabd::test_files

@@ -8,8 +8,9 @@
 #include "tests/support/files.h"
 #include "tests/support/temp_folder.h"
 
+namespace pabd::test_private_folder {
+
 namespace fs = std::filesystem;
-using namespace pabd;
 
 TEST_CASE("a folder takes its place with all of its files") {
   const TempFolder folder;
@@ -47,3 +48,5 @@ TEST_CASE("what cannot be is an error with its path, and leaves what was there")
   CHECK(read_bytes(folder / "full/a") == "old");
   CHECK(caught([] { write_private_file("/dev/full", "x"); }).says("free some space"));
 }
+
+}  // namespace pabd::test_private_folder

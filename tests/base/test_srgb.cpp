@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace pabd;
+namespace pabd::test_srgb {
 
 TEST_CASE("sRGB: IEC 61966-2-1 at known places, there and back") {
   CHECK(linear_from_srgb(0) == 0);
@@ -18,3 +18,5 @@ TEST_CASE("sRGB: IEC 61966-2-1 at known places, there and back") {
   // The two pieces meet, to the rounding of the standard's constants.
   CHECK(srgb_from_linear(0.0031308) == Approx(srgb_from_linear(0.0031309)).margin(2e-6));
 }
+
+}  // namespace pabd::test_srgb

@@ -6,7 +6,7 @@
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
 
-using namespace pabd;
+namespace pabd::test_text {
 
 TEST_CASE("what is printed as it is, and what is shown by number") {
   CHECK(one_line("d̂ = 0.01 m → κ · 50 %, \"é\" 漢字 \xF0\x9F\xA7\xB1") ==
@@ -129,3 +129,5 @@ TEST_CASE("text is cut between characters") {
   }
   CHECK(first_bytes(std::string(100, '\x80'), 10).size() == 13);  // no text, and still an end
 }
+
+}  // namespace pabd::test_text

@@ -7,7 +7,7 @@
 #include "sim/body/convex_hull.h"
 #include "sim/body/mass_properties.h"
 
-using namespace pabd;
+namespace pabd::test_compound {
 
 namespace {
 
@@ -69,3 +69,5 @@ TEST_CASE("matter that parts share counts once for each, as documented") {
   const Compound twice = make_compound({cube, cube});
   CHECK(mass_properties(twice, 1).mass == Approx(16).epsilon(1e-13));
 }
+
+}  // namespace pabd::test_compound

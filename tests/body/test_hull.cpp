@@ -9,7 +9,7 @@
 #include "sim/body/mass_properties.h"
 #include "tests/support/draws.h"
 
-using namespace pabd;
+namespace pabd::test_hull {
 
 namespace {
 
@@ -179,3 +179,5 @@ TEST_CASE("what is not a solid is refused in words") {
   ball[3].x() = std::numeric_limits<double>::quiet_NaN();
   CHECK_THAT(problem(ball), Catch::Contains("not finite"));
 }
+
+}  // namespace pabd::test_hull

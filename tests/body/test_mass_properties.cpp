@@ -9,7 +9,7 @@
 #include "sim/body/mass_properties.h"
 #include "sim/body/model.h"
 
-using namespace pabd;
+namespace pabd::test_mass_properties {
 
 namespace {
 
@@ -116,3 +116,5 @@ TEST_CASE("a plane has no volume, mass grows with density, fixed bodies are not 
   model.fixed = {0, 1, 0};
   CHECK(heaviest_mass(model) == 5);
 }
+
+}  // namespace pabd::test_mass_properties

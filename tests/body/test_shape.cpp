@@ -6,7 +6,7 @@
 #include "sim/body/shape.h"
 #include "tests/support/draws.h"
 
-using namespace pabd;
+namespace pabd::test_shape {
 
 namespace {
 
@@ -90,3 +90,5 @@ TEST_CASE("a plane is unbounded") {
     CHECK(aabb.hi[k] == std::numeric_limits<double>::infinity());
   }
 }
+
+}  // namespace pabd::test_shape

@@ -7,7 +7,7 @@
 #include "sim/body/mass_properties.h"
 #include "sim/body/shape_kind.h"
 
-using namespace pabd;
+namespace pabd::test_solid_shapes {
 
 namespace {
 
@@ -144,3 +144,5 @@ TEST_CASE("contacts see a polyhedron with its corners on the rims and flat ends"
     CHECK(hull.volume == Approx(volume(solid.shape)).epsilon(0.0065));  // a polygon of 32 sides in its circle
   }
 }
+
+}  // namespace pabd::test_solid_shapes

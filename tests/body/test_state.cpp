@@ -6,7 +6,7 @@
 
 #include "sim/body/state.h"
 
-using namespace pabd;
+namespace pabd::test_state {
 
 namespace {
 
@@ -61,3 +61,5 @@ TEST_CASE("the same bits are the same, also where they are no number") {
   const State b = a;
   CHECK(same_bits(a, b));
 }
+
+}  // namespace pabd::test_state

@@ -7,7 +7,7 @@
 
 #include "sim/bond/contact_bond.h"
 
-using namespace pabd;
+namespace pabd::test_contact_bond {
 
 namespace {
 
@@ -127,3 +127,5 @@ TEST_CASE("friction sticks with k_t ‖u‖ up to its limit and slides with the 
   CHECK(energy[2] - energy[1] == Approx(3 * (9e-4 - 1.5e-4)));
   CHECK(friction_weight(law, lanes(0), u)[2] == 0);
 }
+
+}  // namespace pabd::test_contact_bond

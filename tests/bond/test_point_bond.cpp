@@ -7,7 +7,7 @@
 
 #include "sim/bond/point_bond.h"
 
-using namespace pabd;
+namespace pabd::test_point_bond {
 
 namespace {
 
@@ -99,3 +99,5 @@ TEST_CASE("the weight of a stretched bond is its Hessian, of a squeezed one with
     }
   }
 }
+
+}  // namespace pabd::test_point_bond

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Running the program under test.
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -20,12 +21,13 @@
 namespace fs = std::filesystem;
 
 namespace pabd::test {
-namespace {
 
 struct Child {
   pid_t pid = -1;
   std::string out_file, err_file;
 };
+
+namespace {
 
 [[noreturn]] void become(const std::vector<std::string>& command, const Setting& setting,
                          const Child& files) {
@@ -56,7 +58,7 @@ struct Child {
   ::_exit(122);
 }
 
-Child start(const TempFolder& folder, const std::vector<std::string>& command, const Setting& setting) {
+Child start(const CommandFolder& folder, const std::vector<std::string>& command, const Setting& setting) {
   Child child;
   child.out_file = folder / "out";
   child.err_file = folder / "err";
@@ -77,7 +79,7 @@ Outcome wait_for(const Child& child, const Setting& setting) {
 }
 
 std::vector<std::string> with_program(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{PABD_PROGRAM};
+  std::vector<std::string> command{places::program()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return command;
 }
@@ -85,22 +87,22 @@ std::vector<std::string> with_program(const std::vector<std::string>& arguments)
 }  // namespace
 
 Outcome run_pabd(const std::vector<std::string>& arguments, const Setting& setting) {
-  const TempFolder folder;
+  const CommandFolder folder;
   return wait_for(start(folder, with_program(arguments), setting), setting);
 }
 
 Outcome run_shell(const std::string& line, const Setting& setting) {
-  const TempFolder folder;
+  const CommandFolder folder;
   return wait_for(start(folder, {"/bin/sh", "-c", line}, setting), setting);
 }
 
 Outcome run_command(const std::vector<std::string>& command, const Setting& setting) {
-  const TempFolder folder;
+  const CommandFolder folder;
   return wait_for(start(folder, command, setting), setting);
 }
 
 struct RunningPabd::Impl {
-  TempFolder folder;
+  CommandFolder folder;
   Setting setting;
   Child child;
 };
@@ -147,18 +149,18 @@ Outcome run_pabd_interrupted(const std::vector<std::string>& arguments, int sign
   return program.wait();
 }
 
-TempFolder::TempFolder() {
+CommandFolder::CommandFolder() {
   std::string name = (fs::temp_directory_path() / "pabd test XXXXXX").string();
   REQUIRE(::mkdtemp(name.data()) != nullptr);
   path_ = name;
 }
 
-TempFolder::~TempFolder() {
+CommandFolder::~CommandFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
 }
 
-std::vector<std::string> TempFolder::names() const {
+std::vector<std::string> CommandFolder::names() const {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(path_)) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
@@ -196,7 +198,7 @@ std::string small_scene(const std::string& body, const std::string& contact, con
 }
 
 std::string probe_video(const std::string& file) {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::vector<std::string> command = {"ffprobe",
                                             "-v",
                                             "error",

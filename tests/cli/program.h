@@ -58,13 +58,13 @@ class RunningPabd {
 Outcome run_pabd_interrupted(const std::vector<std::string>& arguments, int signal,
                              const std::function<bool(const std::string& err)>& ready, int times = 1);
 
-// A fresh folder that goes away with the object.
-class TempFolder {
+// A fresh folder with a space in its name, for command lines; goes away with the object.
+class CommandFolder {
  public:
-  TempFolder();
-  ~TempFolder();
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
+  CommandFolder();
+  ~CommandFolder();
+  CommandFolder(const CommandFolder&) = delete;
+  CommandFolder& operator=(const CommandFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }

@@ -9,8 +9,11 @@
 #include "render/output/png.h"
 #include "sim/scene/tuning.h"
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_ab {
+
+using namespace test;
 using pabd::Image;
 using pabd::read_png;
 using pabd::read_png_text;
@@ -19,7 +22,7 @@ namespace {
 
 constexpr int kWidth = 322, kHeight = 180, kHalf = 160;  // 2 px between
 
-Outcome render(const TempFolder& folder, const std::string& out, const std::string& patch,
+Outcome render(const CommandFolder& folder, const std::string& out, const std::string& patch,
                const std::vector<std::string>& more = {}) {
   write_text(folder / "patch.json", patch);
   std::vector<std::string> command = {"render",  "two_boxes",  "--size", "322x180",
@@ -44,7 +47,7 @@ std::vector<std::uint8_t> half_b(const Image& image) { return half(image, kWidth
 }  // namespace
 
 TEST_CASE("with an empty patch both halves show the same run") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(render(folder, "same.png", "{}").exit_code == 0);
   const Image image = read_png(folder / "same.png");
   CHECK(image.width == kWidth);
@@ -53,7 +56,7 @@ TEST_CASE("with an empty patch both halves show the same run") {
 }
 
 TEST_CASE("B is the run that the patched scene makes, A the one that the scene makes") {
-  const TempFolder folder;
+  const CommandFolder folder;
   // A scene with other parameters may be seen from elsewhere.
   const std::vector<std::string> from_here{"--camera", "eye=3,2,4,target=0,0.5,0"};
   REQUIRE(render(folder, "ab.png", R"({"contact": {"kappa": 20}})", from_here).exit_code == 0);
@@ -69,7 +72,7 @@ TEST_CASE("B is the run that the patched scene makes, A the one that the scene m
 }
 
 TEST_CASE("a ghost is drawn over A and nowhere else") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::vector<std::string> ghost{"--ab-view", "ghost"};
   REQUIRE(render(folder, "g.png", R"({"contact": {"kappa": 20}})", ghost).exit_code == 0);
   REQUIRE(render(folder, "h.png", R"({"contact": {"kappa": 21}})", ghost).exit_code == 0);
@@ -89,7 +92,7 @@ TEST_CASE("a ghost is drawn over A and nowhere else") {
 }
 
 TEST_CASE("every PNG tells the patch and how the two are shown; a sequence goes on only with the same") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string patch = R"({"contact": {"kappa": 20}, "time_step": 0.01})";
   REQUIRE(render(folder, "f{frame}.png", patch, {"--fps", "20"}).exit_code == 0);
   const auto text = read_png_text(folder / "f2.png");
@@ -107,7 +110,7 @@ TEST_CASE("every PNG tells the patch and how the two are shown; a sequence goes 
 }
 
 TEST_CASE("overlays show both runs and how far they are apart") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string patch = R"({"contact": {"kappa": 20}})";
   for (const char* overlay : {"series", "difference", "params,series,difference,contacts"}) {
     CAPTURE(overlay);
@@ -118,7 +121,7 @@ TEST_CASE("overlays show both runs and how far they are apart") {
 }
 
 TEST_CASE("what cannot be compared is refused in one line") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto refused = [&](const std::string& patch, const std::vector<std::string>& words,
                            const std::vector<std::string>& more = {}) {
     const Outcome outcome = render(folder, "x.png", patch, more);
@@ -152,7 +155,8 @@ struct Fraction {
 
 // With a time step of h s.
 pabd::Run two_boxes(double h) {
-  const auto scene = std::make_shared<const pabd::Scene>(pabd::load_scene(PABD_SCENES "/two_boxes.json"));
+  const auto scene =
+      std::make_shared<const pabd::Scene>(pabd::load_scene(places::scenes() + "/two_boxes.json"));
   pabd::Run run(scene, 1, pabd::kNoPast);
   pabd::Params params = run.params();
   params.h = h;
@@ -202,7 +206,7 @@ TEST_CASE("steps that were rounded where they were written are in step") {
 }
 
 TEST_CASE("both halves are seen from the same place, where B is behind as well") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "still.json", R"({ "format": "pabd-scene", "version": 1, "name": "still",
     "bodies": [ { "name": "box", "shape": { "type": "box", "size": [1, 2, 3] }, "fixed": true } ] })");
   write_text(folder / "patch.json", R"({"time_step": 0.3})");
@@ -225,7 +229,7 @@ TEST_CASE("the window, its videos and render show the same step of B, whatever t
   const std::string camera = R"("eye":[3,2,4],"target":[0,0.5,0],"fov":40)";
   for (const Case& c : cases) {
     CAPTURE(c.a, c.b);
-    const TempFolder folder;
+    const CommandFolder folder;
     const auto frame = [&](const std::string& letter, int i) {
       return folder / (letter + (i < 10 ? "0" : "") + std::to_string(i) + ".png");
     };
@@ -287,7 +291,7 @@ TEST_CASE("the window, its videos and render show the same step of B, whatever t
 }
 
 TEST_CASE("B may have other laws of joints: it is the run of a scene that has them") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto picture = [&](const std::string& name, const std::vector<std::string>& more) {
     std::vector<std::string> command = {"render",
                                         "slider_crank",
@@ -325,7 +329,7 @@ TEST_CASE("B may have other laws of joints: it is the run of a scene that has th
 }
 
 TEST_CASE("a patch of joints that is wrong is refused as --set refuses it") {
-  const TempFolder folder;
+  const CommandFolder folder;
   for (const char* patch : {R"({"joints_default": 3})", R"({"joints_default": {"kappa": -1}})",
                             R"({"joints_default": {"stiff": 1}})"}) {
     CAPTURE(patch);
@@ -334,3 +338,5 @@ TEST_CASE("a patch of joints that is wrong is refused as --set refuses it") {
     CHECK(is_error_line(outcome.err, {"joints_default"}));
   }
 }
+
+}  // namespace pabd::test_cli_ab

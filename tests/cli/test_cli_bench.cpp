@@ -8,7 +8,9 @@
 #include "app/cli/bench_table.h"
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_bench {
+
+using namespace test;
 using nlohmann::json;
 
 namespace {
@@ -50,7 +52,7 @@ TEST_CASE("the median is that of the steps, whatever their order") {
 }
 
 TEST_CASE("a row a scene with what they did, and the machine above") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome outcome = run_pabd({"bench", "stack", "pendulum", "--steps", "12", "--threads", "1",
                                     "--repeat", "2", "--json", folder / "bench.json"});
   CAPTURE(outcome.out, outcome.err);
@@ -115,7 +117,7 @@ TEST_CASE("a row a scene with what they did, and the machine above") {
 }
 
 TEST_CASE("--solvers measures auto against descent and newton") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome outcome = run_pabd({"bench", "stack", "pendulum", "--steps", "5", "--threads", "1",
                                     "--solvers", "--json", folder / "bench.json"});
   REQUIRE(outcome.exit_code == 0);
@@ -158,7 +160,7 @@ TEST_CASE("without names all shipped scenes are measured") {
 }
 
 TEST_CASE("what is wrong with the last scene or an option is said before the first step") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string out = folder / "bench.json";
   const Outcome name = run_pabd({"bench", "stack", "pendulm", "--json", out});
   CHECK(name.exit_code == 3);
@@ -202,7 +204,7 @@ TEST_CASE("a scene that diverges is told of, and the others are measured all the
 }
 
 TEST_CASE("an interrupted bench tells what it has") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto begun = [](const std::string& err) { return err.find("pile, step ") != std::string::npos; };
   const Outcome outcome = run_pabd_interrupted(
       {"bench", "spin", "pile", "stack", "--steps", "5000", "--json", folder / "bench.json"}, SIGINT, begun);
@@ -218,3 +220,5 @@ TEST_CASE("an interrupted bench tells what it has") {
   REQUIRE(all["scenes"].size() == 2);
   CHECK(all["scenes"][1]["steps"] == steps);
 }
+
+}  // namespace pabd::test_cli_bench

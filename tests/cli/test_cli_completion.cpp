@@ -6,23 +6,26 @@
 #include <set>
 
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_completion {
+
+using namespace test;
 
 namespace {
 
 const std::vector<std::string> kShells = {"bash", "zsh", "fish"};
 
-Setting with_program(const TempFolder& folder) {
+Setting with_program(const CommandFolder& folder) {
   Setting setting;
   setting.folder = folder.path();
-  const std::string own = std::filesystem::path(PABD_PROGRAM).parent_path().string();
+  const std::string own = std::filesystem::path(places::program()).parent_path().string();
   setting.environment = {{"PATH", own + ":" + std::getenv("PATH")}, {"HOME", folder.path().string()}};
   return setting;
 }
 
 // What bash offers for a line; its last word is being typed.
-std::vector<std::string> bash_offers(const TempFolder& folder, const std::string& words) {
+std::vector<std::string> bash_offers(const CommandFolder& folder, const std::string& words) {
   const std::string script =
       "source <(pabd completion bash); COMP_WORDS=(" + words +
       "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _pabd; printf '%s\\n' \"${COMPREPLY[@]}\"";
@@ -37,7 +40,7 @@ std::vector<std::string> bash_offers(const TempFolder& folder, const std::string
   return lines;
 }
 
-std::vector<std::string> fish_offers(const TempFolder& folder, const std::string& line) {
+std::vector<std::string> fish_offers(const CommandFolder& folder, const std::string& line) {
   write_text(folder / "ask.fish", "pabd completion fish | source\ncomplete -C '" + line + "'\n");
   const Outcome outcome = run_command({"fish", "--no-config", folder / "ask.fish"}, with_program(folder));
   CAPTURE(line, outcome.err);
@@ -50,7 +53,7 @@ std::vector<std::string> fish_offers(const TempFolder& folder, const std::string
 }
 
 // zsh completes for an eye: what it shows after `line` and the tabulator, until `wanted` is there; empty: never.
-std::string zsh_shows(const TempFolder& folder, const std::string& line, const std::string& wanted) {
+std::string zsh_shows(const CommandFolder& folder, const std::string& line, const std::string& wanted) {
   REQUIRE(run_pabd({"completion", "zsh", "--out", folder / "functions/_pabd"}).exit_code == 0);
   write_text(folder / "ask.zsh",
              "zmodload zsh/zpty\nzpty -b z zsh -f -i\n"
@@ -86,7 +89,7 @@ std::vector<std::string> options_in_help(const std::vector<std::string>& command
 }  // namespace
 
 TEST_CASE("bash offers every command, and every option that the help of a command has") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto commands = bash_offers(folder, "pabd ''");
   for (const char* name : {"render", "export", "run", "plot", "figure", "compare", "scenes", "bench",
                            "doctor", "view", "serve", "completion"})
@@ -115,7 +118,7 @@ TEST_CASE("bash offers every command, and every option that the help of a comman
 }
 
 TEST_CASE("bash offers words, lists, scenes and parameters where they belong") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "own.json", "{}");
   using Words = std::vector<std::string>;
   CHECK(bash_offers(folder, "pabd render --quality ''") == Words{"best", "draft", "good"});
@@ -142,7 +145,7 @@ TEST_CASE("bash offers words, lists, scenes and parameters where they belong") {
 }
 
 TEST_CASE("fish offers the same") {
-  const TempFolder folder;
+  const CommandFolder folder;
   using Words = std::vector<std::string>;
   const auto commands = fish_offers(folder, "pabd ");
   CHECK(std::count(commands.begin(), commands.end(), "render") == 1);
@@ -173,7 +176,7 @@ TEST_CASE("fish offers the same") {
 }
 
 TEST_CASE("zsh offers the same") {
-  const TempFolder folder;
+  const CommandFolder folder;
   CHECK(zsh_shows(folder, "pabd compl", "completion").find("completion") != std::string::npos);
   CHECK(zsh_shows(folder, "pabd render --quali", "--quality").find("--quality") != std::string::npos);
   CHECK(zsh_shows(folder, "pabd render --quality dr", "draft").find("draft") != std::string::npos);
@@ -199,3 +202,5 @@ TEST_CASE("another shell is refused") {
     CHECK(script.out.starts_with("#"));
   }
 }
+
+}  // namespace pabd::test_cli_completion

@@ -8,7 +8,9 @@
 #include "app/cli/device_option.h"
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_device {
+
+using namespace test;
 using nlohmann::json;
 
 namespace {
@@ -55,7 +57,7 @@ std::string balls_on_a_grid(int side) {
 }  // namespace
 
 TEST_CASE("a run on the GPU agrees with one on the processor, and the processor goes on from its end") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome gpu = run_pabd({"run", "pyramid", "--steps", "8", "--device", "gpu", "--quiet", "--json",
                                 "--trace", folder / "gpu.csv", "--state", folder / "end.json"});
   CAPTURE(gpu.err);
@@ -91,7 +93,7 @@ TEST_CASE("a run on the GPU agrees with one on the processor, and the processor 
 }
 
 TEST_CASE("solved to the end, every step on the GPU has the energies of the processor") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto run = [&](const char* device) {
     const std::string trace = folder / (std::string(device) + ".csv");
     REQUIRE(run_pabd({"run", "stack", "--steps", "20", "--set", "solver.iterations=400", "--device", device,
@@ -109,7 +111,7 @@ TEST_CASE("solved to the end, every step on the GPU has the energies of the proc
 }
 
 TEST_CASE("the GPU refuses what it does not take, with the remedy and before the first step") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string trace = folder / "t.csv";
   const auto refused = [&](std::vector<std::string> command, const std::vector<std::string>& words,
                            int code = 2, const Setting& setting = {}) {
@@ -155,7 +157,7 @@ TEST_CASE("the GPU refuses what it does not take, with the remedy and before the
 }
 
 TEST_CASE("a scene says who makes its steps, and --device goes before it") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string name = json::parse(run_pabd({"doctor", "--json"}).out)["gl"]["renderer"];
   std::string text = kBall;
   text.insert(text.find("\"bodies\""), R"("solver": {"device": "gpu"}, )");
@@ -198,7 +200,7 @@ TEST_CASE("a scene says who makes its steps, and --device goes before it") {
 }
 
 TEST_CASE("joints are the processor's beside the GPU's contacts, until something couples the two") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome apart = run_pabd(
       {"run", "bridge", "--steps", "20", "--device", "gpu", "--joints", folder / "gpu.csv", "--quiet"});
   CAPTURE(apart.err);
@@ -212,7 +214,7 @@ TEST_CASE("joints are the processor's beside the GPU's contacts, until something
 }
 
 TEST_CASE("auto takes the processor for few bodies, for what only it can do, and in place of software") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome few = run_pabd({"run", "stack", "--steps", "1", "--device", "auto"});
   CHECK(few.exit_code == 0);
   CHECK(few.err.find("by the processor: 10 bodies move, fewer than 10000") != std::string::npos);
@@ -249,7 +251,7 @@ TEST_CASE("auto takes a GPU that is one, and has room, for enough bodies") {
 }
 
 TEST_CASE("the table of a bench names the GPU and the scenes that it took") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "ball.json", kBall);
   const Outcome outcome = run_pabd({"bench", folder / "ball.json", "--steps", "5", "--repeat", "2",
                                     "--device", "gpu", "--json", folder / "bench.json"});
@@ -264,7 +266,7 @@ TEST_CASE("the table of a bench names the GPU and the scenes that it took") {
 }
 
 TEST_CASE("a picture of a run on the GPU is that of the processor, and says where it comes from") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "ball.json", kBall);
   const auto render = [&](const char* device, const std::string& out, std::vector<std::string> more) {
     std::vector<std::string> command = {
@@ -291,7 +293,7 @@ TEST_CASE("a picture of a run on the GPU is that of the processor, and says wher
 }
 
 TEST_CASE("frames of the GPU are not continued by the processor, nor the other way round") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "ball.json", kBall);
   for (const auto& [first, second] : {std::pair("gpu", "cpu"), std::pair("cpu", "gpu")}) {
     const auto render = [&folder, named = std::string(first)](const char* device) {
@@ -308,7 +310,7 @@ TEST_CASE("frames of the GPU are not continued by the processor, nor the other w
 }
 
 TEST_CASE("the plots of a run on the GPU are of its own steps") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto render = [&](const char* device, const char* name) {
     REQUIRE(run_pabd({"render", "stack", "-o", folder / name, "--time", "0.3", "--size", "640x360",
                       "--overlay", "series,contacts", "--set", "solver.iterations=5", "--device", device})
@@ -323,7 +325,7 @@ TEST_CASE("the plots of a run on the GPU are of its own steps") {
 
 TEST_CASE(
     "the window's simulation runs on the GPU, is wound back, tuned, edited and taken over by the processor") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "ball.json", kBall);
   write_text(folder / "script.json", R"([
     {"do": "expect", "at": "/a/params/solver/device", "is": "gpu"},
@@ -393,3 +395,5 @@ TEST_CASE("the doctor tells whether there is a GPU for the steps, and for how ma
   CHECK(no.out.find("needs 4.3") != std::string::npos);
   CHECK(json::parse(run_pabd({"doctor", "--json"}, old_driver()).out)["gpu_solver"]["available"] == false);
 }
+
+}  // namespace pabd::test_cli_device

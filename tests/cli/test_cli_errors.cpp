@@ -5,7 +5,9 @@
 
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_errors {
+
+using namespace test;
 
 namespace {
 
@@ -57,7 +59,7 @@ Setting without_egl() {
 }  // namespace
 
 TEST_CASE("a bad scene is refused by name and place") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string file = folder / "bad scene.json";
   for (const BadScene& scene : bad_scenes()) {
     CAPTURE(scene.what);
@@ -84,7 +86,7 @@ TEST_CASE("a bad --set is refused") {
 }
 
 TEST_CASE("a file that cannot be read is exit code 3") {
-  const TempFolder folder;
+  const CommandFolder folder;
   CHECK(run_pabd({"run", folder / "none.json"}).exit_code == 3);
   CHECK(run_pabd({"run", "no_such_scene"}).exit_code == 3);
   CHECK(is_error_line(run_pabd({"run", "no_such_scene"}).err, {"no_such_scene", "pabd scenes"}));
@@ -94,7 +96,7 @@ TEST_CASE("a file that cannot be read is exit code 3") {
 }
 
 TEST_CASE("an output that cannot be made is exit code 3, before any work") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "file", "");
   const std::string below = (folder / "file") + "/out";
   const std::string deeper = (folder / "file") + "/none/out";
@@ -120,7 +122,7 @@ TEST_CASE("an output that cannot be made is exit code 3, before any work") {
 }
 
 TEST_CASE("a full disk is exit code 3 and leaves nothing half-written") {
-  const TempFolder folder;
+  const CommandFolder folder;
   Setting full;
   full.out_to = "/dev/full";
   for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
@@ -157,7 +159,7 @@ TEST_CASE("a full disk is exit code 3 and leaves nothing half-written") {
 }
 
 TEST_CASE("a video that does not fit on the disk is an error without a file") {
-  const TempFolder folder;
+  const CommandFolder folder;
   Setting small;
   small.largest_file = 2000;
   const Outcome outcome = run_pabd(
@@ -170,7 +172,7 @@ TEST_CASE("a video that does not fit on the disk is an error without a file") {
 }
 
 TEST_CASE("what exists is kept unless --force is given") {
-  const TempFolder folder;
+  const CommandFolder folder;
   for (const char* name : {"a.csv", "a.mp4", "a.png", "a.json", "a0000.png"})
     write_text(folder / name, "mine");
   const std::vector<std::vector<std::string>> commands = {
@@ -199,7 +201,7 @@ TEST_CASE("what exists is kept unless --force is given") {
 }
 
 TEST_CASE("without OpenGL: exit code 4 with what was tried; what needs none still works") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome render = run_pabd(
       {"render", "two_boxes", "--frames", "1", "-o", folder / "a.png", "--backend", "egl"}, without_egl());
   CAPTURE(render.err);
@@ -215,7 +217,7 @@ TEST_CASE("without OpenGL: exit code 4 with what was tried; what needs none stil
 
 TEST_CASE(
     "a simulation that leaves the numbers is exit code 5 and says where; the trace up to there is kept") {
-  const TempFolder folder;
+  const CommandFolder folder;
   // The log barrier has no force for boxes that start inside each other.
   const Outcome outcome =
       run_pabd({"run", "two_boxes", "--set", "contact.barrier=log", "--quiet", "--trace", folder / "t.csv"});
@@ -234,7 +236,7 @@ TEST_CASE(
 }
 
 TEST_CASE("without ffmpeg: exit code 6 for videos, and PNG frames still work") {
-  const TempFolder folder, empty;
+  const CommandFolder folder, empty;
   Setting setting;
   setting.environment = {{"PATH", empty.path().string()}};
   const Outcome video =
@@ -248,3 +250,5 @@ TEST_CASE("without ffmpeg: exit code 6 for videos, and PNG frames still work") {
             setting)
             .exit_code == 0);
 }
+
+}  // namespace pabd::test_cli_errors

@@ -7,7 +7,9 @@
 
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_export {
+
+using namespace test;
 
 namespace {
 
@@ -21,7 +23,7 @@ std::vector<std::string> command(const std::string& scene, const std::string& ou
 }  // namespace
 
 TEST_CASE("every format is written under its name, the same for each number of threads") {
-  const TempFolder folder;
+  const CommandFolder folder;
   for (const char* name : {"a.glb", "a.usda", "a.npz"}) {
     CAPTURE(name);
     const Outcome outcome = run_pabd(command("pyramid", folder / name, {"--frames", "4", "--threads", "1"}));
@@ -39,7 +41,7 @@ TEST_CASE("every format is written under its name, the same for each number of t
 }
 
 TEST_CASE("an .obj is the last frame, or with a number or a folder each of them") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::vector<std::string> three = {"--frames", "3", "--quality", "draft"};
   REQUIRE(run_pabd(command("two_boxes", folder / "last.obj", three)).exit_code == 0);
   CHECK(folder.names() == std::vector<std::string>{"last.mtl", "last.obj"});
@@ -56,7 +58,7 @@ TEST_CASE("an .obj is the last frame, or with a number or a folder each of them"
 }
 
 TEST_CASE("what cannot be is refused in one line, before the first step") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "scene.glb", small_scene());
   write_text(folder / "there.glb", "mine");
   const auto refused = [&](const std::vector<std::string>& arguments, int code,
@@ -85,7 +87,7 @@ TEST_CASE("what cannot be is refused in one line, before the first step") {
 }
 
 TEST_CASE("a disk that is full leaves nothing and is exit code 3") {
-  const TempFolder folder;
+  const CommandFolder folder;
   Setting setting;
   setting.largest_file = 20'000;
   for (const char* name : {"a.glb", "a.npz", "a.usda"}) {
@@ -99,7 +101,7 @@ TEST_CASE("a disk that is full leaves nothing and is exit code 3") {
 }
 
 TEST_CASE("an interrupted export is whole, as far as it came") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome outcome = run_pabd_interrupted(
       command("two_boxes", folder / "a.glb", {"--frames", "9999999", "--fps", "1000"}), SIGINT,
       [](const std::string& err) { return err.find("ETA") != std::string::npos; });
@@ -114,7 +116,7 @@ TEST_CASE("an interrupted export is whole, as far as it came") {
 }
 
 TEST_CASE("a recording gives what its run gave") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "play.json",
              R"([{"do": "step", "steps": 30}, {"do": "save_recording", "path": "run.pabdrec"}])");
   REQUIRE(run_pabd({"view", "two_boxes", "--headless", "--script", folder / "play.json", "-o", folder / ""})
@@ -129,7 +131,7 @@ TEST_CASE("a recording gives what its run gave") {
 }
 
 TEST_CASE("a recording of a robot is exported with the robot's own file") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "ball.xml",
              "<mujoco><worldbody><geom type=\"plane\"/><body pos=\"0 0 1\"><freejoint/>"
              "<geom size=\"0.1\"/></body></worldbody></mujoco>");
@@ -144,3 +146,5 @@ TEST_CASE("a recording of a robot is exported with the robot's own file") {
   CHECK(past.exit_code == 0);
   CHECK(read_text(folder / "past.glb").starts_with("glTF"));
 }
+
+}  // namespace pabd::test_cli_export

@@ -6,9 +6,11 @@
 #include "sim/base/counted.h"
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_help {
+
+using namespace test;
+using cli::wrap;
 using pabd::counted;
-using pabd::cli::wrap;
 
 namespace {
 
@@ -132,3 +134,5 @@ TEST_CASE("one of something is one") {
   CHECK(one.err.starts_with("1 step to t = "));
   CHECK(run_pabd({"run", "stack", "--steps", "2"}).err.starts_with("2 steps to t = "));
 }
+
+}  // namespace pabd::test_cli_help

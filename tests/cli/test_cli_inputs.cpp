@@ -13,10 +13,13 @@
 #include "app/cli/report_error.h"
 #include "sim/base/utf8.h"
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
 #include "tests/support/sanitized.h"
 
+namespace pabd::test_cli_inputs {
+
 namespace fs = std::filesystem;
-using namespace pabd::test;
+using namespace test;
 
 namespace {
 
@@ -49,7 +52,7 @@ bool is_printable(const std::string& err) {
 }  // namespace
 
 TEST_CASE("what is no file is refused with exit code 3, at once, wherever it is named") {
-  const TempFolder folder;
+  const CommandFolder folder;
   fs::create_symlink("/dev/zero", folder / "zero.json");
   fs::create_symlink("loop.json", folder / "loop.json");
   REQUIRE(::mkfifo((folder / "fifo.json").c_str(), 0600) == 0);
@@ -73,7 +76,7 @@ TEST_CASE("what is no file is refused with exit code 3, at once, wherever it is 
 }
 
 TEST_CASE("what is longer than its kind can be is refused before it is read") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string file = folder / "long.json";
   write_text(file, "");
   REQUIRE(::truncate(file.c_str(), off_t{1} << 42) == 0);  // without a byte on the disk
@@ -87,11 +90,11 @@ TEST_CASE("what is longer than its kind can be is refused before it is read") {
 }
 
 TEST_CASE("a file from a shell's pipe works, also where two runs need it") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "scene.json", small_scene());
   write_text(folder / "patch.json", R"({"contact": {"N": 5}})");
   const auto shell = [&](const std::string& script) {
-    return run_command({"bash", "-c", script, PABD_PROGRAM, folder.path().string()});
+    return run_command({"bash", "-c", script, places::program(), folder.path().string()});
   };
   Outcome outcome = shell("\"$0\" run <(cat \"$1/scene.json\") --steps 2 --quiet --state \"$1/s.json\"");
   CAPTURE(outcome.err);
@@ -109,7 +112,7 @@ TEST_CASE("a file from a shell's pipe works, also where two runs need it") {
 }
 
 TEST_CASE("text of an input cannot steer the terminal") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string evil = "\x1b]0;owned\x07\x1b[31m\xff\xc2\x9b\n\r";
   write_text(folder / "good.json", small_scene());
   write_text(folder / "key.json", small_scene("", R"("N": 3, "ka)" + evil + R"(pa": 5)"));
@@ -146,8 +149,8 @@ TEST_CASE("text of an input cannot steer the terminal") {
 }
 
 TEST_CASE("a file that is read is never overwritten, by whatever name, even with --force") {
-  const TempFolder folder;
-  fs::copy(PABD_SCENES "/../meshes", folder.path() / "meshes");
+  const CommandFolder folder;
+  fs::copy(places::assets() + "/meshes", folder.path() / "meshes");
   const std::string mesh = fs::directory_iterator(folder.path() / "meshes")->path().filename().string();
   const std::string scene = folder / "scene.json";
   write_text(scene, small_scene(R"("shape": { "type": "mesh", "file": "meshes/)" + mesh + R"(" })"));
@@ -195,7 +198,7 @@ TEST_CASE("a file that is read is never overwritten, by whatever name, even with
 }
 
 TEST_CASE("what a sequence of frames would write over an input stops it") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "scene.json", small_scene());
   fs::create_hard_link(folder / "scene.json", folder / "f2.png");
   const Outcome outcome = run_pabd({"render", folder / "scene.json", "--frames", "4", "--size", "64x48",
@@ -206,7 +209,7 @@ TEST_CASE("what a sequence of frames would write over an input stops it") {
 }
 
 TEST_CASE("a driver that is chosen by the environment and does not work: exit code 4 with what helps") {
-  const TempFolder folder;
+  const CommandFolder folder;
   for (const auto& [name, value, backend] :
        {std::tuple{"GALLIUM_DRIVER", "softpipe",
                    "auto"},  // cannot draw with several samples, which best asks for
@@ -252,7 +255,7 @@ TEST_CASE("every kind of error has its exit code; out of memory and what the sys
                                    {ErrorKind::images_differ, 7}})
     CHECK(report_error(std::make_exception_ptr(pabd::Error(kind, "x"))) == code);
 #if !defined(PABD_SANITIZED)  // which reserves more than any limit at its start
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "many.json",
              R"({ "format": "pabd-scene", "version": 1, "name": "many",
                   "generate": [ { "type": "pile", "count": 500000, "size": [1, 1, 1], "position": [0, 1, 0] } ] })");
@@ -264,3 +267,5 @@ TEST_CASE("every kind of error has its exit code; out of memory and what the sys
   CHECK(is_error_line(outcome.err, {"out of memory"}));
 #endif
 }
+
+}  // namespace pabd::test_cli_inputs

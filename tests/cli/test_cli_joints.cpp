@@ -5,7 +5,9 @@
 
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_joints {
+
+using namespace test;
 
 namespace {
 
@@ -19,7 +21,7 @@ std::vector<std::string> fields_of(const std::string& row) {
 }  // namespace
 
 TEST_CASE("--joints writes a row a joint and step: at rest the first joint of a chain carries its weight") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "chain.json", R"({"format": "pabd-scene", "version": 1, "gravity": [0, -10, 0],
     "bodies": [{"name": "ball", "shape": {"type": "sphere", "radius": 0.2}, "mass": 4, "position": [0, -1, 0]},
                {"name": "last", "shape": {"type": "sphere", "radius": 0.2}, "mass": 1, "position": [0, -2, 0]}],
@@ -49,9 +51,11 @@ TEST_CASE("--joints to standard output, of a scene without joints, and onto anot
   const Outcome none = run_pabd({"run", "spin", "--steps", "2", "--quiet", "--joints", "-"});
   REQUIRE(none.exit_code == 0);
   CHECK(lines_of(none.out).size() == 1);
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome twice = run_pabd(
       {"run", "pendulum", "--steps", "2", "--joints", folder / "a.csv", "--trace", folder / "a.csv"});
   CHECK(twice.exit_code == 2);
   CHECK(is_error_line(twice.err, {"--joints"}));
 }
+
+}  // namespace pabd::test_cli_joints

@@ -8,8 +8,10 @@
 #include "app/cli/man_page.h"
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
-using pabd::cli::troff;
+namespace pabd::test_cli_man {
+
+using namespace test;
+using cli::troff;
 namespace fs = std::filesystem;
 
 namespace {
@@ -63,7 +65,7 @@ TEST_CASE("troff reads text as text") {
 }
 
 TEST_CASE("every command has its page, with what its help says, and groff takes it") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd({"man", folder.path().string()}).exit_code == 0);
   std::vector<std::vector<std::string>> commands;
   add_commands({}, commands);
@@ -107,3 +109,5 @@ TEST_CASE("the command that writes the manual is not in the help") {
   CHECK(run_pabd({"--help"}).out.find("\n  man") == std::string::npos);
   CHECK(run_pabd({"mann"}).err.find("did you mean") == std::string::npos);
 }
+
+}  // namespace pabd::test_cli_man

@@ -12,9 +12,11 @@
 #include "sim/base/srgb.h"
 #include "sim/body/joint.h"
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_cli_marks {
+
+using namespace test;
 
 namespace {
 
@@ -39,7 +41,7 @@ TEST_CASE("app/cli/marks.md is what 'pabd marks' prints") {
   CHECK(printed.exit_code == 0);
   CHECK(printed.out == page());
   // Written with: pabd marks > app/cli/marks.md
-  CHECK(read_text(PABD_SCENES "/../../app/cli/marks.md") == printed.out);
+  CHECK(read_text(places::project() + "/app/cli/marks.md") == printed.out);
 }
 
 TEST_CASE("every panel of the overlay has a row with what it shows") {
@@ -92,3 +94,5 @@ TEST_CASE("every way to colour bodies that the window takes is explained") {
   }
   CHECK(found == 5);
 }
+
+}  // namespace pabd::test_cli_marks

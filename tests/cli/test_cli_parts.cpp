@@ -13,9 +13,11 @@
 #include "app/session/session.h"
 #include "sim/base/error.h"
 #include "sim/trace/trace.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
-using namespace pabd::cli;
+namespace pabd::test_cli_parts {
+
+using namespace cli;
 
 TEST_CASE("a frame shows the last step that is not after it") {
   const double h = 0.0166666666666667;
@@ -136,7 +138,7 @@ TEST_CASE("a list of reports is bounded; a view of it stays what it was") {
 
 TEST_CASE("a step that failed reports nothing of where it ended") {
   // The log barrier has no force for boxes that start inside each other.
-  Session session(load_scene(PABD_SCENES "/two_boxes.json", {"contact.barrier=log"}));
+  Session session(load_scene(places::scenes() + "/two_boxes.json", {"contact.barrier=log"}));
   const double kinetic = session.report().kinetic;
   CHECK(kinetic == 0);
   REQUIRE(session.step().status == StepStatus::non_finite);
@@ -147,7 +149,7 @@ TEST_CASE("a step that failed reports nothing of where it ended") {
 }
 
 TEST_CASE("a session steps, is reset, tuned and set to a state") {
-  Session session(load_scene(PABD_SCENES "/stack.json"));
+  Session session(load_scene(places::scenes() + "/stack.json"));
   const std::string start = state_hash(session.state());
   CHECK(session.report().step == 0);
   CHECK(session.report().potential > 0);
@@ -181,9 +183,9 @@ TEST_CASE("a session steps, is reset, tuned and set to a state") {
 }
 
 TEST_CASE("two sessions do not see each other") {
-  Session a(load_scene(PABD_SCENES "/stack.json"));
-  Session b(load_scene(PABD_SCENES "/stack.json"));
-  Session alone(load_scene(PABD_SCENES "/stack.json"));
+  Session a(load_scene(places::scenes() + "/stack.json"));
+  Session b(load_scene(places::scenes() + "/stack.json"));
+  Session alone(load_scene(places::scenes() + "/stack.json"));
   Params soft = b.params();
   soft.contact.kappa = 10;
   b.set_params(soft);
@@ -195,3 +197,5 @@ TEST_CASE("two sessions do not see each other") {
   CHECK(state_hash(a.state()) == state_hash(alone.state()));
   CHECK(state_hash(a.state()) != state_hash(b.state()));
 }
+
+}  // namespace pabd::test_cli_parts

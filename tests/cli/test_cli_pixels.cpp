@@ -7,8 +7,9 @@
 #include "render/output/png.h"
 #include "tests/cli/program.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_cli_pixels {
+
+using namespace test;
 
 namespace {
 
@@ -27,7 +28,7 @@ struct Drawn {
 
 // Every kind of body with contacts, joints of a mechanism left out: shading, shadows, lines, panels with
 // curves.
-Drawn draw(const TempFolder& folder, const Environment& environment) {
+Drawn draw(const CommandFolder& folder, const Environment& environment) {
   const std::string file = folder / "frame.png";
   const Outcome outcome = run_pabd({"render", "shapes", "--time", "0", "--size", "480x270", "--overlay",
                                     "contacts,params,barrier", "--quiet", "--force", "-o", file},
@@ -40,7 +41,7 @@ Drawn draw(const TempFolder& folder, const Environment& environment) {
 }  // namespace
 
 TEST_CASE("vector widths and instruction sets of software GL draw the same pixels") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Drawn usual = draw(folder, {});
   REQUIRE(usual.text.at("GL_RENDERER").starts_with("llvmpipe"));
   // One width on every machine, unless the user asks for another.
@@ -64,10 +65,12 @@ TEST_CASE("vector widths and instruction sets of software GL draw the same pixel
 }
 
 TEST_CASE("without SSE 4.1 software GL rounds in another way, by no more than one sees") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Drawn usual = draw(folder, {});
   const Drawn old = draw(folder, {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse2"}});
   const CompareResult result = compare_images(old.image, usual.image, CompareTier::cross_class);
   INFO(result.reason);
   CHECK(result.equal);
 }
+
+}  // namespace pabd::test_cli_pixels

@@ -6,7 +6,9 @@
 #include "render/output/png.h"
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_plot {
+
+using namespace test;
 
 TEST_CASE("the barrier CSV holds B_N of the closed form") {
   const Outcome csv = run_pabd({"plot", "barrier", "-o", "-", "--N", "3", "--d-hat", "0.02"});
@@ -31,7 +33,7 @@ TEST_CASE("the barrier CSV holds B_N of the closed form") {
 }
 
 TEST_CASE("a barrier plot is written as PNG, SVG and CSV") {
-  const TempFolder folder;
+  const CommandFolder folder;
   for (const char* name : {"a.png", "a.svg", "a.csv"}) {
     CAPTURE(name);
     const Outcome outcome = run_pabd({"plot", "barrier", "-o", folder / name, "--kind", "polynomial,log,even",
@@ -52,7 +54,7 @@ TEST_CASE("a barrier plot is written as PNG, SVG and CSV") {
 }
 
 TEST_CASE("a plot is a PDF too, and light on dark") {
-  const TempFolder folder;
+  const CommandFolder folder;
   CHECK(run_pabd({"plot", "barrier", "-o", folder / "a.pdf"}).exit_code == 0);
   CHECK(read_text(folder / "a.pdf").starts_with("%PDF-1."));
   CHECK(run_pabd({"figure", "5", "-o", "-", "--format", "pdf"}).out.starts_with("%PDF-1."));
@@ -99,7 +101,7 @@ TEST_CASE("the convergence plot has a line a method") {
                                 "--method", "descent", "--at-step", "4"});
   REQUIRE(one.exit_code == 0);
   CHECK(one.out.find("sissm") == std::string::npos);
-  const TempFolder folder;
+  const CommandFolder folder;
   CHECK(run_pabd({"plot", "convergence", "two_boxes", "-o", folder / "c.png", "--iterations", "30"})
             .exit_code == 0);
   CHECK(pabd::read_png(folder / "c.png").width > 600);
@@ -119,7 +121,7 @@ TEST_CASE("with joints the convergence plot has newton and the joint error") {
 }
 
 TEST_CASE("all figures of the supplement are drawn") {
-  const TempFolder folder;
+  const CommandFolder folder;
   for (const char* number : {"1", "2", "3", "4", "5", "6", "7"}) {
     CAPTURE(number);
     const Outcome outcome = run_pabd({"figure", number, "-o", (folder / "figure") + number + ".png"});
@@ -137,7 +139,7 @@ TEST_CASE("all figures of the supplement are drawn") {
 }
 
 TEST_CASE("compare tells equal from different by its exit code") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto render = [&](const char* name, const char* time) {
     REQUIRE(
         run_pabd({"render", "two_boxes", "--size", "160x90", "--quiet", "--time", time, "-o", folder / name})
@@ -192,3 +194,5 @@ TEST_CASE("E minus E_min of a converged solve falls to rounding and is never neg
     CHECK_FALSE(gaps.back() > 1e-9);  // J; NaN is within rounding
   }
 }
+
+}  // namespace pabd::test_cli_plot

@@ -8,9 +8,10 @@
 #include "app/cli/step_statistics.h"
 #include "tests/cli/program.h"
 
-using namespace pabd;
-using namespace pabd::cli;
-using namespace pabd::test;
+namespace pabd::test_cli_profile {
+
+using namespace cli;
+using namespace test;
 
 namespace {
 
@@ -142,3 +143,5 @@ TEST_CASE("--profile has standard output for itself, and tells of a run that div
   CHECK(failed.exit_code == 5);
   CHECK(rows_of(failed.out)["status"].find("non_finite 1") != std::string::npos);
 }
+
+}  // namespace pabd::test_cli_profile

@@ -6,13 +6,16 @@
 #include <set>
 
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_readme {
+
+using namespace test;
 namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path kSource = fs::path(PABD_SCENES).parent_path().parent_path();
+const fs::path kSource = fs::path(places::scenes()).parent_path().parent_path();
 constexpr const char* kExport = R"(export PATH="$PWD/build/release/app/cli:$PATH")";
 
 // The lines that are set apart by four blanks, outside of fences.
@@ -53,7 +56,7 @@ std::string shortened(std::string line) {
 }  // namespace
 
 TEST_CASE("every line of the reference runs as it stands, one after the other, in an empty folder") {
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "nothing.json", R"([{"do": "pause"}])");
   Setting setting;
   setting.folder = folder.path();
@@ -72,7 +75,7 @@ TEST_CASE("every line of the reference runs as it stands, one after the other, i
     if (word == "export") {
       // The program lies in this build's folder as it does in that of the preset "release".
       CHECK(line == kExport);
-      const fs::path program = PABD_PROGRAM;
+      const fs::path program = places::program();
       CHECK(program.parent_path().parent_path().filename() == "app");
       setting.environment["PATH"] = program.parent_path().string() + ":" + std::getenv("PATH");
       found = true;
@@ -113,9 +116,11 @@ TEST_CASE("the reference shows every command that the help lists, and only such"
 
 TEST_CASE("the READMEs know every shipped scene, and how many there are") {
   const std::string readme = read_text(kSource / "README.md");
-  for (const auto& entry : fs::directory_iterator(PABD_SCENES))
+  for (const auto& entry : fs::directory_iterator(places::scenes()))
     CHECK(read_text(kSource / "assets/README.md").find("`" + entry.path().stem().string() + "`") !=
           std::string::npos);
-  const auto scenes = std::distance(fs::directory_iterator(PABD_SCENES), fs::directory_iterator());
+  const auto scenes = std::distance(fs::directory_iterator(places::scenes()), fs::directory_iterator());
   CHECK(readme.find("each of the " + std::to_string(scenes) + " shipped scenes") != std::string::npos);
 }
+
+}  // namespace pabd::test_cli_readme

@@ -9,7 +9,9 @@
 #include "render/output/png.h"
 #include "tests/cli/program.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_render {
+
+using namespace test;
 using pabd::PngText;
 using pabd::read_png;
 using pabd::read_png_text;
@@ -25,7 +27,7 @@ std::vector<std::string> render(const std::string& out, const std::vector<std::s
 }  // namespace
 
 TEST_CASE("a sequence has a PNG a frame; the first shows the start") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd(render(folder / "f{frame:04}.png", {"--frames", "4"})).exit_code == 0);
   CHECK(folder.names() == std::vector<std::string>{"f0000.png", "f0001.png", "f0002.png", "f0003.png"});
   REQUIRE(run_pabd(render(folder / "start.png", {"--time", "0"})).exit_code == 0);
@@ -36,7 +38,7 @@ TEST_CASE("a sequence has a PNG a frame; the first shows the start") {
 }
 
 TEST_CASE("a still shows the state at its time, a step a frame at 60 a second") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd(render(folder / "f{frame}.png", {"--frames", "7"})).exit_code == 0);
   REQUIRE(run_pabd(render(folder / "still.png", {"--time", "0.1"})).exit_code == 0);
   CHECK(read_text(folder / "still.png") == read_text(folder / "f6.png"));
@@ -48,7 +50,7 @@ TEST_CASE("a still shows the state at its time, a step a frame at 60 a second") 
 }
 
 TEST_CASE("a render is as long as its scene says, unless it is told") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto frames = [&](const char* name, std::vector<std::string> more) {
     more.insert(more.end(), {"--set", "duration=0.1"});
     REQUIRE(run_pabd(render(folder / (std::string(name) + "{frame}.png"), more)).exit_code == 0);
@@ -67,7 +69,7 @@ TEST_CASE("a render is as long as its scene says, unless it is told") {
 }
 
 TEST_CASE("every PNG says where it comes from") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd(render(folder / "{frame}.png",
                           {"--frames", "3", "--set", "contact.kappa=auto", "--camera", "front"}))
               .exit_code == 0);
@@ -92,7 +94,7 @@ TEST_CASE("every PNG says where it comes from") {
 }
 
 TEST_CASE("every PNG of a scene with joints tells their law, with the stiffness that auto came to") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto law_of = [&](const std::vector<std::string>& more) {
     std::vector<std::string> command = {"render", "pendulum", "-o",     folder / "p.png", "--force",
                                         "--time", "0",        "--size", "160x90"};
@@ -111,7 +113,7 @@ TEST_CASE("every PNG of a scene with joints tells their law, with the stiffness 
 }
 
 TEST_CASE("raw frames on standard output have three bytes a pixel and nothing else") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome raw = run_pabd(render("-", {"--frames", "3"}));
   CHECK(raw.exit_code == 0);
   REQUIRE(raw.out.size() == 3u * 160 * 90 * 3);
@@ -122,7 +124,7 @@ TEST_CASE("raw frames on standard output have three bytes a pixel and nothing el
 }
 
 TEST_CASE("overlays, cameras and --set change the picture; a repetition does not") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto picture = [&](const std::vector<std::string>& more) {
     std::vector<std::string> options = {"--time", "0.2", "--force"};
     options.insert(options.end(), more.begin(), more.end());
@@ -147,7 +149,7 @@ TEST_CASE("overlays, cameras and --set change the picture; a repetition does not
 }
 
 TEST_CASE("a render continues from a state") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd({"run", "two_boxes", "--steps", "6", "--quiet", "--state", folder / "s.json"}).exit_code ==
           0);
   REQUIRE(run_pabd(render(folder / "a.png", {"--time", "0", "--from", folder / "s.json"})).exit_code == 0);
@@ -157,7 +159,7 @@ TEST_CASE("a render continues from a state") {
 }
 
 TEST_CASE("videos have the size and the number of frames asked for") {
-  const TempFolder folder;
+  const CommandFolder folder;
   for (const char* name : {"a.mp4", "a.webm"}) {
     CAPTURE(name);
     const Outcome outcome = run_pabd(render(folder / name, {"--time", "0.2"}));
@@ -171,7 +173,7 @@ TEST_CASE("videos have the size and the number of frames asked for") {
 }
 
 TEST_CASE("a GIF is small and slow unless it is asked for otherwise") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd({"render", "stack", "-o", folder / "a.gif", "--time", "0.2", "--quiet"}).exit_code == 0);
   CHECK(probe_video(folder / "a.gif") == "640,360,4");
   REQUIRE(run_pabd({"render", "stack", "-o", folder / "b.gif", "--time", "0.2", "--quiet", "--fps", "30",
@@ -181,7 +183,7 @@ TEST_CASE("a GIF is small and slow unless it is asked for otherwise") {
 }
 
 TEST_CASE("render names what it wrote, and how much") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto said = [&](const std::string& out, const std::vector<std::string>& more) {
     auto command = render(out, more);
     std::erase(command, "--quiet");
@@ -204,7 +206,7 @@ TEST_CASE("render names what it wrote, and how much") {
 }
 
 TEST_CASE("a video says where it came from: scene, hash, parameters and view") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string still = folder / "a.png";
   REQUIRE(run_pabd(render(still, {"--time", "0", "--set", "contact.kappa=77"})).exit_code == 0);
   const PngText expected = read_png_text(still);
@@ -242,7 +244,7 @@ TEST_CASE("a video says where it came from: scene, hash, parameters and view") {
 }
 
 TEST_CASE("--quality changes how smooth a picture is, and its text says so") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto picture = [&](const std::string& name, const std::vector<std::string>& more) {
     std::vector<std::string> options = {"--time", "0"};
     options.insert(options.end(), more.begin(), more.end());
@@ -267,7 +269,7 @@ TEST_CASE("--quality changes how smooth a picture is, and its text says so") {
 }
 
 TEST_CASE("--timings tells how long each stage worked") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd(render(folder / "a.mp4", {"--frames", "8", "--timings", folder / "t.json"})).exit_code ==
           0);
   const auto json = nlohmann::json::parse(read_text(folder / "t.json"));
@@ -281,7 +283,7 @@ TEST_CASE("--timings tells how long each stage worked") {
 }
 
 TEST_CASE("a sequence that was cut short is continued byte for byte") {
-  const TempFolder whole, cut;
+  const CommandFolder whole, cut;
   const std::vector<std::string> options = {"--frames", "9", "--overlay", "all"};
   auto resumed = options;
   resumed.push_back("--resume");
@@ -311,7 +313,7 @@ TEST_CASE("a sequence that was cut short is continued byte for byte") {
 }
 
 TEST_CASE("frames of another run are not continued") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd(render(folder / "{frame}.png", {"--frames", "2"})).exit_code == 0);
   const std::string before = read_text(folder / "1.png");
   for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
@@ -328,7 +330,7 @@ TEST_CASE("frames of another run are not continued") {
 }
 
 TEST_CASE("an interrupted sequence keeps its whole frames and can be continued") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const auto has_third_frame = [&](const std::string&) {
     return std::filesystem::exists(folder / "0002.png");
   };
@@ -350,7 +352,7 @@ TEST_CASE("an interrupted sequence keeps its whole frames and can be continued")
 
 TEST_CASE("an interrupted video is published with the frames it has") {
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
-    const TempFolder folder;
+    const CommandFolder folder;
     // The first line of progress comes when frames have been drawn and handed on.
     const auto has_progress = [](const std::string& err) { return err.find("frame ") != std::string::npos; };
     const Outcome outcome = run_pabd_interrupted(
@@ -368,7 +370,7 @@ TEST_CASE("an interrupted video is published with the frames it has") {
 }
 
 TEST_CASE("the same signal twice in a moment publishes the video as one does") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome outcome = run_pabd_interrupted(
       {"render", "pile", "--size", "640x360", "--frames", "100000", "-o", folder / "a.mp4"}, SIGINT,
       [](const std::string& err) { return err.find("frame ") != std::string::npos; }, 2);
@@ -376,3 +378,5 @@ TEST_CASE("the same signal twice in a moment publishes the video as one does") {
   CHECK(folder.names() == std::vector<std::string>{"a.mp4"});
   CHECK(probe_video(folder / "a.mp4").starts_with("640,360,"));
 }
+
+}  // namespace pabd::test_cli_render

@@ -6,14 +6,17 @@
 #include <sstream>
 
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_run {
+
+using namespace test;
 
 namespace {
 
 // The state hash that a run of `steps` steps ends with.
 std::string end_hash(const std::vector<std::string>& more) {
-  const TempFolder folder;
+  const CommandFolder folder;
   std::vector<std::string> command = {"run", "stack", "--quiet", "--state", folder / "end.json"};
   command.insert(command.end(), more.begin(), more.end());
   const Outcome outcome = run_pabd(command);
@@ -25,7 +28,7 @@ std::string end_hash(const std::vector<std::string>& more) {
 }  // namespace
 
 TEST_CASE("the CSV files have the documented columns, a row a step and a row an iteration") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome outcome = run_pabd(
       {"run", "two_boxes", "--steps", "7", "--trace", folder / "t.csv", "--iterations", folder / "i.csv"});
   REQUIRE(outcome.exit_code == 0);
@@ -58,7 +61,7 @@ TEST_CASE("the summary goes to standard error and tells steps, gap, energy and h
 }
 
 TEST_CASE("--json prints the summary as one document, with what the other outputs say") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome outcome = run_pabd({"run", "slider_crank", "--steps", "20", "--quiet", "--json", "--trace",
                                     folder / "t.csv", "--state", folder / "s.json", "--threads", "2"});
   CAPTURE(outcome.err);
@@ -93,7 +96,7 @@ TEST_CASE("--json prints the summary as one document, with what the other output
   for (const auto& [name, count] : json["outcomes"].items()) steps += count.get<long>();
   CHECK(steps == 20);
   // Every field is explained, and no other.
-  const std::string reference = read_text(PABD_SCENES "/../../app/cli/README.md");
+  const std::string reference = read_text(places::project() + "/app/cli/README.md");
   const auto from = reference.find("### The summary of a run"), to = reference.find("\n#", from + 4);
   REQUIRE(from != std::string::npos);
   const std::string section = reference.substr(from, to - from);
@@ -203,7 +206,7 @@ TEST_CASE("time and steps count the same") {
 }
 
 TEST_CASE("a run that is stopped and continued ends as one in a piece") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string half = folder / "half.json";
   REQUIRE(run_pabd({"run", "stack", "--steps", "11", "--quiet", "--state", half}).exit_code == 0);
   CHECK(end_hash({"--steps", "9", "--from", half}) == end_hash({"--steps", "20"}));
@@ -213,7 +216,7 @@ TEST_CASE("what joints and contacts remember goes on through a state file") {
   // Joints alone, joints and contacts, contacts that newton hands over.
   for (const std::string scene : {"chain_heavy_end", "ragdoll", "chairs"}) {
     CAPTURE(scene);
-    const TempFolder folder;
+    const CommandFolder folder;
     const auto run = [&](std::vector<std::string> more, const std::string& end) {
       std::vector<std::string> command = {"run", scene, "--quiet", "--state", folder / end, "--steps"};
       command.insert(command.end(), more.begin(), more.end());
@@ -227,7 +230,7 @@ TEST_CASE("what joints and contacts remember goes on through a state file") {
 }
 
 TEST_CASE("a state of another scene is refused") {
-  const TempFolder folder;
+  const CommandFolder folder;
   REQUIRE(run_pabd({"run", "stack", "--steps", "1", "--quiet", "--state", folder / "s.json"}).exit_code == 0);
   const Outcome other = run_pabd({"run", "two_boxes", "--steps", "1", "--from", folder / "s.json"});
   CHECK(other.exit_code == 2);
@@ -252,7 +255,7 @@ TEST_CASE("--set changes the scene, --set to what it is does not") {
 
 TEST_CASE("an interrupted run publishes the rows it has") {
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
-    const TempFolder folder;
+    const CommandFolder folder;
     const auto has_rows = [&](const std::string&) {
       for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
         if (entry.file_size() > 0) return true;
@@ -272,3 +275,5 @@ TEST_CASE("an interrupted run publishes the rows it has") {
     CHECK(nlohmann::json::parse(read_text(folder / "s.json"))["step"] == std::stoll(last));
   }
 }
+
+}  // namespace pabd::test_cli_run

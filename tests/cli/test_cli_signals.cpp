@@ -10,10 +10,13 @@
 
 #include "tests/cli/program.h"
 #include "tests/support/fake_ffmpeg.h"
+#include "tests/support/places.h"
 #include "tests/support/running.h"
 
+namespace pabd::test_cli_signals {
+
 namespace fs = std::filesystem;
-using namespace pabd::test;
+using namespace test;
 using pabd::all_ended;
 using pabd::FakeFfmpeg;
 
@@ -38,7 +41,7 @@ TEST_CASE("the same signal twice in a moment is one request: the run ends whole"
     const FakeFfmpeg fake(
         watched("ffmpeg \"$@\"\nstatus=$?\n> \"$HERE/over\"\nuntil [ -e \"$HERE/go\" ]; do sleep 0.01; done\n"
                 "exit $status\n"));
-    const TempFolder folder;
+    const CommandFolder folder;
     RunningPabd program({"render", "two_boxes", "--size", "64x48", "--frames", "1000000", "--timings",
                          folder / "t.json", "-o", folder / "a.mp4"});
     program.wait_until([](const std::string& err) { return err.find("frame ") != err.npos; });
@@ -61,7 +64,7 @@ TEST_CASE("a second request later ends the program at once, and leaves neither f
   const FakeFfmpeg fake(
       "echo $$ > \"$HERE/pids\"\nsleep 1000 &\necho $! >> \"$HERE/pids\"\ncat > /dev/null\n> "
       "\"$HERE/over\"\nwait\n");
-  const TempFolder folder;
+  const CommandFolder folder;
   RunningPabd program(video(folder / "a.mp4", {"--frames", "3"}));
   program.wait_until([&](const std::string&) { return fs::exists(fake / "over"); });
   CHECK(folder.names().size() == 1);
@@ -75,7 +78,7 @@ TEST_CASE("a second request later ends the program at once, and leaves neither f
 }
 
 TEST_CASE("a crash leaves nothing temporary either") {
-  const TempFolder folder;
+  const CommandFolder folder;
   RunningPabd program({"run", "two_boxes", "--steps", "1000000000", "--quiet", "--trace", folder / "t.csv"});
   program.wait_until([&](const std::string&) { return !folder.names().empty(); });
   program.signal(SIGQUIT);
@@ -84,13 +87,13 @@ TEST_CASE("a crash leaves nothing temporary either") {
 }
 
 TEST_CASE("a hang-up that the program was told to ignore is ignored") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome outcome =
       run_command({"sh", "-c",
                    "trap '' HUP\n\"$0\" run two_boxes --steps 1000000000 --quiet --trace \"$1\" & pid=$!\n"
                    "until ls -A \"$2\" | grep -q tmp; do sleep 0.01; done\nkill -HUP $pid\nsleep 0.1\n"
                    "kill -TERM $pid\nwait $pid",
-                   PABD_PROGRAM, folder / "t.csv", folder.path().string()});
+                   places::program(), folder / "t.csv", folder.path().string()});
   CHECK(outcome.exit_code == 143);
   CHECK(folder.names() == std::vector<std::string>{"t.csv"});
 }
@@ -99,7 +102,7 @@ TEST_CASE("an encoder that makes no progress is exit code 6, and nothing is left
   const std::string here = "echo $$ > \"$HERE/pids\"\nsleep 1000 &\necho $! >> \"$HERE/pids\"\n";
   for (const char* script : {"sleep 1000\n", "cat > /dev/null\nsleep 1000\n"}) {
     const FakeFfmpeg fake(here + script);
-    const TempFolder folder;
+    const CommandFolder folder;
     const Outcome outcome =
         run_pabd(video(folder / "a.mp4", {"--frames", "300", "--encoder-timeout", "0.5"}));
     CAPTURE(outcome.err);
@@ -119,3 +122,5 @@ TEST_CASE("doctor does not wait for an ffmpeg that says nothing") {
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.out.find("libx264 (.mp4) no") != std::string::npos);
 }
+
+}  // namespace pabd::test_cli_signals

@@ -10,9 +10,12 @@
 #include <thread>
 
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
+
+namespace pabd::test_cli_sweep {
 
 namespace fs = std::filesystem;
-using namespace pabd::test;
+using namespace test;
 using Json = nlohmann::json;
 
 namespace {
@@ -50,7 +53,7 @@ std::size_t done_in(const fs::path& folder) {
 }
 
 // A folder with plan.json, in which one text is replaced by another.
-class PlanFolder : public TempFolder {
+class PlanFolder : public CommandFolder {
  public:
   explicit PlanFolder(const std::string& from = "", const std::string& to = "") {
     std::string text = plan_text();
@@ -61,7 +64,7 @@ class PlanFolder : public TempFolder {
 PlanFolder steps_planned(int steps) { return PlanFolder("20}", std::to_string(steps) + "}"); }
 PlanFolder with_pictures() { return PlanFolder("\"picture\": false", "\"picture\": true"); }
 
-Outcome sweep(const TempFolder& folder, const std::string& out, const std::vector<std::string>& more = {},
+Outcome sweep(const CommandFolder& folder, const std::string& out, const std::vector<std::string>& more = {},
               const Setting& setting = {}) {
   std::vector<std::string> command = {"sweep", folder / "plan.json", "-o", folder / out, "--quiet"};
   command.insert(command.end(), more.begin(), more.end());
@@ -181,7 +184,7 @@ TEST_CASE("a process of the pool that is killed is replaced") {
   REQUIRE(sweep(folder, "whole", {"--jobs", "1"}).exit_code == 0);
   // Kills whoever does a task, as soon as there is one, twice: the third time would be too often for one task.
   const Outcome outcome =
-      run_shell("\"" PABD_PROGRAM "\" sweep \"" + folder / "plan.json" + "\" -o \"" + folder / "out" +
+      run_shell("\"" + places::program() + "\" sweep \"" + folder / "plan.json" + "\" -o \"" + folder / "out" +
                 "\" --quiet --jobs 2 & pool=$!\nn=0\n"
                 "for i in 1 2; do\n"
                 "  until worker=$(ps -o pid=,stat= --ppid $pool | awk '$2 !~ /Z/ { print $1; exit }'); "
@@ -254,7 +257,7 @@ TEST_CASE("two commands on one folder share out the work") {
 
 TEST_CASE("divergence is a result") {
   // The log barrier has no force for boxes that start inside each other.
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "plan.json",
              R"({"format": "pabd-sweep", "version": 1, "scene": "two_boxes", "picture": false,
     "stop": {"steps": 30}, "metrics": ["penetration"],
@@ -356,3 +359,5 @@ TEST_CASE("what is wrong with the command or the plan is exit code 2 and leaves 
   CHECK(folder.names() == std::vector<std::string>{"plan.json", "typo.json"});
   CHECK(run_pabd({"sweep", folder / "none.json", "--list"}).exit_code == 3);
 }
+
+}  // namespace pabd::test_cli_sweep

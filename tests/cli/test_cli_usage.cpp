@@ -6,8 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
+#include "tests/support/places.h"
 
-using namespace pabd::test;
+namespace pabd::test_cli_usage {
+
+using namespace test;
 
 namespace {
 
@@ -104,7 +107,7 @@ TEST_CASE("values out of range are refused, naming the option") {
     CHECK(is_error_line(outcome.err,
                         {command.back() == "--headless" ? "--script" : command[command.size() - 2]}));
   }
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::string out = folder / "a.png";
   const std::vector<std::pair<std::string, std::vector<std::string>>> wrong = {
       {"--time", {"run", "stack", "--time", "-1"}},
@@ -172,16 +175,18 @@ TEST_CASE("shipped scenes are listed and are found by name") {
     if (scene["name"] == "pyramid") CHECK(scene["joints"] == 0);
     if (scene["name"] == "slider_crank") CHECK(scene["joints"] == 4);
   }
-  const TempFolder elsewhere;
+  const CommandFolder elsewhere;
   Setting setting;
   setting.folder = elsewhere.path();
   CHECK(run_pabd({"run", "two_boxes", "--steps", "1", "--quiet"}, setting).exit_code == 0);
   CHECK(run_pabd({"run", "two_boxes.json", "--steps", "1", "--quiet"}, setting).exit_code == 0);
-  CHECK(run_pabd({"run", PABD_SCENES "/two_boxes.json", "--steps", "1", "--quiet"}, setting).exit_code == 0);
+  CHECK(
+      run_pabd({"run", places::scenes() + "/two_boxes.json", "--steps", "1", "--quiet"}, setting).exit_code ==
+      0);
 }
 
 TEST_CASE("a shipped scene is printed as it is, to begin another one with") {
-  CHECK(run_pabd({"scenes", "pyramid"}).out == read_text(PABD_SCENES "/pyramid.json"));
+  CHECK(run_pabd({"scenes", "pyramid"}).out == read_text(places::scenes() + "/pyramid.json"));
   CHECK(run_pabd({"scenes", "pyramids"}).exit_code == 3);
   CHECK(run_pabd({"scenes", "pyramid", "--json"}).exit_code == 2);
 }
@@ -214,7 +219,7 @@ TEST_CASE("a name that is nearly right gets a suggestion, a missing command the 
 }
 
 TEST_CASE("the doctor reports, whatever is missing") {
-  const TempFolder empty;
+  const CommandFolder empty;
   Setting bare;
   bare.environment = {{"PATH", empty.path().string()}, {"__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent"}};
   const Outcome text = run_pabd({"doctor"}, bare);
@@ -248,7 +253,7 @@ TEST_CASE("the doctor tells how many threads a command takes, and the help where
   REQUIRE(sched_getaffinity(0, sizeof all, &all) == 0);
   int first = 0;
   while (!CPU_ISSET(first, &all)) ++first;
-  const std::vector<std::string> kept = {"taskset", "-c", std::to_string(first), PABD_PROGRAM, "doctor"};
+  const std::vector<std::string> kept = {"taskset", "-c", std::to_string(first), places::program(), "doctor"};
   const Outcome text = run_command(kept);
   CAPTURE(text.err);
   CHECK(text.out.find("\nthreads     1 by default: ") != std::string::npos);
@@ -259,13 +264,15 @@ TEST_CASE("the doctor tells how many threads a command takes, and the help where
 }
 
 TEST_CASE("the scene in the reference runs") {
-  const std::string readme = read_text(PABD_SCENES "/../../app/cli/README.md");
+  const std::string readme = read_text(places::project() + "/app/cli/README.md");
   const std::string fence = "```json\n";
   const auto begin = readme.find(fence) + fence.size();
   const std::string scene = readme.substr(begin, readme.find("```", begin) - begin);
-  const TempFolder folder;
+  const CommandFolder folder;
   write_text(folder / "readme.json", scene);
   const Outcome outcome = run_pabd({"run", folder / "readme.json", "--steps", "3", "--quiet"});
   CAPTURE(outcome.err);
   CHECK(outcome.exit_code == 0);
 }
+
+}  // namespace pabd::test_cli_usage

@@ -5,12 +5,13 @@
 #include "render/output/png.h"
 #include "tests/cli/program.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_cli_view {
+
+using namespace test;
 
 namespace {
 
-Image picture(const TempFolder& folder, const std::string& name, std::vector<std::string> arguments) {
+Image picture(const CommandFolder& folder, const std::string& name, std::vector<std::string> arguments) {
   const std::string file = folder / (name + ".png");
   arguments.insert(arguments.begin(), "render");
   arguments.insert(arguments.end(), {"--size", "320x180", "--quiet", "--force", "-o", file});
@@ -30,7 +31,7 @@ double share_that_differs(const Image& a, const Image& b) {
 }  // namespace
 
 TEST_CASE("trails of a still show the past; marks and themes show, and the picture says so") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const std::vector<std::string> plain{"four_bar", "--time", "1.5"};
   const auto with = [&](const std::string& name, std::vector<std::string> more) {
     more.insert(more.begin(), plain.begin(), plain.end());
@@ -53,7 +54,7 @@ TEST_CASE("trails of a still show the past; marks and themes show, and the pictu
 }
 
 TEST_CASE("a transparent picture has no background, and is only for PNG files") {
-  const TempFolder folder;
+  const CommandFolder folder;
   // Read as laid over black.
   const Image image = picture(folder, "through", {"spin", "--time", "0", "--theme", "transparent"});
   CHECK(image.rgb[0] == 0);
@@ -65,7 +66,7 @@ TEST_CASE("a transparent picture has no background, and is only for PNG files") 
 }
 
 TEST_CASE("what is none is refused in one line that says what there is") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const struct {
     std::vector<std::string> arguments;
     const char* says;
@@ -84,3 +85,5 @@ TEST_CASE("what is none is refused in one line that says what there is") {
     CHECK(outcome.err.find(wrong.says) != outcome.err.npos);
   }
 }
+
+}  // namespace pabd::test_cli_view

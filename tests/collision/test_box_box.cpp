@@ -4,7 +4,10 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "sim/math/so3.h"
 #include "tests/collision/reference.h"
+
+namespace pabd::test_box_box {
 
 using namespace reference;
 
@@ -75,7 +78,7 @@ TEST_CASE("four contacts keep their names while a resting cube twists, slides an
 TEST_CASE("the face of the higher body is taken when it is clearly better") {
   // A cube standing on one corner over the face of a body that comes later in the order.
   Setup setup;
-  const Mat3 R = Quat::FromTwoVectors(Vec3(1, 1, 1), Vec3::UnitY()).toRotationMatrix();
+  const Mat3 R = rotation_between(Vec3(1, 1, 1), Vec3::UnitY());
   setup.add(kCube, Vec3(0, 0.5 + std::sqrt(0.75) + 0.004, 0), R, 0.01);
   setup.add(kCube, Vec3::Zero(), Mat3::Identity(), 0.01);
   const auto contacts = setup.contacts();
@@ -175,3 +178,5 @@ TEST_CASE("diagonal neighbours meet at their corners, not on their faces") {
     CHECK((p.n - Vec3(0.6, 0.8, 0)).norm() < 1e-10);
   }
 }
+
+}  // namespace pabd::test_box_box

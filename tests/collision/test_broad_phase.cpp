@@ -6,6 +6,8 @@
 #include "tests/collision/reference.h"
 #include "tests/support/draws.h"
 
+namespace pabd::test_broad_phase {
+
 using namespace reference;
 
 namespace {
@@ -103,3 +105,5 @@ TEST_CASE("unbounded and non-finite bodies take no part, and do no harm") {
   CHECK(found(bodies) == std::vector<IndexPair>{{0, 3}});
   CHECK(found(Bodies{}).empty());
 }
+
+}  // namespace pabd::test_broad_phase

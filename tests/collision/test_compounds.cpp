@@ -5,7 +5,10 @@
 
 #include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
+#include "sim/math/so3.h"
 #include "tests/collision/reference.h"
+
+namespace pabd::test_compounds {
 
 using namespace reference;
 
@@ -45,7 +48,7 @@ void check_names(const std::vector<ContactPoint>& contacts) {
 TEST_CASE("a jack on a plane stands on the ends of three bars") {
   Setup setup;
   setup.add(Plane{Vec3::UnitY(), 0}, Vec3::Zero(), Mat3::Identity(), 0.01, true);
-  const Mat3 R = Eigen::Quaterniond::FromTwoVectors(Vec3(-1, -1, -1), Vec3(0, -1, 0)).toRotationMatrix();
+  const Mat3 R = rotation_between(Vec3(-1, -1, -1), Vec3(0, -1, 0));
   setup.add(jack(), Vec3::Zero(), R, 0.01);
   const double low = support(hull_of_box({0.5, 0.1, 0.1}), Vec3::Zero(), R, -Vec3::UnitY());
   setup.c[1].y() = low + 0.005;
@@ -120,3 +123,5 @@ TEST_CASE(
   }
   CHECK(met > 80);
 }
+
+}  // namespace pabd::test_compounds

@@ -1,51 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Whole scenes: order, threads, fixed bodies, skipped pairs, warm calls without allocation.
-#include <atomic>
+// Whole scenes: order, threads, fixed bodies, skipped pairs.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <cstring>
-#include <new>
 #include <set>
 
-#include "tests/collision/reference.h"
-#include "tests/support/sanitized.h"
+#include "tests/collision/heap.h"
 
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// The sanitizer brings its own, and would find this one paired with its own nothrow variant.
-#ifndef PABD_SANITIZED
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size ? size : 1)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-#endif
+namespace pabd::test_detect {
 
 using namespace reference;
 
 namespace {
-
-// A heap of every shape over two planes, some bodies fixed.
-Setup heap(int bodies, unsigned seed) {
-  Random random(seed);
-  Setup setup;
-  for (int i = 0; i < bodies; ++i) {
-    if (i == bodies / 2) setup.add(Plane{Vec3::UnitY(), 0}, Vec3::Zero());
-    if (i == bodies / 3) setup.add(Plane{Vec3(0.6, 0.8, 0), -1}, Vec3::Zero());
-    const double size = random.uniform(0.2, 0.6);
-    const Shape shape = i % 3 == 0   ? Shape(Box{{size, 0.4, 0.5}})
-                        : i % 3 == 1 ? Shape(Sphere{size})
-                                     : Shape(Capsule{0.3, size});
-    const Vec3 where = random.within(-1.5, 1.5).cwiseProduct(Vec3(2, 1, 2)) + Vec3(0, 1.5, 0);
-    const Mat3 R = random.rotation();
-    setup.add(shape, where, R, random.uniform(0, 0.05), i % 11 == 0);
-  }
-  return setup;
-}
 
 bool same(const std::vector<ContactPoint>& p, const std::vector<ContactPoint>& q) {
   if (p.size() != q.size()) return false;
@@ -136,18 +101,6 @@ TEST_CASE("a larger reach adds contacts and changes none") {
   }
 }
 
-TEST_CASE("a warm call does not allocate") {
-  const Setup setup = heap(300, 30);
-  CollisionWorkspace workspace;
-  std::vector<ContactPoint> out;
-  for (int k = 0; k < 2; ++k) detect(setup.model, setup.c, setup.R, setup.reach, {}, 1, workspace, out);
-  const std::vector<IndexPair> skip;
-  const long before = allocations;
-  detect(setup.model, setup.c, setup.R, setup.reach, skip, 1, workspace, out);
-  CHECK(allocations - before == 0);
-  CHECK(out.size() > 500);
-}
-
 TEST_CASE("an empty scene, a lone body and non-finite poses give no contacts") {
   Setup setup;
   CHECK(setup.contacts().empty());
@@ -157,3 +110,5 @@ TEST_CASE("an empty scene, a lone body and non-finite poses give no contacts") {
   setup.add(Plane{Vec3::UnitY(), -10}, Vec3::Zero());
   CHECK(setup.contacts(2).empty());
 }
+
+}  // namespace pabd::test_detect

@@ -6,6 +6,8 @@
 #include "sim/body/convex_hull.h"
 #include "tests/collision/reference.h"
 
+namespace pabd::test_hulls {
+
 using namespace reference;
 
 namespace {
@@ -155,3 +157,5 @@ TEST_CASE("degenerate placements of hulls give finite contacts") {
     }
   }
 }
+
+}  // namespace pabd::test_hulls

@@ -3,7 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include "sim/body/convex_hull.h"
+#include "sim/math/so3.h"
 #include "tests/collision/reference.h"
+
+namespace pabd::test_nearest_places {
 
 using namespace reference;
 
@@ -34,8 +37,7 @@ TEST_CASE("a corner that points at an edge, where no face keeps the two apart") 
   const Vec3 diagonal = Vec3(1, 1, 0).normalized(), edge(half, half, 0.1);
   for (const double size : {0.5, 0.25}) {
     for (int k = 0; k < 24; ++k) {
-      const Mat3 R =
-          turn(0.25 * k, diagonal) * Quat::FromTwoVectors(Vec3(1, 1, 1), diagonal).toRotationMatrix();
+      const Mat3 R = turn(0.25 * k, diagonal) * rotation_between(Vec3(1, 1, 1), diagonal);
       const Vec3 c = edge + (gap + size * std::sqrt(3.0)) * diagonal;
       for (const bool hulls : {false, true}) {
         Setup setup;
@@ -112,8 +114,7 @@ TEST_CASE("a thick capsule beside the rim of a face is as near as it is, not as 
           Setup setup;
           setup.add(hull ? hull_of_box(Vec3::Constant(half)) : Shape(Box{Vec3::Constant(half)}),
                     Vec3::Zero());
-          setup.add(Capsule{radius, 1}, end + 0.5 * u,
-                    Quat::FromTwoVectors(Vec3::UnitY(), u).toRotationMatrix());
+          setup.add(Capsule{radius, 1}, end + 0.5 * u, rotation_between(Vec3::UnitY(), u));
           const double s = signed_distance(setup, 0, 1);
           INFO("rise " << rise << ", beyond " << beyond << ", gap " << gap << (hull ? ", hull" : ", box"));
           CHECK(smallest_d(setup.contacts()) == Approx(s).margin(0.021 * std::abs(s) + 1e-3 * half));
@@ -133,7 +134,7 @@ TEST_CASE("a capsule that stands askew on a face of a hull touches it with the e
         Setup setup;
         setup.add(shapes[k], Vec3::Zero());
         setup.add(Capsule{0.1, 0.6}, Vec3(0, 0.5 + 0.1 + 0.004, 0) + 0.3 * u,
-                  Quat::FromTwoVectors(Vec3::UnitY(), u).toRotationMatrix());
+                  rotation_between(Vec3::UnitY(), u));
         contacts[k] = setup.contacts();
       }
       INFO("askew by " << askew);
@@ -154,7 +155,7 @@ TEST_CASE("capsules that lean on each other touch with a cap where the side woul
       Setup setup;
       setup.add(longer, -0.5 * longer.length * u);
       setup.add(shorter, Vec3(0.42, 0, 0) - (0.5 * shorter.length - past) * v,
-                Quat::FromTwoVectors(Vec3::UnitY(), v).toRotationMatrix());
+                rotation_between(Vec3::UnitY(), v));
       INFO("lean " << lean << ", past " << past);
       const auto contacts = setup.contacts();
       for (const ContactPoint& p : contacts) {
@@ -178,3 +179,5 @@ TEST_CASE("thin capsules that cross at less than a hundredth are nearest where t
     }
   }
 }
+
+}  // namespace pabd::test_nearest_places

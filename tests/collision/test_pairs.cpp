@@ -10,6 +10,8 @@
 #include "tests/collision/reference.h"
 #include "tests/support/sanitized.h"
 
+namespace pabd::test_pairs {
+
 using namespace reference;
 
 namespace {
@@ -186,3 +188,5 @@ TEST_CASE("a motion of a millionth keeps nearly every feature, and its point clo
     }
   }
 }
+
+}  // namespace pabd::test_pairs

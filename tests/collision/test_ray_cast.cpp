@@ -10,6 +10,8 @@
 #include "sim/collision/ray_cast.h"
 #include "tests/collision/reference.h"
 
+namespace pabd::test_ray_cast {
+
 using namespace reference;
 
 namespace {
@@ -167,3 +169,5 @@ TEST_CASE("of all bodies the nearest is hit; a ray that makes no sense hits noth
   CHECK_FALSE(ray_cast(model, state, Ray{{0, 1, 0}, {0, 0, 0}}));
   CHECK_FALSE(ray_cast(model.shape[1], state.c[1], state.R[1], Ray{{0, 1, 0}, {0, nan, 0}}));
 }
+
+}  // namespace pabd::test_ray_cast

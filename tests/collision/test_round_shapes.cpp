@@ -4,6 +4,8 @@
 
 #include "tests/collision/reference.h"
 
+namespace pabd::test_round_shapes {
+
 using namespace reference;
 
 namespace {
@@ -192,3 +194,5 @@ TEST_CASE("coincident and flat bodies give finite contacts with unit normals") {
   CHECK(contacts[0].n == Vec3::UnitY());
   CHECK(contacts[0].d == -0.75);
 }
+
+}  // namespace pabd::test_round_shapes

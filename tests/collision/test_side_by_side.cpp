@@ -8,6 +8,8 @@
 #include "sim/body/convex_hull.h"
 #include "tests/collision/reference.h"
 
+namespace pabd::test_side_by_side {
+
 using namespace reference;
 
 namespace {
@@ -204,3 +206,5 @@ TEST_CASE("prisms of many sides, one beside the other, touch at both ends wherev
     }
   }
 }
+
+}  // namespace pabd::test_side_by_side

@@ -8,6 +8,8 @@
 #include "tests/collision/reference.h"
 #include "tests/support/hulls.h"
 
+namespace pabd::test_solid_contacts {
+
 using namespace reference;
 
 namespace {
@@ -241,3 +243,5 @@ TEST_CASE("rays along and across a cylinder, from inside, and from far away") {
   CHECK_FALSE(cast(cylinder(), {0.41, 9, 0}, -Vec3::UnitY()));
   CHECK_FALSE(cast(cylinder(), {-9, 0.76, 0}, Vec3::UnitX()));
 }
+
+}  // namespace pabd::test_solid_contacts

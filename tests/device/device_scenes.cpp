@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See device_scenes.h.
 #include "tests/device/device_scenes.h"
+#include "tests/support/places.h"
 
 #include <algorithm>
 #include <array>
@@ -53,7 +54,7 @@ void solve_exactly(Params& params) {
 }
 
 Scene exact_scene(const char* name) {
-  Scene scene = load_scene(std::string(PABD_SCENES) + "/" + name + ".json");
+  Scene scene = load_scene(std::string(places::scenes()) + "/" + name + ".json");
   solve_exactly(scene.params);
   return scene;
 }

@@ -20,8 +20,9 @@
 #include "tests/device/drawn_commands.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_device_bodies {
+
+using namespace testing;
 
 namespace {
 
@@ -237,3 +238,5 @@ TEST_CASE("more bodies than a buffer takes are refused with a remedy") {
   CHECK_THROWS_WITH(DeviceBodies(*context, parts, poses.id()),
                     Catch::Contains("MiB") && Catch::Contains("--device cpu"));
 }
+
+}  // namespace pabd::test_device_bodies

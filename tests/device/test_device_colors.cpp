@@ -13,8 +13,9 @@
 #include "tests/device/device_scenes.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_device_colors {
+
+using namespace testing;
 
 namespace {
 
@@ -155,3 +156,5 @@ TEST_CASE("energies of bodies are those that the processor reports") {
   }
   CHECK(of_contacts > 0.3 * report.elastic);  // half of those with the floor is nobody's here
 }
+
+}  // namespace pabd::test_device_colors

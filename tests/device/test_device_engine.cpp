@@ -11,7 +11,7 @@
 #include "tests/support/errors.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_device_engine {
 
 namespace {
 
@@ -387,3 +387,5 @@ TEST_CASE("who lends a context draws from copies of the poses, which stay as the
   shared.drop();
   CHECK_FALSE(DeviceEngine(Backend::automatic, &shared).keeps_bodies(tiny.model));
 }
+
+}  // namespace pabd::test_device_engine

@@ -14,8 +14,9 @@
 #include "tests/device/drawn_commands.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_device_hiding {
+
+using namespace testing;
 
 namespace {
 
@@ -155,3 +156,5 @@ TEST_CASE("pictures of bodies and cameras that jump about lack nothing") {
     CHECK(result.equal);
   }
 }
+
+}  // namespace pabd::test_device_hiding

@@ -16,8 +16,9 @@
 #include "tests/device/drawn_commands.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_device_marks {
+
+using namespace testing;
 
 namespace {
 
@@ -169,3 +170,5 @@ TEST_CASE("glyphs of a heap's contacts are the same from the solver's buffers, s
   }
   CHECK(most > 5);
 }
+
+}  // namespace pabd::test_device_marks

@@ -10,7 +10,7 @@
 #include "sim/solver/time_step.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_device_momentum {
 
 namespace {
 
@@ -112,3 +112,5 @@ TEST_CASE("a pair's step in double is the processor's, turned as a whole") {
     }
   }
 }
+
+}  // namespace pabd::test_device_momentum

@@ -11,8 +11,9 @@
 #include "tests/device/device_scenes.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_device_pick {
+
+using namespace testing;
 
 namespace {
 
@@ -77,3 +78,5 @@ TEST_CASE("a ray along more bodies than were expected meets the first of them") 
   CHECK(pick({{-5, 0, 0}, {1, 0, 0}}).has_value());
   CHECK_FALSE(pick({{2000, 0, 0}, {1, 0, 0}}).has_value());
 }
+
+}  // namespace pabd::test_device_pick

@@ -6,7 +6,7 @@
 #include "sim/solver/step_summary.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_device_runaway {
 
 namespace {
 
@@ -107,3 +107,5 @@ TEST_CASE("bodies in touch where a double no longer resolves the contact are no 
   CHECK(of_cpu.status == StepStatus::non_finite);
   CHECK(of_gpu.status == StepStatus::non_finite);
 }
+
+}  // namespace pabd::test_device_runaway

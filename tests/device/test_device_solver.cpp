@@ -10,10 +10,12 @@
 #include "sim/scene/builder.h"
 #include "sim/solver/time_step.h"
 #include "tests/device/device_scenes.h"
+#include "tests/support/places.h"
 #include "tests/support/sanitized.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_device_solver {
+
+using namespace testing;
 
 namespace {
 
@@ -298,7 +300,7 @@ TEST_CASE("what rests on the GPU keeps its contacts, and rests where it would wi
 
 TEST_CASE("the GPU refuses what it cannot solve, with words that help") {
   const auto why = [](const char* name) {
-    const Scene scene = load_scene(std::string(PABD_SCENES) + "/" + name + ".json");
+    const Scene scene = load_scene(std::string(places::scenes()) + "/" + name + ".json");
     return DeviceSolver::why_not(scene.model, scene.params);
   };
   CHECK(why("pyramid").empty());
@@ -317,7 +319,7 @@ TEST_CASE("the GPU refuses what it cannot solve, with words that help") {
 
 TEST_CASE("the large scenes are as large as they say, and the GPU takes them") {
   const auto load = [](const char* name) {
-    return load_scene(std::string(PABD_SCENES) + "/../large/" + name + ".json");
+    return load_scene(std::string(places::scenes()) + "/../large/" + name + ".json");
   };
   const Scene avalanche = load("avalanche");
   CHECK(avalanche.model.size() == 100'005);
@@ -360,3 +362,5 @@ TEST_CASE("a GPU that is lost in the middle ends with an error, not with a wait"
   DeviceSolver device(lost, scene.model, scene.initial);
   CHECK_THROWS_WITH(device.step(scene.params), Catch::Contains("lost"));
 }
+
+}  // namespace pabd::test_device_solver

@@ -5,8 +5,9 @@
 #include "render/device/device_solver.h"
 #include "tests/device/device_scenes.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_device_sweeps {
+
+using namespace testing;
 
 TEST_CASE("however many threads share a body on the GPU, a step is the same but for rounding") {
   Scene scene = mixed_heap(2);
@@ -68,3 +69,5 @@ TEST_CASE("bodies of one color on the GPU share no contact") {
   }
   CHECK(between > 50);
 }
+
+}  // namespace pabd::test_device_sweeps

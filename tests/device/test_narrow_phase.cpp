@@ -14,13 +14,15 @@
 #include "tests/device/narrow_shapes.h"
 #include "tests/support/sanitized.h"
 
+namespace pabd::test_narrow_phase {
+
 using namespace reference;
-using pabd::testing::any_context;
-using pabd::testing::keeps_doubles;
-using pabd::testing::kSolid;
-using pabd::testing::NarrowOnDevice;
-using pabd::testing::PlacedPair;
-using pabd::testing::shapes_of;
+using testing::any_context;
+using testing::keeps_doubles;
+using testing::kSolid;
+using testing::NarrowOnDevice;
+using testing::PlacedPair;
+using testing::shapes_of;
 
 namespace {
 
@@ -351,3 +353,5 @@ TEST_CASE("in float the shaders of the narrow phase find the CPU's contacts but 
     }
   }
 }
+
+}  // namespace pabd::test_narrow_phase

@@ -9,6 +9,8 @@
 #include "sim/body/shape_kind.h"
 #include "tests/collision/reference.h"
 
+namespace pabd::test_shape_table {
+
 using namespace reference;
 
 namespace {
@@ -130,3 +132,5 @@ TEST_CASE("every pair of kinds has its shader, but two planes") {
     }
   }
 }
+
+}  // namespace pabd::test_shape_table

@@ -8,7 +8,7 @@
 #include "sim/solver/step_summary.h"
 #include "tests/support/errors.h"
 
-using namespace pabd;
+namespace pabd::test_split_engine {
 
 namespace {
 
@@ -206,3 +206,5 @@ TEST_CASE("where the parts would meet the step is refused before they do, and th
       engine.step(scene.model, scene.params, options, near, report));  // the ball is the processor's now
   CHECK(near.step == 1);
 }
+
+}  // namespace pabd::test_split_engine

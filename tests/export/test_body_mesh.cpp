@@ -10,8 +10,9 @@
 #include "tests/export/export_helpers.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_body_mesh {
+
+using namespace testing;
 
 namespace {
 
@@ -112,3 +113,5 @@ TEST_CASE("a plane is a square in it, beneath the middle, seen from above") {
     CHECK(measure(mesh, mesh.light).area == Approx(144));
   }
 }
+
+}  // namespace pabd::test_body_mesh

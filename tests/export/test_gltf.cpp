@@ -12,8 +12,9 @@
 #include "tests/support/errors.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_gltf {
+
+using namespace testing;
 
 namespace {
 
@@ -262,3 +263,5 @@ TEST_CASE("the same run gives the same bytes, and what would be too large is ref
     CHECK_FALSE(std::filesystem::exists(large));
   }
 }
+
+}  // namespace pabd::test_gltf

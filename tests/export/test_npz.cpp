@@ -9,10 +9,12 @@
 #include "tests/export/export_helpers.h"
 #include "tests/support/errors.h"
 #include "tests/support/file_size_limit.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_npz {
+
+using namespace testing;
 
 namespace {
 
@@ -72,8 +74,8 @@ TEST_CASE("numpy reads every array of an .npz, and they are the run") {
     for (const Vec3& corner : solid.corners) append(corner, told["corners"]);
   }
   write_bytes(folder / "expected.json", expected.dump());
-  const auto [code, text] =
-      outcome("/usr/bin/python3 " PABD_CHECK_NPZ " " + out + " " + (folder / "expected.json").string());
+  const auto [code, text] = outcome("/usr/bin/python3 " + places::tests() + "/export/check_npz.py " + out +
+                                    " " + (folder / "expected.json").string());
   CAPTURE(text);
   CHECK(code == 0);
 }
@@ -120,3 +122,5 @@ TEST_CASE("an archive that cannot be written whole leaves nothing and says why")
   CHECK(longer.kind == file_error);
   CHECK(folder.names().empty());
 }
+
+}  // namespace pabd::test_npz

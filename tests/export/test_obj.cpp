@@ -10,8 +10,9 @@
 #include "tests/support/errors.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_obj {
+
+using namespace testing;
 
 namespace {
 
@@ -118,3 +119,5 @@ TEST_CASE("names of numbered files are understood or refused") {
     CHECK(refused.says(".usda"));
   }
 }
+
+}  // namespace pabd::test_obj

@@ -8,8 +8,9 @@
 #include "tests/export/export_helpers.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_usd {
+
+using namespace testing;
 
 namespace {
 
@@ -165,3 +166,5 @@ TEST_CASE("time samples of a .usda are the poses of the run") {
     CHECK(text.find("\"" + (*at)[2].str() + "\"") != std::string::npos);
   CHECK(found > 15);
 }
+
+}  // namespace pabd::test_usd

@@ -9,7 +9,7 @@
 #include "sim/base/error.h"
 #include "tests/support/files.h"
 
-using namespace pabd;
+namespace pabd::test_camera_keys {
 
 namespace {
 
@@ -108,3 +108,5 @@ TEST_CASE("a camera in words is the same camera, and a file of keys is a camera 
   std::filesystem::remove(path);
   CHECK_THROWS_AS(parse_camera(path.string()), Error);
 }
+
+}  // namespace pabd::test_camera_keys

@@ -11,8 +11,9 @@
 #include "tests/device/device_pictures.h"
 #include "tests/device/device_scenes.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_device_film {
+
+using namespace testing;
 
 namespace {
 
@@ -151,3 +152,5 @@ TEST_CASE("the sphere around bodies on the GPU is that of their state") {
     scene.model.fixed[i] = 1;
   CHECK(check() > 0);
 }
+
+}  // namespace pabd::test_device_film

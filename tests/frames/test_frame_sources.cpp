@@ -12,15 +12,16 @@
 #include "sim/base/error.h"
 #include "sim/scene/tuning.h"
 #include "sim/trace/trace.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
+namespace pabd::test_frame_sources {
 
 namespace {
 
 constexpr std::size_t kPlenty = std::size_t{64} << 20;
 
 std::shared_ptr<const Scene> two_boxes() {
-  return std::make_shared<const Scene>(load_scene(PABD_SCENES "/two_boxes.json"));
+  return std::make_shared<const Scene>(load_scene(places::scenes() + "/two_boxes.json"));
 }
 
 Run tuned_run(const std::shared_ptr<const Scene>& scene, std::size_t memory, const std::string& set) {
@@ -166,7 +167,7 @@ TEST_CASE(
 TEST_CASE("a run that leaves the numbers, or is stopped, ends its frames") {
   // The log barrier has no force for boxes that start inside each other.
   const auto scene = std::make_shared<const Scene>(
-      load_scene(PABD_SCENES "/two_boxes.json", std::vector<std::string>{"contact.barrier=log"}));
+      load_scene(places::scenes() + "/two_boxes.json", std::vector<std::string>{"contact.barrier=log"}));
   LiveSource lost(Run(scene, 1, kNoPast), {}, {0, 10, 60});
   CHECK(all_of(lost).size() == 1);
   REQUIRE(lost.diverged());
@@ -218,3 +219,5 @@ TEST_CASE(
   }
   CHECK(endless.made < 10);
 }
+
+}  // namespace pabd::test_frame_sources

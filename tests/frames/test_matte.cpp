@@ -7,7 +7,7 @@
 #include "render/output/png.h"
 #include "sim/base/srgb.h"
 
-using namespace pabd;
+namespace pabd::test_matte {
 
 TEST_CASE("colour and opacity come back from black and white, to a byte") {
   Image black, white;
@@ -35,3 +35,5 @@ TEST_CASE("colour and opacity come back from black and white, to a byte") {
   CHECK(encode_png(out)[25] == 6);
   CHECK(encode_png(black)[25] == 2);
 }
+
+}  // namespace pabd::test_matte

@@ -12,8 +12,9 @@
 #include "render/visual/bounds.h"
 #include "sim/base/error.h"
 #include "sim/body/shape_kind.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
+namespace pabd::test_scene_framing {
 
 namespace {
 
@@ -92,7 +93,7 @@ Extent extent_of(const Camera& camera, double aspect, const Start& start, const 
 
 std::vector<std::filesystem::path> scenes() {
   std::vector<std::filesystem::path> out;
-  for (const auto& entry : std::filesystem::directory_iterator(PABD_SCENES)) {
+  for (const auto& entry : std::filesystem::directory_iterator(places::scenes())) {
     if (entry.path().extension() == ".json") out.push_back(entry.path());
   }
   REQUIRE(out.size() > 20);
@@ -144,7 +145,7 @@ TEST_CASE("all shipped scenes are whole in every frame, fill it and are in the m
 TEST_CASE("bodies stay in the picture while they move, where looking ahead is cheap") {
   for (const char* name : {"four_bar", "slider_crank", "double_pendulum", "pendulum", "ferris_wheel", "spin",
                            "bridge", "newtons_cradle", "chain_heavy_end", "shapes", "ragdoll"}) {
-    const Start start = open(std::filesystem::path(PABD_SCENES) / (std::string(name) + ".json"));
+    const Start start = open(std::filesystem::path(places::scenes()) / (std::string(name) + ".json"));
     const double aspect = 16.0 / 9;
     const std::vector<Spot> spots = spots_ahead(start.scene, start.view, 2);
     const Camera camera = fit_camera(spots, side_of(*start.scene), aspect);
@@ -163,7 +164,7 @@ TEST_CASE("bodies stay in the picture while they move, where looking ahead is ch
 }
 
 TEST_CASE("a camera that follows goes as far as its body, and starts near it") {
-  const Start start = open(std::filesystem::path(PABD_SCENES) / "pendulum.json");
+  const Start start = open(std::filesystem::path(places::scenes()) / "pendulum.json");
   const Model& model = start.scene->model;
   CHECK_THROWS_AS(followed_body(parse_camera("follow:nobody"), model), Error);
   CHECK_THROWS_AS(followed_body(parse_camera("follow:999"), model), Error);
@@ -201,3 +202,5 @@ TEST_CASE("words of a camera go together, and come back") {
     CHECK_THROWS_AS(parse_camera(wrong), Error);
   }
 }
+
+}  // namespace pabd::test_scene_framing

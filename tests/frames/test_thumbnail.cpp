@@ -9,9 +9,11 @@
 #include "render/output/png.h"
 #include "sim/base/error.h"
 #include "tests/support/golden.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_thumbnail {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -57,7 +59,7 @@ TEST_CASE("the thumbnail of a shipped scene") {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(Backend::automatic, attempts);
   Renderer renderer(*context, 32, 32);
-  const Scene scene = load_scene(PABD_SCENES "/pyramid.json");
+  const Scene scene = load_scene(places::scenes() + "/pyramid.json");
   const Image image = draw_thumbnail(renderer, scene);
   REQUIRE(image.width == kThumbnailWidth);
   REQUIRE(image.height == kThumbnailHeight);
@@ -172,3 +174,5 @@ TEST_CASE("the oldest go when there are too many") {
   CHECK(fs::exists(folder.path() / "notes.txt"));
   CHECK(cache.find(kHash));
 }
+
+}  // namespace pabd::test_thumbnail

@@ -16,7 +16,7 @@
 #include "tests/gl/render_fixture.h"
 #include "tests/support/files.h"
 
-using namespace pabd;
+namespace pabd::test_contexts {
 
 namespace {
 
@@ -179,3 +179,5 @@ TEST_CASE("two renderers on two contexts live side by side") {
   }
   a->make_current();
 }
+
+}  // namespace pabd::test_contexts

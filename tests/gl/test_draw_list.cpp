@@ -7,7 +7,7 @@
 
 #include "tests/gl/render_fixture.h"
 
-using namespace pabd;
+namespace pabd::test_draw_list {
 
 namespace {
 
@@ -89,3 +89,5 @@ TEST_CASE("each mesh has a batch of its own") {
   }
   CHECK(list.instances.size() == 15);
 }
+
+}  // namespace pabd::test_draw_list

@@ -6,7 +6,7 @@
 
 #include "render/gl/drop_alpha.h"
 
-using namespace pabd;
+namespace pabd::test_drop_alpha {
 
 TEST_CASE("a pixel's three bytes arrive in the row that is as far from the top as it was from the bottom") {
   const int threads = GENERATE(1, 2, 5);
@@ -34,3 +34,5 @@ TEST_CASE("only large frames are worth more than one thread, and eight are enoug
   CHECK(drop_alpha_threads(3840, 2160, 16) == 8);
   CHECK(drop_alpha_threads(3840, 2160, 1) == 1);
 }
+
+}  // namespace pabd::test_drop_alpha

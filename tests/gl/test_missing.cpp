@@ -7,7 +7,7 @@
 #include "render/context/shared_library.h"
 #include "sim/base/error.h"
 
-using namespace pabd;
+namespace pabd::test_missing {
 
 namespace {
 
@@ -66,3 +66,5 @@ TEST_CASE("a library that is not installed is a reason, not a crash") {
   CHECK(contains(library.error(), "libpabd-does-not-exist.so.1"));
   CHECK(library.find<void (*)()>("anything") == nullptr);
 }
+
+}  // namespace pabd::test_missing

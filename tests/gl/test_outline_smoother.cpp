@@ -8,7 +8,7 @@
 #include "render/gl/outline_smoother.h"
 #include "sim/base/srgb.h"
 
-using namespace pabd;
+namespace pabd::test_outline_smoother {
 
 namespace {
 
@@ -211,3 +211,5 @@ TEST_CASE("a run that gives a pixel nothing does not keep another one from it") 
   const int byte = picture.encoded(smoother)[4 * (80 * Large::kWidth + 300)];
   CHECK(std::abs(byte - srgb_byte(20000 / 65535.0)) <= 1);
 }
+
+}  // namespace pabd::test_outline_smoother

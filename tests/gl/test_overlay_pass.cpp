@@ -7,7 +7,7 @@
 #include "tests/gl/imgui_frame.h"
 #include "tests/gl/render_fixture.h"
 
-using namespace pabd;
+namespace pabd::test_overlay_pass {
 
 namespace {
 
@@ -105,3 +105,5 @@ TEST_CASE("text leaves ink where it is drawn") {
   CHECK(ink > 40);  // four letters of the 13 pixel font
   CHECK(ink < 13 * 28 / 2);
 }
+
+}  // namespace pabd::test_overlay_pass

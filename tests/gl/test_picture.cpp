@@ -9,7 +9,7 @@
 #include "tests/gl/drawn_scenes.h"
 #include "tests/gl/render_fixture.h"
 
-using namespace pabd;
+namespace pabd::test_picture {
 
 namespace {
 
@@ -296,3 +296,5 @@ TEST_CASE("a pile of all shapes, for looking at") {
   keep_image("pile", image);
   CHECK(image.rgb == render(f.renderer, scene).rgb);
 }
+
+}  // namespace pabd::test_picture

@@ -8,7 +8,7 @@
 
 #include "render/context/probe.h"
 
-using namespace pabd;
+namespace pabd::test_probe {
 
 namespace {
 
@@ -80,3 +80,5 @@ TEST_CASE("a library that crashes when it is asked what there is") {
   CHECK(probed({family("y", {refuses("b")}), crashing}) ==
         List{"b: not today", "x: the driver crashed (signal 7)"});
 }
+
+}  // namespace pabd::test_probe

@@ -7,7 +7,8 @@
 #include "sim/base/error.h"
 #include "tests/gl/render_fixture.h"
 
-using namespace pabd;
+namespace pabd::test_program {
+
 using Catch::Matchers::Contains;
 
 TEST_CASE("a driver's words name files, however it writes numbers") {
@@ -52,3 +53,5 @@ TEST_CASE("the driver's offsets of the uniform block are those of the struct") {
   const BlockMember unknown[] = {{"Frame.nobody", 0}};
   CHECK_THAT(block_mismatch(gl, program.id(), unknown), Contains("Frame.nobody"));
 }
+
+}  // namespace pabd::test_program

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace pabd;
+namespace pabd::test_quality {
 
 namespace {
 
@@ -51,3 +51,5 @@ TEST_CASE("it comes back when the scene gets cheaper; one slow picture changes n
   live.took(500);
   CHECK(draw(live, 10, 0, 10) == 0);
 }
+
+}  // namespace pabd::test_quality

@@ -6,7 +6,7 @@
 #include "tests/gl/render_fixture.h"
 #include "tests/support/errors.h"
 
-using namespace pabd;
+namespace pabd::test_read_back {
 
 namespace {
 
@@ -121,3 +121,5 @@ TEST_CASE("the times of a frame are those of the clock") {
   CHECK_FALSE(f.renderer.gl_renderer().empty());
   CHECK_FALSE(f.renderer.gl_version().empty());
 }
+
+}  // namespace pabd::test_read_back

@@ -10,7 +10,7 @@
 
 #include "sim/base/error.h"
 
-using namespace pabd;
+namespace pabd::test_window {
 
 namespace {
 
@@ -93,3 +93,5 @@ TEST_CASE("without a display no window opens, and the message says what helps") 
     CHECK(text.find('\n') == std::string::npos);
   }
 }
+
+}  // namespace pabd::test_window

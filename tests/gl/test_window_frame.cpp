@@ -10,7 +10,7 @@
 #include "tests/gl/imgui_frame.h"
 #include "tests/gl/render_fixture.h"
 
-using namespace pabd;
+namespace pabd::test_window_frame {
 
 namespace {
 
@@ -211,3 +211,5 @@ TEST_CASE("pictures that cannot be textures are refused") {
   wide.resize(100000, 1);
   CHECK_THROWS_AS(f.renderer.upload_texture(wide), Error);
 }
+
+}  // namespace pabd::test_window_frame

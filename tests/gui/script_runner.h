@@ -7,13 +7,14 @@
 
 #include "app/gui/script.h"
 #include "sim/base/error.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
 namespace pabd {
 
 inline std::string shipped_scene(const std::string& name) {
   if (std::filesystem::exists(name)) return name;
-  const std::filesystem::path path = std::filesystem::path(PABD_SCENES) / (name + ".json");
+  const std::filesystem::path path = std::filesystem::path(places::scenes()) / (name + ".json");
   if (!std::filesystem::exists(path)) throw Error(ErrorKind::file, name + ": no such scene");
   return path.string();
 }

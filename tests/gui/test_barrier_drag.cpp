@@ -8,7 +8,7 @@
 #include "app/gui/plot_reading.h"
 #include "app/overlay/overlay_panels.h"
 
-using namespace pabd;
+namespace pabd::test_barrier_drag {
 
 namespace {
 
@@ -134,3 +134,5 @@ TEST_CASE("thinned lines keep ends and extremes, in order") {
   CHECK(std::find(thin.y.begin(), thin.y.end(), -5) != thin.y.end());
   CHECK(plot.series[1].x.size() == 20000);
 }
+
+}  // namespace pabd::test_barrier_drag

@@ -6,13 +6,14 @@
 #include "app/frames/camera_option.h"
 #include "app/gui/camera_motion.h"
 #include "app/workbench/workbench.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
+namespace pabd::test_camera_motion {
 
 namespace {
 
 struct Window {
-  Workbench bench{{}, command::Load{PABD_SCENES "/four_bar.json", {}, false}};
+  Workbench bench{{}, command::Load{places::scenes() + "/four_bar.json", {}, false}};
   UiState ui;
   CameraMotion motion;
 
@@ -105,3 +106,5 @@ TEST_CASE("a camera that follows a body is told as it stands where that body beg
   REQUIRE(option.eye);
   CHECK((option.eye->cast<double>() - eye).norm() < 1e-5);
 }
+
+}  // namespace pabd::test_camera_motion

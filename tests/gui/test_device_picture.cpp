@@ -11,8 +11,9 @@
 #include "sim/scene/scene.h"
 #include "tests/support/drift_device.h"
 #include "tests/support/gpu_steps.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
+namespace pabd::test_device_picture {
 
 namespace {
 
@@ -21,7 +22,8 @@ std::unique_ptr<GlContext> any_context() {
   return create_headless_context(Backend::automatic, attempts);
 }
 
-const std::string kDominoes = PABD_SCENES "/dominoes.json", kTwoBoxes = PABD_SCENES "/two_boxes.json";
+const std::string kDominoes = places::scenes() + "/dominoes.json",
+                  kTwoBoxes = places::scenes() + "/two_boxes.json";
 
 // Whether it is so within two minutes: the shaders of a run are compiled first, on a busy machine.
 bool comes(const std::function<bool()>& condition) {
@@ -200,3 +202,5 @@ TEST_CASE("where pictures cannot be drawn from a device's memory, states come ba
   CHECK(told() == 1);
   CHECK(viewer.snapshot().playing);
 }
+
+}  // namespace pabd::test_device_picture

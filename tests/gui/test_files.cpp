@@ -6,7 +6,8 @@
 #include "app/gui/file_list.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_files {
+
 namespace fs = std::filesystem;
 
 TEST_CASE("names are in the order in which people count") {
@@ -59,3 +60,5 @@ TEST_CASE("what is dropped is told by its name and by what is in it") {
   CHECK(kind("large.json", "{" + std::string(2000000, ' ') + "}") == DroppedKind::scene);
   CHECK(kind_of_dropped((folder / "nothing.json").string()) == DroppedKind::scene);
 }
+
+}  // namespace pabd::test_files

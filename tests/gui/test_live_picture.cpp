@@ -4,7 +4,7 @@
 
 #include "app/gui/live_picture.h"
 
-using namespace pabd;
+namespace pabd::test_live_picture {
 
 TEST_CASE("at rest the picture is as good as it can be, in motion plain and seldom enough") {
   LivePicture live;
@@ -82,3 +82,5 @@ TEST_CASE("the picture is never older than what is shown beside it") {
     CHECK((slow ? pictures < frames : pictures == frames));
   }
 }
+
+}  // namespace pabd::test_live_picture

@@ -17,7 +17,8 @@
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_scene.h"
 
-using namespace pabd;
+namespace pabd::test_one_parameter {
+
 using Json = nlohmann::json;
 
 namespace {
@@ -172,3 +173,5 @@ TEST_CASE("a slider's number is the decimal that would be written") {
   }
   for (const double x : {0.0, 1.0, 999.6, 9.999e-5, 1e9, 123456789.0, 1.0 / 60}) check(x);
 }
+
+}  // namespace pabd::test_one_parameter

@@ -8,7 +8,7 @@
 #include "app/gui/key_table.h"
 #include "app/gui/palette.h"
 
-using namespace pabd;
+namespace pabd::test_palette {
 
 namespace {
 
@@ -65,3 +65,5 @@ TEST_CASE("keys are named as people know them") {
   CHECK(chord_text(parse_key_chord("shift+/")) == "?");
   CHECK(chord_text(parse_key_chord("left")) == "←");
 }
+
+}  // namespace pabd::test_palette

@@ -12,14 +12,16 @@
 #include "app/frames/render_pipeline.h"
 #include "app/gui/script.h"
 #include "render/output/png.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_pictures {
+
 namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kPictureScene = PABD_SCENES "/two_boxes.json";
+const std::string kPictureScene = places::scenes() + "/two_boxes.json";
 constexpr const char* kCamera = "eye=3,2,4,target=0,0.5,0,fov=40";
 
 std::unique_ptr<GlContext> make_context() {
@@ -179,3 +181,5 @@ TEST_CASE("frames of the past: which moment each shows") {
   CHECK(mixed[3] == 32);
   CHECK(mixed[11] == 48);
 }
+
+}  // namespace pabd::test_pictures

@@ -17,9 +17,11 @@
 #include "sim/base/error.h"
 #include "tests/gui/script_runner.h"
 #include "tests/support/golden.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_scripts {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -48,7 +50,7 @@ std::string refusal(const std::string& json) {
 }  // namespace
 
 TEST_CASE("every script finds what it expects, and its frames are the approved ones") {
-  for (const fs::path& path : sorted(PABD_GUI_SCRIPTS, ".json")) {
+  for (const fs::path& path : sorted(places::tests() + "/gui/scripts", ".json")) {
     DYNAMIC_SECTION(path.stem().string()) {
       const TempFolder folder;
       std::string renderer;
@@ -250,7 +252,7 @@ TEST_CASE("the list of actions has every command once, with its fields") {
 
 TEST_CASE("app/gui/actions.txt is what 'pabd view --actions' prints") {
   // Written with: pabd view --actions > app/gui/actions.txt
-  CHECK(read_bytes(PABD_SCENES "/../../app/gui/actions.txt") == action_list());
+  CHECK(read_bytes(places::project() + "/app/gui/actions.txt") == action_list());
 }
 
 TEST_CASE("the copied command repeats what is seen") {
@@ -321,3 +323,5 @@ TEST_CASE("a recording takes what render takes for its video, and refuses what d
   CHECK(repeats("ever.gif"));
   CHECK_FALSE(repeats("once.gif"));
 }
+
+}  // namespace pabd::test_scripts

@@ -8,7 +8,8 @@
 #include "sim/base/error.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_settings {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -90,3 +91,5 @@ TEST_CASE("settings on disk: none, written, in a place where nothing can be writ
   REQUIRE(::setenv("HOME", "relative", 1) == 0);
   CHECK_FALSE(settings_path());
 }
+
+}  // namespace pabd::test_settings

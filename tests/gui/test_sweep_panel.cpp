@@ -14,8 +14,9 @@
 #include "tests/support/golden.h"
 #include "tests/sweep/swept_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_sweep_panel {
+
+using namespace test;
 namespace fs = std::filesystem;
 
 namespace {
@@ -278,3 +279,5 @@ TEST_CASE("the folder of a sweep that is dropped is known by its plan") {
   CHECK(kind_of_dropped(folder.path().string()) == DroppedKind::sweep);
   CHECK(kind_of_dropped(other.path().string()) == DroppedKind::scene);
 }
+
+}  // namespace pabd::test_sweep_panel

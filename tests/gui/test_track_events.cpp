@@ -5,8 +5,9 @@
 
 #include "app/gui/track_events.h"
 #include "app/workbench/workbench.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
+namespace pabd::test_track_events {
 
 TEST_CASE("names stand beside their places where there is room, and nowhere else") {
   const Span room{0, 300};
@@ -60,7 +61,7 @@ TEST_CASE("no two names, and no name and time, overlap, wherever they are") {
 
 TEST_CASE("the first contact is that of the first step with one, and none where they are from the start on") {
   const auto events = [](const char* scene, int steps) {
-    Workbench bench({}, command::Load{std::string(PABD_SCENES) + "/" + scene + ".json", {}, false});
+    Workbench bench({}, command::Load{std::string(places::scenes()) + "/" + scene + ".json", {}, false});
     bench.apply(command::Step{steps});
     const Snapshot sim = bench.snapshot();
     std::optional<double> named, found;
@@ -78,3 +79,5 @@ TEST_CASE("the first contact is that of the first step with one, and none where 
   REQUIRE(from_start);
   CHECK_FALSE(stack);
 }
+
+}  // namespace pabd::test_track_events

@@ -5,7 +5,7 @@
 #include "app/gui/value_slider.h"
 #include "app/gui/widgets.h"
 
-using namespace pabd;
+namespace pabd::test_value_slider {
 
 TEST_CASE("places on a bar and values are each other's inverse") {
   const SliderScale scales[] = {{0, 1, false}, {-2, 6, false}, {1e-4, 1e2, true}};
@@ -59,3 +59,5 @@ TEST_CASE("a tooltip is on the screen, and not over what it explains") {
     }
   }
 }
+
+}  // namespace pabd::test_value_slider

@@ -6,7 +6,8 @@
 #include "app/gui/panel.h"
 #include "sim/base/error.h"
 
-using namespace pabd;
+namespace pabd::test_window_panel {
+
 using Catch::Matchers::Contains;
 
 TEST_CASE("every panel is found by its name and has one tab") {
@@ -59,3 +60,5 @@ TEST_CASE("the tab of a sweep is there while one is open") {
   ui.sweep.folder = "/some/where";
   CHECK(sweep_tab.offered(ui));
 }
+
+}  // namespace pabd::test_window_panel

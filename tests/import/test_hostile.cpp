@@ -3,10 +3,12 @@
 #include <fstream>
 
 #include "tests/import/import_helpers.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_hostile {
+
+using namespace test;
 
 namespace {
 
@@ -158,7 +160,7 @@ TEST_CASE("a package is looked for only where files may be read", "[import]") {
     };
     return import_robot_text(text, "r.urdf", root, {}, below_root);
   };
-  const std::filesystem::path wedge = std::filesystem::path(PABD_ASSETS) / "meshes/wedge.obj";
+  const std::filesystem::path wedge = std::filesystem::path(places::assets()) / "meshes/wedge.obj";
   std::filesystem::copy_file(wedge, root / "p/inside.obj");
   CHECK(robot("inside.obj").files == std::vector<std::filesystem::path>{root / "p/inside.obj"});
   // A file outside is as one that does not exist.
@@ -170,3 +172,5 @@ TEST_CASE("a package is looked for only where files may be read", "[import]") {
   CHECK(after.files.empty());
   CHECK_THAT(note_with(after, "mesh left out").text, Catch::Contains("no such file"));
 }
+
+}  // namespace pabd::test_hostile

@@ -3,8 +3,9 @@
 #include "tests/import/import_helpers.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_included {
+
+using namespace test;
 
 TEST_CASE("a scene includes a robot, whose notes are told", "[import]") {
   const TempFolder folder;
@@ -64,3 +65,5 @@ TEST_CASE("bodies of an MJCF file have friction of their own, and the larger one
   CHECK(friction_of("c") == SurfaceFriction{0.3, 0.3});
   CHECK(note_with(robot, "geoms of one body with different friction").where.size() == 1);
 }
+
+}  // namespace pabd::test_included

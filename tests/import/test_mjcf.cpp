@@ -6,14 +6,16 @@
 #include "sim/body/mass_properties.h"
 #include "sim/body/shape.h"
 #include "tests/import/import_helpers.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_mjcf {
+
+using namespace test;
 
 namespace {
 
-const std::filesystem::path kModels = PABD_MODELS;
+const std::filesystem::path kModels = places::tests() + "/import/models";
 
 bool apart(const Scene& scene, std::size_t a, std::size_t b) {
   const std::pair pair(static_cast<Index>(std::min(a, b)), static_cast<Index>(std::max(a, b)));
@@ -230,3 +232,5 @@ TEST_CASE("a concave mesh is told with its line, and with how much larger its hu
   CHECK(note.where == std::vector{std::pair(std::string("l.xml"), 2)});
   CHECK(parse_scene(imported.text, "l", {}).model.mass[0] == Approx(6).epsilon(1e-12));
 }
+
+}  // namespace pabd::test_mjcf

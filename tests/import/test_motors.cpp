@@ -3,13 +3,15 @@
 #include <cmath>
 
 #include "tests/import/import_helpers.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_motors {
+
+using namespace test;
 
 namespace {
 
-const std::filesystem::path kModels = PABD_MODELS;
+const std::filesystem::path kModels = places::tests() + "/import/models";
 
 const Joint& joint_of(const ImportedRun& run, const std::string& name) {
   const auto& joints = run.scene.model.joints;
@@ -112,3 +114,5 @@ TEST_CASE("damping that pushes is refused", "[import]") {
         "<dynamics damping='-1'/></joint></robot>"})
     CHECK_THROWS_WITH(import_robot_text(text, "robot.xml", "/nowhere"), Catch::Contains("is negative"));
 }
+
+}  // namespace pabd::test_motors

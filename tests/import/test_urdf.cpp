@@ -4,13 +4,15 @@
 
 #include "sim/body/mass_properties.h"
 #include "tests/import/import_helpers.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_urdf {
+
+using namespace test;
 
 namespace {
 
-const std::filesystem::path kModels = PABD_MODELS, kAssets = PABD_ASSETS;
+const std::filesystem::path kModels = places::tests() + "/import/models", kAssets = places::assets();
 
 ImportedScene slider() {
   return import_robot_text(read_scene_text(kModels / "slider.urdf"), "slider.urdf", kAssets);
@@ -119,3 +121,5 @@ TEST_CASE("a joint whose range leaves out 0 begins at its bound", "[import]") {
   REQUIRE(run.scene.model.joints[0].limits);
   CHECK(run.scene.model.joints[0].limits->lo == Approx(0.5));
 }
+
+}  // namespace pabd::test_urdf

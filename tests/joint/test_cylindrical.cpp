@@ -8,7 +8,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_cylindrical {
+
 using testing::World;
 
 namespace {
@@ -106,3 +107,5 @@ TEST_CASE("a driven cylindrical joint is where its drive says, and still spins f
   CHECK(slope.measured(0) == Approx(0.3 * world.state.time).margin(1e-6));
   CHECK(slope.measured(1) == Approx(-1.5 * world.state.time).margin(1e-5));
 }
+
+}  // namespace pabd::test_cylindrical

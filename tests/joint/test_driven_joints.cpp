@@ -10,7 +10,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_driven_joints {
+
 using testing::World;
 
 namespace {
@@ -142,3 +143,5 @@ TEST_CASE("a slider's twist is free, locked or limited; its offset follows a dri
   for (const Twist twist : {Twist::free, Twist::locked, Twist::limited})
     CHECK(after(twist, 1.5).offset == Approx(0.75).margin(1e-5));
 }
+
+}  // namespace pabd::test_driven_joints

@@ -10,8 +10,9 @@
 #include "sim/solver/step_summary.h"
 #include "tests/joint/one_joint.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_joint_actions {
+
+using namespace testing;
 
 namespace {
 
@@ -347,3 +348,5 @@ TEST_CASE("an arm of many motors and brakes converges, to the same bytes for any
     CHECK(one.state.omega[i] == three.state.omega[i]);
   }
 }
+
+}  // namespace pabd::test_joint_actions

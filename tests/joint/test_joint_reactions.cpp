@@ -7,7 +7,8 @@
 #include "sim/joint/expand.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_joint_reactions {
+
 using testing::World;
 
 namespace {
@@ -133,3 +134,5 @@ TEST_CASE("reactions are there only when they are asked for, and a hand on a bod
   options.pulls = {{box, Vec3::Zero(), {0, -0.25, 0}, 10}};
   testing::run(world, 1, options, [](const StepReport& r) { CHECK(r.joint_reports.size() == 1); });
 }
+
+}  // namespace pabd::test_joint_reactions

@@ -7,8 +7,9 @@
 #include "sim/solver/step_summary.h"
 #include "tests/joint/one_joint.h"
 
-using namespace pabd;
-using namespace pabd::testing;
+namespace pabd::test_joint_springs {
+
+using namespace testing;
 
 namespace {
 
@@ -154,3 +155,5 @@ TEST_CASE("a spring between two bodies that float keeps their momentum") {
   });
   CHECK(world.state.omega[light].norm() > 0.1);
 }
+
+}  // namespace pabd::test_joint_springs

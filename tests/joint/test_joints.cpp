@@ -9,7 +9,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_joints {
+
 using testing::add_joint;
 using testing::make_joint;
 using testing::World;
@@ -200,3 +201,5 @@ TEST_CASE("without the second bond a driven hinge moves asymmetrically, as the s
   CHECK(shift(true) < 1e-12);
   CHECK(shift(false) > 1e-3);
 }
+
+}  // namespace pabd::test_joints

@@ -10,7 +10,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_universal {
+
 using testing::World;
 
 namespace {
@@ -138,3 +139,5 @@ TEST_CASE("two shafts at an angle β: tan φ₂ = tan φ₁ cos β") {
     CHECK(largest < 1e-5);
   }
 }
+
+}  // namespace pabd::test_universal

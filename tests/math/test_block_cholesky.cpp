@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-using namespace pabd;
+namespace pabd::test_block_cholesky {
 
 namespace {
 
@@ -111,3 +111,5 @@ TEST_CASE("a matrix that is not positive definite is refused") {
   cholesky.add_off_diagonal(1, 0, 2 * Mat6::Identity());
   CHECK_FALSE(cholesky.factorize());
 }
+
+}  // namespace pabd::test_block_cholesky

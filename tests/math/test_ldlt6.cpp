@@ -9,7 +9,7 @@
 
 #include "sim/math/lanes.h"
 
-using namespace pabd;
+namespace pabd::test_ldlt6 {
 
 namespace {
 
@@ -59,3 +59,5 @@ TEST_CASE("four sums at once are the same bits as one at a time") {
   const Lanes together = sums(v[0], v[1], v[2], v[3]);
   for (int k = 0; k < 4; ++k) CHECK(together[k] == sum(v[k]));
 }
+
+}  // namespace pabd::test_ldlt6

@@ -8,7 +8,7 @@
 #include "sim/math/so3.h"
 #include "tests/support/draws.h"
 
-using namespace pabd;
+namespace pabd::test_so3 {
 
 namespace {
 
@@ -95,3 +95,5 @@ TEST_CASE("the Cayley map gives rotations by 2 atan(|w|/2) about w, and is undon
     CHECK((cayley_inverse(R) - w).norm() < 1e-13 * (1 + length));
   }
 }
+
+}  // namespace pabd::test_so3

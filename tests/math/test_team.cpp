@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+namespace pabd::test_team {
+
 using pabd::Sharing;
 using pabd::Team;
 
@@ -116,3 +118,5 @@ TEST_CASE("a contrary team goes from the last item to the first") {
   for (std::size_t k = 0; k + 1 < order.size(); ++k) out_of_order += order[k] < order[k + 1] ? 1 : 0;
   CHECK(out_of_order < 100);
 }
+
+}  // namespace pabd::test_team

@@ -13,7 +13,7 @@
 #include "tests/support/picture.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_compare {
 
 namespace {
 
@@ -235,3 +235,5 @@ TEST_CASE("renderer classes") {
   CHECK(renderer_class("../../etc (odd)") == "etc");  // it becomes a folder name
   CHECK(renderer_class("") == "unknown");
 }
+
+}  // namespace pabd::test_compare

@@ -10,7 +10,7 @@
 #include "tests/support/picture.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_golden {
 
 namespace {
 
@@ -100,3 +100,5 @@ TEST_CASE("golden pictures") {
   CHECK(notes.str() ==
         "no approved picture bricks of class llvmpipe-512: compared leniently with class llvmpipe-128\n");
 }
+
+}  // namespace pabd::test_golden

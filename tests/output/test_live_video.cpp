@@ -13,7 +13,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_live_video {
 
 namespace {
 
@@ -184,3 +184,5 @@ TEST_CASE("an ffmpeg that stands still after its first picture is told in the ti
   CHECK(hung.kind == encoder_error);
   CHECK(hung.says("0.3 s"));
 }
+
+}  // namespace pabd::test_live_video

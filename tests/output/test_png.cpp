@@ -13,7 +13,7 @@
 #include "tests/support/picture.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_png {
 
 namespace {
 
@@ -296,3 +296,5 @@ TEST_CASE("a full disk leaves no picture behind") {
   CHECK(error.says("a.png"));
   CHECK(folder.names().empty());
 }
+
+}  // namespace pabd::test_png

@@ -22,7 +22,8 @@
 #include "tests/support/picture.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_sinks {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -376,3 +377,5 @@ TEST_CASE("in the background: frame k is there only when all before it are") {
   CHECK(gaps == 0);
   CHECK(folder.names().size() == 30);
 }
+
+}  // namespace pabd::test_sinks

@@ -22,7 +22,8 @@
 #include "tests/support/picture.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_video {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -374,3 +375,5 @@ TEST_CASE("a video in the background, and its error there") {
   CHECK(error.kind == encoder_error);
   CHECK(error.says("status 9"));
 }
+
+}  // namespace pabd::test_video

@@ -13,10 +13,12 @@
 #include "tests/support/errors.h"
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/picture.h"
+#include "tests/support/places.h"
 #include "tests/support/running.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_video_faults {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -73,7 +75,8 @@ TEST_CASE("a disk that is full at any point of a video: an error, and no file") 
   const TempFolder folder;
   fill(folder.path(), [&](const fs::path& path, long long room) {
     // Into ffmpeg only: this test has its disk as it is.
-    const Environment preload("LD_PRELOAD", PABD_FULL_DISK), bytes("PABD_DISK_BYTES", std::to_string(room));
+    const Environment preload("LD_PRELOAD", places::full_disk()),
+        bytes("PABD_DISK_BYTES", std::to_string(room));
     const Caught error = caught([&] { make_video(path, sized(160, 120), 20); });
     CHECK(folder.names().empty());
     return error;
@@ -184,3 +187,5 @@ TEST_CASE("an ffmpeg that says nothing about itself does not hold up the questio
   CHECK(ffmpeg_version() == "ffmpeg version 0");
   CHECK(all_ended(read_bytes(fake / "pids"), 1));
 }
+
+}  // namespace pabd::test_video_faults

@@ -5,7 +5,7 @@
 
 #include "app/overlay/figure2.h"
 
-using namespace pabd;
+namespace pabd::test_figure2 {
 
 TEST_CASE("the three lower pairs have their names and 4 + 2 + 1 bonds") {
   const VisualScene scene = figure2(1600.0 / 700);
@@ -32,3 +32,5 @@ TEST_CASE("labels stay inside wide and tall frames") {
     }
   }
 }
+
+}  // namespace pabd::test_figure2

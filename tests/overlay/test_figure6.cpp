@@ -6,8 +6,9 @@
 
 #include "app/overlay/figure6.h"
 #include "sim/body/mass_properties.h"
+#include "sim/math/so3.h"
 
-using namespace pabd;
+namespace pabd::test_figure6 {
 
 namespace {
 
@@ -27,7 +28,7 @@ struct TwoBoxes {
       model.J.push_back(mass.J);
       model.fixed.push_back(0);
     }
-    const Mat3 R = Quat::FromTwoVectors(Vec3(-1, -1, -1), Vec3(0, -1, 0)).toRotationMatrix();
+    const Mat3 R = rotation_between(Vec3(-1, -1, -1), Vec3(0, -1, 0));
     state.c = {Vec3(0, 0.5, 0), Vec3(0, 1 - 0.1 + 0.5 * std::sqrt(3.0), 0)};
     state.R = {Mat3::Identity(), R};
     state.v.assign(2, Vec3::Zero());
@@ -65,3 +66,5 @@ TEST_CASE("bodies that are far apart have no pair") {
   CHECK_FALSE(deepest_contact(boxes.model, boxes.params, boxes.state));
   CHECK(figure6(boxes.model, boxes.params, boxes.state, 1.5).scene.labels.empty());
 }
+
+}  // namespace pabd::test_figure6

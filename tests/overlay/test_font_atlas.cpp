@@ -6,7 +6,7 @@
 #include "app/overlay/font_atlas.h"
 #include "app/plots/rich_text.h"
 
-using namespace pabd;
+namespace pabd::test_font_atlas {
 
 namespace {
 
@@ -86,3 +86,5 @@ TEST_CASE("new sizes and characters make the atlas stale, unknown ones do not") 
   baked.fonts.bake();
   CHECK(baked.fonts.font(12)->FindGlyphNoFallback(0x416) != nullptr);
 }
+
+}  // namespace pabd::test_font_atlas

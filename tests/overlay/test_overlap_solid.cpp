@@ -5,8 +5,9 @@
 
 #include "app/overlay/overlap_solid.h"
 #include "sim/body/convex_hull.h"
+#include "sim/math/so3.h"
 
-using namespace pabd;
+namespace pabd::test_overlap_solid {
 
 namespace {
 
@@ -49,7 +50,7 @@ TEST_CASE("two cubes turned by 45 degrees share a regular octagon; turning both 
 
 TEST_CASE("a corner inside is a tetrahedron, and its triangles are drawn where it is") {
   const Box unit{{0.5, 0.5, 0.5}};
-  const Mat3 R = Quat::FromTwoVectors(Vec3(-1, -1, -1), Vec3(0, -1, 0)).toRotationMatrix();
+  const Mat3 R = rotation_between(Vec3(-1, -1, -1), Vec3(0, -1, 0));
   const Pose lower{Vec3(0, 0.5, 0), Mat3::Identity()};
   const Pose upper{Vec3(0, 1 - 0.1 + 0.5 * std::sqrt(3.0), 0), R};
   const auto points = overlap_corners(unit, lower, unit, upper);
@@ -66,3 +67,5 @@ TEST_CASE("a corner inside is a tetrahedron, and its triangles are drawn where i
   }
   CHECK_FALSE(convex_solid({}, Vec4f::Zero()));
 }
+
+}  // namespace pabd::test_overlap_solid

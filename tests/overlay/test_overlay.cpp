@@ -11,7 +11,7 @@
 #include "app/plots/figures/barrier_curves.h"
 #include "app/plots/svg_canvas.h"
 
-using namespace pabd;
+namespace pabd::test_overlay {
 
 namespace {
 
@@ -162,3 +162,5 @@ TEST_CASE("contact colours are the picture's, in sRGB") {
   CHECK(contact_ink(1).b > contact_ink(1).r);
   CHECK(contact_ink(-0.5).r > 2 * contact_ink(-0.5).b);
 }
+
+}  // namespace pabd::test_overlay

@@ -7,7 +7,8 @@
 #include "app/overlay/panel_layout.h"
 #include "sim/base/error.h"
 
-using namespace pabd;
+namespace pabd::test_panel_layout {
+
 using Catch::Matchers::Contains;
 
 namespace {
@@ -133,3 +134,5 @@ TEST_CASE("a made-up panel in a table is found by names, help, needs and places"
   CHECK(layout.panels[1].rect.h == Approx(30).margin(1));
   CHECK(layout.panels[2].rect.w == 400);
 }
+
+}  // namespace pabd::test_panel_layout

@@ -7,7 +7,7 @@
 #include "app/plots/rich_text.h"
 #include "sim/scene/tuning.h"
 
-using namespace pabd;
+namespace pabd::test_parameter_words {
 
 namespace {
 
@@ -49,3 +49,5 @@ TEST_CASE("an automatic stiffness says what it came to, also where another param
   REQUIRE(lines.size() == 2);
   CHECK(plain_text(lines[1]) == "κ 100 → 200 J (auto)");
 }
+
+}  // namespace pabd::test_parameter_words

@@ -5,7 +5,7 @@
 
 #include "app/overlay/view_marks.h"
 
-using namespace pabd;
+namespace pabd::test_view_marks {
 
 namespace {
 
@@ -121,3 +121,5 @@ TEST_CASE("axes: letters to the sides that their axes point to; the one along th
   paint_axes(camera, kInksOnLight, {0, 0, 80, 600}, 1, none);
   CHECK(none.words.empty());
 }
+
+}  // namespace pabd::test_view_marks

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/pictures/picture_studio.h"
+#include "tests/support/places.h"
 
 #include <cmath>
 
@@ -54,7 +55,7 @@ std::vector<IterationRecord> invented_records(int count, double rate) {
 }
 
 StoredStep::StoredStep(const std::string& scene_name)
-    : scene(load_scene(PABD_SCENES "/" + scene_name + ".json")) {
+    : scene(load_scene(places::scenes() + "/" + scene_name + ".json")) {
   const ContactParams& c = scene.params.contact;
   report.kappa = resolve_kappa(scene.model, scene.params);
   report.contact_reports = contacts_of(scene, {c.barrier, c.N, c.d_hat, report.kappa, c.onset});

@@ -25,7 +25,7 @@
 #include "tests/pictures/picture_studio.h"
 #include "tests/support/golden.h"
 
-using namespace pabd;
+namespace pabd::test_golden_pictures {
 
 namespace {
 
@@ -199,3 +199,5 @@ TEST_CASE("panels of the window, light and dark") {
     check(image, theme == &light_theme() ? "panels_light" : "panels_dark", studio);
   }
 }
+
+}  // namespace pabd::test_golden_pictures

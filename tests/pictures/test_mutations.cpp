@@ -9,7 +9,7 @@
 #include "render/output/compare_images.h"
 #include "tests/pictures/picture_studio.h"
 
-using namespace pabd;
+namespace pabd::test_mutations {
 
 namespace {
 
@@ -86,3 +86,5 @@ TEST_CASE("every mutation of the pyramid fails the comparison within a class") {
     CHECK(compare_images(actual, expected, CompareTier::cross_class).equal == !mutation.seen_across_classes);
   }
 }
+
+}  // namespace pabd::test_mutations

@@ -6,7 +6,7 @@
 
 #include "app/plots/axis_ticks.h"
 
-using namespace pabd;
+namespace pabd::test_axis_ticks {
 
 namespace {
 
@@ -132,3 +132,5 @@ TEST_CASE("numbers for people") {
   CHECK(format_value(std::numeric_limits<double>::infinity()) == "∞");
   CHECK(power_of_ten(-12) == "10⁻¹²");
 }
+
+}  // namespace pabd::test_axis_ticks

@@ -8,7 +8,7 @@
 #include "app/plots/figures/barrier_figure.h"
 #include "tests/plots/printed_barrier.h"
 
-using namespace pabd;
+namespace pabd::test_barrier_figure {
 
 namespace {
 
@@ -182,3 +182,5 @@ TEST_CASE("against N and against κ") {
   CHECK(by_kappa.x.back() == Approx(200));
   CHECK(by_kappa.y.back() == Approx(200 * printed_slope(3, 0, 0.01)));
 }
+
+}  // namespace pabd::test_barrier_figure

@@ -6,7 +6,7 @@
 #include "app/plots/figures/barrier_over.h"
 #include "tests/plots/printed_barrier.h"
 
-using namespace pabd;
+namespace pabd::test_barrier_over {
 
 namespace {
 
@@ -100,3 +100,5 @@ TEST_CASE("slopes, logarithms and bare barriers against d̂") {
     CHECK(curve.y[k] == Approx(x < 1 ? (1 + (1 - x)) / curve.x[k] : 0).margin(1e-9));
   }
 }
+
+}  // namespace pabd::test_barrier_over

@@ -8,7 +8,7 @@
 #include "app/plots/figures/barrier_plots.h"
 #include "app/plots/plot_pick.h"
 
-using namespace pabd;
+namespace pabd::test_barrier_panel {
 
 namespace {
 
@@ -305,3 +305,5 @@ TEST_CASE("tags stay inside, apart from each other and off the legend") {
     }
   }
 }
+
+}  // namespace pabd::test_barrier_panel

@@ -10,7 +10,7 @@
 #include "app/plots/figures/run_caption.h"
 #include "app/plots/plot_layout.h"
 
-using namespace pabd;
+namespace pabd::test_crowd {
 
 namespace {
 
@@ -255,3 +255,5 @@ TEST_CASE("a caption stays below the plot, however narrow it is") {
     CHECK(layout.foot() < 200 - caption - FontMetrics::cap * panel_style().tick);
   }
 }
+
+}  // namespace pabd::test_crowd

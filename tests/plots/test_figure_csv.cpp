@@ -7,7 +7,7 @@
 
 #include "app/plots/figure.h"
 
-using namespace pabd;
+namespace pabd::test_figure_csv {
 
 TEST_CASE("CSV holds every point, exactly") {
   Figure figure;
@@ -44,3 +44,5 @@ TEST_CASE("CSV holds every point, exactly") {
   CHECK(line.substr(line.size() - 12) == ",level,,0.25");
   CHECK_FALSE(std::getline(in, line));
 }
+
+}  // namespace pabd::test_figure_csv

@@ -15,7 +15,7 @@
 #include "app/plots/figures/time_series.h"
 #include "tests/plots/printed_barrier.h"
 
-using namespace pabd;
+namespace pabd::test_figures {
 
 namespace {
 
@@ -269,3 +269,5 @@ TEST_CASE("figure 5: projections split the offset into normal and tangential par
   CHECK((at.normal + at.tangential - pair.y_i - pair.y_j).norm() < 1e-15);
   CHECK(project_contact({1, 2}, {4, -1}, {0, 2}).d == Approx(-3));
 }
+
+}  // namespace pabd::test_figures

@@ -11,7 +11,7 @@
 #include "app/plots/plot_layout.h"
 #include "sim/math/so3.h"
 
-using namespace pabd;
+namespace pabd::test_panels {
 
 namespace {
 
@@ -212,3 +212,5 @@ TEST_CASE("differences are B − A at the times of A, interpolated where B has o
   const std::vector<DistancePoint> moved{{0.1, 1e-3, 0}};  // an axis without a curve would only puzzle
   CHECK(difference_series_plot(a, b, DifferenceQuantity::distance, moved).series.size() == 1);
 }
+
+}  // namespace pabd::test_panels

@@ -6,7 +6,7 @@
 #include "app/plots/figures/barrier_curves.h"
 #include "app/plots/figures/contact_pair.h"
 
-using namespace pabd;
+namespace pabd::test_pdf {
 
 namespace {
 
@@ -34,3 +34,5 @@ TEST_CASE("a PDF has one page of the picture's size and the font in it") {
   CHECK(figure.find("0 0 1200 525") != std::string::npos);
   CHECK(drawing.find("0 0 1200 600") != std::string::npos);
 }
+
+}  // namespace pabd::test_pdf

@@ -8,7 +8,7 @@
 #include "app/plots/figure.h"
 #include "app/plots/plot_layout.h"
 
-using namespace pabd;
+namespace pabd::test_plot_layout {
 
 namespace {
 
@@ -192,3 +192,5 @@ TEST_CASE("cells of a figure do not overlap and stay on the page") {
     for (std::size_t k = 0; k < i; ++k) CHECK_FALSE(layout.cells[i].overlaps(layout.cells[k]));
   }
 }
+
+}  // namespace pabd::test_plot_layout

@@ -6,7 +6,7 @@
 
 #include "app/plots/plot_pick.h"
 
-using namespace pabd;
+namespace pabd::test_plot_pick {
 
 namespace {
 
@@ -110,3 +110,5 @@ TEST_CASE("nearest in x ignores the height") {
   }
   CHECK_FALSE(nearest_in_x(plot, layout, {at.x, layout.inner.y - 5}));
 }
+
+}  // namespace pabd::test_plot_pick

@@ -5,7 +5,7 @@
 #include "app/plots/font_data.h"
 #include "app/plots/rich_text.h"
 
-using namespace pabd;
+namespace pabd::test_rich_text {
 
 TEST_CASE("the embedded font is a TrueType file") {
   const auto bytes = font_bytes();
@@ -67,3 +67,5 @@ TEST_CASE("wrapped lines keep every word and the width") {
   }
   CHECK(joined == text);
 }
+
+}  // namespace pabd::test_rich_text

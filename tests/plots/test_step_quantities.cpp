@@ -7,7 +7,7 @@
 
 #include "app/plots/figures/quantity_plot.h"
 
-using namespace pabd;
+namespace pabd::test_step_quantities {
 
 namespace {
 
@@ -86,3 +86,5 @@ TEST_CASE("against time there is the cursor; a second run is dashed") {
   CHECK(plot.series[3].style == SeriesStyle::level_x);
   CHECK(plot.series[3].x == std::vector<double>{0.2});
 }
+
+}  // namespace pabd::test_step_quantities

@@ -6,7 +6,7 @@
 #include "app/plots/figures/barrier_curves.h"
 #include "app/plots/figures/contact_pair.h"
 
-using namespace pabd;
+namespace pabd::test_svg {
 
 namespace {
 
@@ -84,3 +84,5 @@ TEST_CASE("texts with markup characters and hostile data stay well-formed") {
   CHECK(svg.find("no data") != std::string::npos);
   CHECK(svg.find("<script>") == std::string::npos);
 }
+
+}  // namespace pabd::test_svg

@@ -16,7 +16,7 @@
 #include "app/plots/theme.h"
 #include "sim/base/srgb.h"
 
-using namespace pabd;
+namespace pabd::test_theme {
 
 namespace {
 
@@ -154,3 +154,5 @@ TEST_CASE("a dark figure has no ink of the light theme") {
     CHECK(dark.find(hex(ink)) != std::string::npos);
   }
 }
+
+}  // namespace pabd::test_theme

@@ -7,7 +7,7 @@
 
 #include "sim/potential/barrier.h"
 
-using namespace pabd;
+namespace pabd::test_barrier {
 
 namespace {
 
@@ -162,3 +162,5 @@ TEST_CASE("the tangent split has the right force, is at least Newton's, and neve
     }
   }
 }
+
+}  // namespace pabd::test_barrier

@@ -10,15 +10,17 @@
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
 #include "tests/support/files.h"
+#include "tests/support/places.h"
 #include "tests/support/sanitized.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_assets {
+
+using namespace test;
 using Json = nlohmann::json;
 
 namespace {
 
-const std::filesystem::path kAssets = PABD_ASSETS;
+const std::filesystem::path kAssets = places::assets();
 
 Json schema() { return Json::parse(read_bytes(kAssets / "pabd-scene.schema.json")); }
 
@@ -352,3 +354,5 @@ TEST_CASE("the schema gives the defaults of the program", "[scene]") {
   CHECK(default_of(defs["joints_default"], "N") == BondLaw{}.N);
   CHECK(default_of(defs["joints_default"], "d_hat") == BondLaw{}.d_hat);
 }
+
+}  // namespace pabd::test_assets

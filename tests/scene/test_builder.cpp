@@ -9,9 +9,11 @@
 #include "sim/scene/document.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_builder {
+
+using namespace test;
 
 namespace {
 
@@ -78,11 +80,11 @@ TEST_CASE("the shipped pyramid, built", "[scene]") {
   builder.params.solver.iterations = 200;
   builder.add(spec::Pyramid{{.size = Vec3(1, 0.5, 0.5)}, 20});
   builder.add(spec::Body{.name = "ground", .shape = Plane{Vec3::UnitY(), 0}});
-  check_same(builder.build(), load_scene(PABD_SCENES "/pyramid.json"));
+  check_same(builder.build(), load_scene(places::scenes() + "/pyramid.json"));
 }
 
 TEST_CASE("the shipped bridge, built", "[scene]") {
-  const std::string text = read_scene_text(PABD_SCENES "/bridge.json");
+  const std::string text = read_scene_text(places::scenes() + "/bridge.json");
   const Json file = Json::parse(text);
   SceneBuilder builder("bridge");
   builder.description = file["description"];
@@ -114,7 +116,7 @@ TEST_CASE("the shipped bridge, built", "[scene]") {
                             .anchor = vec3(entry["anchor"]),
                             .axis = vec3(entry["axis"])});
   }
-  check_same(builder.build(), load_scene(PABD_SCENES "/bridge.json"));
+  check_same(builder.build(), load_scene(places::scenes() + "/bridge.json"));
 }
 
 TEST_CASE("every generator and every kind of joint, built", "[scene]") {
@@ -226,7 +228,7 @@ TEST_CASE("every generator and every kind of joint, built", "[scene]") {
 
 TEST_CASE("hulls that a program has", "[scene]") {
   const std::string file = GENERATE("meshes", "chairs");  // single ones, and several as one body
-  const Scene read = load_scene(PABD_SCENES "/" + file + ".json");
+  const Scene read = load_scene(places::scenes() + "/" + file + ".json");
   std::size_t hulls = 0;
   SceneBuilder builder("mine");
   for (std::size_t i = 0; i < read.model.shape.size(); ++i) {
@@ -322,3 +324,5 @@ TEST_CASE("numbers that a file cannot hold are refused", "[scene]") {
   builder.add(spec::Body{.mass = std::numeric_limits<double>::quiet_NaN()});
   CHECK_THAT(refusal(builder), Catch::StartsWith("it: /bodies/0/mass: expected a number from 1e-09 to"));
 }
+
+}  // namespace pabd::test_builder

@@ -6,8 +6,9 @@
 #include "sim/scene/random.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_fuzz {
+
+using namespace test;
 
 namespace {
 
@@ -187,3 +188,5 @@ TEST_CASE("wrong values in every place never crash the reader", "[scene]") {
   }
   CHECK(refusals > static_cast<int>(places.size() * values.size() * 2 / 3));
 }
+
+}  // namespace pabd::test_fuzz

@@ -6,8 +6,9 @@
 
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_generators {
+
+using namespace test;
 
 namespace {
 
@@ -141,3 +142,5 @@ TEST_CASE("a large pile is a few lines", "[scene]") {
   CHECK(s.model.size() == 100000);
   CHECK(s.model.name[99999] == "pile 99999");
 }
+
+}  // namespace pabd::test_generators

@@ -4,8 +4,9 @@
 
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_hash {
+
+using namespace test;
 
 TEST_CASE("the hash does not depend on formatting, key order or written-out defaults", "[scene]") {
   const std::string a = R"({"format":"pabd-scene","version":1,"contact":{"N":3,"d_hat":0.02},
@@ -145,3 +146,5 @@ TEST_CASE("every value changes the hash", "[scene]") {
     { "name": "a", "shape": { "type": "sphere", "radius": 1 } } ])"));
   CHECK(swapped.hash != original.hash);  // the order of bodies is part of a scene
 }
+
+}  // namespace pabd::test_hash

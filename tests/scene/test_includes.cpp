@@ -9,10 +9,12 @@
 #include "sim/scene/guarded_scene.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_includes {
+
+using namespace test;
 
 namespace {
 
@@ -334,7 +336,7 @@ TEST_CASE("a builder includes scenes beside its folder, as often as it builds", 
 }
 
 TEST_CASE("the README's example of includes is a scene", "[scene]") {
-  const std::string text = read_bytes(std::filesystem::path(PABD_ASSETS) / "README.md");
+  const std::string text = read_bytes(std::filesystem::path(places::assets()) / "README.md");
   const auto begin = text.find("{ \"format\"", text.find("## How bodies stand"));
   REQUIRE(begin != std::string::npos);
   const Files files;
@@ -344,3 +346,5 @@ TEST_CASE("the README's example of includes is a scene", "[scene]") {
   CHECK(s.model.name == std::vector<std::string>{"ground", "left.hand", "right.hand"});
   CHECK(s.model.joints.size() == 1);
 }
+
+}  // namespace pabd::test_includes

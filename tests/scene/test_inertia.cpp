@@ -5,8 +5,9 @@
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_inertia {
+
+using namespace test;
 
 namespace {
 
@@ -79,3 +80,5 @@ TEST_CASE("pairs that never touch fall through each other, and stay so when save
   check_refused(scene_text(bodies + R"(, "no_collide": [["a", "a"]])"), {"/no_collide/0"});
   check_refused(scene_text(bodies + R"(, "no_collide": [["a", null]])"), {"/no_collide/0/1"});
 }
+
+}  // namespace pabd::test_inertia

@@ -5,8 +5,9 @@
 
 #include "sim/scene/joint_schema.h"
 #include "tests/support/files.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
+namespace pabd::test_joint_schema {
 
 namespace {
 
@@ -32,7 +33,7 @@ void replace_between(std::string& text, const std::string& after, const std::str
 }  // namespace
 
 TEST_CASE("the schema says of joints what their traits give", "[scene]") {
-  const std::string written = read_bytes(std::filesystem::path(PABD_ASSETS) / "pabd-scene.schema.json");
+  const std::string written = read_bytes(std::filesystem::path(places::assets()) / "pabd-scene.schema.json");
   REQUIRE(written.find("\"$defs\"") != std::string::npos);
   std::string definitions;
   for (const JointType type : kJointTypes)
@@ -49,3 +50,5 @@ TEST_CASE("the schema says of joints what their traits give", "[scene]") {
       "what it should be is in pabd-scene.schema.json of this folder: look at the change, copy it to assets");
   CHECK((written == expected));
 }
+
+}  // namespace pabd::test_joint_schema

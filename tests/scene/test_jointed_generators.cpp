@@ -6,8 +6,9 @@
 #include "sim/joint/expand.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_jointed_generators {
+
+using namespace test;
 
 namespace {
 
@@ -122,3 +123,5 @@ TEST_CASE("a long chain is a few lines; its stiffness follows from its whole wei
   CHECK(s.model.no_collide.size() == 99999);
   CHECK(sizeof(Joint) <= 328);  // a million joints: 0.33 GB
 }
+
+}  // namespace pabd::test_jointed_generators

@@ -7,13 +7,15 @@
 #include "sim/scene/random.h"
 #include "tests/scene/scene_helpers.h"
 #include "tests/support/files.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_meshes {
+
+using namespace test;
 
 namespace {
 
-const std::filesystem::path kAssets = PABD_ASSETS;
+const std::filesystem::path kAssets = places::assets();
 
 // The unit cube from 0 to 1, in each format.
 const std::string kObj = R"(# a cube
@@ -316,3 +318,5 @@ TEST_CASE("shipped meshes are hulls of the stated kind", "[mesh]") {
   CHECK(meshes.load("octahedron.ply", 1).hull.data->volume == Approx(4.0 / 3).epsilon(1e-12));
   CHECK(meshes.load("wedge.obj", 1).hull.data->centroid.norm() < 1e-8);
 }
+
+}  // namespace pabd::test_meshes

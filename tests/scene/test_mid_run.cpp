@@ -3,8 +3,9 @@
 #include "sim/joint/expand.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_mid_run {
+
+using namespace test;
 
 namespace {
 
@@ -102,3 +103,5 @@ TEST_CASE("half a place and anchors of nothing are refused", "[scene]") {
                            { "bodies": [0, 1], "feature": 1, "stretch": [0, 0, 0] })"),
                 {"/friction_anchors/1", "each once"});
 }
+
+}  // namespace pabd::test_mid_run

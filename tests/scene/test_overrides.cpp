@@ -5,8 +5,9 @@
 #include "sim/scene/keys.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_overrides {
+
+using namespace test;
 
 namespace {
 
@@ -87,3 +88,5 @@ TEST_CASE("a bad path names the part that does not exist", "[scene]") {
   check_refused(kTwo, {"empty part"}, {"/=5"});
   check_refused(kTwo, {"not UTF-8"}, {"name=\xff\xfe"});
 }
+
+}  // namespace pabd::test_overrides

@@ -8,16 +8,18 @@
 #include "sim/potential/barrier.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
+#include "tests/support/places.h"
 #include "tests/support/sanitized.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_promises {
+
+using namespace test;
 
 namespace {
 
 struct Show {
   explicit Show(const std::string& name, const std::vector<std::string>& overrides = {})
-      : scene(load_scene(PABD_SCENES "/" + name + ".json", overrides)) {}
+      : scene(load_scene(places::scenes() + "/" + name + ".json", overrides)) {}
 
   std::size_t body(const std::string& name) const {
     const auto& names = scene.model.name;
@@ -213,3 +215,5 @@ TEST_CASE("marble mixer: no marble leaves the drum, and all are moved", "[scene]
   CHECK(marbles == 220);
   CHECK(least > kWay);
 }
+
+}  // namespace pabd::test_promises

@@ -7,8 +7,9 @@
 #include "sim/scene/write_scene.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_read_actions {
+
+using namespace test;
 
 namespace {
 
@@ -188,3 +189,5 @@ TEST_CASE("every value of a motor, damper or brake changes the hash of the scene
     for (std::size_t k = 0; k + 1 < hashes.size(); ++k) CHECK(hashes[k] != hashes.back());
   }
 }
+
+}  // namespace pabd::test_read_actions

@@ -3,13 +3,15 @@
 #include "sim/body/compound.h"
 #include "sim/scene/mesh_library.h"
 #include "tests/scene/scene_helpers.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_read_compounds {
+
+using namespace test;
 
 namespace {
 
-const std::filesystem::path kMeshes = std::filesystem::path(PABD_ASSETS) / "meshes";
+const std::filesystem::path kMeshes = std::filesystem::path(places::assets()) / "meshes";
 
 Scene load(const std::string& files) {
   return parse_scene(only_body(R"({ "position": [1, 2, 3], "density": 600, "shape": { "type": "mesh",
@@ -56,3 +58,5 @@ TEST_CASE("shipped parts fit together: they touch and do not overlap", "[mesh]")
   const auto frustum = [](double a, double b) { return 0.55 / 3 * (a * a + a * b + b * b); };
   CHECK(bowl.data->volume == Approx(0.08 + frustum(1.16, 1.6) - frustum(1, 1.44)).epsilon(1e-9));
 }
+
+}  // namespace pabd::test_read_compounds

@@ -3,8 +3,9 @@
 #include "sim/joint/auto_kappa.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_read_joints {
+
+using namespace test;
 
 namespace {
 
@@ -256,3 +257,5 @@ TEST_CASE("every value of a joint changes the hash of the scene", "[scene]") {
     for (std::size_t k = 0; k + 1 < hashes.size(); ++k) CHECK(hashes[k] != hashes.back());
   }
 }
+
+}  // namespace pabd::test_read_joints

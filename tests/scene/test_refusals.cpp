@@ -3,8 +3,9 @@
 #include "sim/scene/document.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_refusals {
+
+using namespace test;
 
 TEST_CASE("text that is not JSON names line and column", "[scene]") {
   check_refused("", {"line 1, column 1", "not valid JSON"});
@@ -279,3 +280,5 @@ TEST_CASE("a file that cannot be read is an error of its own", "[scene]") {
     }
   }
 }
+
+}  // namespace pabd::test_refusals

@@ -8,8 +8,9 @@
 #include "sim/scene/builder.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_rotations {
+
+using namespace test;
 
 namespace {
 
@@ -123,3 +124,5 @@ TEST_CASE("frames of joints stand in any of the ways", "[scene]") {
   CHECK((angle.model.joints[0].on_i.F - quaternion.model.joints[0].on_i.F).norm() < 1e-15);
   CHECK(angle.model.joints[0].on_i.F.col(0) == Vec3(0, 1, 0));
 }
+
+}  // namespace pabd::test_rotations

@@ -9,9 +9,11 @@
 #include "sim/scene/write_scene.h"
 #include "tests/scene/scene_helpers.h"
 #include "tests/support/files.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_shape_table {
+
+using namespace test;
 
 namespace {
 
@@ -99,7 +101,7 @@ TEST_CASE("piles and chains are made of every shape that may be a rod; links tou
 
 TEST_CASE("the schema offers the shapes of the program", "[scene]") {
   const Json defs =
-      Json::parse(read_bytes(std::filesystem::path(PABD_ASSETS) / "pabd-scene.schema.json"))["$defs"];
+      Json::parse(read_bytes(std::filesystem::path(places::assets()) / "pabd-scene.schema.json"))["$defs"];
   std::set<std::string> all, generated{"box", "sphere"}, offered;
   for (const ShapeKind* kind : shape_kinds()) {
     all.insert(std::string(kind->name));
@@ -121,3 +123,5 @@ TEST_CASE("the schema offers the shapes of the program", "[scene]") {
     }
   }
 }
+
+}  // namespace pabd::test_shape_table

@@ -7,8 +7,9 @@
 #include "sim/scene/write_scene.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_start_pose {
+
+using namespace test;
 
 namespace {
 
@@ -118,3 +119,5 @@ TEST_CASE("a scene that starts in a pose is saved in it", "[scene]") {
     CHECK((s.initial.c[i] - again.initial.c[i]).norm() < 1e-14);
   CHECK(measured(again, 1) == Approx(-75 * kDegree));
 }
+
+}  // namespace pabd::test_start_pose

@@ -10,8 +10,9 @@
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_touch {
+
+using namespace test;
 
 namespace {
 
@@ -204,3 +205,5 @@ TEST_CASE("a builder says friction and groups as a file does", "[scene]") {
   CHECK(built.model.groups == read.model.groups);
   CHECK(built.model.no_collide == read.model.no_collide);
 }
+
+}  // namespace pabd::test_touch

@@ -6,7 +6,7 @@
 #include "sim/scene/scene.h"
 #include "sim/scene/tuning.h"
 
-using namespace pabd;
+namespace pabd::test_tuning {
 
 namespace {
 
@@ -96,3 +96,5 @@ TEST_CASE("what cannot be tuned is refused with its place") {
   CHECK_THAT(message([&] { patched(p, "{\"contact\": {\"N\": 40}}", "p.json"); }),
              Catch::Contains("p.json") && Catch::Contains("32"));
 }
+
+}  // namespace pabd::test_tuning

@@ -4,8 +4,9 @@
 
 #include "tests/scene/scene_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_values {
+
+using namespace test;
 
 TEST_CASE("defaults of a scene that says nothing", "[scene]") {
   const Scene s = parse(with_body(""));
@@ -123,3 +124,5 @@ TEST_CASE("bodies: shapes, mass, pose, velocities", "[scene]") {
   CHECK(s.model.mass[3] == 0);
   CHECK(s.model.J[3].isZero(0));
 }
+
+}  // namespace pabd::test_values

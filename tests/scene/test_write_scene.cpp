@@ -8,8 +8,9 @@
 #include "app/session/timeline.h"
 #include "sim/base/error.h"
 #include "sim/scene/write_scene.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
+namespace pabd::test_write_scene {
 
 namespace {
 
@@ -28,7 +29,7 @@ TEST_CASE("a run saved in the middle and loaded goes on as it would: 1e-9 m over
   for (const char* name : {"two_boxes", "bridge", "slider_crank", "incline", "ragdoll", "trampoline",
                            "four_bar", "ferris_wheel", "shapes", "newtons_cradle"}) {
     CAPTURE(name);
-    Session original(load_scene(std::string(PABD_SCENES "/") + name + ".json"));
+    Session original(load_scene(std::string(places::scenes() + "/") + name + ".json"));
     for (int k = 0; k < 70; ++k) original.step();
     Session again = loaded(saved(original));
     CHECK(largest_distance(original.state(), again.state()) < 1e-15);
@@ -111,7 +112,7 @@ TEST_CASE("what was saved comes back: names, laws, drives, limits, collisions") 
 }
 
 TEST_CASE("joints without names get free ones; edits are saved as well") {
-  Session session(load_scene(PABD_SCENES "/bridge.json"));
+  Session session(load_scene(places::scenes() + "/bridge.json"));
   session.step();
   session.edit(RemoveJoint{0});
   session.edit(AddBody{.name = {}, .shape = Sphere{0.2}, .mass = {}, .position = {0, 8, 0}});
@@ -132,8 +133,8 @@ TEST_CASE("a state that no scene file can hold is refused in one line") {
       CHECK(std::string(error.what()).find('\n') == std::string::npos);
     }
   };
-  refused(Session(load_scene(PABD_SCENES "/meshes.json")), "mesh file");
-  Session session(load_scene(PABD_SCENES "/two_boxes.json"));
+  refused(Session(load_scene(places::scenes() + "/meshes.json")), "mesh file");
+  Session session(load_scene(places::scenes() + "/two_boxes.json"));
   State state = session.state();
   Index body = 0;
   while (session.model().fixed[static_cast<std::size_t>(body)]) ++body;
@@ -190,3 +191,5 @@ TEST_CASE("a wrong colour is refused, with its place and what was expected") {
     CHECK(std::string(error.what()).find("#rrggbb") != std::string::npos);
   }
 }
+
+}  // namespace pabd::test_write_scene

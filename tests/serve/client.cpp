@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See client.h.
 #include "tests/serve/client.h"
+#include "tests/support/places.h"
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr int kPatience = 10;  // s
 
-std::string shipped(const std::string& name) { return std::string(PABD_SCENES) + "/" + name + ".json"; }
+std::string shipped(const std::string& name) { return std::string(places::scenes()) + "/" + name + ".json"; }
 
 }  // namespace
 

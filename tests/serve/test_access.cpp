@@ -6,7 +6,7 @@
 #include "app/serve/access_token.h"
 #include "app/serve/gate.h"
 
-using namespace pabd;
+namespace pabd::test_access {
 
 TEST_CASE("a token is 128 bits as hex digits, another one every time") {
   std::set<std::string> seen;
@@ -100,3 +100,5 @@ TEST_CASE("the token of a request stands behind Bearer") {
   CHECK(bearer_token("bearer abc") == "abc");
   for (const char* other : {"", "Bearer", "Bearer ", "Basic abc", "abc"}) CHECK(bearer_token(other).empty());
 }
+
+}  // namespace pabd::test_access

@@ -4,7 +4,7 @@
 
 #include "app/serve/adaptation.h"
 
-using namespace pabd;
+namespace pabd::test_adaptation {
 
 namespace {
 
@@ -73,3 +73,5 @@ TEST_CASE("what a person chooses holds") {
   run(adaptation, 100'000, 200'000, now, 30);
   CHECK(adaptation.look().scale < 1);
 }
+
+}  // namespace pabd::test_adaptation

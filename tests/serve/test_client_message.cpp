@@ -8,7 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
 
-using namespace pabd;
+namespace pabd::test_client_message {
 
 namespace {
 
@@ -156,3 +156,5 @@ TEST_CASE("100000 messages that were spoilt at random are taken or refused, and 
   CHECK(taken > 1000);
   CHECK(refused > 50000);
 }
+
+}  // namespace pabd::test_client_message

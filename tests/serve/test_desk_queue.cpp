@@ -4,7 +4,7 @@
 
 #include "app/serve/desk_queue.h"
 
-using namespace pabd;
+namespace pabd::test_desk_queue {
 
 TEST_CASE("of what everybody may send, the newest of each visitor waits, and takes no place of input") {
   DeskQueue queue;
@@ -38,3 +38,5 @@ TEST_CASE("a move after a move takes its place, unless something was between the
   REQUIRE(taken.size() == 3);
   CHECK(std::get<MouseMoved>(std::get<desk::Input>(taken[0]).event).x == 4);
 }
+
+}  // namespace pabd::test_desk_queue

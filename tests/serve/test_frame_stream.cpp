@@ -15,7 +15,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_frame_stream {
 
 namespace {
 
@@ -348,3 +348,5 @@ TEST_CASE("H.264 for the first visitor: one stream in order, anew after a loss, 
   CHECK(got[1].back().bytes < 4000);
   CHECK(stream.video_failure().empty());
 }
+
+}  // namespace pabd::test_frame_stream

@@ -4,7 +4,7 @@
 
 #include "app/serve/roles.h"
 
-using namespace pabd;
+namespace pabd::test_roles {
 
 TEST_CASE("the first who may controls; others watch until it is handed over") {
   Roles roles;
@@ -91,3 +91,5 @@ TEST_CASE("there are 16 at a time") {
   CHECK_FALSE(roles.arrive("v0", true, 2));  // its place is taken
   CHECK(roles.present() == Roles::kMost);
 }
+
+}  // namespace pabd::test_roles

@@ -4,7 +4,7 @@
 
 #include "app/serve/routes.h"
 
-using namespace pabd;
+namespace pabd::test_routes {
 
 namespace {
 
@@ -112,3 +112,5 @@ TEST_CASE("bodies have limits, and two Hosts are none") {
   request.has_body = true;
   CHECK(find_route(request, c.gate, c.tokens).status == 400);
 }
+
+}  // namespace pabd::test_routes

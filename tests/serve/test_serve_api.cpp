@@ -6,9 +6,11 @@
 #include "render/output/png.h"
 #include "tests/serve/client.h"
 #include "tests/support/files.h"
+#include "tests/support/places.h"
+
+namespace pabd::test_serve_api {
 
 namespace fs = std::filesystem;
-using namespace pabd;
 using Json = nlohmann::json;
 
 namespace {
@@ -159,7 +161,7 @@ TEST_CASE("files go up and down, and into scenes") {
   const RunningServer server;
   const std::string control = bearer(server.control());
   CHECK(Json::parse(server.get("/files").body) == Json::parse(R"({"files":[]})"));
-  const std::string scene = read_bytes(fs::path(PABD_SCENES) / "stack.json");
+  const std::string scene = read_bytes(fs::path(places::scenes()) / "stack.json");
   CHECK(http(server.port(), "PUT", "/files/mine.json", control, scene).status == 201);
   CHECK(server.get("/files/mine.json").body == scene);
   CHECK(server.get("/files/mine.json").head.find("attachment") != std::string::npos);
@@ -175,7 +177,7 @@ TEST_CASE("files go up and down, and into scenes") {
 
 TEST_CASE("no action leads out of the folder") {
   const TempFolder outside;
-  write_bytes(outside / "secret.json", read_bytes(fs::path(PABD_SCENES) / "stack.json"));
+  write_bytes(outside / "secret.json", read_bytes(fs::path(places::scenes()) / "stack.json"));
   write_bytes(outside / "secret.obj", "v 0 0 0 secret\n");
   const RunningServer server;
   fs::create_symlink(outside / "secret.json", server.root() / "link.json");
@@ -208,10 +210,12 @@ TEST_CASE("no action leads out of the folder") {
   // A scene of theirs that names a mesh elsewhere, and an edit, and a setting of a shipped scene.
   const std::string mesh = (outside / "secret.obj").string();
   const Json body = {{"shape", {{"type", "mesh"}, {"file", mesh}}}, {"mass", 1}};
-  Json scene = Json::parse(read_bytes(fs::path(PABD_SCENES) / "stack.json"));
+  Json scene = Json::parse(read_bytes(fs::path(places::scenes()) / "stack.json"));
   scene["bodies"].push_back(body);
   CHECK(http(server.port(), "PUT", "/files/spy.json", bearer(server.control()), scene.dump()).status == 201);
   refused({{"do", "load"}, {"scene", "spy.json"}});
   refused({{"do", "edit"}, {"edit", {{"do", "add_body"}, {"shape", body["shape"]}, {"mass", 1}}}});
   CHECK(outside.names() == std::vector<std::string>{"secret.json", "secret.obj"});
 }
+
+}  // namespace pabd::test_serve_api

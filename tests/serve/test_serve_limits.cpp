@@ -7,7 +7,8 @@
 
 #include "tests/serve/client.h"
 
-using namespace pabd;
+namespace pabd::test_serve_limits {
+
 using Json = nlohmann::json;
 using Message = WebSocketPage::Message;
 
@@ -184,3 +185,5 @@ TEST_CASE("a server that goes down tells its visitors, and ends what it was doin
   server.stop();
   for (auto& page : pages) CHECK(page->until_close() == 1001);
 }
+
+}  // namespace pabd::test_serve_limits

@@ -6,7 +6,8 @@
 
 #include "tests/serve/client.h"
 
-using namespace pabd;
+namespace pabd::test_serve_visitors {
+
 using Json = nlohmann::json;
 using Message = WebSocketPage::Message;
 
@@ -196,3 +197,5 @@ TEST_CASE(
     CHECK(std::filesystem::exists(folder / "a.json") == keeps);
   }
 }
+
+}  // namespace pabd::test_serve_visitors

@@ -5,7 +5,7 @@
 
 #include "app/serve/tiles.h"
 
-using namespace pabd;
+namespace pabd::test_tiles {
 
 namespace {
 
@@ -112,3 +112,5 @@ TEST_CASE("a reduced image keeps what is plain, and means of pairs") {
   set(two, 1, 1, 60);
   CHECK(reduced(two, 0.5).rgb[0] == 25);
 }
+
+}  // namespace pabd::test_tiles

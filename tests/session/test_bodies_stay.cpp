@@ -5,7 +5,8 @@
 #include "app/session/run.h"
 #include "tests/support/drift_device.h"
 
-using namespace pabd;
+namespace pabd::test_bodies_stay {
+
 using test::DriftDevices;
 using test::thrown_balls;
 
@@ -168,3 +169,5 @@ TEST_CASE("a step that leaves the numbers takes bodies that stayed along: the ru
   CHECK(run.device().name == "drift");  // it is not its fault
   made.go(3);
 }
+
+}  // namespace pabd::test_bodies_stay

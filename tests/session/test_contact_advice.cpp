@@ -8,9 +8,11 @@
 #include <cmath>
 
 #include "app/session/session.h"
+#include "tests/support/places.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_contact_advice {
+
 using testing::World;
 
 namespace {
@@ -23,7 +25,9 @@ const Advice* find(const std::vector<Advice>& all, AdviceKind kind) {
 // A shipped scene that runs, and takes advice as a person would: by --set, on the parameters of now.
 struct Run {
   explicit Run(const std::string& scene, const std::vector<std::string>& overrides = {})
-      : name(scene), taken(overrides), session(load_scene(PABD_SCENES "/" + scene + ".json", overrides)) {
+      : name(scene),
+        taken(overrides),
+        session(load_scene(places::scenes() + "/" + scene + ".json", overrides)) {
     session.record_iterations(true);
     session.report_contacts(true);
   }
@@ -40,7 +44,7 @@ struct Run {
   // Throws what the scene reader throws when the suggestion is not valid.
   void take(const Advice& advice) {
     taken.push_back(advice.key + "=" + advice.value);
-    session.set_params(load_scene(PABD_SCENES "/" + name + ".json", taken).params);
+    session.set_params(load_scene(places::scenes() + "/" + name + ".json", taken).params);
   }
 
   std::string name;
@@ -384,3 +388,5 @@ TEST_CASE("a step that leaves the numbers: half the time step stays within them"
   last.status = StepStatus::non_finite;
   CHECK(contact_advice(world.model, world.params, world.state, last)[0].value == "1e-06");
 }
+
+}  // namespace pabd::test_contact_advice

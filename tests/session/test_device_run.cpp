@@ -6,7 +6,8 @@
 #include "tests/support/drift_device.h"
 #include "tests/support/errors.h"
 
-using namespace pabd;
+namespace pabd::test_device_run {
+
 using test::DriftDevices;
 using test::thrown_balls;
 
@@ -312,3 +313,5 @@ TEST_CASE("a recording has the states that were kept of a device's steps") {
   REQUIRE(again.advance());
   CHECK(devices->newest->steps == 1);
 }
+
+}  // namespace pabd::test_device_run

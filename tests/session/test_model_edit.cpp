@@ -9,7 +9,7 @@
 #include "app/session/timeline.h"
 #include "sim/base/error.h"
 
-using namespace pabd;
+namespace pabd::test_model_edit {
 
 namespace {
 
@@ -308,3 +308,5 @@ TEST_CASE("friction and groups follow the bodies that come and go") {
                      "test"),
       Error);
 }
+
+}  // namespace pabd::test_model_edit

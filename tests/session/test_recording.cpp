@@ -9,16 +9,17 @@
 #include "sim/base/error.h"
 #include "sim/base/hash.h"
 #include "sim/scene/tuning.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_recording {
 
 namespace {
 
 constexpr std::size_t kPlenty = std::size_t{64} << 20;
 
 std::shared_ptr<const Scene> two_boxes(const std::vector<std::string>& sets = {}) {
-  return std::make_shared<const Scene>(load_scene(PABD_SCENES "/two_boxes.json", sets));
+  return std::make_shared<const Scene>(load_scene(places::scenes() + "/two_boxes.json", sets));
 }
 
 // Steps, parameters, hands, and bodies and joints that come and go.
@@ -129,7 +130,7 @@ TEST_CASE("other scenes, versions and files are refused with what to do") {
   const std::string good = encode_recording(run);
   CHECK(refusal(good, scene).empty());
   CHECK_THAT(refusal(good, two_boxes({"contact.N=9"})), Catch::Contains("it has changed since"));
-  const auto other = std::make_shared<const Scene>(load_scene(PABD_SCENES "/pyramid.json"));
+  const auto other = std::make_shared<const Scene>(load_scene(places::scenes() + "/pyramid.json"));
   CHECK_THAT(refusal(good, other), Catch::StartsWith("r.rec: ") && Catch::Contains("open that scene first"));
   std::string version = good;
   version[8] = 7;
@@ -233,3 +234,5 @@ TEST_CASE("a recording of any length is written and read in parts") {
   std::filesystem::resize_file(path, std::size_t{67} << 20);
   CHECK_THROWS_WITH(read_recording(path, scene, budget), Catch::Contains("cut off"));
 }
+
+}  // namespace pabd::test_recording

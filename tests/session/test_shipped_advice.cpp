@@ -6,9 +6,10 @@
 
 #include "app/session/contact_advice.h"
 #include "app/session/session.h"
+#include "tests/support/places.h"
 #include "tests/support/sanitized.h"
 
-using namespace pabd;
+namespace pabd::test_shipped_advice {
 
 namespace {
 
@@ -29,7 +30,7 @@ std::int64_t steps_of(const Scene& scene) {
 
 TEST_CASE("no step of a shipped scene ends at the iteration limit, overlaps or breaks Coulomb's law") {
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(PABD_SCENES)) {
+  for (const auto& entry : std::filesystem::directory_iterator(places::scenes())) {
     if (entry.path().extension() != ".json") continue;
     const std::string name = entry.path().stem();
     INFO(name);
@@ -56,3 +57,5 @@ TEST_CASE("no step of a shipped scene ends at the iteration limit, overlaps or b
   }
   CHECK(scenes > 25);
 }
+
+}  // namespace pabd::test_shipped_advice

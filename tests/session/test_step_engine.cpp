@@ -6,8 +6,9 @@
 #include "tests/support/drift_device.h"
 #include "tests/support/errors.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_step_engine {
+
+using namespace test;
 
 namespace {
 
@@ -135,3 +136,5 @@ TEST_CASE("an engine that keeps bodies to itself is told of states that did not 
   session.set_state(session.whole_state());
   CHECK(drift->forgotten == 2);
 }
+
+}  // namespace pabd::test_step_engine

@@ -7,7 +7,7 @@
 #include "sim/base/error.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_trails {
 
 TEST_CASE("a trail is read, and its words are read as the same") {
   CHECK(parse_trail("com", "--trail").body.empty());
@@ -91,3 +91,5 @@ TEST_CASE("a trail is broken where the way was not seen, and whole again where i
   const std::vector<Vec3> path = recorder.trails()[0].path;
   for (const Vec3& p : path) CHECK(p.allFinite());
 }
+
+}  // namespace pabd::test_trails

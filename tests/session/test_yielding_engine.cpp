@@ -7,7 +7,7 @@
 #include "tests/support/drift_device.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_yielding_engine {
 
 TEST_CASE("where a device cannot go on the processor does, from there on, and that is told once") {
   TinyModel tiny;
@@ -31,3 +31,5 @@ TEST_CASE("where a device cannot go on the processor does, from there on, and th
   const double h = session.params().h;
   CHECK(session.state().c[0].y() == Approx(10 - 6 * 9.81 * h * h).epsilon(1e-12));  // three steps of it
 }
+
+}  // namespace pabd::test_yielding_engine

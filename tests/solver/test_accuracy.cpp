@@ -7,7 +7,8 @@
 #include "sim/potential/barrier.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_accuracy {
+
 using testing::World;
 
 namespace {
@@ -143,3 +144,5 @@ TEST_CASE(
     }
   }
 }
+
+}  // namespace pabd::test_accuracy

@@ -6,12 +6,9 @@
 #include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
 #include "tests/support/allocations.h"
-#include "tests/support/sanitized.h"
 #include "tests/support/scenario.h"
 
-#ifndef PABD_SANITIZED  // nothing is counted there
-
-using namespace pabd;
+namespace pabd::test_allocation {
 
 namespace {
 
@@ -52,4 +49,4 @@ TEST_CASE("a warm step allocates nothing") {
   }
 }
 
-#endif
+}  // namespace pabd::test_allocation

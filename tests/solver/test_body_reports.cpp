@@ -8,7 +8,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_body_reports {
+
 using testing::World;
 
 namespace {
@@ -125,3 +126,5 @@ TEST_CASE("asking for body reports changes no bit of the result") {
     }
   }
 }
+
+}  // namespace pabd::test_body_reports

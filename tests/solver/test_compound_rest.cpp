@@ -8,7 +8,8 @@
 #include "tests/support/hulls.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_compound_rest {
+
 using testing::hull_of;
 using testing::World;
 
@@ -133,3 +134,5 @@ TEST_CASE("a bowl holds a ball, and both come to rest, for every number of threa
   }
   CHECK((on_ball - Vec3(0, 5 * 9.81, 0)).norm() < 0.02 * 5 * 9.81);
 }
+
+}  // namespace pabd::test_compound_rest

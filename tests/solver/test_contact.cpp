@@ -7,7 +7,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_contact {
+
 using testing::World;
 
 namespace {
@@ -215,3 +216,5 @@ TEST_CASE("a log barrier that starts in penetration is reported, never silently 
   CHECK(world.state.c[1] == before.c[1]);
   CHECK(world.state.step == 0);
 }
+
+}  // namespace pabd::test_contact

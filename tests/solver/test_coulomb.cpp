@@ -7,7 +7,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_coulomb {
+
 using testing::World;
 
 namespace {
@@ -196,3 +197,5 @@ TEST_CASE("the report tells of friction above μ f_n when the iterations were no
   world.params.solver.iterations = 200;
   testing::run(world, 60, options, [&](const StepReport& report) { CHECK(report.friction_excess <= 0.01); });
 }
+
+}  // namespace pabd::test_coulomb

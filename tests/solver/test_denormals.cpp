@@ -10,7 +10,8 @@
 #include "sim/math/team.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_denormals {
+
 using testing::World;
 
 #if defined(__SSE2__)
@@ -103,3 +104,5 @@ TEST_CASE("members of a team flush, the caller does as it likes") {
 }
 
 #endif
+
+}  // namespace pabd::test_denormals

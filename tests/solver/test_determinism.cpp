@@ -7,8 +7,9 @@
 #include "sim/scene/scene.h"
 #include "sim/solver/step_memory.h"
 #include "sim/solver/time_step.h"
+#include "tests/support/places.h"
 
-using namespace pabd;
+namespace pabd::test_determinism {
 
 namespace {
 
@@ -65,7 +66,7 @@ void require_same(const StepReport& a, const StepReport& b) {
 TEST_CASE("every solver gives the same bits on 1, 2, 3 and 8 threads, in scenes of every kind") {
   for (const char* name :
        {"two_boxes", "shapes", "meshes", "chairs", "stack", "ragdoll", "bridge", "card_house"}) {
-    const Scene scene = load_scene(std::string(PABD_SCENES "/") + name + ".json");
+    const Scene scene = load_scene(std::string(places::scenes() + "/") + name + ".json");
     for (const SolverMethod method :
          {SolverMethod::automatic, SolverMethod::descent, SolverMethod::newton, SolverMethod::sissm}) {
       constexpr int kSteps = 4;
@@ -82,8 +83,8 @@ TEST_CASE("every solver gives the same bits on 1, 2, 3 and 8 threads, in scenes 
 
 TEST_CASE("sticking and sliding contacts: the same bits for every number of threads") {
   for (const double slope : {0.3, 0.9}) {  // tan of the angle; μ = 0.5
-    const Scene scene =
-        load_scene(PABD_SCENES "/incline.json", {"gravity=[" + std::to_string(-9 * slope) + ",-9,0.5]"});
+    const Scene scene = load_scene(places::scenes() + "/incline.json",
+                                   {"gravity=[" + std::to_string(-9 * slope) + ",-9,0.5]"});
     for (const SolverMethod method : {SolverMethod::descent, SolverMethod::newton, SolverMethod::sissm}) {
       const Outcome alone = run(scene, method, 1, 20);
       REQUIRE_FALSE(alone.end.contacts.empty());
@@ -91,3 +92,5 @@ TEST_CASE("sticking and sliding contacts: the same bits for every number of thre
     }
   }
 }
+
+}  // namespace pabd::test_determinism

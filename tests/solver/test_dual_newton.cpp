@@ -9,7 +9,8 @@
 #include "tests/support/draws.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_dual_newton {
+
 using testing::make_joint;
 using testing::World;
 
@@ -166,3 +167,5 @@ TEST_CASE("a workspace that has seen another graph of joints gives the same bits
     fresh = StepWorkspace();
   }
 }
+
+}  // namespace pabd::test_dual_newton

@@ -6,7 +6,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_free_flight {
+
 using testing::World;
 
 namespace {
@@ -81,3 +82,5 @@ TEST_CASE("spin about the middle axis flips over (Dzhanibekov), about the others
           Approx(energy).epsilon(2e-2));  // implicit midpoint: bounded, of second order in h
   }
 }
+
+}  // namespace pabd::test_free_flight

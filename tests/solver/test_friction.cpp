@@ -7,7 +7,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_friction {
+
 using testing::World;
 
 namespace {
@@ -95,3 +96,5 @@ TEST_CASE("a sphere rolls down a slope at 5/7 of g sin θ") {
   CHECK(world.state.v[1].dot(down) - v0 == Approx(5.0 / 7 * 9.81 * std::sin(angle)).epsilon(0.02));
   CHECK(world.state.omega[1].norm() * 0.5 == Approx(world.state.v[1].norm()).epsilon(0.03));
 }
+
+}  // namespace pabd::test_friction

@@ -9,7 +9,8 @@
 #include "tests/support/hulls.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_hull_rest {
+
 using testing::hull_of;
 using testing::World;
 
@@ -86,3 +87,5 @@ TEST_CASE("a free hull with products in J keeps its angular momentum") {
   testing::run(world, 600);
   CHECK((momentum() - before).norm() < 1e-9 * before.norm());
 }
+
+}  // namespace pabd::test_hull_rest

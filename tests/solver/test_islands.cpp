@@ -7,7 +7,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_islands {
+
 using testing::World;
 
 namespace {
@@ -106,3 +107,5 @@ TEST_CASE("the report names every island, its bodies, its solver and how its sol
   CHECK(last.body_reports[static_cast<std::size_t>(rod)].island == 1);
   CHECK(last.body_reports[5].island == -1);
 }
+
+}  // namespace pabd::test_islands

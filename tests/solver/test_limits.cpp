@@ -6,7 +6,7 @@
 
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_limits {
 
 namespace {
 
@@ -96,3 +96,5 @@ TEST_CASE("bodies side by side are all met, however many") {
     CHECK(r.contacts >= 4 * 400);
   });
 }
+
+}  // namespace pabd::test_limits

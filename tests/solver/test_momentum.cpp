@@ -5,7 +5,7 @@
 
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_momentum {
 
 namespace {
 
@@ -131,3 +131,5 @@ TEST_CASE("what a ball does not touch does not feel it") {
   CHECK(world.state.v[alone] == Vec3(0.1, 2, 0.2));
   CHECK(world.state.omega[alone] == Vec3::Zero());
 }
+
+}  // namespace pabd::test_momentum

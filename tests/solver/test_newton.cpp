@@ -9,7 +9,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_newton {
+
 using testing::add_joint;
 using testing::make_joint;
 using testing::World;
@@ -220,3 +221,5 @@ TEST_CASE("a double pendulum follows its equations of motion for 10 s, with an e
   CHECK(errors[1] < 0.6 * errors[0]);
   CHECK(errors[1] > 0.4 * errors[0]);
 }
+
+}  // namespace pabd::test_newton

@@ -8,7 +8,8 @@
 #include "sim/math/extremes.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_non_finite {
+
 using testing::World;
 
 namespace {
@@ -91,3 +92,5 @@ TEST_CASE("a state or a mass that is no number, or runs out of the numbers, fail
   require_non_finite("mass", [](World& world, StepOptions&) { world.model.mass[1] = kNaN; });
   require_non_finite("gravity", [](World& world, StepOptions&) { world.params.gravity.x() = kNaN; });
 }
+
+}  // namespace pabd::test_non_finite

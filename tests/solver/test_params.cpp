@@ -8,7 +8,7 @@
 #include "sim/solver/parameter_table.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_params {
 
 namespace {
 
@@ -130,3 +130,5 @@ TEST_CASE("κ auto carries all bodies, but no more than a hundred of the heavies
   CHECK(carried(dusty) < 40 * 1e6);
   CHECK(carried(dusty) >= Approx(10 * 1e6));
 }
+
+}  // namespace pabd::test_params

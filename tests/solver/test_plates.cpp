@@ -14,7 +14,8 @@
 #include "tests/support/hulls.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_plates {
+
 using testing::World;
 
 namespace {
@@ -94,3 +95,5 @@ TEST_CASE("plates a little out of line come to rest, and their twist does not gr
     }
   }
 }
+
+}  // namespace pabd::test_plates

@@ -7,7 +7,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_pulls {
+
 using testing::World;
 
 namespace {
@@ -169,3 +170,5 @@ TEST_CASE("a pull drags a crate over the ground when it is stronger than frictio
     }
   }
 }
+
+}  // namespace pabd::test_pulls

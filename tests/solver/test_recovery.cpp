@@ -8,7 +8,7 @@
 
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_recovery {
 
 namespace {
 
@@ -95,3 +95,5 @@ TEST_CASE("what is not deep does not change by a bit") {
   CHECK(same_bytes(plain.state.c, limited.state.c));
   CHECK(same_bytes(plain.state.v, limited.state.v));
 }
+
+}  // namespace pabd::test_recovery

@@ -10,7 +10,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_robustness {
+
 using testing::World;
 
 namespace {
@@ -180,3 +181,5 @@ TEST_CASE(
   // An inelastic hit of the whole chain, 6.3 kg, would leave 4.2; the pivot takes some more.
   CHECK(slowest > 3.5);
 }
+
+}  // namespace pabd::test_robustness

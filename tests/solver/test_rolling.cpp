@@ -14,7 +14,8 @@
 #include "sim/solver/params.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_rolling {
+
 using testing::World;
 
 namespace {
@@ -244,3 +245,5 @@ TEST_CASE("a ball thrown hard at the ground gains no energy and ends rolling") {
     CHECK(thrown(1.0 / 240) == Approx(5.0 / 7 * 20).epsilon(0.03));
   }
 }
+
+}  // namespace pabd::test_rolling

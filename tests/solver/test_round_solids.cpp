@@ -13,7 +13,8 @@
 #include "sim/trace/trace.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_round_solids {
+
 using testing::World;
 
 namespace {
@@ -185,3 +186,5 @@ TEST_CASE("round solids among boxes and balls: the same bytes for every number o
   CHECK(hash(3) == one);
   CHECK(hash(1) == one);
 }
+
+}  // namespace pabd::test_round_solids

@@ -8,9 +8,10 @@
 #include "sim/body/mass_properties.h"
 #include "sim/scene/scene.h"
 #include "sim/solver/time_step.h"
+#include "tests/support/places.h"
 #include "tests/support/sanitized.h"
 
-using namespace pabd;
+namespace pabd::test_shipped_friction {
 
 namespace {
 
@@ -44,7 +45,7 @@ int steps_for(const Scene& scene) { return scene.model.size() > 60 ? kStepsOfMan
 
 TEST_CASE("no converged step of a shipped scene breaks Coulomb's law by over 1 %, with any solver") {
   std::map<SolverMethod, Seen> all;
-  for (const auto& entry : std::filesystem::directory_iterator(PABD_ASSETS "/scenes")) {
+  for (const auto& entry : std::filesystem::directory_iterator(places::assets() + "/scenes")) {
     if (entry.path().extension() != ".json") continue;
     Scene scene = load_scene(entry.path());
     for (const SolverMethod method :
@@ -73,3 +74,5 @@ TEST_CASE("no converged step of a shipped scene breaks Coulomb's law by over 1 %
     CHECK(seen.contacts > kLeastContacts);
   }
 }
+
+}  // namespace pabd::test_shipped_friction

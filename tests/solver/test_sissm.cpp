@@ -12,7 +12,8 @@
 #include "sim/solver/weighted_projection.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_sissm {
+
 using testing::add_joint;
 using testing::make_joint;
 using testing::World;
@@ -251,3 +252,5 @@ TEST_CASE("fast bodies and deep overlap are no runaways") {
       testing::run(*world, 30, {}, [&](const StepReport& r) { CHECK(r.status != StepStatus::non_finite); });
   }
 }
+
+}  // namespace pabd::test_sissm

@@ -9,7 +9,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_solvers {
+
 using testing::World;
 
 namespace {
@@ -52,7 +53,7 @@ World corner_contact() {
   world.params.contact.mu_static = world.params.contact.mu_dynamic = 0;
   world.params.solver.tolerance = 0;
   world.add_cube(1, 1000, {0, 0.5, 0});
-  const Mat3 on_corner = Quat::FromTwoVectors(Vec3(1, 1, 1), Vec3(0.1, 1, 0.05)).toRotationMatrix();
+  const Mat3 on_corner = rotation_between(Vec3(1, 1, 1), Vec3(0.1, 1, 0.05));
   world.add_cube(1, 1000, {0, 1 - 0.1 + std::sqrt(3.0) / 2, 0}, on_corner);
   return world;
 }
@@ -197,3 +198,5 @@ TEST_CASE("surprises stay finite: stiff, soft, light, heavy, coarse, deep") {
     }
   }
 }
+
+}  // namespace pabd::test_solvers

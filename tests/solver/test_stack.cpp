@@ -5,7 +5,8 @@
 
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_stack {
+
 using testing::World;
 
 namespace {
@@ -172,3 +173,5 @@ TEST_CASE("a wall whose bricks touch on all sides widens by d̂ a joint, and doe
     CHECK(std::abs(way.y()) < rows * d_hat);
   }
 }
+
+}  // namespace pabd::test_stack

@@ -6,7 +6,8 @@
 #include "sim/math/so3.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
+namespace pabd::test_surface_friction {
+
 using testing::World;
 
 namespace {
@@ -149,3 +150,5 @@ TEST_CASE("bodies that say what the scene says change no bit") {
     CHECK(same_bits(plain, made(true, rule)) == (rule != FrictionRule::product));
   }
 }
+
+}  // namespace pabd::test_surface_friction

@@ -8,7 +8,7 @@
 
 #include "tests/support/draws.h"
 
-using namespace pabd;
+namespace pabd::test_weighted_projection {
 
 namespace {
 
@@ -53,3 +53,5 @@ TEST_CASE("no rigid pose has less energy than the weighted projection") {
     }
   }
 }
+
+}  // namespace pabd::test_weighted_projection

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/support/files.h"
+#include "tests/support/places.h"
 
 namespace fs = std::filesystem;
 
@@ -15,7 +16,7 @@ namespace pabd {
 const std::vector<Source>& sources() {
   static const std::vector<Source> all = [] {
     std::vector<Source> found;
-    const fs::path root = PABD_SOURCE_DIR;
+    const fs::path root = places::project();
     const std::regex include("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]");
     for (const char* folder : {"app", "render", "sim", "tests"}) {
       for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -12,6 +12,9 @@
 
 #include "tests/structure/sources.h"
 #include "tests/support/files.h"
+#include "tests/support/places.h"
+
+namespace pabd::test_structure {
 
 namespace fs = std::filesystem;
 
@@ -132,8 +135,8 @@ TEST_CASE("GLSL is in files of its own, and each of them is embedded") {
   std::set<std::string> names;
   int count = 0;
   for (const char* folder : {"render/gl", "render/device"}) {
-    const std::string cmake = pabd::read_bytes(fs::path(PABD_SOURCE_DIR) / folder / "CMakeLists.txt");
-    for (const auto& entry : fs::directory_iterator(fs::path(PABD_SOURCE_DIR) / folder / "shaders")) {
+    const std::string cmake = pabd::read_bytes(fs::path(places::project()) / folder / "CMakeLists.txt");
+    for (const auto& entry : fs::directory_iterator(fs::path(places::project()) / folder / "shaders")) {
       CAPTURE(entry.path());
       REQUIRE(entry.path().extension() == ".glsl");
       CHECK(std::regex_search(cmake, std::regex("\\s" + entry.path().stem().string() + "[\\s)]")));
@@ -160,7 +163,7 @@ TEST_CASE("one file of render knows Dear ImGui") {
 
 TEST_CASE("public headers need nothing but each other, Eigen and the standard library") {
   // As they are installed: another header would not be there, another library its users would have to find.
-  const std::string list = PABD_PUBLIC_HEADERS;
+  const std::string list = places::public_headers();
   std::set<std::string> headers;
   for (std::size_t begin = 0; begin < list.size();) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
@@ -231,7 +234,7 @@ TEST_CASE("every test runs and can fail") {
       CHECK(text.find(word) == std::string::npos);
     }
   }
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(PABD_SOURCE_DIR) / "tests")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(places::project()) / "tests")) {
     if (entry.path().filename() != "CMakeLists.txt") continue;
     const std::string text = pabd::read_bytes(entry.path());
     for (const char* word : {"DISABLED", "SKIP_RETURN_CODE", "SKIP_REGULAR_EXPRESSION", "WILL_FAIL"}) {
@@ -240,3 +243,5 @@ TEST_CASE("every test runs and can fail") {
     }
   }
 }
+
+}  // namespace pabd::test_structure

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See allocations.h.
 #include "tests/support/allocations.h"
-#include "tests/support/sanitized.h"
-
-#ifndef PABD_SANITIZED
 
 #include <cstdlib>
 #include <new>
@@ -32,5 +29,3 @@ void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 pabd::test::Allocations pabd::test::allocations() { return taken; }
-
-#endif

@@ -4,17 +4,13 @@
 
 #include <cstddef>
 
-#include "tests/support/sanitized.h"
-
 namespace pabd::test {
 
 struct Allocations {
   std::size_t count, bytes;
 };
 
-// Of this thread since it began. Not under a sanitizer, which brings its own operator new.
-#ifndef PABD_SANITIZED
+// Of this thread since it began.
 Allocations allocations();
-#endif
 
 }  // namespace pabd::test

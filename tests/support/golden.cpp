@@ -12,6 +12,7 @@
 #include "render/output/compare_report.h"
 #include "render/output/png.h"
 #include "sim/base/error.h"
+#include "tests/support/places.h"
 
 namespace pabd {
 namespace fs = std::filesystem;
@@ -47,7 +48,7 @@ void say_lenient(const std::string& name, const std::string& own_class, const Go
 
 }  // namespace
 
-GoldenFolders golden_folders() { return {PABD_GOLDEN_FOLDER, PABD_FAILURE_FOLDER}; }
+GoldenFolders golden_folders() { return {places::tests() + "/golden", places::build() + "/golden_failures"}; }
 
 CompareResult check_golden(const Image& image, const std::string& name, const std::string& renderer,
                            const GoldenFolders& folders) {

@@ -9,8 +9,9 @@
 #include "tests/support/errors.h"
 #include "tests/sweep/swept_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_collect_pictures {
+
+using namespace test;
 
 namespace {
 
@@ -199,3 +200,5 @@ TEST_CASE("what can be read on a colour is written on it") {
   CHECK_FALSE(wants_log({0, 1e3}));
   CHECK_FALSE(wants_log({}));
 }
+
+}  // namespace pabd::test_collect_pictures

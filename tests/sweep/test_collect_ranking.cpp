@@ -8,8 +8,9 @@
 #include "sim/scene/random.h"
 #include "tests/sweep/swept_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_collect_ranking {
+
+using namespace test;
 
 TEST_CASE("the Pareto front is what no other point beats") {
   Random random(7);
@@ -143,3 +144,5 @@ TEST_CASE("equal tasks, a single one and none are ranked without nonsense") {
         "Least penetration: tasks 0 and 1, which are equal, with 1 m; the median of 3 is 1 m, the most is 2 "
         "m of task 2.");
 }
+
+}  // namespace pabd::test_collect_ranking

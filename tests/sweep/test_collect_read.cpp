@@ -6,8 +6,9 @@
 #include "tests/support/errors.h"
 #include "tests/sweep/swept_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_collect_read {
+
+using namespace test;
 
 namespace {
 
@@ -181,3 +182,5 @@ TEST_CASE("no sweep, a hostile plan or too much of everything is refused in one 
       caught([&] { collect_sweep(folder.path(), {.columns = 2}); }).says("3 parameters; expected at most 2"));
   CHECK(collect_sweep(folder.path(), {.bytes = 20}).count(SweptStatus::damaged) == 3);
 }
+
+}  // namespace pabd::test_collect_read

@@ -7,8 +7,9 @@
 #include "tests/support/errors.h"
 #include "tests/sweep/swept_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_collect_report {
+
+using namespace test;
 
 namespace {
 
@@ -141,3 +142,5 @@ TEST_CASE("a sweep without tasks, or with damaged ones only, is reported all the
   write_collection(collect_sweep(folder.path()), out.path(), {.force = true});
   CHECK(read_bytes(out / "report.html").find("1 damaged") != std::string::npos);
 }
+
+}  // namespace pabd::test_collect_report

@@ -7,8 +7,9 @@
 #include "app/sweep/collect_table.h"
 #include "tests/sweep/swept_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_collect_table {
+
+using namespace test;
 
 namespace {
 
@@ -126,3 +127,5 @@ TEST_CASE("names of columns that would not be told apart, or end a text of Pytho
   CHECK(npy.find("('status_', '<f8')") != std::string::npos);
   CHECK(npy.find("('status', '<U4')") != std::string::npos);
 }
+
+}  // namespace pabd::test_collect_table

@@ -9,13 +9,14 @@
 #include "app/sweep/tasks.h"
 #include "sim/base/error.h"
 #include "tests/support/files.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_plan {
 
 namespace {
 
-const std::filesystem::path kAssets = PABD_ASSETS;
+const std::filesystem::path kAssets = places::assets();
 
 std::filesystem::path shipped(const std::string& name) {
   const auto path = kAssets / "scenes" / (name + ".json");
@@ -252,9 +253,11 @@ TEST_CASE("the schema has the keys that the reader knows, and describes each") {
 
 TEST_CASE("the README has every number of a report that a metric may take") {
   const std::string readme =
-      read_bytes(std::filesystem::path(PABD_ASSETS).parent_path() / "app/sweep/README.md");
+      read_bytes(std::filesystem::path(places::assets()).parent_path() / "app/sweep/README.md");
   for (const StepNumber& number : step_numbers()) {
     CAPTURE(number.name);
     CHECK(readme.find("`/" + std::string(number.name) + "`") != std::string::npos);
   }
 }
+
+}  // namespace pabd::test_plan

@@ -7,7 +7,7 @@
 #include "tests/support/files.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_pool {
 
 namespace {
 
@@ -66,3 +66,5 @@ TEST_CASE("when several fail, the others are asked to end once, so that they can
   CHECK_FALSE(outcome.stopped);
   CHECK(read_bytes(folder / "asked") == "asked\n");
 }
+
+}  // namespace pabd::test_pool

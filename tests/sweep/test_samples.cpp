@@ -7,7 +7,7 @@
 
 #include "app/sweep/samples.h"
 
-using namespace pabd;
+namespace pabd::test_samples {
 
 TEST_CASE("a range has both ends, and equal differences or factors between") {
   CHECK(spaced({0.005, 0.02}, 4) == std::vector<double>{0.005, 0.01, 0.015, 0.02});
@@ -85,3 +85,5 @@ TEST_CASE("the axes of a Latin hypercube know nothing of each other") {
     CHECK(std::abs(sum / 1000 * 12) < 4 * 0.032);
   }
 }
+
+}  // namespace pabd::test_samples

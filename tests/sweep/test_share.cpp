@@ -6,7 +6,7 @@
 #include "app/sweep/share.h"
 #include "sim/base/error.h"
 
-using namespace pabd;
+namespace pabd::test_share {
 
 namespace {
 
@@ -66,3 +66,5 @@ TEST_CASE("CPUs as schedulers say") {
   CHECK(scheduled_cpus(with({{"NCPUS", "6"}}), true) == 6);
   CHECK_FALSE(scheduled_cpus(with({{"NCPUS", "6"}}), false).has_value());
 }
+
+}  // namespace pabd::test_share

@@ -9,13 +9,14 @@
 #include "sim/base/error.h"
 #include "sim/trace/trace.h"
 #include "tests/support/files.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_task_run {
 
 namespace {
 
-const std::filesystem::path kScenes = std::filesystem::path(PABD_ASSETS) / "scenes";
+const std::filesystem::path kScenes = std::filesystem::path(places::assets()) / "scenes";
 
 SweepPlan plan_of(const std::string& scene, const std::string& members) {
   return parse_plan(R"({"format": "pabd-sweep", "version": 1, "scene": ")" + scene + "\", " + members + "}",
@@ -147,3 +148,5 @@ TEST_CASE("what the scene refuses is a result, and says why") {
   CHECK(result->metrics.empty());
   CHECK(result->scene == nullptr);
 }
+
+}  // namespace pabd::test_task_run

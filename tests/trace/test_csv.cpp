@@ -7,7 +7,7 @@
 
 #include "sim/trace/trace.h"
 
-using namespace pabd;
+namespace pabd::test_csv {
 
 namespace {
 
@@ -86,3 +86,5 @@ TEST_CASE("a step that failed has no numbers of where it ended, and no zeros", "
   CHECK(out.str() ==
         "7,0.11666666666666667,sissm,non_finite,12,nan,nan,nan,nan,nan,nan,nan,1e-07,2.5,nan,3,2,nan\n");
 }
+
+}  // namespace pabd::test_csv

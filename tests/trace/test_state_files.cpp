@@ -10,7 +10,8 @@
 #include "sim/scene/scene.h"
 #include "sim/trace/trace.h"
 
-using namespace pabd;
+namespace pabd::test_state_files {
+
 using Json = nlohmann::json;
 
 namespace {
@@ -196,3 +197,5 @@ TEST_CASE("state files that do not fit are refused", "[trace]") {
     CHECK_THROWS_AS(state_from_json(e.model, text.substr(0, n), "end.json"), Error);
   }
 }
+
+}  // namespace pabd::test_state_files

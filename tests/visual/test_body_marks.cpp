@@ -9,7 +9,7 @@
 #include "sim/scene/random.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_body_marks {
 
 TEST_CASE("the ellipsoid of a box has half axes of √(5/3) half edges, whatever its pose") {
   Random random(7);
@@ -88,3 +88,5 @@ TEST_CASE("a body has the colour that its scene says, with contacts and bonds to
     CHECK(balls[1].shadow);
   }
 }
+
+}  // namespace pabd::test_body_marks

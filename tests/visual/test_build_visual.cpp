@@ -6,7 +6,7 @@
 
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_build_visual {
 
 namespace {
 
@@ -203,3 +203,5 @@ TEST_CASE("a body that left the numbers is not drawn") {
   CHECK(list(scene, Primitive::sphere).size() == 1);
   CHECK(scene.centre.allFinite());
 }
+
+}  // namespace pabd::test_build_visual

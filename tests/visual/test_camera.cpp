@@ -6,7 +6,7 @@
 #include "render/visual/build_visual.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_camera {
 
 namespace {
 
@@ -98,3 +98,5 @@ TEST_CASE("frame_camera survives scenes with nothing in them and bodies at infin
   CHECK(camera.eye.allFinite());
   CHECK((camera.target - Vec3f(0, 1, 0)).norm() < 0.05f);
 }
+
+}  // namespace pabd::test_camera

@@ -9,7 +9,7 @@
 
 #include "render/visual/camera_path.h"
 
-using namespace pabd;
+namespace pabd::test_camera_control {
 
 namespace {
 
@@ -245,3 +245,5 @@ TEST_CASE("of keys at the same time the last counts") {
   CHECK((camera_at(keys, 1).target - Vec3(2, 0, 0)).norm() < 1e-12);
   CHECK((camera_at(keys, 0.5).target - Vec3(1, 0, 0)).norm() < 1e-12);
 }
+
+}  // namespace pabd::test_camera_control

@@ -11,7 +11,7 @@
 #include "tests/support/draws.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_drawn_shapes {
 
 namespace {
 
@@ -134,3 +134,5 @@ TEST_CASE("the outline of a shape is where rays from the eye begin to miss it, a
     }
   }
 }
+
+}  // namespace pabd::test_drawn_shapes

@@ -9,7 +9,7 @@
 #include "sim/scene/random.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_framing {
 
 namespace {
 
@@ -129,3 +129,5 @@ TEST_CASE("a floor that something falls to is seen, one far below is not") {
     CHECK(lowest == (height < 10 ? 0 : height));
   }
 }
+
+}  // namespace pabd::test_framing

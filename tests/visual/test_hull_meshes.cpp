@@ -7,7 +7,7 @@
 #include "sim/body/convex_hull.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_hull_meshes {
 
 TEST_CASE("a hull is drawn as its own triangles") {
   const Hull hull{make_hull({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 3}, {2, 1, 3}}).hull};
@@ -80,3 +80,5 @@ TEST_CASE("a compound is drawn part by part, parts of one hull from one mesh") {
   }
   CHECK(top == Approx(3));
 }
+
+}  // namespace pabd::test_hull_meshes

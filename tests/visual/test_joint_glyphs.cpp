@@ -10,7 +10,7 @@
 #include "sim/math/so3.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_joint_glyphs {
 
 namespace {
 
@@ -207,3 +207,5 @@ TEST_CASE("joints come with the bonds option; thousands as a dot each; lost bodi
   build_visual(tiny.model, tiny.state, {}, options, scene);
   CHECK(discs(scene).empty());
 }
+
+}  // namespace pabd::test_joint_glyphs

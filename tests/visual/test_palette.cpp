@@ -8,7 +8,7 @@
 
 #include "render/visual/build_visual.h"
 
-using namespace pabd;
+namespace pabd::test_palette {
 
 namespace {
 
@@ -64,3 +64,5 @@ TEST_CASE("bodies with neighbouring numbers differ in colour; fixed ones are gre
   const Vec4f grey = body_color(7, true);
   CHECK(grey.x() == Approx(grey.z()).epsilon(0.05));
 }
+
+}  // namespace pabd::test_palette

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace pabd;
+namespace pabd::test_primitive_mesh {
 
 namespace {
 
@@ -97,3 +97,5 @@ TEST_CASE("levels of detail keep outlines within a third of a pixel up to a quar
   }
   CHECK(level_for_radius(1e9f) == kLevels - 1);
 }
+
+}  // namespace pabd::test_primitive_mesh

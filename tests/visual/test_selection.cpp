@@ -12,7 +12,7 @@
 #include "sim/body/convex_hull.h"
 #include "tests/support/tiny_model.h"
 
-using namespace pabd;
+namespace pabd::test_selection {
 
 namespace {
 
@@ -256,3 +256,5 @@ TEST_CASE("a spring goes from the hand to the body; without numbers there is non
   add_spring(hand, hand, none);  // not stretched at all: the ring and the dot
   CHECK_FALSE(none.lines.empty());
 }
+
+}  // namespace pabd::test_selection

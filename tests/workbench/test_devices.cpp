@@ -4,15 +4,18 @@
 
 #include "app/workbench/runner.h"
 #include "tests/support/drift_device.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 #include "tests/workbench/workbench_helpers.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_devices {
+
+using namespace test;
 
 namespace {
 
-const std::string kTwoBoxes = PABD_SCENES "/two_boxes.json", kBridge = PABD_SCENES "/bridge.json";
+const std::string kTwoBoxes = places::scenes() + "/two_boxes.json",
+                  kBridge = places::scenes() + "/bridge.json";
 
 Workbench with_device(const std::shared_ptr<DriftDevices>& devices, const std::vector<std::string>& sets) {
   WorkbenchOptions options;
@@ -206,3 +209,5 @@ TEST_CASE("the message of a step that leaves the numbers says which moment is le
   CHECK(text.find("diverged at step " + std::to_string(step + 1)) == 0);
   CHECK(text.find("the last state that was kept") != std::string::npos);
 }
+
+}  // namespace pabd::test_devices

@@ -10,8 +10,9 @@
 #include "tests/support/files.h"
 #include "tests/support/temp_folder.h"
 
+namespace pabd::test_file_root {
+
 namespace fs = std::filesystem;
-using namespace pabd;
 
 namespace {
 
@@ -133,3 +134,5 @@ TEST_CASE("a folder is one that lies there, by its name alone") {
     CHECK_THROWS_AS(root.folder_of(name), Error);
   }
 }
+
+}  // namespace pabd::test_file_root

@@ -3,16 +3,18 @@
 #include <catch2/catch.hpp>
 
 #include "sim/trace/trace.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 #include "tests/workbench/workbench_helpers.h"
 
-using namespace pabd;
+namespace pabd::test_joint_laws {
+
 using test::open;
 using test::refusal;
 
 namespace {
 
-constexpr const char* kScene = PABD_SCENES "/four_bar.json";
+const std::string kScene = places::scenes() + "/four_bar.json";
 const std::vector<std::string> kHard = {"joints_default.potential=hard", "joints_default.kappa=2000",
                                         "joints_default.d_hat=0.02"};
 
@@ -115,3 +117,5 @@ TEST_CASE("a law of joints is refused where there is none to give, and nothing h
   Workbench boxes = open();
   CHECK_THAT(refusal(boxes, command::Compare{kHard}), Catch::Contains("no joints"));
 }
+
+}  // namespace pabd::test_joint_laws

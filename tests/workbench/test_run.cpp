@@ -6,7 +6,8 @@
 #include "sim/scene/tuning.h"
 #include "tests/workbench/workbench_helpers.h"
 
-using namespace pabd;
+namespace pabd::test_run {
+
 using test::kPlenty, test::two_boxes;
 
 TEST_CASE("seeking gives the states and reports of the steps as they were made") {
@@ -151,3 +152,5 @@ TEST_CASE("the beginning says what it said, whatever was changed later") {
   copy.seek(10);
   CHECK(copy.params().gravity.y() == -2);
 }
+
+}  // namespace pabd::test_run

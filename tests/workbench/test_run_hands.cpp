@@ -8,10 +8,12 @@
 #include "app/workbench/workbench.h"
 #include "sim/base/error.h"
 #include "sim/scene/tuning.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 #include "tests/workbench/workbench_helpers.h"
 
-using namespace pabd;
+namespace pabd::test_run_hands {
+
 using test::kPlenty, test::two_boxes;
 
 namespace {
@@ -113,7 +115,7 @@ TEST_CASE("edits and pulls that cannot be leave everything as it was") {
 }
 
 TEST_CASE("what was deleted comes back with undo, in both simulations") {
-  Workbench bench({}, command::Load{PABD_SCENES "/two_boxes.json", {}, false});
+  Workbench bench({}, command::Load{places::scenes() + "/two_boxes.json", {}, false});
   bench.apply(command::Step{20});
   bench.apply(command::Compare{{"contact.N=6"}});
   bench.apply(command::Step{5});
@@ -145,7 +147,7 @@ TEST_CASE("what was deleted comes back with undo, in both simulations") {
 }
 
 TEST_CASE("a pull moves a body towards the hand and ends with it; a ball flies where it is shot") {
-  Workbench bench({}, command::Load{PABD_SCENES "/two_boxes.json", {}, false});
+  Workbench bench({}, command::Load{places::scenes() + "/two_boxes.json", {}, false});
   const auto i = static_cast<std::size_t>(movable(bench.run().model()));
   const Vec3 c = bench.run().state().c[i];
   bench.apply(command::Pull{static_cast<int>(i), {0, 0, 0}, {c.x() + 2, c.y() + 1, c.z()}});
@@ -172,7 +174,7 @@ TEST_CASE("a pull moves a body towards the hand and ends with it; a ball flies w
 TEST_CASE("recordings and states are saved and come back, and what does not fit changes nothing") {
   const TempFolder folder;
   const std::string file = (folder / "run.pabdrec").string(), state = (folder / "state.json").string();
-  const command::Load scene{PABD_SCENES "/two_boxes.json", {}, false};
+  const command::Load scene{places::scenes() + "/two_boxes.json", {}, false};
   Workbench bench({}, scene);
   bench.apply(command::Step{30});
   bench.apply(command::Pull{2, {0, 0, 0}, {1, 3, 0}});
@@ -198,7 +200,7 @@ TEST_CASE("recordings and states are saved and come back, and what does not fit 
   CHECK(same_bits(other.run().state(), bench.run().state()));
   CHECK(other.snapshot().a.pulls.size() == 1);  // the hand is seen again
 
-  Workbench pyramid({}, command::Load{PABD_SCENES "/pyramid.json", {}, false});
+  Workbench pyramid({}, command::Load{places::scenes() + "/pyramid.json", {}, false});
   CHECK_THROWS_WITH(pyramid.apply(command::LoadRecording{file}), Catch::Contains("open that scene first"));
   write_bytes(file, "pabd-rec");
   CHECK_THROWS_WITH(other.apply(command::LoadRecording{file}), Catch::Contains("run.pabdrec"));
@@ -210,3 +212,5 @@ TEST_CASE("recordings and states are saved and come back, and what does not fit 
   CHECK(third.run().model().size() == 4);
   CHECK(largest_distance(third.run().state(), bench.run().state()) < 1e-12);
 }
+
+}  // namespace pabd::test_run_hands

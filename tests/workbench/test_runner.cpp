@@ -6,14 +6,16 @@
 #include <thread>
 
 #include "app/workbench/runner.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
+namespace pabd::test_runner {
+
 namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kRunnerScene = PABD_SCENES "/two_boxes.json";
+const std::string kRunnerScene = places::scenes() + "/two_boxes.json";
 
 // The first snapshot for which it holds; gives up after five minutes.
 template <class Holds>
@@ -117,3 +119,5 @@ TEST_CASE("copies of the runs are where the runs were, and go on by themselves")
     CHECK(error.code() == std::future_errc::broken_promise);
   }
 }
+
+}  // namespace pabd::test_runner

@@ -4,6 +4,8 @@
 
 #include "app/session/shared_list.h"
 
+namespace pabd::test_shared_list {
+
 using pabd::SharedList;
 using List = SharedList<int>;
 
@@ -67,3 +69,5 @@ TEST_CASE("an empty list has an empty view") {
   CHECK(list.view().empty());
   CHECK(list.view().begin() == list.view().end());
 }
+
+}  // namespace pabd::test_shared_list

@@ -6,12 +6,9 @@
 
 #include "app/workbench/workbench.h"
 #include "tests/support/allocations.h"
-#include "tests/support/sanitized.h"
 #include "tests/support/temp_folder.h"
 
-#ifndef PABD_SANITIZED  // nothing is counted there
-
-using namespace pabd;
+namespace pabd::test_snapshot_cost {
 
 namespace {
 
@@ -50,4 +47,4 @@ TEST_CASE("a snapshot of a long run takes as many allocations and bytes as one o
   CHECK(late.bytes < 20000);
 }
 
-#endif
+}  // namespace pabd::test_snapshot_cost

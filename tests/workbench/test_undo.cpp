@@ -5,10 +5,12 @@
 #include <filesystem>
 
 #include "sim/scene/tuning.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 #include "tests/workbench/workbench_helpers.h"
 
-using namespace pabd;
+namespace pabd::test_undo {
+
 using test::open;
 using test::refusal;
 namespace fs = std::filesystem;
@@ -160,7 +162,7 @@ TEST_CASE("the end of a comparison, held curves and a restart come back with und
 
 TEST_CASE("another scene or recording says what would be gone, until it is saved or forced") {
   const TempFolder folder;
-  const std::string stack = PABD_SCENES "/stack.json";
+  const std::string stack = places::scenes() + "/stack.json";
   const auto stakes = [&](Workbench& bench, const char* word) {
     CHECK_THAT(refusal(bench, command::Load{stack, {}, false}),
                Catch::Contains("not saved") && Catch::Contains(word));
@@ -195,7 +197,7 @@ TEST_CASE("another scene or recording says what would be gone, until it is saved
 TEST_CASE("a scene that changes on disk is told of; what this program saved there is no change") {
   const TempFolder folder;
   const std::string path = (folder / "scene.json").string();
-  fs::copy_file(PABD_SCENES "/two_boxes.json", path);
+  fs::copy_file(places::scenes() + "/two_boxes.json", path);
   const auto later = [&](int seconds) {
     fs::last_write_time(path, fs::file_time_type::clock::now() + std::chrono::seconds(seconds));
   };
@@ -234,7 +236,7 @@ TEST_CASE("a scene that changes on disk is told of; what this program saved ther
 TEST_CASE("loading a scene's file again keeps parameters, how they were changed, B and held curves") {
   const TempFolder folder;
   const std::string path = (folder / "scene.json").string();
-  fs::copy_file(PABD_SCENES "/two_boxes.json", path);
+  fs::copy_file(places::scenes() + "/two_boxes.json", path);
   Workbench bench = open(path);
   bench.apply(command::Set{"contact.N", "7"});
   bench.apply(command::Compare{{"contact.kappa=44"}});
@@ -270,10 +272,12 @@ TEST_CASE("loading a scene's file again keeps parameters, how they were changed,
 TEST_CASE("nothing but a scene is written over the scene that is open") {
   const TempFolder folder;
   const std::string path = (folder / "scene.json").string();
-  fs::copy_file(PABD_SCENES "/two_boxes.json", path);
+  fs::copy_file(places::scenes() + "/two_boxes.json", path);
   Workbench bench = open(path);
   const std::string text = read_scene_text(path);
   CHECK_THAT(refusal(bench, command::SavePatch{path, true}), Catch::Contains("choose another name"));
   CHECK_THAT(refusal(bench, command::SaveRecording{path, true}), Catch::Contains("choose another name"));
   CHECK(read_scene_text(path) == text);
 }
+
+}  // namespace pabd::test_undo

@@ -7,10 +7,12 @@
 #include "app/workbench/command_json.h"
 #include "app/workbench/runner.h"
 #include "sim/scene/tuning.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 #include "tests/workbench/workbench_helpers.h"
 
-using namespace pabd;
+namespace pabd::test_workbench {
+
 using test::open;
 using test::refusal;
 namespace fs = std::filesystem;
@@ -155,7 +157,7 @@ TEST_CASE("a simulation that diverges is told of and leaves the last good state"
 
 TEST_CASE("files: save, refuse to replace, reload, keep what is not saved") {
   const TempFolder folder;
-  fs::copy_file(PABD_SCENES "/two_boxes.json", folder / "scene.json");
+  fs::copy_file(places::scenes() + "/two_boxes.json", folder / "scene.json");
   Workbench bench = open(folder / "scene.json");
   bench.apply(command::Set{"contact.kappa", "42"});
   CHECK_THAT(refusal(bench, command::Load{folder / "scene.json", {}, false}), Catch::Contains("not saved"));
@@ -223,9 +225,11 @@ TEST_CASE("the thread carries commands out in order, and what goes wrong is a me
   runner.send(command::Pause{});
   s = runner.settle();
   CHECK_FALSE(s->playing);
-  Session plain(load_scene(PABD_SCENES "/two_boxes.json"));
+  Session plain(load_scene(places::scenes() + "/two_boxes.json"));
   for (int i = 0; i < 10; ++i) plain.step();
   plain.set_params(tuned(plain.params(), {"contact.N=9"}));
   while (plain.state().step < s->a.state.step) plain.step();
   CHECK(same_bits(plain.state(), s->a.state));
 }
+
+}  // namespace pabd::test_workbench

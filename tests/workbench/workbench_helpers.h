@@ -8,15 +8,16 @@
 #include "app/workbench/workbench.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
+#include "tests/support/places.h"
 
 namespace pabd::test {
 
-inline Workbench open(const std::string& scene = PABD_SCENES "/two_boxes.json") {
+inline Workbench open(const std::string& scene = places::scenes() + "/two_boxes.json") {
   return Workbench({}, command::Load{scene, {}, false});
 }
 
 inline std::shared_ptr<const Scene> two_boxes() {
-  return std::make_shared<const Scene>(load_scene(PABD_SCENES "/two_boxes.json"));
+  return std::make_shared<const Scene>(load_scene(places::scenes() + "/two_boxes.json"));
 }
 inline constexpr std::size_t kPlenty = std::size_t{64} << 20;  // bytes for its past
 

@@ -10,7 +10,7 @@ namespace {
 
 using namespace overlay_style;
 
-Plot plot_of(const OverlayData& data) {
+Plot barrier_plot(const OverlayData& data) {
   const FrameView* view = data.view;
   if (!view) return empty_plot("Contact barrier");
   const auto of = [](const FrameView& v, const std::optional<PlotRange>& x) {
@@ -30,8 +30,8 @@ Plot plot_of(const OverlayData& data) {
   return plot;
 }
 
-void paint(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
-  paint_small_plot(plot_of(data), rect, s, canvas);
+void paint_barrier(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+  paint_small_plot(barrier_plot(data), rect, s, canvas);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ const OverlayPanel barrier_overlay = {.name = "barrier",
                                       .place = PanelPlace::column,
                                       .width = kPlotWidth,
                                       .height = kPlotHeight,
-                                      .paint = paint,
+                                      .paint = paint_barrier,
                                       .contacts = true};
 
 }  // namespace pabd

@@ -9,7 +9,7 @@ namespace {
 
 using namespace overlay_style;
 
-Plot plot_of(const OverlayData& data) {
+Plot convergence_plot(const OverlayData& data) {
   if (!data.view) return empty_plot("Convergence of the last step");
   const auto of = [&](const FrameView& view) {
     return convergence_plot(view.report.records, joints_of(data) > 0);
@@ -22,8 +22,8 @@ Plot plot_of(const OverlayData& data) {
   return plot;
 }
 
-void paint(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
-  paint_small_plot(plot_of(data), rect, s, canvas);
+void paint_convergence(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+  paint_small_plot(convergence_plot(data), rect, s, canvas);
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ const OverlayPanel convergence_overlay = {.name = "convergence",
                                           .place = PanelPlace::column,
                                           .width = kPlotWidth,
                                           .height = kPlotHeight,
-                                          .paint = paint,
+                                          .paint = paint_convergence,
                                           .iterations = true};
 
 }  // namespace pabd

@@ -8,7 +8,7 @@ namespace {
 
 using namespace overlay_style;
 
-void paint(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+void paint_difference(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
   Plot plot = difference_series_plot({}, {}, DifferenceQuantity::distance, data.distances);
   plot.caption = caption_of(data);
   paint_small_plot(plot, rect, s, canvas);
@@ -20,7 +20,7 @@ const OverlayPanel difference_overlay = {.name = "difference",
                                          .place = PanelPlace::column,
                                          .width = kPlotWidth,
                                          .height = kPlotHeight,
-                                         .paint = paint,
+                                         .paint = paint_difference,
                                          .other_run = true};
 
 }  // namespace pabd

@@ -22,7 +22,7 @@ Plot time_plot(const OverlayData& data) {
   return plot;
 }
 
-void paint(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+void paint_series(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
   paint_small_plot(time_plot(data), rect, s, canvas);
 }
 
@@ -32,6 +32,6 @@ const OverlayPanel series_overlay = {.name = "series",
                                      .place = PanelPlace::column,
                                      .width = kPlotWidth,
                                      .height = kPlotHeight,
-                                     .paint = paint};
+                                     .paint = paint_series};
 
 }  // namespace pabd

@@ -40,13 +40,13 @@ Look look_of(TimeQuantity quantity) {
   return {"Time a step takes", quantities::wall_clock.axis, false, false, "no steps so far"};
 }
 
-struct Curve {
+struct TimeCurve {
   const char* name;  // empty: the quantity has one curve only
   int color;
   double (*value)(const StepSummary& report, double zero);  // zero: first potential energy
 };
 
-std::vector<Curve> curves_of(TimeQuantity quantity) {
+std::vector<TimeCurve> time_curves(TimeQuantity quantity) {
   using R = const StepSummary&;
   switch (quantity) {
     case TimeQuantity::gap:
@@ -72,7 +72,7 @@ std::vector<Curve> curves_of(TimeQuantity quantity) {
           {"collision", 2, [](R r, double) { return r.times.detect + r.times.set_up; }}};
 }
 
-Series curve(std::span<const StepSummary> reports, const Curve& what) {
+Series curve(std::span<const StepSummary> reports, const TimeCurve& what) {
   Series series;
   series.color = what.color;
   const double zero = reports.empty() ? 0 : reports.front().potential;
@@ -148,7 +148,7 @@ Plot time_panel(std::span<const StepSummary> reports, TimeQuantity quantity,
   }
   if (look.integer) plot.y.min_span = 4;
   const bool two = !options.other.empty();
-  for (const Curve& what : curves_of(quantity)) {
+  for (const TimeCurve& what : time_curves(quantity)) {
     if (two) {
       Series other = curve(options.other, what);
       other.name = joined(what.name, options.other_name);

@@ -19,7 +19,7 @@ namespace pabd::peers {
 namespace {
 
 constexpr int kPlanks = 50;
-constexpr Vec3::Scalar kLength = 1, kThickness = 0.1, kWidth = 2;  // of a plank; m
+constexpr Vec3::Scalar kLength = 1, kPlankThickness = 0.1, kWidth = 2;  // of a plank; m
 constexpr double kEndSlope = 0.5;                                  // tan θ of the outermost planks
 constexpr int kLoaded[] = {12, 18, 24, 30, 36};                    // planks with a box on them
 constexpr double kBox = 0.6, kGap = 0.0095;                        // edge and distance from the plank; m
@@ -51,11 +51,11 @@ std::string bridge_members() {
     const Vec3 along(std::cos(angle), std::sin(angle), 0), up(-along.y(), along.x(), 0);
     const Vec3 middle = pin + 0.5 * kLength * along;
     const std::string name = fmt::format("plank {}", k), quoted = '"' + name + '"';
-    planks += box(name, {kLength, kThickness, kWidth}, middle, angle) + ", ";
+    planks += box(name, {kLength, kPlankThickness, kWidth}, middle, angle) + ", ";
     joints += hinge(before, quoted, pin) + ", ";
     for (const int loaded : kLoaded) {
       if (loaded != k) continue;
-      const double above = 0.5 * (kThickness + kBox) + kGap;
+      const double above = 0.5 * (kPlankThickness + kBox) + kGap;
       boxes += ", " + box(fmt::format("box {}", k), Vec3::Constant(kBox), middle + above * up, angle);
     }
     pin += kLength * along;

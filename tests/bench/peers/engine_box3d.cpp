@@ -11,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/body/compound.h"
 #include "sim/body/mass_properties.h"
+#include "sim/math/so3.h"
 #include "tests/bench/peers/engine.h"
 
 namespace pabd::peers {
@@ -159,7 +160,7 @@ class Box3dEngine : public Engine {
     Vec3 c = scene.initial.c[i];
     Mat3 R = scene.initial.R[i];
     if (const Plane* plane = std::get_if<Plane>(&scene.model.shape[i])) {
-      R = Quat::FromTwoVectors(Vec3::UnitY(), plane->normal).toRotationMatrix();
+      R = rotation_between(Vec3::UnitY(), plane->normal);
       c = (plane->offset - kGroundDepth) * plane->normal;
     }
     b3BodyDef def = b3DefaultBodyDef();

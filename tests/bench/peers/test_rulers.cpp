@@ -5,12 +5,14 @@
 #include <cmath>
 #include <functional>
 
+#include "sim/math/so3.h"
 #include "tests/bench/peers/rulers.h"
 #include "tests/support/scenario.h"
 
-using namespace pabd;
-using namespace pabd::peers;
-using pabd::testing::World;
+namespace pabd::test_rulers {
+
+using namespace peers;
+using testing::World;
 
 namespace {
 
@@ -64,7 +66,7 @@ std::vector<Case> cases() {
        4},
       {"corner of a cube in a face",
        pair_of(cube, I, cube, {0.05, 0.5 + std::sqrt(0.75) - kDepth, 0.1},
-               Quat::FromTwoVectors(Vec3(-1, -1, -1), -up).toRotationMatrix()),
+               rotation_between(Vec3(-1, -1, -1), -up)),
        kDepth},
       {"crossed edges", pair_of(cube, on_edge, cube, {0, kRoot2 - kDepth, 0}, about(Vec3::UnitX(), 45)),
        kDepth},
@@ -186,3 +188,5 @@ TEST_CASE("drift is the distance of a joint's anchors") {
   world.state.R[0] = about({0, 3, -2}, 60);
   CHECK(joint_drift(world.model, world.state) == Approx(std::sqrt(14.0)).margin(1e-12));
 }
+
+}  // namespace pabd::test_rulers

@@ -9,14 +9,16 @@
 #include <memory>
 
 #include "tests/import/import_helpers.h"
+#include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 
-using namespace pabd;
-using namespace pabd::test;
+namespace pabd::test_mujoco {
+
+using namespace test;
 
 namespace {
 
-const std::filesystem::path kModels = PABD_MODELS, kAssets = PABD_ASSETS;
+const std::filesystem::path kModels = places::tests() + "/import/models", kAssets = places::assets();
 constexpr double kStep = 0.0005;  // s
 
 // A pose of a body, z up: its centre of mass, and how it has turned since the start.
@@ -199,3 +201,5 @@ TEST_CASE("a tree of bodies falls as in MuJoCo, and comes to lie", "[import]") {
     CHECK(height < 0.1);
   }
 }
+
+}  // namespace pabd::test_mujoco

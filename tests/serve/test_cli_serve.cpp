@@ -8,8 +8,10 @@
 #include "tests/cli/program.h"
 #include "tests/serve/client.h"
 
+namespace pabd::test_cli_serve {
+
 namespace fs = std::filesystem;
-using namespace pabd::test;
+using namespace test;
 using pabd::http;
 using pabd::WebSocketPage;
 
@@ -49,7 +51,7 @@ class Served {
   std::string text;
 
  private:
-  TempFolder folder_;
+  CommandFolder folder_;
   std::optional<RunningPabd> program_;
 };
 
@@ -85,7 +87,7 @@ TEST_CASE("the link has a port, and a token in its fragment; the second one watc
 }
 
 TEST_CASE("SIGTERM with visitors: they are told, nothing temporary stays, the exit code is 0") {
-  const TempFolder temporary;
+  const CommandFolder temporary;
   Served served({"stack", "--port", "0", "--play"}, {{"TMPDIR", temporary.path().string()}});
   REQUIRE(temporary.names().size() == 1);
   WebSocketPage control(served.link.port), watcher(served.link.port);
@@ -104,7 +106,7 @@ TEST_CASE("SIGTERM with visitors: they are told, nothing temporary stays, the ex
 }
 
 TEST_CASE("--root is kept, with what was saved in it") {
-  const TempFolder folder;
+  const CommandFolder folder;
   Served served({"two_boxes", "--port", "0", "--root", folder / "files"});
   CHECK(http(served.link.port, "POST", "/actions", pabd::bearer(served.link.token),
              R"([{"do":"save_scene","path":"kept.json"}])")
@@ -155,7 +157,7 @@ TEST_CASE("another name and a frame for notebooks are allowed when they are name
 }
 
 TEST_CASE("with a certificate it is https, and nothing else") {
-  const TempFolder folder;
+  const CommandFolder folder;
   const Outcome made =
       run_shell("openssl req -x509 -newkey rsa:2048 -nodes -days 2 -subj /CN=localhost -keyout '" +
                 (folder / "k.pem") + "' -out '" + (folder / "c.pem") + "'");
@@ -174,7 +176,7 @@ TEST_CASE("with a certificate it is https, and nothing else") {
 }
 
 TEST_CASE("--codec h264 without ffmpeg: exit code 6 and a line that says what to do") {
-  const TempFolder empty;
+  const CommandFolder empty;
   Setting setting;
   setting.environment = {{"PATH", empty.path().string()}};
   const Outcome none = run_pabd({"serve", "two_boxes", "--port", "0", "--codec", "h264"}, setting);
@@ -185,3 +187,5 @@ TEST_CASE("--codec h264 without ffmpeg: exit code 6 and a line that says what to
   CHECK(word.exit_code == 2);
   CHECK(is_error_line(word.err, {"--codec av1", "jpeg or h264"}));
 }
+
+}  // namespace pabd::test_cli_serve
