@@ -30,7 +30,7 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-const char* word_of(ErrorKind kind) {
+const char* error_word(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::bad_input:
       return "bad_input";
@@ -60,7 +60,7 @@ void translate(std::exception_ptr thrown) {
     const py::object type = py::module_::import("pabd._pabd").attr("Error");
     const py::object raised = type(py::str(error.what()));
     raised.attr("code") = cli::exit_code(error.kind());
-    raised.attr("kind") = word_of(error.kind());
+    raised.attr("kind") = error_word(error.kind());
     PyErr_SetObject(type.ptr(), raised.ptr());
   }
 }
