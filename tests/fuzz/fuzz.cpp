@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 
 namespace pabd::fuzz {
 
@@ -25,7 +26,35 @@ void check_error(const Error& error) {
 
 }  // namespace pabd::fuzz
 
+namespace {
+
+using Run = void (*)(std::string_view);
+
+std::map<std::string, Run>& targets() {
+  static std::map<std::string, Run> all;
+  return all;
+}
+Run chosen = nullptr;
+
+}  // namespace
+
+pabd::fuzz::Target::Target(const char* name, Run run) { targets()[name] = run; }
+
+// libFuzzer passes over words that begin with two dashes.
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  for (int i = 1; i < *argc; ++i) {
+    const std::string_view word = (*argv)[i];
+    if (word.starts_with("--target=")) {
+      const auto found = targets().find(std::string(word.substr(9)));
+      if (found != targets().end()) chosen = found->second;
+    }
+  }
+  if (chosen) return 0;
+  for (const auto& [name, run] : targets()) std::printf("%s\n", name.c_str());
+  std::exit(2);
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fuzz({reinterpret_cast<const char*>(data), size});
+  chosen({reinterpret_cast<const char*>(data), size});
   return 0;
 }

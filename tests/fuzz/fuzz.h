@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the targets share: each defines `fuzz`, which libFuzzer calls with bytes of its making.
+// What the targets share. One program has them all: `fuzz --target=obj …`; libFuzzer calls the target with bytes of its making.
 //
 // A reader may take them or throw the project's error: in one line, in UTF-8 without control characters, with
 // the code of a bad input. Whatever else happens ends the run: another exception, a sanitizer, a property
@@ -31,7 +31,13 @@ bool accepts(const Read& read) {
   }
 }
 
-}  // namespace pabd::fuzz
+// A file of its own for each: PABD_FUZZ_TARGET(obj, bytes) { … }
+struct Target {
+  Target(const char* name, void (*run)(std::string_view));
+};
+#define PABD_FUZZ_TARGET(name, bytes)                                \
+  static void fuzz_##name(std::string_view bytes);                   \
+  static const pabd::fuzz::Target name##_target(#name, fuzz_##name); \
+  static void fuzz_##name(std::string_view bytes)
 
-// Of each target.
-void fuzz(std::string_view bytes);
+}  // namespace pabd::fuzz

@@ -5,7 +5,7 @@
 
 using namespace pabd;
 
-void fuzz(std::string_view bytes) {
+PABD_FUZZ_TARGET(camera, bytes) {
   fuzz::accepts([&] {
     const CameraKeys keys = parse_camera_keys(std::string(bytes), "camera.json");
     const CameraKeys again = parse_camera_keys(camera_keys_json(keys), "camera.json");

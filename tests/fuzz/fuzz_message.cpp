@@ -3,6 +3,6 @@
 #include "app/serve/client_message.h"
 #include "tests/fuzz/fuzz.h"
 
-void fuzz(std::string_view bytes) {
+PABD_FUZZ_TARGET(message, bytes) {
   pabd::fuzz::accepts([&] { pabd::read_client_message(bytes); });
 }

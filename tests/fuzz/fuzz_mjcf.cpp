@@ -2,4 +2,4 @@
 // A robot in MJCF.
 #include "tests/fuzz/fuzz_robot.h"
 
-void fuzz(std::string_view bytes) { pabd::fuzz::read_robot(bytes, "robot.mjcf"); }
+PABD_FUZZ_TARGET(mjcf, bytes) { pabd::fuzz::read_robot(bytes, "robot.mjcf"); }

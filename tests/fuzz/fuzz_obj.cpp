@@ -2,4 +2,4 @@
 // A mesh of an OBJ file.
 #include "tests/fuzz/fuzz_mesh.h"
 
-void fuzz(std::string_view bytes) { pabd::fuzz::read_mesh(bytes, "obj"); }
+PABD_FUZZ_TARGET(obj, bytes) { pabd::fuzz::read_mesh(bytes, "obj"); }

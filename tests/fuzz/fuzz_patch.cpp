@@ -15,7 +15,7 @@ void check(const Params& params) {
 
 }  // namespace
 
-void fuzz(std::string_view bytes) {
+PABD_FUZZ_TARGET(patch, bytes) {
   const std::string text(bytes);
   fuzz::accepts([&] { check(patched(Params{}, text, "patch.json")); });
   fuzz::accepts([&] { check(tuned(Params{}, {text.substr(0, text.find('\n'))})); });

@@ -2,4 +2,4 @@
 // A mesh of an PLY file.
 #include "tests/fuzz/fuzz_mesh.h"
 
-void fuzz(std::string_view bytes) { pabd::fuzz::read_mesh(bytes, "ply"); }
+PABD_FUZZ_TARGET(ply, bytes) { pabd::fuzz::read_mesh(bytes, "ply"); }

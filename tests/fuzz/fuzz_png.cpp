@@ -51,7 +51,7 @@ void read(const std::string& bytes) {
 
 }  // namespace
 
-void fuzz(std::string_view bytes) {
+PABD_FUZZ_TARGET(png, bytes) {
   const std::string given(bytes), mended = with_checksums(given);
   read(given);
   if (mended != given) read(mended);

@@ -26,7 +26,7 @@ std::string sealed(std::string_view payload) {
 
 }  // namespace
 
-void fuzz(std::string_view bytes) {
+PABD_FUZZ_TARGET(recording, bytes) {
   static const auto scene = fuzz::recording_scene();
   constexpr std::size_t kMemory = 1 << 20;
   fuzz::accepts([&] { decode_recording(std::string(bytes), "r.rec", scene, kMemory); });

@@ -43,7 +43,7 @@ void check(const Scene& scene) {
 
 }  // namespace
 
-void fuzz(std::string_view bytes) {
+PABD_FUZZ_TARGET(scene, bytes) {
   const ReadSceneText part = [](const auto&, const MayRead&) -> SceneText { return {kPart, {}}; };
   fuzz::accepts(
       [&] { check(parse_guarded_scene(std::string(bytes), "scene.json", "/nowhere", {}, {}, part)); });

@@ -3,6 +3,6 @@
 #include "app/gui/script_reader.h"
 #include "tests/fuzz/fuzz.h"
 
-void fuzz(std::string_view bytes) {
+PABD_FUZZ_TARGET(script, bytes) {
   pabd::fuzz::accepts([&] { pabd::read_script(std::string(bytes), "script.json"); });
 }

@@ -6,7 +6,7 @@
 
 using namespace pabd;
 
-void fuzz(std::string_view bytes) {
+PABD_FUZZ_TARGET(state, bytes) {
   static const Scene scene = parse_scene(
       R"({"format": "pabd-scene", "version": 1, "bodies": [
            {"name": "ground", "shape": {"type": "plane", "normal": [0, 1, 0], "offset": 0}, "fixed": true},

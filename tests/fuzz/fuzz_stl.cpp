@@ -2,4 +2,4 @@
 // A mesh of an STL file.
 #include "tests/fuzz/fuzz_mesh.h"
 
-void fuzz(std::string_view bytes) { pabd::fuzz::read_mesh(bytes, "stl"); }
+PABD_FUZZ_TARGET(stl, bytes) { pabd::fuzz::read_mesh(bytes, "stl"); }

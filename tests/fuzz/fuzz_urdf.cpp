@@ -2,4 +2,4 @@
 // A robot in URDF.
 #include "tests/fuzz/fuzz_robot.h"
 
-void fuzz(std::string_view bytes) { pabd::fuzz::read_robot(bytes, "robot.urdf"); }
+PABD_FUZZ_TARGET(urdf, bytes) { pabd::fuzz::read_robot(bytes, "robot.urdf"); }
