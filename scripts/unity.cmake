@@ -25,9 +25,10 @@ function(pabd_unite target)
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${folder} NORMALIZE)
     get_source_file_property(definitions ${source} TARGET_DIRECTORY ${target} COMPILE_DEFINITIONS)
+    get_source_file_property(options ${source} TARGET_DIRECTORY ${target} COMPILE_OPTIONS)
     cmake_path(IS_PREFIX PROJECT_BINARY_DIR ${source} made)
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
-    if(definitions OR made OR NOT source MATCHES "\\.cpp$"
+    if(definitions OR options OR made OR NOT source MATCHES "\\.cpp$"
        OR NOT EXISTS ${PROJECT_SOURCE_DIR}/${source})  # shaders and pages are made
       continue()
     endif()

@@ -20,9 +20,9 @@ namespace {
 
 constexpr int kPlanks = 50;
 constexpr Vec3::Scalar kLength = 1, kPlankThickness = 0.1, kWidth = 2;  // of a plank; m
-constexpr double kEndSlope = 0.5;                                  // tan θ of the outermost planks
-constexpr int kLoaded[] = {12, 18, 24, 30, 36};                    // planks with a box on them
-constexpr double kBox = 0.6, kGap = 0.0095;                        // edge and distance from the plank; m
+constexpr double kEndSlope = 0.5;                                       // tan θ of the outermost planks
+constexpr int kLoaded[] = {12, 18, 24, 30, 36};                         // planks with a box on them
+constexpr double kBox = 0.6, kGap = 0.0095;                             // edge and distance from the plank; m
 
 std::string box(const std::string& name, const Vec3& size, const Vec3& at, double angle) {
   return fmt::format(
