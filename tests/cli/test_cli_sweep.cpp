@@ -183,15 +183,15 @@ TEST_CASE("a process of the pool that is killed is replaced") {
   const PlanFolder folder = steps_planned(40000);
   REQUIRE(sweep(folder, "whole", {"--jobs", "1"}).exit_code == 0);
   // Kills whoever does a task, as soon as there is one, twice: the third time would be too often for one task.
-  const Outcome outcome =
-      run_shell("\"" + places::program() + "\" sweep \"" + folder / "plan.json" + "\" -o \"" + folder / "out" +
-                "\" --quiet --jobs 2 & pool=$!\nn=0\n"
-                "for i in 1 2; do\n"
-                "  until worker=$(ps -o pid=,stat= --ppid $pool | awk '$2 !~ /Z/ { print $1; exit }'); "
-                "[ -n \"$worker\" ]; do\n"
-                "    kill -0 $pool || break; sleep 0.01; done\n"
-                "  sleep 0.1; kill -9 $worker && n=$((n + 1))\ndone\n"
-                "wait $pool || exit\n[ $n -gt 0 ] || { echo nobody was killed >&2; exit 1; }");
+  const Outcome outcome = run_shell(
+      "\"" + places::program() + "\" sweep \"" + folder / "plan.json" + "\" -o \"" + folder / "out" +
+      "\" --quiet --jobs 2 & pool=$!\nn=0\n"
+      "for i in 1 2; do\n"
+      "  until worker=$(ps -o pid=,stat= --ppid $pool | awk '$2 !~ /Z/ { print $1; exit }'); "
+      "[ -n \"$worker\" ]; do\n"
+      "    kill -0 $pool || break; sleep 0.01; done\n"
+      "  sleep 0.1; kill -9 $worker && n=$((n + 1))\ndone\n"
+      "wait $pool || exit\n[ $n -gt 0 ] || { echo nobody was killed >&2; exit 1; }");
   CAPTURE(outcome.err);
   CHECK(outcome.exit_code == 0);
   CHECK(results_in(folder / "out") == results_in(folder / "whole"));
