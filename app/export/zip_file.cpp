@@ -12,15 +12,15 @@
 
 namespace pabd {
 
+// Never says no: of an archive that failed libarchive (3.6) does not free the buffer. check() tells of the failure instead.
 long ZipFile::put(::archive*, void* self, const void* data, std::size_t size) {
   auto& zip = *static_cast<ZipFile*>(self);
   try {
-    zip.file_.write(data, size);
-    return static_cast<long>(size);
+    if (!zip.failed_ && !zip.given_up_) zip.file_.write(data, size);
   } catch (...) {
     zip.failed_ = std::current_exception();
-    return -1;
   }
+  return static_cast<long>(size);
 }
 
 ZipFile::ZipFile(const std::string& path) : file_(path), path_(path), archive_(archive_write_new()) {
@@ -38,7 +38,7 @@ ZipFile::ZipFile(const std::string& path) : file_(path), path_(path), archive_(a
 
 ZipFile::~ZipFile() {
   if (archive_ == nullptr) return;
-  archive_write_fail(archive_);
+  given_up_ = true;
   archive_write_free(archive_);
 }
 

@@ -33,6 +33,7 @@ class ZipFile {
   AtomicFile file_;
   std::string path_;
   ::archive* archive_;
+  bool given_up_ = false;
   std::exception_ptr failed_;  // in put(), which libarchive calls
 };
 
