@@ -2,7 +2,7 @@
 // What 'pabd bench' measured, as a Markdown table to paste into a report, and as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include "app/gui/script_reader.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "app/gui/script_actions.h"
 #include "sim/scene/document.h"

@@ -2,7 +2,7 @@
 // The actions of a script file, read and checked before anything is played. Knows no window.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -113,10 +113,8 @@ Figure convergence(const Simulation& simulation, const std::vector<std::string>&
       throw Error(ErrorKind::bad_input, "methods auto: expected some of sissm, descent, newton");
   }
   if (methods.empty()) methods = {SolverMethod::sissm, SolverMethod::descent};
-  const Model model = session.model();  // copies: others may step meanwhile
-  const Params params = session.params();
-  const State state = session.state();
-  const auto solve = [&] {
+  // Copies: others may step meanwhile.
+  const auto solve = [&, model = session.model(), params = session.params(), state = session.state()] {
     const py::gil_scoped_release others;
     return std::pair(run_methods(model, params, state, methods, iterations),
                      find_minimiser(model, params, state));

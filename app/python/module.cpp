@@ -53,7 +53,7 @@ const char* error_word(ErrorKind kind) {
 }
 
 // pabd.Error of the package, which has the same text.
-void translate(std::exception_ptr thrown) {
+void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): pybind11's type
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const Error& error) {

@@ -30,7 +30,7 @@ void check_size(int width, int height) {
                                                     height, kLeastSide, kMostSide));
 }
 
-Painter::Painter(std::shared_ptr<const Scene> scene, const PictureOptions& options)
+Painter::Painter(const std::shared_ptr<const Scene>& scene, const PictureOptions& options)
     : options_(options), overlay_(parse_overlay(options.overlay)) {
   check_size(options.width, options.height);
   overlay_.theme = &find_theme(options.theme);

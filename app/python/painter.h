@@ -24,7 +24,7 @@ class Painter {
  public:
   // Opens an OpenGL context without a display. Throws Error(no_context), and Error(bad_input) for words that it does not
   // know.
-  Painter(std::shared_ptr<const Scene> scene, const PictureOptions& options);
+  Painter(const std::shared_ptr<const Scene>& scene, const PictureOptions& options);
   ~Painter();
   Painter(const Painter&) = delete;
   Painter& operator=(const Painter&) = delete;

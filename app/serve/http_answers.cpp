@@ -2,6 +2,8 @@
 // See http_answers.h.
 #include "app/serve/http_answers.h"
 
+#include <nlohmann/json.hpp>
+
 namespace pabd::net {
 
 void set_headers(const Shared& shared, http::fields& answer) {

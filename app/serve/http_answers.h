@@ -2,7 +2,7 @@
 // Answers of HTTP, with what every one of them says to a browser.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "app/serve/net.h"

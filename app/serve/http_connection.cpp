@@ -197,7 +197,12 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     explicit Pending(std::shared_ptr<HttpConnection> connection) : connection_(std::move(connection)) {
       ++connection_->shared_.waiting;
     }
-    ~Pending() { refuse("the session has ended"); }
+    ~Pending() {
+      try {
+        refuse("the session has ended");
+      } catch (const std::exception&) {  // no memory for an answer: the connection closes without one
+      }
+    }
     Pending(const Pending&) = delete;
     Pending& operator=(const Pending&) = delete;
 

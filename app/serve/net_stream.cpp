@@ -58,7 +58,7 @@ void NetStream::read_some(asio::mutable_buffer to, Moved done) {
   impl_->tcp.async_read_some(to, std::move(done));
 }
 
-void NetStream::write_some(std::vector<asio::const_buffer> from, Moved done) {
+void NetStream::write_some(const std::vector<asio::const_buffer>& from, Moved done) {
   if (!impl_->tls) return impl_->tcp.async_write_some(from, std::move(done));
   // A record a buffer would be a packet a buffer.
   impl_->record.resize(std::min(kRecord, asio::buffer_size(from)));

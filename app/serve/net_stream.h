@@ -84,7 +84,7 @@ class NetStream {
   }
 
   void read_some(asio::mutable_buffer to, Moved done);
-  void write_some(std::vector<asio::const_buffer> from, Moved done);
+  void write_some(const std::vector<asio::const_buffer>& from, Moved done);
 
   asio::io_context* io_;
   std::unique_ptr<Impl> impl_;

@@ -154,7 +154,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     write(std::move(part), true);
   }
 
-  void write(SharedBytes bytes, bool binary) {
+  void write(const SharedBytes& bytes, bool binary) {
     busy_ = true;
     socket_.binary(binary);
     socket_.async_write(asio::buffer(*bytes),

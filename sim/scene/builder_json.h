@@ -2,6 +2,8 @@
 // Entries of a SceneBuilder as the values of a scene file. Internal to sim/scene.
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "sim/scene/builder.h"
 #include "sim/scene/document.h"
 #include "sim/scene/write_values.h"

@@ -4,6 +4,7 @@
 #include "sim/scene/builder.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "sim/body/shape_kind.h"
 #include "sim/scene/document.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every kind of bad scene is refused with the place and the expectation.
+#include <nlohmann/json.hpp>
+
 #include "sim/scene/document.h"
 #include "tests/scene/scene_helpers.h"
 

@@ -51,7 +51,7 @@ emit() {
 
 need() {
   command -v "$1" > /dev/null && return 0
-  fail "$1 is not there: apt-get install $2 (scripts/setup does)"
+  fail "$1 is not there: apt-get install $2 (scripts/setup --test does)"
   return 1
 }
 

@@ -20,7 +20,7 @@ npm=$(command -v npm || true)
 [ -n "$node" ] || missing=node
 [ -n "$npm" ] || missing=npm
 if [ -n "${missing:-}" ]; then
-  echo "browser: skipped, $missing is missing (scripts/setup installs it)"
+  echo "browser: skipped, $missing is missing (scripts/setup --test installs it)"
   exit 77
 fi
 
