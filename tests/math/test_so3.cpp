@@ -96,4 +96,26 @@ TEST_CASE("the Cayley map gives rotations by 2 atan(|w|/2) about w, and is undon
   }
 }
 
+TEST_CASE("the shortest turn of one direction into another, also where they are nearly or quite opposite") {
+  std::mt19937 rng(7);
+  const auto check = [](const Vec3& from, const Vec3& to, double tolerance) {
+    const Mat3 R = rotation_between(from, to);
+    const double cosine = from.normalized().dot(to.normalized());
+    CHECK((R.transpose() * R - Mat3::Identity()).norm() < 1e-13);
+    CHECK(R.determinant() == Approx(1).epsilon(1e-13));
+    CHECK((R * from.normalized() - to.normalized()).norm() < tolerance);
+    CHECK(R.trace() == Approx(1 + 2 * cosine).margin(1e-12));
+  };
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 from = random_vector(rng, 3), to = random_vector(rng, 0.2);
+    check(from, to, 1e-13);
+    check(from, from, 1e-13);
+    check(from, -0.5 * from, 1e-13);
+    // Taken for opposite from an angle of 1e-6 on; before, the cosine has lost half of its digits.
+    for (double off = 1e-1; off > 1e-12; off *= 0.1)
+      check(from, exp_so3(off * from.unitOrthogonal()) * -from, std::min(off, 1e-6) + 1e-9);
+  }
+  for (int axis = 0; axis < 3; ++axis) check(Vec3::Unit(axis), -Vec3::Unit(axis), 1e-15);
+}
+
 }  // namespace pabd::test_so3
