@@ -2,8 +2,8 @@
 // pabd bench: the shipped scenes, or others, one after the other, as a table to paste into a report.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <stdlib.h>
+#include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <ctime>

@@ -41,7 +41,8 @@ void check_counts(const Timeline& timeline) {
 
 }  // namespace
 
-TEST_CASE("a timeline's counts are those of its moments, with any budget and in any order of steps and branches") {
+TEST_CASE(
+    "a timeline's counts are those of its moments, with any budget and in any order of steps and branches") {
   for (const std::size_t states : {2, 20, 200}) {
     std::mt19937 rng(static_cast<unsigned>(states));
     const auto one_in = [&rng](unsigned n) { return rng() % n == 0; };
