@@ -52,6 +52,8 @@ void Extremes::add(const StepSummary& report) {
   too_dense = std::max(too_dense, report.too_dense);
   capped = std::max(capped, report.capped_bonds);
   if (report.held_bodies > 0) ++held;
+  if (report.halved_bodies > 0) ++halved;
+  halvings = std::max(halvings, report.halvings);
   if (report.friction_excess > kFrictionSaid) ++lawless;
 }
 
@@ -64,6 +66,9 @@ std::string summary_text(const Session& session, const RunFacts& facts) {
       facts.statistics.statuses[static_cast<std::size_t>(StepStatus::iteration_limit)];
   const std::string limit = unsolved > 0 ? fmt::format(", {} at the iteration limit", unsolved) : "";
   std::string left;
+  if (worst.halved > 0)
+    left +=
+        fmt::format(" · {} made again in up to {} parts", counted(worst.halved, "step"), 1 << worst.halvings);
   if (worst.lawless > 0)
     left += fmt::format(" · friction up to {:.2g} % above μ f_n in {}", 100 * worst.friction,
                         counted(worst.lawless, "step"));
@@ -73,7 +78,8 @@ std::string summary_text(const Session& session, const RunFacts& facts) {
     left += fmt::format(" · {} too dense for newton", counted(worst.too_dense, "body", "bodies"));
   if (worst.capped > 0) left += fmt::format(" · up to {} softened for sissm", counted(worst.capped, "bond"));
   if (worst.held > 0)
-    left += fmt::format(" · {} shortened, which would have made energy", counted(worst.held, "step"));
+    left +=
+        fmt::format(" · bodies slowed down in {}, which would have made energy", counted(worst.held, "step"));
   return fmt::format(
       "{} to t = {:.6g} s{}, {:.3f} ms a step · smallest gap {}{} · kinetic energy {:.4g} J{}{} · state {}\n",
       counted(facts.steps, "step"), session.state().time, limit, ms_a_step(facts), gap, joints,
@@ -113,6 +119,8 @@ nlohmann::ordered_json summary_json(const Session& session, const RunFacts& fact
           {"too_dense", worst.too_dense},
           {"capped_bonds", worst.capped},
           {"held_steps", worst.held},
+          {"halved_steps", worst.halved},
+          {"halvings", worst.halvings},
           {"kinetic", kinetic_energy(session.model(), session.state())},
           {"state", state_hash(session.state())}};
 }

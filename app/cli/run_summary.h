@@ -18,7 +18,9 @@ struct Extremes {
   double joint_error = 0;                                // m
   Index left_pairs = 0, too_dense = 0;                   // most of a step
   int capped = 0;                                        // bonds, in one step
-  std::int64_t held = 0;                                 // steps that were shortened
+  std::int64_t held = 0;                                 // steps in which bodies were slowed down
+  std::int64_t halved = 0;                               // steps that were made again in halves
+  int halvings = 0;                                      // how often one was halved, at most
   double friction = 0;                                   // largest excess above μ f_n, as a part of it
   std::int64_t lawless = 0;                              // steps in which it was above 1 %
 

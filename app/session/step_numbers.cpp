@@ -26,6 +26,8 @@ std::span<const StepNumber> step_numbers() {
                                           PABD_NUMBER(drive_work),
                                           PABD_NUMBER(capped_bonds),
                                           PABD_NUMBER(held_bodies),
+                                          PABD_NUMBER(halved_bodies),
+                                          PABD_NUMBER(halvings),
                                           PABD_NUMBER(friction_excess)};
 #undef PABD_NUMBER
   return kNumbers;

@@ -29,35 +29,6 @@ Index movable(const Model& model) {
   return static_cast<Index>(std::count(model.fixed.begin(), model.fixed.end(), 0));
 }
 
-// Of both: sums, the worst of each, the names of the whole.
-void add(const ModelPart& part, const StepReport& of_part, StepReport& out) {
-  out.status = std::max(out.status, of_part.status);
-  out.iterations = std::max(out.iterations, of_part.iterations);
-  out.kinetic += of_part.kinetic;
-  out.potential += of_part.potential;
-  out.elastic += of_part.elastic;
-  out.contacts += of_part.contacts;
-  out.max_penetration = std::max(out.max_penetration, of_part.max_penetration);
-  out.min_gap = std::min(out.min_gap, of_part.min_gap);
-  out.max_joint_error = std::max(out.max_joint_error, of_part.max_joint_error);
-  out.residual = std::max(out.residual, of_part.residual);
-  out.left_pairs += of_part.left_pairs;
-  out.too_dense += of_part.too_dense;
-  out.drive_work += of_part.drive_work;
-  out.held_bodies += of_part.held_bodies;
-  out.friction_excess = std::max(out.friction_excess, of_part.friction_excess);
-  out.times.detect += of_part.times.detect;
-  out.times.set_up += of_part.times.set_up;
-  out.times.solve += of_part.times.solve;
-  out.times.velocities += of_part.times.velocities;
-  out.times.total += of_part.times.total;
-  put_contacts(part, of_part.contact_reports, out.contact_reports);
-  for (IslandReport island : of_part.islands) {
-    island.first_body = part.bodies[static_cast<std::size_t>(island.first_body)];
-    out.islands.push_back(island);
-  }
-}
-
 }  // namespace
 
 std::string SplitEngine::why_not(const Model& model, const Params& params, const StepOptions& options,
@@ -87,7 +58,7 @@ void SplitEngine::prepare(const Model& model, const Params& params, const StepOp
                           const State& state) {
   if (model.joints.empty()) return device_.prepare(model, params, options, state);
   split(model, params, state);
-  take_part(parts_->free, state, false, free_);
+  take_part(parts_->free, state, free_);
   device_.prepare(parts_->free.model, of_whole(model, params), of_device(options), free_);
 }
 
@@ -110,8 +81,8 @@ void SplitEngine::step(const Model& model, const Params& params, const StepOptio
                     model.name[static_cast<std::size_t>(pair->second)]));
   }
   const Params whole = of_whole(model, params);
-  take_part(parts_->free, state, false, free_);
-  take_part(parts_->jointed, state, true, jointed_);
+  take_part(parts_->free, state, free_);
+  take_part(parts_->jointed, state, jointed_);
   // First the processor: what it did can be thrown away, what the GPU did takes its memory along.
   pabd::step(parts_->jointed.model, whole, options, jointed_, workspace_, report_);
   if (report_.status == StepStatus::non_finite || report_.status == StepStatus::interrupted) {
@@ -123,19 +94,19 @@ void SplitEngine::step(const Model& model, const Params& params, const StepOptio
   std::vector<ContactReport> of_free = std::move(report.contact_reports);
   report.contact_reports.clear();
   put_contacts(parts_->free, of_free, report.contact_reports);
-  add(parts_->jointed, report_, report);
+  add_report(parts_->jointed, report_, report);
   report.joint_reports = report_.joint_reports;
-  put_part(parts_->jointed, jointed_, true, state);
-  put_part(parts_->free, free_, false, state);
+  put_part(parts_->jointed, jointed_, state);
+  put_part(parts_->free, free_, state);
   left_ = state.time;
 }
 
 void SplitEngine::complete(State& state) {
   if (parts_ == nullptr) return device_.complete(state);
   if (state.size() != static_cast<Index>(parts_->free.place.size())) return;
-  take_part(parts_->free, state, false, free_);
+  take_part(parts_->free, state, free_);
   device_.complete(free_);
-  put_part(parts_->free, free_, false, state);
+  put_part(parts_->free, free_, state);
 }
 
 void SplitEngine::forget() {

@@ -60,9 +60,10 @@ inline Roll roll_since_prediction(const Mat3& star, const Mat3& R) {
 }
 
 // What a separate manifold needs to know of its bodies beside their poses.
-struct Rolling {
+struct alignas(sizeof(Lanes)) Rolling {
   const Roll *a, *b;  // at the current iterate
   double radius_a, radius_b;
+  Lanes gap = lanes(0);  // friction acts where b's surface is: that far outside a round a
 };
 
 struct alignas(sizeof(Lanes)) ContactManifold {
@@ -90,6 +91,7 @@ struct alignas(sizeof(Lanes)) ContactManifold {
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
   bool recalled = false, restless = false;   // it has a past, and ContactMemory::restless
+  bool known[kLanes] = {};                   // so has each point
   bool felt = false;                         // it pushed or held in some iterate of this step
   bool off = false;                          // its friction broke the law in the last iterate of `newton`
   double share = 1;                          // of the law's stiffness, see stiffness_cap.h
@@ -160,7 +162,7 @@ struct ContactPlanes {
   if (p.separate) {
     const Rolling& r = *p.rolling;
     const double radius_a = p.turns ? -r.radius_b : r.radius_a;
-    s.u = s.u + cross(s.n, spread(r.radius_b * r.b->turn + radius_a * r.a->turn));
+    s.u = s.u + cross(s.n, spread(r.radius_b * r.b->turn + radius_a * r.a->turn) + r.gap * spread(r.a->turn));
     s.y = s.y - lanes(r.radius_b) * s.n;
     s.short_a = -radius_a * (1 - r.a->slope);
     s.short_b = r.radius_b * (1 - r.b->slope);

@@ -65,6 +65,11 @@ ContactManifold empty_manifold(const Model& model, Index a, Index b) {
   return manifold;
 }
 
+// Of two round bodies while they touch, from where they start.
+double touching_gap(const Problem& p, double start_d) {
+  return std::clamp(start_d, 0.0, p.law.barrier.d_hat);
+}
+
 // Puts the point into the next lane, in the frames of the bodies.
 void add_point(const Problem& problem, const ContactPoint& p, const Detection& from,
                ContactManifold& manifold) {
@@ -92,7 +97,8 @@ void add_point(const Problem& problem, const ContactPoint& p, const Detection& f
   } else {
     const Vec3 normal_a = in_a(p.y_a - radius_a * p.n);
     const Vec3 moved = at_start - start.R[p.a] * normal_a;
-    const Vec3 turn = radius_b * turns[p.b] + radius_a * turns[p.a];
+    const double arm_a = radius_a + touching_gap(problem, n.dot(moved) - radius_a - radius_b);
+    const Vec3 turn = radius_b * turns[p.b] + arm_a * turns[p.a];
     set_lane(manifold.normal_a, k, normal_a);
     set_lane(manifold.rolled, k, n.cross(turn) - (moved - n * n.dot(moved)));
     manifold.gap[k] = -radius_a - radius_b;
@@ -110,6 +116,8 @@ void set_rolling(Problem& p, Iterate& it) {
     p.rolls[manifold.a] = p.rolls[manifold.b] = 1;
     it.rolling.push_back({&it.roll[manifold.a], &it.roll[manifold.b], rolling_radius(model.shape[manifold.a]),
                           rolling_radius(model.shape[manifold.b])});
+    for (int k = 0; k < manifold.count && !manifold.turns; ++k)
+      it.rolling.back().gap[k] = touching_gap(p, manifold.start_d[k]);
   }
   const Rolling* next = it.rolling.data();
   for (ContactManifold& manifold : it.manifold) {
@@ -140,13 +148,24 @@ void cut(const std::vector<ContactPoint>& points, std::vector<std::size_t>& firs
   first.push_back(points.size());
 }
 
+// The start of body i as far as its contacts see it: a solid of revolution is where it is however it is turned about its
+// axis, and its facets look where they do at the end of the step.
+Pose seen_at_start(const Problem& p, Index i) {
+  const Pose start = p.start_pose(i);
+  if (!std::holds_alternative<Solid>(p.model->shape[i]) || !kind_of(p.model->shape[i]).round_about_y)
+    return start;
+  const Mat3& end = p.flight->star[i].R;
+  return {start.c, rotation_between(end.col(1), start.R.col(1)) * end};
+}
+
 // Of the points [point, end), which are of one pair of bodies.
 PABD_EACH_LEVEL void make_manifold(const Problem& p, const Detection& from, const ContactPoint* point,
                                    const ContactPoint* end, ContactManifold& manifold) {
   manifold = empty_manifold(*p.model, point->a, point->b);
   for (; point != end; ++point) add_point(p, *point, from, manifold);
   manifold.start_d =
-      manifold.gap + contact_planes(manifold, p.start_pose(manifold.a), p.start_pose(manifold.b)).along;
+      manifold.gap +
+      contact_planes(manifold, seen_at_start(p, manifold.a), seen_at_start(p, manifold.b)).along;
 }
 
 void make_manifolds(const Problem& p, const Workers& workers, Detection& from,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+// See energy_bound.h.
 #include "sim/solver/energy_bound.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "sim/math/levels.h"
 #include "sim/math/so3.h"
 #include "sim/solver/joint_actions.h"
 #include "sim/solver/joint_set.h"
@@ -12,7 +15,6 @@ namespace pabd {
 namespace {
 
 constexpr int kBisections = 10;
-constexpr double kRounding = 1e-9;  // of H that is no gain
 
 // W of one joint; J.
 double drive_work_of(const Problem& p, const Iterate& it, Index k) {
@@ -29,113 +31,149 @@ double drive_work_of(const Problem& p, const Iterate& it, Index k) {
   return work;
 }
 
-// Of the stretch that a bond between i and j may close in a step: ½ μ (s/h)²; J.
-double closing_energy(const Problem& p, Index i, Index j, double s) {
-  const auto inverse_mass = [&](Index k) { return p.movable(k) ? 1 / p.model->mass[k] : 0.0; };
-  const double speed = s / p.params->h;
-  return 0.5 * speed * speed / (inverse_mass(i) + inverse_mass(j));
+// Ψ of a manifold where the step starts, point by point: distances and slip are known there.
+Lanes energy_at_start(const Problem& p, const ContactManifold& manifold) {
+  const ContactLaw law = p.law_of(manifold);
+  return normal_force(law.barrier, manifold, manifold.start_d).value +
+         friction_energy(law, manifold.limit, length(manifold.stretch));
 }
 
-// What the bonds of a manifold, of a joint, hold at the iterate and can give back in a step; J.
-double given_back(const Problem& p, const Iterate& it, const ContactManifold& manifold) {
-  const ContactState s = state_of(it, manifold);
-  const Lanes energy = contact_energy(p.law_of(manifold), manifold, s);
-  double sum = 0;
-  for (int k = 0; k < manifold.count; ++k) {
-    const double stretch = std::clamp(p.law.barrier.d_hat - s.d[k], 0.0, p.law.barrier.d_hat);
-    sum += std::min(energy[k], closing_energy(p, manifold.a, manifold.b, stretch));
-  }
-  return sum;
+PABD_EACH_LEVEL double energy_at_end(const Problem& p, const ContactManifold& manifold, const Iterate& it) {
+  return sum(contact_energy(p.law_of(manifold), manifold, state_of(it, manifold)));
 }
-double given_back(const Problem& p, const Iterate& it, Index k) {
-  BondList list;
-  expand_held(p, it, k, p.time - p.params->h, list);
-  const Joint& joint = p.joints[k];
+
+double contact_energies(const Problem& p, const Island& island, const Workers& workers, EnergyMemory& memory,
+                        const Iterate& it) {
+  memory.energy.resize(island.manifolds.size());
+  workers.for_each(island.manifolds.size(), [&](std::size_t k) {
+    memory.energy[k] = energy_at_end(p, it.manifold[island.manifolds[k]], it);
+  });
   double sum = 0;
-  for (int b = 0; b < list.count; ++b) {
-    const PointBondForce f = evaluate(p.law_of(k), list.bond[b]);
-    sum += std::min(f.energy, closing_energy(p, joint.i, joint.j, f.stretch));
-  }
+  for (const double energy : memory.energy) sum += energy;
   return sum;
 }
 
-double contact_energies(const Problem& p, const Island& island, const Iterate& it) {
-  double energy = 0;
-  for (const Index k : island.manifolds)
-    energy += sum(contact_energy(p.law_of(it.manifold[k]), it.manifold[k], state_of(it, it.manifold[k])));
-  return energy;
-}
-
-// What the island may have at the end but for the work of gravity and drives; drives stand where they stood.
-// Leaves it at its start.
-double energy_at_start(const Problem& p, const Island& island, EnergyBound bound, Iterate& it) {
-  double energy = 0;
-  for (const Index i : island.bodies) {
-    it.pose[i] = p.start_pose(i);
-    energy += kinetic_energy(*p.model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
-  }
-  for (const Index k : island.joints) energy += spring_energy(p, it, k);
-  if (bound == EnergyBound::kinetic) {
-    for (const Index k : island.manifolds) energy += given_back(p, it, it.manifold[k]);
-    for (const Index k : island.joints) energy += given_back(p, it, k);
-    return energy;
-  }
-  energy += contact_energies(p, island, it);
-  for (const Index k : island.joints) energy += energy_of_joint(p, it, k, p.time - p.params->h);
-  return energy;
-}
-
-// Puts the island at the part t of its way to `end`; returns what it has there less the work of gravity and
-// drives.
-double energy_at_part(const Problem& p, const Island& island, EnergyBound bound, double t,
-                      const std::vector<Pose>& end, const Velocities& velocities, Iterate& it) {
-  double energy = 0;
-  for (const Index i : island.bodies) {
-    const Pose start = p.start_pose(i);
-    Pose& pose = it.pose[i];
-    pose = end[i];
-    if (t < 1) {
-      pose.c = start.c + t * (end[i].c - start.c);
-      pose.R = exp_so3(t * log_so3(end[i].R * start.R.transpose())) * start.R;
+void add_contacts_at_start(const Problem& p, const Island& island, const Iterate& it, EnergyBalance& out) {
+  for (const Index j : island.manifolds) {
+    const ContactManifold& manifold = it.manifold[j];
+    const Lanes energy = energy_at_start(p, manifold);
+    for (int k = 0; k < manifold.count; ++k) {
+      out.stored += energy[k];
+      if (!manifold.known[k]) out.found += energy[k];
     }
-    energy += t * t * kinetic_energy(*p.model, i, end[i].R, velocities.v[i], velocities.omega[i]) -
-              p.model->mass[i] * p.params->gravity.dot(pose.c - start.c);
   }
-  for (const Index k : island.joints) energy += spring_energy(p, it, k) - drive_work_of(p, it, k);
-  if (bound == EnergyBound::kinetic) return energy;
-  energy += contact_energies(p, island, it);
-  for (const Index k : island.joints) energy += energy_of_joint(p, it, k);
+}
+
+// Ψ of the island's joints; drives stand where they stand at `time`.
+double joint_energies(const Problem& p, const Island& island, double time, const Iterate& it) {
+  double energy = 0;
+  for (const Index k : island.joints) energy += energy_of_joint(p, it, k, time) + spring_energy(p, it, k);
+  return energy;
+}
+
+// Ψ of the joints where the step starts.
+double joint_energies_at_start(const Problem& p, const Island& island, EnergyMemory& memory, Iterate& it) {
+  if (island.joints.empty()) return 0;
+  memory.pose.resize(p.model->shape.size());
+  for (const Index i : island.bodies) {
+    memory.pose[i] = it.pose[i];
+    it.pose[i] = p.start_pose(i);
+  }
+  const double energy = joint_energies(p, island, p.time - p.params->h, it);
+  for (const Index i : island.bodies) it.pose[i] = memory.pose[i];
+  return energy;
+}
+
+double fall(const Problem& p, Index i, const Vec3& c) {
+  return -p.model->mass[i] * p.params->gravity.dot(c - p.start->c[i]);
+}
+
+// U + Ψ − W with the poses a part t of their way from `from`, above U of the start.
+double stored_at_part(const Problem& p, const Island& island, const Workers& workers, double t,
+                      EnergyMemory& memory, Iterate& it) {
+  double energy = 0;
+  for (const Index i : island.bodies) {
+    const Pose &from = memory.from[i], &end = memory.pose[i];
+    Pose& pose = it.pose[i];
+    pose.c = from.c + t * (end.c - from.c);
+    pose.R = exp_so3(t * log_so3(end.R * from.R.transpose())) * from.R;
+    set_roll(p, i, pose.R, it);
+    energy += fall(p, i, pose.c);
+  }
+  return energy + joint_energies(p, island, p.time, it) + contact_energies(p, island, workers, memory, it) -
+         drive_work(p, it, island.joints);
+}
+
+double kinetic_at_end(const Problem& p, const Island& island, const Velocities& velocities,
+                      const Iterate& it) {
+  double energy = 0;
+  for (const Index i : island.bodies)
+    energy += kinetic_energy(*p.model, i, it.pose[i].R, velocities.v[i], velocities.omega[i]);
   return energy;
 }
 
 }  // namespace
 
-double drive_work(const Problem& p, const Iterate& it) {
+double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints) {
   double work = 0;
-  for (std::size_t k = 0; k < p.joints.size(); ++k) work += drive_work_of(p, it, static_cast<Index>(k));
+  for (const Index k : joints) work += drive_work_of(p, it, k);
   return work;
 }
 
-int bound_energy(const Problem& p, const Island& island, EnergyBound bound, std::vector<Pose>& end,
-                 Iterate& it, Velocities& velocities) {
-  end.resize(p.model->shape.size());
-  for (const Index i : island.bodies) end[i] = it.pose[i];
-  const double budget = energy_at_start(p, island, bound, it);
-  const auto gains = [&](double t) {
-    return !(energy_at_part(p, island, bound, t, end, velocities, it) <= budget * (1 + kRounding));
+bool gains(const EnergyBalance& energy, double residual) {
+  return energy.rise + energy.found >
+         kRise * (energy.kinetic + energy.stored) + 100 * residual * energy.stored;
+}
+
+EnergyBalance energy_balance(const Problem& p, const Island& island, const Workers& workers,
+                             const Velocities& velocities, EnergyMemory& memory, Iterate& it) {
+  const Model& model = *p.model;
+  EnergyBalance out;
+  double flight = 0, fell = 0;
+  for (const Index i : island.bodies) {
+    out.kinetic += kinetic_energy(model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
+    flight += kinetic_energy(model, i, p.flight->star[i].R, p.start->v[i], p.flight->omega[i]);
+    fell += fall(p, i, it.pose[i].c);
+  }
+  out.kinetic = std::max(out.kinetic, flight);
+  out.stored = joint_energies_at_start(p, island, memory, it);
+  add_contacts_at_start(p, island, it, out);
+  out.rise = kinetic_at_end(p, island, velocities, it) + fell + joint_energies(p, island, p.time, it) +
+             contact_energies(p, island, workers, memory, it) - drive_work(p, it, island.joints) -
+             out.kinetic - out.stored;
+  return out;
+}
+
+void bound_energy(const Problem& p, const Island& island, const Workers& workers,
+                  const EnergyBalance& balance, FreeGroups& groups, EnergyMemory& memory,
+                  Velocities& velocities, Iterate& it) {
+  double moving = 0;
+  for (const Index i : island.bodies) {
+    const auto [v, omega] = inner_motion(groups, i, it.pose[i].c, velocities);
+    moving += kinetic_energy(*p.model, i, it.pose[i].R, v, omega);
+  }
+  const auto keep_inner = [&](double part) {
+    for (const Index i : island.bodies) {
+      const auto [v, omega] = inner_motion(groups, i, it.pose[i].c, velocities);
+      velocities.v[i] -= (1 - part) * v;
+      velocities.omega[i] -= (1 - part) * omega;
+    }
   };
-  if (!gains(1)) return 0;
+  keep_inner(moving > 0 ? std::sqrt(std::max(0.0, moving - balance.rise) / moving) : 0);
+  if (balance.rise <= moving || balance.rise <= kRise * (balance.kinetic + balance.stored)) return;
+  memory.pose.resize(p.model->shape.size());
+  memory.from.resize(p.model->shape.size());
+  for (const Index i : island.bodies) memory.pose[i] = it.pose[i];
+  rigidly_moved(p, island, groups, memory.from);
+  const double most = balance.kinetic + balance.stored - kinetic_at_end(p, island, velocities, it);
   double low = 0, high = 1;
   for (int k = 0; k < kBisections; ++k) {
     const double t = 0.5 * (low + high);
-    (gains(t) ? high : low) = t;
+    (stored_at_part(p, island, workers, t, memory, it) <= most ? low : high) = t;
   }
-  energy_at_part(p, island, bound, low, end, velocities, it);
-  for (const Index i : island.bodies) {
-    velocities.v[i] *= low;
-    velocities.omega[i] *= low;
-  }
-  return static_cast<int>(island.bodies.size());
+  stored_at_part(p, island, workers, low, memory, it);
+  find_rigid_motions(p, it, groups);  // of the new places
+  keep_inner(0);
 }
 
 }  // namespace pabd

@@ -1,37 +1,57 @@
 // SPDX-License-Identifier: MIT
-// What keeps steps that were not solved to the end from making energy (Deviation D18). For each island of
-// bodies that hang together
+// The energy of an island over a step, and what keeps a step that was not solved to the end from making some
+// (Deviation D18).
 //
 //   T = Σ ½ m ‖v‖² + ½ ωᵀ I ω,   U = −Σ m g·c                                                            J
-//   Ψ                        of the bonds of this step, with the stiffness they have in it               J
+//   Ψ                        of the bonds of this step, with the stiffness and the friction bounds that they
+//                            have at its end, and of springs                                             J
 //   W = Σ f·Δy               work of its drives: force on a driven point at the end of the step times    J
 //                            the way that the drive moves it; of motors, dampers and friction: force at
 //                            the end of the step times the way along the joint
 //
-// total     T + U + Ψ ≤ (T + U + Ψ)_start + W, as the minimiser of E has it. For `sissm`.
-// kinetic   T + U ≤ (T + U)_start + W + Σ min(Ψ, ½ μ (s/h)²)_start: what a step can take out of its bonds is
-//           at most the kinetic energy that closes a stretch s (a contact's d̂ − d, without its overlap) within
-//           it, μ being the reduced mass of the two bodies. For `newton`, whose stiff joints may hold far more
-//           than that where it was stopped, and would stop an ordinary collision dead if that counted.
-//
-// An iteration that stops early need not keep to these: then the island goes only a part t of its way and has
-// t of the velocities, the largest t in (0, 1) found by bisection for which the bound holds. It holds for t =
-// 0, Ψ being convex.
+// The minimiser of E has T + U + Ψ ≤ (T + U + Ψ)_start + W where Ψ is convex along the way. An iterate Q need not, nor a
+// minimiser past a corner that turned through its lowest point. What it has too much is taken from the inner motion: the
+// velocities relative to the rigid motion that carries the momentum of what hangs together, so that momentum stays. Poses
+// stay too: nothing is held in place. That suffices where E(Q) ≤ E(start), for then U + Ψ at the end is at most
+// T + U + Ψ at the start. Where it does not by more than kRise of T + Ψ, the bodies go a part of their way beside that
+// rigid motion, the largest found by bisection.
 #pragma once
 
 #include "sim/solver/islands.h"
+#include "sim/solver/momentum.h"
 #include "sim/solver/velocities.h"
+#include "sim/solver/workers.h"
 
 namespace pabd {
 
-// W of all drives and of what acts along joints at the iterate; J.
-double drive_work(const Problem& p, const Iterate& it);
+// W of all drives and of what acts along joints of an island at the iterate; J.
+double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints);
 
-enum class EnergyBound { total, kinetic };
+struct EnergyBalance {
+  double kinetic = 0;  // T at the start, or in free flight, where that is more
+  double stored = 0;   // Ψ at the start
+  double found = 0;    // the part of it in contacts that the last step did not know
+  double rise = 0;     // T + U + Ψ above the start and W
+};
 
-// Shortens the step of an island that would gain energy, after the velocities are known. Returns the number
-// of bodies that were held back. `end`: scratch.
-int bound_energy(const Problem& p, const Island& island, EnergyBound bound, std::vector<Pose>& end,
-                 Iterate& it, Velocities& velocities);
+struct EnergyMemory {
+  std::vector<Pose> pose, from;  // per body
+  std::vector<double> energy;    // per manifold of the island
+};
+
+// Of an island whose velocities are known.
+EnergyBalance energy_balance(const Problem& p, const Island& island, const Workers& workers,
+                             const Velocities& velocities, EnergyMemory& memory, Iterate& it);
+
+inline constexpr double kRise = 1e-5;
+// Does it have more than it may? Energy that was found counts as gained: nobody paid for it. What a solve that ends with
+// that residual (in d̂) leaves open does not: a hundred times as much of Ψ, contacts being pressed in by hundredths of d̂.
+bool gains(const EnergyBalance& energy, double residual);
+
+// Takes `balance.rise` > 0 out of an island. Precondition: momentum is balanced, and `groups` has the rigid motions of the
+// iterate (momentum.h).
+void bound_energy(const Problem& p, const Island& island, const Workers& workers,
+                  const EnergyBalance& balance, FreeGroups& groups, EnergyMemory& memory,
+                  Velocities& velocities, Iterate& it);
 
 }  // namespace pabd

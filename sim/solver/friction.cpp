@@ -99,6 +99,7 @@ SurfaceFriction friction_between(const Model& model, const ContactParams& contac
 
 void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds) {
   const std::vector<ContactMemory>& contacts = p.start->contacts;
+  const bool begins = p.start->step == 0 && contacts.empty();  // nothing is new then
   auto next = contacts.begin();
   const auto at = [&](std::size_t k) -> ContactManifold& { return manifolds[k]; };
   each_pair(manifolds.size(), at, [&](std::size_t first, std::size_t last) {
@@ -115,8 +116,10 @@ void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds) 
       manifold.mu = slides ? mu.mu_dynamic : mu.mu_static;
       for (int k = 0; k < manifold.count; ++k) {
         const auto key = std::make_tuple(pair, manifold.feature[k]);
+        manifold.known[k] = begins;
         while (next != contacts.end() && std::make_tuple(next->pair, next->feature) < key) ++next;
         if (next == contacts.end() || std::make_tuple(next->pair, next->feature) != key) continue;
+        manifold.known[k] = true;
         const Vec3 n = lane(manifold.n, k);
         set_lane(manifold.stretch, k, next->stretch - n * n.dot(next->stretch));
       }
@@ -192,7 +195,9 @@ PABD_EACH_LEVEL void store_friction(const Problem& p, Iterate& it, std::vector<C
       const ContactLaw law = p.law_of(manifold);
       const Lanes kept = friction_weight(law, manifold.limit, length(s.u)) / law.k_t;  // 1 while it sticks
       for (int k = 0; k < manifold.count; ++k) {
-        if (!(manifold.limit[k] > 0) && !manifold.recovers) continue;
+        if (!(s.d[k] + manifold.shift[k] < law.barrier.d_hat) && !(manifold.limit[k] > 0) &&
+            !manifold.recovers)
+          continue;
         const Vec3 u = lane(s.u, k);
         contacts.push_back({pair_key(manifold.a, manifold.b), manifold.feature[k],
                             kept[k] * (manifold.turns ? Vec3(it.pose[manifold.a].R.transpose() * u) : u),

@@ -100,11 +100,4 @@ double joint_error(const Problem& p, const Iterate& it, Index k) {
   return largest;
 }
 
-double largest_joint_error(const Problem& p, const Iterate& it) {
-  double largest = 0;
-  for (std::size_t k = 0; k < p.joints.size(); ++k)
-    largest = larger(largest, joint_error(p, it, static_cast<Index>(k)));
-  return largest;
-}
-
 }  // namespace pabd

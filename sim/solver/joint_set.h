@@ -57,6 +57,5 @@ double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time
 // Largest distance between points of joint k that should coincide; m. 0 for a spring.
 double joint_error(const Problem& p, const Iterate& it, Index k);
 // Over all joints; m.
-double largest_joint_error(const Problem& p, const Iterate& it);
 
 }  // namespace pabd

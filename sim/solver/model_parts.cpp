@@ -33,33 +33,47 @@ bool meet(const Aabb& a, const Aabb& b) {
   return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
 }
 
-ModelPart part_of(const Model& model, const std::vector<std::uint8_t>& jointed, bool of_joints) {
-  ModelPart out;
+// Bodies whose mark is `mark`. Joints of fixed bodies alone belong to those that are marked.
+void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool mark, ModelPart& out) {
+  const auto belongs = [&](Index i) { return (marks[static_cast<std::size_t>(i)] != 0) == mark; };
+  const auto moves = [&](Index i) { return i != kWorld && !model.fixed[static_cast<std::size_t>(i)]; };
   out.place.assign(model.shape.size(), -1);
+  out.bodies.clear();
   for (Index i = 0; i < model.size(); ++i) {
-    if (!model.fixed[i] && (jointed[i] != 0) != of_joints) continue;
+    if (moves(i) && !belongs(i)) continue;
     out.place[i] = static_cast<Index>(out.bodies.size());
     out.bodies.push_back(i);
-    out.model.name.push_back(model.name[i]);
-    out.model.shape.push_back(model.shape[i]);
-    out.model.mass.push_back(model.mass[i]);
-    out.model.J.push_back(model.J[i]);
-    out.model.fixed.push_back(model.fixed[i]);
-    if (!model.friction.empty()) out.model.friction.push_back(model.friction[i]);
-    if (!model.groups.of_body.empty()) out.model.groups.of_body.push_back(model.groups.of_body[i]);
   }
+  const auto pick = [&](const auto& whole, auto& part) {
+    part.resize(whole.empty() ? 0 : out.bodies.size());
+    for (std::size_t k = 0; k < part.size(); ++k) part[k] = whole[static_cast<std::size_t>(out.bodies[k])];
+  };
+  pick(model.name, out.model.name);
+  pick(model.shape, out.model.shape);
+  pick(model.mass, out.model.mass);
+  pick(model.J, out.model.J);
+  pick(model.fixed, out.model.fixed);
+  pick(model.friction, out.model.friction);
+  pick(model.groups.of_body, out.model.groups.of_body);
   out.model.groups.name = model.groups.name;
   out.model.groups.apart = model.groups.apart;
   find_avoided(out.model.groups);
+  out.model.no_collide.clear();
   for (const auto& [a, b] : model.no_collide)
     if (out.holds(a) && out.holds(b)) out.model.no_collide.emplace_back(out.place[a], out.place[b]);
-  if (!of_joints) return out;
-  out.model.joints = model.joints;
-  for (Joint& joint : out.model.joints) {
+  out.joints.clear();
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    const Joint& joint = model.joints[k];
+    const Index moving = moves(joint.i) ? joint.i : joint.j;
+    if (moves(moving) ? belongs(moving) : mark) out.joints.push_back(static_cast<Index>(k));
+  }
+  out.model.joints.resize(out.joints.size());
+  for (std::size_t k = 0; k < out.joints.size(); ++k) {
+    Joint& joint = out.model.joints[k];
+    joint = model.joints[static_cast<std::size_t>(out.joints[k])];
     if (joint.i != kWorld) joint.i = out.place[joint.i];
     if (joint.j != kWorld) joint.j = out.place[joint.j];
   }
-  return out;
 }
 
 std::uint64_t pair_of(Index a, Index b) {
@@ -107,8 +121,15 @@ std::vector<std::uint8_t> jointed_bodies(const Model& model, const Params& param
   return out;
 }
 
+void take_bodies(const Model& model, const std::vector<std::uint8_t>& chosen, ModelPart& out) {
+  fill_part(model, chosen, true, out);
+}
+
 ModelParts split_model(const Model& model, const std::vector<std::uint8_t>& jointed) {
-  return {part_of(model, jointed, true), part_of(model, jointed, false)};
+  ModelParts out;
+  fill_part(model, jointed, true, out.jointed);
+  fill_part(model, jointed, false, out.free);
+  return out;
 }
 
 std::optional<std::pair<Index, Index>> coupling(const Model& model, const ModelParts& parts,
@@ -132,7 +153,7 @@ std::optional<std::pair<Index, Index>> coupling(const Model& model, const ModelP
   return std::nullopt;
 }
 
-void take_part(const ModelPart& part, const State& whole, bool joints, State& out) {
+void take_part(const ModelPart& part, const State& whole, State& out) {
   out.time = whole.time;
   out.step = whole.step;
   const std::size_t n = part.bodies.size();
@@ -154,10 +175,12 @@ void take_part(const ModelPart& part, const State& whole, bool joints, State& ou
     out.contacts.push_back(contact);
     out.contacts.back().pair = pair_of(part.place[a], part.place[b]);
   }
-  out.joint_force = joints ? whole.joint_force : std::vector<Vec3>{};
+  out.joint_force.resize(whole.joint_force.empty() ? 0 : part.joints.size());
+  for (std::size_t k = 0; k < out.joint_force.size(); ++k)
+    out.joint_force[k] = whole.joint_force[static_cast<std::size_t>(part.joints[k])];
 }
 
-void put_part(const ModelPart& part, const State& state, bool joints, State& whole) {
+void put_part(const ModelPart& part, const State& state, State& whole) {
   whole.time = state.time;
   whole.step = state.step;
   for (std::size_t k = 0; k < part.bodies.size(); ++k) {
@@ -177,7 +200,13 @@ void put_part(const ModelPart& part, const State& state, bool joints, State& who
   std::sort(whole.contacts.begin(), whole.contacts.end(), [](const ContactMemory& a, const ContactMemory& b) {
     return std::tie(a.pair, a.feature) < std::tie(b.pair, b.feature);
   });
-  if (joints) whole.joint_force = state.joint_force;
+  if (state.joint_force.empty()) return;
+  Index most = -1;
+  for (const Index k : part.joints) most = std::max(most, k);
+  if (whole.joint_force.size() <= static_cast<std::size_t>(most))
+    whole.joint_force.resize(static_cast<std::size_t>(most) + 1, Vec3::Zero());
+  for (std::size_t k = 0; k < part.joints.size(); ++k)
+    whole.joint_force[static_cast<std::size_t>(part.joints[k])] = state.joint_force[k];
 }
 
 void put_contacts(const ModelPart& part, const std::vector<ContactReport>& contacts,
@@ -187,9 +216,42 @@ void put_contacts(const ModelPart& part, const std::vector<ContactReport>& conta
     whole.back().a = part.bodies[contact.a];
     whole.back().b = part.bodies[contact.b];
   }
-  std::stable_sort(whole.begin(), whole.end(), [](const ContactReport& x, const ContactReport& y) {
+  const auto before = [](const ContactReport& x, const ContactReport& y) {
     return std::minmax(x.a, x.b) < std::minmax(y.a, y.b);
-  });
+  };
+  if (!std::is_sorted(whole.begin(), whole.end(), before))
+    std::stable_sort(whole.begin(), whole.end(), before);
+}
+
+void add_report(const ModelPart& part, const StepReport& of_part, StepReport& out) {
+  out.status = std::max(out.status, of_part.status);
+  out.iterations = std::max(out.iterations, of_part.iterations);
+  out.kinetic += of_part.kinetic;
+  out.potential += of_part.potential;
+  out.elastic += of_part.elastic;
+  out.contacts += of_part.contacts;
+  out.max_penetration = std::max(out.max_penetration, of_part.max_penetration);
+  out.min_gap = std::min(out.min_gap, of_part.min_gap);
+  out.max_joint_error = std::max(out.max_joint_error, of_part.max_joint_error);
+  out.residual = std::max(out.residual, of_part.residual);
+  out.left_pairs += of_part.left_pairs;
+  out.too_dense += of_part.too_dense;
+  out.drive_work += of_part.drive_work;
+  out.capped_bonds += of_part.capped_bonds;
+  out.held_bodies += of_part.held_bodies;
+  out.halved_bodies += of_part.halved_bodies;
+  out.halvings = std::max(out.halvings, of_part.halvings);
+  out.friction_excess = std::max(out.friction_excess, of_part.friction_excess);
+  out.times.detect += of_part.times.detect;
+  out.times.set_up += of_part.times.set_up;
+  out.times.solve += of_part.times.solve;
+  out.times.velocities += of_part.times.velocities;
+  out.times.total += of_part.times.total;
+  put_contacts(part, of_part.contact_reports, out.contact_reports);
+  for (IslandReport island : of_part.islands) {
+    island.first_body = part.bodies[static_cast<std::size_t>(island.first_body)];
+    out.islands.push_back(island);
+  }
 }
 
 }  // namespace pabd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A model in two parts that do not feel each other: what hangs together by joints with all that is near it, and the
-// rest. Each can be solved by somebody else in the same step; what is fixed belongs to both.
+// Some bodies of a model as a model of its own, where the others do not feel them in a step: those that hang on joints,
+// which another device leaves to the processor, or islands that are solved again (halving.h). What is fixed belongs to
+// every part.
 #pragma once
 
 #include <optional>
@@ -18,7 +19,8 @@ namespace pabd {
 struct ModelPart {
   Model model;
   std::vector<Index> bodies;  // number in the whole of each
-  std::vector<Index> place;   // number in the part of each of the whole, −1: it is elsewhere
+  std::vector<Index> joints;  // the same of its joints
+  std::vector<Index> place;   // number in the part of each body of the whole, −1: it is elsewhere
 
   bool holds(Index body) const { return place[static_cast<std::size_t>(body)] >= 0; }
 };
@@ -31,6 +33,9 @@ struct ModelParts {
 // is within what the bodies of a step reach. Linear in the number of bodies, about.
 std::vector<std::uint8_t> jointed_bodies(const Model& model, const Params& params, const State& state);
 
+// The movable bodies i with chosen[i], what is fixed, and the joints of these. Memory of `out` is used again.
+void take_bodies(const Model& model, const std::vector<std::uint8_t>& chosen, ModelPart& out);
+
 // `jointed`: as jointed_bodies() gives it. All joints are in that part.
 ModelParts split_model(const Model& model, const std::vector<std::uint8_t>& jointed);
 
@@ -38,12 +43,13 @@ ModelParts split_model(const Model& model, const std::vector<std::uint8_t>& join
 std::optional<std::pair<Index, Index>> coupling(const Model& model, const ModelParts& parts,
                                                 const Params& params, const State& state);
 
-// The part's bodies and what its contacts remember, and back: of the whole everything else stays. Joint forces go with
-// `joints`.
-void take_part(const ModelPart& part, const State& whole, bool joints, State& out);
-void put_part(const ModelPart& part, const State& state, bool joints, State& whole);
+// The part's bodies, what its contacts remember and the forces of its joints, and back: of the whole everything else stays.
+void take_part(const ModelPart& part, const State& whole, State& out);
+void put_part(const ModelPart& part, const State& state, State& whole);
 // Contacts of the part in numbers of the whole; sorted by pair with those that are there.
 void put_contacts(const ModelPart& part, const std::vector<ContactReport>& contacts,
                   std::vector<ContactReport>& whole);
+// Of both: sums, the worst of each, contacts and islands by their numbers in the whole.
+void add_report(const ModelPart& part, const StepReport& of_part, StepReport& whole);
 
 }  // namespace pabd

@@ -70,6 +70,14 @@ void find_targets(const Problem& p, FreeGroups& g) {
   }
 }
 
+// Null where it is held.
+template <class Groups>
+auto* group_of(Groups& g, Index i) {
+  Index top = i;
+  while (g.parent[top] != top) top = g.parent[top];
+  return g.number[top] < 0 ? nullptr : &g.group[g.number[top]];
+}
+
 // The rigid motion that each group misses when momentum_of(i) is (m v, I ω) of its bodies.
 template <class MomentumOf>
 void find_missing(const Model& model, const Iterate& it, const MomentumOf& momentum_of, FreeGroups& g) {
@@ -135,13 +143,6 @@ void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
   }
 }
 
-void unbalance(const Island& island, FreeGroups& g) {
-  for (const Index i : island.bodies) {
-    const Index k = g.number[root(g.parent, i)];
-    if (k >= 0) g.group[k].balanced = false;
-  }
-}
-
 void balance_velocities(const Problem& p, const Iterate& it, FreeGroups& g, Velocities& velocities) {
   if (g.group.empty()) return;
   const Model& model = *p.model;
@@ -152,11 +153,37 @@ void balance_velocities(const Problem& p, const Iterate& it, FreeGroups& g, Velo
   find_missing(model, it, momentum_of, g);
   for (const auto& [i, k] : g.bodies) {
     const FreeGroup& group = g.group[k];
-    if (group.count == 1 || group.balanced) continue;  // alone: in free flight
+    if (group.count == 1) continue;  // alone: in free flight
     velocities.v[i] += group.v + group.omega.cross(it.pose[i].c - group.origin - group.centre);
     velocities.omega[i] += group.omega;
   }
-  for (FreeGroup& group : g.group) group.balanced = true;
+}
+
+void find_rigid_motions(const Problem& p, const Iterate& it, FreeGroups& g) {
+  find_missing(
+      *p.model, it, [](Index) { return std::pair<Vec3, Vec3>(Vec3::Zero(), Vec3::Zero()); }, g);
+}
+
+void rigidly_moved(const Problem& p, const Island& island, FreeGroups& g, std::vector<Pose>& out) {
+  for (const Index i : island.bodies)
+    if (FreeGroup* group = group_of(g, i)) group->start.setZero();
+  for (const Index i : island.bodies)
+    if (FreeGroup* group = group_of(g, i)) group->start += (p.model->mass[i] / group->mass) * p.start->c[i];
+  for (const Index i : island.bodies) {
+    out[i] = p.start_pose(i);
+    const FreeGroup* group = group_of(g, i);
+    if (!group) continue;
+    const Mat3 turn = exp_so3(p.params->h * group->omega);
+    out[i] = {group->origin + group->centre + turn * (out[i].c - group->start), turn * out[i].R};
+  }
+}
+
+std::pair<Vec3, Vec3> inner_motion(const FreeGroups& g, Index i, const Vec3& c,
+                                   const Velocities& velocities) {
+  const FreeGroup* group = group_of(g, i);
+  if (!group) return {velocities.v[i], velocities.omega[i]};
+  return {velocities.v[i] - group->v - group->omega.cross(c - group->origin - group->centre),
+          velocities.omega[i] - group->omega};
 }
 
 }  // namespace pabd

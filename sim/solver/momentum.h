@@ -26,10 +26,10 @@ struct FreeGroup {
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();  // what its momentum should be
   Vec3 missing_P, missing_L;                // of that
   Vec3 centre;                              // of mass, from the origin; m
+  Vec3 start;                               // of mass where the step starts; world, m
   Mat3 I;                                   // about it; kg m²
-  Vec3 v, omega;                            // rigid motion that is missing
+  Vec3 v, omega;                            // rigid motion that is missing, or that carries P and L
   Mat3 turn;                                // its rotation in a step
-  bool balanced = false;                    // its velocities are
 };
 struct FreeGroups {
   std::vector<Index> parent, number;
@@ -46,10 +46,15 @@ void find_free_groups(const Problem& p, const Islands& islands, const Iterate& i
 // Not for the log barrier's poses, whose gaps must stay open: there only velocities are balanced.
 void balance_poses(const Problem& p, FreeGroups& groups, Iterate& it);
 
-// The bodies of an island have got other velocities since they were balanced.
-void unbalance(const Island& island, FreeGroups& groups);
-
-// The same for the velocities that follow from the poses, of all groups that are not balanced; to rounding.
+// The same for the velocities that follow from the poses; to rounding.
 void balance_velocities(const Problem& p, const Iterate& it, FreeGroups& groups, Velocities& velocities);
+
+// Finds the rigid motion of each group that carries its momentum, for inner_motion().
+void find_rigid_motions(const Problem& p, const Iterate& it, FreeGroups& groups);
+// Where the bodies of an island would be had they gone from the start by these motions alone; one entry a body.
+void rigidly_moved(const Problem& p, const Island& island, FreeGroups& groups, std::vector<Pose>& out);
+// What the velocities (v, ω) of body i, whose centre is at c, are beside that: all of them where its group is not free.
+std::pair<Vec3, Vec3> inner_motion(const FreeGroups& groups, Index i, const Vec3& c,
+                                   const Velocities& velocities);
 
 }  // namespace pabd

@@ -51,6 +51,16 @@ constexpr ParameterRow kRows[] = {
      .slider_lo = 1e-12,
      .slider_hi = 1,
      .scale = kLog},
+    {.key = "solver.halvings",
+     .label = "halvings",
+     .help = "A step that ends unsolved, or would make energy, is made again as two halves, so many times at "
+             "most; only "
+             "the bodies that hang together with what is unsolved. Not where there is one iteration, and not "
+             "for sissm. 0: never",
+     .member = &SolverParams::halvings,
+     .range = {0, 8},
+     .slider_hi = 8,
+     .hashed_default = false},
     {.key = "solver.relaxation",
      .label = "relaxation",
      .help = "Part of the Jacobi step that sissm takes; 1 is undamped",

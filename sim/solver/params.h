@@ -30,6 +30,7 @@ struct SolverParams {
   SolverMethod method = SolverMethod::automatic;
   int iterations = 20;      // cap per step
   double tolerance = 1e-6;  // relative step at which the solve stops early; 0: never
+  int halvings = 4;  // how often a step that ends unsolved is made again in halves (halving.h); 0: never
   double relaxation = 0.5;  // of the Jacobi step of sissm
   Projection projection = Projection::automatic;
   SolverDevice device = SolverDevice::cpu;
@@ -57,8 +58,8 @@ struct Params {
   bool operator==(const Params&) const = default;
 };
 
-// Does `sissm` cap stiffness and bound energy (Deviations D17, D18)?
-inline bool bounds_energy(const SolverParams& solver) {
+// Does `sissm` cap stiffness (Deviation D17)?
+inline bool caps_stiffness(const SolverParams& solver) {
   return solver.method == SolverMethod::sissm && solver.projection != Projection::polar;
 }
 

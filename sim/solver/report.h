@@ -67,6 +67,7 @@ struct IslandReport {
   int iterations;
   double residual;  // largest way of a body in the last iteration over d̂; where the moves of `newton` shrink
                     // quadratically that of the next one, extrapolated
+  // Of an island that was made again in halves: the worst of them.
 };
 
 // Wall clock; ms. The first four add up to the total of a step that was made.
@@ -100,7 +101,9 @@ struct StepSummary {
   Index too_dense = 0;
   double drive_work = 0;  // work of drives, motors, dampers and friction of joints; J
   int capped_bonds = 0;   // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)
-  int held_bodies = 0;    // whose step was shortened so that no energy is made (energy_bound.h)
+  int held_bodies = 0;    // that were slowed down so that no energy is made (energy_bound.h)
+  int halved_bodies = 0;  // whose step was made again in halves (halving.h)
+  int halvings = 0;       // how often it was halved, at most
   // Coulomb's law: largest ‖friction‖/(μ f_n) − 1 of the contacts that carry more than 1e-3 of the heaviest
   // weight (of less loaded ones: with that load), 0 where all obey. At most 0.01 in a step that converged.
   double friction_excess = 0;

@@ -17,34 +17,35 @@ bool is_lost(const Vec3& x, double d_hat) {
   return !(x.norm() * std::numeric_limits<double>::epsilon() < d_hat);
 }
 
-double widest_opening(const Problem& p, const Iterate& it) {
-  double widest = largest_joint_error(p, it);
-  for (const ContactManifold& manifold : it.manifold) {
-    const ContactState state = state_of(it, manifold);
-    for (int k = 0; k < manifold.count; ++k) widest = std::max(widest, std::abs(state.d[k]));
+double widest_opening(const Problem& p, const Island& island, const Iterate& it) {
+  double widest = 0;
+  for (const Index k : island.joints) widest = std::max(widest, joint_error(p, it, k));
+  for (const Index k : island.manifolds) {
+    const ContactState state = state_of(it, it.manifold[k]);
+    for (int j = 0; j < it.manifold[k].count; ++j) widest = std::max(widest, std::abs(state.d[j]));
   }
   return widest;
 }
 
 // L. Bonds are looked at with the bodies back at their start.
-double width(const Problem& p, const Islands& islands, std::vector<Pose>& end, Iterate& it) {
-  Vec3 lo = Vec3::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
+double width(const Problem& p, const Island& island, std::vector<Pose>& end, Iterate& it) {
+  Vec3 lo = Vec3::Constant(kInfinity), hi = -lo;
   end.clear();
-  for (const Index i : islands.solved) {
+  for (const Index i : island.bodies) {
     const double radius = p.flight->radius[i];
     lo = lo.cwiseMin((p.start->c[i].array() - radius).matrix());
     hi = hi.cwiseMax((p.start->c[i].array() + radius).matrix());
     end.push_back(it.pose[i]);
     it.pose[i] = p.start_pose(i);
   }
-  const double opening = widest_opening(p, it);
-  for (std::size_t k = 0; k < end.size(); ++k) it.pose[islands.solved[k]] = end[k];
+  const double opening = widest_opening(p, island, it);
+  for (std::size_t k = 0; k < end.size(); ++k) it.pose[island.bodies[k]] = end[k];
   return (hi - lo).norm() + opening;
 }
 
 }  // namespace
 
-bool ran_away(const Problem& p, const Islands& islands, const Velocities& velocities,
+bool ran_away(const Problem& p, const Island& island, const Velocities& velocities,
               std::vector<Pose>& scratch, Iterate& it) {
   const Model& model = *p.model;
   const double d_hat = p.law.barrier.d_hat;
@@ -55,13 +56,14 @@ bool ran_away(const Problem& p, const Islands& islands, const Velocities& veloci
     return kinetic_energy(model, i, it.pose[i].R, velocities.v[i], velocities.omega[i]);
   };
   double gained = 0;
-  for (const Index i : islands.solved) {
+  for (const Index i : island.bodies) {
     if (is_lost(it.pose[i].c, d_hat) || is_lost(p.params->h * velocities.v[i], d_hat)) return true;
     gained += K_end(i) - K_flight(i);
   }
+  if (!std::isfinite(gained)) return true;
   if (!(gained > 0)) return false;
-  const double speed = 100 * width(p, islands, scratch, it) / p.params->h;
-  return std::any_of(islands.solved.begin(), islands.solved.end(), [&](Index i) {
+  const double speed = 100 * width(p, island, scratch, it) / p.params->h;
+  return std::any_of(island.bodies.begin(), island.bodies.end(), [&](Index i) {
     const double K = K_end(i);
     return K > K_flight(i) && K > 0.5 * model.mass[i] * speed * speed;
   });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // States beyond any sense, which are no result of a step, finite or not.
 //
-//   L     width of the scene: the box around the bodies that have bonds, and the widest opening of a bond,
-//         at the start of the step                                                                         m
+//   L     width of an island: the box around its bodies, and the widest opening of a bond, at the start of the
+//         step                                                                                             m
 //   K_i   kinetic energy of a body; K_i* after free flight                                                 J
 //
 // A bond asks a body to go as far as it is open, so no step sends a body faster than L/h unless it was so
@@ -17,8 +17,9 @@
 
 namespace pabd {
 
-// Did the solve run away? The iterate and the velocities are those of the end; it is left as it was.
-bool ran_away(const Problem& p, const Islands& islands, const Velocities& velocities,
+// Did the solve of an island run away, or leave the numbers? The iterate and the velocities are those of the end; it is
+// left as it was.
+bool ran_away(const Problem& p, const Island& island, const Velocities& velocities,
               std::vector<Pose>& scratch, Iterate& it);
 
 }  // namespace pabd

@@ -34,7 +34,7 @@ void global_and_local_step(const Problem& p, Index i, const Iterate& it, SissmMe
   const Pose& pose = it.pose[i];
   Vec3 dc;
   Mat3 R;
-  if (bounds_energy(p.params->solver)) {
+  if (caps_stiffness(p.params->solver)) {
     const AffineModel q = affine_model(p, it, i, p.inertia(i), WeightKind::majorising, 1 / relaxation);
     const Mat34 Q = affine_minimiser(q);
     m.A[i] = Q.rightCols<3>();

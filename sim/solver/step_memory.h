@@ -3,12 +3,18 @@
 // result from one step to the next.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "sim/solver/contact_setup.h"
+#include "sim/solver/energy_bound.h"
 #include "sim/solver/momentum.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd {
+
+class Halves;
 
 struct StepMemory {
   Flight flight;
@@ -21,7 +27,11 @@ struct StepMemory {
   SolverMemory solvers;
   FreeGroups groups;
   Velocities velocities;
-  std::vector<Pose> scratch;
+  EnergyMemory energy;
+  std::vector<EnergyBalance> balance;  // of each island
+  std::vector<std::uint8_t> again;     // per body: its island is made again in halves
+  std::vector<Index> told_joints;      // of the others
+  std::unique_ptr<Halves> halves;      // once there were some
 };
 
 }  // namespace pabd

@@ -42,7 +42,7 @@ double share(double stiffness, double cap) { return stiffness > cap ? cap / stif
 int cap_stiffness(Problem& p, Iterate& it) {
   p.joint_share.assign(p.joints.size(), 1);
   const SolverParams& solver = p.params->solver;
-  if (!bounds_energy(solver)) return 0;
+  if (!caps_stiffness(solver)) return 0;
   const double followed = solver.iterations / (p.params->h * p.params->h);
   int capped = 0;
   for (std::size_t k = 0; k < p.joints.size(); ++k) {

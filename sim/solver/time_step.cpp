@@ -8,13 +8,16 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "sim/math/extremes.h"
 #include "sim/math/flush_denormals.h"
 #include "sim/solver/body_reports.h"
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/energy_bound.h"
 #include "sim/solver/friction.h"
+#include "sim/solver/halving.h"
 #include "sim/solver/joint_actions.h"
 #include "sim/solver/joint_reports.h"
 #include "sim/solver/joint_set.h"
@@ -90,28 +93,53 @@ void find_motion(const Problem& p, StepMemory& m) {
   balance_velocities(p, m.iterate, m.groups, m.velocities);
 }
 
-// Islands of `sissm`, and jointed ones whose solve ended too early, go a part of their way where they would
-// gain energy.
-void bound_energy(const Problem& p, StepMemory& m, StepReport& report) {
-  const bool all = bounds_energy(p.params->solver);
+// Which islands are to be made again, and what energy the others gained. False where an island is beyond help.
+bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& report) {
+  const bool halves = may_halve(p.params->solver), bounds = p.params->solver.projection != Projection::polar;
+  m.again.assign(p.model->shape.size(), 0);
+  m.balance.resize(m.islands.list.size());
   for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
     const Island& island = m.islands.list[k];
-    const IslandReport& outcome = report.islands[k];
-    // Who asks for one iteration wants what that gives.
-    const bool early = island.jointed && outcome.solver == SolverMethod::newton &&
-                       outcome.status == StepStatus::iteration_limit && p.params->solver.iterations > 1;
-    if (!all && !early) continue;
-    const EnergyBound bound = all ? EnergyBound::total : EnergyBound::kinetic;
-    const int held = bound_energy(p, island, bound, m.scratch, m.iterate, m.velocities);
-    if (held > 0) unbalance(island, m.groups);
-    report.held_bodies += held;
+    IslandReport& outcome = report.islands[k];
+    if (outcome.status == StepStatus::non_finite ||
+        ran_away(p, island, m.velocities, m.energy.pose, m.iterate)) {
+      outcome.status = StepStatus::non_finite;
+      if (!halves) return false;
+    } else if (bounds) {
+      m.balance[k] = energy_balance(p, island, workers, m.velocities, m.energy, m.iterate);
+    }
+    if (!halves || !ends_unsolved(outcome, m.balance[k])) continue;
+    for (const Index i : island.bodies) m.again[i] = 1;
   }
-  if (report.held_bodies == 0) return;
-  report.status = StepStatus::iteration_limit;
-  balance_velocities(p, m.iterate, m.groups, m.velocities);
+  return true;
 }
 
-void take_over(const Problem& p, StepMemory& m, const StepReport& report, State& state) {
+bool is_made_again(const Island& island, const StepMemory& m) { return m.again[island.bodies.front()] != 0; }
+
+// What gained energy is slowed down. Worth telling is what more halves would not have taken either.
+void bound_energy(const Problem& p, const Workers& workers, StepMemory& m, StepReport& report) {
+  constexpr double kRounding = 1e-9;
+  bool found_motions = false;
+  for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
+    const Island& island = m.islands.list[k];
+    const EnergyBalance& energy = m.balance[k];
+    if (is_made_again(island, m) || !(energy.rise > kRounding * (energy.kinetic + energy.stored))) continue;
+    if (!std::exchange(found_motions, true)) find_rigid_motions(p, m.iterate, m.groups);
+    bound_energy(p, island, workers, energy, m.groups, m.energy, m.velocities, m.iterate);
+    if (!ends_unsolved(report.islands[k], energy)) continue;
+    report.held_bodies += static_cast<int>(island.bodies.size());
+    report.islands[k].status = report.status = StepStatus::iteration_limit;
+  }
+}
+
+// The bonds of islands that are made again are no part of this step.
+void leave_out_again(const Problem& p, StepMemory& m) {
+  const auto again = [&](Index i) { return p.movable(i) && m.again[i]; };
+  std::erase_if(m.iterate.manifold,
+                [&](const ContactManifold& manifold) { return again(manifold.a) || again(manifold.b); });
+}
+
+void take_over(const Problem& p, StepMemory& m, State& state) {
   finish_recovery(p, m.iterate);
   for (std::size_t i = 0; i < state.c.size(); ++i) {
     state.c[i] = m.iterate.pose[i].c;
@@ -122,23 +150,31 @@ void take_over(const Problem& p, StepMemory& m, const StepReport& report, State&
   std::copy(m.velocities.omega.begin(), m.velocities.omega.end(), state.omega.begin());
   store_friction(p, m.iterate, state.contacts);
   state.joint_force.swap(m.iterate.joint_force);
-  state.step = report.step;
-  state.time = report.time;
 }
 
-void summarize(const Problem& p, const StepMemory& m, const StepOptions& options, const State& end,
+// Of what is not made again.
+void summarize(const Problem& p, StepMemory& m, const StepOptions& options, const State& end,
                StepReport& report) {
   summarize_contacts(p, m.iterate, options.report_contacts, report);
-  for (std::size_t k = 0; k < p.joints.size(); ++k)
-    report.elastic += energy_of_joint(p, m.iterate, static_cast<Index>(k));
-  report.elastic += spring_energy(*p.model, end);
-  report.drive_work = drive_work(p, m.iterate);
-  report.max_joint_error = largest_joint_error(p, m.iterate);
+  m.told_joints.clear();
+  for (std::size_t k = 0; k < p.joints.size(); ++k) {
+    const auto [i, j] = p.joint_ends[k];
+    const Index moving = p.movable(i) ? i : j;
+    if (!p.movable(moving) || !m.again[moving]) m.told_joints.push_back(static_cast<Index>(k));
+  }
+  for (const Index k : m.told_joints) {
+    report.elastic += energy_of_joint(p, m.iterate, k) + spring_energy(p, m.iterate, k);
+    report.max_joint_error = larger(report.max_joint_error, joint_error(p, m.iterate, k));
+  }
+  report.drive_work = drive_work(p, m.iterate, m.told_joints);
   if (options.report_joints) report_joints(p, m.iterate, end.joint_force, report.joint_reports);
   if (options.report_bodies)
     report_bodies(p, m.islands, report.islands, m.iterate, m.solvers.sissm, report.body_reports);
-  report.kinetic = kinetic_energy(*p.model, end);
-  report.potential = potential_energy(*p.model, *p.params, end);
+  for (Index i = 0; i < p.model->size(); ++i) {
+    if (!p.movable(i) || m.again[i]) continue;
+    report.kinetic += kinetic_energy(*p.model, i, end.R[i], end.v[i], end.omega[i]);
+    report.potential -= p.model->mass[i] * p.params->gravity.dot(end.c[i]);
+  }
 }
 
 // The step was not made: what it would have ended with is not known.
@@ -166,6 +202,32 @@ void clear(StepReport& report) {
   report = std::move(fresh);
 }
 
+// False: they were not made, and the report says why.
+bool make_again(const StepOptions& options, StepMemory& m, StepReport& report) {
+  if (!m.halves) m.halves = std::make_unique<Halves>();
+  m.halves->take(m.problem, m.again);
+  const StepStatus status = m.halves->make(m.problem, options, m.detection.collision.team).status;
+  if (status == StepStatus::non_finite) fail(report);
+  if (status == StepStatus::interrupted) report.status = status;
+  if (status != StepStatus::converged && status != StepStatus::iteration_limit) return false;
+  // How it ended the first time is no longer of interest.
+  report.status = StepStatus::converged;
+  report.iterations = 0;
+  report.residual = 0;
+  for (std::size_t k = 0; k < report.islands.size(); ++k) {
+    IslandReport& island = report.islands[k];
+    if (is_made_again(m.islands.list[k], m)) {
+      island.status = StepStatus::converged;
+      island.iterations = 0;
+      island.residual = 0;
+    }
+    report.status = std::max(report.status, island.status);
+    report.iterations = std::max(report.iterations, island.iterations);
+    report.residual = larger(report.residual, island.residual);
+  }
+  return true;
+}
+
 void make_step(const StepOptions& options, StepMemory& m, State& state, StepReport& report) {
   const Workers workers{m.detection.collision.team, options.threads, {&options.stop}};
   Problem& p = m.problem;
@@ -191,14 +253,20 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
   if (report.status == StepStatus::interrupted) return;
 
   find_motion(p, m);  // 4. velocities
-  if (!feasible || report.status == StepStatus::non_finite ||
-      !all_finite(m.iterate.pose, m.velocities.v, m.velocities.omega) ||
-      ran_away(p, m.islands, m.velocities, m.scratch, m.iterate))
-    return fail(report);
-  bound_energy(p, m, report);
-  take_over(p, m, report, state);
-  summarize(p, m, options, state, report);
+  if (!feasible || !judge(p, workers, m, report)) return fail(report);
+  const bool halved =
+      std::any_of(m.again.begin(), m.again.end(), [](std::uint8_t again) { return again != 0; });
   report.times.velocities = watch.lap();
+  if (halved && !make_again(options, m, report)) return;  // 5. what ended unsolved, in halves
+  watch.lap();
+  bound_energy(p, workers, m, report);
+  if (halved) leave_out_again(p, m);
+  take_over(p, m, state);
+  summarize(p, m, options, state, report);
+  if (halved) m.halves->put(m.islands, state, report);
+  state.step = report.step;
+  state.time = report.time;
+  report.times.velocities += watch.lap();
 }
 
 }  // namespace
@@ -228,7 +296,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   p.friction = has_friction(model, params.contact);
   report.kappa = p.law.barrier.kappa;
   make_step(options, m, state, report);
-  report.left_pairs = m.detection.collision.left_pairs;
+  report.left_pairs = std::max(report.left_pairs, m.detection.collision.left_pairs);
   report.times.total = watch.lap();
 }
 

@@ -30,7 +30,7 @@ std::string field(const std::string& name) {
 void write_steps_header(std::ostream& out) {
   out << "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,max_"
          "joint_error,"
-         "residual,step_ms,drive_work,capped_bonds,held_bodies,friction_excess\n";
+         "residual,step_ms,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,friction_excess\n";
 }
 
 // A step that failed ends in no state: what a state has is not known of it, and not zero.
@@ -38,12 +38,12 @@ void write_steps_row(std::ostream& out, const StepSummary& r) {
   const bool failed = r.status == StepStatus::non_finite;
   const auto known = [failed](double x) { return failed ? std::numeric_limits<double>::quiet_NaN() : x; };
   fmt::memory_buffer line;
-  fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", r.step,
-                 r.time, to_string(r.method), to_string(r.status), r.iterations, known(r.kinetic),
+  fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+                 r.step, r.time, to_string(r.method), to_string(r.status), r.iterations, known(r.kinetic),
                  known(r.potential), known(r.elastic), failed ? "nan" : std::to_string(r.contacts),
                  known(r.max_penetration), known(r.min_gap), known(r.max_joint_error),
                  r.iterations == 0 ? known(r.residual) : r.residual, r.times.total, known(r.drive_work),
-                 r.capped_bonds, r.held_bodies, known(r.friction_excess));
+                 r.capped_bonds, r.held_bodies, r.halved_bodies, r.halvings, known(r.friction_excess));
   put(out, line);
 }
 

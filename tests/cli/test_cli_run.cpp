@@ -38,7 +38,7 @@ TEST_CASE("the CSV files have the documented columns, a row a step and a row an 
   CHECK(steps[0] ==
         "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,max_"
         "joint_error,"
-        "residual,step_ms,drive_work,capped_bonds,held_bodies,friction_excess");
+        "residual,step_ms,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,friction_excess");
   CHECK(steps[1].starts_with("1,"));
   CHECK(steps[7].starts_with("7,"));
   const auto iterations = lines_of(read_text(folder / "i.csv"));
@@ -271,7 +271,7 @@ TEST_CASE("an interrupted run publishes the rows it has") {
     CHECK(trace.back() == '\n');
     CHECK(line_count(trace) > 10);
     const auto last = lines_of(trace).back();
-    CHECK(std::count(last.begin(), last.end(), ',') == 17);
+    CHECK(std::count(last.begin(), last.end(), ',') == 19);
     CHECK(nlohmann::json::parse(read_text(folder / "s.json"))["step"] == std::stoll(last));
   }
 }

@@ -50,6 +50,7 @@ Shape bench() {
 void solve_exactly(Params& params) {
   params.solver.method = SolverMethod::descent;
   params.solver.iterations = 4000;
+  params.solver.halvings = 0;  // what is compared is one solve
   params.solver.tolerance = 1e-9;
 }
 
@@ -65,6 +66,7 @@ Scene mixed_heap(int each, const Vec3& at, bool compounds) {
   builder.params.contact.d_hat = 0.02;
   builder.params.h = 1.0 / 120;
   builder.params.solver.method = SolverMethod::descent;
+  builder.params.solver.halvings = 0;
   builder.add(pabd::spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, at.y()}});
   std::vector<Shape> shapes = {Box{{0.25, 0.2, 0.3}},
                                Sphere{0.25},

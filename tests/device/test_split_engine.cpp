@@ -76,16 +76,16 @@ TEST_CASE("parts of a state come together to the whole") {
   REQUIRE_FALSE(whole.contacts.empty());
   const ModelParts parts = split_model(scene.model, jointed_bodies(scene.model, scene.params, whole));
   State jointed, free, again = whole;
-  take_part(parts.jointed, whole, true, jointed);
-  take_part(parts.free, whole, false, free);
+  take_part(parts.jointed, whole, jointed);
+  take_part(parts.free, whole, free);
   CHECK(jointed.size() == 4);
   CHECK(free.contacts.size() == whole.contacts.size());
   for (Vec3& c : again.c) c += Vec3(1, 2, 3);
   again.c[1] = whole.c[1];
   again.c[6] = whole.c[6];
   again.contacts.clear();
-  put_part(parts.jointed, jointed, true, again);
-  put_part(parts.free, free, false, again);
+  put_part(parts.jointed, jointed, again);
+  put_part(parts.free, free, again);
   CHECK(same_bits(again, whole));
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("each part goes as it would alone, to the bit") {
   DeviceEngine device(Backend::automatic);
   State alone;
   StepReport of_alone;
-  take_part(parts.free, scene.initial, false, alone);
+  take_part(parts.free, scene.initial, alone);
   for (int k = 0; k < 60; ++k) {
     engine.step(scene.model, scene.params, options, s.gpu, s.of_gpu);
     step(scene.model, scene.params, options, s.cpu, workspace, s.of_cpu);

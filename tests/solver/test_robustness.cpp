@@ -60,8 +60,9 @@ int run_checked(World& world, int steps) {
     REQUIRE(std::isfinite(r.kinetic + r.potential + r.elastic + r.residual));
     // The report is honest: converged below the tolerance, or all iterations spent.
     if (r.status == StepStatus::converged) CHECK(r.residual < world.params.solver.tolerance);
+    // Or made energy to the last level of halves.
     if (r.status == StepStatus::iteration_limit) {
-      CHECK(r.iterations == world.params.solver.iterations);
+      if (r.held_bodies == 0) CHECK(r.iterations == world.params.solver.iterations);
       ++unsolved;
     }
   });

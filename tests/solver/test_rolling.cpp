@@ -246,4 +246,33 @@ TEST_CASE("a ball thrown hard at the ground gains no energy and ends rolling") {
   }
 }
 
+TEST_CASE("round bodies that are pressed together roll on each other where friction acts") {
+  // With another lever for the slip than for the force, they gain f ω d.
+  const double h = GENERATE(1.0 / 60, 1.0 / 240, 1.0 / 1000);
+  const double thickness = GENERATE(0.002, 0.02);
+  const bool swapped = GENERATE(false, true);
+  World world;
+  world.params.h = h;
+  world.params.gravity.setZero();
+  world.params.contact.d_hat = thickness;
+  world.params.contact.kappa = 100 * thickness;
+  const double r[2] = {swapped ? 0.15 : 0.2, swapped ? 0.2 : 0.15};
+  world.add(Sphere{r[0]}, 40, Vec3::Zero());
+  world.add(Sphere{r[1]}, 30, {r[0] + r[1] + 0.7 * thickness, 0, 0});
+  Joint rod = testing::make_joint(world, JointType::distance, 0, 1, Vec3::Zero());
+  rod.on_i.r = rod.on_j.r = Vec3::Zero();
+  rod.length = r[0] + r[1] + 0.7 * thickness;
+  testing::add_joint(world, rod);
+  world.state.omega[0] = {0, 0, 1.5};
+  double gap = 0;
+  testing::run(world, static_cast<int>(3 / h), {}, [&](const StepReport& report) { gap = report.min_gap; });
+  const Vec3 n = (world.state.c[1] - world.state.c[0]).normalized();
+  const Vec3 v_a = world.state.v[0] + world.state.omega[0].cross((r[0] + gap) * n);
+  const Vec3 v_b = world.state.v[1] - world.state.omega[1].cross(r[1] * n);
+  CAPTURE(h, thickness, swapped, gap);
+  CHECK(gap < thickness);
+  CHECK(world.state.omega[1].norm() > 0.1);
+  CHECK((v_b - v_a).norm() < 0.02 * h);  // implicit Euler
+}
+
 }  // namespace pabd::test_rolling

@@ -77,8 +77,13 @@ TEST_CASE("round solids tip where the plumb line leaves the base, to 2 %, whiche
     const double tips = kRadius / (kind.centre * kHeight);
     for (const double turn : {0.0, kPi / 32, 1.0}) {
       for (const double part : {0.98, 1.02}) {
-        World world = standing(kind, std::atan(part * tips), 5, turn, 0.0005);
-        testing::run(world, 240);
+        // The slope grows from nothing: what settling gives could tip what stands a third of a degree from that.
+        World world = standing(kind, 0, 5, turn, 0.0005);
+        for (int k = 1; k <= 480; ++k) {
+          const double slope = std::atan(part * tips) * std::min(1.0, k / 360.0);
+          world.params.gravity = kG * Vec3(std::sin(slope), -std::cos(slope), 0);
+          testing::run(world, 1);
+        }
         INFO(kind.name << " turned by " << turn << " at " << part << ": tilt " << tilt(world));
         if (part < 1) CHECK(tilt(world) < 0.02);
         if (part > 1) CHECK(tilt(world) > 0.3);
@@ -123,13 +128,13 @@ TEST_CASE("a cylinder that lies on its side rolls: it keeps its speed, and a slo
   CHECK(std::abs(level.state.v[1].y()) < 1e-6);
   CHECK(std::abs(level.state.v[1].z()) < 1e-6);
 
-  // What belongs to the surface turns away from the ground: v = sin(ω h) r/h.
+  // What belongs to the surface turns away from the ground, v = sin(ω h) r/h in a solve; halves keep what that would lose.
   World fast = rolling(0, 6);
   testing::run(fast, 600);
   const double turn = -fast.state.omega[1].z() * fast.params.h;
   CHECK(turn > 0.3);
-  CHECK(fast.state.v[1].x() == Approx(std::sin(turn) * kRadius / fast.params.h).epsilon(1e-3));
-  CHECK(fast.state.v[1].x() < 6);
+  CHECK(fast.state.v[1].x() == Approx(6).epsilon(0.003));
+  CHECK(turn == Approx(6 * fast.params.h / kRadius).epsilon(0.005));
 
   const double slope = 0.1;
   World down = rolling(slope, 0);

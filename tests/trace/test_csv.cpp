@@ -37,6 +37,8 @@ StepReport example() {
   r.drive_work = -0.25;
   r.capped_bonds = 3;
   r.held_bodies = 2;
+  r.halved_bodies = 5;
+  r.halvings = 4;
   r.friction_excess = 0.125;
   r.records.push_back({1.5, 1e-2, 0.1, 0.2, 0.3, 0.4, 0, 3e-3});
   r.records.push_back({1.25, 1e-3, 0.05, 0.06, 0.3, 0.4, 0, 2e-3});
@@ -51,12 +53,13 @@ TEST_CASE("steps CSV", "[trace]") {
   write_steps_row(out, example());
   CHECK(out.str() ==
         "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,"
-        "max_joint_error,residual,step_ms,drive_work,capped_bonds,held_bodies,friction_excess\n"
+        "max_joint_error,residual,step_ms,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,"
+        "friction_excess\n"
         "7,0.11666666666666667,sissm,converged,12,0.1,-0.3333333333333333,1e-300,8,0,inf,5e-324,1e-07,2.5,"
-        "-0.25,3,2,0.125\n");
+        "-0.25,3,2,5,4,0.125\n");
   const std::string row = out.str().substr(out.str().find('\n') + 1);
   const auto cells = split(row);
-  REQUIRE(cells.size() == 18);
+  REQUIRE(cells.size() == 20);
   CHECK(std::strtod(cells[1].c_str(), nullptr) == 7.0 / 60);
   CHECK(std::strtod(cells[6].c_str(), nullptr) == -1.0 / 3);
 }

@@ -120,7 +120,7 @@ TEST_CASE("the end of a comparison, held curves and a restart come back with und
   bench.apply(command::Step{10});
   bench.apply(command::Compare{{"contact.N=6"}});
   bench.apply(command::Set{"contact.kappa", "33", Side::b});
-  bench.apply(command::Step{10});
+  bench.apply(command::Step{20});
   const State b = bench.run(Side::b).state();
   bench.apply(command::EndCompare{});
   bench.apply(command::Step{5});

@@ -120,12 +120,12 @@ TEST_CASE("equal parameters keep A and B equal to the last bit") {
 TEST_CASE("held curves, and methods compared on one step") {
   Workbench bench = open();
   CHECK_THAT(refusal(bench, command::Hold{}), Catch::Contains("nothing to hold"));
-  bench.apply(command::Step{20});
+  bench.apply(command::Step{24});
   bench.apply(command::Hold{});
   bench.apply(command::Hold{"sissm"});
   const Snapshot s = bench.snapshot();
   REQUIRE(s.held.size() == 2);
-  CHECK(s.held[1].name == "sissm, step 20");
+  CHECK(s.held[1].name == "sissm, step 24");
   CHECK(s.held[1].records->front().energy != s.held[0].records->front().energy);
   CHECK_THAT(refusal(bench, command::Hold{"simplex"}), Catch::Contains("descent"));
   bench.apply(command::DropHeld{});

@@ -54,8 +54,8 @@ ContactNow contact_now(Contact c, Place a, Place b) {
   if (rolls) {
     const real4 roll_a = turns || radius_a > 0 ? roll_of(c.id.x, a) : real4(0, 0, 0, 1);
     const real4 roll_b = radius_b > 0 ? roll_of(c.id.y, b) : real4(0, 0, 0, 1);
-    const real rolling_a = turns ? -radius_b : radius_a;
-    s.u += cross(s.n, radius_b * roll_b.xyz + rolling_a * roll_a.xyz);
+    const real rolling_a = turns ? -radius_b : radius_a, arm_a = turns ? -radius_b : c.r_a.w;
+    s.u += cross(s.n, radius_b * roll_b.xyz + arm_a * roll_a.xyz);
     s.y -= radius_b * s.n;
     s.surface_a = s.y - rolling_a * (1 - roll_a.w) * s.n;
     s.surface_b += (-radius_b + radius_b * (1 - roll_b.w)) * s.n;

@@ -64,7 +64,7 @@ struct Contact {
   real4 apart;  // from a's centre to b's. w: scale of the barrier
   real4 before; // slip that the step starts with: stretch, and what rolls. w: μ
 #ifdef ROUND
-  real4 r_a;    // from a's centre to its normal point. w: 1 where one of them rolls
+  real4 r_a;    // from a's centre to its normal point. w: above 0 where one of them rolls, for a round a the lever of friction
 #endif
 };
 // What moves of it: x: friction bound; y: change it last asked for; z: gain. In the end y: friction; z: energy; w: d.

@@ -85,7 +85,7 @@ void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked s
   Contact c;
   c.id = uvec4(a, b, feature | (a > b ? 0x80000000u : 0u), at);
   const real3 turn_a = flight[a].turn.xyz, turn_b = flight[b].turn.xyz;
-  double start_d;
+  double start_d, arm_a = 1;
   real3 before = real3(0, 0, 0);
   dvec3 r_a;
   if (turns) {
@@ -95,14 +95,15 @@ void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked s
   } else {
     r_a = turned_back(a, y_a - radius_a * f_n - c_a);
     start_d = dot(n, apart + r_b - r_a) - radius_a - radius_b;
-    before = cross(real3(n), real(radius_b) * turn_b + real(radius_a) * turn_a);
+    arm_a = radius_a + clamp(start_d, 0.0lf, double(params.d_hat));  // friction acts where b's surface is
+    before = cross(real3(n), real(radius_b) * turn_b + real(arm_a) * turn_a);
   }
   c.n = real4(real3(n), real(start_d));
   c.r_b = real4(real3(r_b), 0);
   c.apart = real4(real3(apart), 1);
   c.before = real4(before, 0);
 #ifdef ROUND
-  c.r_a = real4(real3(r_a), radius_a > 0 || radius_b > 0 ? 1 : 0);
+  c.r_a = real4(real3(r_a), radius_a > 0 || radius_b > 0 ? real(arm_a) : 0);
 #endif
   raw[at] = c;
   raw_geometry[at] = ContactGeometry(

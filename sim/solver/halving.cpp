@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// See halving.h.
+#include "sim/solver/halving.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/solver/step_memory.h"
+
+namespace pabd {
+namespace {
+
+// What the second half adds to the first: work, and the worst of both. How it ends is the second's.
+void follow(const StepReport& second, StepReport& first) {
+  const StepSummary before = first.summary();
+  first = second;
+  first.status = std::max(first.status, before.status);
+  first.iterations = std::max(first.iterations, before.iterations);
+  first.residual = std::max(first.residual, before.residual);
+  first.drive_work += before.drive_work;
+  first.too_dense = std::max(first.too_dense, before.too_dense);
+  first.left_pairs = std::max(first.left_pairs, before.left_pairs);
+  first.capped_bonds = std::max(first.capped_bonds, before.capped_bonds);
+  first.held_bodies = std::max(first.held_bodies, before.held_bodies);
+  first.halvings = std::max(first.halvings, before.halvings);
+  first.times.detect += before.times.detect;
+  first.times.set_up += before.times.set_up;
+  first.times.solve += before.times.solve;
+  first.times.velocities += before.times.velocities;
+}
+
+}  // namespace
+
+bool may_halve(const SolverParams& solver) {
+  return solver.halvings > 0 && solver.iterations > 1 && solver.method != SolverMethod::sissm;
+}
+
+bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy) {
+  if (island.status == StepStatus::non_finite || !(island.residual <= kUnsolved)) return true;
+  return gains(energy, island.residual);
+}
+
+void Halves::take(const Problem& p, const std::vector<std::uint8_t>& chosen) {
+  take_bodies(*p.model, chosen, part_);
+  take_part(part_, *p.start, state_);
+}
+
+const StepReport& Halves::make(const Problem& p, const StepOptions& options, Team& team) {
+  params_ = *p.params;
+  params_.h *= 0.5;
+  --params_.solver.halvings;
+  params_.contact.kappa = p.law.barrier.kappa;  // "auto" is that of the whole model
+  options_ = options;
+  options_.record_iterations = false;
+  options_.pulls.clear();
+  for (Pull pull : options.pulls) {
+    if (!part_.holds(pull.body)) continue;
+    pull.body = part_.place[static_cast<std::size_t>(pull.body)];
+    options_.pulls.push_back(pull);
+  }
+  Team& own = workspace_.memory().detection.collision.team;
+  std::swap(own, team);
+  const auto half = [&](StepReport& report) {
+    step(part_.model, params_, options_, state_, workspace_, report);
+    return report.status == StepStatus::converged || report.status == StepStatus::iteration_limit;
+  };
+  if (half(both_)) {
+    half(half_);
+    follow(half_, both_);
+  }
+  std::swap(own, team);
+  return both_;
+}
+
+void Halves::put(const Islands& islands, State& state, StepReport& report) const {
+  put_part(part_, state_, state);
+  // Its islands are parts of those that are there already, and what was left out is counted already.
+  const std::size_t whole = report.islands.size();
+  const StepSummary counted = report.summary();
+  add_report(part_, both_, report);
+  report.left_pairs = std::max(counted.left_pairs, both_.left_pairs);
+  report.too_dense = std::max(counted.too_dense, both_.too_dense);
+  report.capped_bonds = std::max(counted.capped_bonds, both_.capped_bonds);
+  for (std::size_t k = whole; k < report.islands.size(); ++k) {
+    const IslandReport& half = report.islands[k];
+    IslandReport& island = report.islands[static_cast<std::size_t>(islands.of[half.first_body])];
+    island.solver = half.solver;
+    island.status = std::max(island.status, half.status);
+    island.iterations = std::max(island.iterations, half.iterations);
+    island.residual = std::max(island.residual, half.residual);
+  }
+  report.islands.resize(whole);
+  Index movable = 0;
+  for (const std::uint8_t fixed : part_.model.fixed) movable += fixed ? 0 : 1;
+  report.halved_bodies = movable;
+  report.halvings = 1 + both_.halvings;
+  for (std::size_t k = 0; k < both_.body_reports.size(); ++k) {
+    BodyReport& body = report.body_reports[static_cast<std::size_t>(part_.bodies[k])];
+    const BodyReport& half = both_.body_reports[k];
+    if (part_.model.fixed[k]) {  // of every part
+      body.contacts += half.contacts;
+      body.contact_energy += half.contact_energy;
+      continue;
+    }
+    const Index island = std::exchange(body, half).island;
+    body.island = island;
+  }
+  for (std::size_t k = 0; k < both_.joint_reports.size(); ++k)
+    report.joint_reports[static_cast<std::size_t>(part_.joints[k])] = both_.joint_reports[k];
+}
+
+}  // namespace pabd

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// A step that ends unsolved is made again as two halves (Deviation D23), island by island: what an island does not reach
+// in a step, its halves do not reach either. Down to `solver.halvings` levels: a half that ends unsolved is halved again.
+//
+// Unsolved is an island
+//   that left the numbers or all bounds (runaway.h),
+//   whose bodies moved by more than kUnsolved d̂ in the last iteration,
+//   or that has more energy than it may have, converged or not (gains() of energy_bound.h): a corner turned through its
+//   lowest point between two steps.
+// Not with one iteration a step, which asks for what that gives, and not for `sissm`, whose bonds are as stiff as h lets them be
+// (stiffness_cap.h): halves would be of another model.
+#pragma once
+
+#include "sim/solver/energy_bound.h"
+#include "sim/solver/model_parts.h"
+#include "sim/solver/time_step.h"
+
+namespace pabd {
+
+inline constexpr double kUnsolved = 0.03;
+
+// Is a step with these parameters made again where it ends unsolved?
+bool may_halve(const SolverParams& solver);
+
+bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy);
+
+// The islands of a step that are made again, as a model of their own, and the memory of their halves.
+class Halves {
+ public:
+  // Takes the bodies i with chosen[i] from the start of the step.
+  void take(const Problem& p, const std::vector<std::uint8_t>& chosen);
+
+  // Makes the two halves. The report, of both, has status non_finite or interrupted where they were not made; `team` works.
+  const StepReport& make(const Problem& p, const StepOptions& options, Team& team);
+
+  // Puts what came out into the state of the end, and into its report: of the other islands only (add_report).
+  void put(const Islands& islands, State& state, StepReport& report) const;
+
+ private:
+  ModelPart part_;
+  Params params_;
+  StepOptions options_;
+  State state_;
+  StepWorkspace workspace_;
+  StepReport half_, both_;
+};
+
+}  // namespace pabd
