@@ -2,7 +2,12 @@
 // See record_parts.h.
 #include "app/session/record_parts.h"
 
+#include <cmath>
+#include <type_traits>
 #include <utility>
+#include <variant>
+
+#include "app/session/step_numbers.h"
 
 namespace pabd {
 namespace {
@@ -32,17 +37,12 @@ void write_state(const State& s, ByteWriter& out) {
   for (const Vec3& force : s.joint_force) out.matrix(force);
 }
 
-// Of the times what plots show: a report that is read has detect and set_up as one.
+// Every number of the step, and of the times what plots show: a report that is read has detect and set_up as one.
 void write_report(const StepSummary& r, ByteWriter& out) {
-  out.u64(static_cast<std::uint64_t>(r.step));
   out.u8(static_cast<std::uint8_t>(r.method));
   out.u8(static_cast<std::uint8_t>(r.status));
-  out.u32(static_cast<std::uint32_t>(r.iterations));
-  out.u32(static_cast<std::uint32_t>(r.contacts));
-  for (const double x :
-       {r.time, r.kinetic, r.potential, r.elastic, r.kappa, r.max_penetration, r.min_gap, r.max_joint_error,
-        r.residual, r.times.detect + r.times.set_up, r.times.solve, r.times.total})
-    out.number(x);
+  for (const StepNumber& number : step_numbers()) out.number(number.value(r));
+  for (const double x : {r.times.detect + r.times.set_up, r.times.solve, r.times.total}) out.number(x);
 }
 
 State read_state(ByteReader& in, Index bodies) {
@@ -83,21 +83,28 @@ State read_state(ByteReader& in, Index bodies) {
 
 StepSummary read_report(ByteReader& in) {
   StepSummary r;
-  r.step = static_cast<std::int64_t>(in.u64());
   const std::uint8_t method = in.u8(), status = in.u8();
   in.require(method <= static_cast<std::uint8_t>(SolverMethod::automatic) &&
                  status <= static_cast<std::uint8_t>(StepStatus::non_finite),
              "a solver or its outcome is unknown");
   r.method = static_cast<SolverMethod>(method);
   r.status = static_cast<StepStatus>(status);
-  const std::uint32_t iterations = in.u32(), contacts = in.u32();
-  in.require(iterations <= 1u << 30 && contacts <= 1u << 30, "a count is too large");
-  r.iterations = static_cast<int>(iterations);
-  r.contacts = static_cast<int>(contacts);
-  r.time = in.finite();
-  for (double* x : {&r.kinetic, &r.potential, &r.elastic, &r.kappa, &r.max_penetration, &r.min_gap,
-                    &r.max_joint_error, &r.residual, &r.times.detect, &r.times.solve, &r.times.total})
-    *x = in.number();
+  for (const StepNumber& number : step_numbers()) {
+    const double x = in.number();
+    const auto take = [&](auto member) {
+      using Number = std::remove_reference_t<decltype(r.*member)>;
+      if constexpr (std::is_integral_v<Number>) {
+        const double most = sizeof(Number) == 4 ? 1 << 30 : 0x1p53;
+        in.require(x >= 0 && x <= most && x == std::floor(x), "a count is none");
+        r.*member = static_cast<Number>(x);
+      } else {
+        r.*member = x;
+      }
+    };
+    std::visit(take, number.member);
+  }
+  in.require(std::isfinite(r.time), "a number is not finite");
+  for (double* x : {&r.times.detect, &r.times.solve, &r.times.total}) *x = in.number();
   return r;
 }
 

@@ -2,10 +2,13 @@
 // A recording is the run again, bit by bit, and nothing that is wrong with the file gets past the reader.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "app/session/recording.h"
+#include "app/session/step_numbers.h"
 #include "sim/base/error.h"
 #include "sim/base/hash.h"
 #include "sim/scene/tuning.h"
@@ -175,6 +178,30 @@ TEST_CASE("damage that the checksum does not show is refused or harmless") {
   }
   CHECK(refused > 1000);
   CHECK(accepted > 0);
+}
+
+TEST_CASE("a recording keeps every number of a step, so that nothing that is plotted is 0 after loading") {
+  std::set<std::string> other_than_zero;
+  for (const auto& [name, sets] : {std::pair<const char*, std::vector<std::string>>{"four_bar", {}},
+                                   {"two_boxes", {"solver.iterations=3"}},
+                                   {"bridge", {"solver.method=sissm", "solver.halvings=0"}}}) {
+    const auto scene =
+        std::make_shared<const Scene>(load_scene(places::scenes() + "/" + name + ".json", sets));
+    Run run(scene, 1, kPlenty);
+    for (int i = 0; i < 40; ++i) REQUIRE(run.advance());
+    const Timeline read = decode_recording(encode_recording(run), "r.rec", scene, kPlenty);
+    REQUIRE(read.size() == run.timeline().size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      for (const StepNumber& number : step_numbers()) {
+        INFO(name << " " << number.name << " of moment " << i);
+        const double there = number.value(read[i].report), here = number.value(run.timeline()[i].report);
+        CHECK((there == here || (std::isnan(there) && std::isnan(here))));
+        if (here != 0) other_than_zero.emplace(number.name);
+      }
+    }
+  }
+  for (const char* number : {"drive_work", "friction_excess", "capped_bonds", "halved_bodies", "halvings"})
+    CHECK(other_than_zero.contains(number));
 }
 
 TEST_CASE("states that come out otherwise are found") {
