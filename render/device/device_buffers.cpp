@@ -28,8 +28,7 @@ void Buffers::make(Slot slot, std::size_t bytes) {
   array.buffer.reset();  // first, so that both need not fit
   array.buffer.emplace(gl_);
   array.bytes = bytes;
-  while (gl_.GetError() != GL_NO_ERROR) {
-  }
+  gl_.forget_errors();
   gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, array.buffer->id());
   gl_.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_DYNAMIC_COPY);
   if (gl_.GetError() == GL_OUT_OF_MEMORY) {

@@ -25,8 +25,9 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec3)) == 0);
+template <class T>
+bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 std::unique_ptr<GlContext> open_context(Backend backend) {
@@ -70,11 +71,14 @@ void DeviceEngine::Left::set(const State& state) {
   step = state.step;
   time = state.time;
   c = state.c;
+  R = state.R;
   v = state.v;
+  omega = state.omega;
 }
 
 bool DeviceEngine::Left::is(const State& state) const {
-  return step == state.step && time == state.time && same_bits(c, state.c) && same_bits(v, state.v);
+  return step == state.step && time == state.time && same_bits(c, state.c) && same_bits(R, state.R) &&
+         same_bits(v, state.v) && same_bits(omega, state.omega);
 }
 
 DeviceCapacity DeviceEngine::capacity(Backend backend) {

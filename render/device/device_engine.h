@@ -55,7 +55,8 @@ class DeviceEngine : public StepEngine {
   struct Left {
     std::int64_t step = kNone;
     double time = 0;
-    std::vector<Vec3> c, v;
+    std::vector<Vec3> c, v, omega;
+    std::vector<Mat3> R;
 
     void set(const State& state);
     bool is(const State& state) const;

@@ -35,8 +35,7 @@ void DrawBuffers::make(DrawSlot slot, std::size_t size, const void* data) {
   }
   Array& array = arrays_[static_cast<unsigned>(slot) - kFirst];
   if (!array.buffer) array.buffer.emplace(gl_);
-  while (gl_.GetError() != GL_NO_ERROR) {
-  }
+  gl_.forget_errors();
   gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, array.buffer->id());
   gl_.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(bytes), bytes == size ? data : nullptr,
                  GL_DYNAMIC_COPY);

@@ -29,11 +29,16 @@ GLint GlFunctions::integer(GLenum name) const {
   return value;
 }
 
+void GlFunctions::forget_errors() const {
+  constexpr int kKinds = 16;  // each kind has one flag; a context that is lost never ends to say so
+  for (int i = 0; i < kKinds && GetError() != GL_NO_ERROR; ++i) {
+  }
+}
+
 void GlFunctions::check(const char* doing) const {
   const GLenum error = GetError();
   if (error == GL_NO_ERROR) return;
-  for (int i = 0; i < 16 && GetError() != GL_NO_ERROR; ++i) {
-  }
+  forget_errors();
   throw Error(ErrorKind::no_context, std::string(doing) + " failed with " + gl_error_name(error) + " (" +
                                          string(GL_RENDERER) + ", " + string(GL_VERSION) +
                                          "); try a smaller --size, or: " + driver_remedy());

@@ -55,6 +55,7 @@ struct GlFunctions {
   std::string string(GLenum name) const;  // glGetString, never null
   GLint integer(GLenum name) const;
 
+  void forget_errors() const;  // of what was done before
   // Throws Error(no_context) with the error's name if one is pending. `doing` says what was being done.
   void check(const char* doing) const;
 };

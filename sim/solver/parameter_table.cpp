@@ -54,9 +54,8 @@ constexpr ParameterRow kRows[] = {
     {.key = "solver.halvings",
      .label = "halvings",
      .help = "A step that ends unsolved, or would make energy, is made again as two halves, so many times at "
-             "most; only "
-             "the bodies that hang together with what is unsolved. Not where there is one iteration, and not "
-             "for sissm. 0: never",
+             "most; only the bodies that hang together with what is unsolved. Not where there is one "
+             "iteration, not for sissm, and not on a GPU. 0: never",
      .member = &SolverParams::halvings,
      .range = {0, 8},
      .slider_hi = 8,

@@ -7,6 +7,7 @@
 #include "render/device/device_engine.h"
 #include "render/device/pose_copies.h"
 #include "render/gl/gl_objects.h"
+#include "sim/math/so3.h"
 #include "sim/solver/step_summary.h"
 #include "tests/support/errors.h"
 #include "tests/support/tiny_model.h"
@@ -127,6 +128,16 @@ TEST_CASE("a state that is not the one it left is taken over: the same start giv
   faster.v[2].x() += 10;
   advance(*engine, tiny.model, 1, faster);
   CHECK(faster.c[2].x() > at_8.c[2].x() + 0.04);
+  State spun = tiny.state;
+  advance(*engine, tiny.model, 8, spun);
+  spun.omega[2].x() += 10;
+  advance(*engine, tiny.model, 1, spun);
+  CHECK(spun.omega[2].x() > at_8.omega[2].x() + 1);
+  State turned = tiny.state;
+  advance(*engine, tiny.model, 8, turned);
+  turned.R[2] = exp_so3({0, 1, 0}) * turned.R[2];
+  advance(*engine, tiny.model, 1, turned);
+  CHECK((turned.R[2] - exp_so3({0, 1, 0}) * at_8.R[2]).norm() < 0.2);
 }
 
 TEST_CASE("the state has what contacts remember after complete()") {
