@@ -87,7 +87,7 @@ TEST_CASE("a step that failed has no numbers of where it ended, and no zeros", "
   write_steps_row(out, r);
   // The residual is that of the last iteration, which there was.
   CHECK(out.str() ==
-        "7,0.11666666666666667,sissm,non_finite,12,nan,nan,nan,nan,nan,nan,nan,1e-07,2.5,nan,3,2,nan\n");
+        "7,0.11666666666666667,sissm,non_finite,12,nan,nan,nan,nan,nan,nan,nan,1e-07,2.5,nan,3,2,5,4,nan\n");
 }
 
 }  // namespace pabd::test_csv

@@ -118,7 +118,7 @@ TEST_CASE("parameters that no step was made with yet survive a look at the past"
 
 TEST_CASE("a step can be made again with another method, and nothing moves") {
   Run run(two_boxes(), 1, kPlenty);
-  for (int i = 0; i < 20; ++i) REQUIRE(run.advance());
+  for (int i = 0; i < 24; ++i) REQUIRE(run.advance());
   const State before = run.state();
   run.observe(true, false);
   run.seek(run.cursor());
