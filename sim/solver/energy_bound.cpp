@@ -145,7 +145,7 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, const Worke
 }
 
 void bound_energy(const Problem& p, const Island& island, const Workers& workers,
-                  const EnergyBalance& balance, FreeGroups& groups, EnergyMemory& memory,
+                  const EnergyBalance& balance, bool unsolved, FreeGroups& groups, EnergyMemory& memory,
                   Velocities& velocities, Iterate& it) {
   double moving = 0;
   for (const Index i : island.bodies) {
@@ -160,7 +160,7 @@ void bound_energy(const Problem& p, const Island& island, const Workers& workers
     }
   };
   keep_inner(moving > 0 ? std::sqrt(std::max(0.0, moving - balance.rise) / moving) : 0);
-  if (balance.rise <= moving || balance.rise <= kRise * (balance.kinetic + balance.stored)) return;
+  if (balance.rise <= moving || !unsolved) return;
   memory.pose.resize(p.model->shape.size());
   memory.from.resize(p.model->shape.size());
   for (const Index i : island.bodies) memory.pose[i] = it.pose[i];

@@ -13,8 +13,8 @@
 // minimiser past a corner that turned through its lowest point. What it has too much is taken from the inner motion: the
 // velocities relative to the rigid motion that carries the momentum of what hangs together, so that momentum stays. Poses
 // stay too: nothing is held in place. That suffices where E(Q) ≤ E(start), for then U + Ψ at the end is at most
-// T + U + Ψ at the start. Where it does not by more than kRise of T + Ψ, the bodies go a part of their way beside that
-// rigid motion, the largest found by bisection.
+// T + U + Ψ at the start. Where it does not, and the solve is no end, the bodies go a part of their way beside that rigid
+// motion, the largest found by bisection.
 #pragma once
 
 #include "sim/solver/islands.h"
@@ -48,10 +48,10 @@ inline constexpr double kRise = 1e-5;
 // that residual (in d̂) leaves open does not: a hundred times as much of Ψ, contacts being pressed in by hundredths of d̂.
 bool gains(const EnergyBalance& energy, double residual);
 
-// Takes `balance.rise` > 0 out of an island. Precondition: momentum is balanced, and `groups` has the rigid motions of the
+// Takes `balance.rise` > 0 out of an island. `unsolved`: its poses may change. Precondition: momentum is balanced, and `groups` has the rigid motions of the
 // iterate (momentum.h).
 void bound_energy(const Problem& p, const Island& island, const Workers& workers,
-                  const EnergyBalance& balance, FreeGroups& groups, EnergyMemory& memory,
+                  const EnergyBalance& balance, bool unsolved, FreeGroups& groups, EnergyMemory& memory,
                   Velocities& velocities, Iterate& it);
 
 }  // namespace pabd

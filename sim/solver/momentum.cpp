@@ -112,6 +112,20 @@ void find_free_groups(const Problem& p, const Islands& islands, const Iterate& i
   find_targets(p, out);
 }
 
+namespace {
+
+// Of two round bodies of a group the normal is the world's: it does not turn with them, and their distance would change by
+// the second order of the turn. Adds `sign` times the distance of their cores to the gap.
+void add_to_gaps(const Problem& p, const FreeGroups& g, double sign, Iterate& it) {
+  for (ContactManifold& manifold : it.manifold) {
+    if (manifold.turns || !manifold.felt || !p.movable(manifold.a) || !p.movable(manifold.b)) continue;
+    if (group_of(g, manifold.a))
+      manifold.gap += sign * contact_planes(manifold, it.pose[manifold.a], it.pose[manifold.b]).along;
+  }
+}
+
+}  // namespace
+
 void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
   if (g.group.empty() || is_feasible_only(p.law.barrier.kind)) return;
   const Model& model = *p.model;
@@ -129,6 +143,7 @@ void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
     const double angle = turn.norm();
     group.turn = cayley(angle > 1 ? Vec3(turn / angle) : turn);
   }
+  add_to_gaps(p, g, 1, it);
   for (const auto& [i, k] : g.bodies) {
     const FreeGroup& group = g.group[k];
     Pose& pose = it.pose[i];
@@ -141,6 +156,7 @@ void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
     }
     set_roll(p, i, pose.R, it);
   }
+  add_to_gaps(p, g, -1, it);
 }
 
 void balance_velocities(const Problem& p, const Iterate& it, FreeGroups& g, Velocities& velocities) {

@@ -97,7 +97,7 @@ void find_motion(const Problem& p, StepMemory& m) {
 bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& report) {
   const bool halves = may_halve(p.params->solver), bounds = p.params->solver.projection != Projection::polar;
   m.again.assign(p.model->shape.size(), 0);
-  m.balance.resize(m.islands.list.size());
+  m.balance.assign(m.islands.list.size(), {});
   for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
     const Island& island = m.islands.list[k];
     IslandReport& outcome = report.islands[k];
@@ -125,8 +125,9 @@ void bound_energy(const Problem& p, const Workers& workers, StepMemory& m, StepR
     const EnergyBalance& energy = m.balance[k];
     if (is_made_again(island, m) || !(energy.rise > kRounding * (energy.kinetic + energy.stored))) continue;
     if (!std::exchange(found_motions, true)) find_rigid_motions(p, m.iterate, m.groups);
-    bound_energy(p, island, workers, energy, m.groups, m.energy, m.velocities, m.iterate);
-    if (!ends_unsolved(report.islands[k], energy)) continue;
+    const bool unsolved = ends_unsolved(report.islands[k], energy);
+    bound_energy(p, island, workers, energy, unsolved, m.groups, m.energy, m.velocities, m.iterate);
+    if (!unsolved) continue;
     report.held_bodies += static_cast<int>(island.bodies.size());
     report.islands[k].status = report.status = StepStatus::iteration_limit;
   }

@@ -123,17 +123,15 @@ TEST_CASE("a state that is not the one it left is taken over: the same start giv
   moved.c[2].y() += 1;  // the same step, elsewhere
   advance(*engine, tiny.model, 1, moved);
   CHECK(moved.c[2].y() > at_8.c[2].y() + 0.9);
-  State faster = tiny.state;
+  State faster = tiny.state, spun = tiny.state, turned = tiny.state;
   advance(*engine, tiny.model, 8, faster);
   faster.v[2].x() += 10;
   advance(*engine, tiny.model, 1, faster);
   CHECK(faster.c[2].x() > at_8.c[2].x() + 0.04);
-  State spun = tiny.state;
   advance(*engine, tiny.model, 8, spun);
   spun.omega[2].x() += 10;
   advance(*engine, tiny.model, 1, spun);
   CHECK(spun.omega[2].x() > at_8.omega[2].x() + 1);
-  State turned = tiny.state;
   advance(*engine, tiny.model, 8, turned);
   turned.R[2] = exp_so3({0, 1, 0}) * turned.R[2];
   advance(*engine, tiny.model, 1, turned);
@@ -181,7 +179,7 @@ TEST_CASE("contacts are told of from when they are asked for, and the motion sta
   // But for the rounding of poses on their way there and back; without the memory it is several times as much.
   for (std::size_t i = 0; i < told.c.size(); ++i) {
     CHECK((told.c[i] - plain.c[i]).norm() < 1e-6);
-    CHECK((told.omega[i] - plain.omega[i]).norm() < 1e-5);
+    CHECK((told.omega[i] - plain.omega[i]).norm() < 1e-5 * (1 + plain.omega[i].norm()));
   }
 }
 

@@ -59,7 +59,8 @@ def test_free_fall():
 
 def test_a_report_is_a_summary_of_the_step_and_counts_are_whole_numbers():
     report = pabd.load("two_boxes").step(3)
-    whole = {"step", "iterations", "contacts", "left_pairs", "too_dense", "capped_bonds", "held_bodies"}
+    whole = {"step", "iterations", "contacts", "left_pairs", "too_dense", "capped_bonds", "held_bodies", "halved_bodies",
+             "halvings"}
     real = {"time", "kinetic", "potential", "elastic", "total", "kappa", "max_penetration", "min_gap", "max_joint_error",
             "residual", "drive_work", "friction_excess"}
     assert set(report) == whole | real | {"method", "status", "times", "islands"}
