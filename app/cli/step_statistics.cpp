@@ -27,11 +27,7 @@ StepCounts counted(const std::array<std::int64_t, 4>& counts) {
 
 void StepStatistics::add(const StepSummary& report) {
   ++steps;
-  times.detect += report.times.detect;
-  times.set_up += report.times.set_up;
-  times.solve += report.times.solve;
-  times.velocities += report.times.velocities;
-  times.total += report.times.total;
+  times += report.times;
   iterations += report.iterations;
   ++methods[static_cast<std::size_t>(report.method)];
   ++statuses[static_cast<std::size_t>(report.status)];

@@ -23,10 +23,7 @@ void follow(const StepReport& second, StepReport& first) {
   first.capped_bonds = std::max(first.capped_bonds, before.capped_bonds);
   first.held_bodies = std::max(first.held_bodies, before.held_bodies);
   first.halvings = std::max(first.halvings, before.halvings);
-  first.times.detect += before.times.detect;
-  first.times.set_up += before.times.set_up;
-  first.times.solve += before.times.solve;
-  first.times.velocities += before.times.velocities;
+  first.times += before.times;
 }
 
 }  // namespace

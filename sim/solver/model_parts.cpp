@@ -201,10 +201,8 @@ void put_part(const ModelPart& part, const State& state, State& whole) {
     return std::tie(a.pair, a.feature) < std::tie(b.pair, b.feature);
   });
   if (state.joint_force.empty()) return;
-  Index most = -1;
-  for (const Index k : part.joints) most = std::max(most, k);
-  if (whole.joint_force.size() <= static_cast<std::size_t>(most))
-    whole.joint_force.resize(static_cast<std::size_t>(most) + 1, Vec3::Zero());
+  const auto needed = static_cast<std::size_t>(part.joints.back()) + 1;
+  if (whole.joint_force.size() < needed) whole.joint_force.resize(needed, Vec3::Zero());
   for (std::size_t k = 0; k < part.joints.size(); ++k)
     whole.joint_force[static_cast<std::size_t>(part.joints[k])] = state.joint_force[k];
 }
@@ -242,11 +240,7 @@ void add_report(const ModelPart& part, const StepReport& of_part, StepReport& ou
   out.halved_bodies += of_part.halved_bodies;
   out.halvings = std::max(out.halvings, of_part.halvings);
   out.friction_excess = std::max(out.friction_excess, of_part.friction_excess);
-  out.times.detect += of_part.times.detect;
-  out.times.set_up += of_part.times.set_up;
-  out.times.solve += of_part.times.solve;
-  out.times.velocities += of_part.times.velocities;
-  out.times.total += of_part.times.total;
+  out.times += of_part.times;
   put_contacts(part, of_part.contact_reports, out.contact_reports);
   for (IslandReport island : of_part.islands) {
     island.first_body = part.bodies[static_cast<std::size_t>(island.first_body)];

@@ -51,8 +51,10 @@ void balance_velocities(const Problem& p, const Iterate& it, FreeGroups& groups,
 
 // Finds the rigid motion of each group that carries its momentum, for inner_motion().
 void find_rigid_motions(const Problem& p, const Iterate& it, FreeGroups& groups);
+
 // Where the bodies of an island would be had they gone from the start by these motions alone; one entry a body.
 void rigidly_moved(const Problem& p, const Island& island, FreeGroups& groups, std::vector<Pose>& out);
+
 // What the velocities (v, ω) of body i, whose centre is at c, are beside that: all of them where its group is not free.
 std::pair<Vec3, Vec3> inner_motion(const FreeGroups& groups, Index i, const Vec3& c,
                                    const Velocities& velocities);

@@ -77,6 +77,15 @@ struct PhaseTimes {
   double solve = 0;       // the iterations
   double velocities = 0;  // velocities, momentum, energies, reports
   double total = 0;
+
+  PhaseTimes& operator+=(const PhaseTimes& other) {
+    detect += other.detect;
+    set_up += other.set_up;
+    solve += other.solve;
+    velocities += other.velocities;
+    total += other.total;
+    return *this;
+  }
 };
 
 // A step in numbers of a fixed size: what the past of a run keeps of it.
