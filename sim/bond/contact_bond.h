@@ -62,7 +62,7 @@ inline Roll roll_since_prediction(const Mat3& star, const Mat3& R) {
 // What a separate manifold needs to know of its bodies beside their poses.
 struct alignas(sizeof(Lanes)) Rolling {
   const Roll *a, *b;  // at the current iterate
-  double radius_a, radius_b;
+  Lanes radius_a = lanes(0), radius_b = lanes(0);
   Lanes gap = lanes(0);  // friction acts where b's surface is: that far outside a round a
 };
 
@@ -122,7 +122,8 @@ struct ContactState {
   Vec3x n;         // normals; world
   Vec3x u;         // tangential stretch; world
   Lanes d;
-  double short_a = 0, short_b = 0;  // by how much the lever of friction ends above y along n, see Roll; m
+  Lanes short_a = lanes(0),
+        short_b = lanes(0);  // how far above y, along n, the lever of friction ends, see Roll; m
 };
 
 // The contacts as quadratic models at the current poses. Zero for d ≥ d̂.
@@ -161,9 +162,9 @@ struct ContactPlanes {
   s.y = s.normal_y;
   if (p.separate) {
     const Rolling& r = *p.rolling;
-    const double radius_a = p.turns ? -r.radius_b : r.radius_a;
-    s.u = s.u + cross(s.n, spread(r.radius_b * r.b->turn + radius_a * r.a->turn) + r.gap * spread(r.a->turn));
-    s.y = s.y - lanes(r.radius_b) * s.n;
+    const Lanes radius_a = p.turns ? -r.radius_b : r.radius_a;
+    s.u = s.u + cross(s.n, r.radius_b * spread(r.b->turn) + (radius_a + r.gap) * spread(r.a->turn));
+    s.y = s.y - r.radius_b * s.n;
     s.short_a = -radius_a * (1 - r.a->slope);
     s.short_b = r.radius_b * (1 - r.b->slope);
   }
@@ -177,11 +178,11 @@ struct ContactLevers {
 
 // Of body a. The plane of a flat owner is pushed where b's point is; a round one at its own normal point.
 inline ContactLevers levers_on_a(const ContactManifold& p, const ContactState& s, const Pose& a) {
-  return {p.turns ? s.normal_y : rotate(a.R, p.normal_a), s.y + lanes(s.short_a) * s.n};
+  return {p.turns ? s.normal_y : rotate(a.R, p.normal_a), s.y + s.short_a * s.n};
 }
 inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pose& b) {
   const Vec3x back = spread(a.c - b.c);
-  return {s.normal_y + back, s.y + lanes(s.short_b) * s.n + back};
+  return {s.normal_y + back, s.y + s.short_b * s.n + back};
 }
 
 // Ψ, Ψ' and the tangent split's weight for a manifold.

@@ -9,6 +9,7 @@
 
 #include "sim/body/shape_kind.h"
 #include "sim/collision/narrow_phase.h"
+#include "sim/collision/seams.h"
 
 namespace pabd {
 namespace {
@@ -20,6 +21,8 @@ struct Poses {
   const Model& model;
   const std::vector<Vec3>& c;
   const std::vector<Mat3>& R;
+  const Passage& passage;
+  const std::vector<double>& reach;
 
   Placed<Shape> placed(Index i) const {
     const auto k = static_cast<std::size_t>(i);
@@ -105,10 +108,53 @@ const Shape& facets(const Shape& shape) {
   return solid ? solid->data->facets : shape;
 }
 
-// The same where one is a solid: the hulls that stand for them.
-void collide_solids(const Placed<Shape>& a, const Placed<Shape>& b, double reach, Contacts& out) {
-  const Mat3 R_a = narrow::facing(a, b), R_b = narrow::facing(b, a);
-  collide({facets(a.shape), a.c, R_a, a.number}, {facets(b.shape), b.c, R_b, b.number}, reach, out);
+// The same of any two; hulls stand for solids. In the order of their features.
+void collide_any(const Placed<Shape>& a, const Placed<Shape>& b, double reach, Contacts& out) {
+  const auto start = static_cast<std::ptrdiff_t>(out.size());
+  if (a.shape.index() == kSolid || b.shape.index() == kSolid) {
+    const Mat3 R_a = narrow::facing(a, b), R_b = narrow::facing(b, a);
+    collide({facets(a.shape), a.c, R_a, a.number}, {facets(b.shape), b.c, R_b, b.number}, reach, out);
+  } else {
+    collide(a, b, reach, out);
+  }
+  const double round_a = rolling_radius(a.shape), round_b = rolling_radius(b.shape);
+  for (auto p = out.begin() + start; p != out.end(); ++p) {
+    if (round_a > 0) (p->a == a.number ? p->round_a : p->round_b) = round_a;
+    if (round_b > 0) (p->a == b.number ? p->round_a : p->round_b) = round_b;
+  }
+  narrow::round_off(a, b, static_cast<std::size_t>(start), out);
+  std::sort(out.begin() + start, out.end(),
+            [](const ContactPoint& p, const ContactPoint& q) { return p.feature < q.feature; });
+}
+
+void collide_pair(const Poses& poses, Index i, Index j, Contacts& out) {
+  const double near = poses.reach[static_cast<std::size_t>(i)] + poses.reach[static_cast<std::size_t>(j)];
+  const Passage& passage = poses.passage;
+  const std::size_t first = out.size();
+  const auto on_the_way = [&](double part) {
+    out.resize(first);
+    const Vec3 c_i = passage.c_at(i, part), c_j = passage.c_at(j, part);
+    const Mat3 R_i = passage.R_at(i, part), R_j = passage.R_at(j, part);
+    const Placed<Shape> a = poses.placed(i), b = poses.placed(j);
+    collide_any({a.shape, c_i, R_i, i}, {b.shape, c_j, R_j, j}, near, out);
+    bool touches = false;
+    for (std::size_t k = first; k < out.size(); ++k) {
+      out[k].part = part;
+      touches = touches || out[k].d < passage.touching;
+    }
+    return touches;
+  };
+  if (!passage.c.empty() && (passage.from_start || !passage.stays(poses.model, i, j))) {
+    const bool touches = on_the_way(0);
+    if (passage.from_start) return;
+    const int n = pieces(poses.model, passage, std::span(out).subspan(first));
+    if (n > 1 && touches) return;
+    for (int k = 1; k < n; ++k) {
+      if (on_the_way(static_cast<double>(k) / n)) return;
+    }
+    out.resize(first);
+  }
+  collide_any(poses.placed(i), poses.placed(j), near, out);
 }
 
 // Planes meet every body whose bounds reach below them.
@@ -159,34 +205,42 @@ Index thin_out_crowds(const Poses& poses, std::vector<IndexPair>& pairs, std::ve
 }
 
 // Contacts of a range of pairs.
-void collide_range(const Poses& poses, const std::vector<double>& reach, const std::vector<IndexPair>& skip,
-                   const IndexPair* begin, const IndexPair* end, const Stop& stop, Contacts& out) {
+void collide_range(const Poses& poses, const std::vector<IndexPair>& skip, const IndexPair* begin,
+                   const IndexPair* end, const Stop& stop, Contacts& out) {
   if (begin == end) return;
   auto skipped = std::lower_bound(skip.begin(), skip.end(), *begin);
   for (const IndexPair* pair = begin; pair != end; ++pair) {
     if ((pair - begin) % 256 == 255 && stop.requested()) return;
     while (skipped != skip.end() && *skipped < *pair) ++skipped;
     if (skipped != skip.end() && *skipped == *pair) continue;
-    const auto [i, j] = *pair;
-    const std::size_t start = out.size();
-    const Placed<Shape> a = poses.placed(i), b = poses.placed(j);
-    const double near = reach[static_cast<std::size_t>(i)] + reach[static_cast<std::size_t>(j)];
-    if (a.shape.index() == kSolid || b.shape.index() == kSolid) {
-      collide_solids(a, b, near, out);
-    } else {
-      collide(a, b, near, out);
-    }
-    if (out.size() - start < 2) continue;
-    std::sort(out.begin() + static_cast<std::ptrdiff_t>(start), out.end(),
-              [](const ContactPoint& p, const ContactPoint& q) { return p.feature < q.feature; });
+    collide_pair(poses, pair->first, pair->second, out);
   }
+}
+
+void collide_all(const Poses& poses, const std::vector<IndexPair>& skip, int threads,
+                 CollisionWorkspace& workspace, std::vector<ContactPoint>& out) {
+  const std::vector<IndexPair>& pairs = workspace.pairs;
+  out.clear();
+  const IndexPair* first = pairs.data();
+  constexpr std::size_t kPairs = 32;  // some ten microseconds
+  const std::size_t chunks = workspace.team.ranges(threads, pairs.size(), kPairs);
+  if (chunks == 1) return collide_range(poses, skip, first, first + pairs.size(), workspace.stop, out);
+  auto& partial = workspace.partial;
+  if (partial.size() < chunks) partial.resize(chunks);
+  workspace.team.for_each(threads, chunks, 1, [&](std::size_t k) {
+    partial[k].clear();
+    collide_range(poses, skip, first + pairs.size() * k / chunks, first + pairs.size() * (k + 1) / chunks,
+                  workspace.stop, partial[k]);
+  });
+  for (std::size_t k = 0; k < chunks; ++k) out.insert(out.end(), partial[k].begin(), partial[k].end());
 }
 
 }  // namespace
 
 void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
-            const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip, int threads,
-            CollisionWorkspace& workspace, std::vector<ContactPoint>& out) {
+            const Passage& passage, const std::vector<double>& reach,
+            const std::vector<std::pair<Index, Index>>& skip, int threads, CollisionWorkspace& workspace,
+            std::vector<ContactPoint>& out) {
   const auto n = static_cast<std::size_t>(model.size());
   auto& boxes = workspace.boxes;
   boxes.resize(n);
@@ -199,7 +253,7 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   workspace.broad_phase.find(boxes, model.fixed, threads, workspace.team, pairs);
   if (!model.groups.avoids.empty())
     std::erase_if(pairs, [&](const IndexPair& p) { return keeps_apart(model.groups, p.first, p.second); });
-  const Poses poses{model, c, R};
+  const Poses poses{model, c, R, passage, reach};
   workspace.left_pairs = thin_out_crowds(poses, pairs, workspace.overlaps);
   const auto without_planes = static_cast<std::ptrdiff_t>(pairs.size());
   add_plane_pairs(model, boxes, reach, pairs);
@@ -212,22 +266,9 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
     pairs.swap(merged);
   }
 
-  out.clear();
-  const IndexPair* first = pairs.data();
-  constexpr std::size_t kPairs = 32;  // some ten microseconds
-  const std::size_t chunks = workspace.team.ranges(threads, pairs.size(), kPairs);
-  if (chunks == 1) {
-    collide_range(poses, reach, skip, first, first + pairs.size(), workspace.stop, out);
-    return;
-  }
-  auto& partial = workspace.partial;
-  if (partial.size() < chunks) partial.resize(chunks);
-  workspace.team.for_each(threads, chunks, 1, [&](std::size_t k) {
-    partial[k].clear();
-    collide_range(poses, reach, skip, first + pairs.size() * k / chunks,
-                  first + pairs.size() * (k + 1) / chunks, workspace.stop, partial[k]);
-  });
-  for (std::size_t k = 0; k < chunks; ++k) out.insert(out.end(), partial[k].begin(), partial[k].end());
+  collide_all(poses, skip, threads, workspace, out);
+  constexpr double kFlush = 0.1;  // of what touches
+  remove_hidden(model, c, R, kFlush * passage.touching, workspace.by_body, out);
 }
 
 }  // namespace pabd

@@ -7,6 +7,7 @@
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/collision/broad_phase.h"
+#include "sim/collision/passage.h"
 #include "sim/math/stop.h"
 #include "sim/math/team.h"
 
@@ -19,6 +20,9 @@ struct ContactPoint {
   Vec3 n;                 // unit, outward from a towards b
   double d;               // (y_b − y_a)·n, negative when the bodies overlap; m
   std::uint32_t feature;  // stays the same for the same corner or edge pair from step to step
+  // How far inside its body, along n, the point lies that rolling moves as it moves the centre; 0 of what is flat; m
+  double round_a = 0, round_b = 0;
+  double part = 1;  // of the way of the bodies, see Passage
 };
 
 // Threads, bounds and pair lists kept between calls so that a warm call does not allocate.
@@ -28,6 +32,7 @@ struct CollisionWorkspace {
   BroadPhase broad_phase;
   std::vector<std::pair<Index, Index>> pairs, merged;
   std::vector<int> overlaps;                       // one a body, of inscribed balls
+  std::vector<std::size_t> by_body;                // contacts of round bodies with flat ones
   std::vector<std::vector<ContactPoint>> partial;  // a bucket a chunk of pairs, joined in order
   Stop stop;                                       // detection ends early, with what it has
   Index left_pairs = 0;                            // of the last call: left out
@@ -35,6 +40,7 @@ struct CollisionWorkspace {
 
 // Fills `out` with every contact point whose d is below `reach`[a] + `reach`[b].
 //   c, R     poses, one entry a body (m; rotation matrices)
+//   passage  how bodies come there: some pairs are looked at on their way (ContactPoint::part)
 //   reach    how far beyond its surface a body looks for contacts, ≥ 0, one entry a body; m
 //   skip     sorted list of pairs (a < b) that never collide, for jointed bodies
 // Two fixed bodies never meet, nor do two whose groups keep them apart. A body is crowded when the inscribed balls of more than 8 others overlap its
@@ -42,7 +48,13 @@ struct CollisionWorkspace {
 // workspace.left_pairs. Compounds and planes always meet. The result is sorted by (min(a,b), max(a,b),
 // feature) and does not depend on `threads`.
 void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
-            const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip, int threads,
-            CollisionWorkspace& workspace, std::vector<ContactPoint>& out);
+            const Passage& passage, const std::vector<double>& reach,
+            const std::vector<std::pair<Index, Index>>& skip, int threads, CollisionWorkspace& workspace,
+            std::vector<ContactPoint>& out);
+inline void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
+                   const std::vector<double>& reach, const std::vector<std::pair<Index, Index>>& skip,
+                   int threads, CollisionWorkspace& workspace, std::vector<ContactPoint>& out) {
+  detect(model, c, R, Passage{}, reach, skip, threads, workspace, out);
+}
 
 }  // namespace pabd

@@ -13,35 +13,45 @@
 namespace pabd {
 namespace {
 
-// Distance a body's surface may travel in the step. A ball that spins stays where it is, and so does a
-// capsule that spins about its axis.
-double travel(const Problem& p, Index i) {
+// How far the surface of a body turns in the step, at most. A ball that spins stays where it is, and so does what spins
+// about its axis.
+double spin_of(const Problem& p, Index i) {
   const Shape& shape = p.model->shape[i];
   const Flight& flight = *p.flight;
   const ShapeKind& kind = kind_of(shape);
   const double radius = kind.core_radius ? kind.core_radius(shape) : flight.radius[i];
   Vec3 turn = flight.turn[i];
   if (kind.round_about_y) turn = turn.cross(p.start->R[i].col(1));
-  return (flight.star[i].c - p.start->c[i]).norm() + turn.norm() * radius;
+  return turn.norm() * radius;
 }
 
-// Poses and reach for detection. A body that flies farther than half its own thickness could come out on the
-// other side of what it meets: it is looked at where the step starts, with its whole way as reach (Deviation
-// D7). So is every body under the log barrier, which needs the contacts of a feasible pose.
-void place_for_detection(const Problem& p, Detection& out) {
+// Bodies are looked at where their free flight ends, or on their way there (Deviation D7); under the log barrier, which
+// needs the contacts of a feasible pose, where they start.
+Passage place_for_detection(const Problem& p, Detection& out) {
   const Model& model = *p.model;
   const ContactParams& contact = p.params->contact;
-  out.reach.assign(model.shape.size(), 0.5 * contact.d_hat);
+  const std::size_t n = model.shape.size();
+  out.reach.assign(n, 0.5 * contact.d_hat);
+  out.way.assign(n, Vec3::Zero());
+  out.spin.assign(n, 0);
   out.c = p.start->c;
   out.R = p.start->R;
   for (Index i = 0; i < model.size(); ++i) {
     if (model.fixed[i]) continue;
-    const double way = travel(p, i);
-    out.reach[i] += way;
-    if (way > 0.5 * inner_radius(model.shape[i]) || traits_of(contact.barrier).feasible_only) continue;
-    out.c[i] = p.flight->star[i].c;
-    out.R[i] = p.flight->star[i].R;
+    const Pose& star = p.flight->star[i];
+    out.way[i] = star.c - p.start->c[i];
+    out.spin[i] = spin_of(p, i);
+    out.reach[i] += out.way[i].norm() + out.spin[i];
+    out.c[i] = star.c;
+    out.R[i] = star.R;
   }
+  return {p.start->c,
+          p.start->R,
+          out.way,
+          p.flight->turn,
+          out.spin,
+          contact.d_hat,
+          traits_of(contact.barrier).feasible_only};
 }
 
 // As stiff as the barrier is where it begins to act: then the static branch is the supplement's test ‖u_t‖ <
@@ -56,12 +66,14 @@ auto sort_key(const ContactPoint& p) {
   return std::make_tuple(pair_key(p.a, p.b), owned_feature(p.a, p.b, p.feature));
 }
 
-ContactManifold empty_manifold(const Model& model, Index a, Index b) {
+// Of the points [point, end).
+ContactManifold empty_manifold(const ContactPoint* point, const ContactPoint* end) {
   ContactManifold manifold{};
-  manifold.a = a;
-  manifold.b = b;
-  manifold.turns = rolling_radius(model.shape[a]) == 0;
-  manifold.separate = !manifold.turns || rolling_radius(model.shape[b]) > 0;
+  manifold.a = point->a;
+  manifold.b = point->b;
+  manifold.turns = point->round_a == 0;
+  manifold.separate =
+      !manifold.turns || std::any_of(point, end, [](const ContactPoint& p) { return p.round_b > 0; });
   return manifold;
 }
 
@@ -71,16 +83,20 @@ double touching_gap(const Problem& p, double start_d) {
 }
 
 // Puts the point into the next lane, in the frames of the bodies.
-void add_point(const Problem& problem, const ContactPoint& p, const Detection& from,
+void add_point(const Problem& problem, const ContactPoint& p, const Passage& from,
                ContactManifold& manifold) {
-  const Model& model = *problem.model;
   const State& start = *problem.start;
   const std::vector<Vec3>& turns = problem.flight->turn;
   const int k = manifold.count++;
-  const auto in_a = [&](const Vec3& y) -> Vec3 { return from.R[p.a].transpose() * (y - from.c[p.a]); };
-  const auto in_b = [&](const Vec3& y) -> Vec3 { return from.R[p.b].transpose() * (y - from.c[p.b]); };
-  const double radius_a = rolling_radius(model.shape[p.a]), radius_b = rolling_radius(model.shape[p.b]);
-  const Vec3 n = manifold.turns ? Vec3(from.R[p.a].transpose() * p.n) : p.n;
+  const auto pose = [&](Index i) -> Pose {
+    if (p.part == 1 && problem.movable(i)) return problem.flight->star[i];
+    return {from.c_at(i, p.part), from.R_at(i, p.part)};
+  };
+  const Pose a = pose(p.a), b = pose(p.b);
+  const auto in_a = [&](const Vec3& y) -> Vec3 { return a.R.transpose() * (y - a.c); };
+  const auto in_b = [&](const Vec3& y) -> Vec3 { return b.R.transpose() * (y - b.c); };
+  const double radius_a = p.round_a, radius_b = p.round_b;
+  const Vec3 n = manifold.turns ? Vec3(a.R.transpose() * p.n) : p.n;
   const Vec3 normal_b = in_b(p.y_b + radius_b * p.n);
   // From the centre of a to the normal point of b at the start of the step.
   const Vec3 at_start = start.c[p.b] + start.R[p.b] * normal_b - start.c[p.a];
@@ -106,18 +122,21 @@ void add_point(const Problem& problem, const ContactPoint& p, const Detection& f
 }
 
 // What the slip of the separate manifolds is measured from.
-void set_rolling(Problem& p, Iterate& it) {
-  const Model& model = *p.model;
+void set_rolling(Problem& p, const Detection& found, Iterate& it) {
   it.rolling.clear();
-  it.roll.assign(model.shape.size(), {});
-  p.rolls.assign(model.shape.size(), 0);
-  for (const ContactManifold& manifold : it.manifold) {
+  it.roll.assign(p.model->shape.size(), {});
+  p.rolls.assign(p.model->shape.size(), 0);
+  for (std::size_t m = 0; m < it.manifold.size(); ++m) {
+    const ContactManifold& manifold = it.manifold[m];
     if (!manifold.separate) continue;
     p.rolls[manifold.a] = p.rolls[manifold.b] = 1;
-    it.rolling.push_back({&it.roll[manifold.a], &it.roll[manifold.b], rolling_radius(model.shape[manifold.a]),
-                          rolling_radius(model.shape[manifold.b])});
-    for (int k = 0; k < manifold.count && !manifold.turns; ++k)
-      it.rolling.back().gap[k] = touching_gap(p, manifold.start_d[k]);
+    Rolling& rolling = it.rolling.emplace_back(Rolling{&it.roll[manifold.a], &it.roll[manifold.b]});
+    for (int k = 0; k < manifold.count; ++k) {
+      const ContactPoint& point = found.points[found.first_point[m] + static_cast<std::size_t>(k)];
+      rolling.radius_a[k] = point.round_a;
+      rolling.radius_b[k] = point.round_b;
+      if (!manifold.turns) rolling.gap[k] = touching_gap(p, manifold.start_d[k]);
+    }
   }
   const Rolling* next = it.rolling.data();
   for (ContactManifold& manifold : it.manifold) {
@@ -142,7 +161,8 @@ void cut(const std::vector<ContactPoint>& points, std::vector<std::size_t>& firs
   first.clear();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const bool fits = !first.empty() && points[first.back()].a == points[k].a &&
-                      points[first.back()].b == points[k].b && k - first.back() < kLanes;
+                      points[first.back()].b == points[k].b && k - first.back() < kLanes &&
+                      (points[first.back()].round_a > 0) == (points[k].round_a > 0);
     if (!fits) first.push_back(k);
   }
   first.push_back(points.size());
@@ -159,23 +179,23 @@ Pose seen_at_start(const Problem& p, Index i) {
 }
 
 // Of the points [point, end), which are of one pair of bodies.
-PABD_EACH_LEVEL void make_manifold(const Problem& p, const Detection& from, const ContactPoint* point,
+PABD_EACH_LEVEL void make_manifold(const Problem& p, const Passage& from, const ContactPoint* point,
                                    const ContactPoint* end, ContactManifold& manifold) {
-  manifold = empty_manifold(*p.model, point->a, point->b);
+  manifold = empty_manifold(point, end);
   for (; point != end; ++point) add_point(p, *point, from, manifold);
   manifold.start_d =
       manifold.gap +
       contact_planes(manifold, seen_at_start(p, manifold.a), seen_at_start(p, manifold.b)).along;
 }
 
-void make_manifolds(const Problem& p, const Workers& workers, Detection& from,
+void make_manifolds(const Problem& p, const Workers& workers, const Passage& from, Detection& found,
                     std::vector<ContactManifold>& out) {
-  sort_points(from.points);
-  cut(from.points, from.first_point);
-  out.resize(from.first_point.size() - 1);
+  sort_points(found.points);
+  cut(found.points, found.first_point);
+  out.resize(found.first_point.size() - 1);
   workers.for_each(out.size(), [&](std::size_t k) {
-    const ContactPoint* points = from.points.data();
-    make_manifold(p, from, points + from.first_point[k], points + from.first_point[k + 1], out[k]);
+    const ContactPoint* points = found.points.data();
+    make_manifold(p, from, points + found.first_point[k], points + found.first_point[k + 1], out[k]);
   });
 }
 
@@ -190,12 +210,12 @@ ContactLaw contact_law(const Model& model, const Params& params) {
 }
 
 void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterate& it) {
-  place_for_detection(p, memory);
+  const Passage passage = place_for_detection(p, memory);
   memory.collision.stop = workers.stop;
-  detect(*p.model, memory.c, memory.R, memory.reach, p.model->no_collide, workers.threads, memory.collision,
-         memory.points);
-  make_manifolds(p, workers, memory, it.manifold);
-  set_rolling(p, it);
+  detect(*p.model, memory.c, memory.R, passage, memory.reach, p.model->no_collide, workers.threads,
+         memory.collision, memory.points);
+  make_manifolds(p, workers, passage, memory, it.manifold);
+  set_rolling(p, memory, it);
   recall_friction(p, it.manifold);
 }
 

@@ -10,9 +10,10 @@ namespace pabd {
 // Memory of the detection of a step.
 struct Detection {
   CollisionWorkspace collision;
-  std::vector<Vec3> c;  // where bodies are looked at
+  std::vector<Vec3> c;  // where bodies are looked at, and how they come there: see Passage
   std::vector<Mat3> R;
-  std::vector<double> reach;  // m
+  std::vector<Vec3> way;
+  std::vector<double> spin, reach;  // m
   std::vector<ContactPoint> points;
   std::vector<std::size_t> first_point;  // of each manifold, and their number
 };

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Pairs of bodies that may pass through each other within a step (Deviation D7).
+//
+// Contacts are looked for where the step ends. A pair that comes towards each other, along the normal of one of its
+// contacts, by more than half of the thinner one's thickness along that normal may be past each other there: it is
+// looked at where it first touches on its way. How fast bodies fly matters no more than that: a wheel does not come
+// towards its road.
+#pragma once
+
+#include <span>
+
+#include "sim/body/model.h"
+#include "sim/math/so3.h"
+
+namespace pabd {
+
+struct ContactPoint;
+
+// How bodies come to the poses at which they are looked at; one entry a body, zero for what stays. Empty: they did not
+// move.
+struct Passage {
+  std::span<const Vec3> c;  // where they come from; world, m
+  std::span<const Mat3> R;
+  std::span<const Vec3> way;     // of their centres; m
+  std::span<const Vec3> turn;    // rotation vectors; world, rad
+  std::span<const double> spin;  // how far their surfaces turn, at most; m
+  double touching = 0;           // what is closer touches; m
+  bool from_start = false;       // all are looked at where they come from
+
+  // Part 0 of the way is its start.
+  Vec3 c_at(Index i, double part) const { return c[at(i)] + part * way[at(i)]; }
+  Mat3 R_at(Index i, double part) const { return exp_so3(part * turn[at(i)]) * R[at(i)]; }
+
+  // Do they move so little relative to each other that neither can be past the other?
+  bool stays(const Model& model, Index i, Index j) const;
+
+ private:
+  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+};
+
+// Of contacts at the start of the way: into how many pieces it is to be cut so that in none the bodies pass by each
+// other. 1: they do not come towards each other by more than is allowed.
+int pieces(const Model& model, const Passage& passage, std::span<const ContactPoint> at_start);
+
+}  // namespace pabd
