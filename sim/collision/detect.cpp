@@ -127,30 +127,41 @@ void collide_any(const Placed<Shape>& a, const Placed<Shape>& b, double reach, C
             [](const ContactPoint& p, const ContactPoint& q) { return p.feature < q.feature; });
 }
 
+// Contacts of a pair where its bodies are on their way; the nearest of them tells how far they are apart.
+double collide_on_the_way(const Poses& poses, Index i, Index j, double part, double near, std::size_t first,
+                          Contacts& out) {
+  out.resize(first);
+  const Passage& passage = poses.passage;
+  const Vec3 c_i = passage.c_at(i, part), c_j = passage.c_at(j, part);
+  const Mat3 R_i = passage.R_at(i, part), R_j = passage.R_at(j, part);
+  collide_any({poses.placed(i).shape, c_i, R_i, i}, {poses.placed(j).shape, c_j, R_j, j}, near, out);
+  double nearest = narrow::kNone;
+  for (std::size_t k = first; k < out.size(); ++k) {
+    out[k].part = part;
+    nearest = std::min(nearest, out[k].d);
+  }
+  return nearest;
+}
+
+// Where the way of the two ends; where they first touch if they may pass each other. To there they go in steps by which
+// they cannot come to touch.
 void collide_pair(const Poses& poses, Index i, Index j, Contacts& out) {
+  constexpr int kMostSteps = 64;
   const double near = poses.reach[static_cast<std::size_t>(i)] + poses.reach[static_cast<std::size_t>(j)];
   const Passage& passage = poses.passage;
   const std::size_t first = out.size();
-  const auto on_the_way = [&](double part) {
-    out.resize(first);
-    const Vec3 c_i = passage.c_at(i, part), c_j = passage.c_at(j, part);
-    const Mat3 R_i = passage.R_at(i, part), R_j = passage.R_at(j, part);
-    const Placed<Shape> a = poses.placed(i), b = poses.placed(j);
-    collide_any({a.shape, c_i, R_i, i}, {b.shape, c_j, R_j, j}, near, out);
-    bool touches = false;
-    for (std::size_t k = first; k < out.size(); ++k) {
-      out[k].part = part;
-      touches = touches || out[k].d < passage.touching;
-    }
-    return touches;
-  };
-  if (!passage.c.empty() && (passage.from_start || !passage.stays(poses.model, i, j))) {
-    const bool touches = on_the_way(0);
+  const auto inner = [&](Index k) { return inner_radius(poses.model.shape[static_cast<std::size_t>(k)]); };
+  const double farthest = passage.c.empty() ? 0 : passage.farthest(i, j);
+  if (passage.from_start || farthest > 0.5 * std::min(inner(i), inner(j))) {
+    double nearest = collide_on_the_way(poses, i, j, 0, near, first, out);
     if (passage.from_start) return;
-    const int n = pieces(poses.model, passage, std::span(out).subspan(first));
-    if (n > 1 && touches) return;
-    for (int k = 1; k < n; ++k) {
-      if (on_the_way(static_cast<double>(k) / n)) return;
+    const auto passes = [&] { return may_pass(poses.model, passage, std::span(out).subspan(first)); };
+    double part = 0;
+    for (int k = 0; k < kMostSteps && passes(); ++k) {
+      if (nearest < passage.touching) return;
+      part += (nearest - 0.5 * passage.touching) / farthest;
+      if (!(part < 1)) break;
+      nearest = collide_on_the_way(poses, i, j, part, near, first, out);
     }
     out.resize(first);
   }

@@ -54,7 +54,7 @@ void compound_shape(const Placed<Compound>& compound, const Placed<Shape>& other
 Mat3 facing(const Placed<Shape>& body, const Placed<Shape>& other);
 
 // Of two bodies, contacts from `start` on that were found on the facets of solids: those at the side of a round one are
-// put there. Sets ContactPoint::round_a, round_b.
+// put there, in no order. Sets ContactPoint::round_a, round_b.
 void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start, Contacts& out);
 
 inline void add_contact(Contacts& out, Index a, Index b, const Vec3& y_b, const Vec3& n, double d,

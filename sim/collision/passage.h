@@ -31,15 +31,17 @@ struct Passage {
   Vec3 c_at(Index i, double part) const { return c[at(i)] + part * way[at(i)]; }
   Mat3 R_at(Index i, double part) const { return exp_so3(part * turn[at(i)]) * R[at(i)]; }
 
-  // Do they move so little relative to each other that neither can be past the other?
-  bool stays(const Model& model, Index i, Index j) const;
+  const Vec3& way_of(Index i) const { return way[at(i)]; }
+  // How far a point of one moves as seen from the other, at most; m.
+  double farthest(Index i, Index j) const {
+    return (way[at(i)] - way[at(j)]).norm() + spin[at(i)] + spin[at(j)];
+  }
 
  private:
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 };
 
-// Of contacts at the start of the way: into how many pieces it is to be cut so that in none the bodies pass by each
-// other. 1: they do not come towards each other by more than is allowed.
-int pieces(const Model& model, const Passage& passage, std::span<const ContactPoint> at_start);
+// May the two bodies be past each other at the end, if these are their contacts where they are on their way?
+bool may_pass(const Model& model, const Passage& passage, std::span<const ContactPoint> points);
 
 }  // namespace pabd

@@ -19,6 +19,7 @@ namespace {
 // Sine of the angle between axis and normal, from which on it is the side that touches. What stands more upright touches
 // with its end: with corners of the facets.
 constexpr double kSide = 0.5;
+constexpr double kTip = 1e-9;  // radius, beside the height, of what is the tip of a cone
 constexpr double kHalfFacet = kPi / kFacets;
 
 struct Side {
@@ -79,12 +80,12 @@ struct Side {
   }
 
   // The other one touches with a face, which stays: this one's point is moved along its circle to where it comes closest.
-  // False: it is another corner's.
+  // False: that is nearer to another corner.
   bool turn_point(ContactPoint& p) const {
     const Vec3 inward = across(p.n);
     const double sine = inward.norm();
-    if (sine < kSide) return true;
     const auto [t, out] = from_axis(p.y_b);
+    if (sine < kSide || !(radius(t) > kTip * (frustum.high - frustum.low))) return true;
     const Vec3 towards = -inward / sine;
     if (out.dot(towards) < std::cos(1.01 * kHalfFacet) * out.norm()) return false;
     const Vec3 y = body.c + t * u + radius(t) * towards;
@@ -135,15 +136,22 @@ void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start
     if (!is_round(*body)) continue;
     const Side side(*body);
     const Placed<Shape>& owner = body == &a ? b : a;
-    const auto other_corner = [&](ContactPoint& p) {
-      if (p.b != body->number) return false;
+    const auto stays = [&](ContactPoint& p) {
+      if (p.b != body->number) return true;
       const Vec3 n = owner.R.transpose() * p.n;
-      if (p.round_a > 0 || std::visit(HasFace{n}, owner.shape)) return !side.turn_point(p);
+      if (p.round_a > 0 || std::visit(HasFace{n}, owner.shape)) return side.turn_point(p);
       side.turn_normal(p);
-      return false;
+      return true;
     };
-    out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(start), out.end(), other_corner),
-              out.end());
+    std::size_t others = start;
+    bool touches = false;
+    for (std::size_t k = start; k < out.size(); ++k) {
+      if (!stays(out[k])) continue;
+      touches = touches || out[k].b == body->number;
+      std::swap(out[others++], out[k]);
+    }
+    // What comes closest stands for the other corners; without it they are left as they are.
+    if (touches) out.resize(others);
   }
 }
 

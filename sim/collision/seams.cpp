@@ -24,23 +24,26 @@ Touched touched(const ContactPoint& p) {
   return {p.b, p.a, p.n, p.y_a, p.d};
 }
 
-bool holds(const HullData& hull, const Vec3& x, double flush) {
-  return std::all_of(hull.faces.begin(), hull.faces.end(),
-                     [&](const HullFace& face) { return face.normal.dot(x) - face.offset < flush; });
+bool is_near_zero(double height, double flush) { return std::abs(height) < flush; }
+
+bool is_on(const HullData& hull, const Vec3& x, double flush) {
+  double highest = -hull.bounding_radius;
+  for (const HullFace& face : hull.faces) highest = std::max(highest, face.normal.dot(x) - face.offset);
+  return is_near_zero(highest, flush);
 }
 
-// In how many convex parts of a shape x lies, in its frame.
-struct Holding {
+// On the surfaces of how many convex parts of a shape x lies, in its frame.
+struct SurfacesAt {
   const Vec3& x;
   double flush;
 
-  int operator()(const Box& box) const { return ((x.cwiseAbs() - box.half).array() < flush).all() ? 1 : 0; }
-  int operator()(const Plane& plane) const { return plane.normal.dot(x) - plane.offset < flush ? 1 : 0; }
-  int operator()(const Hull& hull) const { return holds(*hull.data, x, flush) ? 1 : 0; }
+  int operator()(const Box& box) const { return is_near_zero((x.cwiseAbs() - box.half).maxCoeff(), flush); }
+  int operator()(const Plane& plane) const { return is_near_zero(plane.normal.dot(x) - plane.offset, flush); }
+  int operator()(const Hull& hull) const { return is_on(*hull.data, x, flush); }
   int operator()(const Compound& compound) const {
     return static_cast<int>(std::count_if(
         compound.data->parts.begin(), compound.data->parts.end(),
-        [&](const CompoundPart& part) { return holds(*part.hull.data, x - part.offset, flush); }));
+        [&](const CompoundPart& part) { return is_on(*part.hull.data, x - part.offset, flush); }));
   }
   int operator()(const Sphere&) const { return 0; }
   int operator()(const Capsule&) const { return 0; }
@@ -55,14 +58,14 @@ void remove_hidden(const Model& model, const std::vector<Vec3>& c, const std::ve
   by_body.clear();
   for (std::size_t k = 0; k < points.size(); ++k)
     if (is_of_round_and_flat(points[k])) by_body.push_back(k);
-  std::stable_sort(by_body.begin(), by_body.end(), [&](std::size_t k, std::size_t l) {
-    return touched(points[k]).round < touched(points[l]).round;
+  std::sort(by_body.begin(), by_body.end(), [&](std::size_t k, std::size_t l) {
+    return std::pair(touched(points[k]).round, k) < std::pair(touched(points[l]).round, l);
   });
   const auto hides = [&](const Touched& near, const Touched& far) {
     if (near.round != far.round || !(near.d <= far.d) || near.n.dot(far.n) > kSameNormal) return false;
     const auto i = static_cast<std::size_t>(near.flat);
     const Vec3 x = R[i].transpose() * (far.y - c[i]);
-    return std::visit(Holding{x, flush}, model.shape[i]) > (near.flat == far.flat ? 1 : 0);
+    return std::visit(SurfacesAt{x, flush}, model.shape[i]) > (near.flat == far.flat ? 1 : 0);
   };
   bool some = false;
   for (std::size_t first = 0, last = 0; first < by_body.size(); first = last) {

@@ -13,8 +13,8 @@
 namespace pabd {
 
 // Removes from `points`, contacts of bodies at the poses c, R, those of round bodies and flat ones where the flat one's
-// point lies in a third body, or in another part of its compound, that touches the round one along another normal and
-// is no farther.
+// point lies in the surface of a third body, or of another part of its compound, that touches the round one along another
+// normal and is no farther.
 //   flush    what is closer than this to a surface lies in it; m
 //   by_body  memory: numbers of contacts
 void remove_hidden(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R, double flush,

@@ -25,12 +25,23 @@ double spin_of(const Problem& p, Index i) {
   return turn.norm() * radius;
 }
 
-// Bodies are looked at where their free flight ends, or on their way there (Deviation D7); under the log barrier, which
-// needs the contacts of a feasible pose, where they start.
+// Where this step's weight alone moves a body.
+Vec3 fall_of(const Problem& p) { return p.params->h * p.params->h * p.params->gravity; }
+
+// Where the contacts of a body are looked for: where its free flight ends but for this step's weight, so that what rests
+// is looked at where it rests.
+Pose looked_at(const Problem& p, Index i) {
+  const Pose& star = p.flight->star[i];
+  return {p.movable(i) ? Vec3(star.c - fall_of(p)) : star.c, star.R};
+}
+
+// Bodies are looked at where they fly to, or on their way there (Deviation D7); under the log barrier, which needs the
+// contacts of a feasible pose, where they start.
 Passage place_for_detection(const Problem& p, Detection& out) {
   const Model& model = *p.model;
   const ContactParams& contact = p.params->contact;
   const std::size_t n = model.shape.size();
+  const double fall = fall_of(p).norm();
   out.reach.assign(n, 0.5 * contact.d_hat);
   out.way.assign(n, Vec3::Zero());
   out.spin.assign(n, 0);
@@ -38,12 +49,12 @@ Passage place_for_detection(const Problem& p, Detection& out) {
   out.R = p.start->R;
   for (Index i = 0; i < model.size(); ++i) {
     if (model.fixed[i]) continue;
-    const Pose& star = p.flight->star[i];
-    out.way[i] = star.c - p.start->c[i];
+    const Pose end = looked_at(p, i);
+    out.way[i] = end.c - p.start->c[i];
     out.spin[i] = spin_of(p, i);
-    out.reach[i] += out.way[i].norm() + out.spin[i];
-    out.c[i] = star.c;
-    out.R[i] = star.R;
+    out.reach[i] += out.way[i].norm() + out.spin[i] + fall;
+    out.c[i] = end.c;
+    out.R[i] = end.R;
   }
   return {p.start->c,
           p.start->R,
@@ -89,7 +100,7 @@ void add_point(const Problem& problem, const ContactPoint& p, const Passage& fro
   const std::vector<Vec3>& turns = problem.flight->turn;
   const int k = manifold.count++;
   const auto pose = [&](Index i) -> Pose {
-    if (p.part == 1 && problem.movable(i)) return problem.flight->star[i];
+    if (p.part == 1) return looked_at(problem, i);
     return {from.c_at(i, p.part), from.R_at(i, p.part)};
   };
   const Pose a = pose(p.a), b = pose(p.b);
@@ -230,7 +241,7 @@ void first_iterate(const Problem& p, Iterate& it) {
     }
     return;
   }
-  const Vec3 fall = p.params->h * p.params->h * p.params->gravity;
+  const Vec3 fall = fall_of(p);
   for (const ContactManifold& manifold : it.manifold) {
     if (smallest_start_d(manifold) >= p.law.barrier.d_hat) continue;
     for (const Index i : {manifold.a, manifold.b}) {

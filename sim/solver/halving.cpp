@@ -10,6 +10,8 @@
 namespace pabd {
 namespace {
 
+constexpr int kLastChance = 4;  // times the iterations at the last depth, from where there is no other way
+
 // What the second half adds to the first: work, and the worst of both. How it ends is the second's.
 void follow(const StepReport& second, StepReport& first) {
   const StepSummary before = first.summary();
@@ -45,7 +47,7 @@ void Halves::take(const Problem& p, const std::vector<std::uint8_t>& chosen) {
 const StepReport& Halves::make(const Problem& p, const StepOptions& options, Team& team) {
   params_ = *p.params;
   params_.h *= 0.5;
-  --params_.solver.halvings;
+  if (--params_.solver.halvings == 0) params_.solver.iterations *= kLastChance;
   params_.contact.kappa = p.law.barrier.kappa;  // "auto" is that of the whole model
   options_ = options;
   options_.record_iterations = false;
