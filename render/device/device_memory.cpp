@@ -15,7 +15,7 @@ constexpr double kMoreRoom = 1.3;  // than a step needed
 
 std::size_t DeviceStep::contact_bytes() const {  // of struct Contact
   const std::size_t head = precision_ == Precision::single ? 16 : 32;
-  return head + (any_round(shapes_) ? 5 : 4) * vec4();
+  return head + (any_round(shapes_, table_) ? 6 : 4) * vec4();
 }
 
 void DeviceStep::make_body_buffers() {

@@ -100,14 +100,14 @@ std::vector<Programs::Touch> touch_programs(const Compiler& compile, const std::
 
 }  // namespace
 
-bool any_round(const std::set<int>& shapes) {
-  return shapes.contains(kDeviceSphere) || shapes.contains(kDeviceCapsule);
+bool any_round(const std::set<int>& shapes, const ShapeTable& table) {
+  return table.has_solids || shapes.contains(kDeviceSphere) || shapes.contains(kDeviceCapsule);
 }
 
 Programs make_programs(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
                        const std::set<int>& shapes, const Sharing& sharing) {
   using namespace shaders;
-  const Compiler compile(gl, precision, table, any_round(shapes), sharing);
+  const Compiler compile(gl, precision, table, any_round(shapes, table), sharing);
   std::string group_bodies = "#define GROUP_BODIES uint[SHARES](";
   for (std::uint32_t share = 0; share < kShares; ++share)
     group_bodies += fmt::format("{}{}u", share > 0 ? ", " : "", sharing.group(share) / sharing.team[share]);
@@ -182,7 +182,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
 ComputeProgram make_sweep_program(const ComputeFunctions& gl, Precision precision, const ShapeTable& table,
                                   const std::set<int>& shapes, const Sharing& sharing, std::uint32_t share) {
   using namespace shaders;
-  const Compiler compile(gl, precision, table, any_round(shapes), sharing);
+  const Compiler compile(gl, precision, table, any_round(shapes, table), sharing);
   const std::string threads =
       fmt::format("#define SWEEP_GROUP {}u\n#define TEAM {}u\n", sharing.group(share), sharing.team[share]);
   return compile(

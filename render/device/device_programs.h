@@ -58,7 +58,7 @@ struct Sharing {
   unsigned group(std::uint32_t share) const { return share == 2 ? kCrowdGroup : kSweepGroup; }
 };
 
-bool any_round(const std::set<int>& shapes);
+bool any_round(const std::set<int>& shapes, const ShapeTable& table);
 
 // For models that have these shapes, and bodies of these kinds of DeviceShape. Throws Error(no_context) where a shader
 // is refused.

@@ -23,7 +23,7 @@ std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second, bool solid
   if (kind_second == kDeviceCompound) kind_second = kDeviceHull;
   const auto add = [&](std::initializer_list<ShaderPart> more) {
     parts.insert(parts.end(), more);
-    parts.insert(parts.end(), {narrow_found, narrow_again});
+    parts.insert(parts.end(), {narrow_found, narrow_again, narrow_measured});
     return parts;
   };
   const auto both = [](int i, int j) { return kDeviceShapes * std::min(i, j) + std::max(i, j); };

@@ -19,7 +19,9 @@ namespace {
 // Sine of the angle between axis and normal, from which on it is the side that touches. What stands more upright touches
 // with its end: with corners of the facets.
 constexpr double kSide = 0.5;
-constexpr double kTip = 1e-9;  // radius, beside the height, of what is the tip of a cone
+constexpr double kNearly = 1e-6;  // beside the height: what is at an end, a tip or on the axis
+constexpr double kLean = 1e-5,
+                 kLeanOfSlope = 0.01;  // by which normals of facets and their edges lean along the axis
 constexpr double kHalfFacet = kPi / kFacets;
 
 struct Side {
@@ -34,6 +36,8 @@ struct Side {
         u(solid.R.col(1)),
         k((frustum.r_high - frustum.r_low) / (frustum.high - frustum.low)) {}
 
+  double cosine() const { return 1 / std::sqrt(1 + k * k); }
+  double height() const { return frustum.high - frustum.low; }
   double radius(double t) const { return frustum.r_low + k * (t - frustum.low); }
   // Height above the centre, and away from the axis.
   std::pair<double, Vec3> from_axis(const Vec3& y) const {
@@ -50,18 +54,24 @@ struct Side {
   };
   bool under(const Vec3& x, Under& at) const {
     const auto [t, out] = from_axis(x);
-    const double far = out.norm(), cosine = 1 / std::sqrt(1 + k * k);
-    if (t < frustum.low || t > frustum.high || !(far > 0) || cosine < kSide) return false;
-    at.d = cosine * (far - radius(t));
-    at.n = cosine * (out / far - k * u);
-    at.rho = far / cosine - at.d;
+    const double far = out.norm();
+    at.d = cosine() * (far - radius(t));
+    const double foot = t + at.d * k * cosine(), beyond = std::max(frustum.low - foot, foot - frustum.high);
+    if (beyond > kNearly * height() || !(far > kNearly * height()) || cosine() < kSide) return false;
+    at.n = cosine() * (out / far - k * u);
+    at.rho = far / cosine() - at.d;
     return true;
+  }
+
+  // Is n, out of this body, a normal of the side? That of a rim leans.
+  bool is_of_side(const Vec3& n) const {
+    return std::abs(n.dot(u) + k * cosine()) < kLean + kLeanOfSlope * std::abs(k);
   }
 
   // This body owns the normal: its plane is turned to the tangent plane under the other's point.
   void turn_plane(ContactPoint& p) const {
     Under at;
-    if (across(p.n).norm() < kSide || !under(p.y_b + p.round_b * p.n, at)) return;
+    if (!is_of_side(p.n) || !under(p.y_b + p.round_b * p.n, at)) return;
     p.d = at.d - p.round_b;
     p.y_b += p.round_b * (p.n - at.n);
     p.n = at.n;
@@ -72,7 +82,7 @@ struct Side {
   // The other one owns it and touches with an edge: the same from there.
   void turn_normal(ContactPoint& p) const {
     Under at;
-    if (across(p.n).norm() < kSide || !under(p.y_a, at)) return;
+    if (!is_of_side(-p.n) || !under(p.y_a, at)) return;
     p.d = at.d;
     p.n = -at.n;
     p.y_b = p.y_a + p.d * p.n;
@@ -85,7 +95,7 @@ struct Side {
     const Vec3 inward = across(p.n);
     const double sine = inward.norm();
     const auto [t, out] = from_axis(p.y_b);
-    if (sine < kSide || !(radius(t) > kTip * (frustum.high - frustum.low))) return true;
+    if (sine < kSide || !(radius(t) > kNearly * height())) return true;
     const Vec3 towards = -inward / sine;
     if (out.dot(towards) < std::cos(1.01 * kHalfFacet) * out.norm()) return false;
     const Vec3 y = body.c + t * u + radius(t) * towards;

@@ -54,25 +54,22 @@ void main() {
     find_contacts(wide(reach));
     for (int i = 0; i < contacts_found() && count < MOST; ++i) {
       FoundContact p = found_contact(i);
-      dvec3 y_b = dvec3(p.y_b), n = dvec3(p.n);
-      double d = double(p.d);
       uint feature = p.feature & ~SECOND_OWNS, owner = (p.feature & SECOND_OWNS) != 0u ? 1u : 0u;
-#ifdef WIDE_IS_FLOAT
-      d = owner != 0u ? measured_again(p, shape_1, c_1, R_second, shape_0, c_0, R_first, y_b, n)
-                      : measured_again(p, shape_0, c_0, R_first, shape_1, c_1, R_second, y_b, n);
-#endif
+      Measured m;
+      if (owner != 0u) m = measured(p, shape_1, c_1, R_second, shape_0, c_0, R_first);
+      else m = measured(p, shape_0, c_0, R_first, shape_1, c_1, R_second);
 #ifdef PARTS
       feature = part_name(shape_first, k % parts, k / parts, feature);
 #endif
-      y_b += origin;
+      m.y_b += origin;
       uint at = MOST * pair + count;
       for (int j = 0; j < 3; ++j) {
-        number[7u * at + uint(j)] = y_b[j];
-        number[7u * at + 3u + uint(j)] = n[j];
+        number[7u * at + uint(j)] = m.y_b[j];
+        number[7u * at + 3u + uint(j)] = m.n[j];
       }
-      number[7u * at + 6u] = d;
+      number[7u * at + 6u] = m.d;
       word[2u * at] = feature;
-      word[2u * at + 1u] = owner;
+      word[2u * at + 1u] = owner | (m.stays ? 0u : 2u);
       ++count;
     }
   }
@@ -167,11 +164,16 @@ std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable
 
   std::vector<std::vector<ContactPoint>> out(pairs.size());
   for (std::size_t k = 0; k < pairs.size(); ++k) {
+    // What stays stands for the other corners of its solid.
+    bool touches[2] = {};
+    for (std::size_t i = most * k; i < most * k + counts[k]; ++i)
+      if ((words[kWords * i + 1] & 2) == 0) touches[words[kWords * i + 1] & 1] = true;
     for (std::size_t i = most * k; i < most * k + counts[k]; ++i) {
       const double* x = &numbers[kNumbers * i];
       const std::uint32_t* word = &words[kWords * i];
       const Vec3 y_b(x[0], x[1], x[2]), n(x[3], x[4], x[5]);
-      const Index a = word[1] != 0 ? 1 : 0;
+      const Index a = word[1] & 1;
+      if ((word[1] & 2) != 0 && touches[a]) continue;
       out[k].push_back({a, 1 - a, y_b - x[6] * n, y_b, n, x[6], word[0]});
     }
     std::sort(out[k].begin(), out[k].end(),

@@ -21,9 +21,6 @@ real4 roll_of(uint i, Place at) {
   const real rolled = 1 + past * (1 - past2 * (real(2.0lf) / 3 - past2 / 5));
   return real4(turn * (rolled / angle), (1 - past2) * (1 - past2));
 }
-real radius_of(uint i) {
-  return real(kinds[kind_number[i]].rolling);
-}
 #endif
 
 ContactNow contact_now(Contact c, Place a, Place b) {
@@ -32,8 +29,8 @@ ContactNow contact_now(Contact c, Place a, Place b) {
   s.normal_b = c.r_b.xyz + turned_b;
   const real3 from_a = c.apart.xyz + apart + s.normal_b;  // b's normal point, from a's centre
 #ifdef ROUND
-  const bool rolls = c.r_a.w > 0;
-  const real radius_a = rolls ? radius_of(c.id.x) : real(0), radius_b = rolls ? radius_of(c.id.y) : real(0);
+  const real radius_a = c.round_.x, radius_b = c.round_.y;
+  const bool rolls = radius_a > 0 || radius_b > 0;
   const bool turns = radius_a == 0;
   const real3 r_a = c.r_a.xyz;
 #else
@@ -54,7 +51,7 @@ ContactNow contact_now(Contact c, Place a, Place b) {
   if (rolls) {
     const real4 roll_a = turns || radius_a > 0 ? roll_of(c.id.x, a) : real4(0, 0, 0, 1);
     const real4 roll_b = radius_b > 0 ? roll_of(c.id.y, b) : real4(0, 0, 0, 1);
-    const real rolling_a = turns ? -radius_b : radius_a, arm_a = turns ? -radius_b : c.r_a.w;
+    const real rolling_a = turns ? -radius_b : radius_a, arm_a = turns ? -radius_b : c.round_.z;
     s.u += cross(s.n, radius_b * roll_b.xyz + arm_a * roll_a.xyz);
     s.y -= radius_b * s.n;
     s.surface_a = s.y - rolling_a * (1 - roll_a.w) * s.n;

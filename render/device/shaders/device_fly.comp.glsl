@@ -62,21 +62,21 @@ void main() {
   f.turn = real4(0, 0, 0, half_thickness);
   f.W_diag = real4(0, 0, 0, k.mass);
   f.W_off = real4(0, 0, 0, 0);
-  bool at_start = true;
+  real3 way = real3(0, 0, 0);  // see looked_at of contact_setup.cpp
   if (k.fixed_ == 0) {
-    f.v.xyz += h * real3(params.gravity[0], params.gravity[1], params.gravity[2]);
+    const real3 gravity = real3(params.gravity[0], params.gravity[1], params.gravity[2]);
+    way = h * f.v.xyz;
+    f.v.xyz += h * gravity;
     f.u.xyz = h * f.v.xyz;
     real3 omega = f.omega.xyz;
     f.turn.xyz = flight_turn(k, R, omega, f.q);
     f.omega.xyz = omega;
     const real3 turn = k.round_about_y != 0 ? cross(f.turn.xyz, real3(R[1])) : f.turn.xyz;
-    const real way = norm(f.u.xyz) + norm(turn) * real(k.rolling > 0 ? k.core : k.bounding);
-    f.turn.w += way;
-    at_start = way > real(k.inner) / 2;
+    f.u.w = norm(turn) * real(k.rolling > 0 ? k.core : k.bounding);
+    f.turn.w += norm(way) + f.u.w + h * h * norm(gravity);
     const mat_real3 star = matrix_less(f.q) * mat_real3(R) + mat_real3(R);
     turned_symmetric(star, real3(k.J[0], k.J[1], k.J[2]), real3(k.J[3], k.J[4], k.J[5]), f.W_diag.xyz, f.W_off.xyz);
   }
-  f.u.w = at_start ? 1 : 0;  // where its contacts are looked for
   flight[i] = f;
 
   if (k.form == FORM_PLANE) {
@@ -84,8 +84,8 @@ void main() {
     return;
   }
   // Rounded outwards.
-  const dvec3 c = pose[i].c.xyz + (at_start ? dvec3(0) : dvec3(f.u.xyz));
-  const dmat3 D = at_start ? R : dmat3(matrix_less(f.q)) * R + R;
+  const dvec3 c = pose[i].c.xyz + dvec3(way);
+  const dmat3 D = dmat3(matrix_less(f.q)) * R + R;
   dvec3 extent = dvec3(k.half_[0]);
   if (k.form == FORM_BOX) extent = abs(D[0]) * k.half_[0] + abs(D[1]) * k.half_[1] + abs(D[2]) * k.half_[2];
   if (k.form == FORM_CAPSULE) extent = dvec3(k.half_[0]) + abs(D[1]) * k.half_[1];

@@ -36,7 +36,7 @@ struct BodyKind {
 };
 // Free flight of a body.
 struct Flight {
-  real4 u, q;       // predicted pose Q*, since the start of the step
+  real4 u, q;       // predicted pose Q*, since the start of the step. u.w: how far the surface turns, at most; m
   real4 v, omega;   // with it; omega.w: radius that turns are measured with
   real4 turn;       // rotation vector of the flight; rad. w: reach beyond the surface; m
   real4 W_diag, W_off;  // R* J R*ᵀ: xx yy zz, xy xz yz; kg m². W_diag.w: mass
@@ -64,7 +64,8 @@ struct Contact {
   real4 apart;  // from a's centre to b's. w: scale of the barrier
   real4 before; // slip that the step starts with: stretch, and what rolls. w: μ
 #ifdef ROUND
-  real4 r_a;    // from a's centre to its normal point. w: above 0 where one of them rolls, for a round a the lever of friction
+  real4 r_a;    // from a's centre to its normal point
+  real4 round_; // ContactPoint::round_a, round_b; the lever of friction on a round a
 #endif
 };
 // What moves of it: x: friction bound; y: change it last asked for; z: gain. In the end y: friction; z: energy; w: d.

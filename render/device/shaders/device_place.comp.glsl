@@ -46,7 +46,7 @@ void main() {
       if (kept_feature[m] != c.id.z || kept_stretch[m].w == 0) continue;
       real3 stretch = kept_stretch[m].xyz;
 #ifdef ROUND
-      if (kinds[kind_number[c.id.x]].rolling == 0)
+      if (c.round_.x == 0)
 #endif
         stretch = real3(matrix_of(pose[c.id.x].q) * dvec3(stretch));
       c.before.xyz += stretch - c.n.xyz * dot(c.n.xyz, stretch);

@@ -45,6 +45,7 @@ void main() {
     c.before = real4(0, 0, 0, 0);
 #ifdef ROUND
     c.r_a = real4(real3(apart + r_b), 0);
+    c.round_ = real4(0, 0, 0, 0);
 #endif
     raw[at + k] = c;
     raw_geometry[at + k] = geometry;

@@ -38,7 +38,7 @@ void main() {
     // What is left of the stretch: all of it while it sticks.
     const real3 stretch = weight / real(params.k_t) * s.u;
 #ifdef ROUND
-    const bool turns = kinds[kind_number[c.id.x]].rolling == 0;
+    const bool turns = c.round_.x == 0;
 #else
     const bool turns = true;
 #endif

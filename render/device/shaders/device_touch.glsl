@@ -2,20 +2,25 @@
 // Contact points of pairs of bodies, put into the axes of the start of the step (sim/solver/contact_setup.cpp): what the
 // shaders share that look for them.
 
+// Which part of their way the bodies have gone where they are looked at (Passage).
+real part_of_way = 1;
+
+dvec3 way_of(uint i) {
+  if (kinds[kind_number[i]].fixed_ != 0) return dvec3(0);
+  return dvec3(flight[i].u.xyz) - params.h * params.h * dvec3(params.gravity[0], params.gravity[1], params.gravity[2]);
+}
+dvec4 turn_of(uint i) {
+  return unit_d(dvec4(part_of_way == 1 ? flight[i].q : exp_turn(part_of_way * flight[i].turn.xyz)));
+}
+
 // Centre, from the origin, and rotation where body i is looked at.
 void look_at(uint i, dvec3 origin, out dvec3 c, out dmat3 R) {
-  const Flight f = flight[i];
-  c = pose[i].c.xyz - origin;
-  R = matrix_of(pose[i].q);
-  if (f.u.w != 0) return;
-  c += dvec3(f.u.xyz);
-  R = matrix_of(unit_d(dvec4(f.q))) * R;
+  c = pose[i].c.xyz - origin + double(part_of_way) * way_of(i);
+  R = matrix_of(turn_of(i)) * matrix_of(pose[i].q);
 }
-// Back from where contacts are looked for to the start: of a body that is looked at ahead.
+// Back from there to the start.
 dvec3 turned_back(uint i, dvec3 x) {
-  const Flight f = flight[i];
-  if (f.u.w != 0) return x;
-  const dvec4 q = unit_d(dvec4(f.q));
+  const dvec4 q = turn_of(i);
   return x + 2 * cross(-q.xyz, cross(-q.xyz, x) + q.w * x);
 }
 
@@ -61,23 +66,140 @@ uint reserve(uint p, uint count, real reach) {
   return at;
 }
 
+// As the bodies stand; owner and other as the contact has them.
+Measured measured_between(FoundContact f, Looked first, Looked second) {
+  const bool second_owns = (f.feature & SECOND_OWNS) != 0u;
+  Looked a = first, b = second;
+  if (second_owns) {
+    a = second;
+    b = first;
+  }
+  return measured(f, a.shape, a.c_shape, a.R_shape, b.shape, b.c_shape, b.R_shape);
+}
+
+// Passes of a pair over its contacts: what is near, and whether they may pass each other (passage.cpp).
+double nearest_found;
+bool may_pass;
+
+double thickness_along(uint body, uint shape, dmat3 R, dvec3 n) {
+  const ShapeRecord record = shapes[kinds[kind_number[body]].shape];
+  const dvec3 own = abs(n * R);
+  if (record.kind == uint(PLANE)) return 1e300lf;
+  if (record.kind == uint(BOX)) return 2 * dot(own, record.size.xyz);
+  if (record.kind == uint(SPHERE)) return 2 * record.size.x;
+  if (record.kind == uint(CAPSULE)) return 2 * record.size.x + own.y * record.size.y;
+  if (record.kind == uint(COMPOUND)) return 2 * record.size.w;
+#ifdef SOLIDS
+  if (is_solid(shape)) return solid_support(ends_of(shape), n * R) + solid_support(ends_of(shape), -(n * R));
+#endif
+  double low = 1e300lf, high = -1e300lf;
+  for (uint k = record.first; k < record.first + 3u * record.vertices; k += 3u) {
+    const double x = dot(dvec3(hull_words[k], hull_words[k + 1u], hull_words[k + 2u]), n * R);
+    low = min(low, x);
+    high = max(high, x);
+  }
+  return high - low;
+}
+
+// How far y, of a body that stands at c, turns from there to the end of the way.
+dvec3 turned_on(uint i, dvec3 c, dvec3 y) {
+  const dvec4 q = product_d(unit_d(dvec4(flight[i].q)), conjugate_d(turn_of(i)));
+  const dvec3 x = y - c;
+  return 2 * cross(q.xyz, cross(q.xyz, x) + q.w * x);
+}
+
+void weigh_passage(Measured m, Looked a, Looked b) {
+  nearest_found = min(nearest_found, m.d);
+  const dvec3 y_a = m.y_b - (m.d + m.round_a) * m.n, y_b = m.y_b + m.round_b * m.n;
+  const double straight = (1 - double(part_of_way)) * dot(way_of(a.body) - way_of(b.body), m.n);
+  const double approach =
+      straight + max(0.0lf, dot(turned_on(a.body, a.c, y_a) - turned_on(b.body, b.c, y_b), m.n));
+  if (!(m.d - approach < params.d_hat)) return;
+  may_pass = may_pass || approach > 0.5lf * min(thickness_along(a.body, a.shape, a.R, m.n),
+                                                thickness_along(b.body, b.shape, b.R, m.n));
+}
+void weigh_passage(FoundContact f, Looked first, Looked second) {
+  const Measured m = measured_between(f, first, second);
+  if ((f.feature & SECOND_OWNS) != 0u) weigh_passage(m, second, first);
+  else weigh_passage(m, first, second);
+}
+
+// How far a point of one may move as seen from the other; m.
+double farthest(uint p) {
+  const uint i = pairs[p].emitter, j = pairs[p].other;
+  const dvec3 apart = way_of(i) - way_of(j);
+  return sqrt(dot(apart, apart)) + double(flight[i].u.w) + double(flight[j].u.w);
+}
+double inner_of(uint i) {
+  const BodyKind k = kinds[kind_number[i]];
+  return k.form == FORM_PLANE ? 1e300lf : k.inner;
+}
+// Where the two are looked at first: at the start where they may pass each other.
+void begin_way(uint p) {
+  part_of_way = farthest(p) > 0.5lf * min(inner_of(pairs[p].emitter), inner_of(pairs[p].other)) ? 0 : 1;
+}
+// After all contacts were weighed: is this where they are to be found? Else they are to be looked at farther on.
+bool ends_way(uint p, int steps) {
+  const int MOST_STEPS = 64;
+  if (part_of_way >= 1) return true;
+  if (may_pass && nearest_found < params.d_hat && steps < MOST_STEPS) return true;
+  const bool goes_on = may_pass && steps < MOST_STEPS;
+  part_of_way = goes_on ? min(real(1), part_of_way + real((nearest_found - 0.5lf * params.d_hat) / farthest(p))) : 1;
+  return false;
+}
+
+// Contacts of solids: which stay (round_sides.cpp).
+struct Kept {
+  uint corners_first, corners_second;  // of bodies that have a nearer one
+  bool first_touches, second_touches;
+};
+#ifdef SOLIDS
+// Is the point that of a solid?
+bool is_corner_of(FoundContact f, Looked first, Looked second, out bool of_second) {
+  of_second = (f.feature & SECOND_OWNS) == 0u;
+  return is_solid(of_second ? second.shape : first.shape);
+}
+#endif
+// Number of contacts that this one adds for now.
+uint count_contact(FoundContact f, Looked first, Looked second, inout Kept kept) {
+#ifdef SOLIDS
+  bool of_second;
+  if (!is_corner_of(f, first, second, of_second)) return 1u;
+  const bool stays = measured_between(f, first, second).stays;
+  if (of_second) {
+    kept.second_touches = kept.second_touches || stays;
+    kept.corners_second += stays ? 0u : 1u;
+  } else {
+    kept.first_touches = kept.first_touches || stays;
+    kept.corners_first += stays ? 0u : 1u;
+  }
+  return stays ? 1u : 0u;
+#else
+  return 1u;
+#endif
+}
+uint corners_too(Kept kept) {
+  return (kept.first_touches ? 0u : kept.corners_first) + (kept.second_touches ? 0u : kept.corners_second);
+}
+bool is_kept(FoundContact f, Looked first, Looked second, Kept kept) {
+#ifdef SOLIDS
+  bool of_second;
+  if (!is_corner_of(f, first, second, of_second)) return true;
+  return !(of_second ? kept.second_touches : kept.first_touches) || measured_between(f, first, second).stays;
+#else
+  return true;
+#endif
+}
+
 // That contact becomes number `at` of the raw ones, under the name `feature`.
 void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked second) {
   const bool second_owns = (f.feature & SECOND_OWNS) != 0u;
   const uint a = second_owns ? second.body : first.body, b = second_owns ? first.body : second.body;
   const dvec3 c_a = second_owns ? second.c : first.c, c_b = second_owns ? first.c : second.c;
   const dmat3 R_a = second_owns ? second.R : first.R, R_b = second_owns ? first.R : second.R;
-  dvec3 y_b = dvec3(f.y_b), f_n = dvec3(f.n);
-  double f_d = double(f.d);
-#ifdef WIDE_IS_FLOAT
-  const dmat3 R_shape_a = second_owns ? second.R_shape : first.R_shape;
-  const dmat3 R_shape_b = second_owns ? first.R_shape : second.R_shape;
-  f_d = measured_again(f, second_owns ? second.shape : first.shape, second_owns ? second.c_shape : first.c_shape,
-                       R_shape_a, second_owns ? first.shape : second.shape,
-                       second_owns ? first.c_shape : second.c_shape, R_shape_b, y_b, f_n);
-#endif
-  const dvec3 y_a = y_b - f_d * f_n;
-  const double radius_a = kinds[kind_number[a]].rolling, radius_b = kinds[kind_number[b]].rolling;
+  const Measured m = measured_between(f, first, second);
+  const dvec3 y_b = m.y_b, f_n = m.n, y_a = y_b - m.d * f_n;
+  const double radius_a = m.round_a, radius_b = m.round_b;
   const bool turns = radius_a == 0;
   const dvec3 r_b = turned_back(b, y_b + radius_b * f_n - c_b);
   const dvec3 apart = pose[b].c.xyz - pose[a].c.xyz;
@@ -103,7 +225,8 @@ void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked s
   c.apart = real4(real3(apart), 1);
   c.before = real4(before, 0);
 #ifdef ROUND
-  c.r_a = real4(real3(r_a), radius_a > 0 || radius_b > 0 ? real(arm_a) : 0);
+  c.r_a = real4(real3(r_a), 0);
+  c.round_ = real4(radius_a, radius_b, arm_a, 0);
 #endif
   raw[at] = c;
   raw_geometry[at] = ContactGeometry(

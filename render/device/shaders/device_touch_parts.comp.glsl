@@ -8,13 +8,19 @@ void main() {
   if (n >= counters.touch_size[KINDS_HERE]) return;
   const uint p = touching[counters.touch_first[KINDS_HERE] + n];
   Looked first, second;
+  begin_way(p);
   look_at_pair(p, first, second);
   const uint shape_first = first.shape, shape_second = second.shape;
   const uint parts = parts_of(shape_first), parts_second = parts_of(shape_second);
   const real reach = reach_of(first.body, second.body);
   uint count = 0u, at = 0u, written = 0u;
-  bool fits = true;
-  for (int turn = 0; turn < 2 && fits; ++turn) {
+  bool fits = true, weighs = part_of_way < 1;
+  Kept kept = Kept(0u, 0u, false, false);
+  int steps = 0;
+  nearest_found = 1e300lf;
+  may_pass = false;
+  // Turn 0 counts, turn 1 writes; before, on the way of the bodies, turns −1.
+  for (int turn = weighs ? -1 : 0; turn < 2 && fits;) {
     for (uint k = 0u; k < parts * parts_second; ++k) {
       const uint k_first = k % parts, k_second = k / parts;
       first.c_shape = first.c;
@@ -25,15 +31,28 @@ void main() {
       place_pair(first.shape, first.c_shape, first.R_shape, second.shape, second.c_shape, second.R_shape);
       find_contacts(wide(reach));
       const uint found_here = uint(contacts_found());
-      if (turn == 0) count += found_here;
-      for (uint i = 0u; turn == 1 && i < found_here; ++i) {
+      for (uint i = 0u; i < found_here; ++i) {
         const FoundContact f = found_contact(int(i));
+        if (turn < 0) weigh_passage(f, first, second);
+        if (turn == 0) count += count_contact(f, first, second, kept);
+        if (turn != 1 || !is_kept(f, first, second, kept)) continue;
         write_contact(at + written, f, part_name(shape_first, k_first, k_second, f.feature & ~SECOND_OWNS), first, second);
         ++written;
       }
     }
-    if (turn == 0) at = reserve(p, count, reach);
+    if (turn < 0) {
+      if (ends_way(p, steps++) || part_of_way >= 1) turn = 0;
+      look_at_pair(p, first, second);
+      nearest_found = 1e300lf;
+      may_pass = false;
+      continue;
+    }
+    if (turn == 0) {
+      count += corners_too(kept);
+      at = reserve(p, count, reach);
+    }
     fits = at + count <= params.contact_room;
+    ++turn;
   }
   // Equal names, which are one in a million, are told apart by counting up.
   for (uint k = 1u; fits && k < count; ++k) {
