@@ -161,13 +161,13 @@ TEST_CASE("a house of cards stands with enough friction, and falls with too litt
 
 namespace {
 
-// Times at which dominoes of that height, a row of 30, have turned by 0.1 rad each.
+// Times at which dominoes of that height, a row of 40, have turned by 0.1 rad each.
 std::vector<double> topple(double height, double spacing, double h) {
   Setting setting(h, 0.2, 0.002 * height);
   setting.ground();
   std::vector<std::string> names;
   const double turn = 1.2 / std::sqrt(height);  // of the first, about the edge that it topples over; rad/s
-  for (int k = 0; k < 30; ++k) {
+  for (int k = 0; k < 40; ++k) {
     spec::Body domino{.shape = Box{Vec3(0.15, 1, 0.5) * height / 2},
                       .mass = 2 * height * height * height,
                       .position = Vec3(spacing * height * k, 0.502 * height, 0)};
@@ -179,7 +179,7 @@ std::vector<double> topple(double height, double spacing, double h) {
   }
   Run run(setting);
   std::vector<double> at;
-  run.go(12 * std::sqrt(height), [&] {
+  run.go(14 * std::sqrt(height), [&] {
     while (at.size() < names.size() && run.R(names[at.size()])(1, 1) < std::cos(0.1))
       at.push_back(run.state.time);
   });
@@ -192,13 +192,13 @@ std::vector<double> topple(double height, double spacing, double h) {
 // The front runs steadily, its speed in sqrt(g H) a matter of shape alone: Stronge 1987, van Leeuwen 2010.
 TEST_CASE("a row of dominoes falls with a steady front, and a row four times as high takes twice as long") {
   const double spacing = GENERATE(0.35, 0.6);
-  const double h = GENERATE(1.0 / 240, 1.0 / 500);
-  CAPTURE(spacing, h);
-  const std::vector<double> small = topple(0.05, spacing, h), large = topple(0.2, spacing, 2 * h);
-  REQUIRE(small.size() == 30);
-  REQUIRE(large.size() == 30);
-  CHECK(small[26] - small[18] == Approx(small[18] - small[10]).epsilon(0.03).margin(2 * h));
-  CHECK(large[26] - large[10] == Approx(2 * (small[26] - small[10])).epsilon(0.01));
+  const double h = 1.0 / 1000;
+  CAPTURE(spacing);
+  const std::vector<double> small = topple(0.2, spacing, h), large = topple(0.8, spacing, 2 * h);
+  REQUIRE(small.size() == 40);
+  REQUIRE(large.size() == 40);
+  CHECK(small[36] - small[24] == Approx(small[24] - small[12]).epsilon(0.02));
+  CHECK(large[36] - large[12] == Approx(2 * (small[36] - small[12])).epsilon(0.01));
 }
 
 // The beam balance.
@@ -216,13 +216,15 @@ TEST_CASE("a board on an edge stays where its loads balance, 1 to 100, and tips 
     setting.add(Box{{0.1, 0.1, 0.1}}, light, {-arm, 0.762, 0});
     setting.add(Box{{0.1, 0.1, 0.1}}, heavy, {near, 0.762, 0});
     Run run(setting);
-    run.go(2);
-    const double tilt = std::asin(run.R(plank)(1, 0)) / kDegree;
+    double tilt = 0;  // until it is plain which way it goes: loads that slide off change it
+    run.go(2, [&] {
+      if (std::abs(tilt) < 3) tilt = std::asin(run.R(plank)(1, 0)) / kDegree;
+    });
     if (off == 0) {
       CHECK(std::abs(tilt) < 0.1);
     } else {
       CHECK(tilt * off < 0);
-      CHECK(std::abs(tilt) > 1);
+      CHECK(std::abs(tilt) > 3);
     }
   }
 }
