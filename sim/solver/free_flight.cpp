@@ -33,6 +33,51 @@ Vec3 top_flight(const Vec3& moments, int axis, double h, Mat3& R, Vec3& omega) {
   return h * (about_L + own * half_way);
 }
 
+// The rotation vector of R*, which is exp(t) R, that is nearest to `about`: t may be several turns.
+Vec3 turn_near(const Vec3& about, const Mat3& R, const Mat3& star) {
+  const Vec3 t = turn_between(R, star);
+  const double angle = t.norm();
+  if (!(angle > 0)) return about;
+  const Vec3 n = t / angle;
+  return t + 2 * kPi * std::round((about.dot(n) - angle) / (2 * kPi)) * n;
+}
+
+// ω_m = E A Eᵀ L at the midpoint, E = exp(h ω_m / 2): a contraction while h ω, times how slim the body is, is below 1. False:
+// it is none.
+bool find_midpoint(const Mat3& A, const Vec3& L, double h, Vec3& midpoint) {
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 half = 0.5 * h * midpoint;
+    Vec3 next;
+    if (half.squaredNorm() < 1) {
+      const ShortTurn E(half);
+      next = E.turn(A * E.back(L));
+    } else {
+      const Mat3 E = exp_so3(half);
+      next = E * (A * (E.transpose() * L));
+    }
+    const double change2 = (next - midpoint).squaredNorm(), size2 = next.squaredNorm();
+    midpoint = next;
+    if (change2 < 1e-28 * size2) return true;
+    if (i == 7) return change2 < 1e-12 * size2;
+  }
+  return false;
+}
+
+// Turns of a body that is no top, in halves where the midpoint is not found; at most 2^halvings of them.
+Vec3 turn_freely(const Mat3& inverse, const Vec3& L, double h, int halvings, Mat3& R, Vec3& omega) {
+  const Mat3 A = R * inverse * R.transpose();
+  Vec3 midpoint = omega;
+  if (find_midpoint(A, L, h, midpoint) || halvings == 0) {
+    R = reorthonormalized(exp_so3(h * midpoint) * R);
+    omega = R * (inverse * (R.transpose() * L));
+    return h * midpoint;
+  }
+  const Mat3 start = R;
+  const Vec3 first = turn_freely(inverse, L, 0.5 * h, halvings - 1, R, omega);
+  const Vec3 second = turn_freely(inverse, L, 0.5 * h, halvings - 1, R, omega);
+  return turn_near(first + second, start, R);
+}
+
 }  // namespace
 
 Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega) {
@@ -47,28 +92,9 @@ Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3&
   const Mat3 I = inertia_tensor(J);
   const int axis = axis_of_symmetry(J);
   if (axis >= 0 && h * omega.norm() > 1) return top_flight(I.diagonal(), axis, h, R, omega);
-  const Mat3 inverse = symmetric_inverse(I), A = R * inverse * R.transpose();
   const Vec3 L = R * (I * (R.transpose() * omega));
-  // ω_m = E A Eᵀ L at the midpoint, E = exp(h ω_m / 2): a contraction for h ω < 1, and what rolls faster is a
-  // top.
-  Vec3 midpoint = omega;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 half = 0.5 * h * midpoint;
-    Vec3 next;
-    if (half.squaredNorm() < 1) {
-      const ShortTurn E(half);
-      next = E.turn(A * E.back(L));
-    } else {
-      const Mat3 E = exp_so3(half);
-      next = E * (A * (E.transpose() * L));
-    }
-    const bool done = (next - midpoint).squaredNorm() < 1e-28 * next.squaredNorm();
-    midpoint = next;
-    if (done) break;
-  }
-  R = reorthonormalized(exp_so3(h * midpoint) * R);
-  omega = R * (inverse * (R.transpose() * L));
-  return h * midpoint;
+  constexpr int kHalvings = 10;
+  return turn_freely(symmetric_inverse(I), L, h, kHalvings, R, omega);
 }
 
 void fly(const Model& model, const Params& params, const State& state, const Workers& workers, Flight& out) {
