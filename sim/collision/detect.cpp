@@ -152,13 +152,18 @@ void collide_pair(const Poses& poses, Index i, Index j, Contacts& out) {
   const std::size_t first = out.size();
   const auto inner = [&](Index k) { return inner_radius(poses.model.shape[static_cast<std::size_t>(k)]); };
   const double farthest = passage.c.empty() ? 0 : passage.farthest(i, j);
+  bool apart = false;
+  const auto told = [&] {
+    for (std::size_t k = first; k < out.size(); ++k) out[k].apart = apart;
+  };
   if (passage.from_start || farthest > 0.5 * std::min(inner(i), inner(j))) {
     double nearest = collide_on_the_way(poses, i, j, 0, near, first, out);
     if (passage.from_start) return;
+    apart = nearest >= passage.touching;
     const auto passes = [&] { return may_pass(poses.model, passage, std::span(out).subspan(first)); };
     double part = 0;
     for (int k = 0; k < kMostSteps && passes(); ++k) {
-      if (nearest < passage.touching) return;
+      if (nearest < passage.touching) return told();
       part += (nearest - 0.5 * passage.touching) / farthest;
       if (!(part < 1)) break;
       nearest = collide_on_the_way(poses, i, j, part, near, first, out);
@@ -166,6 +171,7 @@ void collide_pair(const Poses& poses, Index i, Index j, Contacts& out) {
     out.resize(first);
   }
   collide_any(poses.placed(i), poses.placed(j), near, out);
+  told();
 }
 
 // Planes meet every body whose bounds reach below them.

@@ -22,7 +22,8 @@ struct ContactPoint {
   std::uint32_t feature;  // stays the same for the same corner or edge pair from step to step
   // How far inside its body, along n, the point lies that rolling moves as it moves the centre; 0 of what is flat; m
   double round_a = 0, round_b = 0;
-  double part = 1;  // of the way of the bodies, see Passage
+  double part = 1;     // of the way of the bodies, see Passage
+  bool apart = false;  // they did not touch where they come from, whatever this plane says of that place
 };
 
 // Threads, bounds and pair lists kept between calls so that a warm call does not allocate.

@@ -109,7 +109,7 @@ struct Side {
 
 // Is n, in the frame of the shape, the normal of one of its faces?
 struct HasFace {
-  const Vec3& n;
+  const Vec3 n;
 
   bool along(const Vec3& normal) const { return normal.dot(n) > 1 - 1e-9; }
   bool operator()(const HullData& hull) const {
@@ -136,8 +136,9 @@ bool is_round(const Placed<Shape>& body) {
 }  // namespace
 
 void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start, Contacts& out) {
+  const bool both = is_round(a) && is_round(b);
   for (const Placed<Shape>* body : {&a, &b}) {
-    if (!is_round(*body)) continue;
+    if (!is_round(*body) || both) continue;
     const Side side(*body);
     for (std::size_t k = start; k < out.size(); ++k)
       if (out[k].a == body->number) side.turn_plane(out[k]);
@@ -146,10 +147,12 @@ void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start
     if (!is_round(*body)) continue;
     const Side side(*body);
     const Placed<Shape>& owner = body == &a ? b : a;
+    const auto is_face = [&](const Vec3& n) {
+      return std::visit(HasFace{owner.R.transpose() * n}, owner.shape) || (both && Side(owner).is_of_side(n));
+    };
     const auto stays = [&](ContactPoint& p) {
       if (p.b != body->number) return true;
-      const Vec3 n = owner.R.transpose() * p.n;
-      if (p.round_a > 0 || std::visit(HasFace{n}, owner.shape)) return side.turn_point(p);
+      if (is_face(p.n)) return side.turn_point(p);
       side.turn_normal(p);
       return true;
     };
@@ -162,6 +165,15 @@ void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start
     }
     // What comes closest stands for the other corners; without it they are left as they are.
     if (touches) out.resize(others);
+  }
+  if (!both) return;
+  // Between two round sides: now that one axis is known, the other's plane, and its point again.
+  const Side sides[] = {Side(a), Side(b)};
+  for (std::size_t k = start; k < out.size(); ++k) {
+    ContactPoint& p = out[k];
+    const bool second_owns = p.a == b.number;
+    sides[second_owns ? 1 : 0].turn_plane(p);
+    if (p.round_a > 0 && p.round_b > 0) sides[second_owns ? 0 : 1].turn_point(p);
   }
 }
 

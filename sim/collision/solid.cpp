@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A solid of the table against anything: the polyhedron that stands for it. That of a round one is turned
-// about its axis until one of its corners points at what it touches: there it is exact, and its contacts lie
-// symmetrically about that place, so that nothing resists rolling.
+// about its axis until one of its corners points at what it touches, or a side at another round one; what is found there
+// is put on the round surface (round_sides.cpp).
 //
 //   u      direction towards what is touched, in the body frame       m
 #include "sim/body/compound.h"
+#include "sim/body/frustum.h"
 #include "sim/body/shape_kind.h"
 #include "sim/collision/hull_view.h"
 #include "sim/collision/narrow_phase.h"
@@ -100,7 +101,11 @@ Mat3 facing(const Placed<Shape>& body, const Placed<Shape>& other) {
   const Vec3 u = R.transpose() * std::visit(Towards{body, other}, other.shape);
   const double across = std::hypot(u.x(), u.z());
   if (!(across > kUpright * u.norm())) return R;
-  const double x = u.x() / across, z = u.z() / across;
+  // Another round one: a side of the facets, so that no edge of it cuts the line along which they touch.
+  const auto* solid_too = std::get_if<Solid>(&other.shape);
+  const double ahead = solid_too && kind_of(*solid_too).round_about_y ? kPi / kFacets : 0;
+  const double cosine = std::cos(ahead), sine = std::sin(ahead);
+  const double x = (u.x() * cosine - u.z() * sine) / across, z = (u.z() * cosine + u.x() * sine) / across;
   Mat3 turned;
   turned << x * R.col(0) + z * R.col(2), R.col(1), x * R.col(2) - z * R.col(0);
   return turned;

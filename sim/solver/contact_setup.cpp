@@ -106,7 +106,7 @@ void add_point(const Problem& problem, const ContactPoint& p, const Passage& fro
   const Pose a = pose(p.a), b = pose(p.b);
   const auto in_a = [&](const Vec3& y) -> Vec3 { return a.R.transpose() * (y - a.c); };
   const auto in_b = [&](const Vec3& y) -> Vec3 { return b.R.transpose() * (y - b.c); };
-  const double radius_a = p.round_a, radius_b = p.round_b;
+  const double radius_a = p.round_a, radius_b = p.round_b, d_hat = problem.law.barrier.d_hat;
   const Vec3 n = manifold.turns ? Vec3(a.R.transpose() * p.n) : p.n;
   const Vec3 normal_b = in_b(p.y_b + radius_b * p.n);
   // From the centre of a to the normal point of b at the start of the step.
@@ -124,7 +124,8 @@ void add_point(const Problem& problem, const ContactPoint& p, const Passage& fro
   } else {
     const Vec3 normal_a = in_a(p.y_a - radius_a * p.n);
     const Vec3 moved = at_start - start.R[p.a] * normal_a;
-    const double arm_a = radius_a + touching_gap(problem, n.dot(moved) - radius_a - radius_b);
+    const double arm_a =
+        radius_a + touching_gap(problem, p.apart ? d_hat : n.dot(moved) - radius_a - radius_b);
     const Vec3 turn = radius_b * turns[p.b] + arm_a * turns[p.a];
     set_lane(manifold.normal_a, k, normal_a);
     set_lane(manifold.rolled, k, n.cross(turn) - (moved - n * n.dot(moved)));
@@ -193,10 +194,12 @@ Pose seen_at_start(const Problem& p, Index i) {
 PABD_EACH_LEVEL void make_manifold(const Problem& p, const Passage& from, const ContactPoint* point,
                                    const ContactPoint* end, ContactManifold& manifold) {
   manifold = empty_manifold(point, end);
+  const bool apart = point->apart;
   for (; point != end; ++point) add_point(p, *point, from, manifold);
   manifold.start_d =
       manifold.gap +
       contact_planes(manifold, seen_at_start(p, manifold.a), seen_at_start(p, manifold.b)).along;
+  if (apart) manifold.start_d = larger(manifold.start_d, lanes(p.law.barrier.d_hat));
 }
 
 void make_manifolds(const Problem& p, const Workers& workers, const Passage& from, Detection& found,

@@ -52,9 +52,10 @@ double lighter_weight(const Problem& p, const ContactManifold& manifold) {
   return mass * weight_per_mass(*p.params);
 }
 
-double friction_error(const Problem& p, const ContactManifold& manifold, const ContactForce& f, Lanes u) {
+double friction_error(const Problem& p, const ContactManifold& manifold, const ContactForce& f, Lanes u,
+                      double least_load = kLeastLoad) {
   if (manifold.mu == 0) return 0;
-  const double least = kLeastLoad * lighter_weight(p, manifold);
+  const double least = least_load * lighter_weight(p, manifold);
   const Lanes error =
       friction_error(p.law_of(manifold), manifold, f, u) / (manifold.mu * larger(-f.first, lanes(least)));
   double worst = 0;
@@ -142,14 +143,15 @@ bool move_friction_limits(const Problem& p, const Island& island, const Workers&
                      [&](Index k) { return it.manifold[k].off; });
 }
 
-PABD_EACH_LEVEL double largest_friction_error(const Problem& p, const Island& island, const Iterate& it) {
+PABD_EACH_LEVEL double largest_friction_error(const Problem& p, const Island& island, const Iterate& it,
+                                              double least_load) {
   if (!p.friction) return 0;
   double worst = 0;
   for (const Index k : island.manifolds) {
     const ContactManifold& manifold = it.manifold[k];
     const ContactState state = state_of(it, manifold);
     const ContactForce f = normal_force(p.law_of(manifold).barrier, manifold, state.d);
-    const double error = friction_error(p, manifold, f, length(state.u));
+    const double error = friction_error(p, manifold, f, length(state.u), least_load);
     if (!(error <= worst)) worst = error;
   }
   return worst;

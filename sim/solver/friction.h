@@ -58,7 +58,8 @@ void start_friction(const Problem& p, const Workers& workers, Iterate& it);
 bool move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it);
 
 // Largest error of a friction force at the iterate, as a part of μ f_n.
-double largest_friction_error(const Problem& p, const Island& island, const Iterate& it);
+double largest_friction_error(const Problem& p, const Island& island, const Iterate& it,
+                              double least_load = kLeastLoad);
 
 // Does `newton` still hold a sliding contact back (see ease_slip)?
 bool holds_back(const Problem& p, const Island& island, const Iterate& it);

@@ -5,6 +5,7 @@
 // Unsolved is an island
 //   that left the numbers or all bounds (runaway.h),
 //   whose bodies moved by more than kUnsolved d̂ in the last iteration,
+//   whose friction is off by more than kUnsettled (IslandReport::friction_error),
 //   or that has more energy than it may have, converged or not (gains() of energy_bound.h): a corner turned through its
 //   lowest point between two steps.
 // Not with one iteration a step, which asks for what that gives, and not for `sissm`, whose bonds are as stiff as h lets them be
@@ -17,7 +18,7 @@
 
 namespace pabd {
 
-inline constexpr double kUnsolved = 0.03;
+inline constexpr double kUnsolved = 0.03, kUnsettled = 0.5;
 
 // Is a step with these parameters made again where it ends unsolved?
 bool may_halve(const SolverParams& solver);

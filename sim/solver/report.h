@@ -68,6 +68,9 @@ struct IslandReport {
   double residual;  // largest way of a body in the last iteration over d̂; where the moves of `newton` shrink
                     // quadratically that of the next one, extrapolated
   // Of an island that was made again in halves: the worst of them.
+  double friction_error =
+      0;  // of a step at the iteration limit: how far a friction force is from Coulomb's law, as a
+          // share of μ f_n or of μ times the lighter body's weight
 };
 
 // Wall clock; ms. The first four add up to the total of a step that was made.

@@ -108,6 +108,8 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
     } else if (bounds) {
       m.balance[k] = energy_balance(p, island, workers, m.velocities, m.energy, m.iterate);
     }
+    if (outcome.status == StepStatus::iteration_limit && p.friction)
+      outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);
     if (!halves || !ends_unsolved(outcome, m.balance[k])) continue;
     for (const Index i : island.bodies) m.again[i] = 1;
   }

@@ -80,6 +80,7 @@ Measured measured_between(FoundContact f, Looked first, Looked second) {
 // Passes of a pair over its contacts: what is near, and whether they may pass each other (passage.cpp).
 double nearest_found;
 bool may_pass;
+bool apart = false;  // ContactPoint::apart
 
 double thickness_along(uint body, uint shape, dmat3 R, dvec3 n) {
   const ShapeRecord record = shapes[kinds[kind_number[body]].shape];
@@ -142,6 +143,7 @@ void begin_way(uint p) {
 bool ends_way(uint p, int steps) {
   const int MOST_STEPS = 64;
   if (part_of_way >= 1) return true;
+  if (part_of_way == 0) apart = nearest_found >= params.d_hat;
   if (may_pass && nearest_found < params.d_hat && steps < MOST_STEPS) return true;
   const bool goes_on = may_pass && steps < MOST_STEPS;
   part_of_way = goes_on ? min(real(1), part_of_way + real((nearest_found - 0.5lf * params.d_hat) / farthest(p))) : 1;
@@ -202,7 +204,7 @@ void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked s
   const double radius_a = m.round_a, radius_b = m.round_b;
   const bool turns = radius_a == 0;
   const dvec3 r_b = turned_back(b, y_b + radius_b * f_n - c_b);
-  const dvec3 apart = pose[b].c.xyz - pose[a].c.xyz;
+  const dvec3 between = pose[b].c.xyz - pose[a].c.xyz;
   const dvec3 n = turns ? turned_back(a, f_n) : f_n;
   Contact c;
   c.id = uvec4(a, b, feature | (a > b ? 0x80000000u : 0u), at);
@@ -211,18 +213,20 @@ void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked s
   real3 before = real3(0, 0, 0);
   dvec3 r_a;
   if (turns) {
-    r_a = apart + r_b;
+    r_a = between + r_b;
     start_d = dot(n, r_a) - dot(f_n, y_a - c_a) - radius_b;
     if (radius_b > 0) before = real3(radius_b) * cross(real3(n), rotate(exp_turn(-turn_a / 2), turn_b - turn_a));
   } else {
     r_a = turned_back(a, y_a - radius_a * f_n - c_a);
-    start_d = dot(n, apart + r_b - r_a) - radius_a - radius_b;
+    start_d = dot(n, between + r_b - r_a) - radius_a - radius_b;
+    if (apart) start_d = max(start_d, params.d_hat);
     arm_a = radius_a + clamp(start_d, 0.0lf, double(params.d_hat));  // friction acts where b's surface is
     before = cross(real3(n), real(radius_b) * turn_b + real(arm_a) * turn_a);
   }
+  if (apart) start_d = max(start_d, params.d_hat);
   c.n = real4(real3(n), real(start_d));
   c.r_b = real4(real3(r_b), 0);
-  c.apart = real4(real3(apart), 1);
+  c.apart = real4(real3(between), 1);
   c.before = real4(before, 0);
 #ifdef ROUND
   c.r_a = real4(real3(r_a), 0);

@@ -106,10 +106,18 @@ Measured measured(FoundContact f, uint shape_a, dvec3 c_a, dmat3 R_a, uint shape
   m.round_b = rolling_of(shape_b);
   m.stays = true;
 #ifdef SOLIDS
-  if (is_solid(shape_a)) turn_plane(side_of(shape_a, c_a, R_a), m);
+  const bool both = is_solid(shape_a) && is_solid(shape_b);
+  if (is_solid(shape_a) && !both) turn_plane(side_of(shape_a, c_a, R_a), m);
   if (is_solid(shape_b)) {
-    if (m.round_a > 0 || has_face(shape_a, R_a, m.n)) turn_point(side_of(shape_b, c_b, R_b), m);
-    else turn_normal(side_of(shape_b, c_b, R_b), m);
+    const RoundSide side = side_of(shape_b, c_b, R_b);
+    if (has_face(shape_a, R_a, m.n) || (both && is_of_side(side_of(shape_a, c_a, R_a), m.n))) turn_point(side, m);
+    else turn_normal(side, m);
+  }
+  if (both) {
+    const bool stayed = m.stays;
+    turn_plane(side_of(shape_a, c_a, R_a), m);
+    if (m.round_a > 0 && m.round_b > 0) turn_point(side_of(shape_b, c_b, R_b), m);
+    m.stays = stayed;
   }
 #endif
   return m;
