@@ -9,27 +9,26 @@ dvec3 way_of(uint i) {
   if (kinds[kind_number[i]].fixed_ != 0) return dvec3(0);
   return dvec3(flight[i].u.xyz) - params.h * params.h * dvec3(params.gravity[0], params.gravity[1], params.gravity[2]);
 }
-dvec4 turn_of(uint i) {
-  return unit_d(dvec4(part_of_way == 1 ? flight[i].q : exp_turn(part_of_way * flight[i].turn.xyz)));
-}
-
-// Centre, from the origin, and rotation where body i is looked at.
-void look_at(uint i, dvec3 origin, out dvec3 c, out dmat3 R) {
-  c = pose[i].c.xyz - origin + double(part_of_way) * way_of(i);
-  R = matrix_of(turn_of(i)) * matrix_of(pose[i].q);
-}
-// Back from there to the start.
-dvec3 turned_back(uint i, dvec3 x) {
-  const dvec4 q = turn_of(i);
-  return x + 2 * cross(-q.xyz, cross(-q.xyz, x) + q.w * x);
-}
+// Turned by a unit quaternion.
+dvec3 turned_by(dvec4 q, dvec3 x) { return x + 2 * cross(q.xyz, cross(q.xyz, x) + q.w * x); }
 
 // A body as it is looked at, and what of it the contacts are those of: its shape, or a part of it.
 struct Looked {
   uint body, shape;
   dvec3 c, c_shape;
   dmat3 R, R_shape;
+  dvec4 turn;  // since the start of the step
 };
+
+// Centre, from the origin, and rotation where the body is looked at.
+void look_at(inout Looked at, dvec3 origin) {
+  const real4 turn = part_of_way == 1 ? flight[at.body].q : exp_turn(part_of_way * flight[at.body].turn.xyz);
+  at.turn = unit_d(dvec4(turn));
+  at.c = pose[at.body].c.xyz - origin + double(part_of_way) * way_of(at.body);
+  at.R = matrix_of(at.turn) * matrix_of(pose[at.body].q);
+  at.c_shape = at.c;
+  at.R_shape = at.R;
+}
 
 // The two bodies of a pair, the lower number first; c from an origin near both. A solid's facets are turned.
 void look_at_pair(uint p, out Looked first, out Looked second) {
@@ -39,12 +38,8 @@ void look_at_pair(uint p, out Looked first, out Looked second) {
   second.shape = uint(kinds[kind_number[second.body]].shape);
   // A plane may be far away.
   const dvec3 origin = pose[kinds[kind_number[first.body]].form == FORM_PLANE ? second.body : first.body].c.xyz;
-  look_at(first.body, origin, first.c, first.R);
-  look_at(second.body, origin, second.c, second.R);
-  first.c_shape = first.c;
-  second.c_shape = second.c;
-  first.R_shape = first.R;
-  second.R_shape = second.R;
+  look_at(first, origin);
+  look_at(second, origin);
 #ifdef SOLIDS
   turn_facets(first.shape, first.c, first.R_shape, second.shape, second.c, second.R_shape);
 #endif
@@ -64,17 +59,6 @@ uint reserve(uint p, uint count, real reach) {
   contact_first[p] = count;
   see(p, reach);
   return at;
-}
-
-// As the bodies stand; owner and other as the contact has them.
-Measured measured_between(FoundContact f, Looked first, Looked second) {
-  const bool second_owns = (f.feature & SECOND_OWNS) != 0u;
-  Looked a = first, b = second;
-  if (second_owns) {
-    a = second;
-    b = first;
-  }
-  return measured(f, a.shape, a.c_shape, a.R_shape, b.shape, b.c_shape, b.R_shape);
 }
 
 // Passes of a pair over its contacts: what is near, and whether they may pass each other (passage.cpp).
@@ -102,11 +86,10 @@ double thickness_along(uint body, uint shape, dmat3 R, dvec3 n) {
   return high - low;
 }
 
-// How far y, of a body that stands at c, turns from there to the end of the way.
-dvec3 turned_on(uint i, dvec3 c, dvec3 y) {
-  const dvec4 q = product_d(unit_d(dvec4(flight[i].q)), conjugate_d(turn_of(i)));
-  const dvec3 x = y - c;
-  return 2 * cross(q.xyz, cross(q.xyz, x) + q.w * x);
+// How far y turns from there to the end of the way.
+dvec3 turned_on(Looked at, dvec3 y) {
+  const dvec4 q = product_d(unit_d(dvec4(flight[at.body].q)), conjugate_d(at.turn));
+  return turned_by(q, y - at.c) - (y - at.c);
 }
 
 void weigh_passage(Measured m, Looked a, Looked b) {
@@ -114,17 +97,11 @@ void weigh_passage(Measured m, Looked a, Looked b) {
   const dvec3 y_a = m.y_b - (m.d + m.round_a) * m.n, y_b = m.y_b + m.round_b * m.n;
   const double straight = (1 - double(part_of_way)) * dot(way_of(a.body) - way_of(b.body), m.n);
   const double approach =
-      straight + max(0.0lf, dot(turned_on(a.body, a.c, y_a) - turned_on(b.body, b.c, y_b), m.n));
+      straight + max(0.0lf, dot(turned_on(a, y_a) - turned_on(b, y_b), m.n));
   if (!(m.d - approach < params.d_hat)) return;
   may_pass = may_pass || approach > 0.5lf * min(thickness_along(a.body, a.shape, a.R, m.n),
                                                 thickness_along(b.body, b.shape, b.R, m.n));
 }
-void weigh_passage(FoundContact f, Looked first, Looked second) {
-  const Measured m = measured_between(f, first, second);
-  if ((f.feature & SECOND_OWNS) != 0u) weigh_passage(m, second, first);
-  else weigh_passage(m, first, second);
-}
-
 // How far a point of one may move as seen from the other; m.
 double farthest(uint p) {
   const uint i = pairs[p].emitter, j = pairs[p].other;
@@ -155,57 +132,34 @@ struct Kept {
   uint corners_first, corners_second;  // of bodies that have a nearer one
   bool first_touches, second_touches;
 };
-#ifdef SOLIDS
-// Is the point that of a solid?
-bool is_corner_of(FoundContact f, Looked first, Looked second, out bool of_second) {
-  of_second = (f.feature & SECOND_OWNS) == 0u;
-  return is_solid(of_second ? second.shape : first.shape);
-}
-#endif
 // Number of contacts that this one adds for now.
-uint count_contact(FoundContact f, Looked first, Looked second, inout Kept kept) {
-#ifdef SOLIDS
-  bool of_second;
-  if (!is_corner_of(f, first, second, of_second)) return 1u;
-  const bool stays = measured_between(f, first, second).stays;
+uint count_contact(Measured m, bool of_second, inout Kept kept) {
   if (of_second) {
-    kept.second_touches = kept.second_touches || stays;
-    kept.corners_second += stays ? 0u : 1u;
+    kept.second_touches = kept.second_touches || m.stays;
+    kept.corners_second += m.stays ? 0u : 1u;
   } else {
-    kept.first_touches = kept.first_touches || stays;
-    kept.corners_first += stays ? 0u : 1u;
+    kept.first_touches = kept.first_touches || m.stays;
+    kept.corners_first += m.stays ? 0u : 1u;
   }
-  return stays ? 1u : 0u;
-#else
-  return 1u;
-#endif
+  return m.stays ? 1u : 0u;
 }
 uint corners_too(Kept kept) {
   return (kept.first_touches ? 0u : kept.corners_first) + (kept.second_touches ? 0u : kept.corners_second);
 }
-bool is_kept(FoundContact f, Looked first, Looked second, Kept kept) {
-#ifdef SOLIDS
-  bool of_second;
-  if (!is_corner_of(f, first, second, of_second)) return true;
-  return !(of_second ? kept.second_touches : kept.first_touches) || measured_between(f, first, second).stays;
-#else
-  return true;
-#endif
+bool is_kept(Measured m, bool of_second, Kept kept) {
+  return m.stays || !(of_second ? kept.second_touches : kept.first_touches);
 }
 
 // That contact becomes number `at` of the raw ones, under the name `feature`.
-void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked second) {
-  const bool second_owns = (f.feature & SECOND_OWNS) != 0u;
-  const uint a = second_owns ? second.body : first.body, b = second_owns ? first.body : second.body;
-  const dvec3 c_a = second_owns ? second.c : first.c, c_b = second_owns ? first.c : second.c;
-  const dmat3 R_a = second_owns ? second.R : first.R, R_b = second_owns ? first.R : second.R;
-  const Measured m = measured_between(f, first, second);
-  const dvec3 y_b = m.y_b, f_n = m.n, y_a = y_b - m.d * f_n;
+void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked looked_b) {
+  const uint a = looked_a.body, b = looked_b.body;
+  const dvec3 c_a = looked_a.c, c_b = looked_b.c, y_b = m.y_b, f_n = m.n, y_a = y_b - m.d * f_n;
+  const dvec4 back_a = conjugate_d(looked_a.turn), back_b = conjugate_d(looked_b.turn);
   const double radius_a = m.round_a, radius_b = m.round_b;
   const bool turns = radius_a == 0;
-  const dvec3 r_b = turned_back(b, y_b + radius_b * f_n - c_b);
+  const dvec3 r_b = turned_by(back_b, y_b + radius_b * f_n - c_b);
   const dvec3 between = pose[b].c.xyz - pose[a].c.xyz;
-  const dvec3 n = turns ? turned_back(a, f_n) : f_n;
+  const dvec3 n = turns ? turned_by(back_a, f_n) : f_n;
   Contact c;
   c.id = uvec4(a, b, feature | (a > b ? 0x80000000u : 0u), at);
   const real3 turn_a = flight[a].turn.xyz, turn_b = flight[b].turn.xyz;
@@ -217,7 +171,7 @@ void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked s
     start_d = dot(n, r_a) - dot(f_n, y_a - c_a) - radius_b;
     if (radius_b > 0) before = real3(radius_b) * cross(real3(n), rotate(exp_turn(-turn_a / 2), turn_b - turn_a));
   } else {
-    r_a = turned_back(a, y_a - radius_a * f_n - c_a);
+    r_a = turned_by(back_a, y_a - radius_a * f_n - c_a);
     start_d = dot(n, between + r_b - r_a) - radius_a - radius_b;
     if (apart) start_d = max(start_d, params.d_hat);
     arm_a = radius_a + clamp(start_d, 0.0lf, double(params.d_hat));  // friction acts where b's surface is
@@ -234,6 +188,50 @@ void write_contact(uint at, FoundContact f, uint feature, Looked first, Looked s
 #endif
   raw[at] = c;
   raw_geometry[at] = ContactGeometry(
-      real4(real3(transpose(R_a) * f_n), real(dot(f_n, y_a - c_a))),
-      real4(real3(transpose(R_b) * (y_b - c_b)), 0));
+      real4(real3(transpose(looked_a.R) * f_n), real(dot(f_n, y_a - c_a))),
+      real4(real3(transpose(looked_b.R) * (y_b - c_b)), 0));
+}
+
+// What a pass over the contacts of a pair does with each: first it tells whether the two may pass each other, then it
+// counts, then it writes. One place, since a compiler takes long for each.
+const int WEIGHS = 0, COUNTS = 1, WRITES = 2;
+struct Pass {
+  int does, steps;
+  uint count, at, written;
+  Kept kept;
+};
+Pass first_pass(uint p) {
+  begin_way(p);
+  return Pass(part_of_way < 1 ? WEIGHS : COUNTS, 0, 0u, 0u, 0u, Kept(0u, 0u, false, false));
+}
+void begin_pass() {
+  nearest_found = 1e300lf;
+  may_pass = false;
+}
+void treat(FoundContact f, uint feature, Looked first, Looked second, inout Pass pass) {
+  const bool of_second = (f.feature & SECOND_OWNS) == 0u;  // the point
+  Looked a = first, b = second;
+  if (!of_second) {
+    a = second;
+    b = first;
+  }
+  const Measured m = measured(f, a.shape, a.c_shape, a.R_shape, b.shape, b.c_shape, b.R_shape);
+  if (pass.does == WEIGHS) weigh_passage(m, a, b);
+  if (pass.does == COUNTS) pass.count += count_contact(m, of_second, pass.kept);
+  if (pass.does != WRITES || !is_kept(m, of_second, pass.kept)) return;
+  write_contact(pass.at + pass.written, m, feature, a, b);
+  ++pass.written;
+}
+// The next one; WRITES + 1: there is none.
+void end_pass(uint p, real reach, inout Pass pass) {
+  if (pass.does == WEIGHS) {
+    if (ends_way(p, pass.steps) || part_of_way >= 1) pass.does = COUNTS;
+    ++pass.steps;
+    return;
+  }
+  ++pass.does;
+  if (pass.does != WRITES) return;
+  pass.count += corners_too(pass.kept);
+  pass.at = reserve(p, pass.count, reach);
+  if (pass.at + pass.count > params.contact_room) ++pass.does;
 }

@@ -8,19 +8,13 @@ void main() {
   if (n >= counters.touch_size[KINDS_HERE]) return;
   const uint p = touching[counters.touch_first[KINDS_HERE] + n];
   Looked first, second;
-  begin_way(p);
-  look_at_pair(p, first, second);
-  const uint shape_first = first.shape, shape_second = second.shape;
-  const uint parts = parts_of(shape_first), parts_second = parts_of(shape_second);
-  const real reach = reach_of(first.body, second.body);
-  uint count = 0u, at = 0u, written = 0u;
-  bool fits = true, weighs = part_of_way < 1;
-  Kept kept = Kept(0u, 0u, false, false);
-  int steps = 0;
-  nearest_found = 1e300lf;
-  may_pass = false;
-  // Turn 0 counts, turn 1 writes; before, on the way of the bodies, turns −1.
-  for (int turn = weighs ? -1 : 0; turn < 2 && fits;) {
+  const real reach = reach_of(pairs[p].emitter, pairs[p].other);
+  Pass pass = first_pass(p);
+  while (pass.does <= WRITES) {
+    begin_pass();
+    look_at_pair(p, first, second);
+    const uint shape_first = first.shape, shape_second = second.shape;
+    const uint parts = parts_of(shape_first), parts_second = parts_of(shape_second);
     for (uint k = 0u; k < parts * parts_second; ++k) {
       const uint k_first = k % parts, k_second = k / parts;
       first.c_shape = first.c;
@@ -30,30 +24,15 @@ void main() {
       if (!parts_may_meet(first.shape, first.c_shape, second.shape, second.c_shape, double(reach))) continue;
       place_pair(first.shape, first.c_shape, first.R_shape, second.shape, second.c_shape, second.R_shape);
       find_contacts(wide(reach));
-      const uint found_here = uint(contacts_found());
-      for (uint i = 0u; i < found_here; ++i) {
-        const FoundContact f = found_contact(int(i));
-        if (turn < 0) weigh_passage(f, first, second);
-        if (turn == 0) count += count_contact(f, first, second, kept);
-        if (turn != 1 || !is_kept(f, first, second, kept)) continue;
-        write_contact(at + written, f, part_name(shape_first, k_first, k_second, f.feature & ~SECOND_OWNS), first, second);
-        ++written;
+      for (int i = 0; i < contacts_found(); ++i) {
+        const FoundContact f = found_contact(i);
+        treat(f, part_name(shape_first, k_first, k_second, f.feature & ~SECOND_OWNS), first, second, pass);
       }
     }
-    if (turn < 0) {
-      if (ends_way(p, steps++) || part_of_way >= 1) turn = 0;
-      look_at_pair(p, first, second);
-      nearest_found = 1e300lf;
-      may_pass = false;
-      continue;
-    }
-    if (turn == 0) {
-      count += corners_too(kept);
-      at = reserve(p, count, reach);
-    }
-    fits = at + count <= params.contact_room;
-    ++turn;
+    end_pass(p, reach, pass);
   }
+  const uint at = pass.at, count = pass.count;
+  const bool fits = at + count <= params.contact_room;
   // Equal names, which are one in a million, are told apart by counting up.
   for (uint k = 1u; fits && k < count; ++k) {
     uint name = raw[at + k].id.z;
