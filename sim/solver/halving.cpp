@@ -10,8 +10,6 @@
 namespace pabd {
 namespace {
 
-constexpr int kLastChance = 4;  // times the iterations at the last depth, from where there is no other way
-
 // What the second half adds to the first: work, and the worst of both. How it ends is the second's.
 void follow(const StepReport& second, StepReport& first) {
   const StepSummary before = first.summary();
