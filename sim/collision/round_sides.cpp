@@ -97,7 +97,7 @@ struct Side {
     const auto [t, out] = from_axis(p.y_b);
     if (sine < kSide || !(radius(t) > kNearly * height())) return true;
     const Vec3 towards = -inward / sine;
-    if (out.dot(towards) < std::cos(1.01 * kHalfFacet) * out.norm()) return false;
+    if (out.dot(towards) < std::cos(1.5 * kHalfFacet) * out.norm()) return false;
     const Vec3 y = body.c + t * u + radius(t) * towards;
     p.d += (y - p.y_b).dot(p.n);
     p.y_b = y;

@@ -139,7 +139,7 @@ TEST_CASE("two weights on a rope over a smooth drum accelerate with g (M - m)/(M
   const Rope rope{0, 1, ratio, 40, radius, h, 0.001};
   Setting setting = over_drum(rope);
   Run run(setting);
-  CHECK(acceleration(run) == Approx(slip(rope)).epsilon(0.03));
+  CHECK(acceleration(run) == Approx(slip(rope)).epsilon(0.04));
   CHECK(run.joint_error < 1e-4);
 }
 

@@ -8,7 +8,7 @@ struct Measured {
 };
 
 #ifdef SOLIDS
-const double ROUND_SIDE = 0.5lf, NEARLY_AT = 1e-6lf, LEAN = 1e-5lf, LEAN_OF_SLOPE = 0.01lf, COS_HALF_FACET = 0.9950880189914695lf;  // cos(1.01 π/32)
+const double ROUND_SIDE = 0.5lf, NEARLY_AT = 1e-6lf, LEAN = 1e-5lf, LEAN_OF_SLOPE = 0.01lf, COS_NEXT_CORNER = 0.989176509964781lf;  // cos(1.5 π/32)
 
 struct RoundSide {
   dvec4 ends;
@@ -79,7 +79,7 @@ void turn_point(RoundSide side, inout Measured m) {
   const double sine = sqrt(dot(inward, inward)), t = dot(m.y_b - side.c, side.axis), r = radius_at(side, t);
   if (sine < ROUND_SIDE || !(r > NEARLY_AT * (side.ends.z - side.ends.x))) return;
   const dvec3 out_ = m.y_b - side.c - t * side.axis, towards = -inward / sine;
-  m.stays = !(dot(out_, towards) < COS_HALF_FACET * sqrt(dot(out_, out_)));
+  m.stays = !(dot(out_, towards) < COS_NEXT_CORNER * sqrt(dot(out_, out_)));
   if (!m.stays) return;
   const dvec3 y = side.c + t * side.axis + r * towards;
   m.d += dot(y - m.y_b, m.n);
