@@ -19,8 +19,8 @@
 namespace pabd {
 
 inline constexpr double kUnsolved = 0.03, kUnsettled = 0.5;
-inline constexpr int kLastChance =
-    4;  // times the iterations at the last depth, from where there is no other way
+// Times the iterations at the last depth, from where there is no other way.
+inline constexpr int kLastChance = 4;
 
 // Is a step with these parameters made again where it ends unsolved?
 bool may_halve(const SolverParams& solver);
