@@ -111,9 +111,11 @@ const Shape& facets(const Shape& shape) {
 // The same of any two; hulls stand for solids. In the order of their features.
 void collide_any(const Placed<Shape>& a, const Placed<Shape>& b, double reach, Contacts& out) {
   const auto start = static_cast<std::ptrdiff_t>(out.size());
-  if (a.shape.index() == kSolid || b.shape.index() == kSolid) {
+  const bool solids = a.shape.index() == kSolid || b.shape.index() == kSolid;
+  if (solids) {
     const Mat3 R_a = narrow::facing(a, b), R_b = narrow::facing(b, a);
-    collide({facets(a.shape), a.c, R_a, a.number}, {facets(b.shape), b.c, R_b, b.number}, reach, out);
+    const double near = reach + narrow::facet_depth(a.shape) + narrow::facet_depth(b.shape);
+    collide({facets(a.shape), a.c, R_a, a.number}, {facets(b.shape), b.c, R_b, b.number}, near, out);
   } else {
     collide(a, b, reach, out);
   }
@@ -123,6 +125,10 @@ void collide_any(const Placed<Shape>& a, const Placed<Shape>& b, double reach, C
     if (round_b > 0) (p->a == b.number ? p->round_a : p->round_b) = round_b;
   }
   narrow::round_off(a, b, static_cast<std::size_t>(start), out);
+  if (solids)
+    out.erase(
+        std::remove_if(out.begin() + start, out.end(), [&](const ContactPoint& p) { return !(p.d < reach); }),
+        out.end());
   std::sort(out.begin() + start, out.end(),
             [](const ContactPoint& p, const ContactPoint& q) { return p.feature < q.feature; });
 }

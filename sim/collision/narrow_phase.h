@@ -53,6 +53,9 @@ void compound_shape(const Placed<Compound>& compound, const Placed<Shape>& other
 // The rotation with which the facets of a solid stand for it against `other`; that of any other body as it is.
 Mat3 facing(const Placed<Shape>& body, const Placed<Shape>& other);
 
+// How far inside the round surface of a solid its facets lie, at most; 0 of any other shape; m.
+double facet_depth(const Shape& shape);
+
 // Of two bodies, contacts from `start` on that were found on the facets of solids: those at the side of a round one are
 // put there, in no order. Sets ContactPoint::round_a, round_b.
 void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start, Contacts& out);

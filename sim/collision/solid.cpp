@@ -94,6 +94,13 @@ struct Towards {
 
 }  // namespace
 
+double facet_depth(const Shape& shape) {
+  const auto* solid = std::get_if<Solid>(&shape);
+  if (!solid || !kind_of(*solid).round_about_y) return 0;
+  const Frustum frustum = frustum_of(shape);
+  return std::max(frustum.r_low, frustum.r_high) * (1 - std::cos(kPi / kFacets));
+}
+
 Mat3 facing(const Placed<Shape>& body, const Placed<Shape>& other) {
   const Mat3& R = body.R;
   const auto* solid = std::get_if<Solid>(&body.shape);

@@ -51,13 +51,14 @@ void main() {
     if (!parts_may_meet(shape_0, c_0, shape_1, c_1, reach)) continue;
 #endif
     place_pair(shape_0, c_0, R_first, shape_1, c_1, R_second);
-    find_contacts(wide(reach));
+    find_contacts(reach_of_facets(reach, shape_0, shape_1));
     for (int i = 0; i < contacts_found() && count < MOST; ++i) {
       FoundContact p = found_contact(i);
       uint feature = p.feature & ~SECOND_OWNS, owner = (p.feature & SECOND_OWNS) != 0u ? 1u : 0u;
       Measured m;
       if (owner != 0u) m = measured(p, shape_1, c_1, R_second, shape_0, c_0, R_first);
       else m = measured(p, shape_0, c_0, R_first, shape_1, c_1, R_second);
+      if (!(m.d < reach)) continue;
 #ifdef PARTS
       feature = part_name(shape_first, k % parts, k / parts, feature);
 #endif

@@ -200,7 +200,7 @@ TEST_CASE("a tall tower stays at rest") {
 // Galton's board, 1889.
 TEST_CASE("balls fall through a board of pegs, all of them, and make no energy") {
   const double h = GENERATE(1.0 / 60, 1.0 / 240);
-  const unsigned seed = 3;
+  const unsigned seed = GENERATE(3u, 4u);
   CAPTURE(h, seed);
   std::mt19937 rng(seed);
   std::uniform_real_distribution<double> one(-1, 1);

@@ -139,7 +139,7 @@ TEST_CASE("two weights on a rope over a smooth drum accelerate with g (M - m)/(M
   const Rope rope{0, 1, ratio, 40, radius, h, 0.001};
   Setting setting = over_drum(rope);
   Run run(setting);
-  CHECK(acceleration(run) == Approx(slip(rope)).epsilon(0.04));
+  CHECK(acceleration(run) == Approx(slip(rope)).epsilon(0.03));
   CHECK(run.joint_error < 1e-4);
 }
 
@@ -233,20 +233,29 @@ TEST_CASE("a ball that strikes a slack chain opens no joint and makes no energy"
   CHECK(run.rise < 1e-6 * std::abs(run.begin));
 }
 
-// A curtain that is let go level: nets that froze in the air are T2 of the findings.
-TEST_CASE("a level net that hangs by one edge swings down and stays in one piece") {
-  const int edge = GENERATE(4, 9);
-  const double size = GENERATE(0.1, 0.4), h = GENERATE(1.0 / 60, 1.0 / 240);
-  CAPTURE(edge, size, h);
-  Setting setting(h, 0.5, 0.01 * size);
+namespace {
+
+// 3 m up, of tiles that hang on each other.
+Run level_net(int edge, double size, double h, double d_hat, const char* fixed) {
+  Setting setting(h, 0.5, d_hat);
   setting.builder.add(spec::Net{.rows = edge,
                                 .columns = edge,
                                 .size = Vec3(size, 0.1 * size, size),
                                 .position = Vec3(0, 3, 0),
                                 .gap = 0.02 * size,
                                 .joint = JointType::spherical,
-                                .fixed = "top"});
-  Run run(setting);
+                                .fixed = fixed});
+  return Run(setting);
+}
+
+}  // namespace
+
+// A curtain that is let go level: nets that froze in the air are T2 of the findings.
+TEST_CASE("a level net that hangs by one edge swings down and stays in one piece") {
+  const int edge = GENERATE(4, 9);
+  const double size = GENERATE(0.1, 0.4), h = GENERATE(1.0 / 60, 1.0 / 240);
+  CAPTURE(edge, size, h);
+  Run run = level_net(edge, size, h, 0.01 * size, "top");
   const double length = (edge - 1) * size * 1.02;
   double lowest = 3;
   run.go(2.5 * std::sqrt(length / kG), [&] {
@@ -263,15 +272,7 @@ TEST_CASE("a level net between its corners makes no energy") {
   const int edge = GENERATE(4, 7);
   const double size = GENERATE(0.1, 0.4), h = GENERATE(1.0 / 60, 1.0 / 240);
   CAPTURE(edge, size, h);
-  Setting setting(h, 0.5, 0.005 * size);
-  setting.builder.add(spec::Net{.rows = edge,
-                                .columns = edge,
-                                .size = Vec3(size, 0.1 * size, size),
-                                .position = Vec3(0, 3, 0),
-                                .gap = 0.02 * size,
-                                .joint = JointType::spherical,
-                                .fixed = "corners"});
-  Run run(setting);
+  Run run = level_net(edge, size, h, 0.005 * size, "corners");
   run.go(1.5);
   CHECK(run.rise < 1e-6 * run.weight() * size);
   CHECK(run.joint_error < 1e-3 * size);

@@ -92,12 +92,13 @@ TEST_CASE("on a slope that steepens a block slides if μ is below width over hei
 
 // A belt that starts faster than friction allows: conveyors of the engines' forums, T1 of the findings.
 TEST_CASE("a box on a belt that starts too fast is taken along with μ g, whatever its mass") {
-  const double mu = GENERATE(0.1, 0.35), mass = GENERATE(0.2, 2.0, 300.0);
+  const double mu = GENERATE(0.1, 0.35), mass = GENERATE(0.05, 0.2, 2.0, 300.0);
   const double h = GENERATE(1.0 / 60, 1.0 / 240), belt_speed = GENERATE(3.0, 7.0);
-  CAPTURE(mu, mass, h, belt_speed);
+  const double gap = GENERATE(0.0099, 0.01);  // just within d̂, and not
+  CAPTURE(mu, mass, h, belt_speed, gap);
   Setting setting(h, mu);
   const std::string belt = setting.add(Box{{12, 0.1, 0.5}}, 60, {0, 0.1, 0});
-  const std::string box = setting.add(Box{{0.2, 0.1, 0.15}}, mass, {-4, 0.31, 0});
+  const std::string box = setting.add(Box{{0.2, 0.1, 0.15}}, mass, {-4, 0.3 + gap, 0});
   setting.builder.add(spec::Joint{.type = JointType::slider,
                                   .j = belt,
                                   .anchor = Vec3(0, 0.1, 0),
@@ -246,27 +247,6 @@ TEST_CASE("a smooth wedge drives two smooth blocks apart with M g tan α / (M + 
   const double a = M * kG * tan / (M + 2 * m * tan * tan);
   CHECK(run.v(blocks[1]).x() - v == Approx(0.1 * a).epsilon(0.01));
   CHECK(run.v(blocks[0]).x() == Approx(-run.v(blocks[1]).x()).epsilon(1e-6));
-}
-
-// A belt that starts faster than friction allows: conveyors of the engines' forums, T1 of the findings.
-TEST_CASE("a light box within reach of a heavy belt is taken along with μ g") {
-  const double mu = GENERATE(0.1, 0.35), mass = GENERATE(0.05, 0.2, 0.5);
-  const double h = GENERATE(1.0 / 60, 1.0 / 240), belt_speed = GENERATE(2.0, 3.0, 4.0);
-  CAPTURE(mu, mass, h, belt_speed);
-  Setting setting(h, mu);
-  const std::string belt = setting.add(Box{{12, 0.1, 0.5}}, 60, {0, 0.1, 0});
-  const std::string box = setting.add(Box{{0.2, 0.1, 0.15}}, mass, {-4, 0.3099, 0});
-  setting.builder.add(spec::Joint{.type = JointType::slider,
-                                  .j = belt,
-                                  .anchor = Vec3(0, 0.1, 0),
-                                  .axis = Vec3::UnitX(),
-                                  .drive = Profile{{{0, 0}, {2, 2 * belt_speed}}}});
-  Run run(setting);
-  for (const double time : {0.3, 0.6, 0.8}) {
-    run.go(time - run.state.time);
-    CHECK(run.v(box).x() == Approx(std::min(belt_speed, mu * kG * run.state.time)).epsilon(0.02));
-  }
-  CHECK(run.v(belt).x() == Approx(belt_speed).epsilon(1e-4));
 }
 
 }  // namespace pabd::test_sliding

@@ -34,7 +34,7 @@ TEST_CASE("a gyroscope with a level axle turns with m g l/(I ω)") {
 }
 
 // Explicit gyroscopic terms blow up: avian issue 400 and pull request 420; Catto's talk of 2015 on numerical methods.
-TEST_CASE("a slim body that spins fast about any axis keeps its angular momentum") {
+TEST_CASE("a slim body that spins fast about any axis keeps its angular momentum and makes no energy") {
   const Vec3 axis = GENERATE(Vec3(1, 0.1, 0), Vec3(0.1, 1, 0.05), Vec3(0.02, 0.1, 1));
   const double slim = GENERATE(0.3, 0.03), rate = GENERATE(10.0, 200.0), h = GENERATE(1.0 / 60, 1.0 / 500);
   CAPTURE(axis.transpose(), slim, rate, h);
@@ -49,6 +49,7 @@ TEST_CASE("a slim body that spins fast about any axis keeps its angular momentum
   const Vec3 before = angular();
   run.go(2);
   CHECK((angular() - before).norm() < 1e-9 * before.norm());
+  CHECK(run.rise < 0.01 * run.begin);  // the midpoint rule's own error, which comes and goes
 }
 
 // A spinning box on a table: friction at four corners, at the half diagonal ρ, slows it by 3 μ g/ρ.
@@ -67,21 +68,6 @@ TEST_CASE("a box that spins on the floor slows down by 3 μ g/ρ and stops") {
   run.go(0.5);
   CHECK(run.omega(box).norm() < 1e-6);
   CHECK(run.rise < 1e-9);
-}
-
-// Explicit gyroscopic terms blow up: avian issue 400 and pull request 420; Catto's talk of 2015 on numerical methods.
-TEST_CASE("a slim body that spins freely makes no energy") {
-  const Vec3 axis = GENERATE(Vec3(1, 0.1, 0), Vec3(0.1, 1, 0.05), Vec3(0.02, 0.1, 1));
-  const double slim = GENERATE(0.3, 0.03), rate = GENERATE(10.0, 200.0), h = GENERATE(1.0 / 60, 1.0 / 500);
-  CAPTURE(axis.transpose(), slim, rate, h);
-  Setting setting(h);
-  setting.builder.params.gravity = Vec3::Zero();
-  const std::string rod = setting.add(
-      spec::Body{.shape = Box{Vec3(1, slim, 0.6 * slim) / 2}, .mass = 1.0, .position = Vec3(0, 0, 0)});
-  Run run(setting);
-  run.send(rod, Vec3::Zero(), rate * axis);
-  run.go(2);
-  CHECK(run.rise < 0.01 * run.begin);  // the midpoint rule's own error, which comes and goes
 }
 
 }  // namespace pabd::test_spin

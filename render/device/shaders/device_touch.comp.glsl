@@ -13,11 +13,11 @@ void main() {
     if (pass.does < WRITES) {
       look_at_pair(p, first, second);
       place_pair(first.shape, first.c, first.R_shape, second.shape, second.c, second.R_shape);
-      find_contacts(wide(reach));
+      find_contacts(reach_of_facets(double(reach), first.shape, second.shape));
     }
     for (int k = 0; k < contacts_found(); ++k) {
       const FoundContact f = found_contact(k);
-      treat(f, f.feature & ~SECOND_OWNS, first, second, pass);
+      treat(f, f.feature & ~SECOND_OWNS, first, second, reach, pass);
     }
     end_pass(p, reach, pass);
   }

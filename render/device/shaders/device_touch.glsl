@@ -208,7 +208,7 @@ void begin_pass() {
   nearest_found = 1e300lf;
   may_pass = false;
 }
-void treat(FoundContact f, uint feature, Looked first, Looked second, inout Pass pass) {
+void treat(FoundContact f, uint feature, Looked first, Looked second, real reach, inout Pass pass) {
   const bool of_second = (f.feature & SECOND_OWNS) == 0u;  // the point
   Looked a = first, b = second;
   if (!of_second) {
@@ -216,6 +216,7 @@ void treat(FoundContact f, uint feature, Looked first, Looked second, inout Pass
     b = first;
   }
   const Measured m = measured(f, a.shape, a.c_shape, a.R_shape, b.shape, b.c_shape, b.R_shape);
+  if (!(m.d < double(reach))) return;
   if (pass.does == WEIGHS) weigh_passage(m, a, b);
   if (pass.does == COUNTS) pass.count += count_contact(m, of_second, pass.kept);
   if (pass.does != WRITES || !is_kept(m, of_second, pass.kept)) return;

@@ -23,10 +23,10 @@ void main() {
       second.shape = part_of(shape_second, k_second, second.c_shape, second.R);
       if (!parts_may_meet(first.shape, first.c_shape, second.shape, second.c_shape, double(reach))) continue;
       place_pair(first.shape, first.c_shape, first.R_shape, second.shape, second.c_shape, second.R_shape);
-      find_contacts(wide(reach));
+      find_contacts(reach_of_facets(double(reach), first.shape, second.shape));
       for (int i = 0; i < contacts_found(); ++i) {
         const FoundContact f = found_contact(i);
-        treat(f, part_name(shape_first, k_first, k_second, f.feature & ~SECOND_OWNS), first, second, pass);
+        treat(f, part_name(shape_first, k_first, k_second, f.feature & ~SECOND_OWNS), first, second, reach, pass);
       }
     }
     end_pass(p, reach, pass);

@@ -88,6 +88,14 @@ void turn_point(RoundSide side, inout Measured m) {
 }
 #endif
 
+// Within which contacts of two shapes are looked for so that all that are measured within `reach` are found.
+wide reach_of_facets(double reach, uint shape_a, uint shape_b) {
+#ifdef SOLIDS
+  reach += facet_depth(shape_a) + facet_depth(shape_b);
+#endif
+  return wide(reach);
+}
+
 double rolling_of(uint shape) {
   const uint kind = shapes[shape].kind;
   return kind == uint(SPHERE) || kind == uint(CAPSULE) ? shapes[shape].size.x : 0;

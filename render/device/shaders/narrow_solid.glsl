@@ -18,6 +18,13 @@ double solid_support(dvec4 ends, dvec3 u) {
   return max(ends.x * u.y + ends.y * across, ends.z * u.y + ends.w * across);
 }
 
+// How far inside the round surface the facets lie, at most.
+double facet_depth(uint shape) {
+  if (!is_solid(shape)) return 0;
+  dvec4 ends = ends_of(shape);
+  return max(ends.y, ends.w) * (1 - COS_FACET);
+}
+
 struct Axis {
   dvec3 middle, along;
   double half_length;
