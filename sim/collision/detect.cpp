@@ -110,6 +110,7 @@ const Shape& facets(const Shape& shape) {
 
 // The same of any two; hulls stand for solids. In the order of their features.
 void collide_any(const Placed<Shape>& a, const Placed<Shape>& b, double reach, Contacts& out) {
+  if (narrow::side_on_plane(a, b, reach, out) || narrow::side_on_plane(b, a, reach, out)) return;
   const auto start = static_cast<std::ptrdiff_t>(out.size());
   const bool solids = a.shape.index() == kSolid || b.shape.index() == kSolid;
   if (solids) {

@@ -56,6 +56,10 @@ Mat3 facing(const Placed<Shape>& body, const Placed<Shape>& other);
 // How far inside the round surface of a solid its facets lie, at most; 0 of any other shape; m.
 double facet_depth(const Shape& shape);
 
+// The side of a round solid on a plane: its two ends, named after the corners of the facets there. False, and nothing is
+// added: it is no such solid, or it stands.
+bool side_on_plane(const Placed<Shape>& plane, const Placed<Shape>& solid, double reach, Contacts& out);
+
 // Of two bodies, contacts from `start` on that were found on the facets of solids: those at the side of a round one are
 // put there, in no order. Sets ContactPoint::round_a, round_b.
 void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start, Contacts& out);

@@ -135,6 +135,23 @@ bool is_round(const Placed<Shape>& body) {
 
 }  // namespace
 
+bool side_on_plane(const Placed<Shape>& plane, const Placed<Shape>& solid, double reach, Contacts& out) {
+  if (!is_plane(plane.shape) || !is_round(solid)) return false;
+  const Side side(solid);
+  const auto& [n, offset] = as<Plane>(plane.shape);
+  const Vec3 out_of_axis = side.across(n);
+  if (out_of_axis.norm() < kSide) return false;
+  const double ends[] = {side.frustum.low, side.frustum.high};
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    const Vec3 y = solid.c + ends[k] * side.u - side.radius(ends[k]) * out_of_axis.normalized();
+    const double d = n.dot(y) - offset;
+    if (!(d < reach)) continue;
+    add_contact(out, plane.number, solid.number, y, n, d, k * kFacets);
+    side.turn_point(out.back());
+  }
+  return true;
+}
+
 void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start, Contacts& out) {
   const bool both = is_round(a) && is_round(b);
   for (const Placed<Shape>* body : {&a, &b}) {

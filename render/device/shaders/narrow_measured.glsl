@@ -8,7 +8,7 @@ struct Measured {
 };
 
 #ifdef SOLIDS
-const double ROUND_SIDE = 0.5lf, NEARLY_AT = 1e-6lf, LEAN = 1e-5lf, LEAN_OF_SLOPE = 0.01lf, COS_NEXT_CORNER = 0.989176509964781lf;  // cos(1.5 π/32)
+const double NEARLY_AT = 1e-6lf, LEAN = 1e-5lf, LEAN_OF_SLOPE = 0.01lf, COS_NEXT_CORNER = 0.989176509964781lf;  // cos(1.5 π/32)
 
 struct RoundSide {
   dvec4 ends;

@@ -11,7 +11,14 @@ void find_contacts(wide reach) {
   HullView view = view_of(b.shape);
   wide3 up = n * b.R;
   int count = 0;
+#ifdef SOLIDS
+  // side_on_plane of round_sides.cpp: the first corner of either end is the lowest.
+  bool on_side = is_solid(b.shape) && !(1 - up.y * up.y < wide(ROUND_SIDE * ROUND_SIDE));
+#endif
   for (uint v = 0u; v < view.vertices; ++v) {
+#ifdef SOLIDS
+    if (on_side && v % FACETS != 0u) continue;
+#endif
     wide3 x = vertex_of(view, v);
     wide height = centre + dot(up, x);
     if (!(height < reach) || count == MOST_CANDIDATES) continue;

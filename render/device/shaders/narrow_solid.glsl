@@ -2,6 +2,8 @@
 // solid.cpp: the facets of cylinders and cones, turned about their axis towards what they touch. In double, as poses are.
 #define SOLIDS
 const double UPRIGHT = 0.05lf, AXES_MEET = 1e-9lf;
+const double ROUND_SIDE = 0.5lf;
+const uint FACETS = 32u;
 const double COS_FACET = 0.9951847266721969lf, SIN_FACET = 0.0980171403295606lf;  // of π/32
 
 bool is_solid(uint shape) { return shapes[shape].ends != 0u; }
