@@ -58,7 +58,6 @@ void main() {
       Measured m;
       if (owner != 0u) m = measured(p, shape_1, c_1, R_second, shape_0, c_0, R_first);
       else m = measured(p, shape_0, c_0, R_first, shape_1, c_1, R_second);
-      if (!(m.d < reach)) continue;
 #ifdef PARTS
       feature = part_name(shape_first, k % parts, k / parts, feature);
 #endif
@@ -70,7 +69,7 @@ void main() {
       }
       number[7u * at + 6u] = m.d;
       word[2u * at] = feature;
-      word[2u * at + 1u] = owner | (m.stays ? 0u : 2u);
+      word[2u * at + 1u] = owner | (m.stays ? 0u : 2u) | (m.d < reach ? 0u : 4u);
       ++count;
     }
   }
@@ -174,7 +173,7 @@ std::vector<std::vector<ContactPoint>> NarrowOnDevice::contacts(const ShapeTable
       const std::uint32_t* word = &words[kWords * i];
       const Vec3 y_b(x[0], x[1], x[2]), n(x[3], x[4], x[5]);
       const Index a = word[1] & 1;
-      if ((word[1] & 2) != 0 && touches[a]) continue;
+      if ((word[1] & 4) != 0 || ((word[1] & 2) != 0 && touches[a])) continue;
       out[k].push_back({a, 1 - a, y_b - x[6] * n, y_b, n, x[6], word[0]});
     }
     std::sort(out[k].begin(), out[k].end(),

@@ -197,7 +197,7 @@ TEST_CASE("a tall tower stays at rest") {
   CHECK(run.carried() == Approx(run.weight()).epsilon(1e-4));
 }
 
-// Galton's board, 1889.
+// Galton's board, 1889. Two balls go side by side between two pegs: larger ones may well form an arch.
 TEST_CASE("balls fall through a board of pegs, all of them, and make no energy") {
   const double h = GENERATE(1.0 / 60, 1.0 / 240);
   const unsigned seed = GENERATE(3u, 4u);
@@ -213,7 +213,7 @@ TEST_CASE("balls fall through a board of pegs, all of them, and make no energy")
   std::vector<std::string> balls;
   for (int k = 0; k < 25; ++k) {
     const double x = 0.1 * one(rng);
-    balls.push_back(setting.add(Sphere{0.015}, 0.02, {x, 1.2 + 0.05 * k, 0.003 * (k % 3)}));
+    balls.push_back(setting.add(Sphere{0.013}, 0.02, {x, 1.2 + 0.05 * k, 0.003 * (k % 3)}));
   }
   Run run(setting);
   run.go(3);

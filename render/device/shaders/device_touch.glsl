@@ -132,16 +132,16 @@ struct Kept {
   uint corners_first, corners_second;  // of bodies that have a nearer one
   bool first_touches, second_touches;
 };
-// Number of contacts that this one adds for now.
-uint count_contact(Measured m, bool of_second, inout Kept kept) {
+// Number of contacts that this one adds for now; `within`: of reach.
+uint count_contact(Measured m, bool within, bool of_second, inout Kept kept) {
   if (of_second) {
     kept.second_touches = kept.second_touches || m.stays;
-    kept.corners_second += m.stays ? 0u : 1u;
+    kept.corners_second += m.stays || !within ? 0u : 1u;
   } else {
     kept.first_touches = kept.first_touches || m.stays;
-    kept.corners_first += m.stays ? 0u : 1u;
+    kept.corners_first += m.stays || !within ? 0u : 1u;
   }
-  return m.stays ? 1u : 0u;
+  return m.stays && within ? 1u : 0u;
 }
 uint corners_too(Kept kept) {
   return (kept.first_touches ? 0u : kept.corners_first) + (kept.second_touches ? 0u : kept.corners_second);
@@ -216,10 +216,10 @@ void treat(FoundContact f, uint feature, Looked first, Looked second, real reach
     b = first;
   }
   const Measured m = measured(f, a.shape, a.c_shape, a.R_shape, b.shape, b.c_shape, b.R_shape);
-  if (!(m.d < double(reach))) return;
-  if (pass.does == WEIGHS) weigh_passage(m, a, b);
-  if (pass.does == COUNTS) pass.count += count_contact(m, of_second, pass.kept);
-  if (pass.does != WRITES || !is_kept(m, of_second, pass.kept)) return;
+  const bool within = m.d < double(reach);
+  if (pass.does == WEIGHS && within) weigh_passage(m, a, b);
+  if (pass.does == COUNTS) pass.count += count_contact(m, within, of_second, pass.kept);
+  if (pass.does != WRITES || !within || !is_kept(m, of_second, pass.kept)) return;
   write_contact(pass.at + pass.written, m, feature, a, b);
   ++pass.written;
 }
