@@ -122,8 +122,8 @@ struct ContactState {
   Vec3x n;         // normals; world
   Vec3x u;         // tangential stretch; world
   Lanes d;
-  Lanes short_a = lanes(0),
-        short_b = lanes(0);  // how far above y, along n, the lever of friction ends, see Roll; m
+  // How far above y, along n, the lever of friction ends, see Roll; m.
+  Lanes short_a = lanes(0), short_b = lanes(0);
 };
 
 // The contacts as quadratic models at the current poses. Zero for d ≥ d̂.

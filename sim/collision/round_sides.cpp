@@ -20,8 +20,8 @@ namespace {
 // with its end: with corners of the facets.
 constexpr double kSide = 0.5;
 constexpr double kNearly = 1e-6;  // beside the height: what is at an end, a tip or on the axis
-constexpr double kLean = 1e-5,
-                 kLeanOfSlope = 0.01;  // by which normals of facets and their edges lean along the axis
+// By which normals of facets and their edges lean along the axis.
+constexpr double kLean = 1e-5, kLeanOfSlope = 0.01;
 constexpr double kHalfFacet = kPi / kFacets;
 
 struct Side {
