@@ -31,15 +31,27 @@ double drive_work_of(const Problem& p, const Iterate& it, Index k) {
   return work;
 }
 
+// Ψ of the points of a manifold at distances d. What recovers has none: its barrier is another one in each step, and what it
+// does is work, see energy_bound.h.
+Lanes barrier_energy(const ContactManifold& manifold, const ContactForce& f, Lanes d) {
+  const LaneMask recovers = manifold.shift > 0;
+  return select(recovers, f.first * (d - manifold.start_d), f.value);
+}
+
 // Ψ of a manifold where the step starts, point by point: distances and slip are known there.
 Lanes energy_at_start(const Problem& p, const ContactManifold& manifold) {
   const ContactLaw law = p.law_of(manifold);
-  return normal_force(law.barrier, manifold, manifold.start_d).value +
+  const Lanes d = manifold.start_d;
+  return barrier_energy(manifold, normal_force(law.barrier, manifold, d), d) +
          friction_energy(law, manifold.limit, length(manifold.stretch));
 }
 
 PABD_EACH_LEVEL double energy_at_end(const Problem& p, const ContactManifold& manifold, const Iterate& it) {
-  return sum(contact_energy(p.law_of(manifold), manifold, state_of(it, manifold)));
+  const ContactLaw law = p.law_of(manifold);
+  const ContactState s = state_of(it, manifold);
+  if (feels_nothing(law.barrier, manifold, s.d)) return 0;
+  return sum(barrier_energy(manifold, normal_force(law.barrier, manifold, s.d), s.d) +
+             friction_energy(law, manifold.limit, length(s.u)));
 }
 
 double contact_energies(const Problem& p, const Island& island, const Workers& workers, EnergyMemory& memory,

@@ -7,7 +7,8 @@
 //                            have at its end, and of springs                                             J
 //   W = Σ f·Δy               work of its drives: force on a driven point at the end of the step times    J
 //                            the way that the drive moves it; of motors, dampers and friction: force at
-//                            the end of the step times the way along the joint
+//                            the end of the step times the way along the joint; of recovery
+//                            (recovery.h): force at the end times the way by which the contact opens
 //
 // The minimiser of E has T + U + Ψ ≤ (T + U + Ψ)_start + W where Ψ is convex along the way. An iterate Q need not, nor a
 // minimiser past a corner that turned through its lowest point. What it has too much is taken from the inner motion: the
