@@ -73,7 +73,7 @@ ComputeProgram lists_of_contacts(const Compiler& compile, const std::string& mor
 }
 
 std::vector<ShaderPart> with_touch(std::vector<ShaderPart> narrow) {
-  narrow.insert(narrow.begin(), shaders::device_kept);
+  narrow.insert(narrow.begin(), {shaders::device_kept, shaders::device_gap});
   narrow.push_back(shaders::device_touch);
   return narrow;
 }
@@ -143,7 +143,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
       .reuse = compile("contacts that last",
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST", "GEOMETRY",
                         "KEPT_PAIRS", "KEPT_FEATURE"},
-                       "", {device_kept, device_memory}, device_reuse_comp),
+                       "", {device_kept, device_memory, device_gap}, device_reuse_comp),
       .sort_pairs = {sort("COUNT"), sort("STARTS"), sort("LISTS")},
       .touch = touch_programs(compile, shapes, table.has_solids),
       .place = compile("contacts",
@@ -165,9 +165,10 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
                       {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "KEPT_STRETCH",
                        "KEPT_FEATURE", "GEOMETRY", "PARTS"},
                       "", contact, device_tell_comp),
-      .reports = compile("contact reports",
-                         {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "TOLD"}, "",
-                         contact, device_reports_comp),
+      .reports = compile(
+          "contact reports",
+          {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "GEOMETRY", "TOLD"}, "",
+          contact, device_reports_comp),
       .keep = compile("memory", {"COUNTERS", "PAIR_FIRST", "PAIRS", "CONTACTS", "GRIPS", "KEPT_PAIRS"}, "",
                       {device_recovery}, device_keep_comp),
       .finish = compile("velocities",

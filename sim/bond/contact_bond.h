@@ -11,13 +11,14 @@
 //
 //   symbol      variable      meaning                                                             unit
 //   n           n             contact normal, from a to b                                         –
-//   p_a, p_b    normal_a, _b  normal points: the surface points of flat bodies; for round ones    m
+//   p_a, p_b    normal_a, _b  normal points: of flat bodies where friction acts; of round ones    m
 //                             the centre or axis point under the surface, one radius inside
 //   r_a, r_b    radius_a, _b  radii of round bodies, 0 of flat ones                               m
 //   θ_a, θ_b    –             rotation vectors of the step, R = exp(θ) R_0, of any length          rad
 //   slip        –             way of the surface points past each other in the step, along the    m
 //                             plane: Δ = (1 − n nᵀ)(p_b − p_a) since the start, and for round
-//                             bodies Δ + n × (r_b θ_b + r_a θ_a), as their surfaces pass by
+//                             bodies Δ + n × (l_b θ_b + l_a θ_a), as their surfaces pass by
+//   l_a, l_b    arm_a, arm_b  levers of friction from the normal points of round bodies              m
 //   d̂, κ, N, ε  barrier       see potential/barrier.h
 //   k_t         k_t           tangential stiffness, Ψ'' at the onset                              N/m
 //   μ f_n       limit         largest friction force: a number while E is minimised, moved         N
@@ -62,9 +63,24 @@ inline Roll roll_since_prediction(const Mat3& star, const Mat3& R) {
 // What a separate manifold needs to know of its bodies beside their poses.
 struct alignas(sizeof(Lanes)) Rolling {
   const Roll *a, *b;  // at the current iterate
-  Lanes radius_a = lanes(0), radius_b = lanes(0);
-  Lanes gap = lanes(0);  // friction acts where b's surface is: that far outside a round a
+  Lanes radius_b = lanes(0);
+  Lanes arm_a = lanes(0), arm_b = lanes(0);
 };
+
+// Friction acts at the surface of the round one of two bodies, else of the movable one, else in the middle between the
+// two: nothing depends on which of them is a. `gap` ≥ 0: between the surfaces where the step starts; m.
+inline double gap_beside_b(double gap, bool movable_a, bool movable_b) {
+  return movable_a ? (movable_b ? 0.5 * gap : gap) : 0;
+}
+struct FrictionArms {
+  double a, b;
+};
+// `beside_b`: as above. A flat a turns as the point of a round b sees it.
+inline FrictionArms friction_arms(double radius_a, double radius_b, double gap, double beside_b) {
+  if (radius_a == 0) return {-radius_b, radius_b};
+  if (radius_b == 0) return {radius_a, gap};
+  return {radius_a + gap - beside_b, radius_b + beside_b};
+}
 
 struct alignas(sizeof(Lanes)) ContactManifold {
   Index a, b;
@@ -77,6 +93,7 @@ struct alignas(sizeof(Lanes)) ContactManifold {
   Vec3x rolled;                   // part of the slip that the step starts with; separate manifolds
   Vec3x normal_a;                 // frame of a
   Vec3x normal_b;                 // frame of b
+  Vec3x to_surface;               // frame of b: from the normal points of flat bodies to b's surface
   Lanes gap = lanes(1e30);        // d where the normal points coincide
   Lanes start_d = lanes(1e30);    // d where the step starts
   bool slides;                    // the pair of bodies has let go: dynamic friction
@@ -122,8 +139,8 @@ struct ContactState {
   Vec3x n;         // normals; world
   Vec3x u;         // tangential stretch; world
   Lanes d;
-  // How far above y, along n, the lever of friction ends, see Roll; m.
-  Lanes short_a = lanes(0), short_b = lanes(0);
+  // How far along n the lever of friction on a ends above y, of a round a above its normal point; on b below its own.
+  Lanes lever_a = lanes(0), lever_b = lanes(0);
 };
 
 // The contacts as quadratic models at the current poses. Zero for d ≥ d̂.
@@ -162,11 +179,10 @@ struct ContactPlanes {
   s.y = s.normal_y;
   if (p.separate) {
     const Rolling& r = *p.rolling;
-    const Lanes radius_a = p.turns ? -r.radius_b : r.radius_a;
-    s.u = s.u + cross(s.n, r.radius_b * spread(r.b->turn) + (radius_a + r.gap) * spread(r.a->turn));
+    s.u = s.u + cross(s.n, r.arm_b * spread(r.b->turn) + r.arm_a * spread(r.a->turn));
     s.y = s.y - r.radius_b * s.n;
-    s.short_a = -radius_a * (1 - r.a->slope);
-    s.short_b = r.radius_b * (1 - r.b->slope);
+    s.lever_a = r.arm_a * r.a->slope + (p.turns ? r.radius_b : lanes(0));
+    s.lever_b = r.arm_b * r.b->slope;
   }
   return s;
 }
@@ -178,11 +194,12 @@ struct ContactLevers {
 
 // Of body a. The plane of a flat owner is pushed where b's point is; a round one at its own normal point.
 inline ContactLevers levers_on_a(const ContactManifold& p, const ContactState& s, const Pose& a) {
-  return {p.turns ? s.normal_y : rotate(a.R, p.normal_a), s.y + s.short_a * s.n};
+  const Vec3x normal = p.turns ? s.normal_y : rotate(a.R, p.normal_a);
+  return {normal, (p.turns ? s.y : normal) + s.lever_a * s.n};
 }
 inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pose& b) {
   const Vec3x back = spread(a.c - b.c);
-  return {s.normal_y + back, s.y + s.short_b * s.n + back};
+  return {s.normal_y + back, s.normal_y - s.lever_b * s.n + back};
 }
 
 // Ψ, Ψ' and the tangent split's weight for a manifold.

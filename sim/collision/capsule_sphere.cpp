@@ -12,13 +12,8 @@ void capsule_sphere(const Placed<Capsule>& capsule, const Placed<Sphere>& sphere
   const double s = std::clamp(axis.dot(sphere.c - capsule.c), -half, half);
   const Vec3 nearest = capsule.c + s * axis;
   const Vec3 fallback = any_normal(axis);
-  if (capsule.number < sphere.number) {
-    add_round_contact(out, capsule.number, sphere.number, nearest, capsule.shape.radius, sphere.c,
-                      sphere.shape.radius, fallback, reach, 0);
-  } else {
-    add_round_contact(out, sphere.number, capsule.number, sphere.c, sphere.shape.radius, nearest,
-                      capsule.shape.radius, fallback, reach, 0);
-  }
+  add_round_contact(out, capsule.number, sphere.number, nearest, capsule.shape.radius, sphere.c,
+                    sphere.shape.radius, fallback, reach, 0);
 }
 
 }  // namespace pabd::narrow

@@ -25,19 +25,20 @@ struct HullAgainst {
   const Vec3& c;  // pose and number of the other body
   const Mat3& R;
   Index number;
+  bool first;
   double reach;
   Contacts& out;
 
   template <class ShapeType>
   Placed<ShapeType> placed(const ShapeType& shape) const {
-    return {shape, c, R, number};
+    return {shape, c, R, number, first};
   }
   void operator()(const Box& box) const { hull_box(hull, placed(box), reach, out); }
   void operator()(const Sphere& sphere) const { hull_sphere(hull, placed(sphere), reach, out); }
   void operator()(const Capsule& capsule) const { hull_capsule(hull, placed(capsule), reach, out); }
   void operator()(const Plane& plane) const { hull_plane(placed(plane), hull, reach, out); }
   void operator()(const Hull& other) const {
-    if (hull.number < number) return hull_hull(hull, placed(other), reach, out);
+    if (hull.first) return hull_hull(hull, placed(other), reach, out);
     hull_hull(placed(other), hull, reach, out);
   }
   void operator()(const Compound&) const {}  // comes part by part
@@ -56,8 +57,8 @@ void each_part(const Placed<Compound>& compound, const Vec3& c, const Mat3& R, I
     const double near = part.hull.data->bounding_radius + radius + reach;
     if ((centre - c).squaredNorm() > near * near) continue;
     const std::size_t start = out.size();
-    const Placed<Hull> hull{part.hull, centre, compound.R, compound.number};
-    meet(HullAgainst{hull, c, R, number, reach, out});
+    const Placed<Hull> hull{part.hull, centre, compound.R, compound.number, compound.first};
+    meet(HullAgainst{hull, c, R, number, !compound.first, reach, out});
     for (std::size_t k = start; k < out.size(); ++k) out[k].feature = part_name(own_name, out[k].feature);
   }
 }

@@ -53,10 +53,10 @@ constexpr unsigned both(unsigned i, unsigned j) { return kKinds * i + j; }
 
 template <class T>
 Placed<T> as(const Placed<Shape>& body) {
-  return {*std::get_if<T>(&body.shape), body.c, body.R, body.number};
+  return {*std::get_if<T>(&body.shape), body.c, body.R, body.number, body.first};
 }
 
-// Contacts of one pair, first.number < second.number; no solids.
+// Contacts of one pair, `first` goes first; no solids.
 void collide(const Placed<Shape>& first, const Placed<Shape>& second, double reach, Contacts& out) {
   auto kind_i = static_cast<unsigned>(first.shape.index());
   auto kind_j = static_cast<unsigned>(second.shape.index());
@@ -109,14 +109,18 @@ const Shape& facets(const Shape& shape) {
 }
 
 // The same of any two; hulls stand for solids. In the order of their features.
-void collide_any(const Placed<Shape>& a, const Placed<Shape>& b, double reach, Contacts& out) {
+void collide_any(const Placed<Shape>& one, const Placed<Shape>& other, double reach, Contacts& out) {
+  const bool ordered = narrow::goes_first(one, other);
+  Placed<Shape> a = ordered ? one : other;
+  const Placed<Shape>& b = ordered ? other : one;
+  a.first = true;
   if (narrow::side_on_plane(a, b, reach, out) || narrow::side_on_plane(b, a, reach, out)) return;
   const auto start = static_cast<std::ptrdiff_t>(out.size());
   const bool solids = a.shape.index() == kSolid || b.shape.index() == kSolid;
   if (solids) {
     const Mat3 R_a = narrow::facing(a, b), R_b = narrow::facing(b, a);
     const double near = reach + narrow::facet_depth(a.shape) + narrow::facet_depth(b.shape);
-    collide({facets(a.shape), a.c, R_a, a.number}, {facets(b.shape), b.c, R_b, b.number}, near, out);
+    collide({facets(a.shape), a.c, R_a, a.number, true}, {facets(b.shape), b.c, R_b, b.number}, near, out);
   } else {
     collide(a, b, reach, out);
   }
@@ -260,6 +264,15 @@ void collide_all(const Poses& poses, const std::vector<IndexPair>& skip, int thr
 }
 
 }  // namespace
+
+bool narrow::goes_first(const Placed<Shape>& a, const Placed<Shape>& b) {
+  constexpr double kAlike = 1e-6;
+  const double size_a = bounding_radius(a.shape), size_b = bounding_radius(b.shape);
+  if (std::abs(size_a - size_b) > kAlike * std::max(size_a, size_b)) return size_a > size_b;
+  const Vec3 apart = b.c - a.c, along(0.31, 0.9, 0.17);
+  const double ahead = apart.dot(a.R * along + b.R * along);
+  return std::abs(ahead) > kAlike * apart.norm() ? ahead > 0 : a.number < b.number;
+}
 
 void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
             const Passage& passage, const std::vector<double>& reach,

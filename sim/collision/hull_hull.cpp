@@ -296,7 +296,7 @@ void hull_box(const Placed<Hull>& hull, const Placed<Box>& box, double reach, Co
   const BoxHull storage(box.shape.half);
   const HullView view = view_of(*hull.shape.data), box_view = storage.view();
   const Side first{view, hull.c, hull.R, hull.number}, second{box_view, box.c, box.R, box.number};
-  if (first.number < second.number) {
+  if (hull.first) {
     meet(first, second, reach, out);
   } else {
     meet(second, first, reach, out);

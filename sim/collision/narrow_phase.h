@@ -28,9 +28,15 @@ struct Placed {
   const Vec3& c;
   const Mat3& R;
   Index number;
+  bool first = false;  // of its pair, see goes_first
 };
 
-// Symmetric pairs: `a` is the body with the lower number. Mixed pairs: the first one owns the normal.
+// Which of two bodies owns what neither has by its shape, such as the normal between two faces that are equally good? The
+// larger one; of two as large the one that has the other ahead along a direction fixed in both (of two that lie alike on top
+// of each other the lower one); the lower number only where that decides nothing either.
+bool goes_first(const Placed<Shape>& a, const Placed<Shape>& b);
+
+// Symmetric pairs: `a` goes first. Mixed pairs: the first one owns the normal.
 void sphere_sphere(const Placed<Sphere>& a, const Placed<Sphere>& b, double reach, Contacts& out);
 void capsule_sphere(const Placed<Capsule>& capsule, const Placed<Sphere>& sphere, double reach,
                     Contacts& out);

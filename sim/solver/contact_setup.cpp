@@ -88,14 +88,19 @@ ContactManifold empty_manifold(const ContactPoint* point, const ContactPoint* en
   return manifold;
 }
 
-// Of two round bodies while they touch, from where they start.
-double touching_gap(const Problem& p, double start_d) {
-  return std::clamp(start_d, 0.0, p.law.barrier.d_hat);
+// Between the surfaces of two bodies that touch, and what of it lies between b's and where friction acts (see
+// gap_beside_b); m. `start_d`: where the step starts.
+struct Gap {
+  double whole, beside_b;
+};
+Gap touching_gap(const Problem& p, Index a, Index b, double start_d) {
+  const double gap = std::clamp(start_d, 0.0, p.law.barrier.d_hat);
+  return {gap, gap_beside_b(gap, p.movable(a), p.movable(b))};
 }
 
-// Puts the point into the next lane, in the frames of the bodies.
-void add_point(const Problem& problem, const ContactPoint& p, const Passage& from,
-               ContactManifold& manifold) {
+// Puts the point into the next lane, in the frames of the bodies; `seen`: their starts, see seen_at_start.
+void add_point(const Problem& problem, const ContactPoint& p, const Passage& from, const Pose& seen_a,
+               const Pose& seen_b, ContactManifold& manifold) {
   const State& start = *problem.start;
   const std::vector<Vec3>& turns = problem.flight->turn;
   const int k = manifold.count++;
@@ -107,26 +112,35 @@ void add_point(const Problem& problem, const ContactPoint& p, const Passage& fro
   const auto in_a = [&](const Vec3& y) -> Vec3 { return a.R.transpose() * (y - a.c); };
   const auto in_b = [&](const Vec3& y) -> Vec3 { return b.R.transpose() * (y - b.c); };
   const double radius_a = p.round_a, radius_b = p.round_b, d_hat = problem.law.barrier.d_hat;
+  const auto touching = [&](double start_d) {
+    return touching_gap(problem, p.a, p.b, p.apart ? std::max(start_d, d_hat) : start_d);
+  };
   const Vec3 n = manifold.turns ? Vec3(a.R.transpose() * p.n) : p.n;
-  const Vec3 normal_b = in_b(p.y_b + radius_b * p.n);
+  double inside_b = radius_b;  // the normal point, of b's surface
+  if (manifold.turns && radius_b == 0) {
+    const Vec3 seen = seen_a.R.transpose() * (seen_b.c + seen_b.R * in_b(p.y_b) - seen_a.c);
+    inside_b = -touching(n.dot(seen - in_a(p.y_a))).beside_b;
+  }
+  const Vec3 normal_b = in_b(p.y_b + inside_b * p.n);
   // From the centre of a to the normal point of b at the start of the step.
   const Vec3 at_start = start.c[p.b] + start.R[p.b] * normal_b - start.c[p.a];
   manifold.feature[k] = owned_feature(p.a, p.b, p.feature);
   set_lane(manifold.n, k, n);
   set_lane(manifold.normal_b, k, normal_b);
+  if (manifold.turns && radius_b == 0) set_lane(manifold.to_surface, k, in_b(p.y_b) - normal_b);
   if (manifold.turns) {
     const Vec3 normal_a = start.R[p.a].transpose() * at_start;
     const Mat3 half_way = exp_so3(0.5 * turns[p.a]) * start.R[p.a];
     const Vec3 turn = half_way.transpose() * (turns[p.b] - turns[p.a]);
     set_lane(manifold.normal_a, k, normal_a);
     set_lane(manifold.rolled, k, radius_b * n.cross(turn));
-    manifold.gap[k] = n.dot(normal_a - in_a(p.y_a)) - radius_b;
+    manifold.gap[k] = n.dot(normal_a - in_a(p.y_a)) - inside_b;
   } else {
     const Vec3 normal_a = in_a(p.y_a - radius_a * p.n);
     const Vec3 moved = at_start - start.R[p.a] * normal_a;
-    const double arm_a =
-        radius_a + touching_gap(problem, p.apart ? d_hat : n.dot(moved) - radius_a - radius_b);
-    const Vec3 turn = radius_b * turns[p.b] + arm_a * turns[p.a];
+    const Gap gap = touching(n.dot(moved) - radius_a - radius_b);
+    const FrictionArms arm = friction_arms(radius_a, radius_b, gap.whole, gap.beside_b);
+    const Vec3 turn = arm.b * turns[p.b] + arm.a * turns[p.a];
     set_lane(manifold.normal_a, k, normal_a);
     set_lane(manifold.rolled, k, n.cross(turn) - (moved - n * n.dot(moved)));
     manifold.gap[k] = -radius_a - radius_b;
@@ -145,9 +159,11 @@ void set_rolling(Problem& p, const Detection& found, Iterate& it) {
     Rolling& rolling = it.rolling.emplace_back(Rolling{&it.roll[manifold.a], &it.roll[manifold.b]});
     for (int k = 0; k < manifold.count; ++k) {
       const ContactPoint& point = found.points[found.first_point[m] + static_cast<std::size_t>(k)];
-      rolling.radius_a[k] = point.round_a;
+      const Gap gap = touching_gap(p, manifold.a, manifold.b, manifold.start_d[k]);
+      const FrictionArms arm = friction_arms(point.round_a, point.round_b, gap.whole, gap.beside_b);
       rolling.radius_b[k] = point.round_b;
-      if (!manifold.turns) rolling.gap[k] = touching_gap(p, manifold.start_d[k]);
+      rolling.arm_a[k] = arm.a;
+      rolling.arm_b[k] = arm.b;
     }
   }
   const Rolling* next = it.rolling.data();
@@ -195,10 +211,9 @@ PABD_EACH_LEVEL void make_manifold(const Problem& p, const Passage& from, const 
                                    const ContactPoint* end, ContactManifold& manifold) {
   manifold = empty_manifold(point, end);
   const bool apart = point->apart;
-  for (; point != end; ++point) add_point(p, *point, from, manifold);
-  manifold.start_d =
-      manifold.gap +
-      contact_planes(manifold, seen_at_start(p, manifold.a), seen_at_start(p, manifold.b)).along;
+  const Pose seen_a = seen_at_start(p, manifold.a), seen_b = seen_at_start(p, manifold.b);
+  for (; point != end; ++point) add_point(p, *point, from, seen_a, seen_b, manifold);
+  manifold.start_d = manifold.gap + contact_planes(manifold, seen_a, seen_b).along;
   if (apart) manifold.start_d = larger(manifold.start_d, lanes(p.law.barrier.d_hat));
 }
 

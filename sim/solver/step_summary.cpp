@@ -73,7 +73,8 @@ PABD_EACH_LEVEL void summarize_contacts(const Problem& p, const Iterate& it, boo
       report.elastic += energy[k];
       ++report.contacts;
       if (!with_reports) continue;
-      const Vec3 n = lane(s.n, k), u = lane(s.u, k), y_b = it.pose[manifold.a].c + lane(s.y, k);
+      const Vec3 n = lane(s.n, k), u = lane(s.u, k), y = it.pose[manifold.a].c + lane(s.y, k);
+      const Vec3 y_b = y + it.pose[manifold.b].R * lane(manifold.to_surface, k);
       const bool sticking = manifold.limit[k] > 0 && law.k_t * u.norm() <= manifold.limit[k];
       report.contact_reports.push_back({manifold.a, manifold.b, y_b - s.d[k] * n, y_b, n, s.d[k], -f.first[k],
                                         -alpha_t[k] * u, sticking, manifold.mu});

@@ -159,8 +159,9 @@ TEST_CASE("capsules that lean on each other touch with a cap where the side woul
       INFO("lean " << lean << ", past " << past);
       const auto contacts = setup.contacts();
       for (const ContactPoint& p : contacts) {
-        CHECK(std::abs(surface_distance(setup.model.shape[1], setup.c[1], setup.R[1], p.y_b)) < 1e-12);
-        CHECK(std::abs(surface_distance(setup.model.shape[0], setup.c[0], setup.R[0], p.y_a)) < 1e-12);
+        const auto a = static_cast<std::size_t>(p.a), b = static_cast<std::size_t>(p.b);
+        CHECK(std::abs(surface_distance(setup.model.shape[b], setup.c[b], setup.R[b], p.y_b)) < 1e-12);
+        CHECK(std::abs(surface_distance(setup.model.shape[a], setup.c[a], setup.R[a], p.y_a)) < 1e-12);
       }
       CHECK(smallest_d(contacts) == Approx(signed_distance(setup, 0, 1)).margin(1e-9));
     }

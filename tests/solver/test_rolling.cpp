@@ -267,8 +267,8 @@ TEST_CASE("round bodies that are pressed together roll on each other where frict
   double gap = 0;
   testing::run(world, static_cast<int>(3 / h), {}, [&](const StepReport& report) { gap = report.min_gap; });
   const Vec3 n = (world.state.c[1] - world.state.c[0]).normalized();
-  const Vec3 v_a = world.state.v[0] + world.state.omega[0].cross((r[0] + gap) * n);
-  const Vec3 v_b = world.state.v[1] - world.state.omega[1].cross(r[1] * n);
+  const Vec3 v_a = world.state.v[0] + world.state.omega[0].cross((r[0] + gap / 2) * n);
+  const Vec3 v_b = world.state.v[1] - world.state.omega[1].cross((r[1] + gap / 2) * n);
   CAPTURE(h, thickness, swapped, gap);
   CHECK(gap < thickness);
   CHECK(world.state.omega[1].norm() > 0.1);

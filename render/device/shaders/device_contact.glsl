@@ -29,9 +29,8 @@ ContactNow contact_now(Contact c, Place a, Place b) {
   s.normal_b = c.r_b.xyz + turned_b;
   const real3 from_a = c.apart.xyz + apart + s.normal_b;  // b's normal point, from a's centre
 #ifdef ROUND
-  const real radius_a = c.round_.x, radius_b = c.round_.y;
-  const bool rolls = radius_a > 0 || radius_b > 0;
-  const bool turns = radius_a == 0;
+  const real radius_b = c.round_.y, arm_a = c.round_.z, arm_b = c.round_.w;
+  const bool turns = c.round_.x == 0, rolls = !turns || radius_b > 0;
   const real3 r_a = c.r_a.xyz;
 #else
   const bool turns = true;
@@ -49,13 +48,12 @@ ContactNow contact_now(Contact c, Place a, Place b) {
   s.y = from_a;
 #ifdef ROUND
   if (rolls) {
-    const real4 roll_a = turns || radius_a > 0 ? roll_of(c.id.x, a) : real4(0, 0, 0, 1);
-    const real4 roll_b = radius_b > 0 ? roll_of(c.id.y, b) : real4(0, 0, 0, 1);
-    const real rolling_a = turns ? -radius_b : radius_a, arm_a = turns ? -radius_b : c.round_.z;
-    s.u += cross(s.n, radius_b * roll_b.xyz + arm_a * roll_a.xyz);
+    const real4 roll_a = arm_a != 0 ? roll_of(c.id.x, a) : real4(0, 0, 0, 1);
+    const real4 roll_b = arm_b != 0 ? roll_of(c.id.y, b) : real4(0, 0, 0, 1);
+    s.u += cross(s.n, arm_b * roll_b.xyz + arm_a * roll_a.xyz);
     s.y -= radius_b * s.n;
-    s.surface_a = s.y - rolling_a * (1 - roll_a.w) * s.n;
-    s.surface_b += (-radius_b + radius_b * (1 - roll_b.w)) * s.n;
+    s.surface_a = (turns ? s.y + (radius_b + arm_a * roll_a.w) * s.n : s.normal_a + arm_a * roll_a.w * s.n);
+    s.surface_b -= arm_b * roll_b.w * s.n;
   }
 #endif
   return s;

@@ -65,7 +65,7 @@ struct Contact {
   real4 before; // slip that the step starts with: stretch, and what rolls. w: μ
 #ifdef ROUND
   real4 r_a;    // from a's centre to its normal point
-  real4 round_; // ContactPoint::round_a, round_b; the lever of friction on a round a
+  real4 round_; // ContactPoint::round_a, round_b; the levers of friction
 #endif
 };
 // What moves of it: x: friction bound; y: change it last asked for; z: gain. In the end y: friction; z: energy; w: d.

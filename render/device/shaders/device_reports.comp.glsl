@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The contacts at the end of the step for whoever asks, in double and world axes: a thread a contact. To be run before
 // the poses move on.
+
+// b's surface point, world. Between flat bodies friction acts beside it.
+dvec3 surface_of_b(Contact c, dvec3 acts) {
+#ifdef ROUND
+  if (c.round_.x > 0 || c.round_.y > 0) return acts;
+#endif
+  const uint b = c.id.y;
+  const dvec3 r = matrix_of(pose[b].q) * dvec3(raw_geometry[c.id.w].point.xyz);
+  return pose[b].c.xyz + dvec3(place[b].u.xyz) + r + dvec3(rotate_less(place[b].q, real3(r)));
+}
+
 void main() {
   const uint k = gl_GlobalInvocationID.x;
   if (k >= counters.contacts || counters.overflow != 0u) return;
@@ -11,7 +22,7 @@ void main() {
   const dvec3 a = pose[c.id.x].c.xyz + dvec3(place[c.id.x].u.xyz);
   ContactTold told;
   told.ends = uvec4(c.id.xy, limit > 0 && real(params.k_t) * slip <= limit ? 1u : 0u, 0u);
-  told.y_b = dvec4(a + dvec3(s.y), double(s.d));
+  told.y_b = dvec4(surface_of_b(c, a + dvec3(s.y)), double(s.d));
   told.n = dvec4(dvec3(s.n), double(-push.first));
   told.friction = dvec4(dvec3(-weight * s.u), double(c.before.w));
   contact_told[k] = told;

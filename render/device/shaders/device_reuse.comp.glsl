@@ -35,11 +35,13 @@ void main() {
     const uint a = high_owns ? max(emitter, other) : min(emitter, other), b = emitter + other - a;
     const ContactGeometry geometry = kept_geometry[seen.first + k];
     const dvec3 n = matrix_of(pose[a].q) * dvec3(geometry.plane.xyz);
-    const dvec3 r_b = matrix_of(pose[b].q) * dvec3(geometry.point.xyz);
+    dvec3 r_b = matrix_of(pose[b].q) * dvec3(geometry.point.xyz);
     const dvec3 apart = pose[b].c.xyz - pose[a].c.xyz;
+    const double start_d = dot(n, apart + r_b) - double(geometry.plane.w);
+    r_b -= gap_beside_b(touching_gap(start_d), a, b) * n;
     Contact c;
     c.id = uvec4(a, b, feature, at + k);
-    c.n = real4(real3(n), real(dot(n, apart + r_b) - double(geometry.plane.w)));
+    c.n = real4(real3(n), real(start_d));
     c.r_b = real4(real3(r_b), 0);
     c.apart = real4(real3(apart), 1);
     c.before = real4(0, 0, 0, 0);

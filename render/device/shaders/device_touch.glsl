@@ -30,16 +30,30 @@ void look_at(inout Looked at, dvec3 origin) {
   at.R_shape = at.R;
 }
 
-// The two bodies of a pair, the lower number first; c from an origin near both. A solid's facets are turned.
+// See goes_first of sim/collision/narrow_phase.h.
+bool goes_first(Looked a, Looked b) {
+  const double size_a = kinds[kind_number[a.body]].bounding, size_b = kinds[kind_number[b.body]].bounding, alike = 1e-6lf;
+  if (abs(size_a - size_b) > alike * max(size_a, size_b)) return size_a > size_b;
+  const dvec3 apart = b.c - a.c, along = dvec3(0.31lf, 0.9lf, 0.17lf);
+  const double ahead = dot(apart, a.R * along + b.R * along);
+  return abs(ahead) > alike * length(apart) ? ahead > 0 : a.body < b.body;
+}
+
+// The two bodies of a pair, in that order; c from an origin near both. A solid's facets are turned.
 void look_at_pair(uint p, out Looked first, out Looked second) {
   first.body = min(pairs[p].emitter, pairs[p].other);
   second.body = max(pairs[p].emitter, pairs[p].other);
-  first.shape = uint(kinds[kind_number[first.body]].shape);
-  second.shape = uint(kinds[kind_number[second.body]].shape);
   // A plane may be far away.
   const dvec3 origin = pose[kinds[kind_number[first.body]].form == FORM_PLANE ? second.body : first.body].c.xyz;
   look_at(first, origin);
   look_at(second, origin);
+  if (goes_first(second, first)) {
+    const Looked other = first;
+    first = second;
+    second = other;
+  }
+  first.shape = uint(kinds[kind_number[first.body]].shape);
+  second.shape = uint(kinds[kind_number[second.body]].shape);
 #ifdef SOLIDS
   turn_facets(first.shape, first.c, first.R_shape, second.shape, second.c, second.R_shape);
 #endif
@@ -157,34 +171,37 @@ void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked lo
   const dvec4 back_a = conjugate_d(looked_a.turn), back_b = conjugate_d(looked_b.turn);
   const double radius_a = m.round_a, radius_b = m.round_b;
   const bool turns = radius_a == 0;
-  const dvec3 r_b = turned_by(back_b, y_b + radius_b * f_n - c_b);
+  dvec3 r_b = turned_by(back_b, y_b + radius_b * f_n - c_b);
   const dvec3 between = pose[b].c.xyz - pose[a].c.xyz;
   const dvec3 n = turns ? turned_by(back_a, f_n) : f_n;
   Contact c;
   c.id = uvec4(a, b, feature | (a > b ? 0x80000000u : 0u), at);
   const real3 turn_a = flight[a].turn.xyz, turn_b = flight[b].turn.xyz;
-  double start_d, arm_a = 1;
+  double start_d, arm_a = -radius_b, arm_b = radius_b;
   real3 before = real3(0, 0, 0);
   dvec3 r_a;
   if (turns) {
+    start_d = dot(n, between + r_b) - dot(f_n, y_a - c_a) - radius_b;
+    if (apart) start_d = max(start_d, params.d_hat);
+    if (radius_b == 0) r_b -= gap_beside_b(touching_gap(start_d), a, b) * turned_by(back_b, f_n);
     r_a = between + r_b;
-    start_d = dot(n, r_a) - dot(f_n, y_a - c_a) - radius_b;
     if (radius_b > 0) before = real3(radius_b) * cross(real3(n), rotate(exp_turn(-turn_a / 2), turn_b - turn_a));
   } else {
     r_a = turned_by(back_a, y_a - radius_a * f_n - c_a);
     start_d = dot(n, between + r_b - r_a) - radius_a - radius_b;
     if (apart) start_d = max(start_d, params.d_hat);
-    arm_a = radius_a + clamp(start_d, 0.0lf, double(params.d_hat));  // friction acts where b's surface is
-    before = cross(real3(n), real(radius_b) * turn_b + real(arm_a) * turn_a);
+    const double gap = touching_gap(start_d), beside_b = radius_b > 0 ? gap_beside_b(gap, a, b) : gap;
+    arm_a = radius_a + (gap - beside_b);  // see friction_arms of contact_bond.h
+    arm_b = radius_b + beside_b;
+    before = cross(real3(n), real(arm_b) * turn_b + real(arm_a) * turn_a);
   }
-  if (apart) start_d = max(start_d, params.d_hat);
   c.n = real4(real3(n), real(start_d));
   c.r_b = real4(real3(r_b), 0);
   c.apart = real4(real3(between), 1);
   c.before = real4(before, 0);
 #ifdef ROUND
   c.r_a = real4(real3(r_a), 0);
-  c.round_ = real4(radius_a, radius_b, arm_a, 0);
+  c.round_ = real4(radius_a, radius_b, arm_a, arm_b);
 #endif
   raw[at] = c;
   raw_geometry[at] = ContactGeometry(

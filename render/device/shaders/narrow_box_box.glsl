@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// box_box.cpp. Two boxes a and b, a the lower number.
+// box_box.cpp. Two boxes a and b, a goes first.
 //
 //   C, t   axes (column j: axis j) and centre of b in the frame of a;  s   that centre in the frame of b
 //   h, g   half edges of a and b

@@ -10,8 +10,8 @@
 // Numbers are `wide`, float or double; wide2, wide3, wide4, mat_wide3 are made of them, WIDE_EPSILON is their rounding.
 // What is near is subtracted before it is rounded to them.
 //
-// Which body is the first: the one with the lower number. It matters for two of one kind, for a capsule with a
-// sphere and for a hull with a box, whose contacts depend on it; any other two may come in any order.
+// Which body is the first: the one that goes first (sim/collision/narrow_phase.h). It matters for two of one kind and for
+// a hull with a box, whose contacts depend on it; any other two may come in any order.
 //
 // Private memory costs more than numbers: what can be had again is not kept, and no vector or matrix is asked for a
 // component by a variable index, but by at() and column(). Nor is one written so: one driver cannot do that for double.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hull_hull.cpp. Two hulls, or a hull and a box, a and b, a the lower number.
+// hull_hull.cpp. Two hulls, or a hull and a box, a and b, a goes first.
 //
 // Eight over a face and up to three along edges, which replace them or not.
 //
