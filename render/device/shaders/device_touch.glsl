@@ -183,7 +183,12 @@ void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked lo
   if (turns) {
     start_d = dot(n, between + r_b) - dot(f_n, y_a - c_a) - radius_b;
     if (apart) start_d = max(start_d, params.d_hat);
-    if (radius_b == 0) r_b -= gap_beside_b(touching_gap(start_d), a, b) * turned_by(back_b, f_n);
+    if (radius_b == 0) {
+      const dvec3 n_b = turned_by(back_b, f_n);  // as b carries it
+      const double beside_b = gap_beside_b(touching_gap(start_d), a, b);
+      r_b -= beside_b * n_b;
+      start_d += beside_b * (1 - dot(n, n_b));
+    }
     r_a = between + r_b;
     if (radius_b > 0) before = real3(radius_b) * cross(real3(n), rotate(exp_turn(-turn_a / 2), turn_b - turn_a));
   } else {
