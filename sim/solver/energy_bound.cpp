@@ -31,44 +31,45 @@ double drive_work_of(const Problem& p, const Iterate& it, Index k) {
   return work;
 }
 
-// Ψ of the points of a manifold at distances d. What recovers has none: its barrier is another one in each step, and what it
-// does is work, see energy_bound.h.
-Lanes barrier_energy(const ContactManifold& manifold, const ContactForce& f, Lanes d) {
-  const LaneMask recovers = manifold.shift > 0;
-  return select(recovers, f.first * (d - manifold.start_d), f.value);
+// Ψ of the points of a manifold at distances d, or −W where recovery does work, see energy_bound.h.
+Lanes barrier_energy(const ContactManifold& manifold, const ContactForce& f, Lanes d, bool solved) {
+  if (solved) return f.value;
+  return select(manifold.shift > 0, f.first * (d - manifold.start_d), f.value);
 }
 
 // Ψ of a manifold where the step starts, point by point: distances and slip are known there.
-Lanes energy_at_start(const Problem& p, const ContactManifold& manifold) {
+Lanes energy_at_start(const Problem& p, const ContactManifold& manifold, bool solved) {
   const ContactLaw law = p.law_of(manifold);
   const Lanes d = manifold.start_d;
-  return barrier_energy(manifold, normal_force(law.barrier, manifold, d), d) +
+  return barrier_energy(manifold, normal_force(law.barrier, manifold, d), d, solved) +
          friction_energy(law, manifold.limit, length(manifold.stretch));
 }
 
-PABD_EACH_LEVEL double energy_at_end(const Problem& p, const ContactManifold& manifold, const Iterate& it) {
+PABD_EACH_LEVEL double energy_at_end(const Problem& p, const ContactManifold& manifold, bool solved,
+                                     const Iterate& it) {
   const ContactLaw law = p.law_of(manifold);
   const ContactState s = state_of(it, manifold);
   if (feels_nothing(law.barrier, manifold, s.d)) return 0;
-  return sum(barrier_energy(manifold, normal_force(law.barrier, manifold, s.d), s.d) +
+  return sum(barrier_energy(manifold, normal_force(law.barrier, manifold, s.d), s.d, solved) +
              friction_energy(law, manifold.limit, length(s.u)));
 }
 
-double contact_energies(const Problem& p, const Island& island, const Workers& workers, EnergyMemory& memory,
-                        const Iterate& it) {
+double contact_energies(const Problem& p, const Island& island, bool solved, const Workers& workers,
+                        EnergyMemory& memory, const Iterate& it) {
   memory.energy.resize(island.manifolds.size());
   workers.for_each(island.manifolds.size(), [&](std::size_t k) {
-    memory.energy[k] = energy_at_end(p, it.manifold[island.manifolds[k]], it);
+    memory.energy[k] = energy_at_end(p, it.manifold[island.manifolds[k]], solved, it);
   });
   double sum = 0;
   for (const double energy : memory.energy) sum += energy;
   return sum;
 }
 
-void add_contacts_at_start(const Problem& p, const Island& island, const Iterate& it, EnergyBalance& out) {
+void add_contacts_at_start(const Problem& p, const Island& island, bool solved, const Iterate& it,
+                           EnergyBalance& out) {
   for (const Index j : island.manifolds) {
     const ContactManifold& manifold = it.manifold[j];
-    const Lanes energy = energy_at_start(p, manifold);
+    const Lanes energy = energy_at_start(p, manifold, solved);
     for (int k = 0; k < manifold.count; ++k) {
       out.stored += energy[k];
       if (!manifold.known[k]) out.found += energy[k];
@@ -112,8 +113,8 @@ double stored_at_part(const Problem& p, const Island& island, const Workers& wor
     set_roll(p, i, pose.R, it);
     energy += fall(p, i, pose.c);
   }
-  return energy + joint_energies(p, island, p.time, it) + contact_energies(p, island, workers, memory, it) -
-         drive_work(p, it, island.joints);
+  return energy + joint_energies(p, island, p.time, it) +
+         contact_energies(p, island, false, workers, memory, it) - drive_work(p, it, island.joints);
 }
 
 double kinetic_at_end(const Problem& p, const Island& island, const Velocities& velocities,
@@ -137,7 +138,7 @@ bool gains(const EnergyBalance& energy, double residual) {
          kRise * (energy.kinetic + energy.stored) + 100 * residual * energy.stored;
 }
 
-EnergyBalance energy_balance(const Problem& p, const Island& island, const Workers& workers,
+EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved, const Workers& workers,
                              const Velocities& velocities, EnergyMemory& memory, Iterate& it) {
   const Model& model = *p.model;
   EnergyBalance out;
@@ -149,9 +150,9 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, const Worke
   }
   out.kinetic = std::max(out.kinetic, flight);
   out.stored = joint_energies_at_start(p, island, memory, it);
-  add_contacts_at_start(p, island, it, out);
+  add_contacts_at_start(p, island, solved, it, out);
   out.rise = kinetic_at_end(p, island, velocities, it) + fell + joint_energies(p, island, p.time, it) +
-             contact_energies(p, island, workers, memory, it) - drive_work(p, it, island.joints) -
+             contact_energies(p, island, solved, workers, memory, it) - drive_work(p, it, island.joints) -
              out.kinetic - out.stored;
   return out;
 }

@@ -7,8 +7,9 @@
 //                            have at its end, and of springs                                             J
 //   W = Σ f·Δy               work of its drives: force on a driven point at the end of the step times    J
 //                            the way that the drive moves it; of motors, dampers and friction: force at
-//                            the end of the step times the way along the joint; of recovery
-//                            (recovery.h): force at the end times the way by which the contact opens
+//                            the end of the step times the way along the joint; where a step ends
+//                            unsolved also of recovery (recovery.h): force at the end times the way by
+//                            which the contact opens, since its barrier is another one in each step
 //
 // The minimiser of E has T + U + Ψ ≤ (T + U + Ψ)_start + W where Ψ is convex along the way. An iterate Q need not, nor a
 // minimiser past a corner that turned through its lowest point. What it has too much is taken from the inner motion: the
@@ -40,8 +41,8 @@ struct EnergyMemory {
   std::vector<double> energy;    // per manifold of the island
 };
 
-// Of an island whose velocities are known.
-EnergyBalance energy_balance(const Problem& p, const Island& island, const Workers& workers,
+// Of an island whose velocities are known; `solved`: it converged.
+EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved, const Workers& workers,
                              const Velocities& velocities, EnergyMemory& memory, Iterate& it);
 
 inline constexpr double kRise = 1e-5;

@@ -106,7 +106,8 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
       outcome.status = StepStatus::non_finite;
       if (!halves) return false;
     } else if (bounds) {
-      m.balance[k] = energy_balance(p, island, workers, m.velocities, m.energy, m.iterate);
+      const bool solved = outcome.status == StepStatus::converged;
+      m.balance[k] = energy_balance(p, island, solved, workers, m.velocities, m.energy, m.iterate);
     }
     if (outcome.status == StepStatus::iteration_limit && p.friction)
       outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);
