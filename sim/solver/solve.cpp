@@ -120,9 +120,22 @@ void change_solver(int done, double residual, Task& t, Iterate& it) {
   t.since = done;
 }
 
+bool sweeps_joints(const Task& t) { return t.island.solver == SolverMethod::descent && t.island.jointed; }
+
+// Below what residual an island may be at its end. Sweeps over joints begin with moves that are far less than d̂ where the
+// step is short, and so is all their way: after the first one nothing is known of it.
+double tolerance_of(const Task& t, int iterations, double first) {
+  constexpr double kRounding = 1e-12;  // d̂
+  const double tolerance = t.p.params->solver.tolerance;
+  if (!sweeps_joints(t) || tolerance == 0) return tolerance;
+  return iterations > 1 ? std::max(tolerance * std::min(1.0, first), kRounding) : kRounding;
+}
+
 // Where nothing switches, the moves of `newton` shrink quadratically: after two that do, the next is about
-// now³/before². A hundred times that, to be sure.
+// now³/before². A hundred times that, to be sure. Those of sweeps over joints hardly shrink: what is still to go is their
+// sum, now/(1 − now/before).
 double next_move(const Task& t, double before, double now) {
+  if (sweeps_joints(t)) return now < before ? now / (1 - now / before) : now;
   if (!t.newton() || !t.system->dual || !(now < 0.1 * before)) return now;
   return std::min(now, 100 * now * (now / before) * (now / before));
 }
@@ -139,7 +152,7 @@ void solve(Task t, Iterate& it, IslandReport& out) {
   const SolverParams& solver = t.p.params->solver;
   start(t, it);
   bool every_body = true;
-  double moved = 0;
+  double moved = 0, first = 0;
   for (int k = 0; k < solver.iterations; ++k) {
     const double gap_before = iterate(k, every_body, t, it);
     out.solver = t.island.solver;
@@ -147,6 +160,7 @@ void solve(Task t, Iterate& it, IslandReport& out) {
     const double before = std::exchange(moved, 0);
     for (const Index i : t.island.bodies) moved = larger(moved, it.moved[i]);
     out.residual = next_move(t, before, moved);
+    if (k == 0) first = moved;
     if (t.records) record_iteration(t, moved, gap_before, it);
     if (t.workers.stop.requested()) {
       out.status = StepStatus::interrupted;
@@ -159,7 +173,7 @@ void solve(Task t, Iterate& it, IslandReport& out) {
     const auto rests = [&] {
       return t.island.solver == SolverMethod::descent && any_rests(t.island, t.memory.descent);
     };
-    if (!(out.residual < solver.tolerance)) {
+    if (!(out.residual < tolerance_of(t, out.iterations, first))) {
       every_body = false;
     } else if ((!every_body && rests()) || !friction_settled(t, it) || !actions_settled(t, true, it)) {
       every_body = true;  // once more, to be sure
