@@ -142,11 +142,12 @@ void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& stat
     joint.i = moved(joint.i);
     joint.j = moved(joint.j);
   }
-  std::erase_if(model.no_collide,
-                [&](const auto& pair) { return pair.first == gone || pair.second == gone; });
-  for (auto& [a, b] : model.no_collide) {
-    a = moved(a);
-    b = moved(b);
+  for (auto* pairs : {&model.no_collide, &model.stated_apart}) {
+    std::erase_if(*pairs, [&](const auto& pair) { return pair.first == gone || pair.second == gone; });
+    for (auto& [a, b] : *pairs) {
+      a = moved(a);
+      b = moved(b);
+    }
   }
   const auto first = [](const ContactMemory& contact) { return static_cast<Index>(contact.pair >> 32); };
   const auto second = [](const ContactMemory& contact) {
@@ -245,9 +246,10 @@ void carry_out(const RemoveJoint& edit, const BondLaw&, Model& model, State& sta
   };
   const auto pair = ends(model.joints[static_cast<std::size_t>(edit.joint)]);
   erase_joint(edit.joint, model, state);
-  const bool held = std::any_of(model.joints.begin(), model.joints.end(),
-                                [&](const Joint& joint) { return ends(joint) == pair; });
-  if (!held) std::erase(model.no_collide, pair);
+  const bool apart = std::binary_search(model.stated_apart.begin(), model.stated_apart.end(), pair) ||
+                     std::any_of(model.joints.begin(), model.joints.end(),
+                                 [&](const Joint& joint) { return !joint.collide && ends(joint) == pair; });
+  if (!apart) std::erase(model.no_collide, pair);
 }
 
 }  // namespace

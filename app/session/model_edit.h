@@ -49,7 +49,7 @@ struct AddJoint {
 // The axes of a joint that stands on a face with that normal: an axis along it, two axes across it.
 void set_axes(const Vec3& normal, AddJoint& joint);
 
-// The bodies collide again, unless another joint holds them. Higher numbers move down by one.
+// The bodies collide again, unless another joint or the scene itself keeps them apart. Higher numbers move down by one.
 struct RemoveJoint {
   Index joint = 0;
 };

@@ -111,7 +111,9 @@ struct Joint {
   JointType type = JointType::spherical;
   Twist twist = Twist::locked;  // of a joint that moves along its axis
   std::uint8_t arms = 7;        // spherical with a turn: bit k, the points along column k of F are held
-  bool symmetric = true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
+  bool symmetric : 1 =
+      true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
+  bool collide : 1 = false;  // its two bodies may touch each other
   Index i = kWorld, j = kWorld;
   float limit_scale = 1;  // stiffness of limits as part of κ
   Rare<JointAction> action;

@@ -23,6 +23,7 @@ struct Model {
   std::vector<std::uint8_t> fixed;  // 1: never moves
   std::vector<Joint> joints;
   std::vector<std::pair<Index, Index>> no_collide;       // pairs a < b that never touch, sorted
+  std::vector<std::pair<Index, Index>> stated_apart;     // those of them that stay when joints go, sorted
   CollisionGroups groups;                                // more that never touch
   std::vector<std::optional<SurfaceFriction>> friction;  // of bodies that have their own. Empty: none has
 

@@ -100,8 +100,9 @@ void ModelBuilder::append_joints(ModelBuilder& part, const std::vector<Index>& t
     }
     model.joints.push_back(std::move(joint));
   }
-  for (const auto& [i, j] : part.model.no_collide)
-    if (here(i) != kWorld && here(j) != kWorld) keep_apart(here(i), here(j));
+  for (auto pairs : {&Model::no_collide, &Model::stated_apart})
+    for (const auto& [i, j] : part.model.*pairs)
+      if (here(i) != kWorld && here(j) != kWorld) (model.*pairs).emplace_back(std::minmax(here(i), here(j)));
 }
 
 void ModelBuilder::append(ModelBuilder&& part, const Placement& placement, const Node& place) {

@@ -152,11 +152,15 @@ void ModelBuilder::reserve_joints(std::int64_t count, const Node& place) {
 }
 
 void ModelBuilder::add_joint(Joint&& joint, bool collide) {
-  if (!collide && joint.i != kWorld && joint.j != kWorld) keep_apart(joint.i, joint.j);
+  joint.collide = collide;
+  if (!collide && joint.i != kWorld && joint.j != kWorld)
+    model.no_collide.emplace_back(std::minmax(joint.i, joint.j));
   model.joints.push_back(std::move(joint));
 }
 
-void ModelBuilder::keep_apart(Index i, Index j) { model.no_collide.emplace_back(std::minmax(i, j)); }
+void ModelBuilder::keep_apart(Index i, Index j) {
+  for (auto* pairs : {&model.no_collide, &model.stated_apart}) pairs->emplace_back(std::minmax(i, j));
+}
 
 void ModelBuilder::keep_groups_apart(int g, int h) {
   model.groups.apart[static_cast<std::size_t>(g)] |= std::uint64_t{1} << h;
@@ -170,9 +174,10 @@ void ModelBuilder::move_behind(std::size_t count) {
 }
 
 void ModelBuilder::finish(const Vec3& gravity) {
-  auto& pairs = model.no_collide;
-  if (!std::is_sorted(pairs.begin(), pairs.end())) std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  for (auto* pairs : {&model.no_collide, &model.stated_apart}) {
+    if (!std::is_sorted(pairs->begin(), pairs->end())) std::sort(pairs->begin(), pairs->end());
+    pairs->erase(std::unique(pairs->begin(), pairs->end()), pairs->end());
+  }
   if (!model.friction.empty()) model.friction.resize(model.name.size());
   if (!model.groups.of_body.empty()) model.groups.of_body.resize(model.name.size());
   find_avoided(model.groups);

@@ -99,7 +99,7 @@ class ModelBuilder {
   // Without `collide` the two bodies never touch each other.
   void add_joint(Joint&& joint, bool collide);
 
-  // The two bodies never touch each other.
+  // The two bodies never touch each other, whatever joints come and go.
   void keep_apart(Index i, Index j);
   // The bodies of the two groups, which may be one, never touch each other.
   void keep_groups_apart(int g, int h);

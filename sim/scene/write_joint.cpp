@@ -116,7 +116,8 @@ OrderedJson json_of_joint(const Model& model, const State& state, const Joint& j
   add_own_law(joint, joint_law, out);
   if (joint.i != kWorld && joint.j != kWorld) {
     const std::pair<Index, Index> pair = std::minmax(joint.i, joint.j);
-    if (!std::binary_search(model.no_collide.begin(), model.no_collide.end(), pair)) out["collide"] = true;
+    if (joint.collide || !std::binary_search(model.no_collide.begin(), model.no_collide.end(), pair))
+      out["collide"] = true;
   }
   return out;
 }

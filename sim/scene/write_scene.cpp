@@ -24,14 +24,16 @@ bool is_even(const Shape& shape, double mass, const Mat3& J) {
   return (J - even).norm() <= 1e-12 * even.norm();
 }
 
-// Pairs that never touch and are not told by a joint between the two.
+// Pairs that never touch, but for those that joints alone keep apart.
 std::vector<std::pair<Index, Index>> pairs_apart(const Model& model) {
-  std::vector<std::pair<Index, Index>> joined, out;
+  std::vector<std::pair<Index, Index>> joined, loose, out;
   for (const Joint& joint : model.joints)
-    if (joint.i != kWorld && joint.j != kWorld) joined.emplace_back(std::minmax(joint.i, joint.j));
+    if (joint.i != kWorld && joint.j != kWorld && !joint.collide)
+      joined.emplace_back(std::minmax(joint.i, joint.j));
   std::sort(joined.begin(), joined.end());
-  std::set_difference(model.no_collide.begin(), model.no_collide.end(), joined.begin(), joined.end(),
-                      std::back_inserter(out));
+  const auto &all = model.no_collide, &stated = model.stated_apart;
+  std::set_difference(all.begin(), all.end(), joined.begin(), joined.end(), std::back_inserter(loose));
+  std::set_union(loose.begin(), loose.end(), stated.begin(), stated.end(), std::back_inserter(out));
   return out;
 }
 

@@ -134,6 +134,9 @@ TEST_CASE("what is taken of an included scene, and under which names", "[scene]"
   const auto& pairs = s.model.no_collide;
   for (const std::pair<Index, Index>& pair : {std::pair<Index, Index>{1, 3}, {0, 1}, {0, 2}})
     CHECK(std::binary_search(pairs.begin(), pairs.end(), pair));
+  // Those that scenes state themselves; joints bring others.
+  CHECK(s.model.stated_apart == std::vector<std::pair<Index, Index>>{{0, 1}, {0, 2}, {1, 3}});
+  CHECK(pairs.size() > 3);
   // What is not taken.
   CHECK(s.params == Params{});
   CHECK_FALSE(s.camera);

@@ -8,6 +8,7 @@
 #include "app/session/session.h"
 #include "app/session/timeline.h"
 #include "sim/base/error.h"
+#include "sim/scene/write_scene.h"
 
 namespace pabd::test_model_edit {
 
@@ -307,6 +308,54 @@ TEST_CASE("friction and groups follow the bodies that come and go") {
       edit_from_json(R"({ "do": "add_body", "group": "g", "shape": { "type": "sphere", "radius": 1 } })",
                      "test"),
       Error);
+}
+
+TEST_CASE("a joint that goes takes along what it brought, and no pair that the scene states itself") {
+  using Pairs = std::vector<std::pair<Index, Index>>;
+  const auto ball = [](const char* name, int x) {
+    return std::string(R"({ "name": ")") + name + R"(", "shape": { "type": "sphere", "radius": 0.1 },
+      "position": [)" +
+           std::to_string(x) + ", 0, 0] }";
+  };
+  const auto rod = [](const char* i, const char* j, const char* more) {
+    return std::string(R"({ "type": "distance", "bodies": [")") + i + "\", \"" + j +
+           R"("], "points": [[0, 0, 0], [1, 0, 0]])" + more + " }";
+  };
+  const auto rod_between = [](Index i, Index j) {
+    AddJoint joint;
+    joint.type = JointType::distance;
+    joint.i = i;
+    joint.j = j;
+    joint.anchor_j = {1, 0, 0};
+    return joint;
+  };
+  Session session(parse_scene(
+      R"({ "format": "pabd-scene", "version": 1, "bodies": [ )" + ball("a", 0) + "," + ball("b", 1) + "," +
+          ball("c", 2) + "," + ball("d", 3) + R"( ], "no_collide": [["c", "b"], ["d", "c"]], "joints": [ )" +
+          rod("a", "b", "") + "," + rod("b", "c", "") + "," + rod("c", "d", R"(, "collide": true)") + "," +
+          rod("a", "d", R"(, "collide": true)") + "] }",
+      "test.json", {}));
+  const Scene saved = parse_scene(
+      scene_to_json(session.model(), session.state(), session.params(), {}, "saved", {}, {}), "saved", {});
+  Session again(saved);
+  for (Session* s : {&session, &again}) {
+    const auto apart = [s] { return s->model().no_collide; };
+    CHECK(apart() == Pairs{{0, 1}, {1, 2}, {2, 3}});
+    s->edit(RemoveJoint{1});
+    s->edit(RemoveJoint{1});
+    CHECK(apart() == Pairs{{0, 1}, {1, 2}, {2, 3}});
+    // A joint that lets its two touch holds nothing of what another one brings.
+    s->edit(rod_between(3, 0));
+    CHECK(apart() == Pairs{{0, 1}, {0, 3}, {1, 2}, {2, 3}});
+    s->edit(RemoveJoint{2});
+    CHECK(apart() == Pairs{{0, 1}, {1, 2}, {2, 3}});
+    // Numbers move down.
+    s->edit(RemoveBody{0});
+    CHECK(apart() == Pairs{{0, 1}, {1, 2}});
+    s->edit(rod_between(0, 1));
+    s->edit(RemoveJoint{0});
+    CHECK(apart() == Pairs{{0, 1}, {1, 2}});
+  }
 }
 
 }  // namespace pabd::test_model_edit
