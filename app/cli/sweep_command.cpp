@@ -86,7 +86,8 @@ int sweep(const SweepOptions& options) {
     throw Error(ErrorKind::bad_input, "PLAN: expected a plan of a sweep, or 'pabd sweep collect DIR'");
   const SweepPlan plan = read_plan(options.plan, find_scene);
   std::vector<ImportNote> notes;
-  const std::vector<SweepTask> tasks = tasks_of(plan, base_scene(plan, &notes));
+  const Scene base = base_scene(plan, &notes);
+  const std::vector<SweepTask> tasks = tasks_of(plan, base);
   if (!options.common.quiet) write_import_notes(plan.scene_name, notes);
   if (options.list) {
     check_plan(plan, tasks);
@@ -115,6 +116,10 @@ int sweep(const SweepOptions& options) {
   if (share && !share->from.empty() && !options.common.quiet)
     write_note(fmt::format("pabd: note: {} of {}, as {} says; --task all does all of them",
                            counted(chosen.size(), "task"), tasks.size(), share->from));
+  if (!options.common.quiet) {
+    const std::string others = made_by_others(folder, plan, base, tasks, chosen);
+    if (!others.empty()) write_note("pabd: note: " + others);
+  }
   return do_tasks(work, chosen);
 }
 

@@ -127,6 +127,7 @@ void read_parameters(const fs::path& folder, const CollectLimits& limits, ReadTa
     if (value.text.size() > kLongestValue) node.fail(fmt::format("expected at most {} bytes", kLongestValue));
     out.parameters.emplace(key, std::move(value));
   });
+  if (file.has("program")) out.task.program = one_line(file.at("program").text(100));
   out.task.index = file.at("index").integer(0, kMostSteps);
 }
 

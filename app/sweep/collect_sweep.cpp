@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kNamed = 12;  // tasks that a note names one by one
+constexpr std::string_view kProgram = "pabd " PABD_VERSION;
 
 struct Known {
   std::string_view key, words, unit;
@@ -147,6 +148,29 @@ void note_gaps(CollectedSweep& sweep) {
   }
 }
 
+// Where this version of the program has made a task, what others came to is left out.
+void leave_others(std::vector<ReadTask>& tasks, CollectedSweep& sweep) {
+  std::set<std::vector<std::pair<std::string, std::string>>> own;
+  const auto key = [](const ReadTask& one) {
+    std::vector<std::pair<std::string, std::string>> out;
+    for (const auto& [name, value] : one.parameters) out.emplace_back(name, value.text);
+    return out;
+  };
+  const auto is_own = [](const ReadTask& one) { return one.task.program == kProgram; };
+  for (const ReadTask& one : tasks)
+    if (is_own(one) && one.task.status <= SweptStatus::refused) own.insert(key(one));
+  const std::size_t replaced =
+      std::erase_if(tasks, [&](const ReadTask& one) { return !is_own(one) && own.contains(key(one)); });
+  if (replaced > 0)
+    sweep.notes.push_back(fmt::format("{} of other versions, which {} made again, left out",
+                                      counted(replaced, "result"), kProgram));
+  const auto others = static_cast<std::size_t>(
+      std::count_if(tasks.begin(), tasks.end(), [&](const ReadTask& one) { return !is_own(one); }));
+  if (!own.empty() && others > 0)
+    sweep.notes.push_back(
+        fmt::format("{} not made by {}, as the others are", counted(others, "task"), kProgram));
+}
+
 void note_status(CollectedSweep& sweep, SweptStatus status) {
   std::size_t shown = 0;
   for (const SweptTask& task : sweep.tasks) {
@@ -196,6 +220,7 @@ CollectedSweep collect_sweep(const fs::path& folder, const CollectLimits& limits
     // Those without an index come last.
     return std::make_tuple(a.task.index < 0, a.task.index) < std::make_tuple(b.task.index < 0, b.task.index);
   });
+  leave_others(read, sweep);
   std::vector<std::string> measured;
   for (const ReadPlan::Metric& metric : plan.metrics) measured.push_back(metric.name);
   sweep.parameters =

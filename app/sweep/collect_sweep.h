@@ -48,6 +48,7 @@ struct SweptTiming {
 struct SweptTask {
   std::int64_t index = -1;             // −1: its files do not say
   std::string hash;                    // name of its folder
+  std::string program;                 // that made it; empty: its files do not say
   std::vector<SweptValue> parameters;  // one a CollectedSweep::parameters
   SweptStatus status = SweptStatus::unfinished;
   std::string why;                             // one line; empty: nothing to say

@@ -9,13 +9,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <set>
 #include <system_error>
+#include <unordered_set>
 
 #include "sim/base/atomic_file.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/output_path.h"
 #include "sim/base/private_folder.h"
+#include "sim/base/utf8.h"
 
 namespace fs = std::filesystem;
 
@@ -66,7 +70,52 @@ void count_anew(const fs::path& place, const SweepTask& task) {
   }
 }
 
+// The programs that made what lies in `folder` under names that are none of `tasks`; "" is one that did not say.
+std::set<std::string> other_programs(const fs::path& folder, const std::vector<SweepTask>& tasks) {
+  std::unordered_set<std::string_view> known;
+  for (const SweepTask& task : tasks) known.insert(task.hash);
+  std::set<std::string> out;
+  std::error_code failure;
+  fs::directory_iterator entries(folder / "tasks", failure);
+  for (; !failure && entries != fs::directory_iterator(); entries.increment(failure)) {
+    const std::string name = entries->path().filename().string();
+    if (name.starts_with('.') || known.contains(name)) continue;
+    const auto json = nlohmann::json::parse(read_if_possible(entries->path() / "task.json", kMostTaskBytes),
+                                            nullptr, false);
+    if (!json.is_object()) continue;
+    const auto program = json.find("program");
+    out.insert(program != json.end() && program->is_string() ? program->get<std::string>() : "");
+  }
+  return out;
+}
+
 }  // namespace
+
+std::string made_by_others(const fs::path& folder, const SweepPlan& plan, const Scene& base,
+                           const std::vector<SweepTask>& tasks, const std::vector<std::size_t>& chosen) {
+  std::vector<std::size_t> open;
+  for (const std::size_t i : chosen)
+    if (!is_done(folder, tasks[i])) open.push_back(i);
+  if (open.empty()) return {};
+  std::set<std::size_t> made;
+  std::string names;
+  for (const std::string& program : other_programs(folder, tasks)) {
+    const std::vector<SweepTask> theirs = tasks_of(plan, base, program);
+    bool any = false;
+    for (const std::size_t i : open) {
+      if (!is_done(folder, theirs[i])) continue;
+      any = true;
+      made.insert(i);
+    }
+    if (!any) continue;
+    const std::string name = program.empty() ? "an earlier version" : one_line(program);
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (made.empty()) return {};
+  return fmt::format("{} {} done by {}, and {} made again by {}: versions may differ in results",
+                     counted(made.size(), "task"), made.size() == 1 ? "was" : "were", names,
+                     made.size() == 1 ? "is" : "are", sweep_program());
+}
 
 void prepare_sweep_folder(const fs::path& folder, const SweepPlan& plan, const std::vector<SweepTask>& tasks,
                           bool force) {

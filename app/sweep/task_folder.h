@@ -20,6 +20,11 @@ void prepare_sweep_folder(const std::filesystem::path& folder, const SweepPlan& 
 std::filesystem::path task_path(const std::filesystem::path& folder, const SweepTask& task);
 bool is_done(const std::filesystem::path& folder, const SweepTask& task);
 
+// What other versions of the program did of the tasks `chosen`, and this one has not: a note that names the versions.
+// Empty: nothing. `tasks`: tasks_of(plan, base).
+std::string made_by_others(const std::filesystem::path& folder, const SweepPlan& plan, const Scene& base,
+                           const std::vector<SweepTask>& tasks, const std::vector<std::size_t>& chosen);
+
 // A task that is being worked on by this process, and no other: it holds the lock of the file .HASH.lock, which the
 // system takes back when the process ends in whatever way.
 class TaskFolder {

@@ -18,11 +18,13 @@ namespace {
 
 constexpr std::size_t kTried = 16;
 
-std::string hash_of(const SweepPlan& plan, const Scene& base, const KeyValues& parameters) {
+std::string hash_of(const SweepPlan& plan, const Scene& base, const KeyValues& parameters,
+                    const std::string& program) {
   Json sorted = Json::object();
   for (const auto& [key, value] : parameters) sorted[key] = canonical(value);
   Hash64 hash;
   hash.add_text("pabd-sweep 1");
+  if (!program.empty()) hash.add_text(program);
   hash.add_text(base.hash);
   hash.add_number(base.duration.value_or(-1));
   hash.add_text(plan.measures);
@@ -43,10 +45,12 @@ Scene load(const SweepPlan& plan, const KeyValues& values, std::vector<ImportNot
 
 }  // namespace
 
+std::string sweep_program() { return "pabd " PABD_VERSION; }
+
 nlohmann::ordered_json SweepTask::to_json() const {
   nlohmann::ordered_json values = nlohmann::ordered_json::object();
   for (const auto& [key, value] : parameters) values[key] = value;
-  return {{"index", index}, {"hash", hash}, {"parameters", std::move(values)}};
+  return {{"index", index}, {"hash", hash}, {"program", program}, {"parameters", std::move(values)}};
 }
 
 std::string SweepTask::text() const {
@@ -57,7 +61,7 @@ std::string SweepTask::text() const {
   return out;
 }
 
-std::vector<SweepTask> tasks_of(const SweepPlan& plan, const Scene& base) {
+std::vector<SweepTask> tasks_of(const SweepPlan& plan, const Scene& base, const std::string& program) {
   std::vector<SweepTask> tasks;
   std::unordered_set<std::string> seen;
   std::vector<std::size_t> at(plan.groups.size(), 0);
@@ -68,7 +72,8 @@ std::vector<SweepTask> tasks_of(const SweepPlan& plan, const Scene& base) {
       for (std::size_t k = 0; k < group.keys.size(); ++k)
         task.parameters.emplace_back(group.keys[k], group.points[at[g]][k]);
     }
-    task.hash = hash_of(plan, base, task.parameters);
+    task.program = program;
+    task.hash = hash_of(plan, base, task.parameters, program);
     task.index = tasks.size();
     if (seen.insert(task.hash).second) tasks.push_back(std::move(task));
     more = false;

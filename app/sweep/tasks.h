@@ -10,9 +10,13 @@
 
 namespace pabd {
 
+// "pabd 1.2.3". Other versions may come to other numbers, so that the hash of a task has it.
+std::string sweep_program();
+
 struct SweepTask {
   std::size_t index = 0;  // from 0
   std::string hash;       // 16 hex digits
+  std::string program;    // that makes it
   KeyValues parameters;   // in the order of the plan
 
   nlohmann::ordered_json to_json() const;  // as in task.json
@@ -20,8 +24,9 @@ struct SweepTask {
 };
 
 // All combinations, the last entry of the plan varies fastest; what comes out twice is there once. `base`: the plan's
-// scene with its "set".
-std::vector<SweepTask> tasks_of(const SweepPlan& plan, const Scene& base);
+// scene with its "set". An empty `program`: as the versions counted them that did not look at theirs.
+std::vector<SweepTask> tasks_of(const SweepPlan& plan, const Scene& base,
+                                const std::string& program = sweep_program());
 
 // The scene of a plan without parameters. `notes`, if there, gets those of robots. Throws Error as load_any_scene does,
 // and Error(bad_input) where it asks for a GPU.

@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "app/sweep/tasks.h"
 #include "tests/cli/program.h"
 #include "tests/support/places.h"
 
@@ -160,6 +161,50 @@ TEST_CASE("what is done is skipped, and stays when the plan grows") {
   CHECK(done_in(folder / "out") == 9);
   // Their numbers are those of the new plan. Refused ones tell the same, whatever they were before.
   CHECK(results_in(folder / "out") == results_in(folder / "new"));
+}
+
+TEST_CASE("what another version of the program did is made again, and a note says so") {
+  const PlanFolder folder;
+  REQUIRE(sweep(folder, "out").exit_code == 0);
+  const auto own = results_in(folder / "out");
+  const SweepPlan plan =
+      read_plan(folder / "out/plan.json", [](const std::string& name) { return fs::path(name); });
+  const auto theirs = tasks_of(plan, base_scene(plan), "pabd 0.0.1");
+  const auto tasks = tasks_of(plan, base_scene(plan));
+  const auto place = [&](const SweepTask& task) { return fs::path(folder / "out") / "tasks" / task.hash; };
+  for (const SweepTask& task : theirs) {
+    fs::rename(place(tasks[task.index]), place(task));
+    write_text(place(task) / "task.json", task.to_json().dump());
+    Json result = Json::parse(read_text(place(task) / "result.json"));
+    result["hash"] = task.hash;
+    write_text(place(task) / "result.json", result.dump());
+  }
+  const auto make = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command = {"sweep", folder / "plan.json", "-o", folder / "out"};
+    command.insert(command.end(), more.begin(), more.end());
+    const Outcome outcome = run_pabd(command);
+    CHECK(outcome.exit_code == 0);
+    return outcome.err;
+  };
+  CHECK_THAT(make({"--task", "1"}),
+             Catch::Contains("note: 1 task was done by pabd 0.0.1, and is made again by " + sweep_program()));
+  CHECK_THAT(make({}), Catch::Contains("note: 5 tasks were done by pabd 0.0.1, and are made again"));
+  CHECK_THAT(make({}), Catch::Contains("6 done before") && !Catch::Contains("note:"));
+  for (const auto& [path, bytes] : own) CHECK(results_in(folder / "out").at(path) == bytes);
+  CHECK(done_in(folder / "out") == 12);
+
+  // Each task is in the table once.
+  const Outcome collected = run_pabd({"sweep", "collect", folder / "out"});
+  CHECK_THAT(collected.err, Catch::Contains("6 results of other versions, which " + sweep_program() +
+                                            " made again, left out"));
+  const auto rows = lines_of(read_text(folder / "out/collected/table.csv"));
+  CHECK(rows.size() == 7);
+  for (const SweepTask& task : tasks)
+    CHECK_THAT(rows.at(1 + task.index), Catch::StartsWith(std::to_string(task.index) + "," + task.hash));
+
+  fs::remove_all(place(tasks[2]));
+  const Outcome mixed = run_pabd({"sweep", "collect", folder / "out", "-o", folder / "mixed"});
+  CHECK_THAT(mixed.err, Catch::Contains("1 task not made by " + sweep_program() + ", as the others are"));
 }
 
 TEST_CASE("killed at any time, a sweep goes on to the same bytes") {

@@ -70,8 +70,9 @@ TEST_CASE("tasks are all combinations, the last entry varies fastest") {
     CHECK(all[i].hash.size() == 16);
     CHECK(hashes.insert(all[i].hash).second);
   }
-  CHECK(all[3].to_json().dump() ==
-        R"({"index":3,"hash":")" + all[3].hash + R"(","parameters":{"contact.N":2,"contact.kappa":1}})");
+  CHECK(all[3].to_json().dump() == R"({"index":3,"hash":")" + all[3].hash + R"(","program":")" +
+                                       sweep_program() +
+                                       R"(","parameters":{"contact.N":2,"contact.kappa":1}})");
 }
 
 TEST_CASE("the hash of a task tells what it computes, not how the plan was written") {
@@ -86,6 +87,11 @@ TEST_CASE("the hash of a task tells what it computes, not how the plan was writt
         R"("reference": {"time_step": 0.001}, "metrics": ["distance"])"})
     CHECK(tasks(std::string(other) + ", " + kList).at(0).hash != one);
   CHECK(tasks(R"("parameters": [{"key": "contact.N", "values": [4]}])").at(0).hash != one);
+  const SweepPlan plan = plan_of(kList);
+  CHECK(tasks_of(plan, base_scene(plan), sweep_program()).at(0).hash == one);
+  std::set<std::string> hashes = {one};
+  for (const char* program : {"", "pabd 0.0.1", "pabd 0.0.2"})
+    CHECK(hashes.insert(tasks_of(plan, base_scene(plan), program).at(0).hash).second);
 }
 
 TEST_CASE("what comes out twice is one task") {
