@@ -2,16 +2,26 @@
 // The records of shaders/device_layout.glsl that both sides read or write, and the numbers of its buffers. std430.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 
 #include "render/device/shape_table.h"
+#include "sim/potential/barrier.h"
 
 namespace pabd::device {
 
 inline constexpr std::uint32_t kLevels = 16, kColors = 128;
 inline constexpr std::uint32_t kShares = 3, kSweepLists = kShares * kColors;  // as in device_layout.glsl
 inline constexpr std::uint32_t kTwoKinds = kDeviceShapes * kDeviceShapes;     // of shapes, in either order
+
+// The barriers of shaders/device_barrier.glsl. Any other one is refused.
+inline constexpr std::array kDeviceBarriers = {BarrierKind::polynomial, BarrierKind::even,
+                                               BarrierKind::quadratic};
+constexpr bool is_on_device(BarrierKind kind) {
+  return std::find(kDeviceBarriers.begin(), kDeviceBarriers.end(), kind) != kDeviceBarriers.end();
+}
 
 // Binding of each array of shaders/device_buffers.glsl.
 enum class Slot : std::uint32_t {

@@ -26,10 +26,8 @@ class Compiler {
       : gl_(gl) {
     const bool single = precision == Precision::single;
     common_ = std::string(single ? kSingle : kTwofold) + (single ? kWideIsFloat : kWideIsDouble);
-    const auto number = [](BarrierKind kind) { return static_cast<int>(kind); };
-    common_ += fmt::format("#define POLYNOMIAL {}\n#define EVEN {}\n#define QUADRATIC {}\n",
-                           number(BarrierKind::polynomial), number(BarrierKind::even),
-                           number(BarrierKind::quadratic));
+    for (const BarrierKind kind : kDeviceBarriers)
+      common_ += fmt::format("#define BARRIER_{} {}\n", to_string(kind), static_cast<int>(kind));
     common_ +=
         fmt::format("#define GEOMETRIC_MEAN {}\n#define AVERAGE {}\n#define MIN {}\n#define MAX {}\n",
                     static_cast<int>(FrictionRule::geometric_mean), static_cast<int>(FrictionRule::average),

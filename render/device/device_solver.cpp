@@ -153,8 +153,9 @@ DeviceSolver::DeviceSolver(DeviceSolver&&) noexcept = default;
 
 std::string DeviceSolver::why_not(const Model& model, const Params& params) {
   if (!model.joints.empty()) return "the scene has joints, which the GPU does not take: --device cpu";
-  if (params.contact.barrier == BarrierKind::log)
-    return "the log barrier is not solved on the GPU: --device cpu, or another \"barrier\"";
+  if (const BarrierKind kind = params.contact.barrier; !is_on_device(kind))
+    return std::string("the ") + to_string(kind) +
+           " barrier is not solved on the GPU: --device cpu, or another \"barrier\"";
   const std::string why = why_not_on_device(model);
   return why.empty() ? why : why + ": --device cpu";
 }

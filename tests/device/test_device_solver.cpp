@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "render/device/compute_functions.h"
+#include "render/device/device_layout.h"
 #include "sim/body/convex_hull.h"
 #include "sim/body/shape_kind.h"
 #include "sim/scene/builder.h"
@@ -134,6 +135,41 @@ TEST_CASE("bodies on the GPU rest where their weight says, to 1e-5 d̂ in float"
     CHECK(state.c[1].y() - 0.25 == Approx(d_hat * (1 - u)).margin(1e-5 * d_hat));
     CHECK(state.v[1].norm() < 1e-5);
   }
+}
+
+TEST_CASE("every barrier that the GPU takes is its own there, and one that it does not know is refused") {
+  const double d_hat = 0.01, weight = 20 * 9.81;
+  for (const BarrierKind kind : kBarrierKinds) {
+    CAPTURE(to_string(kind));
+    SceneBuilder builder("rest");
+    builder.params.contact.kappa = 2;
+    builder.params.contact.barrier = kind;
+    builder.params.solver.iterations = 200;
+    builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
+    builder.add(
+        spec::Body{.name = "box", .shape = Box{{0.5, 0.25, 0.5}}, .mass = 20, .position = Vec3(0, 0.257, 0)});
+    const Scene scene = builder.build();
+    const std::string why = DeviceSolver::why_not(scene.model, scene.params);
+    CHECK(why.empty() == device::is_on_device(kind));
+    if (!why.empty()) {
+      CHECK_THAT(
+          why, Catch::Contains(std::string(to_string(kind)) + " barrier") && Catch::Contains("--device cpu"));
+      continue;
+    }
+    // Each of the four corners carries −Ψ' = m g/4, which grows with the overlap.
+    const ContactParams& contact = scene.params.contact;
+    const Barrier barrier{kind, contact.N, d_hat, *contact.kappa, contact.onset};
+    double lo = -10 * d_hat, hi = d_hat;
+    for (int k = 0; k < 60; ++k) {
+      const double d = (lo + hi) / 2;
+      (evaluate(barrier, d).first < -weight / 4 ? lo : hi) = d;
+    }
+    const State state = run(scene, {}, 400);
+    CHECK(state.c[1].y() - 0.25 == Approx(lo).margin(1e-5 * d_hat));
+  }
+  CHECK(device::is_on_device(BarrierKind::quadratic));
+  CHECK_FALSE(device::is_on_device(BarrierKind::log));
+  CHECK_FALSE(device::is_on_device(static_cast<BarrierKind>(kBarrierKinds.size())));
 }
 
 TEST_CASE("Coulomb's law holds on the GPU in float: tan of the slope against μ") {

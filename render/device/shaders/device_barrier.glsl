@@ -8,12 +8,12 @@ BarrierSum onset_term(real u, real onset) {
   if (onset == 0) return BarrierSum(u, 1, 0);
   return u < onset ? BarrierSum(u * u * (real(0.5lf) / onset), u / onset, 1 / onset) : BarrierSum(u - onset / 2, 1, 0);
 }
-// The polynomial S(5), its even part, the C² penalty.
+// Those of kDeviceBarriers: the polynomial S(5), its even part, the C² penalty.
 BarrierSum barrier_sum(real u) {
   const real onset = real(params.onset);
   const int N = params.N;
   real value = 0, first = 0, second = 0;
-  if (params.barrier == POLYNOMIAL) {
+  if (params.barrier == BARRIER_polynomial) {
     for (int n = N; n >= 2; --n) {
       value = value * u + real(1.0lf) / n;
       first = first * u + 1;
@@ -22,7 +22,7 @@ BarrierSum barrier_sum(real u) {
     const BarrierSum ramp = onset_term(u, onset);
     return BarrierSum(ramp.value + value * u * u, ramp.first + first * u, ramp.second + second);
   }
-  if (params.barrier == EVEN) {
+  if (params.barrier == BARRIER_even) {
     const real u2 = u * u;
     for (int m = N / 2; m >= 1; --m) {
       value = value * u2 + real(1.0lf) / (2 * m);

@@ -90,7 +90,7 @@ struct StepParams {
   uint groups;        // 1: some keep bodies apart
   uint shares, pad_;  // a bit each: those that are dispatched
 };
-// Barriers and shapes have the numbers of BarrierKind and DeviceShape: POLYNOMIAL, FORM_BOX, … are macros.
+// Barriers and shapes have the numbers of BarrierKind and DeviceShape: BARRIER_even, FORM_BOX, … are macros.
 
 const uint LEVELS = 16u;  // of the grid; the last one is no grid: whoever is too large for the others
 const uint COLORS = 128u;
