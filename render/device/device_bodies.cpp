@@ -16,6 +16,7 @@
 #include "render/device/device_solver.h"
 #include "render/device/draw_buffers.h"
 #include "render/device/draw_programs.h"
+#include "render/device/gl_fence.h"
 #include "render/device/shader_files.h"
 #include "render/device/value_colors.h"
 #include "render/gl/draw_list.h"
@@ -118,7 +119,7 @@ struct DeviceBodies::Impl {
   struct Asked {
     Question question;
     GlBuffer copy;
-    GLsync done;
+    GlFence done;
   };
   std::deque<Asked> asked;
   std::optional<Question> answered;
@@ -250,27 +251,24 @@ void DeviceBodies::Impl::ask(const Question& question) {
   buffers.clear(DrawSlot::bounds);
   buffers.bind();
   run_draw_program(gl, *bounds_program, count);
-  Asked now{question, GlBuffer(gl), nullptr};
+  Asked now{question, GlBuffer(gl), {}};
   gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   gl.BindBuffer(GL_COPY_WRITE_BUFFER, now.copy.id());
   gl.BufferData(GL_COPY_WRITE_BUFFER, sizeof(DrawBounds), nullptr, GL_STREAM_READ);
   gl.BindBuffer(GL_COPY_READ_BUFFER, buffers.id(DrawSlot::bounds));
   gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, sizeof(DrawBounds));
-  now.done = gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  now.done = GlFence(gl);
   asked.push_back(std::move(now));
 }
 
 // False: it is not there yet, and `wait` is false.
 bool DeviceBodies::Impl::take_oldest(bool wait) {
   Asked& oldest = asked.front();
-  while (true) {
-    const GLenum state =
-        gl.ClientWaitSync(oldest.done, wait ? GL_SYNC_FLUSH_COMMANDS_BIT : 0, wait ? 100'000'000 : 0);
-    if (state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED) break;
-    if (state == GL_WAIT_FAILED) throw Error(ErrorKind::no_context, "the GPU was lost: --device cpu");
-    if (!wait) return false;
+  if (wait) {
+    oldest.done.wait();
+  } else if (!oldest.done.passed()) {
+    return false;
   }
-  gl.DeleteSync(oldest.done);
   gl.BindBuffer(GL_COPY_READ_BUFFER, oldest.copy.id());
   gl.GetBufferSubData(GL_COPY_READ_BUFFER, 0, sizeof answer, &answer);
   answered = oldest.question;
@@ -355,9 +353,7 @@ DeviceBodies::DeviceBodies(GlContext& context, const BodyParts& bodies, unsigned
                            const DeviceBodiesOptions& options)
     : impl_(std::make_unique<Impl>(context, bodies, poses, options)) {}
 
-DeviceBodies::~DeviceBodies() {
-  for (const Impl::Asked& asked : impl_->asked) impl_->gl.DeleteSync(asked.done);
-}
+DeviceBodies::~DeviceBodies() = default;
 
 std::span<const InstanceClass> DeviceBodies::classes() const { return impl_->classes; }
 const std::vector<std::shared_ptr<const MeshData>>& DeviceBodies::meshes() const { return impl_->meshes; }

@@ -10,7 +10,7 @@
 
 #include "render/device/device_state.h"
 #include "render/device/device_step.h"
-#include "sim/base/error.h"
+#include "render/device/gl_fence.h"
 #include "sim/solver/friction.h"
 
 namespace pabd {
@@ -46,7 +46,7 @@ struct DeviceSolver::Impl {
     Params params;
     double kappa;
     GlBuffer copy;  // of the counters, when the step is done
-    GLsync done;
+    GlFence done;
   };
   void ask(const Params& params);
   void take_oldest();
@@ -65,13 +65,13 @@ struct DeviceSolver::Impl {
 
 void DeviceSolver::Impl::ask(const Params& params) {
   step.enqueue(params, step_number == 0 && asked.empty(), times);
-  Asked now{params, step.kappa(), GlBuffer(step.gl), nullptr};
+  Asked now{params, step.kappa(), GlBuffer(step.gl), {}};
   step.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   step.gl.BindBuffer(GL_COPY_WRITE_BUFFER, now.copy.id());
   step.gl.BufferData(GL_COPY_WRITE_BUFFER, sizeof(Counters), nullptr, GL_STREAM_READ);
   step.gl.BindBuffer(GL_COPY_READ_BUFFER, step.buffers.id(Slot::counters));
   step.gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, sizeof(Counters));
-  now.done = step.gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+  now.done = GlFence(step.gl);
   step.gl.Flush();
   asked.push_back(std::move(now));
 }
@@ -114,12 +114,7 @@ void DeviceSolver::Impl::report(const Asked& asked_for, const Counters& c) {
 void DeviceSolver::Impl::take_oldest() {
   Asked oldest = std::move(asked.front());
   asked.pop_front();
-  while (true) {
-    const GLenum state = step.gl.ClientWaitSync(oldest.done, GL_SYNC_FLUSH_COMMANDS_BIT, 100'000'000);
-    if (state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED) break;
-    if (state == GL_WAIT_FAILED) throw Error(ErrorKind::no_context, "the GPU was lost: --device cpu");
-  }
-  step.gl.DeleteSync(oldest.done);
+  oldest.done.wait();
   Counters c;
   step.gl.BindBuffer(GL_COPY_WRITE_BUFFER, oldest.copy.id());
   step.gl.GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof c, &c);
@@ -130,10 +125,7 @@ void DeviceSolver::Impl::take_oldest() {
   }
   // Neither this step was made nor those that were asked for after it: all again, with more room.
   std::vector<Params> repeat{oldest.params};
-  for (Asked& next : asked) {
-    step.gl.DeleteSync(next.done);
-    repeat.push_back(next.params);
-  }
+  for (const Asked& next : asked) repeat.push_back(next.params);
   asked.clear();
   step.make_room(c);
   repeated += static_cast<int>(repeat.size());

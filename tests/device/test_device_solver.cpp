@@ -11,6 +11,7 @@
 #include "sim/scene/builder.h"
 #include "sim/solver/time_step.h"
 #include "tests/device/device_scenes.h"
+#include "tests/device/wrapped_context.h"
 #include "tests/support/places.h"
 #include "tests/support/sanitized.h"
 
@@ -370,23 +371,16 @@ TEST_CASE("the large scenes are as large as they say, and the GPU takes them") {
 namespace {
 
 // A context whose GPU is lost while the solver waits.
-class LostContext : public GlContext {
+class LostContext : public WrappedContext {
  public:
-  explicit LostContext(GlContext& inside) : inside_(inside) {}
-  void make_current() override { inside_.make_current(); }
-  void release() override { inside_.release(); }
+  using WrappedContext::WrappedContext;
   void* proc_address(const char* name) override {
     if (std::strcmp(name, "glClientWaitSync") == 0) return reinterpret_cast<void*>(&fail_to_wait);
-    return inside_.proc_address(name);
+    return WrappedContext::proc_address(name);
   }
-  void framebuffer_size(int& width, int& height) const override { inside_.framebuffer_size(width, height); }
-  void present() override {}
-  std::string name() const override { return inside_.name(); }
-  std::unique_ptr<GlContext> share() override { return inside_.share(); }
 
  private:
   static GLenum APIENTRY fail_to_wait(GLsync, GLbitfield, GLuint64) { return GL_WAIT_FAILED; }
-  GlContext& inside_;
 };
 
 }  // namespace
