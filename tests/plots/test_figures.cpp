@@ -13,7 +13,9 @@
 #include "app/plots/figures/slider_joint.h"
 #include "app/plots/figures/spherical_joint.h"
 #include "app/plots/figures/time_series.h"
+#include "sim/scene/scene.h"
 #include "tests/plots/printed_barrier.h"
+#include "tests/support/places.h"
 
 namespace pabd::test_figures {
 
@@ -160,6 +162,21 @@ TEST_CASE("convergence with joints: their error in a plot of its own, contacts o
   const Plot live = convergence_plot(records, true);
   REQUIRE(live.series.size() == 5);
   CHECK(live.series[4].y == std::vector<double>{1e-3, 1e-6});
+}
+
+TEST_CASE("figure 7: its curves stay apart, the weighted one at the minimum, and its caption says why") {
+  const Scene scene = load_scene(std::string(places::scenes()) + "/two_boxes.json");
+  const Figure figure = figure7(scene.model, scene.params, scene.initial, 40);
+  const std::vector<Series>& curves = figure.plots.at(0).series;
+  REQUIRE(curves.size() == 5);
+  const auto end = [&](std::size_t k) { return curves[k].y.back(); };
+  for (const std::size_t before : {0, 2}) {
+    const std::vector<double>& y = curves[before].y;
+    CHECK(y.back() == Approx(y[y.size() - 2]).epsilon(1e-6));  // flat
+    CHECK(end(before + 1) - end(before) > 0.01);
+  }
+  CHECK(end(3) == Approx(end(4)).epsilon(1e-4));
+  CHECK(figure.caption.find("stay apart by what the contact force squeezes") != std::string::npos);
 }
 
 TEST_CASE("time series with joints: their error beside the penetration, on a logarithmic axis") {

@@ -219,10 +219,12 @@ Figure figure7(const Model& model, const Params& params, const State& state, int
   if (std::isfinite(minimiser.min_gap)) plot.series.push_back(level(-minimiser.min_gap, "true minimiser"));
   Figure figure;
   figure.title = "Penetration before and after the projection onto SO(3)";
-  figure.caption =
-      fmt::format("Deepest contact of two boxes within one step of sissm, by projection. {}, relaxation {}.",
-                  run_caption("two_boxes", 1, params, resolve_kappa(model, params), true),
-                  format_value(params.solver.relaxation));
+  figure.caption = fmt::format(
+      "Deepest contact of two boxes within one step of sissm, by projection. {}, relaxation {}. "
+      "The curves before and after stay apart by what the contact force squeezes the affine "
+      "bodies, which the projection takes back in every iteration.",
+      run_caption("two_boxes", 1, params, resolve_kappa(model, params), true),
+      format_value(params.solver.relaxation));
   figure.plots = {std::move(plot)};
   return figure;
 }
