@@ -12,6 +12,7 @@
 #include "sim/body/shape_kind.h"
 #include "sim/joint/attach.h"
 #include "sim/joint/joint_traits.h"
+#include "sim/joint/sliding_end.h"
 #include "sim/potential/barrier.h"
 #include "sim/scene/model_builder.h"
 #include "sim/scene/text.h"
@@ -224,11 +225,13 @@ void carry_out(const AddJoint& edit, const BondLaw& joint_law, Model& model, Sta
   } else {
     attach(state, edit.anchor, F, joint);
     joint.arm = default_arm(model, joint.i, joint.j);
+    joint.usual_arm = true;
   }
   joint.name =
       free_name(edit.name, "joint", model.joints, [](const Joint& k) { return std::string_view(k.name); });
 
   model.joints.push_back(std::move(joint));
+  settle_sliding_ends(model, model.joints.size() - 1);
   if (!state.joint_force.empty()) state.joint_force.emplace_back(Vec3::Zero());
   if (edit.i == kWorld || edit.j == kWorld) return;
   const std::pair<Index, Index> pair = std::minmax(edit.i, edit.j);

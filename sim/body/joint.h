@@ -111,9 +111,11 @@ struct Joint {
   JointType type = JointType::spherical;
   Twist twist = Twist::locked;  // of a joint that moves along its axis
   std::uint8_t arms = 7;        // spherical with a turn: bit k, the points along column k of F are held
-  bool symmetric : 1 =
-      true;  // two bonds a rotational degree of freedom; false: one, as the supplement warns of
-  bool collide : 1 = false;  // its two bodies may touch each other
+  // Two bonds a rotational degree of freedom; false: one, as the supplement warns of.
+  bool symmetric : 1 = true;
+  bool collide : 1 = false;    // its two bodies may touch each other
+  bool on_second : 1 = false;  // of one that moves along its axis: the points go with j, not with i
+  bool usual_arm : 1 = false;  // nobody chose `arm`
   Index i = kWorld, j = kWorld;
   float limit_scale = 1;  // stiffness of limits as part of κ
   Rare<JointAction> action;

@@ -28,15 +28,15 @@ AnglePlane angle_plane(const PlacedFrame& fi, const PlacedFrame&) { return {fi.F
 double joint_offset(const PlacedFrame& fi, const PlacedFrame& fj) { return fj.F.col(0).dot(fj.y - fi.y); }
 
 void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta, double scale,
-                const Vec3& shift, bool slides, BondList& out) {
+                const std::optional<Vec3>& free_axis, BondList& out) {
   // i's point turned by θ about the axis meets j's point (Erratum E5: a rotation about the axis a).
   const Vec3 on_i = joint.arm * (std::cos(theta) * fi.F.col(1) + std::sin(theta) * fi.F.col(2));
   const Vec3 on_j = joint.arm * fj.F.col(1);
   for (const double side : {1.0, -1.0}) {
     if (side < 0 && !joint.symmetric) break;
-    PointBond& bond = out.add(fi.y + side * on_i, fj.y + shift + side * on_j);
-    bond.slides = slides;
-    bond.free_axis = fj.F.col(0);
+    PointBond& bond = out.add(fi.y + side * on_i, fj.y + side * on_j);
+    bond.slides = free_axis.has_value();
+    bond.free_axis = free_axis.value_or(Vec3::Zero());
     bond.scale = scale;
   }
 }

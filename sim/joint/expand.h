@@ -20,10 +20,10 @@ AnglePlane angle_plane(const PlacedFrame& fi, const PlacedFrame& fj);
 // along +n: positive when j has moved along the axis relative to i.
 double joint_offset(const PlacedFrame& fi, const PlacedFrame& fj);
 
-// Holds the angle about the axis at θ with `scale` times κ: points beside the axis S(12, 13) at `shift` along
-// it on j.
+// Holds the angle about the axis at θ with `scale` times κ: points beside the axis S(12, 13). They slide along
+// `free_axis`, if there is one.
 void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double theta, double scale,
-                const Vec3& shift, bool slides, BondList& out);
+                const std::optional<Vec3>& free_axis, BondList& out);
 
 // Points at ± arm from the anchors along column k of Fi meet those along column k of j's frame S(8–10).
 void hold_direction(const Joint& joint, const PlacedFrame& fj, const Vec3& y_i, const Mat3& Fi, int k,

@@ -12,10 +12,10 @@ void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
     out.add(fi.y + side * joint.arm * fi.F.col(0), fj.y + side * joint.arm * fj.F.col(0));
   }
   if (joint.drive) {
-    hold_angle(joint, fi, fj, joint.drive->at(time), 1, Vec3::Zero(), false, out);
+    hold_angle(joint, fi, fj, joint.drive->at(time), 1, {}, out);
   } else if (joint.limits) {
     const auto passed = passed_angle(*joint.limits, joint_angle(fi, fj));
-    if (passed) hold_angle(joint, fi, fj, *passed, joint.limit_scale, Vec3::Zero(), false, out);
+    if (passed) hold_angle(joint, fi, fj, *passed, joint.limit_scale, {}, out);
   }
 }
 

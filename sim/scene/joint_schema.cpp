@@ -113,7 +113,8 @@ void add_arms(OrderedJson& out) {
   out["arm"] =
       described(number(kSizeRange),
                 "Distance in m of the points beside the anchor that hold the rotation. Default: half "
-                "the bounding radius of the smaller body.");
+                "the bounding radius of the smaller body, of a slider or cylindrical joint at least as far "
+                "as the centre of mass of the body that hangs on it.");
   out["symmetric"] = {{"type", "boolean"},
                       {"default", true},
                       {"description",

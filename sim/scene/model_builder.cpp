@@ -9,6 +9,7 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/joint/auto_kappa.h"
+#include "sim/joint/sliding_end.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -182,6 +183,7 @@ void ModelBuilder::finish(const Vec3& gravity) {
   if (!model.groups.of_body.empty()) model.groups.of_body.resize(model.name.size());
   find_avoided(model.groups);
 
+  settle_sliding_ends(model);
   const JointLoad load = joint_load(model, gravity);
   for (Joint& joint : model.joints) {
     if (joint.law.kappa != kAutoKappa) continue;

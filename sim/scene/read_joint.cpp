@@ -130,6 +130,7 @@ std::optional<double> read_start(const ObjectReader& in, const JointMeasure& mea
 }
 
 void read_arms(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+  joint.usual_arm = !in.has("arm");
   joint.arm = in.number("arm", kSizeRange, default_arm(around.scene.model, joint.i, joint.j));
   joint.symmetric = in.boolean("symmetric", true);
 }
