@@ -167,8 +167,9 @@ TEST_CASE("what another version of the program did is made again, and a note say
   const PlanFolder folder;
   REQUIRE(sweep(folder, "out").exit_code == 0);
   const auto own = results_in(folder / "out");
-  const SweepPlan plan =
-      read_plan(folder / "out/plan.json", [](const std::string& name) { return fs::path(name); });
+  const SweepPlan plan = read_plan(folder / "out/plan.json", [](const std::string& name) {
+    return fs::path(places::scenes()) / (name + ".json");
+  });
   const auto theirs = tasks_of(plan, base_scene(plan), "pabd 0.0.1");
   const auto tasks = tasks_of(plan, base_scene(plan));
   const auto place = [&](const SweepTask& task) { return fs::path(folder / "out") / "tasks" / task.hash; };
