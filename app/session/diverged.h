@@ -9,6 +9,9 @@
 
 namespace pabd {
 
+// What may help where a step of that method diverged: "a smaller time_step, …".
+std::string divergence_remedies(SolverMethod method);
+
 // `scene`: as it was named.
 Error diverged_error(const std::string& scene, const StepSummary& step);
 

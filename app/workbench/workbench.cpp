@@ -8,6 +8,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "app/session/diverged.h"
 #include "app/session/joint_settings.h"
 #include "app/session/step_at_time.h"
 #include "sim/base/error.h"
@@ -96,13 +97,13 @@ bool Workbench::advance() {
   const bool elsewhere =
       failed.step != run.state().step + 1;  // the step began on a device, from where it is lost
   tell(Severity::error,
-       fmt::format(
-           "{}diverged at step {} (t = {:.4g} s): the state was no longer finite. {}, and try a smaller "
-           "time_step, a smaller contact.kappa, or solver.method descent",
-           b_ ? (first ? "A: " : "B: ") : "", failed.step, failed.time,
-           elsewhere ? fmt::format("This is t = {:.4g} s, the last state that was kept: go back if need be",
-                                   run.state().time)
-                     : "Go back"),
+       fmt::format("{}diverged at step {} (t = {:.4g} s): the state was no longer finite. {}, and try {}",
+                   b_ ? (first ? "A: " : "B: ") : "", failed.step, failed.time,
+                   elsewhere
+                       ? fmt::format("This is t = {:.4g} s, the last state that was kept: go back if need be",
+                                     run.state().time)
+                       : "Go back",
+                   divergence_remedies(run.params().solver.method)),
        {}, ErrorKind::diverged);
   return false;
 }

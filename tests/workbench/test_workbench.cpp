@@ -146,6 +146,7 @@ TEST_CASE("a simulation that diverges is told of and leaves the last good state"
   CHECK(s.diverged);
   CHECK_FALSE(s.playing);
   CHECK_THAT(s.messages.back().text, Catch::Contains("diverged at step 21"));
+  CHECK_THAT(s.messages.back().text, Catch::EndsWith("or more solver.halvings"));
   CHECK(same_bits(s.a.state, before));
   bench.apply(command::Step{-5});
   CHECK_FALSE(bench.snapshot().diverged);
