@@ -108,7 +108,10 @@ class BarrierPanelView final : public GuiPanel {
     StepReport report = run.report;
     report.kappa = run.kappa;
     numbers_ = contact_numbers(*model_, masses_, run.params, run.state, report);
-    if (!held_) advice_ = contact_advice(*model_, run.made_with, run.state, run.report);
+    const std::span<const StepSummary> history = run.history;
+    if (!held_)
+      advice_ = contact_advice(*model_, run.made_with, run.state, run.report,
+                               history.first(run.cursor + 1).last(run.alike));
   }
 
   void controls(GuiFrame& f) {

@@ -96,11 +96,17 @@ class ConvergencePanel final : public GuiPanel {
     tooltip(limit ? "The step ended before it was settled: more iterations, another solver, or a larger "
                     "tolerance"
                   : "Every body moved by less than the tolerance in the last iteration");
-    const std::string residual = ", residual " + format_value(r.residual, 2);
-    const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
-    if (end + ImGui::CalcTextSize(residual.c_str()).x > ImGui::GetContentRegionMax().x) return;
-    ImGui::SameLine(0, 0);
-    muted_label(f, residual);
+    // As far as there is room.
+    const auto add = [&](const std::string& text) {
+      const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+      if (end + ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionMax().x) return false;
+      ImGui::SameLine(0, 0);
+      muted_label(f, text);
+      return true;
+    };
+    if (r.halved_bodies > 0 && add(fmt::format(", in up to {} parts", 1 << r.halvings)))
+      tooltip("The step was made again in halves; the plot shows how it went as a whole");
+    add(", residual " + format_value(r.residual, 2));
   }
 
   void update(const GuiFrame& f) {

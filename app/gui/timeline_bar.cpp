@@ -46,7 +46,7 @@ struct Track {
   }
 };
 
-// Penetrations and iteration limits as ticks, one a pixel column at most.
+// Penetrations as ticks, one a pixel column at most.
 void draw_marks(const GuiFrame& f, const Track& track, const Reports& history, ImDrawList& list) {
   float last = -1;
   for (const StepSummary& r : history) {
@@ -116,14 +116,18 @@ std::string events_at(const GuiFrame& f, const Track& track, const std::vector<T
     if (near(event.time)) say(event.words);
   }
   double deepest = 0;
-  std::int64_t unsolved = 0;
+  std::int64_t unsolved = 0, halved = 0;
+  int halvings = 0;
   for (const StepSummary& r : f.sim.a.history) {
     if (std::abs(track.x(r.time) - x) > f.px(1.5)) continue;
     deepest = std::max(deepest, r.max_penetration);
     unsolved += r.status == StepStatus::iteration_limit ? 1 : 0;
+    halved += r.halved_bodies > 0 ? 1 : 0;
+    halvings = std::max(halvings, r.halvings);
   }
   if (deepest > 0) say(fmt::format("bodies overlap by {:.3g} m", deepest));
   if (unsolved > 0) say(counted(unsolved, "step") + " ended at the iteration limit");
+  if (halved > 0) say(fmt::format("{} made again in up to {} parts", counted(halved, "step"), 1 << halvings));
   return out;
 }
 

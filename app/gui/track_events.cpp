@@ -35,6 +35,8 @@ std::vector<TrackEvent> track_events(const Snapshot& sim, const UiState& ui) {
          [](const StepSummary& r) { return r.max_penetration > 0; });
   begins("iteration limit", "limit", "for the first time a step ended at the iteration limit", true,
          [](const StepSummary& r) { return r.status == StepStatus::iteration_limit; });
+  begins("first halves", "halves", "for the first time a step was made again in halves", false,
+         [](const StepSummary& r) { return r.halved_bodies > 0; });
   for (std::size_t k = 0; k < ui.camera_keys.size(); ++k) {
     const double time = ui.camera_keys[k].time;
     out.push_back(

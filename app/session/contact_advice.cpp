@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/session/halving_advice.h"
 #include "sim/base/counted.h"
 #include "sim/solver/parameter_table.h"
 
@@ -232,13 +233,18 @@ std::string slow_islands(const Model& model, const StepReport& report) {
                      worst->bodies, worst->bodies == 1 ? "body" : "bodies", to_string(worst->solver));
 }
 
+// " in up to 16 parts of the step", where it was made again in halves.
+std::string parts(const StepReport& report) {
+  return report.halved_bodies > 0 ? fmt::format(" in up to {} parts of the step", 1 << report.halvings) : "";
+}
+
 std::optional<Advice> iteration_limit(const Model& model, const Params& params, const StepReport& report) {
   // Tolerance 0 asks for all iterations.
   if (report.status != StepStatus::iteration_limit || params.solver.tolerance == 0) return std::nullopt;
   return longer_solve(model, params, report, AdviceKind::iteration_limit,
-                      fmt::format("{} {} not enough{}: {}", counted(report.iterations, "iteration"),
+                      fmt::format("{} {} not enough{}{}: {}", counted(report.iterations, "iteration"),
                                   report.iterations == 1 ? "was" : "were", slow_islands(model, report),
-                                  unsettled(params, report)));
+                                  parts(report), unsettled(params, report)));
 }
 
 std::optional<Advice> friction_excess(const Model& model, const Params& params, const StepReport& report) {
@@ -300,7 +306,7 @@ ContactNumbers contact_numbers(const Model& model, const MassRange& masses, cons
 }
 
 std::vector<Advice> contact_advice(const Model& model, const Params& params, const State& state,
-                                   const StepReport& report) {
+                                   const StepReport& report, std::span<const StepSummary> past) {
   std::vector<Advice> advice;
   const ContactParams& contact = params.contact;
   const bool feasible_only = traits_of(contact.barrier).feasible_only;
@@ -323,7 +329,11 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
     if (found) advice.push_back(std::move(*found));
   };
   add(overlap(model, params, state, report));
-  add(iteration_limit(model, params, report));
+  if (auto halves = halving_advice(params, past)) {  // of many steps, this one or not
+    advice.push_back(*std::move(halves));
+  } else {
+    add(iteration_limit(model, params, report));
+  }
   add(friction_excess(model, params, report));
   add(past_onset(params, report));
   const bool by_body =

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,7 @@ enum class AdviceKind : std::uint8_t {
   non_finite,          // the step left the numbers
   log_overlap,         // log barrier, bodies overlap
   overlap,             // d < 0
+  unsolved_halves,     // steps in a row ended before their tolerance in halves as well
   iteration_limit,     // the solve ended before its tolerance
   friction_excess,     // friction above μ f_n by more than 1 %: the solve ended before its bounds were right
   pressed_past_onset,  // more than half of the contacts have u > ε
@@ -73,7 +75,8 @@ struct Advice {
 
 // The most serious first; empty when there is nothing to say. Every suggestion passes check_params when put
 // into `params`. Where a change has to be estimated, it is meant to be clicked again if it was not enough.
+// `past`: the steps up to this one that were made with `params`, or the last of them (halving_advice.h).
 std::vector<Advice> contact_advice(const Model& model, const Params& params, const State& state,
-                                   const StepReport& report);
+                                   const StepReport& report, std::span<const StepSummary> past = {});
 
 }  // namespace pabd

@@ -74,6 +74,15 @@ std::size_t Timeline::next_kept(std::size_t i) const {
   return i;
 }
 
+std::size_t Timeline::made_alike(std::size_t i, std::size_t most) const {
+  const auto alike = [&](const Moment& m) {
+    return !m.start && (m.params == moments_[i].params || *m.params == *moments_[i].params);
+  };
+  std::size_t count = 0;
+  while (count < most && count <= i && alike(moments_[i - count])) ++count;
+  return count;
+}
+
 std::shared_ptr<const State> Timeline::state(std::size_t i, int threads) const {
   std::size_t kept = i;
   while (!moments_[kept].state) --kept;

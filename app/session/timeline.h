@@ -64,7 +64,9 @@ class Timeline {
   // The last moment that is not after i and can be gone to, and the first after i; the precondition of state().
   std::size_t kept(std::size_t i) const;
   std::size_t next_kept(std::size_t i) const;  // i itself where there is none
-  std::size_t gone() const { return gone_; }   // moments that cannot be gone to any more
+  // How many steps, at most `most`, led to moment i one after the other with the parameters of the last of them.
+  std::size_t made_alike(std::size_t i, std::size_t most) const;
+  std::size_t gone() const { return gone_; }  // moments that cannot be gone to any more
 
   bool empty() const { return moments_.empty(); }
   std::size_t size() const { return moments_.size(); }

@@ -44,8 +44,9 @@ struct RunView : FrameView {
   std::shared_ptr<const Scene> scene;
   std::size_t cursor = 0;  // which moment this is
   Params made_with;        // parameters of the step that led here
-  DeviceStatus device;     // who makes the next step
-  std::size_t gone = 0;    // moments of the history that cannot be gone to (Timeline::gone)
+  std::size_t alike = 0;  // of the last steps up to it, those made with the same, as far as advice looks back
+  DeviceStatus device;    // who makes the next step
+  std::size_t gone = 0;   // moments of the history that cannot be gone to (Timeline::gone)
   // Keys that differ from the scene, with their value, also of its joints' law (joint_settings.h).
   std::vector<std::pair<std::string, std::string>> changed;
   std::vector<Pull> pulls;  // hands on bodies in the next step

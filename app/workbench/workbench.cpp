@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "app/session/diverged.h"
+#include "app/session/halving_advice.h"
 #include "app/session/joint_settings.h"
 #include "app/session/step_at_time.h"
 #include "sim/base/error.h"
@@ -289,6 +290,7 @@ RunView Workbench::view(const Run& run, ChangedKeys& changed) const {
   v.scene = run.shared_scene();
   v.history = run.timeline().reports();
   v.made_with = *run.timeline()[run.cursor()].params;
+  v.alike = run.timeline().made_alike(run.cursor(), kStepsLookedAt);
   v.changed = changed.keys;
   for (const auto& one : joint_differences(scene_->joint_law, run.scene().joint_law))
     v.changed.push_back(one);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Names on the timeline: beside their places, never over each other or over what stands there.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -78,6 +79,29 @@ TEST_CASE("the first contact is that of the first step with one, and none where 
   const auto [stack, from_start] = events("stack", 20);
   REQUIRE(from_start);
   CHECK_FALSE(stack);
+}
+
+TEST_CASE("the timeline names the first step that was made again in halves") {
+  Workbench bench({}, command::Load{std::string(places::scenes()) + "/two_boxes.json", {}, false});
+  bench.apply(command::Step{60});
+  const auto halves = [](const Snapshot& sim) {
+    std::optional<TrackEvent> out;
+    for (const TrackEvent& event : track_events(sim, UiState{}))
+      if (event.name == "first halves") out = event;
+    return out;
+  };
+  const Snapshot sim = bench.snapshot();
+  const auto begin = sim.a.history.begin(), end = sim.a.history.end();
+  const auto first = std::find_if(begin, end, [](const StepSummary& r) { return r.halved_bodies > 0; });
+  REQUIRE(first != end);  // they hit the ground
+  const auto event = halves(sim);
+  REQUIRE(event);
+  CHECK(event->time == first->time);
+  CHECK_FALSE(event->warning);  // a hit is no trouble
+  bench.apply(command::Set{"solver.halvings", "0"});
+  bench.apply(command::Restart{});
+  bench.apply(command::Step{60});
+  CHECK_FALSE(halves(bench.snapshot()));
 }
 
 }  // namespace pabd::test_track_events

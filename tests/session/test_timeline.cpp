@@ -67,4 +67,29 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a timeline tells how many of the last steps were made with the same parameters") {
+  Timeline timeline(1 << 20);
+  Params now;
+  const auto add = [&](int steps, bool start = false) {
+    for (int k = 0; k < steps; ++k) {
+      Moment m = moment(static_cast<std::int64_t>(timeline.size()), start, false, true);
+      m.params = std::make_shared<const Params>(now);
+      timeline.add(std::move(m));
+    }
+  };
+  add(1, true);
+  CHECK(timeline.made_alike(0, 60) == 0);  // no step led there
+  add(10);
+  CHECK(timeline.made_alike(10, 60) == 10);
+  CHECK(timeline.made_alike(10, 4) == 4);
+  now.solver.iterations = 80;
+  add(3);
+  CHECK(timeline.made_alike(13, 60) == 3);
+  CHECK(timeline.made_alike(10, 60) == 10);
+  CHECK(timeline.made_alike(4, 60) == 4);
+  add(1, true);  // an edit
+  add(2);
+  CHECK(timeline.made_alike(16, 60) == 2);
+}
+
 }  // namespace pabd::test_timeline
