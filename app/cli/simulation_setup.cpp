@@ -8,8 +8,10 @@
 
 #include "app/cli/import_notes.h"
 #include "app/cli/scene_lookup.h"
+#include "app/cli/streams.h"
 #include "sim/base/input_file.h"
 #include "sim/import/import.h"
+#include "sim/scene/thickness.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::cli {
@@ -39,7 +41,10 @@ std::shared_ptr<const Scene> open_scene(const std::string& scene, const CommonOp
                                         InputFiles& inputs) {
   std::vector<ImportNote> notes;
   auto loaded = std::make_shared<const Scene>(load_any_scene(find_scene(scene), common.sets, &notes));
-  if (!common.quiet) write_import_notes(scene, notes);
+  if (!common.quiet) {
+    write_import_notes(scene, notes);
+    if (const auto note = thickness_note(*loaded)) write_note("pabd: note: " + note->text);
+  }
   for (const auto& file : loaded->files) inputs.add(file);
   return loaded;
 }

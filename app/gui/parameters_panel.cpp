@@ -13,6 +13,7 @@
 #include "app/gui/significant.h"
 #include "app/gui/value_slider.h"
 #include "app/gui/widgets.h"
+#include "sim/scene/thickness.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {
@@ -20,6 +21,13 @@ namespace {
 
 bool is_changed(const RunView& run, const std::string& key) {
   return std::any_of(run.changed.begin(), run.changed.end(), [&](const auto& c) { return c.first == key; });
+}
+
+// What is worth knowing of the scene's own value.
+std::string note_of(const Scene& scene, const ParameterRow& row) {
+  if (&row != &parameter_of(&ContactParams::d_hat)) return "";
+  const std::string words = default_d_hat_words(scene);
+  return words.empty() ? "" : "\n" + words;
 }
 
 class ParametersPanel final : public GuiPanel {
@@ -88,8 +96,9 @@ class ParametersPanel final : public GuiPanel {
     label(row_label(row));
     if (!changed) ImGui::PopStyleColor();
     const std::string unit = unit_of(row, run.params);
-    tooltip(fmt::format("{}\n{}{}{}", row.help, row.key, unit.empty() ? "" : " [" + unit + "]",
-                        changed ? "\nscene: " + value_text(value_of(row, f.sim.scene->params)) : ""));
+    tooltip(fmt::format("{}\n{}{}{}{}", row.help, row.key, unit.empty() ? "" : " [" + unit + "]",
+                        changed ? "\nscene: " + value_text(value_of(row, f.sim.scene->params)) : "",
+                        note_of(*f.sim.scene, row)));
     ImGui::SameLine(left + label_width(f));
   }
   void end_row(GuiFrame& f, const RunView& run, const char* key) {

@@ -22,6 +22,7 @@
 #include "sim/base/error.h"
 #include "sim/base/output_path.h"
 #include "sim/import/import.h"
+#include "sim/scene/thickness.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::python {
@@ -95,6 +96,12 @@ void bind_scene(py::module_& module) {
                              "One line; may be empty.")
       .def_property_readonly("duration", of_scene([](const Scene& s) { return s.duration; }),
                              "That its author means to be shown; s. None: not said.")
+      .def_property_readonly("notes", of_scene([](const Scene& s) {
+                               std::vector<std::string> notes;
+                               if (const auto note = thickness_note(s)) notes.push_back(note->text);
+                               return notes;
+                             }),
+                             "What the program says of it when it is read, a line each.")
       .def_property_readonly("hash", of_scene([](const Scene& s) { return s.hash; }),
                              "16 hex digits over the scene with all that was set when it was read.")
       .def_property_readonly("bodies", of_scene([](const Scene& s) { return s.model.name; }),

@@ -13,6 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
 #include "sim/import/import.h"
+#include "sim/scene/thickness.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_scene.h"
 #include "sim/trace/trace.h"
@@ -111,6 +112,8 @@ void Workbench::carry_out(const command::Load& c) {
   source.sets = c.sets;
   source.from = c.from;
   open(read(std::move(source)));
+  if (const auto note = thickness_note(*scene_))
+    tell(note->warning ? Severity::warning : Severity::note, note->text);
 }
 
 void Workbench::carry_out(const command::Reload& c) {
@@ -247,7 +250,11 @@ void Workbench::carry_out(const command::SaveScene& c) {
     std::vector<std::string> sets = source_.sets;
     if (!same_law(run.scene().joint_law, scene_->joint_law))
       for (const std::string& set : text_of(joint_settings(run.scene().joint_law))) sets.push_back(set);
-    save(c.path, tuned_scene_text(source_.text, source_.path, sets, run.params()), c.force, true);
+    Params defaults;
+    defaults.contact.d_hat = scene_->params.contact.d_hat;  // where the text states none, it was the default
+    save(c.path,
+         tuned_scene_text(source_.text, source_.path, sets, run.params(), parameter_table(), defaults),
+         c.force, true);
   }
   params_are_saved(c.side);
   const bool partly = !c.state && !edits_saved();

@@ -6,6 +6,7 @@
 
 #include <iterator>
 
+#include "sim/base/error.h"
 #include "sim/body/shape_kind.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/read_touch.h"
@@ -64,7 +65,7 @@ Shape generated_shape(int kind, const Vec3& box, double diameter, const RodSize&
   return Sphere{diameter / 2};
 }
 
-void run_generators(const ObjectReader& scene, double d_hat, ModelBuilder& out) {
+void run_generators(const ObjectReader& scene, double d_hat, bool assumed, ModelBuilder& out) {
   const auto list = scene.find("generate");
   if (!list) return;
   const std::size_t count = list->array_size();
@@ -77,7 +78,12 @@ void run_generators(const ObjectReader& scene, double d_hat, ModelBuilder& out) 
     const int n = ++used[&generator - kGenerators];
     const std::string prefix = n == 1 ? std::string(generator.type) : fmt::format("{}{}", generator.type, n);
     const std::size_t first = out.model.name.size();
-    generator.function(in, {d_hat, prefix}, out);
+    try {
+      generator.function(in, {d_hat, prefix}, out);
+    } catch (const Error&) {
+      if (assumed) throw GapsInDoubt();
+      throw;
+    }
     out.set_touch(first, read_touch(in), in);
   }
 }

@@ -36,7 +36,11 @@ struct RodSize {
 };
 Shape generated_shape(int kind, const Vec3& box, double diameter, const RodSize& rod);
 
+// What is thrown where an entry is refused while d̂ is only assumed: with the one that follows from the bodies there may
+// be room for the gaps.
+struct GapsInDoubt {};
+
 // Runs every entry of "generate", in order.
-void run_generators(const ObjectReader& scene, double d_hat, ModelBuilder& out);
+void run_generators(const ObjectReader& scene, double d_hat, bool assumed, ModelBuilder& out);
 
 }  // namespace pabd

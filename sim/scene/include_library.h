@@ -41,6 +41,9 @@ class IncludeLibrary {
     MeshLibrary* meshes_ = nullptr;
   };
 
+  // The scene itself will be read once more: what it includes is known, and does not count yet.
+  void start_again() { included_ = bytes_ = 0; }
+
   std::vector<std::filesystem::path> files() const;  // that were read, meshes as well
 
  private:

@@ -96,8 +96,8 @@ class ParamsReader {
 
 }  // namespace
 
-Params read_params(const ObjectReader& scene, ParameterTable table) {
-  Params params;
+Params read_params(const ObjectReader& scene, ParameterTable table, const Params& defaults) {
+  Params params = defaults;
   ParamsReader(table, params).read(scene, "");
   if (const auto error = check_params(params, table))
     fail_at(scene.context(), error->pointer, error->message);

@@ -7,7 +7,9 @@
 
 namespace pabd {
 
-// Reads and checks (check_params) the parameters of a scene object, in the order of the table.
-Params read_params(const ObjectReader& scene, ParameterTable table = parameter_table());
+// Reads and checks (check_params) the parameters of a scene object, in the order of the table. What it leaves out has
+// the value of `defaults`.
+Params read_params(const ObjectReader& scene, ParameterTable table = parameter_table(),
+                   const Params& defaults = {});
 
 }  // namespace pabd

@@ -17,6 +17,7 @@
 #include "sim/scene/read_rotation.h"
 #include "sim/scene/read_touch.h"
 #include "sim/scene/text.h"
+#include "sim/scene/thickness.h"
 
 namespace pabd {
 
@@ -59,12 +60,12 @@ void read_forces_of_joints(const ObjectReader& scene, ModelBuilder& out) {
 }
 
 // Name, description and parameters.
-void read_settings(const ObjectReader& in, ParameterTable table, Scene& out) {
+void read_settings(const ObjectReader& in, ParameterTable table, const Params& defaults, Scene& out) {
   out.name = in.name("name");
   out.description = in.text("description", 1000);
   if (const auto schema = in.find("$schema"))
     schema->text(1000);  // for editors; says nothing about the scene
-  out.params = read_params(in, table);
+  out.params = read_params(in, table, defaults);
 }
 
 std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
@@ -94,6 +95,7 @@ ObjectReader read_root(const Json& document, ReadContext& context, ParameterTabl
 // What an included scene has of the one that includes it.
 struct IncludeContext {
   double d_hat;  // m
+  bool assumed;  // it is not stated, and may turn out to be another
   IncludeLibrary& includes;
   ParameterTable table;
 };
@@ -105,7 +107,7 @@ ModelBuilder read_content(const ObjectReader& in, MeshLibrary& meshes, const Inc
   ModelBuilder builder(read_joint_defaults(in));
   read_bodies(in, meshes, builder);
   const std::size_t listed = builder.model.name.size();
-  run_generators(in, around.d_hat, builder);
+  run_generators(in, around.d_hat, around.assumed, builder);
   const std::size_t made = builder.model.name.size();
   read_includes(in, around, builder);
   const BodyNames names = builder.names(in.context(), listed, made);
@@ -123,7 +125,7 @@ ModelBuilder read_included(const IncludeLibrary::Opened& opened, const std::stri
   ReadContext context{printable(name), {}, {}};
   const ObjectReader in = read_root(document, context, around.table);
   Scene unused;
-  read_settings(in, around.table, unused);
+  read_settings(in, around.table, {}, unused);
   read_view(in, unused);
   context.hash = Hash64();
   ModelBuilder out = read_content(in, opened.meshes(), around);
@@ -187,12 +189,18 @@ void check_format(const Json& document, ReadContext& context) {
   if (v != kVersion) node.fail_expected(std::to_string(kVersion));
 }
 
-Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes, IncludeLibrary& includes,
-                 ParameterTable table) {
-  const ObjectReader in = read_root(document, context, table);
+namespace {
+
+// The scene with that d̂, unless it states one.
+Scene read_with(double d_hat, bool assumed, const ObjectReader& in, MeshLibrary& meshes,
+                IncludeLibrary& includes, ParameterTable table) {
+  in.context().hash = Hash64();
+  includes.start_again();
   Scene scene;
-  read_settings(in, table, scene);
-  const IncludeContext around{scene.params.contact.d_hat, includes, table};
+  Params defaults;
+  defaults.contact.d_hat = d_hat;
+  read_settings(in, table, defaults, scene);
+  const IncludeContext around{scene.params.contact.d_hat, assumed, includes, table};
   ModelBuilder builder = read_content(in, meshes, around);
   builder.finish(scene.params.gravity);
   if (builder.model.size() == 0)
@@ -201,12 +209,45 @@ Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes
   read_forces_of_joints(in, builder);
   read_view(in, scene);
 
-  if (scene.name.empty()) scene.name = std::filesystem::path(context.source).stem().string();
+  if (scene.name.empty()) scene.name = std::filesystem::path(in.context().source).stem().string();
   scene.model = std::move(builder.model);
   scene.joint_law = builder.joint_law;
   scene.looks = std::move(builder.looks);
   scene.initial = std::move(builder.state);
-  scene.hash = context.hash.hex();
+  scene.hash = in.context().hash.hex();
+  return scene;
+}
+
+bool states_d_hat(const Json& document) {
+  const auto contact = document.find("contact");
+  return contact != document.end() && contact->is_object() && contact->contains("d_hat");
+}
+
+// Of the bodies as they are without gaps: generators leave d̂ between theirs, for which half a brick is that much less.
+std::optional<ThinBody> thinnest_without_gaps(const ObjectReader& in, MeshLibrary& meshes,
+                                              IncludeLibrary& includes, ParameterTable table) {
+  includes.start_again();
+  ModelBuilder builder = read_content(in, meshes, {0, false, includes, table});
+  builder.finish(Vec3::Zero());
+  return thinnest_body(builder.model);
+}
+
+}  // namespace
+
+Scene read_scene(const Json& document, ReadContext& context, MeshLibrary& meshes, IncludeLibrary& includes,
+                 ParameterTable table) {
+  const ObjectReader in = read_root(document, context, table);
+  const double usual = ContactParams{}.d_hat;
+  if (states_d_hat(document)) return read_with(usual, false, in, meshes, includes, table);
+  try {
+    Scene scene = read_with(usual, true, in, meshes, includes, table);
+    if (default_d_hat(thinnest_body(scene.model)) == usual) return scene;
+  } catch (const GapsInDoubt&) {  // what is wrong all the same is told below
+  }
+  const std::optional<ThinBody> thinnest = thinnest_without_gaps(in, meshes, includes, table);
+  const double d_hat = default_d_hat(thinnest);
+  Scene scene = read_with(d_hat, false, in, meshes, includes, table);
+  if (d_hat != usual) scene.d_hat_of = thinnest;
   return scene;
 }
 

@@ -21,11 +21,18 @@ struct CameraDesc {
   double fov = 45;       // vertical, degrees
 };
 
+struct ThinBody {
+  Index body;
+  double thickness;  // m
+};
+
 // Everything a run needs.
 struct Scene {
   std::string name;         // the file's stem when it gives none
   std::string description;  // one line for lists of scenes; may be empty
   Params params;
+  std::optional<ThinBody>
+      d_hat_of;  // whose thickness contact.d_hat follows, where the scene states none and it is small
   Model model;
   State initial;
   BondLaw joint_law;                 // of joints that say nothing of their own, κ resolved

@@ -147,7 +147,7 @@ std::string params_json(const Params& params, ParameterTable table) {
 
 std::string tuned_scene_text(const std::string& scene, const std::string& source,
                              const std::vector<std::string>& overrides, const Params& params,
-                             ParameterTable table) {
+                             ParameterTable table, const Params& defaults) {
   Json checked = parse_document(scene, source);
   OrderedJson document = OrderedJson::parse(scene);
   ReadContext context{source, {}, {}};
@@ -156,7 +156,7 @@ std::string tuned_scene_text(const std::string& scene, const std::string& source
     document = OrderedJson::parse(checked.dump());
   }
   const Node root(checked, context);
-  const Params before = read_params(ObjectReader(root, scene_object_keys(table)), table);
+  const Params before = read_params(ObjectReader(root, scene_object_keys(table)), table, defaults);
   for (const ParameterRow* row : differing(before, params, table)) {
     put(document, row->key, value_json<OrderedJson>(value_of(*row, params)), table);
   }

@@ -44,10 +44,10 @@ std::string patch_json(const Params& from, const Params& to, ParameterTable tabl
 std::string params_json(const Params& params, ParameterTable table = parameter_table());
 
 // The text of a scene file with overrides as load_scene takes them, and the parameters where they differ from
-// what it says then; indented JSON. The order of keys is kept when there are no overrides. Throws
-// Error(bad_input).
+// what it says then; indented JSON. What it leaves out is that of `defaults`: d̂ follows from bodies (thickness.h). The
+// order of keys is kept when there are no overrides. Throws Error(bad_input).
 std::string tuned_scene_text(const std::string& scene, const std::string& source,
                              const std::vector<std::string>& overrides, const Params& params,
-                             ParameterTable table = parameter_table());
+                             ParameterTable table = parameter_table(), const Params& defaults = {});
 
 }  // namespace pabd

@@ -104,7 +104,9 @@ constexpr ParameterRow kRows[] = {
      .symbol = "d̂",
      .unit = "m",
      .noun = "thickness",
-     .help = "Distance at which contacts begin to push",
+     .help = "Distance at which contacts begin to push. Where a scene states none, at most a tenth of the "
+             "thickness of "
+             "its thinnest movable body",
      .member = &ContactParams::d_hat,
      .range = {1e-9, 1e3},
      .slider_lo = 1e-5,

@@ -276,4 +276,45 @@ TEST_CASE("an interrupted run publishes the rows it has") {
   }
 }
 
+TEST_CASE(
+    "a d̂ that follows from small bodies, or is too large for one, is told in one line by whoever opens the "
+    "scene") {
+  const CommandFolder folder;
+  write_text(folder / "die.json", R"({ "format": "pabd-scene", "version": 1, "bodies": [
+    { "name": "ground", "shape": { "type": "plane" } },
+    { "name": "die", "shape": { "type": "box", "size": [0.001, 0.001, 0.001] }, "position": [0, 0.001, 0] } ] })");
+  const std::string scene = folder / "die.json";
+  const auto told = [](const Outcome& outcome) {
+    std::vector<std::string> out;
+    for (const std::string& line : lines_of(outcome.err))
+      if (line.find("contact.d_hat") != line.npos) out.push_back(line);
+    return out;
+  };
+  const Outcome run = run_pabd({"run", scene, "--time", "1", "--state", folder / "end.json"});
+  REQUIRE(run.exit_code == 0);
+  CHECK(told(run) ==
+        std::vector<std::string>{"pabd: note: contact.d_hat is 0.0001 m, a tenth of the thickness of "
+                                 "\"die\" (0.001 m): the scene states none"});
+  const auto end = nlohmann::json::parse(read_text(folder / "end.json"));
+  const double height = end["bodies"][1]["position"][1];
+  CHECK(height < 0.0005 + 0.0001);  // and not 0.01 m over the ground
+  CHECK(height > 0.0005);
+  const std::vector<std::string> large = {"--set", "contact.d_hat=0.01"};
+  for (std::vector<std::string> command :
+       {std::vector<std::string>{"run", scene, "--steps", "1"},
+        {"render", scene, "--frames", "1", "--size", "64x48", "-o", folder / "die.png"},
+        {"export", scene, "--time", "0.02", "-o", folder / "die.glb"}}) {
+    command.insert(command.end(), large.begin(), large.end());
+    const Outcome warned = run_pabd(command);
+    CAPTURE(command, warned.err);
+    REQUIRE(warned.exit_code == 0);
+    CHECK(told(warned) ==
+          std::vector<std::string>{
+              "pabd: note: contact.d_hat, 0.01 m, is more than half of the thickness of \"die\" "
+              "(0.001 m), and bodies rest that far apart; try contact.d_hat=0.0001"});
+  }
+  CHECK(told(run_pabd({"run", scene, "--steps", "1", "--quiet"})).empty());
+  CHECK(told(run_pabd({"run", "stack", "--steps", "1"})).empty());
+}
+
 }  // namespace pabd::test_cli_run

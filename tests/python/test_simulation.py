@@ -36,6 +36,20 @@ def test_hash_is_that_of_the_program(pabd_program, scene, settings):
     assert again.hash == sim.hash
 
 
+def test_the_thickness_of_contacts_follows_from_small_bodies():
+    def die(**keys):
+        return pabd.SceneBuilder("die").box("die", [0.001, 0.001, 0.001], **keys)
+
+    sim = die().build(threads=1)
+    assert sim.params["contact.d_hat"] == pytest.approx(1e-4)
+    assert sim.scene.notes == ['contact.d_hat is 0.0001 m, a tenth of the thickness of "die" (0.001 m): '
+                               'the scene states none']
+    stated = die().set("contact.d_hat", 0.01).build(threads=1)
+    assert stated.params["contact.d_hat"] == 0.01
+    assert '"die" (0.001 m)' in stated.scene.notes[0]
+    assert pabd.load("stack", threads=1).scene.notes == []
+
+
 def test_robots_are_scenes(source):
     sim = pabd.load(source / "tests/import/models/pendulum.urdf", threads=1)
     height = sim.positions[:, 1].copy()

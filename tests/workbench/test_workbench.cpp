@@ -156,6 +156,26 @@ TEST_CASE("a simulation that diverges is told of and leaves the last good state"
   CHECK(bench.run().state().step == 20);
 }
 
+TEST_CASE(
+    "a scene whose d̂ is too large for a body says so when it is loaded, one whose d̂ follows from it why") {
+  const TempFolder folder;
+  write_bytes(folder / "die.json", R"({ "format": "pabd-scene", "version": 1, "bodies": [
+    { "name": "die", "shape": { "type": "box", "size": [0.001, 0.001, 0.001] } } ] })");
+  Workbench bench({}, command::Load{folder / "die.json", {"contact.d_hat=0.01"}, false});
+  REQUIRE(bench.snapshot().messages.size() == 1);
+  CHECK(bench.snapshot().messages.back().severity == Severity::warning);
+  CHECK_THAT(bench.snapshot().messages.back().text, Catch::Contains("\"die\" (0.001 m)"));
+  bench.apply(command::Load{folder / "die.json", {}, true});
+  REQUIRE(bench.snapshot().messages.size() == 2);
+  CHECK(bench.snapshot().messages.back().severity == Severity::note);
+  CHECK_THAT(bench.snapshot().messages.back().text, Catch::Contains("the scene states none"));
+  // What is saved reads back as it is here, also where it is what larger bodies have.
+  bench.apply(command::Set{"contact.d_hat", "0.01"});
+  bench.apply(command::SaveScene{folder / "large.json"});
+  bench.apply(command::Load{folder / "large.json", {}, true});
+  CHECK(bench.run().params().contact.d_hat == 0.01);
+}
+
 TEST_CASE("files: save, refuse to replace, reload, keep what is not saved") {
   const TempFolder folder;
   fs::copy_file(places::scenes() + "/two_boxes.json", folder / "scene.json");
