@@ -73,7 +73,8 @@ std::string summary_text(const Session& session, const RunFacts& facts) {
     left += fmt::format(" · friction up to {:.2g} % above μ f_n in {}", 100 * worst.friction,
                         counted(worst.lawless, "step"));
   if (worst.left_pairs > 0)
-    left += fmt::format(" · {} of bodies deep in each other left out", counted(worst.left_pairs, "pair"));
+    left +=
+        fmt::format(" · up to {} of bodies deep in each other left out", counted(worst.left_pairs, "pair"));
   if (worst.too_dense > 0)
     left += fmt::format(" · {} too dense for newton", counted(worst.too_dense, "body", "bodies"));
   if (worst.capped > 0) left += fmt::format(" · up to {} softened for sissm", counted(worst.capped, "bond"));

@@ -16,7 +16,8 @@ namespace pabd::cli {
 struct Extremes {
   double gap = std::numeric_limits<double>::infinity();  // m
   double joint_error = 0;                                // m
-  Index left_pairs = 0, too_dense = 0;                   // most of a step
+  std::int64_t left_pairs = 0;                           // most of a step
+  Index too_dense = 0;                                   // the same
   int capped = 0;                                        // bonds, in one step
   std::int64_t held = 0;                                 // steps in which bodies were slowed down
   std::int64_t halved = 0;                               // steps that were made again in halves

@@ -55,6 +55,25 @@ bool overlap(const Aabb& a, const Aabb& b) {
   return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
 }
 
+// May they meet, and do their bounds overlap? Rounded bounds first: they lie side by side.
+bool meet(const BroadPhaseInput& in, const BroadPhase::Entry& a, const BroadPhase::Entry& b) {
+  if (!overlap(a, b) || (a.fixed & b.fixed)) return false;
+  return overlap(in.boxes[static_cast<std::size_t>(a.body)], in.boxes[static_cast<std::size_t>(b.body)]) &&
+         !keeps_apart(in.groups, a.body, b.body);
+}
+
+IndexPair in_order(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+// Half of the 26 neighbours of a cell: the other half finds that cell.
+constexpr int kForward[13][3] = {{1, 0, 0},  {-1, 1, 0}, {0, 1, 0},  {1, 1, 0}, {-1, -1, 1},
+                                 {0, -1, 1}, {1, -1, 1}, {-1, 0, 1}, {0, 0, 1}, {1, 0, 1},
+                                 {-1, 1, 1}, {0, 1, 1},  {1, 1, 1}};
+
+// Crowds: see broad_phase.h. The pairs that all of them meet take some hundred megabytes in a step.
+constexpr Index kPacked = 8, kHeaped = 16;
+constexpr int kCrowded = 8;
+constexpr Index kMostMet = 8, kMostCrowdPairs = 1 << 18, kLooks = 64;
+
 }  // namespace
 
 void BroadPhase::choose_levels(const std::vector<Aabb>& boxes) {
@@ -109,7 +128,7 @@ void BroadPhase::fill_cells(const std::vector<Aabb>& boxes, const std::vector<st
     for (;; slot = (slot + 1) & mask) {
       if (table[slot] < 0) {
         table[slot] = static_cast<std::int32_t>(cells.size());
-        cells.push_back({x, y, z, level, 0, 0});
+        cells.push_back({x, y, z, level, 0, 0, 0});
         taken[taken_word(x, y, z, level)] |= bit_of(x, y);
         break;
       }
@@ -124,6 +143,7 @@ void BroadPhase::fill_cells(const std::vector<Aabb>& boxes, const std::vector<st
   for (Cell& cell : cells) {
     cell.first = next;
     next += cell.count;
+    cell.alone = cell.count;
     cell.count = 0;
   }
   entries.resize(static_cast<std::size_t>(placed));
@@ -157,54 +177,175 @@ Index BroadPhase::find_cell(std::int32_t x, std::int32_t y, std::int32_t z, std:
   return -1;
 }
 
-void BroadPhase::find_in(std::size_t begin, std::size_t end, const std::vector<Aabb>& boxes,
-                         std::vector<IndexPair>& out) const {
-  const auto test = [&](const Entry& a, const Entry& b) {
-    if (!overlap(a, b) || (a.fixed & b.fixed)) return;
-    if (!overlap(boxes[static_cast<std::size_t>(a.body)], boxes[static_cast<std::size_t>(b.body)])) return;
-    out.emplace_back(std::min(a.body, b.body), std::max(a.body, b.body));
+template <class Visit>
+bool BroadPhase::each_coarser(const Aabb& box, std::int32_t level, const Visit& visit) const {
+  for (std::int32_t coarse = 0; coarse < level; ++coarse) {
+    const Level& grid = levels[static_cast<std::size_t>(coarse)];
+    std::int32_t from[3], to[3];
+    for (int k = 0; k < 3; ++k) {
+      from[k] = cell_coordinate(box.lo[k] - 0.5 * grid.cell, grid.inverse);
+      to[k] = cell_coordinate(box.hi[k] + 0.5 * grid.cell, grid.inverse);
+    }
+    for (std::int32_t z = from[2]; z <= to[2]; ++z) {
+      for (std::int32_t y = from[1]; y <= to[1]; ++y) {
+        for (std::int32_t x = from[0]; x <= to[0]; ++x) {
+          const Index other = find_cell(x, y, z, coarse);
+          if (other >= 0 && !visit(cells[static_cast<std::size_t>(other)])) return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+void BroadPhase::find_common_groups(const CollisionGroups& groups) {
+  common.clear();
+  if (groups.avoids.empty()) return;
+  for (const Cell& cell : cells) {
+    Common& all = common.emplace_back(Common{~std::uint64_t{0}, ~std::uint64_t{0}});
+    for (Index p = 0; p < cell.count; ++p) {
+      const auto body = static_cast<std::size_t>(entries[static_cast<std::size_t>(cell.first + p)].body);
+      all.of &= groups.of_body[body];
+      all.avoided &= groups.avoids[body];
+    }
+  }
+}
+
+// Thousands at one place that never meet are not asked one by one.
+bool BroadPhase::all_apart(const Cell& a, const Cell& b) const {
+  if (common.empty()) return false;
+  return (common[static_cast<std::size_t>(&a - cells.data())].avoided &
+          common[static_cast<std::size_t>(&b - cells.data())].of) != 0;
+}
+
+// Are more than kCrowded others of its size or larger deep in the body of entry p? Its own cell has most of them.
+bool BroadPhase::is_crowded(const BroadPhaseInput& in, const Cell& cell, Index p) const {
+  const Entry& entry = entries[static_cast<std::size_t>(cell.first + p)];
+  const InnerBall& core = cores[static_cast<std::size_t>(entry.body)];
+  if (!(core.radius > 0)) return false;
+  int deep = 0;
+  const auto count_in = [&](const Cell& near) {
+    if (all_apart(cell, near)) return true;
+    const Entry* others = entries.data() + near.first;
+    for (Index q = 0; q < near.count && deep <= kCrowded; ++q) {
+      const InnerBall& other = cores[static_cast<std::size_t>(others[q].body)];
+      const double apart = core.radius + other.radius;
+      const bool reaches =
+          &others[q] != &entry && other.radius > 0 && (other.c - core.c).squaredNorm() < apart * apart;
+      if (reaches && !(entry.fixed & others[q].fixed) && !keeps_apart(in.groups, entry.body, others[q].body))
+        ++deep;
+    }
+    return deep <= kCrowded;
   };
-  // Half of the 26 neighbours: the other half finds this cell.
-  constexpr int kForward[13][3] = {{1, 0, 0},  {-1, 1, 0}, {0, 1, 0},  {1, 1, 0}, {-1, -1, 1},
-                                   {0, -1, 1}, {1, -1, 1}, {-1, 0, 1}, {0, 0, 1}, {1, 0, 1},
-                                   {-1, 1, 1}, {0, 1, 1},  {1, 1, 1}};
+  if (!count_in(cell)) return true;
+  for (const int sign : {1, -1}) {
+    for (const auto& step : kForward) {
+      const Index other =
+          find_cell(cell.x + sign * step[0], cell.y + sign * step[1], cell.z + sign * step[2], cell.level);
+      if (other >= 0 && !count_in(cells[static_cast<std::size_t>(other)])) return true;
+    }
+  }
+  return !each_coarser(in.boxes[static_cast<std::size_t>(entry.body)], cell.level, count_in);
+}
+
+// Who is in a crowd comes last in its cell; all are in order of number.
+void BroadPhase::find_crowds(const BroadPhaseInput& in, int threads, Team& team) {
+  packed.clear();
+  most = 0;
+  if (!in.core_of) return;
+  const bool heaped =
+      std::any_of(cells.begin(), cells.end(), [](const Cell& cell) { return cell.count > kHeaped; });
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (heaped || cells[c].count > kPacked) packed.push_back(static_cast<Index>(c));
+  if (packed.empty()) return;
+  crowded.assign(in.boxes.size(), 0);
+  cores.resize(in.boxes.size());
+  team.for_each(threads, cores.size(), 64,
+                [&](std::size_t i) { cores[i] = in.core_of(static_cast<Index>(i)); });
+  team.for_each(threads, packed.size(), 8, [&](std::size_t k) {
+    const Cell& cell = cells[static_cast<std::size_t>(packed[k])];
+    for (Index p = 0; p < cell.count; ++p)
+      crowded[static_cast<std::size_t>(entries[static_cast<std::size_t>(cell.first + p)].body)] =
+          is_crowded(in, cell, p);
+  });
+  Index all = 0;
+  for (const Index c : packed) {
+    Cell& cell = cells[static_cast<std::size_t>(c)];
+    const auto begin = entries.begin() + cell.first, end = begin + cell.count;
+    const auto is_alone = [&](const Entry& entry) {
+      return crowded[static_cast<std::size_t>(entry.body)] == 0;
+    };
+    const auto middle = std::partition(begin, end, is_alone);
+    cell.alone = static_cast<Index>(middle - begin);
+    all += cell.count - cell.alone;
+    if (cell.alone == cell.count) continue;
+    const auto before = [](const Entry& a, const Entry& b) { return a.body < b.body; };
+    std::sort(begin, middle, before);
+    std::sort(middle, end, before);
+  }
+  if (all > 0) most = std::clamp(kMostCrowdPairs / all, 1, kMostMet);
+}
+
+// Entry p of a crowd looks at those that follow it in its cell, and in other cells at those from its own place on, so
+// that not all look at the same.
+void BroadPhase::meet_in_crowd(const BroadPhaseInput& in, const Cell& cell, Index p, Found& out) const {
+  const Entry& entry = entries[static_cast<std::size_t>(cell.first + p)];
+  Index met = 0;
+  const auto look_at = [&](const Entry* others, Index count, Index from) {
+    Index looked = 0;
+    for (; looked < std::min(count, kLooks) && met < most; ++looked) {
+      const Entry& other = others[(from + looked) % count];
+      if (!meet(in, entry, other)) continue;
+      out.pairs.push_back(in_order(entry.body, other.body));
+      ++met;
+    }
+    out.left += count - looked;
+  };
+  const auto look_into = [&](const Cell& near) {
+    if (all_apart(cell, near)) return true;
+    const Index count = near.count - near.alone;
+    if (count > 0) look_at(entries.data() + near.first + near.alone, count, (p - cell.alone) % count);
+    return true;
+  };
+  look_at(&entry + 1, cell.count - p - 1, 0);
+  for (const auto& step : kForward) {
+    const Index other = find_cell(cell.x + step[0], cell.y + step[1], cell.z + step[2], cell.level);
+    if (other >= 0) look_into(cells[static_cast<std::size_t>(other)]);
+  }
+  each_coarser(in.boxes[static_cast<std::size_t>(entry.body)], cell.level, look_into);
+}
+
+void BroadPhase::find_in(std::size_t begin, std::size_t end, const BroadPhaseInput& in, Found& out) const {
+  const auto test = [&](const Entry& a, const Entry& b) {
+    if (meet(in, a, b)) out.pairs.push_back(in_order(a.body, b.body));
+  };
   for (std::size_t c = begin; c < end; ++c) {
     const Cell& cell = cells[c];
     const Entry* own = entries.data() + cell.first;
-    for (Index p = 0; p < cell.count; ++p) {
+    // Two that are in crowds are left to meet_in_crowd().
+    const auto met_by = [&](Index p, const Cell& near) { return p < cell.alone ? near.count : near.alone; };
+    for (Index p = 0; p < cell.alone && !all_apart(cell, cell); ++p) {
       for (Index q = p + 1; q < cell.count; ++q) test(own[p], own[q]);
     }
     for (const auto& step : kForward) {
       const Index other = find_cell(cell.x + step[0], cell.y + step[1], cell.z + step[2], cell.level);
       if (other < 0) continue;
       const Cell& neighbour = cells[static_cast<std::size_t>(other)];
+      if (all_apart(cell, neighbour)) continue;
       const Entry* theirs = entries.data() + neighbour.first;
       for (Index p = 0; p < cell.count; ++p) {
-        for (Index q = 0; q < neighbour.count; ++q) test(own[p], theirs[q]);
+        for (Index q = 0, last = met_by(p, neighbour); q < last; ++q) test(own[p], theirs[q]);
       }
     }
-    for (std::int32_t coarse = 0; coarse < cell.level; ++coarse) {
-      const Level& level = levels[static_cast<std::size_t>(coarse)];
-      for (Index p = 0; p < cell.count; ++p) {
-        const Aabb& box = boxes[static_cast<std::size_t>(own[p].body)];
-        std::int32_t from[3], to[3];
-        for (int k = 0; k < 3; ++k) {
-          from[k] = cell_coordinate(box.lo[k] - 0.5 * level.cell, level.inverse);
-          to[k] = cell_coordinate(box.hi[k] + 0.5 * level.cell, level.inverse);
-        }
-        for (std::int32_t z = from[2]; z <= to[2]; ++z) {
-          for (std::int32_t y = from[1]; y <= to[1]; ++y) {
-            for (std::int32_t x = from[0]; x <= to[0]; ++x) {
-              const Index other = find_cell(x, y, z, coarse);
-              if (other < 0) continue;
-              const Cell& neighbour = cells[static_cast<std::size_t>(other)];
-              const Entry* theirs = entries.data() + neighbour.first;
-              for (Index q = 0; q < neighbour.count; ++q) test(own[p], theirs[q]);
-            }
-          }
-        }
-      }
+    for (Index p = 0; p < cell.count; ++p) {
+      each_coarser(in.boxes[static_cast<std::size_t>(own[p].body)], cell.level, [&](const Cell& neighbour) {
+        if (all_apart(cell, neighbour)) return true;
+        const Entry* theirs = entries.data() + neighbour.first;
+        for (Index q = 0, last = met_by(p, neighbour); q < last; ++q) test(own[p], theirs[q]);
+        return true;
+      });
     }
+    for (Index p = cell.alone; p < cell.count; ++p) meet_in_crowd(in, cell, p, out);
   }
 }
 
@@ -213,36 +354,41 @@ void BroadPhase::sort_pairs(std::size_t bodies, std::vector<IndexPair>& pairs) {
   first.assign(bodies + 1, 0);
   std::size_t total = 0;
   for (const auto& bucket : found) {
-    total += bucket.size();
-    for (const IndexPair& pair : bucket) ++first[static_cast<std::size_t>(pair.first) + 1];
+    total += bucket.pairs.size();
+    for (const IndexPair& pair : bucket.pairs) ++first[static_cast<std::size_t>(pair.first) + 1];
   }
   for (std::size_t i = 1; i <= bodies; ++i) first[i] += first[i - 1];
   pairs.resize(total);
   for (const auto& bucket : found) {
-    for (const IndexPair& pair : bucket) {
-      pairs[static_cast<std::size_t>(first[static_cast<std::size_t>(pair.first)]++)] = pair;
-    }
+    for (const IndexPair& pair : bucket.pairs) pairs[first[static_cast<std::size_t>(pair.first)]++] = pair;
   }
-  Index begin = 0;
+  std::size_t begin = 0;
   for (std::size_t i = 0; i < bodies; ++i) {
-    const Index end = first[i];  // has moved up to the start of the next body
-    std::sort(pairs.begin() + begin, pairs.begin() + end);
+    const std::size_t end = first[i];  // has moved up to the start of the next body
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(begin),
+              pairs.begin() + static_cast<std::ptrdiff_t>(end));
     begin = end;
   }
 }
 
-void BroadPhase::find(const std::vector<Aabb>& boxes, const std::vector<std::uint8_t>& fixed, int threads,
-                      Team& team, std::vector<IndexPair>& pairs) {
-  choose_levels(boxes);
-  fill_cells(boxes, fixed);
+void BroadPhase::find(const BroadPhaseInput& in, int threads, Team& team, std::vector<IndexPair>& pairs) {
+  choose_levels(in.boxes);
+  fill_cells(in.boxes, in.fixed);
+  find_common_groups(in.groups);
+  find_crowds(in, threads, team);
   constexpr std::size_t kCells = 32;  // some ten microseconds
   const std::size_t chunks = team.ranges(threads, cells.size(), kCells);
   if (found.size() < chunks) found.resize(chunks);
-  for (auto& bucket : found) bucket.clear();
+  for (Found& bucket : found) {
+    bucket.pairs.clear();
+    bucket.left = 0;
+  }
   team.for_each(threads, chunks, 1, [&](std::size_t k) {
-    find_in(cells.size() * k / chunks, cells.size() * (k + 1) / chunks, boxes, found[k]);
+    find_in(cells.size() * k / chunks, cells.size() * (k + 1) / chunks, in, found[k]);
   });
-  sort_pairs(boxes.size(), pairs);
+  left = 0;
+  for (const Found& bucket : found) left += bucket.left;
+  sort_pairs(in.boxes.size(), pairs);
 }
 
 }  // namespace pabd

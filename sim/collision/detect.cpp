@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "sim/body/compound.h"
+#include "sim/body/hull.h"
 #include "sim/body/shape_kind.h"
 #include "sim/collision/narrow_phase.h"
 #include "sim/collision/seams.h"
@@ -203,45 +205,43 @@ void add_plane_pairs(const Model& model, const std::vector<Aabb>& boxes, const s
   }
 }
 
-// Any number of bodies may be put at one place, and all would meet all. A body is crowded when the balls
-// inscribed in more than a few others reach into its own. Crowded bodies meet only a few of each other.
-Index thin_out_crowds(const Poses& poses, std::vector<IndexPair>& pairs, std::vector<int>& overlaps) {
-  constexpr int kCrowded = 8, kMet = 8;
-  const auto core = [&](std::size_t i) {
-    const Shape& shape = poses.model.shape[i];
-    return shape.index() == kCompound || is_plane(shape) ? 0.0 : inner_radius(shape);
-  };
-  overlaps.assign(poses.c.size(), 0);
-  for (const auto& [first, second] : pairs) {
-    const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
-    const double apart = core(i) + core(j);
-    if (!((poses.c[j] - poses.c[i]).squaredNorm() < apart * apart)) continue;
-    ++overlaps[i];
-    ++overlaps[j];
-  }
-  Index met_by = -1;
-  int met = 0;
-  const auto goes = [&](const IndexPair& pair) {
-    if (overlaps[static_cast<std::size_t>(pair.first)] <= kCrowded ||
-        overlaps[static_cast<std::size_t>(pair.second)] <= kCrowded)
-      return false;
-    if (met_by != pair.first) met = 0;
-    met_by = pair.first;
-    return ++met > kMet;
-  };
-  return static_cast<Index>(std::erase_if(pairs, goes));
+// Of a compound its stoutest part has it: what is between parts may be nobody's.
+InnerBall core_of(const Poses& poses, Index i) {
+  const auto& [shape, c, R, number, first] = poses.placed(i);
+  if (is_plane(shape)) return {c, 0};
+  const auto* compound = std::get_if<Compound>(&shape);
+  if (!compound) return {c, inner_radius(shape)};
+  const auto& parts = compound->data->parts;
+  const auto stoutest =
+      std::max_element(parts.begin(), parts.end(), [](const CompoundPart& x, const CompoundPart& y) {
+        return x.hull.data->inner_radius < y.hull.data->inner_radius;
+      });
+  return {c + R * stoutest->offset, stoutest->hull.data->inner_radius};
+}
+
+// Of two that are in crowds, and as deep in each other as it comes, the deepest contact is enough.
+void keep_deepest(std::size_t first, Contacts& out) {
+  if (out.size() <= first) return;
+  const auto begin = out.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto deepest = std::min_element(
+      begin, out.end(), [](const ContactPoint& p, const ContactPoint& q) { return p.d < q.d; });
+  *begin = *deepest;
+  begin->crowded = true;
+  out.resize(first + 1);
 }
 
 // Contacts of a range of pairs.
-void collide_range(const Poses& poses, const std::vector<IndexPair>& skip, const IndexPair* begin,
-                   const IndexPair* end, const Stop& stop, Contacts& out) {
+void collide_range(const Poses& poses, const std::vector<IndexPair>& skip, const BroadPhase& broad_phase,
+                   const IndexPair* begin, const IndexPair* end, const Stop& stop, Contacts& out) {
   if (begin == end) return;
   auto skipped = std::lower_bound(skip.begin(), skip.end(), *begin);
   for (const IndexPair* pair = begin; pair != end; ++pair) {
     if ((pair - begin) % 256 == 255 && stop.requested()) return;
     while (skipped != skip.end() && *skipped < *pair) ++skipped;
     if (skipped != skip.end() && *skipped == *pair) continue;
+    const std::size_t first = out.size();
     collide_pair(poses, pair->first, pair->second, out);
+    if (broad_phase.in_crowds(*pair)) keep_deepest(first, out);
   }
 }
 
@@ -252,13 +252,15 @@ void collide_all(const Poses& poses, const std::vector<IndexPair>& skip, int thr
   const IndexPair* first = pairs.data();
   constexpr std::size_t kPairs = 32;  // some ten microseconds
   const std::size_t chunks = workspace.team.ranges(threads, pairs.size(), kPairs);
-  if (chunks == 1) return collide_range(poses, skip, first, first + pairs.size(), workspace.stop, out);
+  if (chunks == 1)
+    return collide_range(poses, skip, workspace.broad_phase, first, first + pairs.size(), workspace.stop,
+                         out);
   auto& partial = workspace.partial;
   if (partial.size() < chunks) partial.resize(chunks);
   workspace.team.for_each(threads, chunks, 1, [&](std::size_t k) {
     partial[k].clear();
-    collide_range(poses, skip, first + pairs.size() * k / chunks, first + pairs.size() * (k + 1) / chunks,
-                  workspace.stop, partial[k]);
+    collide_range(poses, skip, workspace.broad_phase, first + pairs.size() * k / chunks,
+                  first + pairs.size() * (k + 1) / chunks, workspace.stop, partial[k]);
   });
   for (std::size_t k = 0; k < chunks; ++k) out.insert(out.end(), partial[k].begin(), partial[k].end());
 }
@@ -287,11 +289,11 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
     boxes[i].hi.array() += reach[i];
   });
   auto& pairs = workspace.pairs;
-  workspace.broad_phase.find(boxes, model.fixed, threads, workspace.team, pairs);
-  if (!model.groups.avoids.empty())
-    std::erase_if(pairs, [&](const IndexPair& p) { return keeps_apart(model.groups, p.first, p.second); });
   const Poses poses{model, c, R, passage, reach};
-  workspace.left_pairs = thin_out_crowds(poses, pairs, workspace.overlaps);
+  workspace.broad_phase.find(
+      {boxes, model.fixed, [&poses](Index i) { return core_of(poses, i); }, model.groups}, threads,
+      workspace.team, pairs);
+  workspace.left_pairs = workspace.broad_phase.left;
   const auto without_planes = static_cast<std::ptrdiff_t>(pairs.size());
   add_plane_pairs(model, boxes, reach, pairs);
   if (without_planes < static_cast<std::ptrdiff_t>(pairs.size())) {

@@ -22,8 +22,9 @@ struct ContactPoint {
   std::uint32_t feature;  // stays the same for the same corner or edge pair from step to step
   // How far inside its body, along n, the point lies that rolling moves as it moves the centre; 0 of what is flat; m
   double round_a = 0, round_b = 0;
-  double part = 1;     // of the way of the bodies, see Passage
-  bool apart = false;  // they did not touch where they come from, whatever this plane says of that place
+  double part = 1;       // of the way of the bodies, see Passage
+  bool apart = false;    // they did not touch where they come from, whatever this plane says of that place
+  bool crowded = false;  // of two bodies in crowds: the only one of them
 };
 
 // Threads, bounds and pair lists kept between calls so that a warm call does not allocate.
@@ -32,11 +33,11 @@ struct CollisionWorkspace {
   std::vector<Aabb> boxes;
   BroadPhase broad_phase;
   std::vector<std::pair<Index, Index>> pairs, merged;
-  std::vector<int> overlaps;                       // one a body, of inscribed balls
   std::vector<std::size_t> by_body;                // contacts of round bodies with flat ones
   std::vector<std::vector<ContactPoint>> partial;  // a bucket a chunk of pairs, joined in order
   Stop stop;                                       // detection ends early, with what it has
-  Index left_pairs = 0;                            // of the last call: left out
+  // Of the last call: pairs of crowded bodies that were not looked at, whether or not they overlap.
+  std::int64_t left_pairs = 0;
 };
 
 // Fills `out` with every contact point whose d is below `reach`[a] + `reach`[b].
@@ -44,10 +45,9 @@ struct CollisionWorkspace {
 //   passage  how bodies come there: some pairs are looked at on their way (ContactPoint::part)
 //   reach    how far beyond its surface a body looks for contacts, ≥ 0, one entry a body; m
 //   skip     sorted list of pairs (a < b) that never collide, for jointed bodies
-// Two fixed bodies never meet, nor do two whose groups keep them apart. A body is crowded when the inscribed balls of more than 8 others overlap its
-// own; of two crowded bodies each meets the first 8 that follow it, and the others are counted in
-// workspace.left_pairs. Compounds and planes always meet. The result is sorted by (min(a,b), max(a,b),
-// feature) and does not depend on `threads`.
+// Two fixed bodies never meet, nor do two whose groups keep them apart. Of a crowd each body meets a few others
+// (broad_phase.h), where they are deepest in each other. The result is sorted by (min(a,b), max(a,b), feature) and does
+// not depend on `threads`.
 void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R,
             const Passage& passage, const std::vector<double>& reach,
             const std::vector<std::pair<Index, Index>>& skip, int threads, CollisionWorkspace& workspace,

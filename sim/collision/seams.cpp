@@ -55,6 +55,8 @@ struct SurfacesAt {
 void remove_hidden(const Model& model, const std::vector<Vec3>& c, const std::vector<Mat3>& R, double flush,
                    std::vector<std::size_t>& by_body, std::vector<ContactPoint>& points) {
   constexpr double kSameNormal = 1 - 1e-12;
+  // Every two contacts of a body are compared. What so many touch does not roll over tiles.
+  constexpr std::size_t kMostTouched = 2000;
   by_body.clear();
   for (std::size_t k = 0; k < points.size(); ++k)
     if (is_of_round_and_flat(points[k])) by_body.push_back(k);
@@ -71,7 +73,8 @@ void remove_hidden(const Model& model, const std::vector<Vec3>& c, const std::ve
   for (std::size_t first = 0, last = 0; first < by_body.size(); first = last) {
     const Index round = touched(points[by_body[first]]).round;
     while (last < by_body.size() && touched(points[by_body[last]]).round == round) ++last;
-    for (std::size_t k = first; k < last && last - first > 1; ++k) {
+    if (last - first == 1 || last - first > kMostTouched) continue;
+    for (std::size_t k = first; k < last; ++k) {
       const Touched far = touched(points[by_body[k]]);
       for (std::size_t l = first; l < last; ++l) {
         if (l == k || !hides(touched(points[by_body[l]]), far)) continue;

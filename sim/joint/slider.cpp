@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Slider joint S(14–16): two pairs of points on the axis. Where they lie at i's anchor, those of j are moved along
 // the axis by λ, the offset of the projection of i's anchor: y'_j = y_j + λ n_j; where they lie at j's, those of i
-// are (Deviation D24). Because λ is re-projected with every pose, the bonds feel nothing along the axis. A driven λ
+// are (Deviation D27). Because λ is re-projected with every pose, the bonds feel nothing along the axis. A driven λ
 // is a number instead, and the bonds hold along the axis as well; past a limit one more bond does, at the anchor. The
 // twist is held as a hinge's angle is.
 #include "sim/joint/slider.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// On which body the points of a joint lie that moves along its axis (Deviation D24).
+// On which body the points of a joint lie that moves along its axis (Deviation D27).
 //
 // A load F of the body that hangs on the joint acts at a lever l from the points, and moves it by F/(4k) (1 + 2 l²/a²), a
 // the arm, k the stiffness of a bond. With points that stay with the other body l grows with the way: 10 m on arms of

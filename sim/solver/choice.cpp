@@ -15,6 +15,10 @@ constexpr double kMostProducts = 1e8;  // of 6×6 blocks in a factorisation: som
 constexpr double kProductsAManifold = 60, kMostPileProducts = 6e4;
 constexpr std::size_t kMostPileBodies = 5000;  // above, it is not even looked at
 
+// Of all crowds: manifolds times iterations, half a second or so, and the fewest iterations.
+constexpr std::size_t kMostCrowdWork = 600'000;
+constexpr int kLeastIterations = 3;
+
 NewtonSystem& system_of(std::size_t island, NewtonSystems& systems) {
   if (systems.size() <= island) systems.resize(island + 1);
   if (!systems[island]) systems[island] = std::make_unique<NewtonSystem>();
@@ -42,6 +46,20 @@ bool takes_newton(const Problem& p, const Iterate& it, const Island& island, New
   return find_structure(p, island, it, std::min(most, kMostPileProducts), system);
 }
 
+bool is_crowd(const Iterate& it, const Island& island) {
+  std::size_t crowded = 0;
+  for (const Index k : island.manifolds) crowded += it.manifold[k].crowded ? 1 : 0;
+  return 4 * crowded > island.manifolds.size();
+}
+
+void limit_iterations(const SolverParams& solver, Islands& islands) {
+  std::size_t manifolds = 1;  // of crowds
+  for (const Island& island : islands.list) manifolds += island.crowd ? island.manifolds.size() : 0;
+  const int payable = std::max(kLeastIterations, static_cast<int>(kMostCrowdWork / manifolds));
+  for (Island& island : islands.list)
+    island.iterations = island.crowd ? std::min(solver.iterations, payable) : solver.iterations;
+}
+
 }  // namespace
 
 void choose_solvers(const Problem& p, const Iterate& it, Islands& islands, NewtonSystems& systems) {
@@ -49,10 +67,12 @@ void choose_solvers(const Problem& p, const Iterate& it, Islands& islands, Newto
   for (std::size_t k = 0; k < islands.list.size(); ++k) {
     Island& island = islands.list[k];
     island.solver = method;
+    island.crowd = is_crowd(it, island);
     if (method != SolverMethod::newton && method != SolverMethod::automatic) continue;
     const bool newton = takes_newton(p, it, island, system_of(k, systems));
     island.solver = newton ? SolverMethod::newton : SolverMethod::descent;
   }
+  limit_iterations(p.params->solver, islands);
 }
 
 }  // namespace pabd

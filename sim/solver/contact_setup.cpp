@@ -83,6 +83,7 @@ ContactManifold empty_manifold(const ContactPoint* point, const ContactPoint* en
   manifold.a = point->a;
   manifold.b = point->b;
   manifold.turns = point->round_a == 0;
+  manifold.crowded = point->crowded;
   manifold.separate =
       !manifold.turns || std::any_of(point, end, [](const ContactPoint& p) { return p.round_b > 0; });
   return manifold;

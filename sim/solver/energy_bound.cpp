@@ -65,6 +65,11 @@ double contact_energies(const Problem& p, const Island& island, bool solved, con
   return sum;
 }
 
+// In a crowd, what overlaps where the step starts.
+bool comes_apart(const Island& island, const ContactManifold& manifold) {
+  return island.crowd && (manifold.crowded || smallest_start_d(manifold) < 0);
+}
+
 void add_contacts_at_start(const Problem& p, const Island& island, bool solved, const Iterate& it,
                            EnergyBalance& out) {
   for (const Index j : island.manifolds) {
@@ -73,6 +78,7 @@ void add_contacts_at_start(const Problem& p, const Island& island, bool solved, 
     for (int k = 0; k < manifold.count; ++k) {
       out.stored += energy[k];
       if (!manifold.known[k]) out.found += energy[k];
+      if (comes_apart(island, manifold)) out.freed += energy[k];
     }
   }
 }
@@ -154,6 +160,8 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
   out.rise = kinetic_at_end(p, island, velocities, it) + fell + joint_energies(p, island, p.time, it) +
              contact_energies(p, island, solved, workers, memory, it) - drive_work(p, it, island.joints) -
              out.kinetic - out.stored;
+  for (std::size_t k = 0; k < island.manifolds.size(); ++k)
+    if (comes_apart(island, it.manifold[island.manifolds[k]])) out.freed -= memory.energy[k];
   return out;
 }
 
@@ -172,7 +180,7 @@ void bound_energy(const Problem& p, const Island& island, const Workers& workers
       velocities.omega[i] -= (1 - part) * omega;
     }
   };
-  keep_inner(moving > 0 ? std::sqrt(std::max(0.0, moving - balance.rise) / moving) : 0);
+  keep_inner(moving > 0 ? std::sqrt(std::max(0.0, moving - balance.excess()) / moving) : 0);
   if (balance.rise <= moving || !unsolved) return;
   memory.pose.resize(p.model->shape.size());
   memory.from.resize(p.model->shape.size());

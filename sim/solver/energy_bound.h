@@ -19,6 +19,8 @@
 // motion, the largest found by bisection.
 #pragma once
 
+#include <algorithm>
+
 #include "sim/solver/islands.h"
 #include "sim/solver/momentum.h"
 #include "sim/solver/velocities.h"
@@ -34,6 +36,10 @@ struct EnergyBalance {
   double stored = 0;   // Ψ at the start
   double found = 0;    // the part of it in contacts that the last step did not know
   double rise = 0;     // T + U + Ψ above the start and W
+  double freed = 0;    // Ψ that overlaps in a crowd lost
+
+  // What bodies must not have: those of a crowd get no speed from coming apart.
+  double excess() const { return rise + std::max(0.0, freed); }
 };
 
 struct EnergyMemory {
@@ -50,7 +56,7 @@ inline constexpr double kRise = 1e-5;
 // that residual (in d̂) leaves open does not: a hundred times as much of Ψ, contacts being pressed in by hundredths of d̂.
 bool gains(const EnergyBalance& energy, double residual);
 
-// Takes `balance.rise` > 0 out of an island. `unsolved`: its poses may change. Precondition: momentum is balanced, and `groups` has the rigid motions of the
+// Takes `balance.excess()` > 0 out of an island. `unsolved`: its poses may change. Precondition: momentum is balanced, and `groups` has the rigid motions of the
 // iterate (momentum.h).
 void bound_energy(const Problem& p, const Island& island, const Workers& workers,
                   const EnergyBalance& balance, bool unsolved, FreeGroups& groups, EnergyMemory& memory,

@@ -9,7 +9,7 @@
 //   or that has more energy than it may have, converged or not (gains() of energy_bound.h): a corner turned through its
 //   lowest point between two steps.
 // Not with one iteration a step, which asks for what that gives, and not for `sissm`, whose bonds are as stiff as h lets them be
-// (stiffness_cap.h): halves would be of another model.
+// (stiffness_cap.h): halves would be of another model. Not a crowd (Deviation D25), unless it left the numbers.
 #pragma once
 
 #include "sim/solver/energy_bound.h"

@@ -110,7 +110,7 @@ std::vector<std::uint8_t> jointed_bodies(const Model& model, const Params& param
   Team team;
   BroadPhase broad;
   std::vector<IndexPair> pairs;
-  broad.find(boxes, model.fixed, 1, team, pairs);
+  broad.find({boxes, model.fixed, {}, {}}, 1, team, pairs);
   std::vector<std::vector<Index>> beside(model.shape.size());
   for (const auto& [a, b] : pairs) {
     beside[a].push_back(b);

@@ -107,9 +107,9 @@ struct StepSummary {
   double min_gap = 0;          // m; +inf without contacts
   double max_joint_error = 0;  // m
   double residual = 0;         // the largest of the islands
-  // What was left out because it would cost too much: pairs of bodies deep in each other whose first body has
-  // many such (collision/detect.h), and bodies that `descent` solved in place of `newton` (choice.h).
-  Index left_pairs = 0;
+  // What was left out because it would cost too much: pairs of bodies in crowds that were not looked at, overlap
+  // or not (collision/broad_phase.h), and bodies that `descent` solved in place of `newton` (choice.h).
+  std::int64_t left_pairs = 0;
   Index too_dense = 0;
   double drive_work = 0;  // work of drives, motors, dampers and friction of joints; J
   int capped_bonds = 0;   // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)

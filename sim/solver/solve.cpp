@@ -149,11 +149,10 @@ void remember_outcome(const Task& t, const IslandReport& out, Iterate& it) {
 
 // Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the cap.
 void solve(Task t, Iterate& it, IslandReport& out) {
-  const SolverParams& solver = t.p.params->solver;
   start(t, it);
   bool every_body = true;
   double moved = 0, first = 0;
-  for (int k = 0; k < solver.iterations; ++k) {
+  for (int k = 0; k < t.island.iterations; ++k) {
     const double gap_before = iterate(k, every_body, t, it);
     out.solver = t.island.solver;
     ++out.iterations;

@@ -111,6 +111,8 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
     }
     if (outcome.status == StepStatus::iteration_limit && p.friction)
       outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);
+    // Halves of a crowd end no better: other pairs are left out in each.
+    if (island.crowd && outcome.status != StepStatus::non_finite) continue;
     if (!halves || !ends_unsolved(outcome, m.balance[k])) continue;
     for (const Index i : island.bodies) m.again[i] = 1;
   }
@@ -126,7 +128,8 @@ void bound_energy(const Problem& p, const Workers& workers, StepMemory& m, StepR
   for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
     const Island& island = m.islands.list[k];
     const EnergyBalance& energy = m.balance[k];
-    if (is_made_again(island, m) || !(energy.rise > kRounding * (energy.kinetic + energy.stored))) continue;
+    if (is_made_again(island, m) || !(energy.excess() > kRounding * (energy.kinetic + energy.stored)))
+      continue;
     if (!std::exchange(found_motions, true)) find_rigid_motions(p, m.iterate, m.groups);
     const bool unsolved = ends_unsolved(report.islands[k], energy);
     bound_energy(p, island, workers, energy, unsolved, m.groups, m.energy, m.velocities, m.iterate);
@@ -261,6 +264,7 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
   const bool halved =
       std::any_of(m.again.begin(), m.again.end(), [](std::uint8_t again) { return again != 0; });
   report.times.velocities = watch.lap();
+  if (interrupted()) return;
   if (halved && !make_again(options, m, report)) return;  // 5. what ended unsolved, in halves
   watch.lap();
   bound_energy(p, workers, m, report);

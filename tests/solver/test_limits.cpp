@@ -84,6 +84,27 @@ TEST_CASE("of bodies at one point each meets a few, and the report says so") {
   CHECK(farthest > 0.5);
 }
 
+TEST_CASE("a crowd comes apart without speed") {
+  const bool balls = GENERATE(false, true);
+  testing::World world;
+  for (int k = 0; k < 1000; ++k) {
+    if (balls)
+      world.add(Sphere{0.5}, 500, Vec3::Zero());
+    else
+      world.add_cube(1, 1000, Vec3::Zero());
+  }
+  world.params.gravity.setZero();
+  const double speed = world.params.contact.recovery_speed, mass = 1000 * world.model.mass[0];
+  double apart = 0;
+  testing::run(world, 20, {}, [&](const StepReport& r) {
+    CHECK(r.kinetic < 0.5 * mass * speed * speed);
+    CHECK(r.halved_bodies == 0);
+    CHECK(r.left_pairs > 0);
+  });
+  for (const Vec3& c : world.state.c) apart = std::max(apart, (c - world.state.c[0]).norm());
+  CHECK(apart > 0.5);
+}
+
 TEST_CASE("bodies side by side are all met, however many") {
   testing::World world;
   world.add(Box{{50, 0.5, 50}}, 0, {0, -0.5, 0});
