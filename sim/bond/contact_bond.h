@@ -60,6 +60,8 @@ inline Roll roll_since_prediction(const Mat3& star, const Mat3& R) {
   return {(rolled / angle) * turn, (1 - past2) * (1 - past2)};
 }
 
+inline constexpr double kLeastAlong = 0.02;  // see ease_slip
+
 // What a separate manifold needs to know of its bodies beside their poses.
 struct alignas(sizeof(Lanes)) Rolling {
   const Roll *a, *b;  // at the current iterate
@@ -104,7 +106,7 @@ struct alignas(sizeof(Lanes)) ContactManifold {
   // For `newton`, see ease_slip.
   Vec3x last_u;                              // stretch of the last iterate
   Lanes along = lanes(1);                    // share of the weight α_t that acts along the slip
-  Lanes least_along = lanes(0.02);           // least share: grows each time that the slip turns back
+  Lanes least_along = lanes(kLeastAlong);    // see ease_slip
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
   bool recalled = false, restless = false;   // it has a past, and ContactMemory::restless
@@ -275,12 +277,14 @@ inline void move_limit(ContactManifold& p, const ContactForce& f) {
 
 // D'' of a contact that slides is 0 along u, α_t across it; α_t all round is a majoriser of D. Newton's step
 // with the majoriser converges slowly where the slip is short, without it the slip turns back and forth at
-// the threshold of sticking. So the share of α_t along u falls while the slip keeps its direction, and less
-// so each time that it has turned back.
+// the threshold of sticking. So the share of α_t along u falls while the slip keeps its direction, by an eighth down to
+// a least share (first kLeastAlong), from there on by half. The least share is four times as large each time that the slip has turned back.
 inline void ease_slip(const ContactLaw& law, ContactManifold& p, const Vec3x& u) {
   const Lanes along = dot(u, p.last_u), straight = 0.9 * length(u) * length(p.last_u);
   const LaneMask steady = (along > straight) & (law.k_t * length(u) > p.limit);
+  const LaneMask there = steady & (p.along <= p.least_along);
   p.least_along = select(along < 0, smaller(lanes(1), 4 * p.least_along), p.least_along);
+  p.least_along = select(there, 0.5 * p.least_along, p.least_along);
   p.along = select(steady, larger(p.least_along, 0.125 * p.along), lanes(1));
   p.last_u = u;
 }
@@ -288,7 +292,7 @@ inline void ease_slip(const ContactLaw& law, ContactManifold& p, const Vec3x& u)
 // Is a slip still held back by the majoriser, so that small moves do not mean the end?
 inline bool is_held_back(const ContactLaw& law, const ContactManifold& p, const Vec3x& u) {
   const LaneMask slides = (law.k_t * length(u) > p.limit) & (p.limit > 0);
-  return sum(select(slides & (p.along > p.least_along), lanes(1), lanes(0))) > 0;
+  return sum(select(slides & (p.along > larger(p.least_along, lanes(kLeastAlong))), lanes(1), lanes(0))) > 0;
 }
 
 // Coulomb's law: how far the friction force min(k_t ‖u‖, limit) is from min(k_t ‖u‖, μ f_n); N.
