@@ -151,7 +151,8 @@ double quiet_bound(const Problem& p, const Island& island, const Iterate& it) {
 
 void descent_sweep(const Problem& p, const Island& island, const DescentSweep& sweep, const Workers& workers,
                    DescentMemory& memory, Iterate& it) {
-  const double bound = sweep.every_body ? 0 : quiet_bound(p, island, it);
+  // In the first sweep nobody rests: what a body remembers of the last one would be that of another step.
+  const double bound = sweep.every_body || sweep.first ? 0 : quiet_bound(p, island, it);
   for (std::size_t k = 0; k + 1 < island.first_of_color.size() && !workers.stop.requested(); ++k) {
     const Index first = island.first_of_color[k];
     const auto count = static_cast<std::size_t>(island.first_of_color[k + 1] - first);
