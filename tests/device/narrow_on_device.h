@@ -11,7 +11,7 @@
 
 namespace pabd::testing {
 
-// Two bodies where they stand; the first has the lower number.
+// Two bodies where they stand; the first goes first (sim/collision/narrow_phase.h).
 struct PlacedPair {
   Vec3 c[2];
   Mat3 R[2];
