@@ -48,8 +48,8 @@ World struck_chain(int links, double speed, double h) {
 double energy(const StepReport& r) { return r.kinetic + r.potential + r.elastic; }
 
 struct Outcome {
-  double scale = 0, rise = 0, joint_error = 0;  // J, J, m
-  int halved = 0, unsolved = 0, deepest = 0;    // steps, steps, levels
+  double scale = 0, rise = 0, gained = 0, joint_error = 0;  // J, J, J (rise without Ψ), m
+  int halved = 0, unsolved = 0, deepest = 0;                // steps, steps, levels
 };
 Outcome measured(World& world, double seconds) {
   Outcome out;
@@ -59,6 +59,7 @@ Outcome measured(World& world, double seconds) {
   testing::run(world, static_cast<int>(std::lround(seconds / world.params.h)), {}, [&](const StepReport& r) {
     REQUIRE(r.status != StepStatus::non_finite);
     out.rise = std::max(out.rise, energy(r) - most);
+    out.gained = std::max(out.gained, r.kinetic + r.potential - most);
     out.joint_error = std::max(out.joint_error, r.max_joint_error);
     out.halved += r.halved_bodies > 0 ? 1 : 0;
     out.unsolved += r.status == StepStatus::iteration_limit && r.residual > 0.03 ? 1 : 0;
@@ -159,11 +160,14 @@ TEST_CASE("the report of a step in halves is that of all bodies") {
 }
 
 TEST_CASE("without halvings nothing is made again, and energy is bounded all the same") {
-  World world = planks(30, 1, 1.0 / 60, 100);
+  const unsigned seed = GENERATE(100u, 101u, 102u, 103u);
+  CAPTURE(seed);
+  World world = planks(30, 1, 1.0 / 60, seed);
   world.params.solver.halvings = 0;
   const Outcome out = measured(world, 1.5);
   CHECK(out.halved == 0);
-  CHECK(out.rise < 1e-6 * out.scale);
+  // Ψ is left out: a step may find bodies deep in each other that no step before knew to touch.
+  CHECK(out.gained < 1e-6 * out.scale);
   CHECK(out.unsolved > 0);
 }
 
