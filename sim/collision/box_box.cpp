@@ -4,7 +4,7 @@
 // Fifteen directions can separate two boxes: three face normals each and nine products of edges. The largest
 // separation s (negative inside) tells how they meet:
 //   face    the incident face clipped against the reference face (box_box_face); preferred to the rest, and
-//           the lower body's face to the other's, unless clearly worse (see `preference`)
+//           the first body's face to the other's, unless clearly worse (see `preference`)
 //   edge    the nearest points of the two edges; along edges that run side by side, at both ends
 //           (side_by_side)
 //   corner  apart: the corner of one box nearest to the other box, or the edges through it where they run

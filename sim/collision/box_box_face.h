@@ -14,7 +14,7 @@ struct FaceQuery {
   const Placed<Box>& incident;
   double C[3][3];       // C[i][j]: component i, in the reference frame, of axis j of the incident box
   double t[3];          // centre of the incident box in the reference frame; m
-  std::uint32_t owner;  // 0 when the reference is the lower body, else 1: keeps features apart
+  std::uint32_t owner;  // 0 when the reference is the first body, else 1: keeps features apart
 };
 
 // Appends up to 8 contacts for the reference face across `axis`. Returns the smallest d over the face, in

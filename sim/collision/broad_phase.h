@@ -60,8 +60,8 @@ struct BroadPhase {
   std::vector<Level> levels;  // coarse to fine
   std::vector<Cell> cells;
   std::vector<std::int32_t> table;  // open addressing: a cell's number, or −1
-  std::vector<std::uint64_t>
-      taken;  // a bit a cell, 512 neighbouring cells side by side; may be set by another cell
+  // A bit a cell, 512 neighbouring cells side by side; may be set by another cell.
+  std::vector<std::uint64_t> taken;
   std::vector<Entry> entries;  // by cell
   std::vector<Index> cell_of;  // one entry a body; −1: takes no part
   std::vector<std::int16_t> level_of;

@@ -94,7 +94,7 @@ inline void add_round_contact(Contacts& out, Index a, Index b, const Vec3& p_a, 
   add_contact(out, a, b, p_b - r_b * n, n, d, feature);
 }
 
-// A face is preferred to an edge, and the face of the lower body to the other one, unless the rival's
+// A face is preferred to an edge, and the face of the first body to the other one, unless the rival's
 // separation is better by this much: otherwise resting stacks would change their reference face at every
 // rounding error.
 inline double preference(double separation, double smallest_half) {

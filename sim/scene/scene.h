@@ -31,8 +31,8 @@ struct Scene {
   std::string name;         // the file's stem when it gives none
   std::string description;  // one line for lists of scenes; may be empty
   Params params;
-  std::optional<ThinBody>
-      d_hat_of;  // whose thickness contact.d_hat follows, where the scene states none and it is small
+  // Whose thickness contact.d_hat follows, where the scene states none and it is small.
+  std::optional<ThinBody> d_hat_of;
   Model model;
   State initial;
   BondLaw joint_law;                 // of joints that say nothing of their own, κ resolved

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nothing depends on the order in which a scene names its bodies.
+// What solved steps give does not depend on the order in which a scene names its bodies.
 #include <catch2/catch.hpp>
 
 #include "sim/body/shape_kind.h"
