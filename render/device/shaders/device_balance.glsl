@@ -38,7 +38,7 @@ void follow(inout Mover m) {
   m.I = turned * (trace * mat_real3(1) - mat_real3(d.x, o.x, o.y, o.x, d.y, o.z, o.y, o.z, d.z)) * transpose(turned);
   if (m.at.u.xyz == m.f.u.xyz && m.at.q == m.f.q) return;  // it flew freely
   m.v += (m.at.u.xyz - m.f.u.xyz) / h;
-  m.spin -= axial_of(turned_inertia(m.f, m.at)) / h;
+  m.spin -= axial_inertia(m.f, m.at) / h;
   m.omega = rotate(E, solve_symmetric(trace - d, -o, rotate(conjugate(E), m.spin)));
 }
 

@@ -38,7 +38,7 @@ void main() {
     if (at.u.xyz != f.u.xyz || at.q != f.q) {  // else it flew freely
       v += (at.u.xyz - f.u.xyz) / h;
       const real trace = W_d.x + W_d.y + W_d.z;
-      const real3 spin = times_symmetric(trace - W_d, -W_o, omega) - axial_of(turned_inertia(f, at)) / h;
+      const real3 spin = times_symmetric(trace - W_d, -W_o, omega) - axial_inertia(f, at) / h;
       // I⁻¹ at the end: E I* Eᵀ, E = R R*ᵀ.
       const real4 E = product(at.q, conjugate(f.q));
       omega = rotate(E, solve_symmetric(trace - W_d, -W_o, rotate(conjugate(E), spin)));

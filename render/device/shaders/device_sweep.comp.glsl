@@ -183,10 +183,12 @@ void add_contacts(uint i, Place at, inout Model6 m, inout real energy, inout rea
 
 // Of the inertia alone.
 void add_inertia(Flight f, Place at, real inv_h2, inout Model6 m) {
-  const mat_real3 G = turned_inertia(f, at);
-  const real mass = f.W_diag.w * inv_h2, trace = f.W_diag.x + f.W_diag.y + f.W_diag.z + G[0][0] + G[1][1] + G[2][2];
+  const real3 d = f.W_diag.xyz, o = f.W_off.xyz;
+  const real4 e = turn_since_flight(f, at);
+  const mat_real3 G = matrix_less(e) * mat_real3(d.x, o.x, o.y, o.x, d.y, o.z, o.y, o.z, d.z);  // (E − 1) W
+  const real mass = f.W_diag.w * inv_h2, trace = d.x + d.y + d.z - 2 * dot(e.xyz, inertia_times(f, e.xyz));
   m.g_c += mass * (at.u.xyz - f.u.xyz);
-  m.g_w -= inv_h2 * axial_of(G);
+  m.g_w -= inv_h2 * axial_inertia(f, at);
   m.cc_diag += real3(mass);
   m.ww_diag += inv_h2 * (trace - f.W_diag.xyz - real3(G[0][0], G[1][1], G[2][2]));
   m.ww_off -= inv_h2 * (f.W_off.xyz + real3(G[0][1] + G[1][0], G[0][2] + G[2][0], G[1][2] + G[2][1]) / 2);
