@@ -66,28 +66,31 @@ enum class Slot : std::uint32_t {
   kept_geometry,
   touching,
   body_values,
+  outcomes,
   count
 };
 
 struct StepParams {
   double gravity[3];
-  double least_load;
+  double least_load, weight_per_mass;
   double least_share, h, d_hat, kappa, k_t, mu_static, mu_dynamic, onset, recovery_speed, cell;
   std::int32_t N, barrier, first_step, color_limit;
   std::uint32_t bodies, buckets, planes, skips;
   std::uint32_t pair_room, contact_room;
   std::int32_t friction_rule;  // a FrictionRule; -1: no body has friction of its own
   std::uint32_t groups;        // 1: some keep bodies apart
-  std::uint32_t shares, pad;   // a bit each: those that are dispatched
+  std::uint32_t shares;        // a bit each: those that are dispatched
+  std::uint32_t halves;        // 1: a step that ends unsolved is not made
 };
-static_assert(sizeof(StepParams) == 168);
+static_assert(sizeof(StepParams) == 176);
 
 enum Overflow : std::uint32_t {
   too_many_pairs = 1,
   too_many_contacts = 2,
   too_many_colors = 4,
   too_few_rounds = 8,
-  share_unexpected = 16  // shifted by the share
+  share_unexpected = 16,  // shifted by the share
+  ended_unsolved = 128    // it asks for halves, not for room
 };
 
 struct Counters {
@@ -99,12 +102,14 @@ struct Counters {
   std::uint32_t residual, unsettled;
   std::uint32_t done, sweeps, pushing, min_gap, friction_excess, friction_error, bad;
   std::uint32_t kept;
+  std::uint32_t touched, unsolved, unsettled_contacts, pad;
   std::uint32_t touch_size[kTwoKinds], touch_first[kTwoKinds], touch_next[kTwoKinds];
   std::uint32_t width[6], opening, fastest;
   double gained;
+  double stored, rise;
   double kinetic, potential, elastic;
 };
-static_assert(sizeof(Counters) == 5248);
+static_assert(sizeof(Counters) == 5280);
 
 struct BodyKind {
   double J[6];

@@ -38,6 +38,7 @@ void DeviceStep::make_body_buffers() {
   buffers.make(Slot::arguments, (kSweepLists + kTwoKinds) * 16);
   buffers.make(Slot::cursors, std::max<std::size_t>(n, buckets_) * sizeof(std::uint32_t));
   buffers.make(Slot::steps, n * 2 * vec4());
+  buffers.make(Slot::outcomes, n * 4 * vec4());
   buffers.make(Slot::kept_first, (n + 1) * sizeof(std::uint32_t));
   buffers.make(Slot::values, n * sizeof(std::uint32_t));
   buffers.make(Slot::shapes, table_.shapes);

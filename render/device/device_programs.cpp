@@ -8,9 +8,15 @@
 #include "render/device/narrow_parts.h"
 #include "render/device/shader_files.h"
 #include "sim/potential/barrier.h"
+#include "sim/solver/halving.h"
 
 namespace pabd::device {
 namespace {
+
+// Of the bodies in touch, or of the contacts: as many may be left unsolved before all are made again in halves.
+constexpr double kShareLeft = 1e-3;
+// Times the energy of a step: what it may rise by, where sums are of floats.
+constexpr double kRiseOfFloats = 1e-4;
 
 constexpr const char* kSingle =
     "#define real float\n#define real3 vec3\n#define real4 vec4\n#define mat_real3 mat3\n"
@@ -41,6 +47,9 @@ class Compiler {
     common_ += fmt::format("#define TOUCH_GROUP {}u\n", kTouchGroup);
     common_ += fmt::format("#define SHAPE_KINDS {}u\n#define TWO_KINDS {}u\n",
                            static_cast<int>(kDeviceShapes), kTwoKinds);
+    common_ += fmt::format(
+        "#define UNSOLVED real({}lf)\n#define UNSETTLED real({}lf)\n#define SHARE {}\n#define RISE {}lf\n",
+        kUnsolved, kUnsettled, kShareLeft, single ? kRiseOfFloats : kRise);
     common_ += hull_sizes(table);
     if (round) common_ += "#define ROUND\n";
   }
@@ -125,9 +134,6 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
     return compile("pairs", {"COUNTERS", "KINDS", "BOUNDS", "CELLS", "PAIR_FIRST", "PAIRS", "PLANES"}, more,
                    {device_cells}, device_pairs_comp);
   };
-  const auto total = [&](const char* more) {
-    return compile("totals", {"COUNTERS", "PARTS"}, more, {}, device_total_comp);
-  };
   const std::vector<ShaderPart> contact = {device_barrier, device_contact};
   return {
       .clear = compile("zeros", {"VALUES"}, "", {}, device_clear_comp),
@@ -159,22 +165,28 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
           compile("first bounds", {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS"}, "",
                   contact, device_start_comp),
       .between = compile("between sweeps", {"COUNTERS", "COLORS"}, "", {}, device_between_comp, 1),
-      .tell = compile("report",
-                      {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "KEPT_STRETCH",
-                       "KEPT_FEATURE", "GEOMETRY", "PARTS"},
-                      "", contact, device_tell_comp),
       .reports = compile(
           "contact reports",
           {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "GEOMETRY", "TOLD"}, "",
           contact, device_reports_comp),
-      .keep = compile("memory", {"COUNTERS", "PAIR_FIRST", "PAIRS", "CONTACTS", "GRIPS", "KEPT_PAIRS"}, "",
-                      {device_recovery}, device_keep_comp),
+      .tell =
+          compile("report", {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "PARTS"},
+                  "", contact, device_tell_comp),
+      .total_contacts = compile("totals", {"COUNTERS", "PARTS"}, "", {}, device_total_comp),
       .finish = compile("velocities",
                         {"COUNTERS", "KINDS", "POSES", "MOTIONS", "FLIGHTS", "PLACES", "END_FIRST", "ENDS",
-                         "CONTACTS", "PARTS"},
+                         "CONTACTS", "PARTS", "STEPS", "OUTCOMES"},
                         "", {device_inertia, device_balance}, device_finish_comp),
-      .total_bodies = total("#define BODIES\n"),
-      .total_contacts = total(""),
+      .total_bodies =
+          compile("totals", {"COUNTERS", "PARTS"}, "#define BODIES\n", {device_unsolved}, device_total_comp),
+      .keep_contacts = compile("memory of contacts",
+                               {"COUNTERS", "CONTACTS", "GRIPS", "KEPT_STRETCH", "KEPT_FEATURE", "GEOMETRY"},
+                               "#define CONTACTS\n", {}, device_keep_comp),
+      .keep_pairs =
+          compile("memory of pairs", {"COUNTERS", "PAIR_FIRST", "PAIRS", "CONTACTS", "GRIPS", "KEPT_PAIRS"},
+                  "", {device_recovery}, device_keep_comp),
+      .move =
+          compile("moves", {"COUNTERS", "KINDS", "POSES", "MOTIONS", "OUTCOMES"}, "", {}, device_move_comp),
   };
 }
 

@@ -48,7 +48,7 @@ struct Programs {
   Scan scan;
   Colors colors;
   ComputeProgram start_bodies, start_contacts, between;
-  ComputeProgram tell, reports, keep, finish, total_bodies, total_contacts;
+  ComputeProgram reports, tell, total_contacts, finish, total_bodies, keep_contacts, keep_pairs, move;
 };
 
 // How bodies are shared in a sweep, by how many contacts they have (SHARES of device_layout.glsl).

@@ -12,6 +12,7 @@
 #include "render/device/device_step.h"
 #include "render/device/gl_fence.h"
 #include "sim/solver/friction.h"
+#include "sim/solver/halving.h"
 
 namespace pabd {
 namespace {
@@ -48,9 +49,14 @@ struct DeviceSolver::Impl {
     GlBuffer copy;  // of the counters, when the step is done
     GlFence done;
   };
-  void ask(const Params& params);
+  Asked ask(const Params& params, bool starts);
+  Counters wait_for(Asked& asked_for);
+  PhaseTimes spent();
+  StepSummary told(const Asked& asked_for, const Counters& c);
+  StepSummary ended(Asked asked_for, Counters c, bool starts);
   void take_oldest();
-  void report(const Asked& asked_for, const Counters& c);
+  void record(const StepSummary& made, double h);
+  bool starts() const { return step_number == 0 && asked.empty(); }
 
   DeviceStep step;
   std::deque<Asked> asked;
@@ -60,11 +66,11 @@ struct DeviceSolver::Impl {
   double d_hat = 0;
   std::int64_t step_number = 0;
   double time = 0;
-  int repeated = 0;
+  int repeated = 0, halved = 0;
 };
 
-void DeviceSolver::Impl::ask(const Params& params) {
-  step.enqueue(params, step_number == 0 && asked.empty(), times);
+auto DeviceSolver::Impl::ask(const Params& params, bool starts) -> Asked {
+  step.enqueue(params, starts, times);
   Asked now{params, step.kappa(), GlBuffer(step.gl), {}};
   step.gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   step.gl.BindBuffer(GL_COPY_WRITE_BUFFER, now.copy.id());
@@ -73,66 +79,97 @@ void DeviceSolver::Impl::ask(const Params& params) {
   step.gl.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, sizeof(Counters));
   now.done = GlFence(step.gl);
   step.gl.Flush();
-  asked.push_back(std::move(now));
+  return now;
 }
 
-void DeviceSolver::Impl::report(const Asked& asked_for, const Counters& c) {
-  const Params& params = asked_for.params;
-  ++step_number;
-  time += params.h;
-  summary = {};
-  summary.step = step_number;
-  summary.time = time;
-  summary.method = SolverMethod::descent;
-  summary.iterations = static_cast<int>(c.sweeps);
-  summary.kinetic = c.kinetic;
-  summary.potential = c.potential;
-  summary.elastic = c.elastic;
-  summary.kappa = asked_for.kappa;
-  summary.contacts = static_cast<int>(c.pushing);
-  summary.min_gap = c.min_gap != 0 ? static_cast<double>(from_ordered(~c.min_gap)) : INFINITY;
-  summary.max_penetration = std::max(0.0, -summary.min_gap);
-  summary.residual = static_cast<double>(std::bit_cast<float>(c.residual));
-  summary.friction_excess =
+Counters DeviceSolver::Impl::wait_for(Asked& asked_for) {
+  asked_for.done.wait();
+  Counters c;
+  step.gl.BindBuffer(GL_COPY_WRITE_BUFFER, asked_for.copy.id());
+  step.gl.GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof c, &c);
+  return c;
+}
+
+// In the step that was waited for last.
+PhaseTimes DeviceSolver::Impl::spent() {
+  step.clock.read();
+  PhaseTimes out;
+  out.detect = times.broad_phase + times.narrow_phase;
+  out.set_up = times.set_up;
+  out.solve = times.solve;
+  out.velocities = times.velocities;
+  out.total = times.total();
+  return out;
+}
+
+// Of a step that was made.
+StepSummary DeviceSolver::Impl::told(const Asked& asked_for, const Counters& c) {
+  StepSummary out;
+  out.method = SolverMethod::descent;
+  out.iterations = static_cast<int>(c.sweeps);
+  out.kinetic = c.kinetic;
+  out.potential = c.potential;
+  out.elastic = c.elastic;
+  out.kappa = asked_for.kappa;
+  out.contacts = static_cast<int>(c.pushing);
+  out.min_gap = c.min_gap != 0 ? static_cast<double>(from_ordered(~c.min_gap)) : INFINITY;
+  out.max_penetration = std::max(0.0, -out.min_gap);
+  out.residual = static_cast<double>(std::bit_cast<float>(c.residual));
+  out.friction_excess =
       c.friction_excess != 0 ? std::max(0.0, static_cast<double>(from_ordered(c.friction_excess))) : 0;
   const bool settled =
       c.friction_error == 0 || from_ordered(c.friction_error) < static_cast<float>(2 * kFrictionTolerance);
-  const bool done = c.done != 0 || c.contacts == 0 || summary.residual < least_tolerance(step.precision());
-  summary.status = c.bad > 0 || gain_of(c).ran_away(params.h) ? StepStatus::non_finite
-                   : done && settled                          ? StepStatus::converged
-                                                              : StepStatus::iteration_limit;
-  summary.times.detect = times.broad_phase + times.narrow_phase;
-  summary.times.set_up = times.set_up;
-  summary.times.solve = times.solve;
-  summary.times.velocities = times.velocities;
-  summary.times.total = times.total();
-  d_hat = params.contact.d_hat;
+  const bool done = c.done != 0 || c.contacts == 0 || out.residual < least_tolerance(step.precision());
+  out.status = c.bad > 0         ? StepStatus::non_finite
+               : done && settled ? StepStatus::converged
+                                 : StepStatus::iteration_limit;
+  out.times = spent();
+  d_hat = asked_for.params.contact.d_hat;
   step.expect(c);
   last = c;
+  return out;
+}
+
+void DeviceSolver::Impl::record(const StepSummary& made, double h) {
+  summary = made;
+  summary.step = ++step_number;
+  summary.time = time += h;
+}
+
+// A step that told c, once it is made: with more room until it fits, in halves where it ended unsolved.
+StepSummary DeviceSolver::Impl::ended(Asked asked_for, Counters c, bool starts) {
+  while (c.overflow != 0 && c.overflow != ended_unsolved) {
+    step.make_room(c);
+    ++repeated;
+    asked_for = ask(asked_for.params, starts);
+    c = wait_for(asked_for);
+  }
+  if (c.overflow == 0) return told(asked_for, c);
+  const PhaseTimes in_vain = spent();
+  step.make_room(c);
+  const auto half = [&](bool first) {
+    Asked now = ask(of_half(asked_for.params, asked_for.kappa), first && starts);
+    const Counters counters = wait_for(now);
+    return ended(std::move(now), counters, first && starts);
+  };
+  StepSummary out = half(true);
+  if (out.status != StepStatus::non_finite) out = both(out, half(false));
+  out.times += in_vain;
+  ++halved;
+  out.halved_bodies = step.movable();
+  ++out.halvings;
+  return out;
 }
 
 void DeviceSolver::Impl::take_oldest() {
   Asked oldest = std::move(asked.front());
   asked.pop_front();
-  oldest.done.wait();
-  Counters c;
-  step.gl.BindBuffer(GL_COPY_WRITE_BUFFER, oldest.copy.id());
-  step.gl.GetBufferSubData(GL_COPY_WRITE_BUFFER, 0, sizeof c, &c);
-  if (c.overflow == 0) {
-    step.clock.read();
-    report(oldest, c);
-    return;
-  }
-  // Neither this step was made nor those that were asked for after it: all again, with more room.
-  std::vector<Params> repeat{oldest.params};
-  for (const Asked& next : asked) repeat.push_back(next.params);
-  asked.clear();
-  step.make_room(c);
-  repeated += static_cast<int>(repeat.size());
-  for (const Params& params : repeat) {
-    ask(params);
-    if (asked.size() > 1) take_oldest();  // it may not fit either
-  }
+  const Counters c = wait_for(oldest);
+  std::deque<Asked> after;
+  if (c.overflow != 0) after.swap(asked);  // they were not made either
+  const double h = oldest.params.h;
+  record(ended(std::move(oldest), c, starts()), h);
+  for (const Asked& next : after) asked.push_back(ask(next.params, false));
 }
 
 DeviceSolver::DeviceSolver(GlContext& context, const Model& model, const State& start,
@@ -165,7 +202,7 @@ void DeviceSolver::set_state(const State& state) {
 void DeviceSolver::enqueue(const Params& params) {
   Impl& m = *impl_;
   while (m.asked.size() >= kLate) m.take_oldest();
-  m.ask(params);
+  m.asked.push_back(m.ask(params, m.starts()));
 }
 
 const StepSummary& DeviceSolver::finish() {
@@ -202,6 +239,7 @@ std::uint32_t DeviceSolver::contacts() const { return impl_->last.contacts; }
 std::uint32_t DeviceSolver::kept_pairs() const { return impl_->last.kept; }
 DeviceGain DeviceSolver::gain() const { return gain_of(impl_->last); }
 int DeviceSolver::repeated() const { return impl_->repeated; }
+int DeviceSolver::halved() const { return impl_->halved; }
 unsigned DeviceSolver::pose_buffer() const { return impl_->step.buffers.id(Slot::poses); }
 std::size_t DeviceSolver::pose_bytes() const { return impl_->step.buffers.bytes(Slot::poses); }
 DeviceContacts DeviceSolver::contact_buffers() const {

@@ -44,13 +44,11 @@ struct DeviceTimes {
   double total() const { return broad_phase + narrow_phase + set_up + solve + velocities; }
 };
 
-// Of the bodies in touch in a step, as in sim/solver/runaway.h.
+// Of the bodies in touch in a step, as in sim/solver/runaway.h. Shaders judge it (device_unsolved.glsl).
 struct DeviceGain {
   double gained = 0;   // kinetic energy beside that of free flight; J
   double width = 0;    // around where they started, and the widest opening of a contact there: L; m
   double fastest = 0;  // √(2K/m) of one that gained; m/s
-  // Whether more than any contact asks for.
-  bool ran_away(double h) const { return gained > 0 && fastest > 100 * width / h; }
 };
 
 // A number a body, to colour it by.
@@ -79,8 +77,8 @@ class DeviceSolver {
 
   void set_state(const State& state);
 
-  // Starts a step and does not wait for it, but for the one two steps before. What that one could not hold in its
-  // buffers is repeated with larger ones before: nothing is dropped.
+  // Starts a step and does not wait for it, but for the one two steps before. Where that one did not fit into its buffers,
+  // or ended unsolved, it is made again first, with larger ones or in halves: nothing is dropped.
   void enqueue(const Params& params);
   // Waits for all steps; the report of the last one.
   const StepSummary& finish();
@@ -105,6 +103,7 @@ class DeviceSolver {
   std::uint32_t kept_pairs() const;  // whose contacts were kept in the last step
   DeviceGain gain() const;           // of the last step
   int repeated() const;              // steps that had to be made again with larger buffers
+  int halved() const;                // in halves
   unsigned pose_buffer() const;      // GL name: a body's c (4 doubles), q (4 doubles: x, y, z, w)
   std::size_t pose_bytes() const;    // of it
   // GL name: a float a body, as the step that was asked for last leaves it, -infinity of bodies that do not move. Waits

@@ -8,6 +8,7 @@
 
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/friction.h"
+#include "sim/solver/halving.h"
 
 namespace pabd::device {
 namespace {
@@ -49,6 +50,7 @@ DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptio
       shapes_(shapes_of(table_)),
       sharing_(sharing_for(model, options)),
       programs_(make_programs(gl, precision_, table_, shapes_, sharing_)),
+      movable_(static_cast<Index>(std::count(model.fixed.begin(), model.fixed.end(), 0))),
       bodies_(static_cast<std::uint32_t>(model.size())),
       buckets_(std::bit_ceil(std::max(1024u, bodies_))) {
   make_body_buffers();
@@ -79,7 +81,8 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   StepParams p{};
   std::copy_n(params.gravity.data(), 3, p.gravity);
   p.least_load = kLeastLoad * kinds_.heaviest * weight_per_mass(params);
-  p.least_share = kLeastLoad * weight_per_mass(params);
+  p.weight_per_mass = weight_per_mass(params);
+  p.least_share = kLeastLoad * p.weight_per_mass;
   p.h = params.h;
   p.d_hat = law_.barrier.d_hat;
   p.kappa = law_.barrier.kappa;
@@ -102,6 +105,7 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   p.friction_rule = model_.friction.empty() ? -1 : static_cast<std::int32_t>(params.contact.friction_rule);
   p.groups = model_.groups.avoids.empty() ? 0 : 1;
   for (const auto& [share, sweep] : sweeps_) p.shares |= 1u << share;
+  p.halves = may_halve(params.solver) ? 1 : 0;
   buffers.write(Slot::params, 0, std::as_bytes(std::span(&p, 1)));
 }
 
@@ -232,14 +236,17 @@ void DeviceStep::enqueue(const Params& params, bool starts, DeviceTimes& times) 
   clock.lap(times.set_up);
   sweep(params);  // 3. minimise E
   clock.lap(times.solve);
-  dispatch(programs_.tell, contact_groups);
   if (options_.report_contacts) dispatch(programs_.reports, contact_groups);
+  dispatch(programs_.tell, contact_groups);
   set(programs_.total_contacts, "count", contact_groups);
   dispatch(programs_.total_contacts, 1);
-  dispatch(programs_.keep, groups(std::max(pair_room_, bodies_ + 1), kGroup));
   dispatch(programs_.finish, body_groups);  // 4. velocities
   set(programs_.total_bodies, "count", body_groups);
   dispatch(programs_.total_bodies, 1);
+  // 5. Unless it ended unsolved, the step is made.
+  dispatch(programs_.keep_contacts, contact_groups);
+  dispatch(programs_.keep_pairs, groups(std::max(pair_room_, bodies_ + 1), kGroup));
+  dispatch(programs_.move, body_groups);
   clock.lap(times.velocities);
 }
 

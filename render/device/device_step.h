@@ -35,6 +35,7 @@ class DeviceStep {
   const Model& model() const { return model_; }
   Precision precision() const { return precision_; }
   std::uint32_t bodies() const { return bodies_; }
+  Index movable() const { return movable_; }
 
   ComputeFunctions gl;
   Buffers buffers;
@@ -74,6 +75,7 @@ class DeviceStep {
   std::map<std::uint32_t, Sweep> sweeps_;                  // by share: 0, and those of bodies that were met
   std::optional<ComputeProgram> crowd_sort_;               // beside that of share 2
   std::map<BodyQuantity, ComputeProgram> value_programs_;  // of those that were asked for
+  Index movable_;
   std::uint32_t bodies_, buckets_, pair_room_ = 0, contact_room_ = 0;
   std::uint32_t color_limit_ = 16, rounds_ = 24;
   ContactLaw law_{};

@@ -8,25 +8,6 @@
 #include "sim/solver/step_memory.h"
 
 namespace pabd {
-namespace {
-
-// What the second half adds to the first: work, and the worst of both. How it ends is the second's.
-void follow(const StepReport& second, StepReport& first) {
-  const StepSummary before = first.summary();
-  first = second;
-  first.status = std::max(first.status, before.status);
-  first.iterations = std::max(first.iterations, before.iterations);
-  first.residual = std::max(first.residual, before.residual);
-  first.drive_work += before.drive_work;
-  first.too_dense = std::max(first.too_dense, before.too_dense);
-  first.left_pairs = std::max(first.left_pairs, before.left_pairs);
-  first.capped_bonds = std::max(first.capped_bonds, before.capped_bonds);
-  first.held_bodies = std::max(first.held_bodies, before.held_bodies);
-  first.halvings = std::max(first.halvings, before.halvings);
-  first.times += before.times;
-}
-
-}  // namespace
 
 bool may_halve(const SolverParams& solver) {
   return solver.halvings > 0 && solver.iterations > 1 && solver.method != SolverMethod::sissm;
@@ -38,16 +19,36 @@ bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy) {
   return gains(energy, island.residual);
 }
 
+Params of_half(const Params& whole, double kappa) {
+  Params half = whole;
+  half.h *= 0.5;
+  if (--half.solver.halvings == 0) half.solver.iterations *= kLastChance;
+  half.contact.kappa = kappa;
+  return half;
+}
+
+StepSummary both(const StepSummary& first, const StepSummary& second) {
+  StepSummary out = second;
+  out.status = std::max(second.status, first.status);
+  out.iterations = std::max(second.iterations, first.iterations);
+  out.residual = std::max(second.residual, first.residual);
+  out.drive_work += first.drive_work;
+  out.too_dense = std::max(second.too_dense, first.too_dense);
+  out.left_pairs = std::max(second.left_pairs, first.left_pairs);
+  out.capped_bonds = std::max(second.capped_bonds, first.capped_bonds);
+  out.held_bodies = std::max(second.held_bodies, first.held_bodies);
+  out.halvings = std::max(second.halvings, first.halvings);
+  out.times += first.times;
+  return out;
+}
+
 void Halves::take(const Problem& p, const std::vector<std::uint8_t>& chosen) {
   take_bodies(*p.model, chosen, part_);
   take_part(part_, *p.start, state_);
 }
 
 const StepReport& Halves::make(const Problem& p, const StepOptions& options, Team& team) {
-  params_ = *p.params;
-  params_.h *= 0.5;
-  if (--params_.solver.halvings == 0) params_.solver.iterations *= kLastChance;
-  params_.contact.kappa = p.law.barrier.kappa;  // "auto" is that of the whole model
+  params_ = of_half(*p.params, p.law.barrier.kappa);
   options_ = options;
   options_.record_iterations = false;
   options_.pulls.clear();
@@ -64,7 +65,9 @@ const StepReport& Halves::make(const Problem& p, const StepOptions& options, Tea
   };
   if (half(both_)) {
     half(half_);
-    follow(half_, both_);
+    const StepSummary first = both_;
+    both_ = half_;
+    static_cast<StepSummary&>(both_) = both(first, half_);
   }
   std::swap(own, team);
   return both_;

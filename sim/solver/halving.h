@@ -27,6 +27,12 @@ bool may_halve(const SolverParams& solver);
 
 bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy);
 
+// What a half of such a step is made with; `kappa`: of contacts in the whole of it, "auto" or not; J.
+Params of_half(const Params& whole, double kappa);
+
+// What both halves tell: work and times, and the worst of both. How it ends is the second's.
+StepSummary both(const StepSummary& first, const StepSummary& second);
+
 // The islands of a step that are made again, as a model of their own, and the memory of their halves.
 class Halves {
  public:

@@ -3,12 +3,12 @@
 // of both, and of both with the picture read back.
 //
 //   bench_million [towers|avalanche] N frames [--png|--jpg DIR every] [--size W H] [--close] [--shadow SIDE] [--steps K] [--sweeps K]
-//                [--kappa J] [--team K] [--color speed|energy] [--contacts]
+//                [--halvings K] [--kappa J] [--team K] [--color speed|energy] [--contacts]
 //
 // towers: columns of ten boxes and a ball of steel that rolls through them. avalanche: boxes, balls, capsules and hulls
 // on a slope. --png and --jpg write every so many frames of the last run. --close looks at where things happen first. --shadow:
 // texels of a side of the shadow map, 4096. --steps: of a frame of 1/60 s, 4 for towers, else 1. --sweeps: of a step,
-// 10. --kappa: stiffness of contacts. --team: threads that share a body in a sweep. --color: by a number that stays on
+// 10. --halvings: of a step that ends unsolved, 0. --kappa: stiffness of contacts. --team: threads that share a body in a sweep. --color: by a number that stays on
 // the GPU; in each frame its largest comes back, for the range. --contacts: their glyphs. Every run starts anew.
 // Also: indices that a picture draws, ms of a pick in the middle of it, and of the same after reading the state.
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ namespace {
 
 struct Options {
   bool avalanche = false, close = false;
-  int bodies = 0, frames = 0, steps = 0, sweeps = 10;
+  int bodies = 0, frames = 0, steps = 0, sweeps = 10, halvings = 0;
   int width = 1920, height = 1080, shadow = 4096;
   double kappa = 0;  // J; 0: as the setting has it
   DeviceOptions device;
@@ -85,6 +85,8 @@ Options parse(int argc, char** argv) {
       out.device.team = std::clamp(std::atoi(next(k).c_str()), 1, 32);
     } else if (word == "--sweeps") {
       out.sweeps = std::max(1, std::atoi(next(k).c_str()));
+    } else if (word == "--halvings") {
+      out.halvings = std::max(0, std::atoi(next(k).c_str()));
     } else if (word == "--steps") {
       out.steps = std::max(1, std::atoi(next(k).c_str()));
     } else {
@@ -95,8 +97,8 @@ Options parse(int argc, char** argv) {
     throw Error(
         ErrorKind::bad_input,
         "expected: bench_million [towers|avalanche] N frames [--png|--jpg DIR every] [--size W H] [--close] "
-        "[--shadow SIDE] [--steps K] [--sweeps K] [--kappa J] [--team K] [--color speed|energy] "
-        "[--contacts]");
+        "[--shadow SIDE] [--steps K] [--sweeps K] [--halvings K] [--kappa J] [--team K] "
+        "[--color speed|energy] [--contacts]");
   }
   out.device.time_phases = true;
   out.bodies = numbers[0];
@@ -153,6 +155,7 @@ struct Bench {
         renderer(*context, o.width, o.height) {
     quality.shadow_side = o.shadow;
     setting.params.solver.iterations = o.sweeps;
+    setting.params.solver.halvings = o.halvings;
     if (options.steps == 0) options.steps = setting.steps;
     setting.params.h /= options.steps;
     if (o.kappa > 0) setting.params.contact.kappa = o.kappa;
@@ -313,9 +316,10 @@ int main(int argc, char** argv) try {
              t.total(), t.broad_phase, t.narrow_phase, t.set_up, t.solve, t.velocities);
   fmt::print(
       "last step: kappa {:.3g} J, {} contacts, {} colors, kinetic {:.4g} J, least gap {:.3g} m, {}; {} steps "
-      "repeated\n",
+      "repeated, {} in halves\n",
       summary.kappa, summary.contacts, bench.solver.colors(), summary.kinetic, summary.min_gap,
-      summary.status == StepStatus::non_finite ? "NOT FINITE" : "finite", bench.solver.repeated());
+      summary.status == StepStatus::non_finite ? "NOT FINITE" : "finite", bench.solver.repeated(),
+      bench.solver.halved());
   State state;
   bench.solver.read_state(state, false);
   double way = 0, fastest = 0;

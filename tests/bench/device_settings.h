@@ -37,6 +37,7 @@ inline Setting plain_setting() {
   out.params.solver.method = SolverMethod::descent;
   out.params.solver.iterations = 10;
   out.params.solver.tolerance = 0;
+  out.params.solver.halvings = 0;
   return out;
 }
 

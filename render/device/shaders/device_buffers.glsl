@@ -106,6 +106,9 @@ AT(38) buffer KeptGeometry { ContactGeometry kept_geometry[]; };  // as KeptStre
 #ifdef USES_BODY_VALUES
 AT(40) buffer BodyValues { uint body_value[]; };  // bits of a float
 #endif
+#ifdef USES_OUTCOMES
+AT(41) buffer Outcomes { Outcome outcome[]; };  // a body that moves
+#endif
 #ifdef USES_TOLD
 AT(36) buffer Told { ContactTold contact_told[]; };
 #endif

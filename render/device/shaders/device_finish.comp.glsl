@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Velocities that follow from the poses (sim/solver/velocities.cpp), the poses themselves, and a body's energies. A
-// thread a body; the work groups' sums are added later, in order.
+// Velocities that follow from the poses (sim/solver/velocities.cpp), and a body's energies; nothing moves yet. A thread
+// a body; the work groups' sums are added later, in order.
 shared dvec4 total[GROUP];
-// Counters::width, then Counters::fastest: of the work group.
+// Counters::width, then Counters::fastest, of the work group.
 shared uint widest[7];
 
 // A double no longer resolves d̂ there (sim/solver/runaway.cpp).
@@ -34,7 +34,7 @@ void main() {
     const real3 W_d = f.W_diag.xyz, W_o = f.W_off.xyz;
     const double flown = k.mass * double(dot(v, v)) / 2 +
                          double(dot(omega, times_symmetric(W_d.x + W_d.y + W_d.z - W_d, -W_o, omega))) / 2;
-    dvec4 q = dvec4(f.q);
+    real4 q = f.q;
     if (at.u.xyz != f.u.xyz || at.q != f.q) {  // else it flew freely
       v += (at.u.xyz - f.u.xyz) / h;
       const real trace = W_d.x + W_d.y + W_d.z;
@@ -42,7 +42,7 @@ void main() {
       // I⁻¹ at the end: E I* Eᵀ, E = R R*ᵀ.
       const real4 E = product(at.q, conjugate(f.q));
       omega = rotate(E, solve_symmetric(trace - W_d, -W_o, rotate(conjugate(E), spin)));
-      q = dvec4(at.q);
+      q = at.q;
     }
     uint contact, back;
     const uint other = partner(i, contact);
@@ -53,28 +53,29 @@ void main() {
       at = m.at;
       v = m.v;
       omega = m.omega;
-      q = dvec4(at.q);
+      q = at.q;
     }
-    q = product_d(unit_d(q), pose[i].q);
+    outcome[i] = Outcome(at.u, q, real4(v, 0), real4(omega, 0));
+    const dvec4 turned = turned_pose(pose[i].q, q);
     const dvec3 c = pose[i].c.xyz + dvec3(at.u.xyz);
-    const real3 in_body = rotate(real4(conjugate_d(unit_d(q))), omega);
+    const real3 in_body = rotate(real4(conjugate_d(turned)), omega);
     const real3 moments = real3(k.J[0] + k.J[1] + k.J[2]) - real3(k.J[0], k.J[1], k.J[2]);
     const real3 L = times_symmetric(moments, -real3(k.J[3], k.J[4], k.J[5]), in_body);
     const dvec3 g = dvec3(params.gravity[0], params.gravity[1], params.gravity[2]);
     total[t].x = k.mass * double(dot(v, v)) / 2 + double(dot(in_body, L)) / 2;
     total[t].y = -k.mass * dot(g, c);
-    const double all_ = dot(c, c) + dot(q, q) + double(dot(v, v) + dot(omega, omega));
+    const double all_ = dot(c, c) + dot(turned, turned) + double(dot(v, v) + dot(omega, omega));
     const bool finite = !isnan(all_) && !isinf(all_) && all_ < 1e30lf;
     const bool touched = end_first[i + 1u] > end_first[i];
     if (touched) {
       total[t].z = total[t].x - flown;
+      const dvec3 start_v = dvec3(motion[i].v.xyz), flown_v = dvec3(f.v.xyz);
+      total[t].w = k.mass * (dot(flown_v, flown_v) - dot(start_v, start_v)) / 2 - k.mass * dot(g, dvec3(at.u.xyz));
+      atomicAdd(counters.touched, 1u);
+      if (!(last_step[2u * i + 1u].w <= UNSOLVED)) atomicAdd(counters.unsolved, 1u);
       tell_runaway(pose[i].c.xyz, k, total[t].x, flown);
     }
     if (!finite || (touched && (is_lost(c) || is_lost(params.h * dvec3(v))))) atomicAdd(counters.bad, 1u);
-    pose[i].c.xyz = c;
-    pose[i].q = unit_d(q);
-    motion[i].v = real4(v, 0);
-    motion[i].omega = real4(omega, 0);
   }
   barrier();
   for (uint reach = GROUP / 2u; reach > 0u; reach /= 2u) {

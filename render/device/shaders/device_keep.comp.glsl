@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What pairs of bodies remember: who slides, who still comes apart (sim/solver/friction.cpp, recovery.cpp). A thread a
-// pair, and one a body for the lists. To be run after device_tell.
+// What is remembered of a step that counts. To be run after device_total.
+//   CONTACTS   how far friction is stretched, and where it was found: a thread a contact
+//   else       who slides, who still comes apart (sim/solver/friction.cpp, recovery.cpp): a thread a pair, and one a body
+//              for the lists
+#ifdef CONTACTS
+void main() {
+  const uint k = gl_GlobalInvocationID.x;
+  if (k >= counters.contacts || counters.overflow != 0u) return;
+  const Contact c = contacts[k];
+  kept_stretch[k] = real4(c.before.xyz, grips[k].x > 0 ? 1 : 0);
+  kept_feature[k] = c.id.z;
+  kept_geometry[k] = raw_geometry[c.id.w];
+}
+#else
 void main() {
   const uint p = gl_GlobalInvocationID.x;
   if (counters.overflow != 0u) return;
@@ -23,3 +35,4 @@ void main() {
   pair.count = count | ((slides ? SLIDES : 0u) | (recovered && goes_on ? RECOVERS : 0u)) << 16;
   kept_pairs[p] = pair;
 }
+#endif

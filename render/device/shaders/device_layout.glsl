@@ -44,6 +44,10 @@ struct Flight {
 struct Place {
   real4 u, q;  // u.w: mass, 0 for who does not move
 };
+// Where a body is when the step is done, and how it moves.
+struct Outcome {
+  real4 u, q, v, omega;
+};
 // A candidate: bodies whose bounds meet. `emitter` lists it.
 struct Pair {
   uint emitter, other;
@@ -82,13 +86,15 @@ struct ContactTold {
 struct StepParams {
   double gravity[3];
   double least_load;   // of a contact that counts as loaded, N; the same of a kilogram
+  double weight_per_mass;
   double least_share, h, d_hat, kappa, k_t, mu_static, mu_dynamic, onset, recovery_speed, cell;
   int N, barrier, first_step, color_limit;
   uint bodies, buckets, planes, skips;
   uint pair_room, contact_room;
   int friction_rule;  // GEOMETRIC_MEAN …; -1: no body has friction of its own
   uint groups;        // 1: some keep bodies apart
-  uint shares, pad_;  // a bit each: those that are dispatched
+  uint shares;  // a bit each: those that are dispatched
+  uint halves;  // 1: a step that ends unsolved is not made
 };
 // Barriers and shapes have the numbers of BarrierKind and DeviceShape: BARRIER_even, FORM_BOX, … are macros.
 
@@ -115,12 +121,15 @@ struct Counters {
   uint friction_excess, friction_error;  // floats, ordered
   uint bad;  // bodies that left the numbers
   uint kept;  // pairs whose contacts were kept
+  // Of a step at the iteration limit: bodies in touch, those whose last move was too long, contacts whose friction is off.
+  uint touched, unsolved, unsettled_contacts, pad_;
   uint touch_size[TWO_KINDS], touch_first[TWO_KINDS], touch_next[TWO_KINDS];  // pairs of two kinds, SHAPE_KINDS i + j
   // Of bodies in touch, to tell a step that ran away (sim/solver/runaway.h). Where they started: the largest of the
   // inverted lowest corner, then of the highest; floats, ordered. Widest opening; largest speed² of one that gained: 2K/m
   uint width[6];
   uint opening, fastest;
   double gained;  // kinetic energy beside that of free flight
+  double stored, rise;  // elastic where the step starts, and how much more it is in the end (sim/solver/energy_bound.h)
   double kinetic, potential, elastic;
 };
 // Arguments of an indirect dispatch of that many work groups, for n things. OpenGL grants 65535 in a row: more make rows.
@@ -133,7 +142,8 @@ uint work_group() {
 }
 
 const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u, TOO_FEW_ROUNDS = 8u,
-           SHARE_UNEXPECTED = 16u;  // shifted by the share
+           SHARE_UNEXPECTED = 16u,  // shifted by the share
+           ENDED_UNSOLVED = 128u;
 
 // A float as bits that are in the order of the values.
 uint ordered(float x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The contacts at the end of the step for whoever asks, in double and world axes: a thread a contact. To be run before
-// the poses move on.
+// device_tell.
 
 // b's surface point, world. Between flat bodies friction acts beside it.
 dvec3 surface_of_b(Contact c, dvec3 acts) {

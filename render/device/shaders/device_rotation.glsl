@@ -29,6 +29,10 @@ real4 conjugate(real4 q) {
 dvec4 product_d(dvec4 p, dvec4 q) {
   return dvec4(p.w * q.xyz + q.w * p.xyz + cross(p.xyz, q.xyz), p.w * q.w - dot(p.xyz, q.xyz));
 }
+// Of a body that turned by q.
+dvec4 turned_pose(dvec4 pose, real4 q) {
+  return unit_d(product_d(unit_d(dvec4(q)), pose));
+}
 dmat3 matrix_of(dvec4 q) {
   const double x = q.x, y = q.y, z = q.z, w = q.w;
   return dmat3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),  //

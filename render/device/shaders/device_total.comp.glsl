@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The work groups' sums, added in order by one work group. BODIES: kinetic and potential energy; CONTACTS: elastic.
+// The work groups' sums, added in order by one work group. CONTACTS: elastic energy; BODIES, after it: kinetic and
+// potential energy, and whether the step counts.
 uniform uint count;
 shared dvec4 total[GROUP];
 
@@ -18,7 +19,12 @@ void main() {
   counters.kinetic = total[0].x;
   counters.potential = total[0].y;
   counters.gained = total[0].z;
+  counters.rise += total[0].z + total[0].w;
+  if (ran_away()) ++counters.bad;
+  if (params.halves != 0u && ends_unsolved()) counters.overflow |= ENDED_UNSOLVED;
 #else
   counters.elastic = total[0].x;
+  counters.stored = total[0].y;
+  counters.rise = total[0].z;
 #endif
 }
