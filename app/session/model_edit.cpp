@@ -272,6 +272,7 @@ void set_axes(const Vec3& normal, AddJoint& joint) {
 }
 
 void apply_edit(const ModelEdit& edit, const BondLaw& joint_law, Model& model, State& state) {
+  state.change.clear();  // what changes is not smooth
   std::visit([&](const auto& e) { carry_out(e, joint_law, model, state); }, edit);
 }
 

@@ -35,6 +35,9 @@ void write_state(const State& s, ByteWriter& out) {
   }
   out.u32(s.joint_force.size());
   for (const Vec3& force : s.joint_force) out.matrix(force);
+  out.u32(s.change.size());
+  for (const StepChange& change : s.change)
+    for (const double x : numbers_of(change)) out.number(x);
 }
 
 // Every number of the step, and of the times what plots show: a report that is read has detect and set_up as one.
@@ -78,6 +81,13 @@ State read_state(ByteReader& in, Index bodies) {
   }
   s.joint_force.resize(in.count(sizeof(Vec3)));
   for (Vec3& force : s.joint_force) in.matrix(force);
+  s.change.resize(in.count(sizeof(StepChange)));
+  in.require(s.change.empty() || s.change.size() == n, "a state remembers other bodies than it has");
+  for (StepChange& change : s.change) {
+    std::array<double, 13> numbers;
+    for (double& x : numbers) x = in.finite();
+    change = step_change(numbers);
+  }
   return s;
 }
 

@@ -19,7 +19,8 @@ constexpr double kNewestPart = 0.25;  // of the budget, for the newest of a devi
 
 std::size_t state_bytes(const State& state) {
   return sizeof(State) + state.c.size() * (3 * sizeof(Vec3) + sizeof(Mat3)) +
-         state.contacts.size() * sizeof(ContactMemory) + state.joint_force.size() * sizeof(Vec3);
+         state.contacts.size() * sizeof(ContactMemory) + state.joint_force.size() * sizeof(Vec3) +
+         state.change.size() * sizeof(StepChange);
 }
 
 double largest_distance(const State& a, const State& b) {

@@ -28,13 +28,33 @@ bool same_memory(const ContactMemory& a, const ContactMemory& b) {
          recovers == b.recovers && sliding == b.sliding && restless == b.restless;
 }
 
+bool same_change(const StepChange& a, const StepChange& b) {
+  const auto x = numbers_of(a), y = numbers_of(b);
+  return std::equal(x.begin(), x.end(), y.begin(), same);
+}
+
 }  // namespace
 
+std::array<double, 13> numbers_of(const StepChange& change) {
+  const auto& [h, place, velocity, turn, spin] = change;
+  std::array<double, 13> out{h};
+  std::size_t k = 1;
+  for (const Vec3* x : {&place, &velocity, &turn, &spin})
+    for (int axis = 0; axis < 3; ++axis) out[k++] = (*x)[axis];
+  return out;
+}
+
+StepChange step_change(const std::array<double, 13>& numbers) {
+  const auto vector = [&](std::size_t k) { return Vec3(numbers[k], numbers[k + 1], numbers[k + 2]); };
+  return {numbers[0], vector(1), vector(4), vector(7), vector(10)};
+}
+
 bool same_bits(const State& a, const State& b) {
-  const auto& [time, step, c, R, v, omega, contacts, joint_force] = a;
+  const auto& [time, step, c, R, v, omega, contacts, joint_force, change] = a;
   return same(time, b.time) && step == b.step && same_list(c, b.c) && same_list(R, b.R) &&
          same_list(v, b.v) && same_list(omega, b.omega) && same_list(joint_force, b.joint_force) &&
-         std::equal(contacts.begin(), contacts.end(), b.contacts.begin(), b.contacts.end(), same_memory);
+         std::equal(contacts.begin(), contacts.end(), b.contacts.begin(), b.contacts.end(), same_memory) &&
+         std::equal(change.begin(), change.end(), b.change.begin(), b.change.end(), same_change);
 }
 
 }  // namespace pabd

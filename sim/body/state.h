@@ -3,6 +3,7 @@
 // contacts.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "sim/math/types.h"
@@ -38,6 +39,17 @@ inline void set_flags(unsigned flags, ContactMemory& contact) {
   contact.restless = (flags & 4) != 0;
 }
 
+// What a step added to the free flight of a body (solver/second_order.h).
+struct StepChange {
+  double h = 0;                                        // of that step; s. 0: nothing is known
+  Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();  // m, m/s
+  Vec3 turn = Vec3::Zero(), spin = Vec3::Zero();       // rad, kg m²/s
+};
+
+// Its numbers, for files: h, then the vectors in their order.
+std::array<double, 13> numbers_of(const StepChange& change);
+StepChange step_change(const std::array<double, 13>& numbers);
+
 // Where all bodies are, how they move, and what a step remembers of the one before.
 struct State {
   double time = 0;                      // s
@@ -49,6 +61,7 @@ struct State {
   std::vector<ContactMemory> contacts;  // sorted by (pair, feature)
   std::vector<Vec3> joint_force;        // of each joint on its body j in the last step; N. Empty before the
                                         // first step; zero where the solver does not know it
+  std::vector<StepChange> change;       // one a body; empty where steps are not of second order
 
   Index size() const { return static_cast<Index>(c.size()); }
 };

@@ -101,6 +101,7 @@ void fly(const Model& model, const Params& params, const State& state, const Wor
   out.star.resize(state.c.size());
   out.radius.resize(state.c.size());
   out.turn.assign(state.c.size(), Vec3::Zero());
+  out.h.assign(state.c.size(), params.h);
   out.v = state.v;
   out.omega = state.omega;
   workers.for_each(model.shape.size(), [&](std::size_t i) {

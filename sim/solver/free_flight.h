@@ -23,6 +23,7 @@ struct Flight {
   std::vector<Vec3> v, omega;  // at its end; m/s, rad/s
   std::vector<Vec3> turn;      // rotation vectors, of any length; rad
   std::vector<double> radius;  // bounding radii; m
+  std::vector<double> h;       // of E and of the velocities that follow from it (second_order.h); s
 };
 void fly(const Model& model, const Params& params, const State& state, const Workers& workers, Flight& out);
 

@@ -175,6 +175,9 @@ void take_part(const ModelPart& part, const State& whole, State& out) {
     out.contacts.push_back(contact);
     out.contacts.back().pair = pair_of(part.place[a], part.place[b]);
   }
+  out.change.resize(whole.change.empty() ? 0 : n);
+  for (std::size_t k = 0; k < out.change.size(); ++k)
+    out.change[k] = whole.change[static_cast<std::size_t>(part.bodies[k])];
   out.joint_force.resize(whole.joint_force.empty() ? 0 : part.joints.size());
   for (std::size_t k = 0; k < out.joint_force.size(); ++k)
     out.joint_force[k] = whole.joint_force[static_cast<std::size_t>(part.joints[k])];
@@ -190,6 +193,7 @@ void put_part(const ModelPart& part, const State& state, State& whole) {
     whole.R[i] = state.R[k];
     whole.v[i] = state.v[k];
     whole.omega[i] = state.omega[k];
+    if (!whole.change.empty()) whole.change[i] = state.change.empty() ? StepChange{} : state.change[k];
   }
   std::erase_if(whole.contacts, [&](const ContactMemory& contact) { return belongs(part, contact.pair); });
   for (const ContactMemory& contact : state.contacts) {

@@ -52,21 +52,35 @@ Mat3 world_inertia(const Model& model, const Mat3& R, Index i) {
   return R * inertia_tensor(model.J[i]) * R.transpose();
 }
 
-// P and L of free flight about the common centre of the predicted poses.
+// P and L of free flight about the common centre of the predicted poses; L in a step of second order about the centre of
+// mass, whose way is another one.
 void find_targets(const Problem& p, FreeGroups& g) {
   const Model& model = *p.model;
   const Flight& flight = *p.flight;
   for (const auto& [i, k] : g.bodies) {
     g.group[k].mass += model.mass[i];
     g.group[k].origin += model.mass[i] * flight.star[i].c;
+    g.group[k].start += model.mass[i] * p.start->c[i];
+    g.group[k].h = flight.h[i];
   }
-  for (FreeGroup& group : g.group) group.origin /= group.mass;
+  for (FreeGroup& group : g.group) {
+    group.origin /= group.mass;
+    group.start /= group.mass;
+    group.about_centre = group.h != p.params->h;
+  }
   for (const auto& [i, k] : g.bodies) {
     FreeGroup& group = g.group[k];
+    const Vec3 &c = p.start->c[i], &v = p.start->v[i];
+    if (group.about_centre) {
+      group.P += model.mass[i] * (v + p.params->h * p.params->gravity);
+      group.L += (c - group.start).cross(model.mass[i] * v) +
+                 world_inertia(model, p.start->R[i], i) * p.start->omega[i];
+      continue;
+    }
     const Vec3 momentum = model.mass[i] * flight.v[i];
     group.P += momentum;
-    group.L += (p.start->c[i] - group.origin).cross(momentum) +
-               world_inertia(model, flight.star[i].R, i) * flight.omega[i];
+    group.L +=
+        (c - group.origin).cross(momentum) + world_inertia(model, flight.star[i].R, i) * flight.omega[i];
   }
 }
 
@@ -89,6 +103,8 @@ void find_missing(const Model& model, const Iterate& it, const MomentumOf& momen
   }
   for (const auto& [i, k] : g.bodies)
     g.group[k].centre += (model.mass[i] / g.group[k].mass) * (it.pose[i].c - g.group[k].origin);
+  for (FreeGroup& group : g.group)
+    if (group.about_centre) group.missing_L += group.centre.cross(group.P);
   for (const auto& [i, k] : g.bodies) {
     FreeGroup& group = g.group[k];
     const auto [momentum, spin] = momentum_of(i);
@@ -130,16 +146,16 @@ void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
   if (g.group.empty() || is_feasible_only(p.law.barrier.kind)) return;
   const Model& model = *p.model;
   const Flight& flight = *p.flight;
-  const double h = p.params->h;
   const auto momentum_of = [&](Index i) {
     const Pose& star = flight.star[i];
+    const double h = flight.h[i];
     const Vec3 spin = world_inertia(model, star.R, i) * flight.omega[i] -
                       axial(star.R * model.J[i] * it.pose[i].R.transpose()) / h;
     return std::pair<Vec3, Vec3>(model.mass[i] * (flight.v[i] + (it.pose[i].c - star.c) / h), spin);
   };
   find_missing(model, it, momentum_of, g);
   for (FreeGroup& group : g.group) {
-    const Vec3 turn = h * group.omega;
+    const Vec3 turn = group.h * group.omega;
     const double angle = turn.norm();
     group.turn = cayley(angle > 1 ? Vec3(turn / angle) : turn);
   }
@@ -151,7 +167,7 @@ void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
       pose = flight.star[i];
     } else {
       const Vec3 centre = group.origin + group.centre;
-      pose.c = centre + h * group.v + group.turn * (pose.c - centre);
+      pose.c = centre + group.h * group.v + group.turn * (pose.c - centre);
       pose.R = group.turn * pose.R;
     }
     set_roll(p, i, pose.R, it);

@@ -22,11 +22,13 @@ namespace pabd {
 struct FreeGroup {
   Index count = 0;
   double mass = 0;
+  double h = 0;                             // Flight::h of its bodies; s
   Vec3 origin = Vec3::Zero();               // of moments; world, m
   Vec3 P = Vec3::Zero(), L = Vec3::Zero();  // what its momentum should be
   Vec3 missing_P, missing_L;                // of that
   Vec3 centre;                              // of mass, from the origin; m
-  Vec3 start;                               // of mass where the step starts; world, m
+  Vec3 start = Vec3::Zero();                // of mass where the step starts; world, m
+  bool about_centre = false;                // L is, in a step of second order (second_order.h)
   Mat3 I;                                   // about it; kg m²
   Vec3 v, omega;                            // rigid motion that is missing, or that carries P and L
   Mat3 turn;                                // its rotation in a step

@@ -50,6 +50,11 @@ std::span<const ParameterChoice> choices(Projection) {
   static const auto all = named({automatic, polar, weighted, tangent});
   return all;
 }
+std::span<const ParameterChoice> choices(Integrator) {
+  using enum Integrator;
+  static const auto all = named({euler, bdf2});
+  return all;
+}
 std::span<const ParameterChoice> choices(SolverDevice) {
   using enum SolverDevice;
   static const auto all = named({cpu, gpu, automatic});

@@ -54,11 +54,19 @@ constexpr ParameterRow kRows[] = {
     {.key = "solver.halvings",
      .label = "halvings",
      .help = "A step that ends unsolved, or would make energy, is made again as two halves, so many times at "
-             "most; only the bodies that hang together with what is unsolved. Not where there is one "
-             "iteration, not for sissm, and not on a GPU. 0: never",
+             "most; only the bodies that hang together with what is unsolved, on a GPU all. Not where "
+             "there is one iteration, and not for sissm. 0: never",
      .member = &SolverParams::halvings,
      .range = {0, 8},
      .slider_hi = 8,
+     .hashed_default = false},
+    {.key = "solver.integrator",
+     .label = "integrator",
+     .help =
+         "euler: implicit Euler, the paper's, which damps what swings. bdf2: of second order for what flies "
+         "and for joints without limits, drives, motors, dampers or friction, as long as nothing is "
+         "within reach of a contact; else Euler. Not for sissm, and not on a GPU",
+     .member = &SolverParams::integrator,
      .hashed_default = false},
     {.key = "solver.relaxation",
      .label = "relaxation",

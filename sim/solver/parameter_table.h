@@ -20,12 +20,12 @@ namespace pabd {
 
 // A value is of the type of its member. An empty optional is "auto".
 using ParameterValue = std::variant<double, int, bool, Vec3, std::optional<double>, SolverMethod, Projection,
-                                    SolverDevice, BarrierKind, FrictionRule>;
+                                    Integrator, SolverDevice, BarrierKind, FrictionRule>;
 
 template <class... Types>
 using MemberOfParams = std::variant<Types Params::*..., Types SolverParams::*..., Types ContactParams::*...>;
 using ParameterMember = MemberOfParams<double, int, bool, Vec3, std::optional<double>, SolverMethod,
-                                       Projection, SolverDevice, BarrierKind, FrictionRule>;
+                                       Projection, Integrator, SolverDevice, BarrierKind, FrictionRule>;
 
 enum class ParameterScale : std::uint8_t { linear, log };
 enum class ParameterKind : std::uint8_t { real, whole, flag, choice, vector };

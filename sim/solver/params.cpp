@@ -83,6 +83,16 @@ const char* to_string(Projection projection) {
   return "?";
 }
 
+const char* to_string(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::euler:
+      return "euler";
+    case Integrator::bdf2:
+      return "bdf2";
+  }
+  return "?";
+}
+
 const char* to_string(SolverDevice device) {
   switch (device) {
     case SolverDevice::cpu:

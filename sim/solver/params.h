@@ -26,11 +26,15 @@ enum class Projection : std::uint8_t { automatic, polar, weighted, tangent };
 // look at it. automatic: a GPU for scenes that it takes and that are large enough for it, else the processor.
 enum class SolverDevice : std::uint8_t { cpu, gpu, automatic };
 
+// euler: implicit Euler, the paper's. bdf2: of second order where motion is smooth (second_order.h).
+enum class Integrator : std::uint8_t { euler, bdf2 };
+
 struct SolverParams {
   SolverMethod method = SolverMethod::automatic;
   int iterations = 20;      // cap per step
   double tolerance = 1e-6;  // relative step at which the solve stops early; 0: never
   int halvings = 4;  // how often a step that ends unsolved is made again in halves (halving.h); 0: never
+  Integrator integrator = Integrator::euler;
   double relaxation = 0.5;  // of the Jacobi step of sissm
   Projection projection = Projection::automatic;
   SolverDevice device = SolverDevice::cpu;
@@ -73,6 +77,7 @@ std::optional<ParamError> check_params(const Params& params);
 
 const char* to_string(SolverMethod method);  // "sissm", "descent", "newton", "auto"
 const char* to_string(Projection projection);
+const char* to_string(Integrator integrator);
 const char* to_string(SolverDevice device);  // "cpu", "gpu", "auto"
 
 }  // namespace pabd

@@ -99,7 +99,8 @@ struct Problem {
   Pose start_pose(Index i) const { return {start->c[i], start->R[i]}; }
 
   Inertia inertia(Index i) const {
-    return {model->mass[i], model->J[i], flight->star[i], 1 / (params->h * params->h)};
+    const double h = flight->h[i];
+    return {model->mass[i], model->J[i], flight->star[i], 1 / (h * h)};
   }
 
   // Laws of a contact manifold and of a joint in this step: `sissm` caps their stiffness.

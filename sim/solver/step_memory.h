@@ -9,6 +9,7 @@
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/energy_bound.h"
 #include "sim/solver/momentum.h"
+#include "sim/solver/second_order.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/time_step.h"
 
@@ -18,6 +19,7 @@ class Halves;
 
 struct StepMemory {
   Flight flight;
+  SecondOrder second_order;
   Detection detection;
   std::vector<Joint> pulls;
   Problem problem;

@@ -78,6 +78,7 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
     split_into_islands(p, m.iterate, m.islands);
     color_bodies(p, m.islands);
   }
+  if (has_second_order(p.params->solver)) predict(p, m.islands, m.flight, m.second_order);
   first_iterate(p, m.iterate);
   report.capped_bonds = cap_stiffness(p, m.iterate);
   start_actions(p, m.iterate);
@@ -107,6 +108,8 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
       if (!halves) return false;
     } else if (bounds) {
       const bool solved = outcome.status == StepStatus::converged;
+      // Of second order it goes up and down, by itself.
+      if (solved && m.flight.h[island.bodies.front()] != p.params->h) continue;
       m.balance[k] = energy_balance(p, island, solved, workers, m.velocities, m.energy, m.iterate);
     }
     if (outcome.status == StepStatus::iteration_limit && p.friction)
@@ -147,6 +150,11 @@ void leave_out_again(const Problem& p, StepMemory& m) {
 }
 
 void take_over(const Problem& p, StepMemory& m, State& state) {
+  if (has_second_order(p.params->solver)) {
+    remember(p, m.islands, m.second_order, m.iterate, m.velocities, state.change);
+  } else {
+    state.change.clear();
+  }
   finish_recovery(p, m.iterate);
   for (std::size_t i = 0; i < state.c.size(); ++i) {
     state.c[i] = m.iterate.pose[i].c;

@@ -10,7 +10,6 @@ namespace pabd {
 
 void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velocities& out) {
   const Model& model = *p.model;
-  const double h = p.params->h;
   out.v = p.flight->v;
   out.omega = p.flight->omega;
   for (const Index i : islands.solved) {
@@ -18,6 +17,7 @@ void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velo
     Pose& pose = it.pose[i];
     if (pose.c == star.c && pose.R == star.R) continue;  // flew freely
     pose.R = reorthonormalized(pose.R);
+    const double h = p.flight->h[i];
     out.v[i] += (pose.c - star.c) / h;
     const Mat3 I = inertia_tensor(model.J[i]);
     const Vec3 spin = star.R * (I * (star.R.transpose() * out.omega[i])) -

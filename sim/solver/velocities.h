@@ -11,7 +11,7 @@ struct Velocities {
   std::vector<Vec3> v, omega;  // m/s, rad/s; world
 };
 
-// v ← v + (c − c*)/h. The spin gets the angular impulse that the minimiser of E implies, −axial(R* J Rᵀ)/h,
+// v ← v + (c − c*)/h, h that of Flight. The spin gets the angular impulse that the minimiser of E implies, −axial(R* J Rᵀ)/h,
 // which is I log(R R*ᵀ)/h to first order and exactly the contacts' r × f h (Deviation D8). Rotations of the
 // iterate are made orthonormal to rounding.
 void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velocities& out);

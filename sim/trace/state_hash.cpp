@@ -33,6 +33,8 @@ std::string state_hash(const State& state) {
     hash.add_word(flags_of(contact));
   }
   for (const Vec3& force : state.joint_force) add(hash, force);
+  for (const StepChange& change : state.change)
+    for (const double x : numbers_of(change)) hash.add_number(x);
   return hash.hex();
 }
 

@@ -18,8 +18,9 @@ namespace pabd {
 namespace {
 
 using Key = std::string_view;
-constexpr std::array kStateKeys{Key("format"), Key("version"), Key("time"),    Key("step"),
-                                Key("hash"),   Key("bodies"),  Key("anchors"), Key("joint_forces")};
+constexpr std::array kStateKeys{Key("format"),  Key("version"),      Key("time"),
+                                Key("step"),    Key("hash"),         Key("bodies"),
+                                Key("anchors"), Key("joint_forces"), Key("changes")};
 constexpr std::array kBodyKeys{Key("name"),     Key("position"),         Key("orientation"), Key("rotation"),
                                Key("velocity"), Key("angular_velocity"), Key("omega")};
 
@@ -71,6 +72,17 @@ void read_body(const Node& node, const Model& model, std::size_t i, State& state
   }
 }
 
+void read_changes(const Node& list, std::size_t count, std::vector<StepChange>& out) {
+  if (list.array_size() != count)
+    list.fail(fmt::format("expected one a body, {}, got {}", count, list.array_size()));
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<double, 13> numbers{};
+    list.element(i).numbers(numbers, kAny);
+    if (numbers[0] < 0) list.element(i).fail_expected("13 numbers, the first of them a time step");
+    out.push_back(step_change(numbers));
+  }
+}
+
 }  // namespace
 
 // Generous: a body takes about 700 bytes and 35 values, a contact 130 and 10.
@@ -108,6 +120,8 @@ State state_from_json(const Model& model, const std::string& text, const std::st
 
   if (const auto forces = in.find("joint_forces"))
     read_joint_forces(*forces, model.joints.size(), state.joint_force);
+
+  if (const auto changes = in.find("changes")) read_changes(*changes, count, state.change);
 
   if (const auto hash = in.find("hash")) {
     const std::string expected = state_hash(state);

@@ -46,6 +46,15 @@ class StateWriter {
       }
       text("\n  ]");
     }
+    if (!state.change.empty()) {
+      text(",\n  \"changes\": [");
+      for (std::size_t i = 0; i < state.change.size(); ++i) {
+        text(i == 0 ? "\n    " : ",\n    ");
+        const std::array<double, 13> change = numbers_of(state.change[i]);
+        numbers(Eigen::Map<const Eigen::Matrix<double, 13, 1>>(change.data()));
+      }
+      text("\n  ]");
+    }
     text("\n}\n");
     return fmt::to_string(out_);
   }

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// See second_order.h.
+#include "sim/solver/second_order.h"
+
+#include <algorithm>
+
+#include "sim/body/mass_properties.h"
+#include "sim/math/so3.h"
+#include "sim/math/symmetric3.h"
+
+namespace pabd {
+namespace {
+
+bool is_smooth(const Joint& joint) {
+  const bool acts =
+      joint.action && (joint.action->motor || joint.action->damping > 0 || joint.action->friction > 0);
+  return !acts && !joint.limits && !joint.twist_limits && !joint.drive && !joint.turn;
+}
+
+// Does nothing break in on the island, so that what it remembers is worth something?
+bool is_smooth(const Problem& p, const Island& island) {
+  return island.manifolds.empty() && std::all_of(island.joints.begin(), island.joints.end(), [&](Index k) {
+           return static_cast<std::size_t>(k) < p.joints.model.size() && is_smooth(p.joints[k]);
+         });
+}
+
+Mat3 turned(const Mat3& R, const Mat3& tensor) { return R * tensor * R.transpose(); }
+
+// Of body i from where its step started; kg m²/s.
+Vec3 spin_at_start(const Problem& p, Index i) {
+  return turned(p.start->R[i], inertia_tensor(p.model->J[i])) * p.start->omega[i];
+}
+
+void predict_body(const Problem& p, Index i, Flight& flight, const Mat3& R_f) {
+  const StepChange& last = p.start->change[i];
+  const Vec3 &v = p.start->v[i], &g = p.params->gravity;
+  const Mat3 I = inertia_tensor(p.model->J[i]), inverse = symmetric_inverse(I);
+  const double h = p.params->h, short_h = 2 * h / 3;
+  Pose& star = flight.star[i];
+  star.c = p.start->c[i] + h * v + last.place / 3 - h / 9 * last.velocity + short_h * short_h * g;
+  flight.v[i] = v + last.velocity / 3 + short_h * g;
+  flight.h[i] = short_h;
+  if (last.turn.isZero(0) && last.spin.isZero(0)) return;  // free rotation is exact
+  star.R = reorthonormalized(exp_so3(last.turn / 3 - h / 9 * (turned(R_f, inverse) * last.spin)) * R_f);
+  flight.omega[i] = turned(star.R, inverse) * (spin_at_start(p, i) + last.spin / 3);
+}
+
+}  // namespace
+
+void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory) {
+  const std::size_t n = p.model->shape.size();
+  memory.smooth.assign(n, 0);
+  memory.R_f.resize(n);
+  for (std::size_t i = 0; i < n; ++i) memory.R_f[i] = flight.star[i].R;
+  if (p.start->change.size() != n) return;
+  const auto knows = [&](Index i) { return p.start->change[i].h == p.params->h; };
+  for (Index i = 0; i < p.model->size(); ++i)
+    memory.smooth[i] = p.movable(i) && (islands.of.empty() || islands.of[i] < 0) && knows(i);
+  for (const Island& island : islands.list) {
+    if (!is_smooth(p, island) || !std::all_of(island.bodies.begin(), island.bodies.end(), knows)) continue;
+    for (const Index i : island.bodies) memory.smooth[i] = 1;
+  }
+  for (Index i = 0; i < p.model->size(); ++i)
+    if (memory.smooth[i]) predict_body(p, i, flight, memory.R_f[i]);
+}
+
+void remember(const Problem& p, const Islands& islands, const SecondOrder& memory, const Iterate& it,
+              const Velocities& velocities, std::vector<StepChange>& out) {
+  const double h = p.params->h;
+  out.assign(p.model->shape.size(), {});
+  const auto keep = [&](Index i) {
+    const Pose& end = it.pose[i];
+    StepChange& now = out[i];
+    now.h = h;
+    now.place = end.c - (p.start->c[i] + h * p.start->v[i]);
+    now.velocity = velocities.v[i] - p.start->v[i];
+    if (end.R == memory.R_f[i]) return;
+    now.turn = turn_between(memory.R_f[i], end.R);
+    now.spin = turned(end.R, inertia_tensor(p.model->J[i])) * velocities.omega[i] - spin_at_start(p, i);
+  };
+  for (Index i = 0; i < p.model->size(); ++i)
+    if (p.movable(i) && (islands.of.empty() || islands.of[i] < 0)) keep(i);
+  for (const Island& island : islands.list)
+    if (is_smooth(p, island)) std::for_each(island.bodies.begin(), island.bodies.end(), keep);
+}
+
+}  // namespace pabd

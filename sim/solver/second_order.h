@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Second order at the price of one solve (Deviation D28): BDF2, (3q⁺ − 4q + q⁻)/2h = v⁺ and the same of v, is an Euler
+// step of h′ = 2h/3 from another start. Said as what a step adds to free flight it leaves free flight exact, and needs of
+// the step before only what that one added (StepChange):
+//
+//   c_f = c + h v,   R_f = R after free rotation by h                           without forces
+//   ĉ = c_f + δ/3 − h Δ/9 + h′² g,   R̂ = exp(θ/3 − h I⁻¹ Λ/9) R_f              the predicted pose of E, with h′ for h
+//   v⁺ = v + Δ/3 + h′ (g + f/m),   L⁺ = L + Λ/3 + h′ τ                          f, τ: forces at the end of the step
+//   δ⁺ = c⁺ − c_f,   Δ⁺ = v⁺ − v,   θ⁺ = log(R⁺ R_fᵀ),   Λ⁺ = L⁺ − L
+//
+// With constant weight δ goes to g h²/2 and Δ to g h: a parabola. What is not smooth must not be seen through that memory
+// (a ball that stops would get half its speed back): an island with a contact within reach, a limit, drive, motor, damper or
+// friction of a joint, or a hand, makes an implicit Euler step and remembers nothing, and so do halves (halving.h). The
+// first step after such a one is Euler's as well. Nothing is decided by a threshold.
+#pragma once
+
+#include <vector>
+
+#include "sim/solver/velocities.h"
+
+namespace pabd {
+
+// May steps with these parameters be of second order?
+inline bool has_second_order(const SolverParams& solver) {
+  return solver.integrator == Integrator::bdf2 && solver.method != SolverMethod::sissm;
+}
+
+// Where free rotation ends, and which bodies make a step of second order; one entry each.
+struct SecondOrder {
+  std::vector<Mat3> R_f;
+  std::vector<std::uint8_t> smooth;
+};
+
+// Predicted poses and velocities of bodies whose step is of second order, in place of those of free flight by Euler, and
+// Flight::h of them. Precondition: islands are known.
+void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory);
+
+// What the step added to the free flight of each body, for the next one.
+void remember(const Problem& p, const Islands& islands, const SecondOrder& memory, const Iterate& it,
+              const Velocities& velocities, std::vector<StepChange>& out);
+
+}  // namespace pabd
