@@ -39,7 +39,7 @@ inline void set_flags(unsigned flags, ContactMemory& contact) {
   contact.restless = (flags & 4) != 0;
 }
 
-// What a step added to the free flight of a body (solver/second_order.h).
+// What a step added to the free flight of a body under its weight (solver/second_order.h).
 struct StepChange {
   double h = 0;                                        // of that step; s. 0: nothing is known
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();  // m, m/s

@@ -31,15 +31,14 @@ Vec3 spin_at_start(const Problem& p, Index i) {
   return turned(p.start->R[i], inertia_tensor(p.model->J[i])) * p.start->omega[i];
 }
 
-void predict_body(const Problem& p, Index i, Flight& flight, const Mat3& R_f) {
-  const StepChange& last = p.start->change[i];
+void predict_body(const Problem& p, Index i, const StepChange& last, const Mat3& R_f, Flight& flight) {
   const Vec3 &v = p.start->v[i], &g = p.params->gravity;
   const Mat3 I = inertia_tensor(p.model->J[i]), inverse = symmetric_inverse(I);
-  const double h = p.params->h, short_h = 2 * h / 3;
+  const double h = p.params->h;
   Pose& star = flight.star[i];
-  star.c = p.start->c[i] + h * v + last.place / 3 - h / 9 * last.velocity + short_h * short_h * g;
-  flight.v[i] = v + last.velocity / 3 + short_h * g;
-  flight.h[i] = short_h;
+  star.c = p.start->c[i] + h * (v + 0.5 * h * g) + last.place / 3 - h / 9 * last.velocity;
+  flight.v[i] = v + h * g + last.velocity / 3;
+  flight.h[i] = 2 * h / 3;
   if (last.turn.isZero(0) && last.spin.isZero(0)) return;  // free rotation is exact
   star.R = reorthonormalized(exp_so3(last.turn / 3 - h / 9 * (turned(R_f, inverse) * last.spin)) * R_f);
   flight.omega[i] = turned(star.R, inverse) * (spin_at_start(p, i) + last.spin / 3);
@@ -52,16 +51,15 @@ void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrd
   memory.smooth.assign(n, 0);
   memory.R_f.resize(n);
   for (std::size_t i = 0; i < n; ++i) memory.R_f[i] = flight.star[i].R;
-  if (p.start->change.size() != n) return;
-  const auto knows = [&](Index i) { return p.start->change[i].h == p.params->h; };
-  for (Index i = 0; i < p.model->size(); ++i)
-    memory.smooth[i] = p.movable(i) && (islands.of.empty() || islands.of[i] < 0) && knows(i);
+  const auto knows = [&](Index i) { return !p.start->change.empty() && p.start->change[i].h == p.params->h; };
+  for (Index i = 0; i < p.model->size(); ++i) memory.smooth[i] = p.movable(i) && islands.of[i] < 0;
   for (const Island& island : islands.list) {
     if (!is_smooth(p, island) || !std::all_of(island.bodies.begin(), island.bodies.end(), knows)) continue;
     for (const Index i : island.bodies) memory.smooth[i] = 1;
   }
   for (Index i = 0; i < p.model->size(); ++i)
-    if (memory.smooth[i]) predict_body(p, i, flight, memory.R_f[i]);
+    if (memory.smooth[i])
+      predict_body(p, i, knows(i) ? p.start->change[i] : StepChange{}, memory.R_f[i], flight);
 }
 
 void remember(const Problem& p, const Islands& islands, const SecondOrder& memory, const Iterate& it,
@@ -71,15 +69,14 @@ void remember(const Problem& p, const Islands& islands, const SecondOrder& memor
   const auto keep = [&](Index i) {
     const Pose& end = it.pose[i];
     StepChange& now = out[i];
+    const Vec3 &v = p.start->v[i], &g = p.params->gravity;
     now.h = h;
-    now.place = end.c - (p.start->c[i] + h * p.start->v[i]);
-    now.velocity = velocities.v[i] - p.start->v[i];
+    now.place = end.c - (p.start->c[i] + h * (v + 0.5 * h * g));
+    now.velocity = velocities.v[i] - (v + h * g);
     if (end.R == memory.R_f[i]) return;
     now.turn = turn_between(memory.R_f[i], end.R);
     now.spin = turned(end.R, inertia_tensor(p.model->J[i])) * velocities.omega[i] - spin_at_start(p, i);
   };
-  for (Index i = 0; i < p.model->size(); ++i)
-    if (p.movable(i) && (islands.of.empty() || islands.of[i] < 0)) keep(i);
   for (const Island& island : islands.list)
     if (is_smooth(p, island)) std::for_each(island.bodies.begin(), island.bodies.end(), keep);
 }

@@ -3,15 +3,15 @@
 // step of h′ = 2h/3 from another start. Said as what a step adds to free flight it leaves free flight exact, and needs of
 // the step before only what that one added (StepChange):
 //
-//   c_f = c + h v,   R_f = R after free rotation by h                           without forces
-//   ĉ = c_f + δ/3 − h Δ/9 + h′² g,   R̂ = exp(θ/3 − h I⁻¹ Λ/9) R_f              the predicted pose of E, with h′ for h
-//   v⁺ = v + Δ/3 + h′ (g + f/m),   L⁺ = L + Λ/3 + h′ τ                          f, τ: forces at the end of the step
-//   δ⁺ = c⁺ − c_f,   Δ⁺ = v⁺ − v,   θ⁺ = log(R⁺ R_fᵀ),   Λ⁺ = L⁺ − L
+//   c_f = c + h v + h² g/2,   v_f = v + h g,   R_f = R after free rotation by h     a parabola
+//   ĉ = c_f + δ/3 − h Δ/9,   R̂ = exp(θ/3 − h I⁻¹ Λ/9) R_f                          the predicted pose of E, with h′ for h
+//   v⁺ = v_f + Δ/3 + h′ f/m,   L⁺ = L + Λ/3 + h′ τ                                  f, τ: forces at the end of the step
+//   δ⁺ = c⁺ − c_f,   Δ⁺ = v⁺ − v_f,   θ⁺ = log(R⁺ R_fᵀ),   Λ⁺ = L⁺ − L
 //
-// With constant weight δ goes to g h²/2 and Δ to g h: a parabola. What is not smooth must not be seen through that memory
-// (a ball that stops would get half its speed back): an island with a contact within reach, a limit, drive, motor, damper or
+// What flies alone has nothing to remember. What is not smooth must not be seen through that memory (a ball that stops
+// would get half its speed back): an island with a contact within reach, a limit, drive, motor, damper or
 // friction of a joint, or a hand, makes an implicit Euler step and remembers nothing, and so do halves (halving.h). The
-// first step after such a one is Euler's as well. Nothing is decided by a threshold.
+// first step of an island after such a one is Euler's as well. Nothing is decided by a threshold.
 #pragma once
 
 #include <vector>

@@ -108,6 +108,20 @@ TEST_CASE("a recording gives the run back, to the last bit, and it goes on as it
         third.timeline().size());
 }
 
+TEST_CASE("a recording takes along what steps of second order remember") {
+  const auto scene = std::make_shared<const Scene>(
+      load_scene(places::scenes() + "/double_pendulum.json", {"solver.integrator=bdf2"}));
+  Run run(scene, 1, kPlenty);
+  for (int i = 0; i < 70; ++i) REQUIRE(run.advance());
+  Run again(scene, 1, decode_recording(encode_recording(run), "r.rec", scene, kPlenty));
+  REQUIRE(again.state().change.size() == static_cast<std::size_t>(scene->model.size()));
+  for (int i = 0; i < 20; ++i) {
+    REQUIRE(run.advance());
+    REQUIRE(again.advance());
+  }
+  CHECK(same_bits(run.state(), again.state()));
+}
+
 TEST_CASE("a run that forgot its beginning can be recorded") {
   const auto scene = two_boxes();
   Run run(scene, 1, 20000);
