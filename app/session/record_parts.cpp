@@ -84,7 +84,7 @@ State read_state(ByteReader& in, Index bodies) {
   s.change.resize(in.count(sizeof(StepChange)));
   in.require(s.change.empty() || s.change.size() == n, "a state remembers other bodies than it has");
   for (StepChange& change : s.change) {
-    std::array<double, 13> numbers;
+    StepChangeNumbers numbers;
     for (double& x : numbers) x = in.finite();
     change = step_change(numbers);
   }

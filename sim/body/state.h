@@ -44,11 +44,13 @@ struct StepChange {
   double h = 0;                                        // of that step; s. 0: nothing is known
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();  // m, m/s
   Vec3 turn = Vec3::Zero(), spin = Vec3::Zero();       // rad, kg m²/s
+  double gained = 0;  // T + U + Ψ of the bodies that hang together with it, since they move by themselves; J
 };
 
-// Its numbers, for files: h, then the vectors in their order.
-std::array<double, 13> numbers_of(const StepChange& change);
-StepChange step_change(const std::array<double, 13>& numbers);
+// Its numbers, for files: h, gained, then the vectors in their order.
+using StepChangeNumbers = std::array<double, 14>;
+StepChangeNumbers numbers_of(const StepChange& change);
+StepChange step_change(const StepChangeNumbers& numbers);
 
 // Where all bodies are, how they move, and what a step remembers of the one before.
 struct State {

@@ -56,6 +56,10 @@ inline constexpr double kRise = 1e-5;
 // that residual (in d̂) leaves open does not: a hundred times as much of Ψ, contacts being pressed in by hundredths of d̂.
 bool gains(const EnergyBalance& energy, double residual);
 
+// The same of a step of second order (second_order.h), whose energy goes up and down by itself: `before`: what it gained since
+// nothing breaks in; J.
+bool gains_in_all(const EnergyBalance& energy, double before);
+
 // Takes `balance.excess()` > 0 out of an island. `unsolved`: its poses may change. Precondition: momentum is balanced, and `groups` has the rigid motions of the
 // iterate (momentum.h).
 void bound_energy(const Problem& p, const Island& island, const Workers& workers,

@@ -193,7 +193,7 @@ void put_part(const ModelPart& part, const State& state, State& whole) {
     whole.R[i] = state.R[k];
     whole.v[i] = state.v[k];
     whole.omega[i] = state.omega[k];
-    if (!whole.change.empty()) whole.change[i] = state.change.empty() ? StepChange{} : state.change[k];
+    if (!whole.change.empty() && !state.change.empty()) whole.change[i] = state.change[k];
   }
   std::erase_if(whole.contacts, [&](const ContactMemory& contact) { return belongs(part, contact.pair); });
   for (const ContactMemory& contact : state.contacts) {

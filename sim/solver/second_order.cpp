@@ -62,8 +62,9 @@ void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrd
       predict_body(p, i, knows(i) ? p.start->change[i] : StepChange{}, memory.R_f[i], flight);
 }
 
-void remember(const Problem& p, const Islands& islands, const SecondOrder& memory, const Iterate& it,
-              const Velocities& velocities, std::vector<StepChange>& out) {
+void remember(const Problem& p, const Islands& islands, const SecondOrder& memory,
+              const std::vector<std::uint8_t>& again, const Iterate& it, const Velocities& velocities,
+              std::vector<StepChange>& out) {
   const double h = p.params->h;
   out.assign(p.model->shape.size(), {});
   const auto keep = [&](Index i) {
@@ -77,8 +78,14 @@ void remember(const Problem& p, const Islands& islands, const SecondOrder& memor
     now.turn = turn_between(memory.R_f[i], end.R);
     now.spin = turned(end.R, inertia_tensor(p.model->J[i])) * velocities.omega[i] - spin_at_start(p, i);
   };
-  for (const Island& island : islands.list)
-    if (is_smooth(p, island)) std::for_each(island.bodies.begin(), island.bodies.end(), keep);
+  for (std::size_t k = 0; k < islands.list.size(); ++k) {
+    const Island& island = islands.list[k];
+    if (!is_smooth(p, island)) continue;
+    for (const Index i : island.bodies) {
+      out[i].gained = memory.gained[k];
+      if (!again[i]) keep(i);
+    }
+  }
 }
 
 }  // namespace pabd

@@ -11,7 +11,10 @@
 // What flies alone has nothing to remember. What is not smooth must not be seen through that memory (a ball that stops
 // would get half its speed back): an island with a contact within reach, a limit, drive, motor, damper or
 // friction of a joint, or a hand, makes an implicit Euler step and remembers nothing, and so do halves (halving.h). The
-// first step of an island after such a one is Euler's as well. Nothing is decided by a threshold.
+// first step of an island after such a one is Euler's as well.
+//
+// Where bodies turn far in a step it may gain energy all the same: a step after which there would be more than when things
+// began to move by themselves is made again in halves, too (gains_in_all() of energy_bound.h).
 #pragma once
 
 #include <vector>
@@ -25,8 +28,9 @@ inline bool has_second_order(const SolverParams& solver) {
   return solver.integrator == Integrator::bdf2 && solver.method != SolverMethod::sissm;
 }
 
-// Where free rotation ends, and which bodies make a step of second order; one entry each.
+// Where free rotation ends, and which bodies make a step of second order; one entry a body.
 struct SecondOrder {
+  std::vector<double> gained;  // of each island: StepChange::gained at the end; J
   std::vector<Mat3> R_f;
   std::vector<std::uint8_t> smooth;
 };
@@ -35,8 +39,15 @@ struct SecondOrder {
 // Flight::h of them. Precondition: islands are known.
 void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory);
 
-// What the step added to the free flight of each body, for the next one.
-void remember(const Problem& p, const Islands& islands, const SecondOrder& memory, const Iterate& it,
-              const Velocities& velocities, std::vector<StepChange>& out);
+// What the step added to the free flight of each body, for the next one; nothing of bodies i with again[i], whose step
+// is made by others.
+void remember(const Problem& p, const Islands& islands, const SecondOrder& memory,
+              const std::vector<std::uint8_t>& again, const Iterate& it, const Velocities& velocities,
+              std::vector<StepChange>& out);
+
+// What the island of body i has gained in energy since nothing breaks in (StepChange); J.
+inline double gained_before(const Problem& p, Index i) {
+  return p.start->change.empty() ? 0 : p.start->change[static_cast<std::size_t>(i)].gained;
+}
 
 }  // namespace pabd

@@ -94,11 +94,30 @@ void find_motion(const Problem& p, StepMemory& m) {
   balance_velocities(p, m.iterate, m.groups, m.velocities);
 }
 
+// Of a step of second order. False: it is to be judged as any other.
+bool judge_motion(const Problem& p, const Island& island, std::size_t k, StepMemory& m, bool solved) {
+  EnergyBalance& energy = m.balance[k];
+  double& gained = m.second_order.gained[k];
+  const double before = gained_before(p, island.bodies.front());
+  gained = before + energy.rise;
+  if (!solved || m.flight.h[island.bodies.front()] == p.params->h) return false;
+  if (!gains_in_all(energy, before)) {
+    energy = {};
+  } else if (may_halve(p.params->solver)) {
+    gained = before;  // at most
+    for (const Index i : island.bodies) m.again[i] = 1;
+  } else {
+    energy.rise = std::exchange(gained, 0);
+  }
+  return true;
+}
+
 // Which islands are to be made again, and what energy the others gained. False where an island is beyond help.
 bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& report) {
   const bool halves = may_halve(p.params->solver), bounds = p.params->solver.projection != Projection::polar;
   m.again.assign(p.model->shape.size(), 0);
   m.balance.assign(m.islands.list.size(), {});
+  m.second_order.gained.assign(m.islands.list.size(), 0);
   for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
     const Island& island = m.islands.list[k];
     IslandReport& outcome = report.islands[k];
@@ -108,9 +127,8 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
       if (!halves) return false;
     } else if (bounds) {
       const bool solved = outcome.status == StepStatus::converged;
-      // Of second order it goes up and down, by itself.
-      if (solved && m.flight.h[island.bodies.front()] != p.params->h) continue;
       m.balance[k] = energy_balance(p, island, solved, workers, m.velocities, m.energy, m.iterate);
+      if (has_second_order(p.params->solver) && judge_motion(p, island, k, m, solved)) continue;
     }
     if (outcome.status == StepStatus::iteration_limit && p.friction)
       outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);
@@ -151,7 +169,7 @@ void leave_out_again(const Problem& p, StepMemory& m) {
 
 void take_over(const Problem& p, StepMemory& m, State& state) {
   if (has_second_order(p.params->solver)) {
-    remember(p, m.islands, m.second_order, m.iterate, m.velocities, state.change);
+    remember(p, m.islands, m.second_order, m.again, m.iterate, m.velocities, state.change);
   } else {
     state.change.clear();
   }

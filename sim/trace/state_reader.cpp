@@ -76,9 +76,9 @@ void read_changes(const Node& list, std::size_t count, std::vector<StepChange>& 
   if (list.array_size() != count)
     list.fail(fmt::format("expected one a body, {}, got {}", count, list.array_size()));
   for (std::size_t i = 0; i < count; ++i) {
-    std::array<double, 13> numbers{};
+    StepChangeNumbers numbers{};
     list.element(i).numbers(numbers, kAny);
-    if (numbers[0] < 0) list.element(i).fail_expected("13 numbers, the first of them a time step");
+    if (numbers[0] < 0) list.element(i).fail_expected("14 numbers, the first of them a time step");
     out.push_back(step_change(numbers));
   }
 }

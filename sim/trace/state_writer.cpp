@@ -50,8 +50,8 @@ class StateWriter {
       text(",\n  \"changes\": [");
       for (std::size_t i = 0; i < state.change.size(); ++i) {
         text(i == 0 ? "\n    " : ",\n    ");
-        const std::array<double, 13> change = numbers_of(state.change[i]);
-        numbers(Eigen::Map<const Eigen::Matrix<double, 13, 1>>(change.data()));
+        const StepChangeNumbers change = numbers_of(state.change[i]);
+        numbers(Eigen::Map<const Eigen::Matrix<double, 14, 1>>(change.data()));
       }
       text("\n  ]");
     }
