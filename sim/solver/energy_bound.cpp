@@ -159,7 +159,7 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
     flight += kinetic_energy(model, i, p.flight->star[i].R, p.start->v[i], p.flight->omega[i]);
     fell += fall(p, i, it.pose[i].c);
   }
-  if (p.flight->h[island.bodies.front()] == p.params->h) out.kinetic = std::max(out.kinetic, flight);
+  if (!p.second_order(island.bodies.front())) out.kinetic = std::max(out.kinetic, flight);
   out.stored = joint_energies_at_start(p, island, memory, it);
   add_contacts_at_start(p, island, solved, it, out);
   out.rise = kinetic_at_end(p, island, velocities, it) + fell + joint_energies(p, island, p.time, it) +

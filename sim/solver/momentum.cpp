@@ -62,11 +62,11 @@ void find_targets(const Problem& p, FreeGroups& g) {
     g.group[k].origin += model.mass[i] * flight.star[i].c;
     g.group[k].start += model.mass[i] * p.start->c[i];
     g.group[k].h = flight.h[i];
+    g.group[k].about_centre = p.second_order(i);
   }
   for (FreeGroup& group : g.group) {
     group.origin /= group.mass;
     group.start /= group.mass;
-    group.about_centre = group.h != p.params->h;
   }
   for (const auto& [i, k] : g.bodies) {
     FreeGroup& group = g.group[k];

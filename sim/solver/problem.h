@@ -96,6 +96,8 @@ struct Problem {
   std::vector<std::uint8_t> rolls;  // per body: has it a manifold whose slip follows its roll?
 
   bool movable(Index i) const { return i != kWorld && !model->fixed[static_cast<std::size_t>(i)]; }
+  // Is the step of body i of second order (second_order.h)?
+  bool second_order(Index i) const { return flight->h[static_cast<std::size_t>(i)] != params->h; }
   Pose start_pose(Index i) const { return {start->c[i], start->R[i]}; }
 
   Inertia inertia(Index i) const {

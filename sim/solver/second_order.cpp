@@ -47,19 +47,17 @@ void predict_body(const Problem& p, Index i, const StepChange& last, const Mat3&
 }  // namespace
 
 void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory) {
-  const std::size_t n = p.model->shape.size();
-  memory.smooth.assign(n, 0);
-  memory.R_f.resize(n);
-  for (std::size_t i = 0; i < n; ++i) memory.R_f[i] = flight.star[i].R;
-  const auto knows = [&](Index i) { return !p.start->change.empty() && p.start->change[i].h == p.params->h; };
-  for (Index i = 0; i < p.model->size(); ++i) memory.smooth[i] = p.movable(i) && islands.of[i] < 0;
+  memory.R_f.resize(flight.star.size());
+  for (std::size_t i = 0; i < memory.R_f.size(); ++i) memory.R_f[i] = flight.star[i].R;
+  for (Index i = 0; i < p.model->size(); ++i)
+    if (p.movable(i) && islands.of[i] < 0) predict_body(p, i, {}, memory.R_f[i], flight);
+  if (p.start->change.empty()) return;
+  const std::vector<StepChange>& last = p.start->change;
+  const auto knows = [&](Index i) { return last[i].h == p.params->h; };
   for (const Island& island : islands.list) {
     if (!is_smooth(p, island) || !std::all_of(island.bodies.begin(), island.bodies.end(), knows)) continue;
-    for (const Index i : island.bodies) memory.smooth[i] = 1;
+    for (const Index i : island.bodies) predict_body(p, i, last[i], memory.R_f[i], flight);
   }
-  for (Index i = 0; i < p.model->size(); ++i)
-    if (memory.smooth[i])
-      predict_body(p, i, knows(i) ? p.start->change[i] : StepChange{}, memory.R_f[i], flight);
 }
 
 void remember(const Problem& p, const Islands& islands, const SecondOrder& memory,

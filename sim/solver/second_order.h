@@ -28,11 +28,9 @@ inline bool has_second_order(const SolverParams& solver) {
   return solver.integrator == Integrator::bdf2 && solver.method != SolverMethod::sissm;
 }
 
-// Where free rotation ends, and which bodies make a step of second order; one entry a body.
 struct SecondOrder {
+  std::vector<Mat3> R_f;       // of each body
   std::vector<double> gained;  // of each island: StepChange::gained at the end; J
-  std::vector<Mat3> R_f;
-  std::vector<std::uint8_t> smooth;
 };
 
 // Predicted poses and velocities of bodies whose step is of second order, in place of those of free flight by Euler, and

@@ -100,7 +100,7 @@ bool judge_motion(const Problem& p, const Island& island, std::size_t k, StepMem
   double& gained = m.second_order.gained[k];
   const double before = gained_before(p, island.bodies.front());
   gained = before + energy.rise;
-  if (!solved || m.flight.h[island.bodies.front()] == p.params->h) return false;
+  if (!solved || !p.second_order(island.bodies.front())) return false;
   if (!gains_in_all(energy, before)) {
     energy = {};
   } else if (may_halve(p.params->solver)) {
@@ -117,7 +117,8 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
   const bool halves = may_halve(p.params->solver), bounds = p.params->solver.projection != Projection::polar;
   m.again.assign(p.model->shape.size(), 0);
   m.balance.assign(m.islands.list.size(), {});
-  m.second_order.gained.assign(m.islands.list.size(), 0);
+  const bool moves_on = has_second_order(p.params->solver);
+  if (moves_on) m.second_order.gained.assign(m.islands.list.size(), 0);
   for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
     const Island& island = m.islands.list[k];
     IslandReport& outcome = report.islands[k];
@@ -128,7 +129,7 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
     } else if (bounds) {
       const bool solved = outcome.status == StepStatus::converged;
       m.balance[k] = energy_balance(p, island, solved, workers, m.velocities, m.energy, m.iterate);
-      if (has_second_order(p.params->solver) && judge_motion(p, island, k, m, solved)) continue;
+      if (moves_on && judge_motion(p, island, k, m, solved)) continue;
     }
     if (outcome.status == StepStatus::iteration_limit && p.friction)
       outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);

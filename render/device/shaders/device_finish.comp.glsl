@@ -2,8 +2,10 @@
 // Velocities that follow from the poses (sim/solver/velocities.cpp), and a body's energies; nothing moves yet. A thread
 // a body; the work groups' sums are added later, in order.
 shared dvec4 total[GROUP];
-// Counters::width, then Counters::fastest, of the work group.
+// Counters::width, then Counters::fastest: of the work group.
 shared uint widest[7];
+// Counters::touched, Counters::unsolved: of the work group.
+shared uint tally[2];
 
 // A double no longer resolves d̂ there (sim/solver/runaway.cpp).
 bool is_lost(dvec3 x) {
@@ -24,6 +26,7 @@ void main() {
   const uint i = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
   total[t] = dvec4(0);
   if (t < 7u) widest[t] = 0u;
+  if (t < 2u) tally[t] = 0u;
   barrier();
   if (i < params.bodies && counters.overflow == 0u && kinds[kind_number[i]].fixed_ == 0) {
     const BodyKind k = kinds[kind_number[i]];
@@ -71,8 +74,8 @@ void main() {
       total[t].z = total[t].x - flown;
       const dvec3 start_v = dvec3(motion[i].v.xyz), flown_v = dvec3(f.v.xyz);
       total[t].w = k.mass * (dot(flown_v, flown_v) - dot(start_v, start_v)) / 2 - k.mass * dot(g, dvec3(at.u.xyz));
-      atomicAdd(counters.touched, 1u);
-      if (!(last_step[2u * i + 1u].w <= UNSOLVED)) atomicAdd(counters.unsolved, 1u);
+      atomicAdd(tally[0], 1u);
+      if (!(last_step[2u * i + 1u].w <= UNSOLVED)) atomicAdd(tally[1], 1u);
       tell_runaway(pose[i].c.xyz, k, total[t].x, flown);
     }
     if (!finite || (touched && (is_lost(c) || is_lost(params.h * dvec3(v))))) atomicAdd(counters.bad, 1u);
@@ -85,4 +88,6 @@ void main() {
   if (t == 0u) part[gl_WorkGroupID.x] = total[0];
   if (t < 6u) atomicMax(counters.width[t], widest[t]);
   if (t == 6u) atomicMax(counters.fastest, widest[t]);
+  if (t == 7u) atomicAdd(counters.touched, tally[0]);
+  if (t == 8u) atomicAdd(counters.unsolved, tally[1]);
 }

@@ -3,12 +3,13 @@
 // contact. To be run before the poses move on.
 struct Told {
   double energy, stored, rise;
-  uint pushing, min_gap, friction_excess, friction_error, opening;  // as in Counters
+  uint pushing, unsettled, min_gap, friction_excess, friction_error, opening;  // as in Counters
 };
 shared Told told[GROUP];  // of the work group: one atomic for all its contacts
 
 Told together(Told a, Told b) {
-  return Told(a.energy + b.energy, a.stored + b.stored, a.rise + b.rise, a.pushing + b.pushing, max(a.min_gap, b.min_gap),
+  return Told(a.energy + b.energy, a.stored + b.stored, a.rise + b.rise, a.pushing + b.pushing,
+              a.unsettled + b.unsettled, max(a.min_gap, b.min_gap),
               max(a.friction_excess, b.friction_excess), max(a.friction_error, b.friction_error),
               max(a.opening, b.opening));
 }
@@ -21,7 +22,7 @@ real balanced_energy(Contact c, real d, real limit, real slip, bool solved) {
 
 void main() {
   const uint k = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
-  Told mine = Told(0, 0, 0, 0u, 0u, 0u, 0u, 0u);
+  Told mine = Told(0, 0, 0, 0u, 0u, 0u, 0u, 0u, 0u);
   if (k < counters.contacts && counters.overflow == 0u) {
     const Contact c = contacts[k];
     const ContactNow s = contact_now(c, place[c.id.x], place[c.id.y]);
@@ -49,7 +50,7 @@ void main() {
       const real m_a = place[c.id.x].u.w, m_b = place[c.id.y].u.w;
       const real lighter = m_a > 0 && m_b > 0 ? min(m_a, m_b) : max(m_a, m_b);
       const real law = mu * max(-push.first, real(params.weight_per_mass) * lighter);
-      if (counters.done == 0u && error > UNSETTLED * law) atomicAdd(counters.unsettled_contacts, 1u);
+      mine.unsettled = error > UNSETTLED * law ? 1u : 0u;
     }
     // What is left of the stretch: all of it while it sticks.
     const real3 stretch = weight / real(params.k_t) * s.u;
@@ -71,6 +72,7 @@ void main() {
   if (t != 0u) return;
   part[gl_WorkGroupID.x] = dvec4(told[0].energy, told[0].stored, told[0].rise, 0);
   atomicAdd(counters.pushing, told[0].pushing);
+  atomicAdd(counters.unsettled_contacts, told[0].unsettled);
   atomicMax(counters.min_gap, told[0].min_gap);
   atomicMax(counters.friction_excess, told[0].friction_excess);
   atomicMax(counters.friction_error, told[0].friction_error);
