@@ -128,6 +128,11 @@ TEST_CASE("the parameters list the law of joints, soft or hard") {
   const auto rows = [&] { return params_overlay.more_height(data) / 18; };
   CHECK(rows() == 0);
   CHECK_FALSE(has(text(), "joint"));
+  CHECK_FALSE(has(text(), "integrator"));
+  view.params.solver.integrator = Integrator::bdf2;
+  CHECK(rows() == 1);
+  CHECK(has(text(), "bdf2"));
+  view.params.solver.integrator = Integrator::euler;
   view.model = joined(7);
   data.joint_law = &law;
   CHECK(rows() == 3);

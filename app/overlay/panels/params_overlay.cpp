@@ -38,6 +38,11 @@ std::vector<Row> joint_rows(const OverlayData& data) {
   return rows;
 }
 
+// The paper's goes without saying.
+bool names_integrator(const OverlayData& data) {
+  return data.view && data.view->params.solver.integrator != Integrator::euler;
+}
+
 std::vector<Row> parameter_rows(const OverlayData& data) {
   std::vector<Row> rows;
   if (data.view) {
@@ -57,6 +62,7 @@ std::vector<Row> parameter_rows(const OverlayData& data) {
                                          ? friction
                                          : friction + " / " + format_value(p.contact.mu_dynamic)});
     rows.push_back({"time step *{h}", format_value(p.h) + " s"});
+    if (names_integrator(data)) rows.push_back({"integrator", to_string(p.solver.integrator)});
     rows.push_back({"iterations", fmt::format("{} of {}", report.iterations, p.solver.iterations)});
   }
   for (Row& row : joint_rows(data)) rows.push_back(std::move(row));
@@ -101,8 +107,9 @@ void paint_params(const Rect& rect, double s, const OverlayData& data, Canvas& c
   }
 }
 
-double joint_rows_height(const OverlayData& data) {
-  return kRowHeight * static_cast<double>(joint_rows(data).size());
+// Of the rows that not every scene has.
+double more_rows_height(const OverlayData& data) {
+  return kRowHeight * static_cast<double>(joint_rows(data).size() + (names_integrator(data) ? 1 : 0));
 }
 
 }  // namespace
@@ -112,6 +119,6 @@ const OverlayPanel params_overlay = {.name = "params",
                                      .width = 196,
                                      .height = 236,
                                      .paint = paint_params,
-                                     .more_height = joint_rows_height};
+                                     .more_height = more_rows_height};
 
 }  // namespace pabd
