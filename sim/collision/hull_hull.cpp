@@ -59,13 +59,23 @@ BestFace best_face(const HullView& owner, const HullView& other, double reach) {
   return best;
 }
 
-BestEdge best_edge(const HullView& a, const HullView& b, double above, double reach) {
+// Whether an edge of a through p separates by no more than `s`, whatever the edge of b: along a normal n between A and B a
+// ends at p, and b reaches at least as low as the ball inside it, around c_b. A little less of the ball, for rounding.
+bool separates_less(const Vec3& p, const Vec3& A, const Vec3& B, const Vec3& c_b, double inner_b, double s) {
+  const double room = s + 0.99 * inner_b, most = std::max(A.dot(c_b - p), B.dot(c_b - p));
+  if (most <= 0) return most <= room;
+  return room > 0 &&
+         most * most <= room * room * (1 + A.dot(B)) / 2;  // n is longer: by the cosine of half the arc
+}
+
+BestEdge best_edge(const HullView& a, const HullView& b, const Vec3& c_b, double above, double reach) {
   BestEdge best;
   best.separation = above;
   for (std::size_t i = 0; i < a.edges.size(); ++i) {
     const HullEdge& edge_a = a.edges[i];
     const Vec3 &p = a.vertices[edge_a.from], e = a.vertices[edge_a.to] - p;
     const Vec3 &A = a.faces[edge_a.left].normal, &B = a.faces[edge_a.right].normal;
+    if (separates_less(p, A, B, c_b, b.inner_radius, best.separation)) continue;
     for (std::size_t j = 0; j < b.edges.size(); ++j) {
       const HullEdge& edge_b = b.edges[j];
       // e runs along A × B and g along C × D: their signs say on which side of an arc a normal lies.
@@ -161,17 +171,16 @@ NearestCorner nearest_corner(const HullView& hull, const HullView& other, double
 
 // Along an edge through that corner which runs side by side with an edge of the other hull.
 bool add_side_contacts_at(const Meeting& m, bool corner_of_b, std::size_t corner, double nearest) {
-  for (std::size_t e = 0; e < m.a.view.edges.size(); ++e) {
-    const HullEdge& edge_a = m.a.view.edges[e];
-    if (!corner_of_b && edge_a.from != corner && edge_a.to != corner) continue;
-    const Vec3 u = m.a.view.vertices[edge_a.to] - m.a.view.vertices[edge_a.from];
-    for (std::size_t g = 0; g < m.b_in_a.edges.size(); ++g) {
-      const HullEdge& edge_b = m.b_in_a.edges[g];
-      if (corner_of_b && edge_b.from != corner && edge_b.to != corner) continue;
-      const Vec3 v = m.b_in_a.vertices[edge_b.to] - m.b_in_a.vertices[edge_b.from];
+  const HullView &own = corner_of_b ? m.b_in_a : m.a.view, &other = corner_of_b ? m.a.view : m.b_in_a;
+  for (std::size_t e = 0; e < own.edges.size(); ++e) {
+    const HullEdge& edge = own.edges[e];
+    if (edge.from != corner && edge.to != corner) continue;
+    const Vec3 u = own.vertices[edge.to] - own.vertices[edge.from];
+    for (std::size_t g = 0; g < other.edges.size(); ++g) {
+      const Vec3 v = other.vertices[other.edges[g].to] - other.vertices[other.edges[g].from];
       const double uv = u.dot(v), uu_vv = u.squaredNorm() * v.squaredNorm();
       if (uv * uv < (1 - kAlongSine * kAlongSine) * uu_vv) continue;
-      if (add_side_contacts(m, e, g, nearest)) return true;
+      if (add_side_contacts(m, corner_of_b ? g : e, corner_of_b ? e : g, nearest)) return true;
     }
   }
   return false;
@@ -260,7 +269,7 @@ void meet(const Side& a, const Side& b, double reach, Contacts& out) {
   const bool b_owns = face_b.separation > face_a.separation + preference(face_a.separation, smallest);
   const double face = b_owns ? face_b.separation : face_a.separation;
 
-  BestEdge edge = best_edge(a.view, moved.view, face, reach);
+  BestEdge edge = best_edge(a.view, moved.view, t, face, reach);
   if (!(edge.separation < reach)) return;
   const double bound = face + preference(face, smallest);
   const bool clearly_edge = edge.separation > bound, apart = edge.separation > 0;

@@ -42,6 +42,12 @@ struct BestEdge {
   wide3 n;  // unit, from a towards b, in the frame of a
 };
 
+// See hull_hull.cpp. In the frame of b.
+bool separates_less(wide3 p, wide3 A, wide3 B, wide s) {
+  wide room = s + wide(0.99lf) * view_b.inner_radius, most = max(-dot(A, p), -dot(B, p));
+  return most <= 0 ? most <= room : room > 0 && most * most <= room * room * (1 + dot(A, B)) / 2;
+}
+
 // Of the pairs whose arcs cross on the Gauss map, in the frame of b.
 BestEdge best_edge(wide above) {
   BestEdge best = BestEdge(above, -1, -1, wide3(0));
@@ -51,6 +57,7 @@ BestEdge best_edge(wide above) {
     wide3 e = (vertex_of(view_a, edge_a.y) - p_a) * C, up = p_a * C, p = t_back + up;
     wide3 A = normal_of(view_a, edge_a.z) * C, B = normal_of(view_a, edge_a.w) * C;
     wide ee = dot(e, e);
+    if (separates_less(p, A, B, best.separation)) continue;
     for (uint j = 0u; j < view_b.edges; ++j) {
       uvec4 edge_b = edge_of(view_b, j);
       wide C_e = -dot(normal_of(view_b, edge_b.z), e), D_e = -dot(normal_of(view_b, edge_b.w), e);
@@ -131,7 +138,8 @@ struct NearestCorner {
 };
 
 // Nearest points where one is a corner, if nearer than `limit`.
-NearestCorner nearest_corner(wide limit, out bool corner_of_b) {
+// The faces that separate best say of most corners that they are not.
+NearestCorner nearest_corner(wide limit, uint face_a, uint face_b, out bool corner_of_b) {
   NearestCorner best = NearestCorner(NONE, wide3(0), wide3(0), 0u);
   corner_of_b = true;
   // First the corners of b, then those of a; two corners: that of b.
@@ -145,10 +153,15 @@ NearestCorner nearest_corner(wide limit, out bool corner_of_b) {
       M = C_back;
       m = t_back;
     }
+    uint face = turn == 1 ? face_b : face_a;
+    wide3 n = normal_of(hull, face);
+    wide offset = offset_of(hull, face, n);
     NearestCorner on_other = NearestCorner(NONE, wide3(0), wide3(0), 0u);
     for (uint v = 0u; v < other.vertices; ++v) {
       wide3 x = m + M * vertex_of(other, v), foot;
-      wide nearer = min(limit, on_other.apart), apart = nearest_point(hull, x, nearer, foot);
+      wide nearer = min(limit, on_other.apart);
+      if (dot(n, x) - offset >= nearer) continue;
+      wide apart = nearest_point(hull, x, nearer, foot);
       if (apart < nearer) on_other = NearestCorner(apart, x, foot, v);
     }
     if (turn == 0) {
@@ -165,20 +178,34 @@ NearestCorner nearest_corner(wide limit, out bool corner_of_b) {
 // Contacts along that pair of edges, or, where there is none, along an edge through the corner which runs side by side
 // with an edge of the other hull. False when there are none.
 bool add_along_edges(bool one_pair, BestEdge pair, bool corner_of_b, uint corner, wide nearest, int replacing) {
-  uint e_begin = one_pair ? uint(pair.e) : 0u, e_end = one_pair ? e_begin + 1u : view_a.edges;
-  uint g_begin = one_pair ? uint(pair.g) : 0u, g_end = one_pair ? g_begin + 1u : view_b.edges;
+  bool own_b = !one_pair && corner_of_b;
+  HullView own = view_a, other = view_b;
+  mat_wide3 M_own = mat_wide3(1), M_other = C;
+  wide3 at_own = wide3(0), at_other = t;
+  if (own_b) {
+    own = view_b;
+    other = view_a;
+    M_own = C;
+    M_other = mat_wide3(1);
+    at_own = t;
+    at_other = wide3(0);
+  }
+  uint e_begin = one_pair ? uint(pair.e) : 0u, e_end = one_pair ? e_begin + 1u : own.edges;
+  uint g_begin = one_pair ? uint(pair.g) : 0u, g_end = one_pair ? g_begin + 1u : other.edges;
   bool added = false;
   for (uint e = e_begin; e < e_end && !added; ++e) {
-    uvec4 edge_a = edge_of(view_a, e);
-    bool is_meant = one_pair || corner_of_b || edge_a.x == corner || edge_a.y == corner;
-    EdgeLine on_a = edge_line(view_a, edge_a, mat_wide3(1), wide3(0));
-    for (uint g = g_begin; is_meant && g < g_end && !added; ++g) {
-      uvec4 edge_b = edge_of(view_b, g);
-      if (!one_pair && corner_of_b && edge_b.x != corner && edge_b.y != corner) continue;
-      EdgeLine on_b = edge_line(view_b, edge_b, C, t);
+    uvec4 edge = edge_of(own, e);
+    if (!one_pair && edge.x != corner && edge.y != corner) continue;
+    EdgeLine on_own = edge_line(own, edge, M_own, at_own);
+    for (uint g = g_begin; g < g_end && !added; ++g) {
+      EdgeLine on_a = on_own, on_b = edge_line(other, edge_of(other, g), M_other, at_other);
       wide uv = dot(on_a.direction, on_b.direction);
-      if (one_pair || uv * uv >= 1 - ALONG_SINE * ALONG_SINE)
-        added = add_side_contacts(on_a, on_b, e << 10 | g, nearest, replacing);
+      if (!one_pair && uv * uv < 1 - ALONG_SINE * ALONG_SINE) continue;
+      if (own_b) {
+        on_a = on_b;
+        on_b = on_own;
+      }
+      added = add_side_contacts(on_a, on_b, own_b ? g << 10 | e : e << 10 | g, nearest, replacing);
     }
   }
   return added;
@@ -299,7 +326,7 @@ void find_contacts(wide reach) {
       // Else the deepest or nearest part is not over that face.
       if (!done && apart) {
         d = min(d, reach);
-        corner = nearest_corner(d, corner_of_b);
+        corner = nearest_corner(d, number_a, number_b, corner_of_b);
         try_edge = false;
         try_face = corner_of_b == b_owns && corner.apart < d && corner.apart <= rival_bound;
       } else {
