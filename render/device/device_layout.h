@@ -90,7 +90,8 @@ enum Overflow : std::uint32_t {
   too_many_colors = 4,
   too_few_rounds = 8,
   share_unexpected = 16,  // shifted by the share
-  ended_unsolved = 128    // it asks for halves, not for room
+  ended_unsolved = 128,   // it asks for halves, not for room
+  loops_cut = 256         // the driver left contacts unfound; nothing helps
 };
 
 struct Counters {

@@ -84,6 +84,12 @@ void DeviceStep::make_room(const Counters& c) {
   const auto more = [](std::uint32_t needed, std::uint32_t room) {
     return static_cast<std::uint32_t>(kMoreRoom * std::max(needed, room / 2)) + 1024;
   };
+  if ((c.overflow & loops_cut) != 0) {
+    throw Error(ErrorKind::no_context,
+                "this OpenGL driver ends a shader's loops before all contacts are found, as software drivers "
+                "do where "
+                "shapes have many faces: --device cpu");
+  }
   if ((c.overflow & too_many_pairs) != 0) make_pair_buffers(std::max(pair_room_, more(c.pairs, pair_room_)));
   if ((c.overflow & too_many_contacts) != 0)
     make_contact_buffers(std::max(contact_room_, more(c.raw, contact_room_)));

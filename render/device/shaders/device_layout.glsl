@@ -143,7 +143,7 @@ uint work_group() {
 
 const uint TOO_MANY_PAIRS = 1u, TOO_MANY_CONTACTS = 2u, TOO_MANY_COLORS = 4u, TOO_FEW_ROUNDS = 8u,
            SHARE_UNEXPECTED = 16u,  // shifted by the share
-           ENDED_UNSOLVED = 128u;
+           ENDED_UNSOLVED = 128u, LOOPS_CUT = 256u;
 
 // A float as bits that are in the order of the values.
 uint ordered(float x) {

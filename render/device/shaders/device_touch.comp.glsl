@@ -21,4 +21,5 @@ void main() {
     }
     end_pass(p, reach, pass);
   }
+  tell_cut_loops();
 }

@@ -258,3 +258,12 @@ void end_pass(uint p, real reach, inout Pass pass) {
   pass.at = reserve(p, pass.count, reach);
   if (pass.at + pass.count > params.contact_room) ++pass.does;
 }
+
+// To be called last. A software driver ends a thread's loops for good after so many rounds of all of them (llvmpipe:
+// 65,535), without a word: contacts would be missing then.
+void tell_cut_loops() {
+  const uint least = min(params.bodies, 2u);  // no constant, so that the loop stays one
+  uint rounds = 0u;
+  for (uint k = 0u; k < least; ++k) ++rounds;
+  if (rounds < least) atomicOr(counters.overflow, LOOPS_CUT);
+}

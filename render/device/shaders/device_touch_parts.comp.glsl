@@ -41,4 +41,5 @@ void main() {
     }
     raw[at + k].id.z = name;
   }
+  tell_cut_loops();
 }
