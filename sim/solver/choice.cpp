@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/solver/halving.h"
+
 namespace pabd {
 namespace {
 
@@ -56,8 +58,10 @@ void limit_iterations(const SolverParams& solver, Islands& islands) {
   std::size_t manifolds = 1;  // of crowds
   for (const Island& island : islands.list) manifolds += island.crowd ? island.manifolds.size() : 0;
   const int payable = std::max(kLeastIterations, static_cast<int>(kMostCrowdWork / manifolds));
-  for (Island& island : islands.list)
+  for (Island& island : islands.list) {
     island.iterations = island.crowd ? std::min(solver.iterations, payable) : solver.iterations;
+    island.most_iterations = island.iterations * (may_halve(solver) && !island.crowd ? kLastChance : 1);
+  }
 }
 
 }  // namespace

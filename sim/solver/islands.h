@@ -13,7 +13,7 @@ struct Island {
   std::span<const Index> row;  // per slot of a pose: the body's place in `bodies`, −1 where nothing moves
   bool jointed = false;        // by joints of the model; pulls alone do not count
   SolverMethod solver = SolverMethod::descent;
-  int iterations = 0;  // at most
+  int iterations = 0, most_iterations = 0;  // the second: where only friction is unsolved
   bool crowd = false;  // so many of its contacts are of crowds that no solution is worth much
 
   // For descent: no two bodies of one colour share a bond. Colour k is colored[first_of_color[k]] …

@@ -10,6 +10,7 @@
 
 #include "sim/math/extremes.h"
 #include "sim/solver/friction.h"
+#include "sim/solver/halving.h"
 #include "sim/solver/iteration_records.h"
 #include "sim/solver/joint_actions.h"
 
@@ -147,12 +148,20 @@ void remember_outcome(const Task& t, const IslandReport& out, Iterate& it) {
   for (const Index k : t.island.manifolds) it.manifold[k].restless = out.solver == SolverMethod::descent;
 }
 
+// After k iterations. Hits need more than what rests: where the poses will do and friction is not yet that of its law, halves
+// of the step would cost more than to go on.
+bool goes_on(int k, double residual, const Task& t, const Iterate& it) {
+  if (k < t.island.iterations) return true;
+  return k < t.island.most_iterations && residual <= kUnsolved &&
+         largest_friction_error(t.p, t.island, it) > kFrictionTolerance;
+}
+
 // Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the cap.
 void solve(Task t, Iterate& it, IslandReport& out) {
   start(t, it);
   bool every_body = true;
   double moved = 0, first = 0;
-  for (int k = 0; k < t.island.iterations; ++k) {
+  for (int k = 0; goes_on(k, out.residual, t, it); ++k) {
     const double gap_before = iterate(k, every_body, t, it);
     out.solver = t.island.solver;
     ++out.iterations;
