@@ -31,6 +31,31 @@ double drive_work_of(const Problem& p, const Iterate& it, Index k) {
   return work;
 }
 
+// A motor or a drive does whatever work its motion takes.
+bool drives(const Joint& joint) { return joint.drive || joint.turn || (joint.action && joint.action->motor); }
+
+// What W of a step that a drive is part of may lack; J: a point at r of a body that turns by φ leaves the way along which
+// its force is counted by ½ φ² r.
+double turning_work(const Problem& p, const Iterate& it, std::span<const Index> joints,
+                    const Velocities& velocities) {
+  if (std::none_of(joints.begin(), joints.end(), [&](Index k) { return drives(p.joints[k]); })) return 0;
+  const double h = p.params->h;
+  double work = 0;
+  BondList list;
+  for (const Index k : joints) {
+    expand_held(p, it, k, p.time, list);
+    const auto [i, j] = p.joint_ends[k];
+    for (int b = 0; b < list.count; ++b) {
+      const PointBond& bond = list.bond[b];
+      const double force = evaluate(p.law_of(k), bond).gradient.norm();
+      for (const auto& [body, y] : {std::pair(i, bond.y_a), std::pair(j, bond.y_b)})
+        if (p.movable(body))
+          work += 0.5 * force * (y - it.pose[body].c).norm() * (h * velocities.omega[body]).squaredNorm();
+    }
+  }
+  return work;
+}
+
 // Ψ of the points of a manifold at distances d, or −W where recovery does work, see energy_bound.h.
 Lanes barrier_energy(const ContactManifold& manifold, const ContactForce& f, Lanes d, bool solved) {
   if (solved) return f.value;
@@ -165,6 +190,7 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
   out.rise = kinetic_at_end(p, island, velocities, it) + fell + joint_energies(p, island, p.time, it) +
              contact_energies(p, island, solved, workers, memory, it) - drive_work(p, it, island.joints) -
              out.kinetic - out.stored;
+  if (solved) out.rise -= turning_work(p, it, island.joints, velocities);
   for (std::size_t k = 0; k < island.manifolds.size(); ++k)
     if (comes_apart(island, it.manifold[island.manifolds[k]])) out.freed -= memory.energy[k];
   return out;

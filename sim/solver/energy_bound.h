@@ -9,7 +9,9 @@
 //                            the way that the drive moves it; of motors, dampers and friction: force at
 //                            the end of the step times the way along the joint; where a step ends
 //                            unsolved also of recovery (recovery.h): force at the end times the way by
-//                            which the contact opens, since its barrier is another one in each step
+//                            which the contact opens, since its barrier is another one in each step;
+//                            where it ends solved also what that product lacks at most, bodies that
+//                            turn going along arcs: a linkage that a drive moves is not slowed down
 //
 // The minimiser of E has T + U + Ψ ≤ (T + U + Ψ)_start + W where Ψ is convex along the way. An iterate Q need not, nor a
 // minimiser past a corner that turned through its lowest point. What it has too much is taken from the inner motion: the

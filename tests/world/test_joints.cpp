@@ -125,35 +125,6 @@ TEST_CASE("a parallelogram of bars swings through its lowest pose with the speed
   CHECK(run.rise < 1e-9 * run.weight());
 }
 
-// The slider-crank of every book on mechanisms.
-TEST_CASE("the piston of a driven crank is at r cos φ + sqrt(l² − r² sin² φ)") {
-  const double r = GENERATE(0.1, 0.4), ratio = GENERATE(1.5, 4.0), mass = GENERATE(0.5, 500.0),
-               h = GENERATE(1.0 / 60, 1.0 / 240);
-  CAPTURE(r, ratio, mass, h);
-  const double l = ratio * r;
-  Setting setting(h);
-  const std::string crank = setting.add(Box{Vec3(r, 0.1 * r, 0.1 * r) / 2}, 1, {r / 2, 0, 0});
-  const std::string rod = setting.add(Box{Vec3(l, 0.1 * r, 0.1 * r) / 2}, 1, {r + l / 2, 0, 0});
-  const std::string piston = setting.add(Box{Vec3::Constant(0.2 * r)}, mass, {r + l, 0, 0});
-  setting.builder.add(spec::Joint{.type = JointType::hinge,
-                                  .j = crank,
-                                  .anchor = Vec3(0, 0, 0),
-                                  .axis = Vec3::UnitZ(),
-                                  .drive = Profile{{{0, 0}, {10, 3600}}}});
-  setting.join(JointType::hinge, crank, rod, {r, 0, 0});
-  setting.join(JointType::hinge, rod, piston, {r + l, 0, 0});
-  setting.join(JointType::slider, "", piston, {r + l, 0, 0}, Vec3::UnitX());
-  Run run(setting);
-  double error = 0;
-  run.go(2, [&] {
-    const double angle = 2 * kPi * run.state.time;
-    const double x = r * std::cos(angle) + std::sqrt(l * l - r * r * std::sin(angle) * std::sin(angle));
-    error = std::max(error, std::abs(run.c(piston).x() - x));
-  });
-  CHECK(error < 1e-5 * r);
-  CHECK(run.joint_error < 1e-5 * r);
-}
-
 // Ragdolls that fall downstairs: heavy and light limbs explode in O3DE's issue 2610.
 TEST_CASE("a ragdoll that falls down the stairs at long steps makes no energy and stays in one piece") {
   const double h = GENERATE(1.0 / 60, 1.0 / 120, 1.0 / 480), forward = GENERATE(0.0, 0.25, 0.5);
