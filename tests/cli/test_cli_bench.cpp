@@ -70,7 +70,7 @@ TEST_CASE("a row a scene with what they did, and the machine above") {
   CHECK(rows[1][0] == "stack");
   CHECK(rows[1][1] == "11");
   CHECK(rows[1][2] == "0");
-  CHECK(rows[1][3] == "descent");
+  CHECK(rows[1][3] == "newton");
   CHECK(rows[1][4] == "12");
   CHECK(rows[1][10] == "–");
   CHECK(rows[2][0] == "pendulum");

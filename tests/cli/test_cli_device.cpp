@@ -96,7 +96,8 @@ TEST_CASE("solved to the end, every step on the GPU has the energies of the proc
   const CommandFolder folder;
   const auto run = [&](const char* device) {
     const std::string trace = folder / (std::string(device) + ".csv");
-    REQUIRE(run_pabd({"run", "stack", "--steps", "20", "--set", "solver.iterations=400", "--device", device,
+    REQUIRE(run_pabd({"run", "stack", "--steps", "20", "--set", "solver.method=descent", "--set",
+                      "solver.iterations=400", "--set", "solver.tolerance=1e-9", "--device", device,
                       "--quiet", "--trace", trace})
                 .exit_code == 0);
     return energies(trace);

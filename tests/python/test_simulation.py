@@ -236,7 +236,6 @@ def test_builder_gives_what_a_file_gives(source):
     file = json.loads((source / "assets/scenes/stack.json").read_text())
     builder = pabd.SceneBuilder("stack", description=file["description"], duration=4)
     builder.plane().generate("stack", name="cube", count=10, size=np.ones(3)).camera([9, 8, 14], [0, 4.9, 0], 42)
-    builder.set("solver.method", "descent").set("solver.iterations", 200).set("solver.tolerance", 1e-9)
     builder.set("contact.d_hat", 0.02)
     shipped = pabd.load("stack")
     built = builder.build()

@@ -99,7 +99,7 @@ TEST_CASE("a driven linkage of four bars goes where the lengths of its bars say,
   CHECK(run.halved == 0);
 }
 
-TEST_CASE("an arm on a driven ball joint goes the way of its keys, and its drive does the work") {
+TEST_CASE("an arm on a driven ball joint goes the way of its keys, in whole steps") {
   const double length = GENERATE(0.2, 2.0), h = GENERATE(1.0 / 60, 1.0 / 240, 1.0 / 1000);
   CAPTURE(length, h);
   Setting setting(h);
