@@ -113,7 +113,6 @@ struct alignas(sizeof(Lanes)) ContactManifold {
   bool known[kLanes] = {};                   // so has each point
   bool crowded = false;                      // of two bodies in crowds (collision/broad_phase.h)
   bool felt = false;                         // it pushed or held in some iterate of this step
-  bool off = false;                          // its friction broke the law in the last iterate of `newton`
   double share = 1;                          // of the law's stiffness, see stiffness_cap.h
 };
 

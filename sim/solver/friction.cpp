@@ -36,13 +36,6 @@ bool used_up(const Problem& p, const Iterate& it, const ManifoldAt& manifold, st
   return bound > 0 && used >= (1 - kReserve) * bound;
 }
 
-// Do both bodies hardly move any more? Before, the forces of a full step of `newton` say nothing: they may be
-// a thousand times those of the solution.
-bool calm(const Iterate& it, const ContactManifold& manifold) {
-  constexpr double kCalm = 0.01;  // d̂ in the last iteration
-  return it.moved[manifold.a] < kCalm && it.moved[manifold.b] < kCalm;
-}
-
 // Weight of the lighter movable body of a manifold; N.
 double lighter_weight(const Problem& p, const ContactManifold& manifold) {
   double mass = std::numeric_limits<double>::infinity();
@@ -74,17 +67,16 @@ PABD_EACH_LEVEL void start_limit(const Problem& p, const Iterate& it, ContactMan
       select(pushes, -manifold.mu * normal_force(barrier, manifold, manifold.start_d).first, lanes(0));
 }
 
-// Moves the bound of a manifold of an island, see move_friction_limits.
-PABD_EACH_LEVEL void move_limit_in(const Problem& p, const Iterate& it, bool newton, bool jointed,
+// See move_friction_limits.
+PABD_EACH_LEVEL void move_limit_in(const Problem& p, const Iterate& it, bool newton,
                                    ContactManifold& manifold) {
-  manifold.off = false;
   const ContactState state = state_of(it, manifold);
   const ContactLaw law = p.law_of(manifold);
-  if (newton) ease_slip(law, manifold, state.u);
-  if (newton && jointed && !calm(it, manifold)) return;
-  const ContactForce f = normal_force(law.barrier, manifold, state.d);
-  manifold.off = newton && friction_error(p, manifold, f, length(state.u)) > kFrictionTolerance;
-  move_limit(manifold, f);
+  if (newton) {
+    ease_slip(law, manifold, state.u);
+  } else {
+    move_limit(manifold, normal_force(law.barrier, manifold, state.d));
+  }
 }
 
 }  // namespace
@@ -133,14 +125,11 @@ void start_friction(const Problem& p, const Workers& workers, Iterate& it) {
   workers.for_each(it.manifold.size(), [&](std::size_t j) { start_limit(p, it, it.manifold[j]); });
 }
 
-bool move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it) {
-  if (!p.friction) return false;
+void move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it) {
+  if (!p.friction) return;
   const bool newton = island.solver == SolverMethod::newton;
-  workers.for_each(island.manifolds.size(), [&](std::size_t j) {
-    move_limit_in(p, it, newton, island.jointed, it.manifold[island.manifolds[j]]);
-  });
-  return std::any_of(island.manifolds.begin(), island.manifolds.end(),
-                     [&](Index k) { return it.manifold[k].off; });
+  workers.for_each(island.manifolds.size(),
+                   [&](std::size_t j) { move_limit_in(p, it, newton, it.manifold[island.manifolds[j]]); });
 }
 
 PABD_EACH_LEVEL double largest_friction_error(const Problem& p, const Island& island, const Iterate& it,

@@ -3,8 +3,8 @@
 // who slides (Deviation D12).
 //
 //   start of a step    bounds are μ f_n where the step starts: they lag by a step
-//   each iteration     bounds go towards μ f_n of the iterate; where `newton` takes full steps only between
-//                      calm bodies
+//   each iteration     bounds go towards μ f_n of the iterate; those of `newton` are unknowns of its iterations
+//                      (sliding_tangent.h)
 //   before `converged` every friction force is that of the law to within kFrictionTolerance; and a pair of
 //                      bodies that static friction can no longer hold lets go, with all of its contacts
 #pragma once
@@ -53,9 +53,8 @@ void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds);
 // First bounds: μ f_n at the start of the step, 0 where the first iterate no longer presses.
 void start_friction(const Problem& p, const Workers& workers, Iterate& it);
 
-// Moves the bounds of an island's manifolds. True if a friction force of `newton` was off beyond the
-// tolerance: the E that is minimised changes.
-bool move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it);
+// Moves the bounds of an island's manifolds; for `newton`, which moves its bounds itself, the weights along what slides.
+void move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it);
 
 // Largest error of a friction force at the iterate, as a part of μ f_n.
 double largest_friction_error(const Problem& p, const Island& island, const Iterate& it,

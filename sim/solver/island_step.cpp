@@ -58,12 +58,21 @@ void move(const Problem& p, const Island& island, const IslandStep& s, double t,
   }
 }
 
+double move_of(const Problem& p, const Island& island, const IslandStep& s, std::size_t k) {
+  const Vec6& step = s.step[k];
+  return (step.head<3>().norm() + p.flight->radius[island.bodies[k]] * step.tail<3>().norm()) /
+         p.law.barrier.d_hat;
+}
+
+double largest_move(const Problem& p, const Island& island, const IslandStep& s) {
+  double largest = 0;
+  for (std::size_t k = 0; k < island.bodies.size(); ++k) largest = larger(largest, move_of(p, island, s, k));
+  return largest;
+}
+
 void tell_moves(const Problem& p, const Island& island, const IslandStep& s, Iterate& it) {
-  for (std::size_t k = 0; k < island.bodies.size(); ++k) {
-    const Vec6& step = s.step[k];
-    const Index i = island.bodies[k];
-    it.moved[i] = (step.head<3>().norm() + p.flight->radius[i] * step.tail<3>().norm()) / p.law.barrier.d_hat;
-  }
+  for (std::size_t k = 0; k < island.bodies.size(); ++k)
+    it.moved[island.bodies[k]] = move_of(p, island, s, k);
 }
 
 }  // namespace pabd

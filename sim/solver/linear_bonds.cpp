@@ -31,7 +31,6 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const ContactMan
   out.energy = sum(f.value + friction_energy(law, manifold.limit, u));
   out.active = !(sum(f.alpha_n) + sum(alpha_t) <= 0);  // what is no number must not be passed over
   if (!out.active) return out;
-  out.back = a.c - b.c;
 
   const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);
   const Vec3x push = f.first * state.n, drag = alpha_t * state.u;
@@ -50,7 +49,8 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const ContactMan
   const double xx = sum(tr.x * r.x), yy = sum(tr.y * r.y), zz = sum(tr.z * r.z);
   const double xy = sum(tr.x * r.y), xz = sum(tr.x * r.z), yz = sum(tr.y * r.z);
   H.bottomRightCorner<3, 3>() << yy + zz, -xy, -xz, -xy, xx + zz, -yz, -xz, -yz, xx + yy;
-  const Lanes row[6] = {n.x, n.y, n.z, arm.x, arm.y, arm.z};
+  out.normal = {{n.x, n.y, n.z, arm.x, arm.y, arm.z}, -f.first, f.alpha_n, law.k_t * u, a.c - b.c};
+  const Lanes* row = out.normal.row;
   const Lanes slip[6] = {n.x, n.y, n.z, slip_arm.x, slip_arm.y, slip_arm.z};
   for (int c = 0; c < 6; ++c) {
     const Lanes normal = f.alpha_n * row[c], tangent = alpha_t * slip[c];

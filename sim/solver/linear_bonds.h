@@ -35,6 +35,14 @@ void each_joint_bond(const Problem& p, const Island& island, const Iterate& it, 
   }
 }
 
+// How the normal forces of a manifold answer to moves of its bodies: f_n + α_n row·(δ_a − T δ_b), T the shift `back`.
+struct alignas(sizeof(Lanes)) NormalRows {
+  Lanes row[6];          // −∇d, a's
+  Lanes force, alpha_n;  // f_n; N, N/m
+  Lanes pull;            // k_t ‖u‖; N
+  Vec3 back;             // from c_b to c_a; m
+};
+
 // A manifold: with J = [1, −[r]] at its points seen from a, H = Σ Jᵀ (α_t 1 + (α_n − α_t) n nᵀ) J. Both
 // bodies share the points, so that b's part follows from H by the shift `back` of the centre.
 struct LinearManifold {
@@ -42,7 +50,7 @@ struct LinearManifold {
   double energy;  // J
   Vec6 g_a, g_b;  // (N, N m)
   Mat6 H;
-  Vec3 back;  // from c_b to c_a; m
+  NormalRows normal;
 };
 // Does it push or hold at these poses? LinearManifold::active says the same.
 bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a, const Pose& b);

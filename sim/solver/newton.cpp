@@ -9,7 +9,8 @@
 //
 //   step       full, turns limited to 1 rad: with stiff joints E is a narrow curved valley, in which a line
 //              search creeps. Where E stays above its lowest value for too long, back to that iterate and a
-//              line search from there (a watchdog)
+//              line search from there (a watchdog), from then on at every rise. Contacts alone and soft pulls
+//              always need one
 
 #include "sim/solver/newton.h"
 
@@ -79,6 +80,16 @@ Mat6 shifted(const Vec3& back, const Mat6& H) {
   return shifted_rows(back, shifted_rows(back, H).transpose());
 }
 
+// Does the bound of a manifold follow in this iteration? The linear model of a barrier tells its force within a part of d̂: full
+// steps are often longer, and far from the solution the bounds would make them worse.
+bool follows(const Island& island, const NewtonSystem& system, const Iterate& it,
+             const ContactManifold& manifold) {
+  constexpr double kNear = 0.3;  // d̂ in the last iteration
+  if (manifold.mu == 0) return false;
+  if (!island.jointed || system.searches) return true;
+  return it.moved[manifold.a] < kNear && it.moved[manifold.b] < kNear;
+}
+
 // E, its gradient and the matrix at the iterate.
 PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geometric, NewtonSystem& system,
                                 Iterate& it) {
@@ -94,6 +105,7 @@ PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geo
     energy += bond.energy;
     add_bond(bond, pull, island.row[bond.a], island.row[bond.b], system);
   });
+  system.sliding.active.clear();
   for (const Index k : island.manifolds) {
     ContactManifold& manifold = it.manifold[k];
     const Index a = island.row[manifold.a], b = island.row[manifold.b];
@@ -101,15 +113,16 @@ PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geo
     energy += linear.energy;
     if (!linear.active) continue;
     manifold.felt = true;
+    if (follows(island, system, it, manifold)) system.sliding.active.push_back({k, linear.normal});
     if (a >= 0) {
       system.matrix.diagonal(a).add(linear.H);
       system.motion.g[a] += linear.g_a;
     }
     if (b >= 0) {
-      system.matrix.diagonal(b).add(shifted(linear.back, linear.H));
+      system.matrix.diagonal(b).add(shifted(linear.normal.back, linear.H));
       system.motion.g[b] += linear.g_b;
     }
-    if (a >= 0 && b >= 0) system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.back, linear.H));
+    if (a >= 0 && b >= 0) system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.normal.back, linear.H));
   }
   return energy;
 }
@@ -145,14 +158,10 @@ bool find_direction(const Problem& p, const Island& island, bool geometric, cons
     raise_diagonal(raise, system);
     solvable = system.matrix.factorize(stop);
   }
-  if (!solvable) {
-    std::fill(system.motion.step.begin(), system.motion.step.end(),
-              Vec6::Constant(std::numeric_limits<double>::infinity()));
-    return false;
-  }
+  if (!solvable) return false;
   for (std::size_t k = 0; k < system.motion.g.size(); ++k) system.motion.step[k] = -system.motion.g[k];
   system.matrix.solve(system.motion.step);
-  return true;
+  return std::isfinite(largest_move(p, island, system.motion));
 }
 
 // The forces at the iterate itself would be off by stiffness times the curvature of the way there.
@@ -169,7 +178,36 @@ void predict_forces(const Problem& p, const Island& island, const Iterate& it, N
   });
 }
 
-void search_from_best(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
+// A full step, or a line search on E. Short moves are made in full: the levers of friction on round bodies leave out the
+// curvature of the step's turn, and E no longer tells whether they are good. False where there is no step.
+bool take_step(const Problem& p, const Island& island, bool geometric, bool search, const Stop& stop,
+               NewtonSystem& system, Iterate& it) {
+  constexpr double kSmall = 0.01;  // d̂
+  system.stuck = false;
+  if (!find_direction(p, island, geometric, stop, system, it)) return false;
+  const bool other =
+      p.friction && follow_bounds(p, island, system.matrix, system.sliding, system.motion.step, it);
+  foresee_actions(p, island, system.motion.step, it);
+  if (!search) {
+    predict_forces(p, island, it, system);
+    if (other) forget_best(system);
+  }
+  double t = longest_step(system.motion);
+  if (!search || largest_move(p, island, system.motion) < kSmall) {
+    move(p, island, system.motion, t, it);
+    return true;
+  }
+  if (other) system.motion.lowest = energy_of(p, island, it);
+  for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
+    move(p, island, system.motion, t, it);
+    if (p.params->solver.iterations == 1 || is_lower(energy_of(p, island, it), system.motion)) return true;
+    restore_best(p, island, system.motion, it);
+  }
+  system.stuck = true;
+  return true;
+}
+
+bool search_from_best(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
                       Iterate& it) {
   const double current = energy_of(p, island, it);
   swap_with_best(p, island, system.motion, it);
@@ -180,38 +218,10 @@ void search_from_best(const Problem& p, const Island& island, const Stop& stop, 
   }
   keep_best(island, it, energy, system.motion);
   system.force.clear();
-  if (!find_direction(p, island, false, stop, system, it)) return;
-  foresee_actions(p, island, system.motion.step, it);
-  double slope = 0;
-  for (std::size_t k = 0; k < system.motion.g.size(); ++k)
-    slope += system.motion.g[k].dot(system.motion.step[k]);
-  double t = longest_step(system.motion);
-  for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
-    move(p, island, system.motion, t, it);
-    if (energy_of(p, island, it) <= energy + 1e-4 * t * slope) return;
-    restore_best(p, island, system.motion, it);
-  }
+  return take_step(p, island, false, true, stop, system, it);
 }
 
-// Contacts alone, and soft pulls: a line search on E pays. With joints: see above.
-void step_from_here(const Problem& p, const Island& island, bool geometric, const Stop& stop,
-                    NewtonSystem& system, Iterate& it) {
-  if (!find_direction(p, island, geometric, stop, system, it)) return;
-  foresee_actions(p, island, system.motion.step, it);
-  double t = longest_step(system.motion);
-  if (island.jointed) {
-    predict_forces(p, island, it, system);
-    move(p, island, system.motion, t, it);
-    return;
-  }
-  for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
-    move(p, island, system.motion, t, it);
-    if (p.params->solver.iterations == 1 || is_lower(energy_of(p, island, it), system.motion)) return;
-    restore_best(p, island, system.motion, it);
-  }
-}
-
-void iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
+bool iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
                       Iterate& it) {
   const bool geometric = !system.force.empty() && island.jointed;
   const double energy = assemble(p, island, geometric, system, it);
@@ -221,11 +231,9 @@ void iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, 
     ++system.motion.rises;
   }
   if (system.motion.rises > kPatience) system.searches = true;
-  if (system.motion.rises <= (system.searches ? 0 : kPatience)) {
-    step_from_here(p, island, geometric, stop, system, it);
-  } else {
-    search_from_best(p, island, stop, system, it);
-  }
+  if (system.motion.rises > (system.searches ? 0 : kPatience))
+    return search_from_best(p, island, stop, system, it);
+  return take_step(p, island, geometric, !island.jointed, stop, system, it);
 }
 
 // False where the bodies' system has to take over.
@@ -277,7 +285,7 @@ bool find_structure(const Problem& p, const Island& island, const Iterate& it, d
 void start_newton(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system) {
   start(p, island, it, system.motion);
   system.force.clear();
-  system.searches = false;
+  system.searches = system.stuck = false;
   if (system.dual) start_dual(p, island, system.by_forces);
 }
 
@@ -289,7 +297,7 @@ bool newton_iteration(const Problem& p, const Island& island, const Workers& wor
     system.dual = false;
     recall_forces(system);
   }
-  if (!system.dual) iterate_by_moves(p, island, workers.stop, system, it);
+  if (!system.dual && !iterate_by_moves(p, island, workers.stop, system, it)) return workers.stop.requested();
   tell_moves(p, island, system.motion, it);
   return true;
 }
@@ -309,8 +317,9 @@ void tell_forces(const Problem& p, const Island& island, const NewtonSystem& sys
 void forget_best(NewtonSystem& system) { system.motion.lowest = std::numeric_limits<double>::infinity(); }
 
 void finish_newton(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
-  if (p.params->solver.iterations == 1) return;
-  if (!(is_lower(energy_of(p, island, it), system.motion))) swap_with_best(p, island, system.motion, it);
+  constexpr double kCalm = 0.03;  // d̂: with its friction, the last iterate is the better one
+  if (p.params->solver.iterations == 1 || largest_move(p, island, system.motion) < kCalm) return;
+  if (!is_lower(energy_of(p, island, it), system.motion)) swap_with_best(p, island, system.motion, it);
 }
 
 }  // namespace pabd

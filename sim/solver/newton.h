@@ -5,6 +5,7 @@
 #include "sim/math/block_cholesky.h"
 #include "sim/solver/dual_newton.h"
 #include "sim/solver/island_step.h"
+#include "sim/solver/sliding_tangent.h"
 #include "sim/solver/workers.h"
 
 namespace pabd {
@@ -22,6 +23,9 @@ struct NewtonSystem {
 
   bool searches;  // full steps went in circles: from then on each rise of E is answered by a line search
 
+  bool stuck;  // no step along the last direction lowered E
+  SlidingTangent sliding;
+
   double most_products;  // of a factorisation
 
   // The same iteration with the forces of the joints as unknowns, while the island can be taken so.
@@ -37,8 +41,8 @@ bool find_structure(const Problem& p, const Island& island, const Iterate& it, d
 // Before the first iteration of a step. Precondition: its structure is found.
 void start_newton(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system);
 
-// One iteration; fills it.moved for the bodies of the island. False where the island has
-// become too dense: a contact came to what joints alone held together.
+// One iteration; fills it.moved for the bodies of the island. False where the island has become too dense (a contact came to
+// what joints alone held together), or where its matrix is beyond all numbers.
 bool newton_iteration(const Problem& p, const Island& island, const Workers& workers, NewtonSystem& system,
                       Iterate& it);
 

@@ -70,8 +70,7 @@ void start(const Task& t, Iterate& it) {
 // Iteration k of the island's solver. Returns the smallest d before the projection of `sissm`.
 double iterate(int k, bool every_body, Task& t, Iterate& it) {
   const bool swept = sweeps_limits(t.p, t.island);
-  if (k > 0 && !swept && move_friction_limits(t.p, t.island, t.workers, it) && t.newton())
-    forget_best(*t.system);
+  if (k > 0 && !swept) move_friction_limits(t.p, t.island, t.workers, it);
   if (k > 0) actions_settled(t, false, it);
   double gap_before = 0;
   switch (t.island.solver) {
@@ -104,12 +103,15 @@ void record_iteration(const Task& t, double residual, double gap_before, const I
 
 // `auto` in a pile. While contacts come and go each iteration of `newton` solves another system, and costs
 // more than a sweep: where it does not halve the moves in every iteration, down to d̂, it has the pile again
-// after some sweeps. `done`: iterations.
+// after some sweeps. Few bodies cost it little more than a sweep does: those it keeps while some step lowers E. `done`: iterations.
 void change_solver(int done, double residual, Task& t, Iterate& it) {
   constexpr int kTrial = 2, kSweeps = 20;
+  constexpr std::size_t kFew = 64;  // bodies
   if (!t.system || t.island.jointed || t.p.params->solver.method != SolverMethod::automatic) return;
   const int n = done - t.since;
-  if (t.newton() && n >= kTrial && residual > std::max(1.0, std::ldexp(16.0, -n))) {
+  const bool few = t.island.bodies.size() < kFew;
+  const bool fails = few ? t.system->stuck : n >= kTrial && residual > std::max(1.0, std::ldexp(16.0, -n));
+  if (t.newton() && fails) {
     finish_newton(t.p, t.island, *t.system, it);
     t.island.solver = SolverMethod::descent;
   } else if (!t.newton() && n >= kSweeps) {

@@ -251,7 +251,7 @@ TEST_CASE("iteration limit: more iterations or a faster method end it") {
 }
 
 TEST_CASE("friction above its bound: it is said by how much, and more iterations end it") {
-  Run run("incline", {"solver.iterations=1"});
+  Run run("incline", {"solver.iterations=1", "solver.method=descent"});
   for (int k = 0; k < kSecond && run.session.report().friction_excess <= 0.1; ++k) run.steps(1);
   REQUIRE(run.warned(AdviceKind::friction_excess));
   CHECK(clicks_until_gone(run, AdviceKind::friction_excess, 5, kSecond / 2) <= 5);

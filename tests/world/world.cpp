@@ -68,8 +68,8 @@ Run::Run(Scene of)
 void Run::go(double seconds, const std::function<void()>& each) {
   StepOptions options;
   options.report_contacts = options.report_joints = true;
-  const auto steps = static_cast<int>(std::lround(seconds / scene.params.h));
-  for (int k = 0; k < steps; ++k) {
+  const auto end = steps + static_cast<int>(std::lround(seconds / scene.params.h));
+  while (steps < end) {
     step(scene.model, scene.params, options, state, workspace_, report);
     REQUIRE(report.status != StepStatus::non_finite);
     work += report.drive_work;
@@ -79,6 +79,9 @@ void Run::go(double seconds, const std::function<void()>& each) {
     for (const Vec3& v : state.v) fastest = std::max(fastest, v.norm());
     held += report.held_bodies > 0 ? 1 : 0;
     halved += report.halved_bodies > 0 ? 1 : 0;
+    ++steps;
+    iterations += report.iterations;
+    at_limit += report.status == StepStatus::converged ? 0 : 1;
     if (each) each();
   }
 }
@@ -89,7 +92,7 @@ void Run::send(const std::string& name, const Vec3& v, const Vec3& omega) {
   state.omega[i] = omega;
   begin = kinetic() + potential_energy(scene.model, scene.params, state) + report.elastic;
   work = rise = joint_error = overlap = fastest = 0;
-  held = halved = 0;
+  held = halved = steps = iterations = at_limit = 0;
 }
 
 Index Run::operator[](const std::string& name) const {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// See sliding_tangent.h.
+#include "sim/solver/sliding_tangent.h"
+
+#include <cmath>
+
+#include "sim/math/levels.h"
+
+namespace pabd {
+namespace {
+
+constexpr std::size_t kMostWays = 12;
+constexpr double kEnough = 1e-3;  // of what the bounds change
+
+using Moves = std::vector<Vec6>;
+
+Vec6 wrench(const Vec3& force, const Vec3& lever) {
+  Vec6 g;
+  g << force, lever.cross(force);
+  return g;
+}
+
+bool any(LaneMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
+// Those of an active manifold.
+PABD_EACH_LEVEL void add_sliding_points(const Island& island, const Iterate& it, Index number,
+                                        const NormalRows& normal,
+                                        std::vector<SlidingTangent::Point>& points) {
+  const ContactManifold& manifold = it.manifold[number];
+  const LaneMask slides = (normal.pull > manifold.limit) & ((manifold.limit > 0) | (normal.alpha_n > 0));
+  if (!any(slides)) return;
+  const Pose &a = it.pose[manifold.a], &b = it.pose[manifold.b];
+  const ContactState state = contact_state(manifold, a, b);
+  const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);
+  for (int k = 0; k < manifold.count; ++k) {
+    if (!slides[k]) continue;
+    const Vec3 n = lane(state.n, k), t = lane(state.u, k).normalized();
+    const double rate = manifold.mu * normal.alpha_n[k];
+    points.push_back({island.row[manifold.a], island.row[manifold.b], number, k, manifold.limit[k],
+                      manifold.mu * normal.force[k] - manifold.limit[k], 0,
+                      -rate * wrench(n, lane(on_a.normal, k)), rate * wrench(n, lane(on_b.normal, k)),
+                      -wrench(t, lane(on_a.surface, k)), wrench(t, lane(on_b.surface, k))});
+  }
+}
+
+// Moves the bounds of an active manifold to the end of the step. True if E at the iterate is another one.
+PABD_EACH_LEVEL bool move_bounds(const Island& island, const NormalRows& normal, const Moves& step,
+                                 ContactManifold& manifold) {
+  const Index a = island.row[manifold.a], b = island.row[manifold.b];
+  Vec6 move = Vec6::Zero();  // of a as b sees it
+  if (a >= 0) move += step[a];
+  if (b >= 0) {
+    move -= step[b];
+    move.head<3>() -= step[b].tail<3>().cross(normal.back);
+  }
+  Lanes closing = lanes(0);
+  for (int c = 0; c < 6; ++c) closing += move[c] * normal.row[c];
+  const Lanes bound = manifold.mu * larger(normal.force + normal.alpha_n * closing, lanes(0));
+  const bool other = any((bound != manifold.limit) & (normal.pull > smaller(bound, manifold.limit)));
+  manifold.limit = bound;
+  return other;
+}
+
+double dot(const SlidingTangent& tangent, const Moves& x, const Moves& y) {
+  double sum = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double r = tangent.radius[k];
+    sum += x[k].head<3>().dot(y[k].head<3>()) + r * r * x[k].tail<3>().dot(y[k].tail<3>());
+  }
+  return sum;
+}
+
+// The longest way of a point of a body, about; m.
+double largest(const SlidingTangent& tangent, const Moves& x) {
+  double longest = 0;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    longest = larger(longest, x[k].head<3>().norm() + tangent.radius[k] * x[k].tail<3>().norm());
+  return longest;
+}
+
+void add(double t, const Moves& x, Moves& y) {
+  for (std::size_t k = 0; k < x.size(); ++k) y[k] += t * x[k];
+}
+
+// y = −H⁻¹ Σ D change(point).
+template <class Change>
+void drag(const SlidingTangent& tangent, const BlockCholesky<6>& matrix, const Change& change, Moves& y) {
+  y.assign(tangent.radius.size(), Vec6::Zero());
+  for (const SlidingTangent::Point& point : tangent.points) {
+    const double force = change(point);
+    if (point.a >= 0) y[point.a] -= force * point.drag_a;
+    if (point.b >= 0) y[point.b] -= force * point.drag_b;
+  }
+  matrix.solve(y);
+}
+
+double change_by(const SlidingTangent::Point& point, const Moves& x) {
+  double change = 0;
+  if (point.a >= 0) change -= point.closing_a.dot(x[point.a]);
+  if (point.b >= 0) change -= point.closing_b.dot(x[point.b]);
+  return change;
+}
+
+// y = −H⁻¹ U x.
+void drag_of_move(const SlidingTangent& tangent, const BlockCholesky<6>& matrix, const Moves& x, Moves& y) {
+  drag(
+      tangent, matrix, [&](const SlidingTangent::Point& point) { return change_by(point, x); }, y);
+}
+
+// Adds to `step` what the changes of the bounds that it makes add to it.
+void solve_for_both(const BlockCholesky<6>& matrix, SlidingTangent& tangent, Moves& step) {
+  drag(
+      tangent, matrix, [](const SlidingTangent::Point& point) { return point.ahead; }, tangent.change);
+  add(1, tangent.change, step);
+  Moves& rest = tangent.rest;
+  drag_of_move(tangent, matrix, step, rest);
+  const double enough = kEnough * kEnough * dot(tangent, rest, rest);
+  for (std::size_t n = 0; n < kMostWays && dot(tangent, rest, rest) > enough; ++n) {
+    Moves &way = tangent.way[n], &image = tangent.image[n];
+    way = rest;
+    drag_of_move(tangent, matrix, way, image);
+    for (std::size_t k = 0; k < image.size(); ++k) image[k] = way[k] - image[k];
+    for (std::size_t k = 0; k < n; ++k) {
+      const double share = dot(tangent, image, tangent.image[k]);
+      add(-share, tangent.way[k], way);
+      add(-share, tangent.image[k], image);
+    }
+    const double norm = std::sqrt(dot(tangent, image, image));
+    if (!(norm > 0 && std::isfinite(norm))) return;
+    for (Vec6& v : way) v /= norm;
+    for (Vec6& v : image) v /= norm;
+    const double share = dot(tangent, rest, image);
+    add(share, way, step);
+    add(-share, image, rest);
+  }
+}
+
+// Where friction presses its own contacts by more than itself, the bounds that fit both are negative, however far above the
+// present ones μ f_n is: a pencil that is pushed along a rough table. Such points jam: their bounds grow from iteration to
+// iteration until they hold. Sets the changes of the others to 0.
+void find_jams(const BlockCholesky<6>& matrix, bool calm, const Moves& step, SlidingTangent& tangent) {
+  bool any = false;
+  for (SlidingTangent::Point& point : tangent.points) {
+    const bool may = calm && point.ahead > 0 && point.ahead + change_by(point, step) < -point.limit;
+    point.change = may ? point.ahead : 0;
+    any |= may;
+  }
+  if (!any) return;
+  drag(
+      tangent, matrix, [](const SlidingTangent::Point& point) { return point.change; }, tangent.change);
+  for (SlidingTangent::Point& point : tangent.points) {
+    if (change_by(point, tangent.change) < point.change) point.change = 0;
+  }
+}
+
+// The step of the bounds as they have become: downhill on their E, however well both were found. They stay as they are where
+// that is beyond all numbers.
+void step_of_bounds(const BlockCholesky<6>& matrix, double d_hat, SlidingTangent& tangent, Moves& step) {
+  constexpr double kCalm = 0.01;  // d̂: beyond, f_n may be a thousand times that of the solution
+  find_jams(matrix, largest(tangent, tangent.plain) < kCalm * d_hat, step, tangent);
+  for (SlidingTangent::Point& point : tangent.points) {
+    if (!(point.change > 0)) point.change = larger(point.ahead + change_by(point, step), -point.limit);
+  }
+  drag(
+      tangent, matrix, [](const SlidingTangent::Point& point) { return point.change; }, tangent.change);
+  step = tangent.plain;
+  if (std::isfinite(dot(tangent, tangent.change, tangent.change))) {
+    add(1, tangent.change, step);
+  } else {
+    for (SlidingTangent::Point& point : tangent.points) point.change = 0;
+  }
+}
+
+// What slides later shall find its memory.
+void make_room(std::size_t bodies, SlidingTangent& tangent) {
+  tangent.points.reserve(kLanes * tangent.active.size());
+  tangent.plain.resize(bodies);
+  tangent.change.resize(bodies);
+  tangent.rest.resize(bodies);
+  for (std::vector<Moves>* list : {&tangent.way, &tangent.image}) {
+    list->resize(kMostWays);
+    for (Moves& moves : *list) moves.resize(bodies);
+  }
+}
+
+}  // namespace
+
+bool follow_bounds(const Problem& p, const Island& island, const BlockCholesky<6>& matrix,
+                   SlidingTangent& tangent, std::vector<Vec6>& step, Iterate& it) {
+  if (tangent.active.empty()) return false;
+  make_room(step.size(), tangent);
+  tangent.radius.clear();
+  for (const Index i : island.bodies) tangent.radius.push_back(p.flight->radius[i]);
+  tangent.points.clear();
+  for (const auto& [k, normal] : tangent.active) add_sliding_points(island, it, k, normal, tangent.points);
+  if (!tangent.points.empty()) {
+    tangent.plain = step;
+    solve_for_both(matrix, tangent, step);
+    step_of_bounds(matrix, p.law.barrier.d_hat, tangent, step);
+  }
+  bool other = !tangent.points.empty();
+  for (const auto& [k, normal] : tangent.active) other |= move_bounds(island, normal, step, it.manifold[k]);
+  for (const SlidingTangent::Point& point : tangent.points)
+    it.manifold[point.manifold].limit[point.lane] = point.limit + point.change;
+  return other;
+}
+
+}  // namespace pabd
