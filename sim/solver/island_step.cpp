@@ -8,6 +8,14 @@
 #include "sim/math/extremes.h"
 
 namespace pabd {
+namespace {
+
+// How far a step moves body i; d̂.
+double move_of(const Problem& p, Index i, const Vec6& step) {
+  return (step.head<3>().norm() + p.flight->radius[i] * step.tail<3>().norm()) / p.law.barrier.d_hat;
+}
+
+}  // namespace
 
 bool is_lower(double energy, const IslandStep& s) {
   constexpr double kRounding = 1e-12;  // of E
@@ -58,21 +66,16 @@ void move(const Problem& p, const Island& island, const IslandStep& s, double t,
   }
 }
 
-double move_of(const Problem& p, const Island& island, const IslandStep& s, std::size_t k) {
-  const Vec6& step = s.step[k];
-  return (step.head<3>().norm() + p.flight->radius[island.bodies[k]] * step.tail<3>().norm()) /
-         p.law.barrier.d_hat;
-}
-
-double largest_move(const Problem& p, const Island& island, const IslandStep& s) {
+double largest_move(const Problem& p, const Island& island, const std::vector<Vec6>& step) {
   double largest = 0;
-  for (std::size_t k = 0; k < island.bodies.size(); ++k) largest = larger(largest, move_of(p, island, s, k));
+  for (std::size_t k = 0; k < step.size(); ++k)
+    largest = larger(largest, move_of(p, island.bodies[k], step[k]));
   return largest;
 }
 
 void tell_moves(const Problem& p, const Island& island, const IslandStep& s, Iterate& it) {
   for (std::size_t k = 0; k < island.bodies.size(); ++k)
-    it.moved[island.bodies[k]] = move_of(p, island, s, k);
+    it.moved[island.bodies[k]] = move_of(p, island.bodies[k], s.step[k]);
 }
 
 }  // namespace pabd

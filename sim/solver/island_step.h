@@ -33,9 +33,8 @@ double longest_step(const IslandStep& s);
 // c ← c + t δc, R ← cayley(t δω) R.
 void move(const Problem& p, const Island& island, const IslandStep& s, double t, Iterate& it);
 
-// How far the step moves body k of the island, d̂; and the body that it moves the most.
-double move_of(const Problem& p, const Island& island, const IslandStep& s, std::size_t k);
-double largest_move(const Problem& p, const Island& island, const IslandStep& s);
+// How far a step moves the body that it moves the most; d̂.
+double largest_move(const Problem& p, const Island& island, const std::vector<Vec6>& step);
 
 // Fills it.moved from the step.
 void tell_moves(const Problem& p, const Island& island, const IslandStep& s, Iterate& it);

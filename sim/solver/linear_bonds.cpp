@@ -4,16 +4,6 @@
 #include "sim/math/levels.h"
 
 namespace pabd {
-namespace {
-
-Vec6 wrench(const Vec3& force, const Vec3& torque) {
-  Vec6 g;
-  g << force, torque;
-  return g;
-}
-
-}  // namespace
-
 PABD_EACH_LEVEL bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
                             const Pose& b) {
   const ContactState state = contact_state(manifold, a, b);

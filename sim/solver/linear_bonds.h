@@ -35,6 +35,12 @@ void each_joint_bond(const Problem& p, const Island& island, const Iterate& it, 
   }
 }
 
+inline Vec6 wrench(const Vec3& force, const Vec3& torque) {
+  Vec6 g;
+  g << force, torque;
+  return g;
+}
+
 // How the normal forces of a manifold answer to moves of its bodies: f_n + α_n row·(δ_a − T δ_b), T the shift `back`.
 struct alignas(sizeof(Lanes)) NormalRows {
   Lanes row[6];          // −∇d, a's

@@ -161,7 +161,7 @@ bool find_direction(const Problem& p, const Island& island, bool geometric, cons
   if (!solvable) return false;
   for (std::size_t k = 0; k < system.motion.g.size(); ++k) system.motion.step[k] = -system.motion.g[k];
   system.matrix.solve(system.motion.step);
-  return std::isfinite(largest_move(p, island, system.motion));
+  return std::isfinite(largest_move(p, island, system.motion.step));
 }
 
 // The forces at the iterate itself would be off by stiffness times the curvature of the way there.
@@ -185,19 +185,19 @@ bool take_step(const Problem& p, const Island& island, bool geometric, bool sear
   constexpr double kSmall = 0.01;  // d̂
   system.stuck = false;
   if (!find_direction(p, island, geometric, stop, system, it)) return false;
-  const bool other =
+  const bool other_E =
       p.friction && follow_bounds(p, island, system.matrix, system.sliding, system.motion.step, it);
   foresee_actions(p, island, system.motion.step, it);
   if (!search) {
     predict_forces(p, island, it, system);
-    if (other) forget_best(system);
+    if (other_E) forget_best(system);
   }
   double t = longest_step(system.motion);
-  if (!search || largest_move(p, island, system.motion) < kSmall) {
+  if (!search || largest_move(p, island, system.motion.step) < kSmall) {
     move(p, island, system.motion, t, it);
     return true;
   }
-  if (other) system.motion.lowest = energy_of(p, island, it);
+  if (other_E) system.motion.lowest = energy_of(p, island, it);
   for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
     move(p, island, system.motion, t, it);
     if (p.params->solver.iterations == 1 || is_lower(energy_of(p, island, it), system.motion)) return true;
@@ -318,7 +318,7 @@ void forget_best(NewtonSystem& system) { system.motion.lowest = std::numeric_lim
 
 void finish_newton(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
   constexpr double kCalm = 0.03;  // d̂: with its friction, the last iterate is the better one
-  if (p.params->solver.iterations == 1 || largest_move(p, island, system.motion) < kCalm) return;
+  if (p.params->solver.iterations == 1 || largest_move(p, island, system.motion.step) < kCalm) return;
   if (!is_lower(energy_of(p, island, it), system.motion)) swap_with_best(p, island, system.motion, it);
 }
 

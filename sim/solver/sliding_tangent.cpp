@@ -3,6 +3,7 @@
 #include "sim/solver/sliding_tangent.h"
 
 #include <cmath>
+#include <functional>
 
 #include "sim/math/levels.h"
 
@@ -11,14 +12,11 @@ namespace {
 
 constexpr std::size_t kMostWays = 12;
 constexpr double kEnough = 1e-3;  // of what the bounds change
+constexpr double kCalm = 0.01;    // d̂: beyond, f_n may be a thousand times that of the solution
 
 using Moves = std::vector<Vec6>;
 
-Vec6 wrench(const Vec3& force, const Vec3& lever) {
-  Vec6 g;
-  g << force, lever.cross(force);
-  return g;
-}
+Vec6 wrench_at(const Vec3& lever, const Vec3& force) { return wrench(force, lever.cross(force)); }
 
 bool any(LaneMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
@@ -38,8 +36,8 @@ PABD_EACH_LEVEL void add_sliding_points(const Island& island, const Iterate& it,
     const double rate = manifold.mu * normal.alpha_n[k];
     points.push_back({island.row[manifold.a], island.row[manifold.b], number, k, manifold.limit[k],
                       manifold.mu * normal.force[k] - manifold.limit[k], 0,
-                      -rate * wrench(n, lane(on_a.normal, k)), rate * wrench(n, lane(on_b.normal, k)),
-                      -wrench(t, lane(on_a.surface, k)), wrench(t, lane(on_b.surface, k))});
+                      -rate * wrench_at(lane(on_a.normal, k), n), rate * wrench_at(lane(on_b.normal, k), n),
+                      -wrench_at(lane(on_a.surface, k), t), wrench_at(lane(on_b.surface, k), t)});
   }
 }
 
@@ -70,24 +68,16 @@ double dot(const SlidingTangent& tangent, const Moves& x, const Moves& y) {
   return sum;
 }
 
-// The longest way of a point of a body, about; m.
-double largest(const SlidingTangent& tangent, const Moves& x) {
-  double longest = 0;
-  for (std::size_t k = 0; k < x.size(); ++k)
-    longest = larger(longest, x[k].head<3>().norm() + tangent.radius[k] * x[k].tail<3>().norm());
-  return longest;
-}
-
 void add(double t, const Moves& x, Moves& y) {
   for (std::size_t k = 0; k < x.size(); ++k) y[k] += t * x[k];
 }
 
-// y = −H⁻¹ Σ D change(point).
+// y = −H⁻¹ Σ D Δl, Δl a member or a function of a point.
 template <class Change>
 void drag(const SlidingTangent& tangent, const BlockCholesky<6>& matrix, const Change& change, Moves& y) {
   y.assign(tangent.radius.size(), Vec6::Zero());
   for (const SlidingTangent::Point& point : tangent.points) {
-    const double force = change(point);
+    const double force = std::invoke(change, point);
     if (point.a >= 0) y[point.a] -= force * point.drag_a;
     if (point.b >= 0) y[point.b] -= force * point.drag_b;
   }
@@ -109,8 +99,7 @@ void drag_of_move(const SlidingTangent& tangent, const BlockCholesky<6>& matrix,
 
 // Adds to `step` what the changes of the bounds that it makes add to it.
 void solve_for_both(const BlockCholesky<6>& matrix, SlidingTangent& tangent, Moves& step) {
-  drag(
-      tangent, matrix, [](const SlidingTangent::Point& point) { return point.ahead; }, tangent.change);
+  drag(tangent, matrix, &SlidingTangent::Point::ahead, tangent.change);
   add(1, tangent.change, step);
   Moves& rest = tangent.rest;
   drag_of_move(tangent, matrix, step, rest);
@@ -146,8 +135,7 @@ void find_jams(const BlockCholesky<6>& matrix, bool calm, const Moves& step, Sli
     any |= may;
   }
   if (!any) return;
-  drag(
-      tangent, matrix, [](const SlidingTangent::Point& point) { return point.change; }, tangent.change);
+  drag(tangent, matrix, &SlidingTangent::Point::change, tangent.change);
   for (SlidingTangent::Point& point : tangent.points) {
     if (change_by(point, tangent.change) < point.change) point.change = 0;
   }
@@ -155,14 +143,12 @@ void find_jams(const BlockCholesky<6>& matrix, bool calm, const Moves& step, Sli
 
 // The step of the bounds as they have become: downhill on their E, however well both were found. They stay as they are where
 // that is beyond all numbers.
-void step_of_bounds(const BlockCholesky<6>& matrix, double d_hat, SlidingTangent& tangent, Moves& step) {
-  constexpr double kCalm = 0.01;  // d̂: beyond, f_n may be a thousand times that of the solution
-  find_jams(matrix, largest(tangent, tangent.plain) < kCalm * d_hat, step, tangent);
+void step_of_bounds(const BlockCholesky<6>& matrix, bool calm, SlidingTangent& tangent, Moves& step) {
+  find_jams(matrix, calm, step, tangent);
   for (SlidingTangent::Point& point : tangent.points) {
     if (!(point.change > 0)) point.change = larger(point.ahead + change_by(point, step), -point.limit);
   }
-  drag(
-      tangent, matrix, [](const SlidingTangent::Point& point) { return point.change; }, tangent.change);
+  drag(tangent, matrix, &SlidingTangent::Point::change, tangent.change);
   step = tangent.plain;
   if (std::isfinite(dot(tangent, tangent.change, tangent.change))) {
     add(1, tangent.change, step);
@@ -195,14 +181,15 @@ bool follow_bounds(const Problem& p, const Island& island, const BlockCholesky<6
   for (const auto& [k, normal] : tangent.active) add_sliding_points(island, it, k, normal, tangent.points);
   if (!tangent.points.empty()) {
     tangent.plain = step;
+    const bool calm = largest_move(p, island, step) < kCalm;
     solve_for_both(matrix, tangent, step);
-    step_of_bounds(matrix, p.law.barrier.d_hat, tangent, step);
+    step_of_bounds(matrix, calm, tangent, step);
   }
-  bool other = !tangent.points.empty();
-  for (const auto& [k, normal] : tangent.active) other |= move_bounds(island, normal, step, it.manifold[k]);
+  bool other_E = !tangent.points.empty();
+  for (const auto& [k, normal] : tangent.active) other_E |= move_bounds(island, normal, step, it.manifold[k]);
   for (const SlidingTangent::Point& point : tangent.points)
     it.manifold[point.manifold].limit[point.lane] = point.limit + point.change;
-  return other;
+  return other_E;
 }
 
 }  // namespace pabd

@@ -7,10 +7,10 @@
 //   H δ + Σ D Δl = −g         D = ∂g/∂l, the wrench of a unit force along t
 //   Δl = μ (f_n − α_n ∇d·δ) − l
 //
-// Without the Δl this is −(1 + H⁻¹ U)⁻¹ H⁻¹ g̃ with U = −Σ D μ α_n ∇dᵀ, not symmetric, and g̃ the gradient under l = μ f_n. It
-// is solved by generalized conjugate residuals (Eisenstat, Elman, Schultz 1983): each costs one solve with the factor of H.
-// Forces of the linear model are those of the step's end even where the iterate is a thousand times too stiff; and δ is the Newton
-// step of E under the new bounds, so that a line search on that E goes downhill.
+// With the Δl eliminated this is δ = −(1 + H⁻¹ U)⁻¹ H⁻¹ g̃, with U = −Σ D μ α_n ∇dᵀ, which is not symmetric, and g̃ the
+// gradient under l = μ f_n. It is solved by generalized conjugate residuals (Eisenstat, Elman, Schultz 1983): each costs one
+// solve with the factor of H. Why: forces of the linear model are those of the step's end, even where those of the iterate are
+// a thousand times too large; and δ is the Newton step of E under the new bounds: a line search on that E goes downhill.
 #pragma once
 
 #include "sim/math/block_cholesky.h"

@@ -103,7 +103,8 @@ void record_iteration(const Task& t, double residual, double gap_before, const I
 
 // `auto` in a pile. While contacts come and go each iteration of `newton` solves another system, and costs
 // more than a sweep: where it does not halve the moves in every iteration, down to d̂, it has the pile again
-// after some sweeps. Few bodies cost it little more than a sweep does: those it keeps while some step lowers E. `done`: iterations.
+// after some sweeps. Few bodies cost it little more than a sweep does: those it keeps while some step lowers E.
+// `done`: iterations.
 void change_solver(int done, double residual, Task& t, Iterate& it) {
   constexpr int kTrial = 2, kSweeps = 20;
   constexpr std::size_t kFew = 64;  // bodies
