@@ -20,7 +20,7 @@ class Halves;
 struct StepMemory {
   Flight flight;
   SecondOrder second_order;
-  Detection detection;
+  Detection detection, late;  // at the start, and where it ends
   std::vector<Joint> pulls;
   Problem problem;
   Iterate iterate;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Contacts are found where bodies would fly to (contact_setup.h). What a hit turns aside ends elsewhere, and may end in
+// something that the step did not know of.
+#pragma once
+
+#include "sim/solver/contact_setup.h"
+#include "sim/solver/islands.h"
+#include "sim/solver/workers.h"
+
+namespace pabd {
+
+// Marks the bodies of all islands, but for crowds, that overlap at the iterate in points that the step has no contact for.
+// Looks only where a body ends more than d̂/2 beside where its contacts were looked for.
+void mark_late_contacts(const Problem& p, const Islands& islands, const Workers& workers, const Iterate& it,
+                        Detection& memory, std::vector<std::uint8_t>& marked);
+
+}  // namespace pabd
