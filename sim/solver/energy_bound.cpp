@@ -102,7 +102,7 @@ void add_contacts_at_start(const Problem& p, const Island& island, bool solved, 
     const Lanes energy = energy_at_start(p, manifold, solved);
     for (int k = 0; k < manifold.count; ++k) {
       out.stored += energy[k];
-      if (!manifold.known[k]) out.found += energy[k];
+      if (!manifold.known[k] && manifold.start_d[k] < 0) out.found += energy[k];
       if (comes_apart(island, manifold)) out.freed += energy[k];
     }
   }
@@ -164,9 +164,9 @@ double drive_work(const Problem& p, const Iterate& it, std::span<const Index> jo
   return work;
 }
 
-bool gains(const EnergyBalance& energy, double residual) {
+bool gains(const EnergyBalance& energy, double share, double residual) {
   return energy.rise + energy.found >
-         kRise * (energy.kinetic + energy.stored) + 100 * residual * energy.stored;
+         share * (energy.kinetic + energy.stored) + 100 * residual * energy.stored;
 }
 
 bool gains_in_all(const EnergyBalance& energy, double before) {

@@ -36,8 +36,8 @@ double drive_work(const Problem& p, const Iterate& it, std::span<const Index> jo
 struct EnergyBalance {
   double kinetic = 0;  // T at the start, or in free flight, where that is more
   double stored = 0;   // Ψ at the start
-  double found = 0;    // the part of it in contacts that the last step did not know
   double rise = 0;     // T + U + Ψ above the start and W
+  double found = 0;    // the part of it in overlap that the last step did not know of
   double freed = 0;    // Ψ that overlaps in a crowd lost
 
   // What bodies must not have: those of a crowd get no speed from coming apart.
@@ -53,10 +53,12 @@ struct EnergyMemory {
 EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved, const Workers& workers,
                              const Velocities& velocities, EnergyMemory& memory, Iterate& it);
 
-inline constexpr double kRise = 1e-5;
-// Does it have more than it may? Energy that was found counts as gained: nobody paid for it. What a solve that ends with
+// Shares of T + Ψ that a step may gain: what is less is taken out of its motion, what is more is worth smaller steps. Implicit
+// Euler gains some where something tips over. Sweeps may have stopped too early, and then their energy tells first.
+inline constexpr double kRise = 1e-4, kRiseInSweeps = 1e-5;
+// Does it gain more than that share? Energy of overlap that was found counts: nobody paid for it. What a solve that ends with
 // that residual (in d̂) leaves open does not: a hundred times as much of Ψ, contacts being pressed in by hundredths of d̂.
-bool gains(const EnergyBalance& energy, double residual);
+bool gains(const EnergyBalance& energy, double share, double residual);
 
 // The same of a step of second order (second_order.h), whose energy goes up and down by itself: `before`: what it gained since
 // nothing breaks in; J.

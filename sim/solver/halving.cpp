@@ -16,7 +16,7 @@ bool may_halve(const SolverParams& solver) {
 bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy) {
   if (island.status == StepStatus::non_finite || !(island.residual <= kUnsolved)) return true;
   if (!(island.friction_error <= kUnsettled)) return true;
-  return gains(energy, island.residual);
+  return gains(energy, island.solver == SolverMethod::newton ? kRise : kRiseInSweeps, island.residual);
 }
 
 Params of_half(const Params& whole, double kappa) {

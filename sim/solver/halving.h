@@ -6,8 +6,9 @@
 //   that left the numbers or all bounds (runaway.h),
 //   whose bodies moved by more than kUnsolved d̂ in the last iteration,
 //   whose friction is off by more than kUnsettled (IslandReport::friction_error),
-//   or that has more energy than it may have, converged or not (gains() and gains_in_all() of energy_bound.h): a corner
-//   turned through its lowest point between two steps.
+//   that has more energy than it may have, converged or not (gains() and gains_in_all() of energy_bound.h): a corner
+//   turned through its lowest point between two steps,
+//   or that overlaps at its end where the step knew of no contact (late_contacts.h).
 // Not with one iteration a step, which asks for what that gives, and not for `sissm`, whose bonds are as stiff as h lets them be
 // (stiffness_cap.h): halves would be of another model. Not a crowd (Deviation D25), unless it left the numbers.
 #pragma once

@@ -62,7 +62,8 @@ TEST_CASE("a cube that slides and spins on its corners is solved in every step, 
   CHECK(run.rise < 1e-9);
 }
 
-TEST_CASE("a row of boxes that is pushed is solved in nearly all steps") {
+// Each box is hit while it stands 2 cm from the next: where its free flight ends tells nothing of that one.
+TEST_CASE("a row of boxes that is pushed is solved but for its hits, and none ends in the next") {
   const double h = GENERATE(1.0 / 60, 1.0 / 240), mu = GENERATE(0.2, 0.4), aside = GENERATE(0.0, 0.1);
   const int count = GENERATE(3, 8);
   CAPTURE(h, mu, aside, count);
@@ -77,7 +78,8 @@ TEST_CASE("a row of boxes that is pushed is solved in nearly all steps") {
                .velocity = Vec3(8, 0, 0)});
   Run run(setting);
   run.go(1.5);
-  CHECK(run.at_limit <= 0.02 * run.steps);
+  CHECK(run.at_limit <= 7);  // there are as many hits at any h
+  CHECK(run.overlap < 0.1 * edge);
 }
 
 }  // namespace pabd::test_friction_solved
