@@ -36,8 +36,8 @@ double drive_work(const Problem& p, const Iterate& it, std::span<const Index> jo
 struct EnergyBalance {
   double kinetic = 0;  // T at the start, or in free flight, where that is more
   double stored = 0;   // Ψ at the start
-  double rise = 0;     // T + U + Ψ above the start and W
   double found = 0;    // the part of it in overlap that the last step did not know of
+  double rise = 0;     // T + U + Ψ above the start and W
   double freed = 0;    // Ψ that overlaps in a crowd lost
 
   // What bodies must not have: those of a crowd get no speed from coming apart.

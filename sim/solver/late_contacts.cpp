@@ -6,17 +6,15 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/math/so3.h"
 #include "sim/solver/friction.h"
 
 namespace pabd {
 namespace {
 
-bool is_turned_aside(const Problem& p, Index i, const Pose& end) {
-  const Pose& star = p.flight->star[i];
-  const double turned =
-      (end.R - star.R).norm() / std::sqrt(2.0);  // at least the angle up to 2 rad, and near it
-  return (end.c - star.c).norm() + turned * p.flight->radius[i] > 0.5 * p.law.barrier.d_hat;
+// How far a body ends beside another pose of it, at its surface, at most; m.
+double way_between(const Pose& end, const Vec3& c, const Mat3& R, double radius) {
+  const double chord = (end.R - R).norm() / std::sqrt(2.0);  // 2 sin(φ/2)
+  return (end.c - c).norm() + chord * radius;
 }
 
 bool is_known(const Iterate& it, const ContactPoint& point) {
@@ -26,33 +24,37 @@ bool is_known(const Iterate& it, const ContactPoint& point) {
       std::lower_bound(it.manifold.begin(), it.manifold.end(), pair,
                        [](const ContactManifold& m, std::uint64_t key) { return pair_key(m.a, m.b) < key; });
   for (; manifold != it.manifold.end() && pair_key(manifold->a, manifold->b) == pair; ++manifold) {
-    const auto last = manifold->feature + manifold->count;
-    if (std::find(manifold->feature + 0, last, feature) != last) return true;
+    const std::uint32_t *first = manifold->feature, *last = first + manifold->count;
+    if (std::find(first, last, feature) != last) return true;
   }
   return false;
 }
 
 }  // namespace
 
-void mark_late_contacts(const Problem& p, const Islands& islands, const Workers& workers, const Iterate& it,
+void mark_late_contacts(const Problem& p, const Islands& islands, const std::vector<IslandReport>& outcome,
+                        const Workers& workers, const Iterate& it, const Detection& looked_at,
                         Detection& memory, std::vector<std::uint8_t>& marked) {
   const std::size_t n = p.model->shape.size();
-  const auto aside = [&](Index i) { return is_turned_aside(p, i, it.pose[i]); };
-  if (std::none_of(islands.solved.begin(), islands.solved.end(), aside)) return;
-  memory.c.resize(n);
-  memory.R.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    memory.c[i] = it.pose[i].c;
-    memory.R[i] = it.pose[i].R;
+  memory.c = p.start->c;
+  memory.R = p.start->R;
+  bool any = false;
+  for (const Index i : islands.solved) {
+    if (outcome[islands.of[i]].status == StepStatus::non_finite) continue;
+    const Pose& end = it.pose[i];
+    any |= way_between(end, looked_at.c[i], looked_at.R[i], p.flight->radius[i]) > 0.5 * p.law.barrier.d_hat;
+    memory.c[i] = end.c;
+    memory.R[i] = end.R;
   }
-  memory.reach.assign(n, 0);
+  if (!any) return;
+  memory.reach.assign(n, 0);  // what overlaps
   memory.collision.stop = workers.stop;
   std::swap(memory.collision.team, workers.team);
   detect(*p.model, memory.c, memory.R, memory.reach, p.model->no_collide, workers.threads, memory.collision,
          memory.points);
   std::swap(memory.collision.team, workers.team);
   for (const ContactPoint& point : memory.points) {
-    if (!(point.d < 0) || is_known(it, point)) continue;
+    if (is_known(it, point)) continue;
     for (const Index body : {point.a, point.b}) {
       if (!p.movable(body) || islands.of[body] < 0) continue;
       const Island& island = islands.list[islands.of[body]];

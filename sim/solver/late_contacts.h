@@ -5,13 +5,16 @@
 
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/islands.h"
+#include "sim/solver/report.h"
 #include "sim/solver/workers.h"
 
 namespace pabd {
 
 // Marks the bodies of all islands, but for crowds, that overlap at the iterate in points that the step has no contact for.
-// Looks only where a body ends more than d̂/2 beside where its contacts were looked for.
-void mark_late_contacts(const Problem& p, const Islands& islands, const Workers& workers, const Iterate& it,
+// Looks only where a body ends more than d̂/2 beside where its contacts were looked for (`looked_at`), and not at what left the
+// numbers.
+void mark_late_contacts(const Problem& p, const Islands& islands, const std::vector<IslandReport>& outcome,
+                        const Workers& workers, const Iterate& it, const Detection& looked_at,
                         Detection& memory, std::vector<std::uint8_t>& marked);
 
 }  // namespace pabd

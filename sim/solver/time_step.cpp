@@ -289,7 +289,8 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
 
   find_motion(p, m);  // 4. velocities
   if (!feasible || !judge(p, workers, m, report)) return fail(report);
-  if (may_halve(p.params->solver)) mark_late_contacts(p, m.islands, workers, m.iterate, m.late, m.again);
+  if (may_halve(p.params->solver))
+    mark_late_contacts(p, m.islands, report.islands, workers, m.iterate, m.detection, m.late, m.again);
   const bool halved =
       std::any_of(m.again.begin(), m.again.end(), [](std::uint8_t again) { return again != 0; });
   report.times.velocities = watch.lap();

@@ -109,8 +109,8 @@ TEST_CASE("hits that turn bodies into others make no energy: whole scenes, with 
     world.model = scene.model;
     world.params = scene.params;
     world.state = scene.initial;
-    double last = std::numeric_limits<
-        double>::infinity();  // where a scene starts bodies may be pressed against each other
+    // Where a scene starts bodies may be pressed against each other.
+    double last = std::numeric_limits<double>::infinity();
     double rise = 0, fastest = 0, overlap = 0;
     testing::run(world, kSteps, {}, [&](const StepReport& r) {
       rise = std::max(rise, energy(r) - last);
