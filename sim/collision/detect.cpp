@@ -156,8 +156,23 @@ double collide_on_the_way(const Poses& poses, Index i, Index j, double part, dou
   return nearest;
 }
 
-// Where the way of the two ends; where they first touch if they may pass each other. To there they go in steps by which
-// they cannot come to touch.
+// Does a plane at the end of their way say that the two overlap where they come from?
+bool overlap_behind(const Poses& poses, std::span<const ContactPoint> points) {
+  const Passage& passage = poses.passage;
+  const auto back = [&](Index i, const Vec3& x) -> Vec3 {
+    const auto k = static_cast<std::size_t>(i);
+    return passage.c[k] + passage.R[k] * (poses.R[k].transpose() * (x - poses.c[k]));
+  };
+  return std::any_of(points.begin(), points.end(), [&](const ContactPoint& p) {
+    const auto a = static_cast<std::size_t>(p.a);
+    const Vec3 n = p.round_a > 0 ? p.n : Vec3(passage.R[a] * (poses.R[a].transpose() * p.n));
+    const Vec3 apart = back(p.b, p.y_b + p.round_b * p.n) - back(p.a, p.y_a - p.round_a * p.n);
+    return n.dot(apart) < p.round_a + p.round_b;
+  });
+}
+
+// Where the way of the two ends; where they first touch if they may pass each other, or if at the end they touch another side
+// of each other. To there they go in steps by which they cannot come to touch.
 void collide_pair(const Poses& poses, Index i, Index j, Contacts& out) {
   constexpr int kMostSteps = 64;
   const double near = poses.reach[static_cast<std::size_t>(i)] + poses.reach[static_cast<std::size_t>(j)];
@@ -165,25 +180,38 @@ void collide_pair(const Poses& poses, Index i, Index j, Contacts& out) {
   const std::size_t first = out.size();
   const auto inner = [&](Index k) { return inner_radius(poses.model.shape[static_cast<std::size_t>(k)]); };
   const double farthest = passage.c.empty() ? 0 : passage.farthest(i, j);
-  bool apart = false;
+  double gap = -narrow::kNone;  // where they come from, as far as it is known
   const auto told = [&] {
-    for (std::size_t k = first; k < out.size(); ++k) out[k].apart = apart;
+    for (std::size_t k = first; k < out.size(); ++k) out[k].least_start_d = gap;
   };
-  if (passage.from_start || farthest > 0.5 * std::min(inner(i), inner(j))) {
-    double nearest = collide_on_the_way(poses, i, j, 0, near, first, out);
-    if (passage.from_start) return;
-    apart = nearest >= passage.touching;
-    const auto passes = [&] { return may_pass(poses.model, passage, std::span(out).subspan(first)); };
-    double part = 0;
-    for (int k = 0; k < kMostSteps && passes(); ++k) {
-      if (nearest < passage.touching) return told();
+  const auto first_touch = [&](const auto& may_touch) {
+    double part = 0, nearest = collide_on_the_way(poses, i, j, part, near, first, out);
+    gap = std::min(nearest, passage.touching);
+    for (int k = 0; k < kMostSteps && may_touch(); ++k) {
+      if (passage.from_start || nearest < passage.touching) return true;
       part += (nearest - 0.5 * passage.touching) / farthest;
       if (!(part < 1)) break;
       nearest = collide_on_the_way(poses, i, j, part, near, first, out);
     }
+    return passage.from_start;
+  };
+  const auto at_the_end = [&] {
     out.resize(first);
+    collide_any(poses.placed(i), poses.placed(j), near, out);
+  };
+  const bool far = farthest > 0.5 * std::min(inner(i), inner(j));
+  if (passage.from_start || far) {
+    const auto may = [&] { return may_pass(poses.model, passage, std::span(out).subspan(first)); };
+    if (first_touch(may)) return told();
   }
-  collide_any(poses.placed(i), poses.placed(j), near, out);
+  at_the_end();
+  const auto found = std::span(out).subspan(first);
+  const bool came_near =
+      std::any_of(found.begin(), found.end(), [&](const ContactPoint& p) { return p.d < farthest; });
+  if (farthest > 0 && !far && came_near && overlap_behind(poses, found)) {
+    if (first_touch([&] { return gap >= 0; })) return told();
+    at_the_end();
+  }
   told();
 }
 

@@ -22,9 +22,9 @@ struct ContactPoint {
   std::uint32_t feature;  // stays the same for the same corner or edge pair from step to step
   // How far inside its body, along n, the point lies that rolling moves as it moves the centre; 0 of what is flat; m
   double round_a = 0, round_b = 0;
-  double part = 1;       // of the way of the bodies, see Passage
-  bool apart = false;    // they did not touch where they come from, whatever this plane says of that place
-  bool crowded = false;  // of two bodies in crowds: the only one of them
+  double part = 1;               // of the way of the bodies, see Passage
+  double least_start_d = -1e30;  // of d where they come from, whatever this plane says of that place; m
+  bool crowded = false;          // of two bodies in crowds: the only one of them
 };
 
 // Threads, bounds and pair lists kept between calls so that a warm call does not allocate.

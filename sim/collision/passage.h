@@ -4,7 +4,8 @@
 // Contacts are looked for where the step ends. A pair that comes towards each other, along the normal of one of its
 // contacts, by more than half of the thinner one's thickness along that normal may be past each other there: it is
 // looked at where it first touches on its way. How fast bodies fly matters no more than that: a wheel does not come
-// towards its road.
+// towards its road. So is a pair that is apart where it comes from while the planes of its contacts at the end say that it
+// overlapped there: a corner that falls past another meets it from above, and is nearest to its side at the end.
 #pragma once
 
 #include <span>

@@ -112,9 +112,9 @@ void add_point(const Problem& problem, const ContactPoint& p, const Passage& fro
   const Pose a = pose(p.a), b = pose(p.b);
   const auto in_a = [&](const Vec3& y) -> Vec3 { return a.R.transpose() * (y - a.c); };
   const auto in_b = [&](const Vec3& y) -> Vec3 { return b.R.transpose() * (y - b.c); };
-  const double radius_a = p.round_a, radius_b = p.round_b, d_hat = problem.law.barrier.d_hat;
+  const double radius_a = p.round_a, radius_b = p.round_b;
   const auto touching = [&](double start_d) {
-    return touching_gap(problem, p.a, p.b, p.apart ? std::max(start_d, d_hat) : start_d);
+    return touching_gap(problem, p.a, p.b, std::max(start_d, p.least_start_d));
   };
   const Vec3 n = manifold.turns ? Vec3(a.R.transpose() * p.n) : p.n;
   double inside_b = radius_b;  // the normal point, of b's surface
@@ -211,11 +211,11 @@ Pose seen_at_start(const Problem& p, Index i) {
 PABD_EACH_LEVEL void make_manifold(const Problem& p, const Passage& from, const ContactPoint* point,
                                    const ContactPoint* end, ContactManifold& manifold) {
   manifold = empty_manifold(point, end);
-  const bool apart = point->apart;
+  const double least = point->least_start_d;  // of all of them
   const Pose seen_a = seen_at_start(p, manifold.a), seen_b = seen_at_start(p, manifold.b);
   for (; point != end; ++point) add_point(p, *point, from, seen_a, seen_b, manifold);
   manifold.start_d = manifold.gap + contact_planes(manifold, seen_a, seen_b).along;
-  if (apart) manifold.start_d = larger(manifold.start_d, lanes(p.law.barrier.d_hat));
+  manifold.start_d = larger(manifold.start_d, lanes(least));
 }
 
 void make_manifolds(const Problem& p, const Workers& workers, const Passage& from, Detection& found,

@@ -49,7 +49,7 @@ TEST_CASE("a ball that would be behind a wall is looked at where it first touche
         CHECK(found[0].d > 0);
         CHECK(found[0].d < 0.01);
         CHECK(found[0].n == Vec3(-1, 0, 0));
-        CHECK(found[0].apart);
+        CHECK(found[0].least_start_d == 0.01);
       }
     }
   }
@@ -67,7 +67,26 @@ TEST_CASE("what rolls over a floor, however fast, is looked at where it comes to
     REQUIRE(found.size() == 1);
     CHECK(found[0].part == 1);
     CHECK(found[0].y_b.x() == Approx(-0.4 + 0.3 * turn));
-    CHECK_FALSE(found[0].apart);
+    CHECK(found[0].least_start_d == Approx(0.009));
+  }
+}
+
+TEST_CASE("a box that falls past another is looked at where it first touches it, not beside it") {
+  for (const double beside : {0.005, 0.02}) {  // how far the one reaches over the other; m
+    for (const double fall : {0.05, 0.1}) {
+      CAPTURE(beside, fall);
+      Flight flight;
+      flight.start.add(Box{{0.25, 0.25, 0.25}}, Vec3::Zero(), Mat3::Identity(), 0.005, true);
+      flight.start.add(Box{{0.25, 0.25, 0.25}}, {0.5 - beside, 0.52, 0}, Mat3::Identity(), 0.005);
+      flight.way = fall * -Vec3::UnitY();
+      const auto found = flight.contacts();
+      REQUIRE_FALSE(found.empty());
+      for (const ContactPoint& point : found) {
+        CHECK(std::abs(point.n.y()) == Approx(1));
+        CHECK(point.d > 0);
+        CHECK(point.least_start_d == Approx(0.01));
+      }
+    }
   }
 }
 

@@ -78,7 +78,8 @@ uint reserve(uint p, uint count, real reach) {
 // Passes of a pair over its contacts: what is near, and whether they may pass each other (passage.cpp).
 double nearest_found;
 bool may_pass;
-bool apart = false;  // ContactPoint::apart
+double least_start_d;  // ContactPoint's
+bool other_side;       // overlap_behind() of detect.cpp
 
 double thickness_along(uint body, uint shape, dmat3 R, dvec3 n) {
   const ShapeRecord record = shapes[kinds[kind_number[body]].shape];
@@ -129,14 +130,16 @@ double inner_of(uint i) {
 // Where the two are looked at first: at the start where they may pass each other.
 void begin_way(uint p) {
   part_of_way = farthest(p) > 0.5lf * min(inner_of(pairs[p].emitter), inner_of(pairs[p].other)) ? 0 : 1;
+  least_start_d = -1e300lf;
+  other_side = false;
 }
 // After all contacts were weighed: is this where they are to be found? Else they are to be looked at farther on.
 bool ends_way(uint p, int steps) {
   const int MOST_STEPS = 64;
   if (part_of_way >= 1) return true;
-  if (part_of_way == 0) apart = nearest_found >= params.d_hat;
-  if (may_pass && nearest_found < params.d_hat && steps < MOST_STEPS) return true;
-  const bool goes_on = may_pass && steps < MOST_STEPS;
+  if (part_of_way == 0) least_start_d = min(nearest_found, params.d_hat);
+  const bool goes_on = (other_side ? least_start_d >= 0 : may_pass) && steps < MOST_STEPS;
+  if (goes_on && nearest_found < params.d_hat) return true;
   part_of_way = goes_on ? min(real(1), part_of_way + real((nearest_found - 0.5lf * params.d_hat) / farthest(p))) : 1;
   return false;
 }
@@ -164,6 +167,15 @@ bool is_kept(Measured m, bool of_second, Kept kept) {
   return m.stays || !(of_second ? kept.second_touches : kept.first_touches);
 }
 
+// Does the plane of a contact at the end say that the two overlap where they come from?
+bool overlaps_behind(Measured m, Looked a, Looked b) {
+  const dvec3 y_a = m.y_b - (m.d + m.round_a) * m.n, y_b = m.y_b + m.round_b * m.n;
+  const dvec4 back_a = conjugate_d(a.turn), back_b = conjugate_d(b.turn);
+  const dvec3 n = m.round_a == 0 ? turned_by(back_a, m.n) : m.n;
+  const dvec3 between = pose[b.body].c.xyz - pose[a.body].c.xyz;
+  return dot(n, between + turned_by(back_b, y_b - b.c) - turned_by(back_a, y_a - a.c)) < m.round_a + m.round_b;
+}
+
 // That contact becomes number `at` of the raw ones, under the name `feature`.
 void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked looked_b) {
   const uint a = looked_a.body, b = looked_b.body;
@@ -182,7 +194,7 @@ void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked lo
   dvec3 r_a;
   if (turns) {
     start_d = dot(n, between + r_b) - dot(f_n, y_a - c_a) - radius_b;
-    if (apart) start_d = max(start_d, params.d_hat);
+    start_d = max(start_d, least_start_d);
     if (radius_b == 0) {
       const dvec3 n_b = turned_by(back_b, f_n);  // as b carries it
       const double beside_b = gap_beside_b(touching_gap(start_d), a, b);
@@ -194,7 +206,7 @@ void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked lo
   } else {
     r_a = turned_by(back_a, y_a - radius_a * f_n - c_a);
     start_d = dot(n, between + r_b - r_a) - radius_a - radius_b;
-    if (apart) start_d = max(start_d, params.d_hat);
+    start_d = max(start_d, least_start_d);
     const double gap = touching_gap(start_d), beside_b = radius_b > 0 ? gap_beside_b(gap, a, b) : gap;
     arm_a = radius_a + (gap - beside_b);  // see friction_arms of contact_bond.h
     arm_b = radius_b + beside_b;
@@ -240,7 +252,10 @@ void treat(FoundContact f, uint feature, Looked first, Looked second, real reach
   const Measured m = measured(f, a.shape, a.c_shape, a.R_shape, b.shape, b.c_shape, b.R_shape);
   const bool within = m.d < double(reach);
   if (pass.does == WEIGHS && within) weigh_passage(m, a, b);
-  if (pass.does == COUNTS) pass.count += count_contact(m, within, of_second, pass.kept);
+  if (pass.does == COUNTS) {
+    pass.count += count_contact(m, within, of_second, pass.kept);
+    other_side = other_side || (pass.steps == 0 && within && overlaps_behind(m, a, b));
+  }
   if (pass.does != WRITES || !within || !is_kept(m, of_second, pass.kept)) return;
   write_contact(pass.at + pass.written, m, feature, a, b);
   ++pass.written;
@@ -250,6 +265,11 @@ void end_pass(uint p, real reach, inout Pass pass) {
   if (pass.does == WEIGHS) {
     if (ends_way(p, pass.steps) || part_of_way >= 1) pass.does = COUNTS;
     ++pass.steps;
+    return;
+  }
+  if (other_side && pass.steps == 0) {  // from the start on after all
+    part_of_way = 0;
+    pass = Pass(WEIGHS, 0, 0u, 0u, 0u, Kept(0u, 0u, false, false));
     return;
   }
   ++pass.does;
