@@ -132,6 +132,13 @@ void move_friction_limits(const Problem& p, const Island& island, const Workers&
                    [&](std::size_t j) { move_limit_in(p, it, newton, it.manifold[island.manifolds[j]]); });
 }
 
+PABD_EACH_LEVEL void approach_friction_limits(const Problem& p, const Island& island, Iterate& it) {
+  for (const Index k : island.manifolds) {
+    ContactManifold& manifold = it.manifold[k];
+    move_limit(manifold, normal_force(p.law_of(manifold).barrier, manifold, state_of(it, manifold).d));
+  }
+}
+
 PABD_EACH_LEVEL double largest_friction_error(const Problem& p, const Island& island, const Iterate& it,
                                               double least_load) {
   if (!p.friction) return 0;

@@ -56,6 +56,9 @@ void start_friction(const Problem& p, const Workers& workers, Iterate& it);
 // Moves the bounds of an island's manifolds; for `newton`, which moves its bounds itself, the weights along what slides.
 void move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it);
 
+// Those of `newton` where they are no unknowns: towards μ f_n of the iterate, each its share of the way (move_limit).
+void approach_friction_limits(const Problem& p, const Island& island, Iterate& it);
+
 // Largest error of a friction force at the iterate, as a part of μ f_n.
 double largest_friction_error(const Problem& p, const Island& island, const Iterate& it,
                               double least_load = kLeastLoad);

@@ -2,6 +2,7 @@
 // Which bodies hang together through contacts and joints.
 #pragma once
 
+#include "sim/math/extremes.h"
 #include "sim/solver/problem.h"
 
 namespace pabd {
@@ -13,13 +14,20 @@ struct Island {
   std::span<const Index> row;  // per slot of a pose: the body's place in `bodies`, −1 where nothing moves
   bool jointed = false;        // by joints of the model; pulls alone do not count
   SolverMethod solver = SolverMethod::descent;
-  int iterations = 0, most_iterations = 0;  // the second: where only friction is unsolved
+  int iterations = 0, most_iterations = 0;  // the second: where little is left
   bool crowd = false;  // so many of its contacts are of crowds that no solution is worth much
 
   // For descent: no two bodies of one colour share a bond. Colour k is colored[first_of_color[k]] …
   // colored[first_of_color[k + 1] − 1].
   std::span<const Index> colored, first_of_color;
 };
+
+// Of its bodies in the last iteration, as far as Iterate::moved; d̂.
+inline double largest_moved(const Island& island, const Iterate& it) {
+  double moved = 0;
+  for (const Index i : island.bodies) moved = larger(moved, it.moved[i]);
+  return moved;
+}
 
 // All islands of a step, in order of their lowest bodies, and the arrays that they look into.
 struct Islands {

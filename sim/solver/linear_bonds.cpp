@@ -2,6 +2,7 @@
 #include "sim/solver/linear_bonds.h"
 
 #include "sim/math/levels.h"
+#include "sim/solver/island_step.h"
 
 namespace pabd {
 PABD_EACH_LEVEL bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
@@ -56,6 +57,24 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const ContactMan
     }
   }
   H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
+  return out;
+}
+
+PABD_EACH_LEVEL ContactCurvature curvature(const ContactLaw& law, const ContactManifold& manifold,
+                                           const Pose& a, const Pose& b) {
+  const ContactState state = contact_state(manifold, a, b);
+  const ContactForce f = normal_force(law.barrier, manifold, state.d);
+  const Vec3x force = f.first * state.n + friction_weight(law, manifold.limit, length(state.u)) * state.u;
+  const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);
+  ContactCurvature out{Mat3::Zero(), Mat3::Zero(), Mat3::Zero(), Mat3::Zero()};
+  for (int k = 0; k < manifold.count; ++k) {
+    const Vec3 F = lane(force, k), r_a = lane(on_a.normal, k), r_b = lane(on_b.normal, k);
+    out.turn_b += geometric_stiffness(r_b, F);
+    out.turn_a += geometric_stiffness(r_a, manifold.turns ? F : Vec3(-F));
+    if (!manifold.turns) continue;
+    out.pulls += skew(F);
+    out.turns -= skew(F) * skew(r_b);
+  }
   return out;
 }
 

@@ -63,4 +63,14 @@ bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& 
 LinearManifold linearize(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
                          const Pose& b);
 
+// Its geometric stiffness: forces F on b act at points r that turn with their body, and a plane turns with a. Rolling left
+// out.
+struct ContactCurvature {
+  Mat3 turn_a, turn_b;  // of a turn of a, of b; N m
+  Mat3 pulls;  // Σ [F]: of a turn of a and a move of b, less that of a; N. 0 where nothing turns with a
+  Mat3 turns;  // Σ −[F][r_b]: of a turn of a and one of b; N m
+};
+ContactCurvature curvature(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
+                           const Pose& b);
+
 }  // namespace pabd

@@ -4,8 +4,8 @@
 //   unknowns   δ = (δc, δω) of each body, R ← cayley(δω) R
 //
 //   matrix     inertia m/h², (tr(X) 1 − X_s)/h²; Gauss–Newton blocks s_i s_j J_iᵀ K J_j of the bonds with
-//              J = [1, −[r]]; for joints also their geometric stiffness while that leaves it positive
-//              definite
+//              J = [1, −[r]]; also the geometric stiffness of joints, and of contacts where a few iterations do not
+//              suffice, while that leaves it positive definite
 //
 //   step       full, turns limited to 1 rad: with stiff joints E is a narrow curved valley, in which a line
 //              search creeps. Where E stays above its lowest value for too long, back to that iterate and a
@@ -80,12 +80,27 @@ Mat6 shifted(const Vec3& back, const Mat6& H) {
   return shifted_rows(back, shifted_rows(back, H).transpose());
 }
 
+void add_curvature(const ContactCurvature& c, Index a, Index b, NewtonSystem& system) {
+  Mat6 H = Mat6::Zero();
+  if (a >= 0) {
+    H << Mat3::Zero(), c.pulls, -c.pulls, c.turn_a;
+    system.matrix.diagonal(a).add(H);
+  }
+  if (b >= 0) {
+    H << Mat3::Zero(), Mat3::Zero(), Mat3::Zero(), c.turn_b;
+    system.matrix.diagonal(b).add(H);
+  }
+  if (a < 0 || b < 0) return;
+  H << Mat3::Zero(), -c.pulls, Mat3::Zero(), c.turns.transpose();
+  system.matrix.add_off_diagonal(b, a, H);
+}
+
 // Does the bound of a manifold follow in this iteration? The linear model of a barrier tells its force within a part of d̂: full
 // steps are often longer, and far from the solution the bounds would make them worse.
 bool follows(const Island& island, const NewtonSystem& system, const Iterate& it,
              const ContactManifold& manifold) {
   constexpr double kNear = 0.3;  // d̂ in the last iteration
-  if (manifold.mu == 0) return false;
+  if (manifold.mu == 0 || system.bounds_stay) return false;
   if (!island.jointed || system.searches) return true;
   return it.moved[manifold.a] < kNear && it.moved[manifold.b] < kNear;
 }
@@ -123,6 +138,8 @@ PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geo
       system.motion.g[b] += linear.g_b;
     }
     if (a >= 0 && b >= 0) system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.normal.back, linear.H));
+    if (system.curved)
+      add_curvature(curvature(p.law, manifold, it.pose[manifold.a], it.pose[manifold.b]), a, b, system);
   }
   return energy;
 }
@@ -146,14 +163,15 @@ void raise_diagonal(double share, NewtonSystem& system) {
   }
 }
 
-// Newton direction from the assembled matrix. Pushed bonds may have made it indefinite: then without their
-// geometric stiffness, and where rounding or a large turn left that indefinite too, with a raised diagonal.
+// Newton direction from the assembled matrix. Pushed bonds and contacts may have made it indefinite: then without
+// their geometric stiffness, and where rounding or a large turn left that indefinite too, with a raised diagonal.
 bool find_direction(const Problem& p, const Island& island, bool geometric, const Stop& stop,
                     NewtonSystem& system, Iterate& it) {
   bool solvable = system.matrix.factorize(stop);
   for (double raise = 0; !solvable && raise < 1e4; raise = raise == 0 ? 1e-12 : raise * 1e3) {
     if (stop.requested()) break;
-    if (raise == 0 && !geometric) continue;
+    if (raise == 0 && !geometric && !system.curved) continue;
+    system.curved = false;
     assemble(p, island, false, system, it);
     raise_diagonal(raise, system);
     solvable = system.matrix.factorize(stop);
@@ -178,8 +196,8 @@ void predict_forces(const Problem& p, const Island& island, const Iterate& it, N
   });
 }
 
-// A full step, or a line search on E. Short moves are made in full: the levers of friction on round bodies leave out the
-// curvature of the step's turn, and E no longer tells whether they are good. False where there is no step.
+// A full step, or a line search on E. Short moves are made in full where bounds follow: the levers of friction on round bodies
+// leave out the curvature of the step's turn, and E no longer tells whether they are good. False where there is no step.
 bool take_step(const Problem& p, const Island& island, bool geometric, bool search, const Stop& stop,
                NewtonSystem& system, Iterate& it) {
   constexpr double kSmall = 0.01;  // d̂
@@ -193,7 +211,7 @@ bool take_step(const Problem& p, const Island& island, bool geometric, bool sear
     if (other_E) forget_best(system);
   }
   double t = longest_step(system.motion);
-  if (!search || largest_move(p, island, system.motion.step) < kSmall) {
+  if (!search || (!system.bounds_stay && largest_move(p, island, system.motion.step) < kSmall)) {
     move(p, island, system.motion, t, it);
     return true;
   }
@@ -286,11 +304,31 @@ void start_newton(const Problem& p, const Island& island, const Iterate& it, New
   start(p, island, it, system.motion);
   system.force.clear();
   system.searches = system.stuck = false;
+  system.iterations = 0;
   if (system.dual) start_dual(p, island, system.by_forces);
 }
 
+namespace {
+
+// What is solved in a few iterations needs no more. Hits press so hard that turns of bodies under that force count as much as
+// their inertia. And bounds that follow may go in circles: some contacts begin to slide, which lets others hold. So they stay
+// in every other turn, and go part of the way to μ f_n only where the bodies nearly rest under them.
+void take_turns(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
+  constexpr int kPlain = 6, kTurn = 20;
+  constexpr double kNearly = 0.1;  // d̂
+  const int k = system.iterations++;
+  system.curved = k >= kPlain;
+  system.bounds_stay = p.friction && k / kTurn % 2 == 1;
+  if (!system.bounds_stay || !(largest_moved(island, it) < kNearly)) return;
+  approach_friction_limits(p, island, it);
+  forget_best(system);
+}
+
+}  // namespace
+
 bool newton_iteration(const Problem& p, const Island& island, const Workers& workers, NewtonSystem& system,
                       Iterate& it) {
+  take_turns(p, island, system, it);
   if (system.dual && !iterate_by_forces(p, island, workers.stop, system, it)) {
     if (workers.stop.requested()) return true;
     if (!find_body_structure(p, island, it, system)) return false;

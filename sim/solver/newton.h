@@ -22,6 +22,9 @@ struct NewtonSystem {
   std::vector<Vec3> force;
 
   bool searches;  // full steps went in circles: from then on each rise of E is answered by a line search
+  int iterations;
+  bool curved;       // the matrix has ContactCurvature
+  bool bounds_stay;  // friction bounds are no unknowns
 
   bool stuck;  // no step along the last direction lowered E
   SlidingTangent sliding;
