@@ -10,6 +10,7 @@
 
 #include "app/session/halving_advice.h"
 #include "sim/base/counted.h"
+#include "sim/solver/halving.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd {
@@ -241,6 +242,8 @@ std::string parts(const StepReport& report) {
 std::optional<Advice> iteration_limit(const Model& model, const Params& params, const StepReport& report) {
   // Tolerance 0 asks for all iterations.
   if (report.status != StepStatus::iteration_limit || params.solver.tolerance == 0) return std::nullopt;
+  // What is too little for halves is news where it comes again and again (halving_advice.h).
+  if (may_halve(params.solver) && report.residual <= kUnsolved) return std::nullopt;
   return longer_solve(model, params, report, AdviceKind::iteration_limit,
                       fmt::format("{} {} not enough{}{}: {}", counted(report.iterations, "iteration"),
                                   report.iterations == 1 ? "was" : "were", slow_islands(model, report),

@@ -15,6 +15,8 @@ namespace {
 
 // Of the bodies in touch, or of the contacts: as many may be left unsolved before all are made again in halves.
 constexpr double kShareLeft = 1e-3;
+// As kUnsettled, where no step goes on beyond its iterations: a hundredth would halve what twice the sweeps settle.
+constexpr double kUnsettledSweeps = 0.5;
 // Times the energy of a step: what it may rise by, where sums are of floats.
 constexpr double kRiseOfFloats = 1e-4;
 
@@ -49,7 +51,7 @@ class Compiler {
                            static_cast<int>(kDeviceShapes), kTwoKinds);
     common_ += fmt::format(
         "#define UNSOLVED real({}lf)\n#define UNSETTLED real({}lf)\n#define SHARE {}\n#define RISE {}lf\n",
-        kUnsolved, kUnsettled, kShareLeft, single ? kRiseOfFloats : kRise);
+        kUnsolved, kUnsettledSweeps, kShareLeft, single ? kRiseOfFloats : kRise);
     common_ += hull_sizes(table);
     if (round) common_ += "#define ROUND\n";
   }

@@ -19,8 +19,8 @@
 
 namespace pabd {
 
-inline constexpr double kUnsolved = 0.03, kUnsettled = 0.5;
-// Times the iterations: at the last depth, from where there is no other way, and while only friction is unsolved.
+inline constexpr double kUnsolved = 0.03, kUnsettled = 0.01;
+// Times the iterations: at the last depth, from where there is no other way, and where little is left.
 inline constexpr int kLastChance = 4;
 
 // Is a step with these parameters made again where it ends unsolved?

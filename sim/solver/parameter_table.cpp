@@ -37,7 +37,9 @@ constexpr ParameterRow kRows[] = {
      .member = &SolverParams::method},
     {.key = "solver.iterations",
      .label = "iterations",
-     .help = "At most so many in a step; four times as many while only friction breaks its law",
+     .help =
+         "At most so many in a step; up to four times as many where they end within 0.03 d̂ of a solution, "
+         "unless solver.halvings is 0",
      .member = &SolverParams::iterations,
      .range = {1, 100000},
      .slider_lo = 1,

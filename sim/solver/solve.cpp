@@ -151,12 +151,12 @@ void remember_outcome(const Task& t, const IslandReport& out, Iterate& it) {
   for (const Index k : t.island.manifolds) it.manifold[k].restless = out.solver == SolverMethod::descent;
 }
 
-// After k iterations. Hits need more than what rests: where the poses will do and friction is not yet that of its law, halves
-// of the step would cost more than to go on.
+// After k iterations. Hits need more than what rests: what is near enough not to be made again in halves goes on. Tolerance 0
+// asks for so many and no more, where friction obeys its law.
 bool goes_on(int k, double residual, const Task& t, const Iterate& it) {
   if (k < t.island.iterations) return true;
   return k < t.island.most_iterations && residual <= kUnsolved &&
-         largest_friction_error(t.p, t.island, it) > kFrictionTolerance;
+         (t.p.params->solver.tolerance > 0 || largest_friction_error(t.p, t.island, it) > kFrictionTolerance);
 }
 
 // Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the cap.
@@ -168,8 +168,7 @@ void solve(Task t, Iterate& it, IslandReport& out) {
     const double gap_before = iterate(k, every_body, t, it);
     out.solver = t.island.solver;
     ++out.iterations;
-    const double before = std::exchange(moved, 0);
-    for (const Index i : t.island.bodies) moved = larger(moved, it.moved[i]);
+    const double before = std::exchange(moved, largest_moved(t.island, it));
     out.residual = next_move(t, before, moved);
     if (k == 0) first = moved;
     if (t.records) record_iteration(t, moved, gap_before, it);

@@ -234,8 +234,8 @@ TEST_CASE("contacts pressed past the onset: the larger kappa carries them within
 TEST_CASE("iteration limit: more iterations or a faster method end it") {
   for (const char* scene : {"two_boxes", "stack"}) {
     for (const char* method : {"sissm", "descent"}) {
-      Run run(scene,
-              {std::string("solver.method=") + method, "solver.iterations=5", "solver.tolerance=1e-6"});
+      Run run(scene, {std::string("solver.method=") + method, "solver.iterations=5", "solver.tolerance=1e-6",
+                      "solver.halvings=0"});
       for (int k = 0; k < kSecond && !run.warned(AdviceKind::iteration_limit); ++k) run.steps(1);
       CAPTURE(scene, method);
       REQUIRE(run.warned(AdviceKind::iteration_limit));
@@ -289,7 +289,7 @@ std::string limit_text(const Run& run, const Params& params, StepReport report) 
 }  // namespace
 
 TEST_CASE("a warning does not contradict its numbers") {
-  const Run run("two_boxes");
+  const Run run("two_boxes", {"solver.halvings=0"});
   Params params = run.session.params();
   StepReport report = run.session.report();
   const auto what = [&](double residual, double tolerance) {

@@ -51,6 +51,7 @@ StepSummary halved(StepStatus status, int halvings) {
   out.status = status;
   out.halved_bodies = 3;
   out.halvings = halvings;
+  out.residual = 0.01;
   return out;
 }
 
@@ -58,6 +59,8 @@ StepSummary halved(StepStatus status, int halvings) {
 
 TEST_CASE("planks that fall in a heap: what is advised, taken again and again, ends it") {
   testing::World world = planks(30);
+  world.params.h = 1.0 / 20;
+  world.params.solver.iterations = 2;
   std::size_t before = 0;
   std::vector<std::string> keys;
   for (int clicks = 0;; ++clicks) {
@@ -94,12 +97,32 @@ TEST_CASE("the words of the advice have the numbers of the steps") {
   CHECK_FALSE(halving_advice(params, steps));
 }
 
-TEST_CASE("halves that are solved, and steps at the limit that are not halved, are not its business") {
+TEST_CASE("halves that are solved, and steps that end near a solution, are no news") {
   const std::vector<StepSummary> solved(60, halved(StepStatus::converged, 4));
   CHECK_FALSE(halving_advice({}, solved));
-  StepSummary slow;
-  slow.status = StepStatus::iteration_limit;
+  StepSummary slow = halved(StepStatus::iteration_limit, 4);
+  slow.residual = 1e-3;
   CHECK_FALSE(halving_advice({}, std::vector<StepSummary>(60, slow)));
+  slow.residual = 2e-3;
+  slow.halvings = 0;
+  const auto whole = halving_advice({}, std::vector<StepSummary>(60, slow));
+  REQUIRE(whole);
+  CHECK(whole->what == "60 of 60 steps ended unsolved");
+}
+
+TEST_CASE("a step that ends too near a solution for halves is not told of by itself") {
+  testing::World world = planks(1);
+  StepReport report;
+  report.status = StepStatus::iteration_limit;
+  report.iterations = 80;
+  const auto told_at = [&](double residual) {
+    report.residual = residual;
+    return !contact_advice(world.model, world.params, world.state, report, {}).empty();
+  };
+  CHECK_FALSE(told_at(0.03));
+  CHECK(told_at(0.031));
+  world.params.solver.halvings = 0;
+  CHECK(told_at(2e-6));
 }
 
 TEST_CASE("where many steps are halved in vain it stands in for what is said of one of them") {

@@ -28,6 +28,7 @@ void check_heap(Run& run, double seconds, double thickness) {
   run.go(seconds);
   CAPTURE(run.held, run.halved);
   CHECK(run.rise < 1e-6 * run.begin);
+  CHECK(run.unsolved <= run.steps / 25);
   CHECK(run.report.potential < 0.4 * run.begin);
   for (std::size_t i = 1; i < run.state.c.size(); ++i) CHECK(run.state.c[i].y() > 0.3 * thickness);
 }

@@ -276,6 +276,7 @@ TEST_CASE("a level net between its corners makes no energy") {
   CAPTURE(edge, size, h);
   Run run = level_net(edge, size, h, 0.005 * size, "corners");
   run.go(1.5);
+  CHECK(run.unsolved == 0);
   CHECK(run.rise < 1e-6 * run.weight() * size);
   CHECK(run.joint_error < 1e-3 * size);
   CHECK(run.kinetic() < 1e-6 * run.weight() * size);

@@ -81,7 +81,9 @@ void Run::go(double seconds, const std::function<void()>& each) {
     halved += report.halved_bodies > 0 ? 1 : 0;
     ++steps;
     iterations += report.iterations;
-    at_limit += report.status == StepStatus::converged ? 0 : 1;
+    const bool limit = report.status != StepStatus::converged;
+    at_limit += limit ? 1 : 0;
+    unsolved += limit && !(report.residual <= 1e-3) ? 1 : 0;
     if (each) each();
   }
 }
@@ -92,7 +94,7 @@ void Run::send(const std::string& name, const Vec3& v, const Vec3& omega) {
   state.omega[i] = omega;
   begin = kinetic() + potential_energy(scene.model, scene.params, state) + report.elastic;
   work = rise = joint_error = overlap = fastest = 0;
-  held = halved = steps = iterations = at_limit = 0;
+  held = halved = steps = iterations = at_limit = unsolved = 0;
 }
 
 Index Run::operator[](const std::string& name) const {

@@ -83,6 +83,7 @@ struct Run {
   double fastest = 0;        // largest speed of a body; m/s
   int held = 0, halved = 0;  // steps in which bodies were slowed down, or their step was halved
   int steps = 0, iterations = 0, at_limit = 0;  // all, and those that did not converge
+  int unsolved = 0;                             // of the latter: a body still moved by 0.001 d̂ and more
 
  private:
   StepWorkspace workspace_;
