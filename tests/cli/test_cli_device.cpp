@@ -58,18 +58,18 @@ std::string balls_on_a_grid(int side) {
 
 TEST_CASE("a run on the GPU agrees with one on the processor, and the processor goes on from its end") {
   const CommandFolder folder;
-  const Outcome gpu = run_pabd({"run", "pyramid", "--steps", "8", "--device", "gpu", "--quiet", "--json",
-                                "--trace", folder / "gpu.csv", "--state", folder / "end.json"});
+  const std::string many = "solver.iterations=200";  // sweeps through twenty levels of bricks
+  const Outcome gpu = run_pabd({"run", "pyramid", "--steps", "8", "--set", many, "--device", "gpu", "--quiet",
+                                "--json", "--trace", folder / "gpu.csv", "--state", folder / "end.json"});
   CAPTURE(gpu.err);
   REQUIRE(gpu.exit_code == 0);
-  const Outcome cpu =
-      run_pabd({"run", "pyramid", "--steps", "8", "--quiet", "--json", "--trace", folder / "cpu.csv"});
+  const Outcome cpu = run_pabd(
+      {"run", "pyramid", "--steps", "8", "--set", many, "--quiet", "--json", "--trace", folder / "cpu.csv"});
   REQUIRE(cpu.exit_code == 0);
   // Neither has the solver's end in the steps of the first shock. Where it comes to rest is the same: to a
   // thousandth of the energy that was exchanged on the way.
   const auto a = energies(folder / "gpu.csv"), b = energies(folder / "cpu.csv");
-  REQUIRE(a.size() == 8);
-  REQUIRE(b.size() == 8);
+  REQUIRE((a.size() == 8 && b.size() == 8));
   double exchanged = 0;
   for (const auto& row : b) exchanged = std::max(exchanged, row[0]);
   REQUIRE(exchanged < 1e-3 * b[7][1]);

@@ -78,7 +78,6 @@ TEST_CASE("the shipped pyramid, built", "[scene]") {
   builder.params.contact.d_hat = 0.01;
   builder.camera = CameraDesc{{7, 6.5, 17}, {0, 4.4, 0}, 45};
   builder.duration = 5;
-  builder.params.solver.iterations = 200;
   builder.add(spec::Pyramid{{.size = Vec3(1, 0.5, 0.5)}, 20});
   builder.add(spec::Body{.name = "ground", .shape = Plane{Vec3::UnitY(), 0}});
   check_same(builder.build(), load_scene(places::scenes() + "/pyramid.json"));
@@ -90,9 +89,6 @@ TEST_CASE("the shipped bridge, built", "[scene]") {
   SceneBuilder builder("bridge");
   builder.description = file["description"];
   builder.duration = file["duration"].get<double>();
-  builder.params.h = 0.004166666666666667;
-  builder.params.solver.iterations = 100;
-  builder.params.solver.tolerance = 1e-4;
   builder.params.contact.kappa = 200;
   builder.params.contact.mu_static = builder.params.contact.mu_dynamic = 0.7;
   if (file.contains("camera")) {
