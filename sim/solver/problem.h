@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a step minimises, and the iterate that its solvers move. Plain arrays, numbered as bodies, manifolds
-// and joints are: nothing in them points into a solver, so that one on another device can take them as they
-// are.
+// and joints are: nothing in them points into a solver. (Rolling of contact_bond.h points to turns of the same
+// iterate.)
 //
 //   array          one entry per    layout
 //   flight.star    body             c (3), R (3×3 by columns)                        predicted poses Q*

@@ -17,7 +17,7 @@
 namespace pabd {
 namespace {
 
-// An island of so many bodies is shared by all threads; smaller ones are solved side by side, where they have
+// The sweeps of an island of so many bodies are shared by all threads (`newton` takes it alone); smaller ones are solved side by side, where they have
 // so many bodies together that another thread is worth waking.
 constexpr std::size_t kShared = 512, kSideBySide = 32;
 
