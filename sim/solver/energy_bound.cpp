@@ -7,6 +7,7 @@
 
 #include "sim/math/levels.h"
 #include "sim/math/so3.h"
+#include "sim/solver/halving.h"
 #include "sim/solver/joint_actions.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/step_summary.h"
@@ -90,9 +91,12 @@ double contact_energies(const Problem& p, const Island& island, bool solved, con
   return sum;
 }
 
-// In a crowd, what overlaps where the step starts.
-bool comes_apart(const Island& island, const ContactManifold& manifold) {
-  return island.crowd && (manifold.crowded || smallest_start_d(manifold) < 0);
+// What overlaps where the step starts: in a crowd, and, where nothing is made in halves, what the last step did not know of.
+bool comes_apart(const Problem& p, const Island& island, const ContactManifold& manifold) {
+  if (island.crowd) return manifold.crowded || smallest_start_d(manifold) < 0;
+  const auto is_found = [&](int k) { return !manifold.known[k] && manifold.start_d[k] < 0; };
+  const bool halves = p.is_half || may_halve(p.params->solver);
+  return !halves && (is_found(0) || is_found(1) || is_found(2) || is_found(3));
 }
 
 void add_contacts_at_start(const Problem& p, const Island& island, bool solved, const Iterate& it,
@@ -103,7 +107,7 @@ void add_contacts_at_start(const Problem& p, const Island& island, bool solved, 
     for (int k = 0; k < manifold.count; ++k) {
       out.stored += energy[k];
       if (!manifold.known[k] && manifold.start_d[k] < 0) out.found += energy[k];
-      if (comes_apart(island, manifold)) out.freed += energy[k];
+      if (comes_apart(p, island, manifold)) out.freed += energy[k];
     }
   }
 }
@@ -192,7 +196,7 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
              out.kinetic - out.stored;
   if (solved) out.rise -= turning_work(p, it, island.joints, velocities);
   for (std::size_t k = 0; k < island.manifolds.size(); ++k)
-    if (comes_apart(island, it.manifold[island.manifolds[k]])) out.freed -= memory.energy[k];
+    if (comes_apart(p, island, it.manifold[island.manifolds[k]])) out.freed -= memory.energy[k];
   return out;
 }
 

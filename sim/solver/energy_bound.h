@@ -38,9 +38,9 @@ struct EnergyBalance {
   double stored = 0;   // Ψ at the start
   double found = 0;    // the part of it in overlap that the last step did not know of
   double rise = 0;     // T + U + Ψ above the start and W
-  double freed = 0;    // Ψ that overlaps in a crowd lost
+  double freed = 0;    // Ψ that overlap lost which nobody paid for
 
-  // What bodies must not have: those of a crowd get no speed from coming apart.
+  // What bodies must not have: they get no speed from coming apart.
   double excess() const { return rise + std::max(0.0, freed); }
 };
 

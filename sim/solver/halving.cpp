@@ -52,6 +52,7 @@ const StepReport& Halves::make(const Problem& p, const StepOptions& options, Tea
   params_ = of_half(*p.params, p.law.barrier.kappa);
   options_ = options;
   options_.record_iterations = false;
+  options_.is_half = true;
   options_.pulls.clear();
   for (Pull pull : options.pulls) {
     if (!part_.holds(pull.body)) continue;

@@ -85,6 +85,7 @@ struct Problem {
   const Flight* flight = nullptr;
   double time = 0;  // at the end of the step, for driven joints; s
   ContactLaw law{};
+  bool is_half = false;   // StepOptions::is_half
   bool friction = false;  // may any contact have some?
   StepJoints joints;
   std::vector<double> joint_share;  // of the stiffness of each joint, see stiffness_cap.h

@@ -330,6 +330,7 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
   p.start = &state;
   p.flight = &m.flight;
   p.time = report.time;
+  p.is_half = options.is_half;
   p.law = contact_law(model, params);
   p.friction = has_friction(model, params.contact);
   report.kappa = p.law.barrier.kappa;

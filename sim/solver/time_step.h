@@ -32,6 +32,7 @@ struct StepOptions {
   bool report_bodies = false;      // fill StepReport::body_reports (one pass over bodies and contacts)
   bool report_joints = false;      // fill StepReport::joint_reports (one pass over the joints)
   bool bodies_stay = false;        // an engine need not say where bodies are: StepEngine::step
+  bool is_half = false;            // of a step that is made again (halving.h)
   // Asked between pieces of work, in a slow step many times and from any thread: true ends the step at once,
   // as StepStatus::interrupted.
   std::function<bool()> stop = {};
