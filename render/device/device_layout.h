@@ -103,7 +103,7 @@ struct Counters {
   std::uint32_t residual, unsettled;
   std::uint32_t done, sweeps, pushing, min_gap, friction_excess, friction_error, bad;
   std::uint32_t kept;
-  std::uint32_t touched, unsolved, unsettled_contacts, pad;
+  std::uint32_t touched, unsolved, unsettled_contacts, late;
   std::uint32_t touch_size[kTwoKinds], touch_first[kTwoKinds], touch_next[kTwoKinds];
   std::uint32_t width[6], opening, fastest;
   double gained;

@@ -87,21 +87,23 @@ std::vector<ShaderPart> with_touch(std::vector<ShaderPart> narrow) {
   return narrow;
 }
 
-std::vector<Programs::Touch> touch_programs(const Compiler& compile, const std::set<int>& shapes,
-                                            bool solids) {
+std::vector<Programs::Touch> touch_programs(const ComputeFunctions& gl, const Compiler& compile,
+                                            const std::set<int>& shapes, bool solids) {
   std::vector<Programs::Touch> out;
   for (const int first : shapes) {
     for (const int second : shapes) {
       const std::vector<ShaderPart> narrow = narrow_parts(first, second, solids);
       if (second < first || narrow.empty()) continue;
       const auto two = static_cast<std::uint32_t>(kDeviceShapes * first + second);
-      out.push_back({two, compile("contacts of a pair",
-                                  {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST",
-                                   "GEOMETRY", "TOUCHING"},
-                                  fmt::format("#define KINDS_HERE {}\n", two), with_touch(narrow),
-                                  second == kDeviceCompound ? shaders::device_touch_parts_comp
-                                                            : shaders::device_touch_comp,
-                                  kTouchGroup)});
+      ComputeProgram program =
+          compile("contacts of a pair",
+                  {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST", "GEOMETRY",
+                   "TOUCHING", "OUTCOMES", "CONTACTS"},
+                  fmt::format("#define KINDS_HERE {}\n", two), with_touch(narrow),
+                  second == kDeviceCompound ? shaders::device_touch_parts_comp : shaders::device_touch_comp,
+                  kTouchGroup);
+      const GLint late = gl.GetUniformLocation(program.id(), "late_");
+      out.push_back({two, std::move(program), late});
     }
   }
   return out;
@@ -151,7 +153,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
                         "KEPT_PAIRS", "KEPT_FEATURE"},
                        "", {device_kept, device_memory, device_gap}, device_reuse_comp),
       .sort_pairs = {sort("COUNT"), sort("STARTS"), sort("LISTS")},
-      .touch = touch_programs(compile, shapes, table.has_solids),
+      .touch = touch_programs(gl, compile, shapes, table.has_solids),
       .place = compile("contacts",
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",
                         "END_FIRST", "KEPT_PAIRS", "KEPT_STRETCH", "KEPT_FEATURE"},

@@ -39,6 +39,7 @@ struct Programs {
   struct Touch {
     std::uint32_t kinds;  // of the shapes: kDeviceShapes · lower + higher
     ComputeProgram program;
+    GLint late;  // place of a uniform: device_touch.glsl
   };
   ComputeProgram clear, fly, scatter, count_pairs, list_pairs;
   ComputeProgram reuse;

@@ -158,10 +158,15 @@ void DeviceStep::find_contacts() {
   dispatch(programs_.sort_pairs.count, groups(pair_room_, kGroup));
   dispatch(programs_.sort_pairs.starts, 1);
   dispatch(programs_.sort_pairs.lists, groups(pair_room_, kGroup));
+  touch(false);
+}
+
+void DeviceStep::touch(bool late) {
   gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffers.id(Slot::arguments));
   gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
   for (const Programs::Touch& touch : programs_.touch) {  // none sees what another one writes
     touch.program.use();
+    gl.Uniform1ui(touch.late, late ? 1 : 0);
     gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * (kSweepLists + touch.kinds)));
   }
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -241,6 +246,7 @@ void DeviceStep::enqueue(const Params& params, bool starts, DeviceTimes& times) 
   set(programs_.total_contacts, "count", contact_groups);
   dispatch(programs_.total_contacts, 1);
   dispatch(programs_.finish, body_groups);  // 4. velocities
+  if (may_halve(params.solver)) touch(true);
   set(programs_.total_bodies, "count", body_groups);
   dispatch(programs_.total_bodies, 1);
   // 5. Unless it ended unsolved, the step is made.

@@ -100,8 +100,6 @@ TEST_CASE("halves on the GPU have the same bits however many steps are under way
 TEST_CASE(
     "planks that fall in a heap on the GPU are pressed through each other, and not where steps are made in "
     "halves") {
-  // Hits that turn a plank aside are found a step late now and then: late contacts are looked for on the processor alone.
-  int found_late = 0;
   for (const int seed : {1, 2, 3, 4}) {
     SceneBuilder builder("planks");
     builder.add(spec::Body{.name = "ground", .shape = Plane{{0, 1, 0}, 0}});
@@ -125,11 +123,9 @@ TEST_CASE(
     }
     CAPTURE(seed);
     CHECK(deepest[0] < -0.05);
-    CHECK(deepest[1] > -0.025);
-    found_late += deepest[1] > -0.005 ? 0 : 1;
+    CHECK(deepest[1] > -0.005);
     CHECK(rise < 0.01 * start);
   }
-  CHECK(found_late <= 1);
 }
 
 }  // namespace pabd::test_device_halves

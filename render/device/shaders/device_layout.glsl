@@ -122,7 +122,8 @@ struct Counters {
   uint bad;  // bodies that left the numbers
   uint kept;  // pairs whose contacts were kept
   // Of a step at the iteration limit: bodies in touch, those whose last move was too long, contacts whose friction is off.
-  uint touched, unsolved, unsettled_contacts, pad_;
+  uint touched, unsolved, unsettled_contacts;
+  uint late;  // overlaps where the step ends that it has no contact for
   uint touch_size[TWO_KINDS], touch_first[TWO_KINDS], touch_next[TWO_KINDS];  // pairs of two kinds, SHAPE_KINDS i + j
   // Of bodies in touch, to tell a step that ran away (sim/solver/runaway.h). Where they started: the largest of the
   // inverted lowest corner, then of the highest; floats, ordered. Widest opening; largest speed² of one that gained: 2K/m

@@ -6,7 +6,7 @@ void main() {
   if (n >= counters.touch_size[KINDS_HERE]) return;
   const uint p = touching[counters.touch_first[KINDS_HERE] + n];
   Looked first, second;
-  const real reach = reach_of(pairs[p].emitter, pairs[p].other);
+  const real reach = late_ != 0u ? real(0) : reach_of(pairs[p].emitter, pairs[p].other);
   Pass pass = first_pass(p);
   while (pass.does <= WRITES) {
     begin_pass();
@@ -17,7 +17,7 @@ void main() {
     }
     for (int k = 0; k < contacts_found(); ++k) {
       const FoundContact f = found_contact(k);
-      treat(f, f.feature & ~SECOND_OWNS, first, second, reach, pass);
+      treat(p, f, f.feature & ~SECOND_OWNS, first, second, reach, pass);
     }
     end_pass(p, reach, pass);
   }

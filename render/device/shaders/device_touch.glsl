@@ -2,6 +2,8 @@
 // Contact points of pairs of bodies, put into the axes of the start of the step (sim/solver/contact_setup.cpp): what the
 // shaders share that look for them.
 
+// 1: the bodies stand where the step ends; only overlap that it has no contact for is looked for (late_contacts.cpp).
+uniform uint late_;
 // Which part of their way the bodies have gone where they are looked at (Passage).
 real part_of_way = 1;
 
@@ -22,9 +24,13 @@ struct Looked {
 
 // Centre, from the origin, and rotation where the body is looked at.
 void look_at(inout Looked at, dvec3 origin) {
-  const real4 turn = part_of_way == 1 ? flight[at.body].q : exp_turn(part_of_way * flight[at.body].turn.xyz);
+  const bool at_end = late_ != 0u && kinds[kind_number[at.body]].fixed_ == 0;
+  const real4 turn = at_end             ? outcome[at.body].q
+                     : part_of_way == 1 ? flight[at.body].q
+                                        : exp_turn(part_of_way * flight[at.body].turn.xyz);
+  const dvec3 way = at_end ? dvec3(outcome[at.body].u.xyz) : double(part_of_way) * way_of(at.body);
   at.turn = unit_d(dvec4(turn));
-  at.c = pose[at.body].c.xyz - origin + double(part_of_way) * way_of(at.body);
+  at.c = pose[at.body].c.xyz - origin + way;
   at.R = matrix_of(at.turn) * matrix_of(pose[at.body].q);
   at.c_shape = at.c;
   at.R_shape = at.R;
@@ -62,6 +68,27 @@ void look_at_pair(uint p, out Looked first, out Looked second) {
 // A little farther than now, so that they may be kept while the bodies move a little.
 real reach_of(uint first, uint second) {
   return flight[first].turn.w + flight[second].turn.w + KEPT_REACH * real(params.d_hat);
+}
+
+// How far the surface of a body ends beside where its contacts were looked for, at most; m.
+real beside_flight(uint i) {
+  if (kinds[kind_number[i]].fixed_ != 0) return 0;
+  const real4 turned = product(outcome[i].q, conjugate(flight[i].q));
+  return norm(outcome[i].u.xyz - real3(way_of(i))) + 2 * norm(turned.xyz) * flight[i].omega.w;
+}
+bool may_be_late(uint p) {
+  const real first = beside_flight(pairs[p].emitter), second = beside_flight(pairs[p].other);
+  const bool touched = (pairs[p].count & 0xffffu) > 0u;
+  return touched ? max(first, second) > real(params.d_hat) / 2
+                 : first + second > reach_of(pairs[p].emitter, pairs[p].other);
+}
+uint owned_feature(uint a, uint b, uint feature) { return feature | (a > b ? 0x80000000u : 0u); }
+bool is_known(uint p, uint a, uint b, uint feature) {
+  const uint from = pairs[p].first, end = from + (pairs[p].count & 0xffffu), name = owned_feature(a, b, feature);
+  for (uint k = from; k < end; ++k) {
+    if (contacts[k].id.z == name) return true;
+  }
+  return false;
 }
 
 // Room for that many contacts of pair p, side by side: the number of the first.
@@ -187,7 +214,7 @@ void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked lo
   const dvec3 between = pose[b].c.xyz - pose[a].c.xyz;
   const dvec3 n = turns ? turned_by(back_a, f_n) : f_n;
   Contact c;
-  c.id = uvec4(a, b, feature | (a > b ? 0x80000000u : 0u), at);
+  c.id = uvec4(a, b, owned_feature(a, b, feature), at);
   const real3 turn_a = flight[a].turn.xyz, turn_b = flight[b].turn.xyz;
   double start_d, arm_a = -radius_b, arm_b = radius_b;
   real3 before = real3(0, 0, 0);
@@ -228,13 +255,14 @@ void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked lo
 
 // What a pass over the contacts of a pair does with each: first it tells whether the two may pass each other, then it
 // counts, then it writes. One place, since a compiler takes long for each.
-const int WEIGHS = 0, COUNTS = 1, WRITES = 2;
+const int LATE = -1, WEIGHS = 0, COUNTS = 1, WRITES = 2;
 struct Pass {
   int does, steps;
   uint count, at, written;
   Kept kept;
 };
 Pass first_pass(uint p) {
+  if (late_ != 0u) return Pass(may_be_late(p) ? LATE : WRITES + 1, 0, 0u, 0u, 0u, Kept(0u, 0u, false, false));
   begin_way(p);
   return Pass(part_of_way < 1 ? WEIGHS : COUNTS, 0, 0u, 0u, 0u, Kept(0u, 0u, false, false));
 }
@@ -242,7 +270,7 @@ void begin_pass() {
   nearest_found = 1e300lf;
   may_pass = false;
 }
-void treat(FoundContact f, uint feature, Looked first, Looked second, real reach, inout Pass pass) {
+void treat(uint p, FoundContact f, uint feature, Looked first, Looked second, real reach, inout Pass pass) {
   const bool of_second = (f.feature & SECOND_OWNS) == 0u;  // the point
   Looked a = first, b = second;
   if (!of_second) {
@@ -251,6 +279,7 @@ void treat(FoundContact f, uint feature, Looked first, Looked second, real reach
   }
   const Measured m = measured(f, a.shape, a.c_shape, a.R_shape, b.shape, b.c_shape, b.R_shape);
   const bool within = m.d < double(reach);
+  if (pass.does == LATE && m.d < 0 && m.stays && !is_known(p, a.body, b.body, feature)) ++pass.count;
   if (pass.does == WEIGHS && within) weigh_passage(m, a, b);
   if (pass.does == COUNTS) {
     pass.count += count_contact(m, within, of_second, pass.kept);
@@ -262,6 +291,11 @@ void treat(FoundContact f, uint feature, Looked first, Looked second, real reach
 }
 // The next one; WRITES + 1: there is none.
 void end_pass(uint p, real reach, inout Pass pass) {
+  if (pass.does == LATE) {
+    if (pass.count > 0u) atomicAdd(counters.late, pass.count);
+    pass = Pass(WRITES + 1, 0, 0u, 0u, 0u, pass.kept);
+    return;
+  }
   if (pass.does == WEIGHS) {
     if (ends_way(p, pass.steps) || part_of_way >= 1) pass.does = COUNTS;
     ++pass.steps;

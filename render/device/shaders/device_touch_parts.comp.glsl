@@ -8,7 +8,7 @@ void main() {
   if (n >= counters.touch_size[KINDS_HERE]) return;
   const uint p = touching[counters.touch_first[KINDS_HERE] + n];
   Looked first, second;
-  const real reach = reach_of(pairs[p].emitter, pairs[p].other);
+  const real reach = late_ != 0u ? real(0) : reach_of(pairs[p].emitter, pairs[p].other);
   Pass pass = first_pass(p);
   while (pass.does <= WRITES) {
     begin_pass();
@@ -26,7 +26,7 @@ void main() {
       find_contacts(reach_of_facets(double(reach), first.shape, second.shape));
       for (int i = 0; i < contacts_found(); ++i) {
         const FoundContact f = found_contact(i);
-        treat(f, part_name(shape_first, k_first, k_second, f.feature & ~SECOND_OWNS), first, second, reach, pass);
+        treat(p, f, part_name(shape_first, k_first, k_second, f.feature & ~SECOND_OWNS), first, second, reach, pass);
       }
     }
     end_pass(p, reach, pass);
@@ -34,7 +34,7 @@ void main() {
   const uint at = pass.at, count = pass.count;
   const bool fits = at + count <= params.contact_room;
   // Equal names, which are one in a million, are told apart by counting up.
-  for (uint k = 1u; fits && k < count; ++k) {
+  for (uint k = 1u; late_ == 0u && fits && k < count; ++k) {
     uint name = raw[at + k].id.z;
     for (uint m = 0u; m < k; ++m) {
       if (raw[at + m].id.z == name) ++name;

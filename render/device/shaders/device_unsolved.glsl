@@ -19,6 +19,7 @@ bool ends_unsolved() {
   if (counters.bad > 0u) return true;
   if (counters.done == 0u && float(counters.unsolved) > SHARE * float(counters.touched)) return true;
   if (counters.done == 0u && float(counters.unsettled_contacts) > SHARE * float(counters.contacts)) return true;
+  if (float(counters.late) > SHARE * float(counters.contacts)) return true;
   const double left = 100 * double(uintBitsToFloat(counters.residual)) * counters.stored;
   return !(counters.rise <= RISE * (counters.kinetic + counters.stored) + left);
 }
