@@ -119,6 +119,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
                        const std::set<int>& shapes, const Sharing& sharing) {
   using namespace shaders;
   const Compiler compile(gl, precision, table, any_round(shapes, table), sharing);
+  const Compiler unshared(gl, precision, table, any_round(shapes, table));  // same text, so that drivers have it
   std::string group_bodies = "#define GROUP_BODIES uint[SHARES](";
   for (std::uint32_t share = 0; share < kShares; ++share)
     group_bodies += fmt::format("{}{}u", share > 0 ? ", " : "", sharing.group(share) / sharing.team[share]);
@@ -153,7 +154,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
                         "KEPT_PAIRS", "KEPT_FEATURE"},
                        "", {device_kept, device_memory, device_gap}, device_reuse_comp),
       .sort_pairs = {sort("COUNT"), sort("STARTS"), sort("LISTS")},
-      .touch = touch_programs(gl, compile, shapes, table.has_solids),
+      .touch = touch_programs(gl, unshared, shapes, table.has_solids),
       .place = compile("contacts",
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",
                         "END_FIRST", "KEPT_PAIRS", "KEPT_STRETCH", "KEPT_FEATURE"},
