@@ -39,9 +39,10 @@ double time_processor(const Setting& setting, int threads, int steps) {
   return ms_since(start) / steps;
 }
 
-void measure(GlContext& context, const std::string& scene, int team, bool compare, int bodies) {
+void measure(GlContext& context, const std::string& scene, int team, int halvings, bool compare, int bodies) {
   const bool towers = scene == "towers";
   Setting setting = scene == "avalanche" ? avalanche(bodies) : make_setting(!towers, bodies);
+  setting.params.solver.halvings = halvings;
   DeviceOptions options;
   options.time_phases = true;
   options.team = team;
@@ -80,7 +81,7 @@ void measure(GlContext& context, const std::string& scene, int team, bool compar
 
 int main(int argc, char** argv) try {
   std::string scene = "towers";
-  int team = 0;
+  int team = 0, halvings = 0;
   bool compare = true;
   std::vector<int> sizes;
   for (int k = 1; k < argc; ++k) {
@@ -91,6 +92,8 @@ int main(int argc, char** argv) try {
       compare = false;
     } else if (word == "--team" && k + 1 < argc) {
       team = std::clamp(std::atoi(argv[++k]), 1, 32);
+    } else if (word == "--halvings" && k + 1 < argc) {
+      halvings = std::clamp(std::atoi(argv[++k]), 0, 8);
     } else {
       sizes.push_back(std::atoi(argv[k]));
     }
@@ -105,7 +108,7 @@ int main(int argc, char** argv) try {
       "bytes a body | "
       "CPU, 1 thread | all threads | ratio "
       "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const int bodies : sizes) measure(*context, scene, team, compare, bodies);
+  for (const int bodies : sizes) measure(*context, scene, team, halvings, compare, bodies);
   return 0;
 } catch (const Error& error) {
   fmt::print(stderr, "bench_device: {}\n", error.what());
