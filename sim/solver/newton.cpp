@@ -8,9 +8,10 @@
 //              suffice, while that leaves it positive definite
 //
 //   step       full, turns limited to 1 rad: with stiff joints E is a narrow curved valley, in which a line
-//              search creeps. Where E stays above its lowest value for too long, back to that iterate and a
-//              line search from there (a watchdog), from then on at every rise. Contacts alone and soft pulls
-//              always need one
+//              search creeps. Where E stays above its lowest value for too long, back to that iterate (a
+//              watchdog), and on from there as if the bodies were heavier (Levenberg and Marquardt): light links
+//              under a heavy weight jump far before joints and contacts carry them. Contacts alone and soft
+//              pulls always need a line search
 
 #include "sim/solver/newton.h"
 
@@ -26,17 +27,22 @@
 namespace pabd {
 namespace {
 
-constexpr int kPatience = 4;  // iterations in which E may stay above its lowest value
+constexpr int kPatience = 8, kPatienceDamped = 4;  // iterations in which E may stay above its lowest value
 constexpr int kHalvings = 30;
 
-// Inertia of body i: its diagonal block, gradient and energy.
-double add_inertia(const Inertia& in, const Pose& pose, Block<6>& block, Vec6& g) {
+// Damping: what inertia is raised by, times itself. It starts higher where steps went in circles than where the matrix is
+// indefinite.
+constexpr double kOfCircles = 10, kOfIndefinite = 1, kRaise = 8, kEase = 0.25, kLeast = 0.1, kMost = 1e12;
+constexpr int kRaises = 3;  // in an iteration
+
+// Inertia of body i: its diagonal block, damped, its gradient and energy.
+double add_inertia(const Inertia& in, const Pose& pose, double damping, Block<6>& block, Vec6& g) {
   const Mat3 X = in.star.R * in.J * pose.R.transpose();
   const double mass = in.m * in.inv_h2;
   Mat6 M = Mat6::Zero();
   M.diagonal().head<3>().setConstant(mass);
   M.bottomRightCorner<3, 3>() = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose()));
-  block.add(M);
+  block.add((1 + damping) * M);
   g << mass * (pose.c - in.star.c), -in.inv_h2 * axial(X);
   return inertia_energy(in, pose);
 }
@@ -101,7 +107,7 @@ bool follows(const Island& island, const NewtonSystem& system, const Iterate& it
              const ContactManifold& manifold) {
   constexpr double kNear = 0.3;  // d̂ in the last iteration
   if (manifold.mu == 0 || system.bounds_stay) return false;
-  if (!island.jointed || system.searches) return true;
+  if (!island.jointed) return true;
   return it.moved[manifold.a] < kNear && it.moved[manifold.b] < kNear;
 }
 
@@ -112,8 +118,8 @@ PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geo
   double energy = 0;
   for (std::size_t k = 0; k < island.bodies.size(); ++k) {
     const Index i = island.bodies[k];
-    energy += add_inertia(p.inertia(i), it.pose[i], system.matrix.diagonal(static_cast<Index>(k)),
-                          system.motion.g[k]);
+    energy += add_inertia(p.inertia(i), it.pose[i], system.damping,
+                          system.matrix.diagonal(static_cast<Index>(k)), system.motion.g[k]);
   }
   each_joint_bond(p, island, it, [&](const LinearBond& bond) {
     const Vec3 pull = geometric ? system.force[bond.force] : Vec3(Vec3::Zero());
@@ -163,11 +169,23 @@ void raise_diagonal(double share, NewtonSystem& system) {
   }
 }
 
-// Newton direction from the assembled matrix. Pushed bonds and contacts may have made it indefinite: then without
-// their geometric stiffness, and where rounding or a large turn left that indefinite too, with a raised diagonal.
+void raise_damping(double least, NewtonSystem& system) {
+  system.damping = std::clamp(kRaise * system.damping, least, kMost);
+}
+
+// Newton direction from the assembled matrix. Pushed bonds and contacts may have made it indefinite: then damped, since
+// pulled ones hold what else would jump; then without their geometric stiffness, and where rounding or a large turn left
+// that indefinite too, with a raised diagonal.
 bool find_direction(const Problem& p, const Island& island, bool geometric, const Stop& stop,
                     NewtonSystem& system, Iterate& it) {
   bool solvable = system.matrix.factorize(stop);
+  const double damping = system.damping;
+  for (int k = 0; geometric && !solvable && k < kRaises && !stop.requested(); ++k) {
+    raise_damping(kOfIndefinite, system);
+    assemble(p, island, geometric, system, it);
+    solvable = system.matrix.factorize(stop);
+  }
+  if (!solvable) system.damping = damping;
   for (double raise = 0; !solvable && raise < 1e4; raise = raise == 0 ? 1e-12 : raise * 1e3) {
     if (stop.requested()) break;
     if (raise == 0 && !geometric && !system.curved) continue;
@@ -196,22 +214,39 @@ void predict_forces(const Problem& p, const Island& island, const Iterate& it, N
   });
 }
 
-// A full step, or a line search on E. Short moves are made in full where bounds follow: the levers of friction on round bodies
-// leave out the curvature of the step's turn, and E no longer tells whether they are good. False where there is no step.
-bool take_step(const Problem& p, const Island& island, bool geometric, bool search, const Stop& stop,
-               NewtonSystem& system, Iterate& it) {
-  constexpr double kSmall = 0.01;  // d̂
-  system.stuck = false;
+// Friction bounds have moved, and E with them: how low the best iterate is now.
+void measure_best(const Problem& p, const Island& island, NewtonSystem& system, Iterate& it) {
+  if (!(system.motion.lowest < std::numeric_limits<double>::infinity())) return;
+  swap_with_best(p, island, system.motion, it);
+  system.motion.lowest = energy_of(p, island, it);
+  swap_with_best(p, island, system.motion, it);
+}
+
+// False where there is no step.
+bool take_full_step(const Problem& p, const Island& island, bool geometric, const Stop& stop,
+                    NewtonSystem& system, Iterate& it) {
   if (!find_direction(p, island, geometric, stop, system, it)) return false;
   const bool other_E =
       p.friction && follow_bounds(p, island, system.matrix, system.sliding, system.motion.step, it);
   foresee_actions(p, island, system.motion.step, it);
-  if (!search) {
-    predict_forces(p, island, it, system);
-    if (other_E) forget_best(system);
-  }
+  predict_forces(p, island, it, system);
+  if (other_E) measure_best(p, island, system, it);
+  move(p, island, system.motion, longest_step(system.motion), it);
+  return true;
+}
+
+// Short moves are made in full where bounds follow: the levers of friction on round bodies leave out the curvature of the
+// step's turn, and E no longer tells whether they are good. False where there is no step.
+bool search_step(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
+                 Iterate& it) {
+  constexpr double kSmall = 0.01;  // d̂
+  system.stuck = false;
+  if (!find_direction(p, island, false, stop, system, it)) return false;
+  const bool other_E =
+      p.friction && follow_bounds(p, island, system.matrix, system.sliding, system.motion.step, it);
+  foresee_actions(p, island, system.motion.step, it);
   double t = longest_step(system.motion);
-  if (!search || (!system.bounds_stay && largest_move(p, island, system.motion.step) < kSmall)) {
+  if (!system.bounds_stay && largest_move(p, island, system.motion.step) < kSmall) {
     move(p, island, system.motion, t, it);
     return true;
   }
@@ -225,33 +260,28 @@ bool take_step(const Problem& p, const Island& island, bool geometric, bool sear
   return true;
 }
 
-bool search_from_best(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
-                      Iterate& it) {
-  const double current = energy_of(p, island, it);
-  swap_with_best(p, island, system.motion, it);
-  double energy = assemble(p, island, false, system, it);  // anew: friction bounds may have moved since
-  if (energy > current) {
-    swap_with_best(p, island, system.motion, it);
-    energy = assemble(p, island, false, system, it);
-  }
-  keep_best(island, it, energy, system.motion);
-  system.force.clear();
-  return take_step(p, island, false, true, stop, system, it);
-}
-
 bool iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
                       Iterate& it) {
-  const bool geometric = !system.force.empty() && island.jointed;
-  const double energy = assemble(p, island, geometric, system, it);
-  if (!island.jointed || is_lower(energy, system.motion)) {
-    if (p.params->solver.iterations > 1) keep_best(island, it, energy, system.motion);
-  } else {
-    ++system.motion.rises;
+  IslandStep& motion = system.motion;
+  const bool keeps = p.params->solver.iterations > 1;
+  bool geometric = !system.force.empty() && island.jointed;
+  double energy = assemble(p, island, geometric, system, it);
+  if (!island.jointed) {
+    if (keeps) keep_best(island, it, energy, motion);
+    return search_step(p, island, stop, system, it);
   }
-  if (system.motion.rises > kPatience) system.searches = true;
-  if (system.motion.rises > (system.searches ? 0 : kPatience))
-    return search_from_best(p, island, stop, system, it);
-  return take_step(p, island, geometric, !island.jointed, stop, system, it);
+  if (is_lower(energy, motion)) {
+    if (keeps) keep_best(island, it, energy, motion);
+    system.damping *= system.damping > kLeast ? kEase : 0;
+  } else if (++motion.rises > (system.damping > 0 ? kPatienceDamped : kPatience)) {
+    swap_with_best(p, island, motion, it);
+    raise_damping(kOfCircles, system);
+    system.force.clear();
+    geometric = false;
+    energy = assemble(p, island, geometric, system, it);  // anew: friction bounds may have moved since
+    keep_best(island, it, energy, motion);
+  }
+  return take_full_step(p, island, geometric, stop, system, it);
 }
 
 // False where the bodies' system has to take over.
@@ -303,7 +333,8 @@ bool find_structure(const Problem& p, const Island& island, const Iterate& it, d
 void start_newton(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system) {
   start(p, island, it, system.motion);
   system.force.clear();
-  system.searches = system.stuck = false;
+  system.stuck = false;
+  system.damping = 0;
   system.iterations = 0;
   if (system.dual) start_dual(p, island, system.by_forces);
 }
@@ -321,7 +352,7 @@ void take_turns(const Problem& p, const Island& island, NewtonSystem& system, It
   system.bounds_stay = p.friction && k / kTurn % 2 == 1;
   if (!system.bounds_stay || !(largest_moved(island, it) < kNearly)) return;
   approach_friction_limits(p, island, it);
-  forget_best(system);
+  measure_best(p, island, system, it);
 }
 
 }  // namespace
@@ -337,6 +368,7 @@ bool newton_iteration(const Problem& p, const Island& island, const Workers& wor
   }
   if (!system.dual && !iterate_by_moves(p, island, workers.stop, system, it)) return workers.stop.requested();
   tell_moves(p, island, system.motion, it);
+  for (const Index i : island.bodies) it.moved[i] *= 1 + system.damping;  // they would have gone as far
   return true;
 }
 

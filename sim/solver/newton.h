@@ -21,7 +21,7 @@ struct NewtonSystem {
   // joint k is number BondList::kMost k + j.
   std::vector<Vec3> force;
 
-  bool searches;  // full steps went in circles: from then on each rise of E is answered by a line search
+  double damping;  // full steps went in circles: inertia of the matrix is raised by so many times itself
   int iterations;
   bool curved;       // the matrix has ContactCurvature
   bool bounds_stay;  // friction bounds are no unknowns
