@@ -352,7 +352,7 @@ void take_turns(const Problem& p, const Island& island, NewtonSystem& system, It
   system.bounds_stay = p.friction && k / kTurn % 2 == 1;
   if (!system.bounds_stay || !(largest_moved(island, it) < kNearly)) return;
   approach_friction_limits(p, island, it);
-  measure_best(p, island, system, it);
+  forget_best(system);
 }
 
 }  // namespace
