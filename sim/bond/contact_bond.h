@@ -64,9 +64,14 @@ inline constexpr double kLeastAlong = 0.02;  // see ease_slip
 
 // What a separate manifold needs to know of its bodies beside their poses.
 struct alignas(sizeof(Lanes)) Rolling {
-  const Roll *a, *b;  // at the current iterate
   Lanes radius_b = lanes(0);
   Lanes arm_a = lanes(0), arm_b = lanes(0);
+};
+
+// The rolls of all bodies at an iterate, and the Rolling of all separate manifolds.
+struct Rolls {
+  const Roll* body = nullptr;
+  const Rolling* separate = nullptr;
 };
 
 // Friction acts at the surface of the round one of two bodies, else of the movable one, else in the middle between the
@@ -89,7 +94,7 @@ struct alignas(sizeof(Lanes)) ContactManifold {
   int count;      // points in use, 1 … kLanes; the others are far away and feel nothing
   bool turns;     // a is flat: its plane turns with it. Else n, stretch and rolled are in the world frame
   bool separate;  // a or b is round: normal points and surface points differ
-  const Rolling* rolling;         // of a separate manifold
+  Index rolling;  // number of its Rolling where it is separate
   std::uint32_t feature[kLanes];  // see ContactMemory
   Vec3x n, stretch;               // frame of a, or world
   Vec3x rolled;                   // part of the slip that the step starts with; separate manifolds
@@ -170,7 +175,7 @@ struct ContactPlanes {
 // Always inlined: sixteen vector registers' worth of results would go through memory otherwise, and loads
 // that follow such stores wait for them (measured: 40 % of a step).
 [[gnu::always_inline]] inline ContactState contact_state(const ContactManifold& p, const Pose& a,
-                                                         const Pose& b) {
+                                                         const Pose& b, const Rolls& rolls) {
   const ContactPlanes at = contact_planes(p, a, b);
   ContactState s;
   s.n = at.n;
@@ -180,11 +185,12 @@ struct ContactPlanes {
   s.u = at.offset - at.along * s.n + (p.turns ? rotate(a.R, before) : before);
   s.y = s.normal_y;
   if (p.separate) {
-    const Rolling& r = *p.rolling;
-    s.u = s.u + cross(s.n, r.arm_b * spread(r.b->turn) + r.arm_a * spread(r.a->turn));
+    const Rolling& r = rolls.separate[p.rolling];
+    const Roll &roll_a = rolls.body[p.a], &roll_b = rolls.body[p.b];
+    s.u = s.u + cross(s.n, r.arm_b * spread(roll_b.turn) + r.arm_a * spread(roll_a.turn));
     s.y = s.y - r.radius_b * s.n;
-    s.lever_a = r.arm_a * r.a->slope + (p.turns ? r.radius_b : lanes(0));
-    s.lever_b = r.arm_b * r.b->slope;
+    s.lever_a = r.arm_a * roll_a.slope + (p.turns ? r.radius_b : lanes(0));
+    s.lever_b = r.arm_b * roll_b.slope;
   }
   return s;
 }

@@ -154,10 +154,11 @@ void set_rolling(Problem& p, const Detection& found, Iterate& it) {
   it.roll.assign(p.model->shape.size(), {});
   p.rolls.assign(p.model->shape.size(), 0);
   for (std::size_t m = 0; m < it.manifold.size(); ++m) {
-    const ContactManifold& manifold = it.manifold[m];
+    ContactManifold& manifold = it.manifold[m];
     if (!manifold.separate) continue;
     p.rolls[manifold.a] = p.rolls[manifold.b] = 1;
-    Rolling& rolling = it.rolling.emplace_back(Rolling{&it.roll[manifold.a], &it.roll[manifold.b]});
+    manifold.rolling = static_cast<Index>(it.rolling.size());
+    Rolling& rolling = it.rolling.emplace_back();
     for (int k = 0; k < manifold.count; ++k) {
       const ContactPoint& point = found.points[found.first_point[m] + static_cast<std::size_t>(k)];
       const Gap gap = touching_gap(p, manifold.a, manifold.b, manifold.start_d[k]);
@@ -166,10 +167,6 @@ void set_rolling(Problem& p, const Detection& found, Iterate& it) {
       rolling.arm_a[k] = arm.a;
       rolling.arm_b[k] = arm.b;
     }
-  }
-  const Rolling* next = it.rolling.data();
-  for (ContactManifold& manifold : it.manifold) {
-    if (manifold.separate) manifold.rolling = next++;
   }
 }
 
@@ -255,8 +252,7 @@ void first_iterate(const Problem& p, Iterate& it) {
   if (traits_of(p.params->contact.barrier).feasible_only) {
     for (Index i = 0; i < p.model->size(); ++i) {
       if (!p.movable(i) || (p.ends[i].empty() && p.joints_at[i].empty())) continue;
-      it.pose[i] = p.start_pose(i);
-      set_roll(p, i, it.pose[i].R, it);
+      set_pose(p, i, p.start_pose(i), it);
     }
     return;
   }

@@ -24,18 +24,14 @@
 namespace pabd {
 namespace {
 
-// Energy of body i and its bonds at a trial pose.
-PABD_EACH_LEVEL double local_energy(const Problem& p, const Iterate& it, Index i, const Inertia& in,
-                                    const Pose& trial) {
+// Energy of body i and its bonds.
+PABD_EACH_LEVEL double local_energy(const Problem& p, const Iterate& it, Index i, const Inertia& in) {
   Lanes energy = lanes(0);
   for (const ManifoldEnd& end : p.ends[i]) {
     const ContactManifold& manifold = it.manifold[end.manifold];
-    const Pose& other = it.pose[end.other];
-    const ContactState state =
-        end.is_a ? contact_state(manifold, trial, other) : contact_state(manifold, other, trial);
-    energy += contact_energy(p.law, manifold, state);
+    energy += contact_energy(p.law, manifold, state_of(it, manifold));
   }
-  return inertia_energy(in, trial) + sum(energy) + joint_energy(p, it, i, trial);
+  return inertia_energy(in, it.pose[i]) + sum(energy) + joint_energy(p, it, i, it.pose[i]);
 }
 
 struct LocalStep {
@@ -63,8 +59,8 @@ LocalStep weighted_step(const Problem& p, const Iterate& it, Index i, const Iner
   const Pose& pose = it.pose[i];
   const AffineModel model = affine_model(p, it, i, in, WeightKind::tangent);
   const Mat3 R = weighted_rotation(model, pose.R);
-  return {weighted_translation(model, R), cayley_inverse(R * pose.R.transpose()),
-          local_energy(p, it, i, in, pose), false, 0};
+  return {weighted_translation(model, R), cayley_inverse(R * pose.R.transpose()), local_energy(p, it, i, in),
+          false, 0};
 }
 
 Pose moved_by(const Pose& pose, const LocalStep& step) {
@@ -107,27 +103,22 @@ void relax_body(const Problem& p, Index i, const DescentSweep& sweep, LastStep& 
   const double factor = over_relaxation(step, radius, sweep.first, remembered);
   step.dc *= factor;
   step.dw *= factor;
-  Pose trial = moved_by(it.pose[i], step);
+  const Pose from = it.pose[i];
   if (step.definite && factor == 1 && it.moved[i] < last && is_small(barrier, it.moved[i], step.room) &&
       p.joints_at[i].empty()) {
-    it.pose[i] = trial;
-    set_roll(p, i, trial.R, it);
+    set_pose(p, i, moved_by(from, step), it);
     return;
   }
   constexpr int kHalvings = 8;
   constexpr double kRounding = 1e-12;  // forces times rounded positions
   for (int attempt = 0; attempt < kHalvings; ++attempt) {
-    set_roll(p, i, trial.R, it);
-    if (local_energy(p, it, i, in, trial) <= step.energy * (1 + kRounding)) {
-      it.pose[i] = trial;
-      return;
-    }
+    set_pose(p, i, moved_by(from, step), it);
+    if (local_energy(p, it, i, in) <= step.energy * (1 + kRounding)) return;
     const double shorter = attempt == 0 && factor > 1 ? 1 / factor : 0.5;
     step.dc *= shorter;
     step.dw *= shorter;
-    trial = moved_by(it.pose[i], step);
   }
-  set_roll(p, i, it.pose[i].R, it);
+  set_pose(p, i, from, it);
 }
 
 bool is_quiet(const Problem& p, const Iterate& it, Index i, double bound) {

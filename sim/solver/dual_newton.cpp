@@ -131,7 +131,7 @@ Vec6 step_of(std::span<const DualSystem::End> ends, const DualSystem::Compliance
 bool feels_contact(const Problem& p, const Island& island, const Iterate& it) {
   return std::any_of(island.manifolds.begin(), island.manifolds.end(), [&](Index k) {
     const ContactManifold& manifold = it.manifold[k];
-    return pushes(p.law, manifold, it.pose[manifold.a], it.pose[manifold.b]);
+    return pushes(p.law, it, manifold);
   });
 }
 

@@ -142,11 +142,9 @@ double stored_at_part(const Problem& p, const Island& island, const Workers& wor
   double energy = 0;
   for (const Index i : island.bodies) {
     const Pose &from = memory.from[i], &end = memory.pose[i];
-    Pose& pose = it.pose[i];
-    pose.c = from.c + t * (end.c - from.c);
-    pose.R = exp_so3(t * log_so3(end.R * from.R.transpose())) * from.R;
-    set_roll(p, i, pose.R, it);
-    energy += fall(p, i, pose.c);
+    const Vec3 c = from.c + t * (end.c - from.c);
+    set_pose(p, i, {c, exp_so3(t * log_so3(end.R * from.R.transpose())) * from.R}, it);
+    energy += fall(p, i, c);
   }
   return energy + joint_energies(p, island, p.time, it) +
          contact_energies(p, island, false, workers, memory, it) - drive_work(p, it, island.joints);

@@ -36,17 +36,15 @@ void keep_best(const Island& island, const Iterate& it, double energy, IslandSte
 }
 
 void restore_best(const Problem& p, const Island& island, const IslandStep& s, Iterate& it) {
-  for (std::size_t k = 0; k < s.best.size(); ++k) {
-    it.pose[island.bodies[k]] = s.best[k];
-    set_roll(p, island.bodies[k], s.best[k].R, it);
-  }
+  for (std::size_t k = 0; k < s.best.size(); ++k) set_pose(p, island.bodies[k], s.best[k], it);
 }
 
 void swap_with_best(const Problem& p, const Island& island, IslandStep& s, Iterate& it) {
   for (std::size_t k = 0; k < s.best.size(); ++k) {
     const Index i = island.bodies[k];
-    std::swap(it.pose[i], s.best[k]);
-    set_roll(p, i, it.pose[i].R, it);
+    const Pose best = s.best[k];
+    s.best[k] = it.pose[i];
+    set_pose(p, i, best, it);
   }
 }
 
@@ -59,10 +57,8 @@ double longest_step(const IslandStep& s) {
 void move(const Problem& p, const Island& island, const IslandStep& s, double t, Iterate& it) {
   for (std::size_t k = 0; k < island.bodies.size(); ++k) {
     const Index i = island.bodies[k];
-    Pose& pose = it.pose[i];
-    pose.c += t * s.step[k].head<3>();
-    pose.R = cayley(t * s.step[k].tail<3>()) * pose.R;
-    set_roll(p, i, pose.R, it);
+    const Pose& from = it.pose[i];
+    set_pose(p, i, {from.c + t * s.step[k].head<3>(), cayley(t * s.step[k].tail<3>()) * from.R}, it);
   }
 }
 

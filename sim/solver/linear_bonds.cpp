@@ -5,17 +5,17 @@
 #include "sim/solver/island_step.h"
 
 namespace pabd {
-PABD_EACH_LEVEL bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
-                            const Pose& b) {
-  const ContactState state = contact_state(manifold, a, b);
+PABD_EACH_LEVEL bool pushes(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold) {
+  const ContactState state = state_of(it, manifold);
   const Lanes alpha_n = normal_force(law.barrier, manifold, state.d).alpha_n;
   return !(sum(alpha_n) + sum(friction_weight(law, manifold.limit, length(state.u))) <= 0);
 }
 
-PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const ContactManifold& manifold,
-                                         const Pose& a, const Pose& b) {
+PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& it,
+                                         const ContactManifold& manifold) {
   LinearManifold out;
-  const ContactState state = contact_state(manifold, a, b);
+  const Pose &a = it.pose[manifold.a], &b = it.pose[manifold.b];
+  const ContactState state = state_of(it, manifold);
   const ContactForce f = normal_force(law.barrier, manifold, state.d);
   const Lanes u = length(state.u);
   const Lanes alpha_t = friction_weight(law, manifold.limit, u);
@@ -60,9 +60,10 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const ContactMan
   return out;
 }
 
-PABD_EACH_LEVEL ContactCurvature curvature(const ContactLaw& law, const ContactManifold& manifold,
-                                           const Pose& a, const Pose& b) {
-  const ContactState state = contact_state(manifold, a, b);
+PABD_EACH_LEVEL ContactCurvature curvature(const ContactLaw& law, const Iterate& it,
+                                           const ContactManifold& manifold) {
+  const Pose &a = it.pose[manifold.a], &b = it.pose[manifold.b];
+  const ContactState state = state_of(it, manifold);
   const ContactForce f = normal_force(law.barrier, manifold, state.d);
   const Vec3x force = f.first * state.n + friction_weight(law, manifold.limit, length(state.u)) * state.u;
   const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);

@@ -58,10 +58,9 @@ struct LinearManifold {
   Mat6 H;
   NormalRows normal;
 };
-// Does it push or hold at these poses? LinearManifold::active says the same.
-bool pushes(const ContactLaw& law, const ContactManifold& manifold, const Pose& a, const Pose& b);
-LinearManifold linearize(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
-                         const Pose& b);
+// Does it push or hold there? LinearManifold::active says the same.
+bool pushes(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold);
+LinearManifold linearize(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold);
 
 // Its geometric stiffness: forces F on b act at points r that turn with their body, and a plane turns with a. Rolling left
 // out.
@@ -70,7 +69,6 @@ struct ContactCurvature {
   Mat3 pulls;  // Σ [F]: of a turn of a and a move of b, less that of a; N. 0 where nothing turns with a
   Mat3 turns;  // Σ −[F][r_b]: of a turn of a and one of b; N m
 };
-ContactCurvature curvature(const ContactLaw& law, const ContactManifold& manifold, const Pose& a,
-                           const Pose& b);
+ContactCurvature curvature(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold);
 
 }  // namespace pabd

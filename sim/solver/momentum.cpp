@@ -162,7 +162,7 @@ void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
   add_to_gaps(p, g, 1, it);
   for (const auto& [i, k] : g.bodies) {
     const FreeGroup& group = g.group[k];
-    Pose& pose = it.pose[i];
+    Pose pose = it.pose[i];
     if (group.count == 1) {
       pose = flight.star[i];
     } else {
@@ -170,7 +170,7 @@ void balance_poses(const Problem& p, FreeGroups& g, Iterate& it) {
       pose.c = centre + group.h * group.v + group.turn * (pose.c - centre);
       pose.R = group.turn * pose.R;
     }
-    set_roll(p, i, pose.R, it);
+    set_pose(p, i, pose, it);
   }
   add_to_gaps(p, g, -1, it);
 }

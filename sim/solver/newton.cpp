@@ -130,7 +130,7 @@ PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geo
   for (const Index k : island.manifolds) {
     ContactManifold& manifold = it.manifold[k];
     const Index a = island.row[manifold.a], b = island.row[manifold.b];
-    const LinearManifold linear = linearize(p.law, manifold, it.pose[manifold.a], it.pose[manifold.b]);
+    const LinearManifold linear = linearize(p.law, it, manifold);
     energy += linear.energy;
     if (!linear.active) continue;
     manifold.felt = true;
@@ -144,8 +144,7 @@ PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geo
       system.motion.g[b] += linear.g_b;
     }
     if (a >= 0 && b >= 0) system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.normal.back, linear.H));
-    if (system.curved)
-      add_curvature(curvature(p.law, manifold, it.pose[manifold.a], it.pose[manifold.b]), a, b, system);
+    if (system.curved) add_curvature(curvature(p.law, it, manifold), a, b, system);
   }
   return energy;
 }

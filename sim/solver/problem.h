@@ -125,6 +125,7 @@ struct Iterate {
   std::vector<Rolling> rolling;  // of the separate manifolds
   std::vector<Roll> roll;        // per body, at its pose; kept where Problem::rolls
 
+  Rolls rolls() const { return {roll.data(), rolling.data()}; }
   // Index of a body's pose.
   std::size_t slot(Index body) const { return body < 0 ? pose.size() - 1 : static_cast<std::size_t>(body); }
 };
@@ -140,13 +141,14 @@ struct BondGraph {
 // call before, is still that of the problem, and so are all that follows from it.
 bool list_bonds(Problem& p, const Iterate& it, BondGraph& last);
 
-// To be called when the pose of body i turns, or is about to be tried.
-inline void set_roll(const Problem& p, Index i, const Mat3& R, Iterate& it) {
-  if (p.rolls[i]) it.roll[i] = roll_since_prediction(p.flight->star[i].R, R);
+// A body's pose and its roll change together.
+inline void set_pose(const Problem& p, Index i, const Pose& pose, Iterate& it) {
+  it.pose[i] = pose;
+  if (p.rolls[i]) it.roll[i] = roll_since_prediction(p.flight->star[i].R, pose.R);
 }
 
 [[gnu::always_inline]] inline ContactState state_of(const Iterate& it, const ContactManifold& manifold) {
-  return contact_state(manifold, it.pose[manifold.a], it.pose[manifold.b]);
+  return contact_state(manifold, it.pose[manifold.a], it.pose[manifold.b], it.rolls());
 }
 
 }  // namespace pabd

@@ -88,10 +88,7 @@ void sissm_iteration(const Problem& p, const Island& island, const Workers& work
     for (const Index k : island.manifolds)
       *before = smaller(*before, affine_distance(p, it, memory, it.manifold[k]));
   }
-  for (const Index i : island.bodies) {
-    it.pose[i] = memory.next[i];
-    set_roll(p, i, it.pose[i].R, it);
-  }
+  for (const Index i : island.bodies) set_pose(p, i, memory.next[i], it);
 }
 
 }  // namespace pabd

@@ -28,7 +28,7 @@ PABD_EACH_LEVEL void add_sliding_points(const Island& island, const Iterate& it,
   const LaneMask slides = (normal.pull > manifold.limit) & ((manifold.limit > 0) | (normal.alpha_n > 0));
   if (!any(slides)) return;
   const Pose &a = it.pose[manifold.a], &b = it.pose[manifold.b];
-  const ContactState state = contact_state(manifold, a, b);
+  const ContactState state = state_of(it, manifold);
   const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);
   for (int k = 0; k < manifold.count; ++k) {
     if (!slides[k]) continue;

@@ -114,8 +114,7 @@ PABD_EACH_LEVEL TangentModel tangent_model(const Problem& p, Index i, const Iner
   for (const ManifoldEnd& end : p.ends[i]) {
     ContactManifold& manifold = it.manifold[end.manifold];
     const Pose& other = it.pose[end.other];
-    const ContactState state =
-        end.is_a ? contact_state(manifold, pose, other) : contact_state(manifold, other, pose);
+    const ContactState state = state_of(it, manifold);
     const Lanes beyond = state.d - p.law.barrier.d_hat;
     room = select(beyond < 0, room, smaller(room, beyond));
     if (feels_nothing(p.law.barrier, manifold, state.d)) {

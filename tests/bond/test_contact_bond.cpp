@@ -45,7 +45,7 @@ ContactManifold flat_patch() {
 }
 
 double energy_at(const ContactLaw& law, const ContactManifold& p, const Pose& a, const Pose& b) {
-  const Lanes energy = contact_energy(law, p, contact_state(p, a, b));
+  const Lanes energy = contact_energy(law, p, contact_state(p, a, b, {}));
   return energy[0] + energy[1];
 }
 
@@ -73,7 +73,7 @@ Slopes slopes_of(const Energy& energy) {
 
 TEST_CASE("the gap is the distance of b's point from a's plane, the stretch what it has slipped along it") {
   const ContactManifold p = flat_patch();
-  const ContactState s = contact_state(p, kA, kB);
+  const ContactState s = contact_state(p, kA, kB, {});
   CHECK(s.d[0] == Approx(0.013).epsilon(1e-12));
   CHECK(s.d[1] == Approx(0.006).epsilon(1e-12));
   CHECK(length(s.u)[0] == Approx(2e-5).epsilon(1e-9));
@@ -85,7 +85,7 @@ TEST_CASE("force and moment of a contact between flat bodies are the slopes of i
   for (const BarrierKind kind : {BarrierKind::polynomial, BarrierKind::even, BarrierKind::log}) {
     const ContactLaw law = law_with(kind);
     const ContactManifold p = flat_patch();
-    const ContactState s = contact_state(p, kA, kB);
+    const ContactState s = contact_state(p, kA, kB, {});
     const ContactForce f = normal_force(law.barrier, p, s.d);
     const Lanes weight = friction_weight(law, p.limit, length(s.u));
     const ContactLevers on_a = levers_on_a(p, s, kA), on_b = levers_on_b(s, kA, kB);
