@@ -84,7 +84,6 @@ BodyKinds make_body_kinds(const Model& model, const ShapeTable& shapes) {
     if (is_plane(model.shape[i])) out.planes.push_back(static_cast<std::uint32_t>(i));
     if (model.fixed[i]) continue;
     smallest = std::min(smallest, kind.bounding);
-    out.heaviest = std::max(out.heaviest, kind.mass);
   }
   if (std::isfinite(smallest)) out.smallest_radius = smallest;
   return out;

@@ -17,7 +17,6 @@ struct BodyKinds {
   std::vector<std::uint32_t> of_body;  // its kind
   std::vector<std::uint32_t> planes;   // bodies
   double smallest_radius = 1;          // bounding radius of the smallest body that moves; m
-  double heaviest = 0;                 // kg
 };
 BodyKinds make_body_kinds(const Model& model, const ShapeTable& shapes);
 

@@ -51,6 +51,7 @@ DeviceStep::DeviceStep(GlContext& context, const Model& model, const DeviceOptio
       sharing_(sharing_for(model, options)),
       programs_(make_programs(gl, precision_, table_, shapes_, sharing_)),
       movable_(static_cast<Index>(std::count(model.fixed.begin(), model.fixed.end(), 0))),
+      heaviest_(movable_mass(model).heaviest),
       bodies_(static_cast<std::uint32_t>(model.size())),
       buckets_(std::bit_ceil(std::max(1024u, bodies_))) {
   make_body_buffers();
@@ -80,7 +81,7 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   }
   StepParams p{};
   std::copy_n(params.gravity.data(), 3, p.gravity);
-  p.least_load = kLeastLoad * kinds_.heaviest * weight_per_mass(params);
+  p.least_load = kLeastLoad * heaviest_ * weight_per_mass(params);
   p.weight_per_mass = weight_per_mass(params);
   p.least_share = kLeastLoad * p.weight_per_mass;
   p.h = params.h;

@@ -77,6 +77,7 @@ class DeviceStep {
   std::optional<ComputeProgram> crowd_sort_;               // beside that of share 2
   std::map<BodyQuantity, ComputeProgram> value_programs_;  // of those that were asked for
   Index movable_;
+  double heaviest_;  // kg
   std::uint32_t bodies_, buckets_, pair_room_ = 0, contact_room_ = 0;
   std::uint32_t color_limit_ = 16, rounds_ = 24;
   ContactLaw law_{};

@@ -6,12 +6,17 @@
 
 namespace pabd {
 
-double heaviest_mass(const Model& model) {
-  double heaviest = 0.0;
+MovableMass movable_mass(const Model& model) {
+  MovableMass out;
+  bool any = false;
   for (std::size_t i = 0; i < model.mass.size(); ++i) {
-    if (!model.fixed[i]) heaviest = std::max(heaviest, model.mass[i]);
+    if (model.fixed[i]) continue;
+    out.total += model.mass[i];
+    out.heaviest = std::max(out.heaviest, model.mass[i]);
+    out.lightest = any ? std::min(out.lightest, model.mass[i]) : model.mass[i];
+    any = true;
   }
-  return heaviest;
+  return out;
 }
 
 }  // namespace pabd

@@ -30,7 +30,10 @@ struct Model {
   Index size() const { return static_cast<Index>(shape.size()); }
 };
 
-// Largest mass of a movable body; 0 when there is none.
-double heaviest_mass(const Model& model);
+// Of the movable bodies; kg. All are 0 when there is none.
+struct MovableMass {
+  double total = 0, heaviest = 0, lightest = 0;
+};
+MovableMass movable_mass(const Model& model);
 
 }  // namespace pabd

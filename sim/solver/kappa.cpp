@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The stiffness "auto" of contacts.
 #include <algorithm>
-#include <limits>
 
 #include "sim/solver/time_step.h"
 
@@ -14,26 +13,11 @@ constexpr double kImpacts = 10;          // times the heaviest weight, for what 
 constexpr double kHighest = 100;         // heaviest weights on top of each other
 constexpr double kRoundingStep = 1e-12;  // of a place some 10 km from the origin; m
 
-struct Masses {
-  double total = 0, heaviest = 0, lightest = std::numeric_limits<double>::infinity();
-};
-
-Masses masses_of(const Model& model) {
-  Masses out;
-  for (std::size_t i = 0; i < model.mass.size(); ++i) {
-    if (model.fixed[i]) continue;
-    out.total += model.mass[i];
-    out.heaviest = std::max(out.heaviest, model.mass[i]);
-    out.lightest = std::min(out.lightest, model.mass[i]);
-  }
-  return out;
-}
-
 }  // namespace
 
 double resolve_kappa(const Model& model, const Params& params) {
   if (params.contact.kappa) return *params.contact.kappa;
-  const Masses m = masses_of(model);
+  const MovableMass m = movable_mass(model);
   if (m.heaviest == 0) return 1.0;
   const double g = params.gravity.norm() > 0 ? params.gravity.norm() : 9.81;
   const double d_hat = params.contact.d_hat;

@@ -53,7 +53,7 @@ Lanes friction_excess(const ContactManifold& manifold, Lanes friction, const Con
 
 PABD_EACH_LEVEL void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports,
                                         StepReport& report) {
-  const double least = kLeastLoad * heaviest_mass(*p.model) * weight_per_mass(*p.params);
+  const double least = kLeastLoad * movable_mass(*p.model).heaviest * weight_per_mass(*p.params);
   report.elastic = 0;
   report.friction_excess = 0;
   report.contacts = 0;

@@ -110,11 +110,13 @@ TEST_CASE("a plane has no volume, mass grows with density, fixed bodies are not 
         Approx(2 * mass_properties(Sphere{1}, 10).mass).epsilon(1e-15));
 
   Model model;
-  CHECK(heaviest_mass(model) == 0);
+  CHECK(movable_mass(model).heaviest == 0);
   model.shape = {Sphere{1}, Sphere{1}, Sphere{1}};
   model.mass = {2, 7, 5};
   model.fixed = {0, 1, 0};
-  CHECK(heaviest_mass(model) == 5);
+  CHECK(movable_mass(model).heaviest == 5);
+  CHECK(movable_mass(model).lightest == 2);
+  CHECK(movable_mass(model).total == 7);
 }
 
 }  // namespace pabd::test_mass_properties

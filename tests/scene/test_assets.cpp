@@ -45,7 +45,7 @@ TEST_CASE("every shipped scene loads and is fit to show", "[scene]") {
     CHECK(names.insert(s.name).second);
     CHECK_FALSE(s.description.empty());
     CHECK(s.camera.has_value());
-    CHECK(heaviest_mass(s.model) > 0);
+    CHECK(movable_mass(s.model).heaviest > 0);
   }
   for (const char* expected : {"two_boxes",
                                "pyramid",

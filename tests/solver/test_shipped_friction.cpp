@@ -23,7 +23,7 @@ struct Seen {
 
 void watch(const Scene& scene, const StepReport& report, Seen& seen) {
   if (report.status != StepStatus::converged) return;
-  const double least = 1e-3 * heaviest_mass(scene.model) * scene.params.gravity.norm();
+  const double least = 1e-3 * movable_mass(scene.model).heaviest * scene.params.gravity.norm();
   for (const ContactReport& c : report.contact_reports) {
     if (c.normal_force < least || c.mu == 0) continue;
     ++seen.contacts;
