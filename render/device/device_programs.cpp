@@ -119,7 +119,8 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
                        const std::set<int>& shapes, const Sharing& sharing) {
   using namespace shaders;
   const Compiler compile(gl, precision, table, any_round(shapes, table), sharing);
-  const Compiler unshared(gl, precision, table, any_round(shapes, table));  // same text, so that drivers have it
+  // The same text whatever shares a body: a driver compiles it once.
+  const Compiler unshared(gl, precision, table, any_round(shapes, table));
   std::string group_bodies = "#define GROUP_BODIES uint[SHARES](";
   for (std::uint32_t share = 0; share < kShares; ++share)
     group_bodies += fmt::format("{}{}u", share > 0 ? ", " : "", sharing.group(share) / sharing.team[share]);
