@@ -91,12 +91,19 @@ double contact_energies(const Problem& p, const Island& island, bool solved, con
   return sum;
 }
 
+// Does point k overlap where the step starts, and the last step did not know of it?
+bool is_found(const ContactManifold& manifold, int k) {
+  return !manifold.known[k] && manifold.start_d[k] < 0;
+}
+
 // What overlaps where the step starts: in a crowd, and, where nothing is made in halves, what the last step did not know of.
 bool comes_apart(const Problem& p, const Island& island, const ContactManifold& manifold) {
   if (island.crowd) return manifold.crowded || smallest_start_d(manifold) < 0;
-  const auto is_found = [&](int k) { return !manifold.known[k] && manifold.start_d[k] < 0; };
-  const bool halves = p.is_half || may_halve(p.params->solver);
-  return !halves && (is_found(0) || is_found(1) || is_found(2) || is_found(3));
+  if (p.is_half || may_halve(p.params->solver)) return false;
+  for (int k = 0; k < manifold.count; ++k) {
+    if (is_found(manifold, k)) return true;
+  }
+  return false;
 }
 
 void add_contacts_at_start(const Problem& p, const Island& island, bool solved, const Iterate& it,
@@ -106,7 +113,7 @@ void add_contacts_at_start(const Problem& p, const Island& island, bool solved, 
     const Lanes energy = energy_at_start(p, manifold, solved);
     for (int k = 0; k < manifold.count; ++k) {
       out.stored += energy[k];
-      if (!manifold.known[k] && manifold.start_d[k] < 0) out.found += energy[k];
+      if (is_found(manifold, k)) out.found += energy[k];
       if (comes_apart(p, island, manifold)) out.freed += energy[k];
     }
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a step minimises, and the iterate that its solvers move. Plain arrays, numbered as bodies, manifolds
-// and joints are: nothing in them points into a solver. (Rolling of contact_bond.h points to turns of the same
-// iterate.)
+// and joints are, without a pointer among them: a copy of an iterate stands for itself.
 //
 //   array          one entry per    layout
 //   flight.star    body             c (3), R (3×3 by columns)                        predicted poses Q*

@@ -17,8 +17,8 @@
 namespace pabd {
 namespace {
 
-// The sweeps of an island of so many bodies are shared by all threads (`newton` takes it alone); smaller ones are solved side by side, where they have
-// so many bodies together that another thread is worth waking.
+// The sweeps of an island of so many bodies are shared by all threads (`newton` takes it alone); smaller ones are
+// solved side by side, where they have so many bodies together that another thread is worth waking.
 constexpr std::size_t kShared = 512, kSideBySide = 32;
 
 // Does the sweep of `descent` move the friction bounds as well?
