@@ -34,6 +34,13 @@ Value Keyed<Value>::at(double time) const {
   return v0 + (v1 - v0) * ((time - t0) / (t1 - t0));
 }
 
+template <class Value>
+bool Keyed<Value>::turns_within(double from, double to) const {
+  return keys.size() > 1 && std::any_of(keys.begin(), keys.end(), [&](const std::pair<double, Value>& key) {
+           return key.first >= from && key.first < to;
+         });
+}
+
 template struct Keyed<double>;
 template struct Keyed<Vec3>;
 

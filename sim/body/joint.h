@@ -71,6 +71,8 @@ template <class Value>
 struct Keyed {
   std::vector<std::pair<double, Value>> keys;  // (s, value), rising times, at least one
   Value at(double time) const;
+  // Is there a key, at which it may change its slope, from `from` until before `to`?
+  bool turns_within(double from, double to) const;
 };
 using Profile = Keyed<double>;    // rad or m
 using TurnProfile = Keyed<Vec3>;  // rotation vector in the joint's frame on i; rad

@@ -26,8 +26,9 @@ BondSlope slope_of(const ActionHold& hold, double u) {
 
 // W without the ball's damper.
 BondSlope slope_of(const ActionStep& action, double way) {
-  BondSlope sum{-action.force * way + 0.5 * action.damping * way * way, -action.force + action.damping * way,
-                action.damping};
+  const double beside = way - action.coasts;
+  BondSlope sum{-action.force * way + 0.5 * action.damping * beside * beside,
+                -action.force + action.damping * beside, action.damping};
   const double x = action.away + way;
   sum.value += 0.5 * action.spring * x * x;
   sum.first += action.spring * x;
@@ -50,9 +51,9 @@ const JointMeasure* measure_of(const Joint& joint) {
 
 Mat3 turn_of(const PlacedFrame& fi, const PlacedFrame& fj) { return fi.F.transpose() * fj.F; }
 
-// Of a ball: the rotation vector of j against i since the start; world, rad.
-Vec3 turn_since(const ActionStep& action, const PlacedFrame& fi, const PlacedFrame& fj) {
-  return fi.F * log_so3(turn_of(fi, fj) * action.turned.transpose());
+// Of a ball: the rotation vector of j against i since it stood so; world, rad.
+Vec3 turn_since(const Mat3& turned, const PlacedFrame& fi, const PlacedFrame& fj) {
+  return fi.F * log_so3(turn_of(fi, fj) * turned.transpose());
 }
 
 // Δ. An angle is told up to whole turns: that which is nearest to free flight.
@@ -133,11 +134,11 @@ void add_pull(const BondSlope& w, const PlacedFrame& fi, const PlacedFrame& fj, 
   out.add_given(fi.y, fj.y, force);
 }
 
-// c/(2h) ‖θ‖²: the torque −c θ/h, as forces at the corners a e_k of a tetrahedron; Σ a e_k × 3 (M × e_k)/(8a) = M.
+// c/(2h′) ‖θ‖²: the torque −c θ/h′, as forces at the corners a e_k of a tetrahedron; Σ a e_k × 3 (M × e_k)/(8a) = M.
 void add_ball_damper(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
                      const PlacedFrame& fj, BondList& out) {
   if (joint.turn) return;  // it goes as it is told
-  const Vec3 theta = turn_since(action, fi, fj), moment = action.damping * theta;
+  const Vec3 theta = turn_since(action.coasted, fi, fj), moment = action.damping * theta;
   const double a = joint.arm, weight = 3 * action.damping / (8 * a * a);
   constexpr int kCorners[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   for (const auto& c : kCorners) {
@@ -178,12 +179,25 @@ HoldState first_state(const ActionHold& hold, double coming) {
   return u > 0 ? HoldState::gives_way_up : HoldState::gives_way_down;
 }
 
-ActionHold motor_hold(const JointMotor& motor, double stiffness, const ActionStart& start) {
-  ActionHold hold;
-  hold.way = start.h * motor.profile.at(start.time);
-  hold.stiffness = motor.gain > 0 ? motor.gain / start.h : stiffness;
-  hold.most = motor.most;
-  return hold;
+// h′.
+double h_of_speed(const ActionStart& start) { return start.coasting ? start.coasting->h : start.h; }
+
+// Without a gain it holds a place: what coasts would be held beside it.
+ActionHold motor_hold(const JointMotor& motor, double stiffness, double coasts, const ActionStart& start) {
+  const double speed = motor.profile.at(start.time);
+  if (motor.gain == 0) return {.way = start.h * speed, .stiffness = stiffness, .most = motor.most};
+  const double h = h_of_speed(start);
+  return {.way = coasts + h * speed, .stiffness = motor.gain / h, .most = motor.most, .follows = true};
+}
+
+// Δ₀ of the measure, and where a ball turns at no speed.
+double coasts(const JointMeasure& measure, const ActionStep& action, const Coasting& predicted) {
+  return way_of(measure, action, predicted.fi, predicted.fj) -
+         way_of_motion(measure.of, predicted.fi, predicted.fj, predicted.i, predicted.j);
+}
+Mat3 coasted(const Coasting& predicted) {
+  const Vec3 turn = predicted.fi.F.transpose() * (predicted.j.turn - predicted.i.turn);
+  return exp_so3(-turn) * turn_of(predicted.fi, predicted.fj);
 }
 
 }  // namespace
@@ -192,10 +206,12 @@ ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedF
                         const ActionStart& start) {
   const JointAction& given = *joint.action;
   ActionStep action;
-  action.damping = given.damping / start.h;
+  action.damping = given.damping / h_of_speed(start);
+  action.part = h_of_speed(start) / start.h;
   const JointMeasure* measure = measure_of(joint);
   if (!measure) {
     action.turned = turn_of(fi, fj);
+    action.coasted = start.coasting ? coasted(*start.coasting) : action.turned;
     return action;
   }
   action.start = measure->value(fi, fj);
@@ -204,11 +220,13 @@ ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedF
   const double coming = way_of_motion(measure->of, fi, fj, start.i, start.j);
   const bool turns = measure->of == JointMeasure::Of::angle;
   if (turns) action.expected = coming;
+  if (start.coasting) action.coasts = coasts(*measure, action, *start.coasting);
   const double stiffness = start.stiffness * (turns ? 2 * joint.arm * joint.arm : 1);
   if (given.motor && given.motor->gives == JointMotor::Gives::force)
-    action.force = given.motor->profile.at(start.time - 0.5 * start.h);  // the mean, where it is linear
+    action.force =
+        given.motor->profile.at(start.coasting ? start.time : start.time - 0.5 * start.h);  // Euler: the mean
   else if (given.motor)
-    action.hold[0] = motor_hold(*given.motor, stiffness, start);
+    action.hold[0] = motor_hold(*given.motor, stiffness, action.coasts, start);
   action.hold[1].stiffness = stiffness;
   action.hold[1].most = given.friction;
   for (ActionHold& hold : action.hold) {
@@ -243,10 +261,13 @@ double spring_energy(const Joint& joint, const PlacedFrame& fi, const PlacedFram
 double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
                       const PlacedFrame& fj) {
   const JointMeasure* measure = measure_of(joint);
-  if (!measure) return -action.damping * turn_since(action, fi, fj).squaredNorm();
+  if (!measure) return -action.part * action.damping * turn_since(action.turned, fi, fj).squaredNorm();
   const double way = way_of(*measure, action, fi, fj);
   ActionStep lost = action;  // what the spring takes it gives back
-  lost.spring = 0;
+  lost.spring = lost.coasts = 0;
+  lost.damping *= action.part;
+  for (ActionHold& hold : lost.hold)  // to u at the mean speed
+    if (hold.follows) hold.way += (1 - action.part) * way - action.coasts;
   return -slope_of(lost, way).first * way;
 }
 

@@ -3,13 +3,16 @@
 // angle, offset or length goes in a step of length h, and so a part of E like any bond:
 //
 //   W = −F Δ                      a motor that gives the force (or torque) F
-//     + c/(2h) Δ²                 a damper; of a ball c/(2h) ‖θ‖², θ the rotation vector of j against i
+//     + c/(2h′) (Δ − Δ₀)²          a damper; of a ball c/(2h′) ‖θ‖², θ the rotation vector of j against i
 //     + s/2 (x + Δ)²                a spring, x away from its rest at the start: of an angle the shorter way round
 //     + P(Δ − h v; k, f)          a motor that gives the speed v; friction, with v = 0
 //
+//   (Δ − Δ₀)/h′ is the speed at the end of the step: Δ/h by Euler; a step of second order (solver/second_order.h) says
+//   with which h′ and from where, Δ₀, the speed follows from the place.
+//
 //   P(u; k, f) = ½ k u² where k |u| ≤ f, else f (|u| − f/2k): a force of at most f. Without a gain, k is
 //   1e5 m/h² of the lighter body, for `sissm` at most the joint's own stiffness: what holds creeps by F/k a step. A
-//   gain (force per missing speed) makes it gain/h.
+//   gain (force per missing speed) makes it gain/h′, with Δ − Δ₀ − h′ v.
 //
 // v (0 for friction) is one that the step can reach: it may change the spin of what turns by less than 1/h (D8), so that
 // a force beyond what gives that is not asked for.
@@ -36,6 +39,7 @@ struct ActionHold {
   double way = 0;        // that it wants in the step; rad or m
   double stiffness = 0;  // k; N m/rad or N/m
   double most = 0;       // f; N m or N
+  bool follows = false;  // a speed, by a gain: u = Δ − Δ₀ − h′ v
   State state = State::holds;
   int changes = 0;
 };
@@ -45,9 +49,12 @@ struct ActionStep {
   double start = 0;                  // angle, offset or length at the start of the step; rad or m
   std::optional<double> ahead;       // Δ that a solver foresees; rad or m
   double expected = 0;               // Δ in free flight, to tell whole turns; rad
+  double coasts = 0;                 // Δ₀; rad or m
+  double part = 1;                   // h′/h
   Mat3 turned = Mat3::Identity();    // of a ball: j against i at the start
+  Mat3 coasted = Mat3::Identity();   // of a ball: the same where θ = 0
   double force = 0;                  // F
-  double damping = 0;                // c/h; N m/rad or N/m
+  double damping = 0;                // c/h′; N m/rad or N/m
   double spring = 0, away = 0;       // s and x; N m/rad or N/m, rad or m
   std::array<ActionHold, 2> hold{};  // the motor's and the friction's; f = 0: none
 };
@@ -60,12 +67,21 @@ struct SmallMotion {
   Vec3 at(const Vec3& y) const { return go + turn.cross(y - c); }
 };
 
+// Where bodies are predicted to be, and how they move there in h′: the speed at the end of a step of second order is that
+// one, and what they go beside it over h′.
+struct Coasting {
+  double h;  // h′; s
+  PlacedFrame fi, fj;
+  SmallMotion i, j;
+};
+
 // A step of length h that ends at `time`.
 struct ActionStart {
-  double h, time;    // s
-  SmallMotion i, j;  // of the bodies in free flight
-  double stiffness;  // of what holds; N/m
-  double inertia;    // about the joint's axis, of the body that turns more easily; kg m²
+  double h, time;                    // s
+  SmallMotion i, j;                  // of the bodies in free flight
+  double stiffness;                  // of what holds; N/m
+  double inertia;                    // about the joint's axis, of the body that turns more easily; kg m²
+  std::optional<Coasting> coasting;  // empty: by Euler
 };
 // When it begins, with the frames where they stand. Precondition: the joint has an action, of which its type allows all
 // (may_be_damped, moved_measure).
@@ -80,7 +96,8 @@ void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame&
 // Energy of its spring with the frames there; J.
 double spring_energy(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj);
 
-// Work of the force that W gives there on the way to there, but for that of the spring, which keeps it; J.
+// Work of the force that W gives there on the way to there, but for that of the spring, which keeps it, and for what follows
+// the speed in a step of second order with its force at the mean speed, Δ/h; J.
 double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
                       const PlacedFrame& fj);
 

@@ -18,6 +18,18 @@ std::optional<double> passed_angle(const JointRange& range, double angle) {
   return std::abs(below) < std::abs(above) ? range.lo : range.hi;
 }
 
+bool is_past_a_limit(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj) {
+  for (const JointMeasure& measure : traits_of(joint.type).measures) {
+    if (!measure.limits || !(joint.*measure.limits)) continue;
+    if (measure.limits == &Joint::limits && joint.drive) continue;  // it goes as it is told
+    const JointRange& range = *(joint.*measure.limits);
+    const double value = measure.value(fi, fj);
+    if (measure.of == JointMeasure::Of::angle ? passed_angle(range, value) : passed_bound(range, value))
+      return true;
+  }
+  return false;
+}
+
 double joint_angle(const PlacedFrame& fi, const PlacedFrame& fj) {
   const Vec3 e = fj.F.col(1);
   return std::atan2(e.dot(fi.F.col(2)), e.dot(fi.F.col(1)));

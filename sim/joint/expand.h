@@ -29,6 +29,9 @@ void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj
 void hold_direction(const Joint& joint, const PlacedFrame& fj, const Vec3& y_i, const Mat3& Fi, int k,
                     BondList& out);
 
+// Has the joint passed a limit of it?
+bool is_past_a_limit(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj);
+
 // The bound that an offset has passed; empty inside the range.
 std::optional<double> passed_bound(const JointRange& range, double value);
 

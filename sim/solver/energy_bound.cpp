@@ -22,14 +22,22 @@ double drive_work_of(const Problem& p, const Iterate& it, Index k) {
   const Joint& joint = p.joints[k];
   double work = action_work(p, it, k);
   if (!joint.drive && !joint.turn) return work;
-  BondList first, last;
-  expand_held(p, it, k, p.time - p.params->h, first);
-  expand_held(p, it, k, p.time, last);
-  for (int b = 0; b < last.count; ++b) {
-    const PointBond &from = first.bond[b], &to = last.bond[b];
-    work += evaluate(p.law_of(k), to).gradient.dot((to.y_b - to.y_a) - (from.y_b - from.y_a));
-  }
-  return work;
+  // Force on its points where the bodies stand so, times the way that the drive moves them.
+  const auto along = [&](const Pose& i, const Pose& j, double force_at) {
+    BondList first, last, feels;
+    expand(joint, i, j, p.time - p.params->h, first);
+    expand(joint, i, j, p.time, last);
+    expand(joint, i, j, force_at, feels);
+    double sum = 0;
+    for (int b = 0; b < last.count; ++b) {
+      const PointBond &from = first.bond[b], &to = last.bond[b];
+      sum += evaluate(p.law_of(k), feels.bond[b]).gradient.dot((to.y_b - to.y_a) - (from.y_b - from.y_a));
+    }
+    return sum;
+  };
+  const double at_end = along(it.pose[it.slot(joint.i)], it.pose[it.slot(joint.j)], p.time);
+  if (!p.second_order(joint)) return work + at_end;
+  return work + 0.5 * (at_end + along(p.start_pose(joint.i), p.start_pose(joint.j), p.time - p.params->h));
 }
 
 // A motor or a drive does whatever work its motion takes.

@@ -5,8 +5,9 @@
 //   T = Σ ½ m ‖v‖² + ½ ωᵀ I ω,   U = −Σ m g·c                                                            J
 //   Ψ                        of the bonds of this step, with the stiffness and the friction bounds that they
 //                            have at its end, and of springs                                             J
-//   W = Σ f·Δy               work of its drives: force on a driven point at the end of the step times    J
-//                            the way that the drive moves it; of motors, dampers and friction: force at
+//   W = Σ f·Δy               work of its drives: force on a driven point at the end of the step, in one   J
+//                            of second order its mean with that at the start, times the way that the
+//                            drive moves it; of motors, dampers and friction: force at
 //                            the end of the step times the way along the joint; where a step ends
 //                            unsolved also of recovery (recovery.h): force at the end times the way by
 //                            which the contact opens, since its barrier is another one in each step;

@@ -22,7 +22,6 @@ bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy) {
 Params of_half(const Params& whole, double kappa) {
   Params half = whole;
   half.h *= 0.5;
-  half.solver.integrator = Integrator::euler;
   if (--half.solver.halvings == 0) half.solver.iterations *= kLastChance;
   half.contact.kappa = kappa;
   return half;

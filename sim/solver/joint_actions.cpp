@@ -10,10 +10,6 @@
 namespace pabd {
 namespace {
 
-Pose at_start(const Problem& p, Index body) {
-  return body == kWorld ? Pose{Vec3::Zero(), Mat3::Identity()} : p.start_pose(body);
-}
-
 SmallMotion still() { return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
 
 // As fast as the body is now: what is at rest has not begun to fall.
@@ -21,6 +17,22 @@ SmallMotion in_flight(const Problem& p, Index body) {
   if (!p.movable(body)) return still();
   const auto k = static_cast<std::size_t>(body);
   return {p.start->c[k], p.params->h * p.start->v[k], p.flight->turn[k]};
+}
+
+// Empty by Euler.
+std::optional<Coasting> coasting(const Problem& p, const Joint& joint) {
+  if (!p.second_order(joint)) return {};
+  const double h = p.flight->h[static_cast<std::size_t>(p.movable(joint.i) ? joint.i : joint.j)];
+  const auto pose = [&](Index body) {
+    return p.movable(body) ? p.flight->star[static_cast<std::size_t>(body)] : p.start_pose(body);
+  };
+  const auto motion = [&](Index body) {
+    if (!p.movable(body)) return still();
+    const auto k = static_cast<std::size_t>(body);
+    return SmallMotion{p.flight->star[k].c, h * p.flight->v[k], h * p.flight->omega[k]};
+  };
+  return Coasting{h, place(joint.on_i, pose(joint.i)), place(joint.on_j, pose(joint.j)), motion(joint.i),
+                  motion(joint.j)};
 }
 
 SmallMotion in_step(const Iterate& it, const Island& island, const std::vector<Vec6>& step, Index body) {
@@ -84,12 +96,13 @@ void start_actions(Problem& p, Iterate& it) {
   p.action_at.assign(p.joints.size(), -1);
   for (const Index k : p.acting) {
     const Joint& joint = p.joints[k];
-    const PlacedFrame fi = place(joint.on_i, at_start(p, joint.i)),
-                      fj = place(joint.on_j, at_start(p, joint.j));
+    const PlacedFrame fi = place(joint.on_i, p.start_pose(joint.i)),
+                      fj = place(joint.on_j, p.start_pose(joint.j));
     p.action_at[static_cast<std::size_t>(k)] = static_cast<Index>(it.action.size());
-    it.action.push_back(start_action(joint, fi, fj,
-                                     {p.params->h, p.time, in_flight(p, joint.i), in_flight(p, joint.j),
-                                      hold_stiffness(p, k), turning_inertia(p, k, fj.F.col(0))}));
+    it.action.push_back(
+        start_action(joint, fi, fj,
+                     {p.params->h, p.time, in_flight(p, joint.i), in_flight(p, joint.j), hold_stiffness(p, k),
+                      turning_inertia(p, k, fj.F.col(0)), coasting(p, joint)}));
   }
 }
 

@@ -65,9 +65,10 @@ constexpr ParameterRow kRows[] = {
     {.key = "solver.integrator",
      .label = "integrator",
      .help =
-         "euler: implicit Euler, the paper's, which damps what swings. bdf2: of second order for what flies "
-         "and for joints without limits, drives, motors, dampers or friction, as long as nothing is "
-         "within reach of a contact; else Euler. Not for sissm, and not on a GPU",
+         "euler: implicit Euler, the paper's, which damps what swings. bdf2: of second order where motion is "
+         "smooth, for what flies and for joints, so that what swings is hardly damped; where a contact is "
+         "within reach, a joint past a limit or with friction, and for halves: implicit Euler. For sissm "
+         "always euler",
      .member = &SolverParams::integrator,
      .hashed_default = false},
     {.key = "solver.relaxation",

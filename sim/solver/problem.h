@@ -98,7 +98,15 @@ struct Problem {
   bool movable(Index i) const { return i != kWorld && !model->fixed[static_cast<std::size_t>(i)]; }
   // Is the step of body i of second order (second_order.h)?
   bool second_order(Index i) const { return flight->h[static_cast<std::size_t>(i)] != params->h; }
-  Pose start_pose(Index i) const { return {start->c[i], start->R[i]}; }
+  // The same of what a joint joins.
+  bool second_order(const Joint& joint) const {
+    const Index moving = movable(joint.i) ? joint.i : joint.j;
+    return movable(moving) && second_order(moving);
+  }
+  // Of a body or the world.
+  Pose start_pose(Index i) const {
+    return i == kWorld ? Pose{Vec3::Zero(), Mat3::Identity()} : Pose{start->c[i], start->R[i]};
+  }
 
   Inertia inertia(Index i) const {
     const double h = flight->h[i];

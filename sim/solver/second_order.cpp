@@ -5,22 +5,34 @@
 #include <algorithm>
 
 #include "sim/body/mass_properties.h"
+#include "sim/joint/expand.h"
 #include "sim/math/so3.h"
 #include "sim/math/symmetric3.h"
 
 namespace pabd {
 namespace {
 
-bool is_smooth(const Joint& joint) {
-  const bool acts =
-      joint.action && (joint.action->motor || joint.action->damping > 0 || joint.action->friction > 0);
-  return !acts && !joint.limits && !joint.twist_limits && !joint.drive && !joint.turn;
+bool has_limits(const Joint& joint) { return joint.limits || joint.twist_limits; }
+
+// Has the joint no friction, and no key within the step? Times are sums of steps: one that is just before the step may
+// count with it.
+bool is_smooth(const Problem& p, const Joint& joint) {
+  const double from = p.time - (1 + 1e-6) * p.params->h;
+  const auto has_key = [&](const auto& profile) { return profile && profile->turns_within(from, p.time); };
+  if (has_key(joint.drive) || has_key(joint.turn)) return false;
+  if (!joint.action) return true;
+  if (joint.action->friction > 0) return false;
+  return !joint.action->motor || !joint.action->motor->profile.turns_within(from, p.time);
 }
 
 // Does nothing break in on the island, so that what it remembers is worth something?
 bool is_smooth(const Problem& p, const Island& island) {
   return island.manifolds.empty() && std::all_of(island.joints.begin(), island.joints.end(), [&](Index k) {
-           return static_cast<std::size_t>(k) < p.joints.model.size() && is_smooth(p.joints[k]);
+           if (static_cast<std::size_t>(k) >= p.joints.model.size()) return false;
+           const Joint& joint = p.joints[k];
+           return is_smooth(p, joint) &&
+                  !(has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, joint.i, *p.start),
+                                                         place(joint.on_j, joint.j, *p.start)));
          });
 }
 
@@ -49,21 +61,47 @@ void predict_body(const Problem& p, Index i, const StepChange& last, const Mat3&
 void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory) {
   memory.R_f.resize(flight.star.size());
   for (std::size_t i = 0; i < memory.R_f.size(); ++i) memory.R_f[i] = flight.star[i].R;
-  for (Index i = 0; i < p.model->size(); ++i)
-    if (p.movable(i) && islands.of[i] < 0) predict_body(p, i, {}, memory.R_f[i], flight);
-  if (p.start->change.empty()) return;
   const std::vector<StepChange>& last = p.start->change;
-  const auto knows = [&](Index i) { return last[i].h == p.params->h; };
-  for (const Island& island : islands.list) {
-    if (!is_smooth(p, island) || !std::all_of(island.bodies.begin(), island.bodies.end(), knows)) continue;
+  const auto knows = [&](Index i) { return !last.empty() && last[i].h == p.params->h; };
+  memory.smooth.resize(islands.list.size());
+  for (std::size_t k = 0; k < islands.list.size(); ++k) {
+    const Island& island = islands.list[k];
+    memory.smooth[k] = is_smooth(p, island);
+    if (!memory.smooth[k] || !std::all_of(island.bodies.begin(), island.bodies.end(), knows)) continue;
     for (const Index i : island.bodies) predict_body(p, i, last[i], memory.R_f[i], flight);
   }
+}
+
+void let_fly(const Problem& p, Iterate& it) {
+  constexpr double kFelt = 1e-3;  // of the weight
+  const double h = p.params->h;
+  const Vec3 fall = h * h * p.params->gravity;
+  const double least = kFelt * kFelt * fall.squaredNorm();
+  for (Index i = 0; i < p.model->size(); ++i) {
+    if (!p.movable(i) || !p.joints_at[i].empty()) continue;
+    Vec3& c = it.pose[i].c;
+    if (!((c - p.flight->star[i].c).squaredNorm() < least)) continue;
+    const auto ends = p.ends[i];
+    if (std::none_of(ends.begin(), ends.end(), [&](const ManifoldEnd& end) {
+          return smallest_start_d(it.manifold[end.manifold]) < p.law.barrier.d_hat;
+        }))
+      c -= 0.5 * fall;
+  }
+}
+
+bool ends_past_a_limit(const Problem& p, const Island& island, const Iterate& it) {
+  return std::any_of(island.joints.begin(), island.joints.end(), [&](Index k) {
+    const Joint& joint = p.joints[k];
+    return has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, it.pose[it.slot(joint.i)]),
+                                                place(joint.on_j, it.pose[it.slot(joint.j)]));
+  });
 }
 
 void remember(const Problem& p, const Islands& islands, const SecondOrder& memory,
               const std::vector<std::uint8_t>& again, const Iterate& it, const Velocities& velocities,
               std::vector<StepChange>& out) {
   const double h = p.params->h;
+  if (std::find(memory.smooth.begin(), memory.smooth.end(), 1) == memory.smooth.end()) return out.clear();
   out.assign(p.model->shape.size(), {});
   const auto keep = [&](Index i) {
     const Pose& end = it.pose[i];
@@ -78,7 +116,7 @@ void remember(const Problem& p, const Islands& islands, const SecondOrder& memor
   };
   for (std::size_t k = 0; k < islands.list.size(); ++k) {
     const Island& island = islands.list[k];
-    if (!is_smooth(p, island)) continue;
+    if (!memory.smooth[k]) continue;
     for (const Index i : island.bodies) {
       out[i].gained = memory.gained[k];
       if (!again[i]) keep(i);

@@ -3,15 +3,16 @@
 // step of h′ = 2h/3 from another start. Said as what a step adds to free flight it leaves free flight exact, and needs of
 // the step before only what that one added (StepChange):
 //
-//   c_f = c + h v + h² g/2,   v_f = v + h g,   R_f = R after free rotation by h     a parabola
+//   c_f = c + h v + h² g/2,   v_f = v + h g,   R_f = R after free rotation by h     its parabola
 //   ĉ = c_f + δ/3 − h Δ/9,   R̂ = exp(θ/3 − h I⁻¹ Λ/9) R_f                          the predicted pose of E, with h′ for h
 //   v⁺ = v_f + Δ/3 + h′ f/m,   L⁺ = L + Λ/3 + h′ τ                                  f, τ: forces at the end of the step
 //   δ⁺ = c⁺ − c_f,   Δ⁺ = v⁺ − v_f,   θ⁺ = log(R⁺ R_fᵀ),   Λ⁺ = L⁺ − L
 //
-// What flies alone has nothing to remember. What is not smooth must not be seen through that memory (a ball that stops
-// would get half its speed back): an island with a contact within reach, a limit, drive, motor, damper or
-// friction of a joint, or a hand, makes an implicit Euler step and remembers nothing, and so do halves (halving.h). The
-// first step of an island after such a one is Euler's as well.
+// What no joint holds and no contact pushes ends on its parabola (let_fly), in halves too. What is not smooth must not be seen through that memory (a ball that stops
+// would get half its speed back): an island with a contact within reach, a joint that is past a limit or has friction, a
+// key of a drive or motor within the step, or a hand, makes an implicit Euler step and remembers nothing, and so do halves
+// (halving.h). The first step of an island after such a one is Euler's as well. A step that ends past a limit is made
+// again in halves.
 //
 // Where bodies turn far in a step it may gain energy all the same: a step after which there would be more than when things
 // began to move by themselves is made again in halves, too (gains_in_all() of energy_bound.h).
@@ -28,17 +29,28 @@ inline bool has_second_order(const SolverParams& solver) {
   return solver.integrator == Integrator::bdf2 && solver.method != SolverMethod::sissm;
 }
 
+// Nor do halves remember anything.
+inline bool remembers(const Problem& p) { return has_second_order(p.params->solver) && !p.is_half; }
+
 struct SecondOrder {
-  std::vector<Mat3> R_f;       // of each body
-  std::vector<double> gained;  // of each island: StepChange::gained at the end; J
+  std::vector<Mat3> R_f;             // of each body
+  std::vector<std::uint8_t> smooth;  // of each island: nothing breaks in
+  std::vector<double> gained;        // of each island: StepChange::gained at the end; J
 };
 
 // Predicted poses and velocities of bodies whose step is of second order, in place of those of free flight by Euler, and
 // Flight::h of them. Precondition: islands are known.
 void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory);
 
+// Bodies without joints that no contact pushed where the step starts, and that feel less than a thousandth of their weight,
+// end on their parabola. Precondition: it has second order.
+void let_fly(const Problem& p, Iterate& it);
+
+// Does the step of an island of second order end where something breaks in?
+bool ends_past_a_limit(const Problem& p, const Island& island, const Iterate& it);
+
 // What the step added to the free flight of each body, for the next one; nothing of bodies i with again[i], whose step
-// is made by others.
+// is made by others. Empty where there is nothing to remember.
 void remember(const Problem& p, const Islands& islands, const SecondOrder& memory,
               const std::vector<std::uint8_t>& again, const Iterate& it, const Velocities& velocities,
               std::vector<StepChange>& out);

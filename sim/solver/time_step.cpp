@@ -79,7 +79,7 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
     split_into_islands(p, m.iterate, m.islands);
     color_bodies(p, m.islands);
   }
-  if (has_second_order(p.params->solver)) predict(p, m.islands, m.flight, m.second_order);
+  if (remembers(p)) predict(p, m.islands, m.flight, m.second_order);
   first_iterate(p, m.iterate);
   report.capped_bonds = cap_stiffness(p, m.iterate);
   start_actions(p, m.iterate);
@@ -93,6 +93,7 @@ void find_motion(const Problem& p, StepMemory& m) {
   balance_poses(p, m.groups, m.iterate);
   find_velocities(p, m.islands, m.iterate, m.velocities);
   balance_velocities(p, m.iterate, m.groups, m.velocities);
+  if (has_second_order(p.params->solver)) let_fly(p, m.iterate);
 }
 
 // Of a step of second order. False: it is to be judged as any other.
@@ -102,13 +103,14 @@ bool judge_motion(const Problem& p, const Island& island, std::size_t k, StepMem
   const double before = gained_before(p, island.bodies.front());
   gained = before + energy.rise;
   if (!solved || !p.second_order(island.bodies.front())) return false;
-  if (!gains_in_all(energy, before)) {
-    energy = {};
-  } else if (may_halve(p.params->solver)) {
+  const bool gains = gains_in_all(energy, before);
+  if (may_halve(p.params->solver) && (gains || ends_past_a_limit(p, island, m.iterate))) {
     gained = before;  // at most
     for (const Index i : island.bodies) m.again[i] = 1;
-  } else {
+  } else if (gains) {
     energy.rise = std::exchange(gained, 0);
+  } else {
+    energy = {};
   }
   return true;
 }
@@ -118,7 +120,7 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
   const bool halves = may_halve(p.params->solver), bounds = p.params->solver.projection != Projection::polar;
   m.again.assign(p.model->shape.size(), 0);
   m.balance.assign(m.islands.list.size(), {});
-  const bool moves_on = has_second_order(p.params->solver);
+  const bool moves_on = remembers(p);
   if (moves_on) m.second_order.gained.assign(m.islands.list.size(), 0);
   for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
     const Island& island = m.islands.list[k];
@@ -170,7 +172,7 @@ void leave_out_again(const Problem& p, StepMemory& m) {
 }
 
 void take_over(const Problem& p, StepMemory& m, State& state) {
-  if (has_second_order(p.params->solver)) {
+  if (remembers(p)) {
     remember(p, m.islands, m.second_order, m.again, m.iterate, m.velocities, state.change);
   } else {
     state.change.clear();

@@ -20,6 +20,7 @@ struct Slope {
   Vec3 down;
   Index box;
   explicit Slope(double alpha, bool swapped = false, const Vec3& anchor = {0.3, 1, -2}) {
+    world.params.solver.integrator = Integrator::euler;  // whose way is known to rounding
     down = Vec3(std::cos(alpha), -std::sin(alpha), 0);
     box = world.add(Box{{0.2, 0.1, 0.1}}, 2.5, anchor, frame_about(down));
     const Index i = swapped ? box : kWorld, j = swapped ? kWorld : box;

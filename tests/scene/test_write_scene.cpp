@@ -29,7 +29,10 @@ TEST_CASE("a run saved in the middle and loaded goes on as it would: 1e-9 m over
   for (const char* name : {"two_boxes", "bridge", "slider_crank", "incline", "ragdoll", "trampoline",
                            "four_bar", "ferris_wheel", "shapes", "newtons_cradle"}) {
     CAPTURE(name);
-    Session original(load_scene(std::string(places::scenes() + "/") + name + ".json"));
+    Scene scene = load_scene(std::string(places::scenes() + "/") + name + ".json");
+    scene.params.solver.integrator =
+        Integrator::euler;  // bdf2 remembers a step, which is in state files only
+    Session original(std::move(scene));
     for (int k = 0; k < 70; ++k) original.step();
     Session again = loaded(saved(original));
     CHECK(largest_distance(original.state(), again.state()) < 1e-15);
@@ -51,6 +54,7 @@ TEST_CASE("a run saved in the middle and loaded goes on as it would: 1e-9 m over
 TEST_CASE("what was saved comes back: names, laws, drives, limits, collisions") {
   Session first(parse_scene(R"({ "format": "pabd-scene", "version": 1, "name": "odd \"name\"",
     "time_step": 0.01, "gravity": [0, -3, 1], "contact": { "kappa": 7, "onset": 0.3 },
+    "solver": { "integrator": "euler" },
     "joints_default": { "potential": "hard", "kappa": 500, "N": 6, "d_hat": 0.02 },
     "camera": { "eye": [1, 2, 3], "target": [0, 0, 0], "fov": 30 },
     "duration": 7.5,

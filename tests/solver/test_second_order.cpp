@@ -128,6 +128,7 @@ TEST_CASE("what flies freely by bdf2 flies along a parabola, and turns as by Eul
                          .velocity = Vec3(3, 4, -1),
                          .angular_velocity = Vec3(100, 200, 300)});
   Scene scene = builder.build();
+  scene.params.solver.integrator = Integrator::euler;
   const State euler = after(scene, 2);
   scene.params.solver.integrator = Integrator::bdf2;
   const State end = after(scene, 2);
@@ -211,8 +212,7 @@ TEST_CASE("bdf2 steps by Euler where something touches: no hit is seen through t
       const double now = energy(scene, state) + report.elastic;
       rise = std::max(rise, now - last);
       last = now;
-      CHECK(state.change[1].h == 0);
-      CHECK(state.change[2].h == 0);
+      CHECK(state.change.empty());
     }
     CHECK(rise < 1e-9 * energy(scene, scene.initial));
     CHECK(kinetic_energy(scene.model, state) < 1e-3);
