@@ -186,6 +186,7 @@ void take_part(const ModelPart& part, const State& whole, State& out) {
 void put_part(const ModelPart& part, const State& state, State& whole) {
   whole.time = state.time;
   whole.step = state.step;
+  if (!state.change.empty()) whole.change.resize(whole.c.size());
   for (std::size_t k = 0; k < part.bodies.size(); ++k) {
     const auto i = static_cast<std::size_t>(part.bodies[k]);
     if (part.model.fixed[k]) continue;
@@ -193,7 +194,7 @@ void put_part(const ModelPart& part, const State& state, State& whole) {
     whole.R[i] = state.R[k];
     whole.v[i] = state.v[k];
     whole.omega[i] = state.omega[k];
-    if (!whole.change.empty() && !state.change.empty()) whole.change[i] = state.change[k];
+    if (!state.change.empty()) whole.change[i] = state.change[k];
   }
   std::erase_if(whole.contacts, [&](const ContactMemory& contact) { return belongs(part, contact.pair); });
   for (const ContactMemory& contact : state.contacts) {
