@@ -81,8 +81,9 @@ struct StepParams {
   std::uint32_t groups;        // 1: some keep bodies apart
   std::uint32_t shares;        // a bit each: those that are dispatched
   std::uint32_t halves;        // 1: a step that ends unsolved is not made
+  std::uint32_t second_order;  // 1: what feels nothing flies along a parabola
 };
-static_assert(sizeof(StepParams) == 176);
+static_assert(sizeof(StepParams) == 184);
 
 enum Overflow : std::uint32_t {
   too_many_pairs = 1,

@@ -13,7 +13,6 @@
 #include "render/device/gl_fence.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/halving.h"
-#include "sim/solver/second_order.h"
 
 namespace pabd {
 namespace {
@@ -183,8 +182,6 @@ DeviceSolver::DeviceSolver(DeviceSolver&&) noexcept = default;
 
 std::string DeviceSolver::why_not(const Model& model, const Params& params) {
   if (!model.joints.empty()) return "the scene has joints, which the GPU does not take: --device cpu";
-  if (has_second_order(params.solver))
-    return "the GPU makes steps of implicit Euler only: --device cpu, or \"integrator\": \"euler\"";
   if (const BarrierKind kind = params.contact.barrier; !is_on_device(kind))
     return std::string("the ") + to_string(kind) +
            " barrier is not solved on the GPU: --device cpu, or another \"barrier\"";

@@ -9,6 +9,7 @@
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/halving.h"
+#include "sim/solver/second_order.h"
 
 namespace pabd::device {
 namespace {
@@ -107,6 +108,7 @@ void DeviceStep::set_params(const Params& params, bool starts) {
   p.groups = model_.groups.avoids.empty() ? 0 : 1;
   for (const auto& [share, sweep] : sweeps_) p.shares |= 1u << share;
   p.halves = may_halve(params.solver) ? 1 : 0;
+  p.second_order = has_second_order(params.solver) ? 1 : 0;
   buffers.write(Slot::params, 0, std::as_bytes(std::span(&p, 1)));
 }
 

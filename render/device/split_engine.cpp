@@ -96,6 +96,7 @@ void SplitEngine::step(const Model& model, const Params& params, const StepOptio
   put_contacts(parts_->free, of_free, report.contact_reports);
   add_report(parts_->jointed, report_, report);
   report.joint_reports = report_.joint_reports;
+  if (jointed_.change.empty()) state.change.clear();  // what has no joints remembers nothing
   put_part(parts_->jointed, jointed_, state);
   put_part(parts_->free, free_, state);
   left_ = state.time;

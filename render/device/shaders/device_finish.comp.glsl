@@ -7,6 +7,15 @@ shared uint widest[7];
 // Counters::touched, Counters::unsolved: of the work group.
 shared uint tally[2];
 
+bool starts_pushed(uint i) {
+  for (uint e = end_first[i]; e < end_first[i + 1u]; ++e) {
+    if (contacts[ends[e].x >> 1].n.w < real(params.d_hat)) return true;
+  }
+  return false;
+}
+
+const real FELT = real(1e-3lf);  // of its weight, see let_fly of sim/solver/second_order.cpp
+
 // A double no longer resolves d̂ there (sim/solver/runaway.cpp).
 bool is_lost(dvec3 x) {
   return !(length(x) * 2.220446049250313e-16lf < params.d_hat);
@@ -58,6 +67,9 @@ void main() {
       omega = m.omega;
       q = at.q;
     }
+    const real3 fall = h * h * real3(params.gravity[0], params.gravity[1], params.gravity[2]), beside = at.u.xyz - f.u.xyz;
+    if (params.second_order != 0u && dot(beside, beside) < FELT * FELT * dot(fall, fall) && !starts_pushed(i))
+      at.u.xyz -= fall / 2;
     outcome[i] = Outcome(at.u, q, real4(v, 0), real4(omega, 0));
     const dvec4 turned = turned_pose(pose[i].q, q);
     const dvec3 c = pose[i].c.xyz + dvec3(at.u.xyz);

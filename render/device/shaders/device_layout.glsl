@@ -95,6 +95,7 @@ struct StepParams {
   uint groups;        // 1: some keep bodies apart
   uint shares;  // a bit each: those that are dispatched
   uint halves;  // 1: a step that ends unsolved is not made
+  uint second_order;  // 1: what feels nothing flies along a parabola
 };
 // Barriers and shapes have the numbers of BarrierKind and DeviceShape: BARRIER_even, FORM_BOX, … are macros.
 
