@@ -9,6 +9,7 @@
 #include "render/device/shader_files.h"
 #include "sim/potential/barrier.h"
 #include "sim/solver/halving.h"
+#include "sim/solver/second_order.h"
 
 namespace pabd::device {
 namespace {
@@ -182,7 +183,8 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
       .finish = compile("velocities",
                         {"COUNTERS", "KINDS", "POSES", "MOTIONS", "FLIGHTS", "PLACES", "END_FIRST", "ENDS",
                          "CONTACTS", "PARTS", "STEPS", "OUTCOMES"},
-                        "", {device_inertia, device_balance}, device_finish_comp),
+                        fmt::format("#define FELT real({}lf)\n", kFelt), {device_inertia, device_balance},
+                        device_finish_comp),
       .total_bodies =
           compile("totals", {"COUNTERS", "PARTS"}, "#define BODIES\n", {device_unsolved}, device_total_comp),
       .keep_contacts = compile("memory of contacts",

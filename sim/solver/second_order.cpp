@@ -73,7 +73,6 @@ void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrd
 }
 
 void let_fly(const Problem& p, Iterate& it) {
-  constexpr double kFelt = 1e-3;  // of the weight
   const double h = p.params->h;
   const Vec3 fall = h * h * p.params->gravity;
   const double least = kFelt * kFelt * fall.squaredNorm();

@@ -8,11 +8,11 @@
 //   v⁺ = v_f + Δ/3 + h′ f/m,   L⁺ = L + Λ/3 + h′ τ                                  f, τ: forces at the end of the step
 //   δ⁺ = c⁺ − c_f,   Δ⁺ = v⁺ − v_f,   θ⁺ = log(R⁺ R_fᵀ),   Λ⁺ = L⁺ − L
 //
-// What no joint holds and no contact pushes ends on its parabola (let_fly), in halves too. What is not smooth must not be seen through that memory (a ball that stops
-// would get half its speed back): an island with a contact within reach, a joint that is past a limit or has friction, a
-// key of a drive or motor within the step, or a hand, makes an implicit Euler step and remembers nothing, and so do halves
-// (halving.h). The first step of an island after such a one is Euler's as well. A step that ends past a limit is made
-// again in halves.
+// What no joint holds and no contact pushes ends on its parabola (let_fly), in halves too. What is not smooth must not be
+// seen through that memory (a ball that stops would get half its speed back): an island with a contact within reach, a
+// joint that is past a limit or has friction, a key of a drive or motor within the step, or a hand, makes an implicit
+// Euler step and remembers nothing, and so do halves (halving.h). The first step of an island after such a one is Euler's
+// as well. A step that ends past a limit is made again in halves.
 //
 // Where bodies turn far in a step it may gain energy all the same: a step after which there would be more than when things
 // began to move by themselves is made again in halves, too (gains_in_all() of energy_bound.h).
@@ -29,7 +29,7 @@ inline bool has_second_order(const SolverParams& solver) {
   return solver.integrator == Integrator::bdf2 && solver.method != SolverMethod::sissm;
 }
 
-// Nor do halves remember anything.
+// Do the islands of this step go by what the last one added?
 inline bool remembers(const Problem& p) { return has_second_order(p.params->solver) && !p.is_half; }
 
 struct SecondOrder {
@@ -42,11 +42,12 @@ struct SecondOrder {
 // Flight::h of them. Precondition: islands are known.
 void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory);
 
-// Bodies without joints that no contact pushed where the step starts, and that feel less than a thousandth of their weight,
-// end on their parabola. Precondition: it has second order.
+// Bodies without joints that no contact pushed where the step starts, and that feel less than this share of their weight,
+// end on their parabola. The GPU asks the same (render/device). Precondition: has_second_order.
+inline constexpr double kFelt = 1e-3;
 void let_fly(const Problem& p, Iterate& it);
 
-// Does the step of an island of second order end where something breaks in?
+// Is a joint of the island past a limit where the step ends?
 bool ends_past_a_limit(const Problem& p, const Island& island, const Iterate& it);
 
 // What the step added to the free flight of each body, for the next one; nothing of bodies i with again[i], whose step

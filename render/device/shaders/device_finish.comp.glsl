@@ -7,14 +7,13 @@ shared uint widest[7];
 // Counters::touched, Counters::unsolved: of the work group.
 shared uint tally[2];
 
+// As let_fly of sim/solver/second_order.cpp has it.
 bool starts_pushed(uint i) {
   for (uint e = end_first[i]; e < end_first[i + 1u]; ++e) {
     if (contacts[ends[e].x >> 1].n.w < real(params.d_hat)) return true;
   }
   return false;
 }
-
-const real FELT = real(1e-3lf);  // of its weight, see let_fly of sim/solver/second_order.cpp
 
 // A double no longer resolves d̂ there (sim/solver/runaway.cpp).
 bool is_lost(dvec3 x) {
