@@ -10,7 +10,7 @@
 namespace pabd {
 
 // v ← v + h a_ext and c* = c + h v for one body; ω and R* by an implicit midpoint rule on SO(3) that keeps
-// the angular momentum L = R I Rᵀ ω to rounding; in closed form for a symmetric top that turns by over 1 rad.
+// the angular momentum L = R I Rᵀ ω and the energy to rounding; in closed form for a symmetric top.
 //   J        second moment, body frame; kg m²
 //   pose     in: start of the step, out: Q*
 //   v, omega in: start of the step, out: end of free flight

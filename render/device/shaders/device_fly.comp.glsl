@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Free flight of each body (sim/solver/free_flight.cpp), and its bounds for the broad phase: all that it may touch in
-// this step (sim/solver/contact_setup.cpp). The flight keeps the angular momentum.
+// this step (sim/solver/contact_setup.cpp). The flight keeps the angular momentum and the energy.
 
 // From the world at the start of the step: R, and h ω of what turns freely.
 real3 flight_turn(BodyKind k, dmat3 Rd, inout real3 omega, out real4 q) {
@@ -15,7 +15,7 @@ real3 flight_turn(BodyKind k, dmat3 Rd, inout real3 omega, out real4 q) {
   const real3 d = real3(k.J[0], k.J[1], k.J[2]), o = real3(k.J[3], k.J[4], k.J[5]);
   const real trace = d.x + d.y + d.z;
   const real3 moments = trace - d;  // I = tr(J) 1 − J
-  if (k.symmetry >= 0 && h * norm(omega) > 1) {
+  if (k.symmetry >= 0) {
     const int axis = k.symmetry;
     const real3 along = R[axis];
     const real spin = dot(omega, along), own = spin * (1 - moments[axis] / moments[(axis + 1) % 3]);
@@ -27,9 +27,10 @@ real3 flight_turn(BodyKind k, dmat3 Rd, inout real3 omega, out real4 q) {
   }
   const real3 L = R * times_symmetric(moments, -o, transpose(R) * omega);
   real3 midpoint = omega;
-  for (int i = 0; i < 8; ++i) {  // ω_m = E A Eᵀ L, E = exp(h ω_m/2): a contraction
+  for (int i = 0; i < 16; ++i) {  // as find_midpoint of sim/solver/free_flight.cpp
     const real4 E = exp_turn(h / 2 * midpoint);
-    const real3 next = rotate(E, R * solve_symmetric(moments, -o, transpose(R) * rotate(conjugate(E), L)));
+    const real3 mean = (L + rotate(conjugate(E), rotate(conjugate(E), L))) / 2;
+    const real3 next = rotate(E, R * solve_symmetric(moments, -o, transpose(R) * mean));
     const real3 change = next - midpoint;
     midpoint = next;
     if (dot(change, change) < real(1e-28lf) * dot(next, next)) break;
