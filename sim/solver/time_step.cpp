@@ -189,21 +189,25 @@ void take_over(const Problem& p, StepMemory& m, State& state) {
   state.joint_force.swap(m.iterate.joint_force);
 }
 
-// Of what is not made again.
-void summarize(const Problem& p, StepMemory& m, const StepOptions& options, const State& end,
-               StepReport& report) {
-  summarize_contacts(p, m.iterate, options.report_contacts, report);
+// The work of drives on what is not made again. Precondition: the state is still that of the start.
+void count_work(const Problem& p, StepMemory& m, StepReport& report) {
   m.told_joints.clear();
   for (std::size_t k = 0; k < p.joints.size(); ++k) {
     const auto [i, j] = p.joint_ends[k];
     const Index moving = p.movable(i) ? i : j;
     if (!p.movable(moving) || !m.again[moving]) m.told_joints.push_back(static_cast<Index>(k));
   }
+  report.drive_work = drive_work(p, m.iterate, m.told_joints);
+}
+
+// Of what is not made again.
+void summarize(const Problem& p, StepMemory& m, const StepOptions& options, const State& end,
+               StepReport& report) {
+  summarize_contacts(p, m.iterate, options.report_contacts, report);
   for (const Index k : m.told_joints) {
     report.elastic += energy_of_joint(p, m.iterate, k) + spring_energy(p, m.iterate, k);
     report.max_joint_error = larger(report.max_joint_error, joint_error(p, m.iterate, k));
   }
-  report.drive_work = drive_work(p, m.iterate, m.told_joints);
   if (options.report_joints) report_joints(p, m.iterate, end.joint_force, report.joint_reports);
   if (options.report_bodies)
     report_bodies(p, m.islands, report.islands, m.iterate, m.solvers.sissm, report.body_reports);
@@ -301,6 +305,7 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
   watch.lap();
   bound_energy(p, workers, m, report);
   if (halved) leave_out_again(p, m);
+  count_work(p, m, report);
   take_over(p, m, state);
   summarize(p, m, options, state, report);
   if (halved) m.halves->put(m.islands, state, report);

@@ -224,6 +224,29 @@ TEST_CASE("what hangs from a driven slide swings to second order") {
   });
 }
 
+TEST_CASE("a drive is told to have put in what is found as energy") {
+  const double h = GENERATE(1.0 / 60, 1.0 / 240);
+  SceneBuilder builder("driven rod");
+  builder.params.solver.integrator = GENERATE(Integrator::euler, Integrator::bdf2);
+  builder.params.h = h;
+  builder.add(
+      spec::Body{.name = "rod", .shape = Box{{0.5, 0.05, 0.05}}, .mass = 4, .position = Vec3(0.5, 0, 0)});
+  builder.add(spec::Joint{.type = JointType::hinge,
+                          .j = "rod",
+                          .anchor = Vec3::Zero(),
+                          .axis = Vec3::UnitZ(),
+                          .drive = Profile{{{0, 0.0}, {10, 1200.0}}}});
+  double work = 0, first = 0, most = 0;
+  run(builder.build(), 2, [&](const State& state, const StepReport& report) {
+    const double energy = report.kinetic + report.potential;
+    if (state.step == 1) first = energy;
+    if (state.step > 1) work += report.drive_work;
+    most = std::max(most, std::abs(energy - first - work));
+  });
+  CAPTURE(h, first, work);
+  CHECK(most < 0.02 * 4 * 9.81 * 0.5);
+}
+
 TEST_CASE("a rod that swings against the limit of its hinge gains nothing, at any step") {
   for (const double rate : {60.0, 120.0, 240.0, 1000.0}) {
     for (const double end : {-35.0, -80.0, -130.0}) {
