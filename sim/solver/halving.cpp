@@ -74,6 +74,12 @@ const StepReport& Halves::make(const Problem& p, const StepOptions& options, Tea
   return both_;
 }
 
+void Halves::place(std::vector<Pose>& pose) const {
+  for (std::size_t k = 0; k < part_.bodies.size(); ++k) {
+    if (!part_.model.fixed[k]) pose[static_cast<std::size_t>(part_.bodies[k])] = {state_.c[k], state_.R[k]};
+  }
+}
+
 void Halves::put(const Islands& islands, State& state, StepReport& report) const {
   put_part(part_, state_, state);
   // Its islands are parts of those that are there already, and what was left out is counted already.
@@ -83,9 +89,13 @@ void Halves::put(const Islands& islands, State& state, StepReport& report) const
   report.left_pairs = std::max(counted.left_pairs, both_.left_pairs);
   report.too_dense = std::max(counted.too_dense, both_.too_dense);
   report.capped_bonds = std::max(counted.capped_bonds, both_.capped_bonds);
+  const auto is_ours = [&](const Island& island) { return part_.holds(island.bodies.front()); };
+  const auto ours = std::find_if(islands.list.begin(), islands.list.end(), is_ours) - islands.list.begin();
   for (std::size_t k = whole; k < report.islands.size(); ++k) {
     const IslandReport& half = report.islands[k];
-    IslandReport& island = report.islands[static_cast<std::size_t>(islands.of[half.first_body])];
+    const Index of = islands.of[half.first_body];  // its lowest body may have had no bond before
+    IslandReport& island =
+        report.islands[of < 0 ? static_cast<std::size_t>(ours) : static_cast<std::size_t>(of)];
     island.solver = half.solver;
     island.status = std::max(island.status, half.status);
     island.iterations = std::max(island.iterations, half.iterations);

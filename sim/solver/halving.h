@@ -43,6 +43,9 @@ class Halves {
   // Makes the two halves. The report, of both, has status non_finite or interrupted where they were not made; `team` works.
   const StepReport& make(const Problem& p, const StepOptions& options, Team& team);
 
+  // Poses of its bodies where its halves end, into those of all.
+  void place(std::vector<Pose>& pose) const;
+
   // Puts what came out into the state of the end, and into its report: of the other islands only (add_report).
   void put(const Islands& islands, State& state, StepReport& report) const;
 

@@ -30,38 +30,66 @@ bool is_known(const Iterate& it, const ContactPoint& point) {
   return false;
 }
 
-}  // namespace
-
-void mark_late_contacts(const Problem& p, const Islands& islands, const std::vector<IslandReport>& outcome,
-                        const Workers& workers, const Iterate& it, const Detection& looked_at,
-                        Detection& memory, std::vector<std::uint8_t>& marked) {
+// Points in which bodies overlap at the iterate.
+const std::vector<ContactPoint>& overlaps(const Problem& p, const Workers& workers, const Iterate& it,
+                                          Detection& memory) {
   const std::size_t n = p.model->shape.size();
   memory.c = p.start->c;
   memory.R = p.start->R;
-  bool any = false;
-  for (const Index i : islands.solved) {
-    if (outcome[islands.of[i]].status == StepStatus::non_finite) continue;
-    const Pose& end = it.pose[i];
-    any |= way_between(end, looked_at.c[i], looked_at.R[i], p.flight->radius[i]) > 0.5 * p.law.barrier.d_hat;
-    memory.c[i] = end.c;
-    memory.R[i] = end.R;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!p.movable(static_cast<Index>(i)) || !it.pose[i].c.allFinite() || !it.pose[i].R.allFinite()) continue;
+    memory.c[i] = it.pose[i].c;
+    memory.R[i] = it.pose[i].R;
   }
-  if (!any) return;
-  memory.reach.assign(n, 0);  // what overlaps
+  memory.reach.assign(n, 0);
   memory.collision.stop = workers.stop;
   std::swap(memory.collision.team, workers.team);
   detect(*p.model, memory.c, memory.R, memory.reach, p.model->no_collide, workers.threads, memory.collision,
          memory.points);
   std::swap(memory.collision.team, workers.team);
-  for (const ContactPoint& point : memory.points) {
-    if (is_known(it, point)) continue;
-    for (const Index body : {point.a, point.b}) {
-      if (!p.movable(body) || islands.of[body] < 0) continue;
-      const Island& island = islands.list[islands.of[body]];
-      if (island.crowd) continue;
-      for (const Index i : island.bodies) marked[i] = 1;
-    }
+  return memory.points;
+}
+
+// With all that its body hangs together with. False: a crowd.
+bool mark(const Problem& p, const Islands& islands, Index body, std::vector<std::uint8_t>& marked) {
+  if (!p.movable(body)) return false;
+  if (islands.of[body] < 0) {
+    marked[body] = 1;
+    return true;
   }
+  const Island& island = islands.list[islands.of[body]];
+  if (island.crowd) return false;
+  for (const Index i : island.bodies) marked[i] = 1;
+  return true;
+}
+
+}  // namespace
+
+void mark_late_contacts(const Problem& p, const Islands& islands, const std::vector<IslandReport>& outcome,
+                        const Workers& workers, const Iterate& it, const Detection& looked_at,
+                        Detection& memory, std::vector<std::uint8_t>& marked) {
+  const bool any = std::any_of(islands.solved.begin(), islands.solved.end(), [&](Index i) {
+    return outcome[islands.of[i]].status != StepStatus::non_finite &&
+           way_between(it.pose[i], looked_at.c[i], looked_at.R[i], p.flight->radius[i]) >
+               0.5 * p.law.barrier.d_hat;
+  });
+  if (!any) return;
+  for (const ContactPoint& point : overlaps(p, workers, it, memory)) {
+    if (is_known(it, point)) continue;
+    mark(p, islands, point.a, marked);
+    mark(p, islands, point.b, marked);
+  }
+}
+
+bool mark_what_they_hit(const Problem& p, const Islands& islands, const Workers& workers, const Iterate& it,
+                        Detection& memory, std::vector<std::uint8_t>& marked) {
+  bool more = false;
+  for (const ContactPoint& point : overlaps(p, workers, it, memory)) {
+    const auto made_again = [&](Index i) { return p.movable(i) && marked[i] != 0; };
+    if (made_again(point.a) != made_again(point.b))
+      more |= mark(p, islands, made_again(point.a) ? point.b : point.a, marked);
+  }
+  return more;
 }
 
 }  // namespace pabd

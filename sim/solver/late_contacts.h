@@ -10,11 +10,16 @@
 
 namespace pabd {
 
-// Marks the bodies of all islands, but for crowds, that overlap at the iterate in points that the step has no contact for.
-// Looks only where a body ends more than d̂/2 beside where its contacts were looked for (`looked_at`), and not at what left the
-// numbers.
+// Marks the bodies that overlap at the iterate in points that the step has no contact for, with all of their islands, but for
+// crowds. Looks only where a body ends more than d̂/2 beside where its contacts were looked for (`looked_at`), and not at what
+// left the numbers.
 void mark_late_contacts(const Problem& p, const Islands& islands, const std::vector<IslandReport>& outcome,
                         const Workers& workers, const Iterate& it, const Detection& looked_at,
+                        Detection& memory, std::vector<std::uint8_t>& marked);
+
+// Marks what the marked bodies, which are at the end of their halves, overlap with of all others: halves know of no body but
+// their own. False: nothing.
+bool mark_what_they_hit(const Problem& p, const Islands& islands, const Workers& workers, const Iterate& it,
                         Detection& memory, std::vector<std::uint8_t>& marked);
 
 }  // namespace pabd

@@ -244,13 +244,16 @@ void clear(StepReport& report) {
 }
 
 // False: they were not made, and the report says why.
-bool make_again(const StepOptions& options, StepMemory& m, StepReport& report) {
+bool make_again(const StepOptions& options, const Workers& workers, StepMemory& m, StepReport& report) {
   if (!m.halves) m.halves = std::make_unique<Halves>();
-  m.halves->take(m.problem, m.again);
-  const StepStatus status = m.halves->make(m.problem, options, m.detection.collision.team).status;
-  if (status == StepStatus::non_finite) fail(report);
-  if (status == StepStatus::interrupted) report.status = status;
-  if (status != StepStatus::converged && status != StepStatus::iteration_limit) return false;
+  do {
+    m.halves->take(m.problem, m.again);
+    const StepStatus status = m.halves->make(m.problem, options, m.detection.collision.team).status;
+    if (status == StepStatus::non_finite) fail(report);
+    if (status == StepStatus::interrupted) report.status = status;
+    if (status != StepStatus::converged && status != StepStatus::iteration_limit) return false;
+    m.halves->place(m.iterate.pose);
+  } while (mark_what_they_hit(m.problem, m.islands, workers, m.iterate, m.late, m.again));
   // How it ended the first time is no longer of interest.
   report.status = StepStatus::converged;
   report.iterations = 0;
@@ -301,7 +304,7 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
       std::any_of(m.again.begin(), m.again.end(), [](std::uint8_t again) { return again != 0; });
   report.times.velocities = watch.lap();
   if (interrupted()) return;
-  if (halved && !make_again(options, m, report)) return;  // 5. what ended unsolved, in halves
+  if (halved && !make_again(options, workers, m, report)) return;  // 5. what ended unsolved, in halves
   watch.lap();
   bound_energy(p, workers, m, report);
   if (halved) leave_out_again(p, m);
