@@ -99,10 +99,13 @@ void carry_out(const AddBody& body, const BondLaw&, Model& model, State& state) 
   model.mass.push_back(p.mass);
   model.J.push_back(p.J);
   model.fixed.push_back(body.fixed ? 1 : 0);
-  if (body.friction || !model.friction.empty()) {
-    model.friction.resize(model.name.size());
-    model.friction.back() = body.friction;
-  }
+  const auto give = [&](const auto& own, auto& of_bodies) {
+    if (!own && of_bodies.empty()) return;
+    of_bodies.resize(model.name.size());
+    of_bodies.back() = own;
+  };
+  give(body.friction, model.friction);
+  give(body.restitution, model.restitution);
   for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
     if (!bits->empty()) bits->push_back(0);
   state.c.push_back(body.position);
@@ -167,6 +170,7 @@ void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& stat
   erase_at(model.J, gone);
   erase_at(model.fixed, gone);
   if (!model.friction.empty()) erase_at(model.friction, gone);
+  if (!model.restitution.empty()) erase_at(model.restitution, gone);
   for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
     if (!bits->empty()) erase_at(*bits, gone);
   erase_at(state.c, gone);

@@ -25,6 +25,7 @@ struct AddBody {
   Vec3 omega = Vec3::Zero();            // rad/s
   bool fixed = false;
   std::optional<SurfaceFriction> friction = {};  // of its own
+  std::optional<double> restitution = {};
 };
 
 // Its joints go with it; higher numbers move down by one.

@@ -49,6 +49,7 @@ struct ToJson {
     if (!body.omega.isZero(0)) out["angular_velocity"] = json_of(Vec3(body.omega * (180 / kPi)));
     if (body.friction)
       out["friction"] = {{"static", body.friction->mu_static}, {"dynamic", body.friction->mu_dynamic}};
+    if (body.restitution) out["restitution"] = *body.restitution;
     return out;
   }
   OrderedJson operator()(const RemoveBody& edit) const {
@@ -104,6 +105,7 @@ AddBody read_add_body(const Node& node) {
   out.omega = spec.omega;
   out.fixed = spec.fixed;
   out.friction = spec.touch.friction;
+  out.restitution = spec.touch.restitution;
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include "render/device/gl_fence.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/halving.h"
+#include "sim/solver/restitution.h"
 
 namespace pabd {
 namespace {
@@ -182,6 +183,8 @@ DeviceSolver::DeviceSolver(DeviceSolver&&) noexcept = default;
 
 std::string DeviceSolver::why_not(const Model& model, const Params& params) {
   if (!model.joints.empty()) return "the scene has joints, which the GPU does not take: --device cpu";
+  if (has_restitution(model, params.contact))
+    return "the scene has restitution, which the GPU does not take: --device cpu";
   if (const BarrierKind kind = params.contact.barrier; !is_on_device(kind))
     return std::string("the ") + to_string(kind) +
            " barrier is not solved on the GPU: --device cpu, or another \"barrier\"";

@@ -26,6 +26,7 @@ struct Model {
   std::vector<std::pair<Index, Index>> stated_apart;     // those of them that stay when joints go, sorted
   CollisionGroups groups;                                // more that never touch
   std::vector<std::optional<SurfaceFriction>> friction;  // of bodies that have their own. Empty: none has
+  std::vector<std::optional<double>> restitution;        // the same; 0 … 1
 
   Index size() const { return static_cast<Index>(shape.size()); }
 };

@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace pabd {
-namespace {
 
 double combined(FrictionRule rule, double a, double b) {
   switch (rule) {
@@ -22,8 +21,6 @@ double combined(FrictionRule rule, double a, double b) {
   }
   return a;
 }
-
-}  // namespace
 
 const char* to_string(FrictionRule rule) {
   switch (rule) {

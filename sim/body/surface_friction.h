@@ -18,6 +18,8 @@ enum class FrictionRule : std::uint8_t { geometric_mean, average, min, max, prod
 
 const char* to_string(FrictionRule rule);  // "geometric_mean", …: the words of scene files
 
+// Symmetric. Of restitution, too.
+double combined(FrictionRule rule, double a, double b);
 // Symmetric; dynamic friction is not above static, as that is so of both.
 SurfaceFriction combined(FrictionRule rule, const SurfaceFriction& a, const SurfaceFriction& b);
 

@@ -71,7 +71,8 @@ struct Body {
   std::optional<Vec3> velocity = {};             // m/s
   std::optional<Vec3> angular_velocity = {};     // world; degrees/s
   std::optional<SurfaceFriction> friction = {};  // of its own; else contact.friction
-  std::vector<std::string> groups = {};          // that it is of
+  std::optional<double> restitution = {};
+  std::vector<std::string> groups = {};  // that it is of
 };
 
 // The name of a group where that of a body may stand.
@@ -144,7 +145,8 @@ struct Bricks {
   std::optional<double> mass = {}, density = {};  // of each; kg, kg/m³
   std::optional<double> gap = {};                 // between levels; m
   std::optional<SurfaceFriction> friction = {};   // as of a body
-  std::vector<std::string> groups = {};           // that all are of
+  std::optional<double> restitution = {};
+  std::vector<std::string> groups = {};  // that all are of
 };
 
 // Bricks one on the other.
@@ -183,7 +185,8 @@ struct Pile {
   std::optional<double> spacing = {};             // of the grid; m
   std::optional<std::int64_t> seed = {};
   std::optional<SurfaceFriction> friction = {};  // as of a body
-  std::vector<std::string> groups = {};          // that all are of
+  std::optional<double> restitution = {};
+  std::vector<std::string> groups = {};  // that all are of
 };
 
 // Links one behind the other, each joined to the next.
@@ -202,7 +205,8 @@ struct Chain {
   std::optional<double> end_mass = {};            // of the last link; kg
   std::optional<bool> collide = {};               // may neighbours touch each other?
   std::optional<SurfaceFriction> friction = {};   // as of a body
-  std::vector<std::string> groups = {};           // that all are of
+  std::optional<double> restitution = {};
+  std::vector<std::string> groups = {};  // that all are of
 };
 
 // Rows and columns of bodies, each joined to its four neighbours.
@@ -219,7 +223,8 @@ struct Net {
   std::optional<double> mass = {}, density = {};  // of a body; kg, kg/m³
   std::optional<bool> collide = {};               // may neighbours touch each other?
   std::optional<SurfaceFriction> friction = {};   // as of a body
-  std::vector<std::string> groups = {};           // that all are of
+  std::optional<double> restitution = {};
+  std::vector<std::string> groups = {};  // that all are of
 };
 
 }  // namespace spec

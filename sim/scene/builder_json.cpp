@@ -67,6 +67,7 @@ Json with_mass(const Entry& entry) {
 template <class Entry>
 void put_touch(Json& out, const Entry& entry) {
   put(out, "friction", entry.friction);
+  put(out, "restitution", entry.restitution);
   if (!entry.groups.empty()) out["group"] = entry.groups;
 }
 

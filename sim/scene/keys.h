@@ -27,34 +27,35 @@ inline constexpr std::array scene{Key("$schema"),      Key("format"),      Key("
 inline constexpr std::array joints_default{Key("potential"), Key("kappa"), Key("N"), Key("d_hat")};
 inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
 
-inline constexpr std::array body{Key("name"),        Key("shape"),    Key("fixed"),
-                                 Key("density"),     Key("mass"),     Key("position"),
-                                 Key("orientation"), Key("velocity"), Key("angular_velocity"),
-                                 Key("color"),       Key("material"), Key("inertia"),
-                                 Key("friction"),    Key("group")};
+inline constexpr std::array body{
+    Key("name"),     Key("shape"),       Key("fixed"),    Key("density"),          Key("mass"),
+    Key("position"), Key("orientation"), Key("velocity"), Key("angular_velocity"), Key("color"),
+    Key("material"), Key("inertia"),     Key("friction"), Key("restitution"),      Key("group")};
 inline constexpr std::array material{Key("opacity"), Key("checker")};
 inline constexpr std::array stack{Key("type"),     Key("name"),    Key("count"),    Key("size"),
                                   Key("position"), Key("density"), Key("mass"),     Key("masses"),
-                                  Key("gap"),      Key("rotate"),  Key("friction"), Key("group")};
-inline constexpr std::array wall{Key("type"), Key("name"),     Key("columns"),     Key("rows"),
-                                 Key("size"), Key("position"), Key("density"),     Key("mass"),
-                                 Key("gap"),  Key("spacing"),  Key("half_blocks"), Key("friction"),
-                                 Key("group")};
-inline constexpr std::array pyramid{Key("type"),     Key("name"),     Key("base"), Key("size"),
-                                    Key("position"), Key("density"),  Key("mass"), Key("gap"),
-                                    Key("spacing"),  Key("friction"), Key("group")};
-inline constexpr std::array pile{
-    Key("type"), Key("name"), Key("count"),   Key("shape"),   Key("size"), Key("position"), Key("density"),
-    Key("mass"), Key("vary"), Key("columns"), Key("spacing"), Key("seed"), Key("friction"), Key("group")};
+                                  Key("gap"),      Key("rotate"),  Key("friction"), Key("restitution"),
+                                  Key("group")};
+inline constexpr std::array wall{Key("type"),        Key("name"),     Key("columns"),     Key("rows"),
+                                 Key("size"),        Key("position"), Key("density"),     Key("mass"),
+                                 Key("gap"),         Key("spacing"),  Key("half_blocks"), Key("friction"),
+                                 Key("restitution"), Key("group")};
+inline constexpr std::array pyramid{Key("type"),     Key("name"),     Key("base"),        Key("size"),
+                                    Key("position"), Key("density"),  Key("mass"),        Key("gap"),
+                                    Key("spacing"),  Key("friction"), Key("restitution"), Key("group")};
+inline constexpr std::array pile{Key("type"),     Key("name"),        Key("count"),   Key("shape"),
+                                 Key("size"),     Key("position"),    Key("density"), Key("mass"),
+                                 Key("vary"),     Key("columns"),     Key("spacing"), Key("seed"),
+                                 Key("friction"), Key("restitution"), Key("group")};
 
 inline constexpr std::array chain{
-    Key("type"), Key("name"),      Key("links"),   Key("shape"),    Key("size"),  Key("position"),
-    Key("gap"),  Key("direction"), Key("joint"),   Key("axis"),     Key("fixed"), Key("density"),
-    Key("mass"), Key("end_mass"),  Key("collide"), Key("friction"), Key("group")};
-inline constexpr std::array net{Key("type"),    Key("name"),    Key("rows"),     Key("columns"),
-                                Key("shape"),   Key("size"),    Key("position"), Key("gap"),
-                                Key("upright"), Key("joint"),   Key("fixed"),    Key("density"),
-                                Key("mass"),    Key("collide"), Key("friction"), Key("group")};
+    Key("type"), Key("name"),      Key("links"),   Key("shape"),    Key("size"),        Key("position"),
+    Key("gap"),  Key("direction"), Key("joint"),   Key("axis"),     Key("fixed"),       Key("density"),
+    Key("mass"), Key("end_mass"),  Key("collide"), Key("friction"), Key("restitution"), Key("group")};
+inline constexpr std::array net{
+    Key("type"),     Key("name"),    Key("rows"),     Key("columns"),     Key("shape"), Key("size"),
+    Key("position"), Key("gap"),     Key("upright"),  Key("joint"),       Key("fixed"), Key("density"),
+    Key("mass"),     Key("collide"), Key("friction"), Key("restitution"), Key("group")};
 
 inline constexpr std::array axis_angle{Key("axis"), Key("angle")};
 inline constexpr std::array euler{Key("euler"), Key("order")};

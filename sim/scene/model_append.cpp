@@ -56,10 +56,14 @@ std::vector<Index> ModelBuilder::append_bodies(ModelBuilder& part, const Placeme
     state.v.push_back(placement.R * part.state.v[i]);
     state.omega.push_back(placement.R * part.state.omega[i]);
   }
-  if (part.model.friction.empty()) return to;
-  model.friction.resize(model.name.size());
-  for (std::size_t i = 0; i < part.model.friction.size(); ++i)
-    if (to[i] != kWorld) model.friction[static_cast<std::size_t>(to[i])] = part.model.friction[i];
+  const auto bring = [&](const auto& own, auto& of_bodies) {
+    if (own.empty()) return;
+    of_bodies.resize(model.name.size());
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (to[i] != kWorld) of_bodies[static_cast<std::size_t>(to[i])] = own[i];
+  };
+  bring(part.model.friction, model.friction);
+  bring(part.model.restitution, model.restitution);
   return to;
 }
 

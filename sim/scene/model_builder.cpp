@@ -111,11 +111,13 @@ int ModelBuilder::group_named(const std::string& name, const Node& place) {
 
 void ModelBuilder::set_touch(std::size_t first, const TouchSpec& touch, const Node& place) {
   const std::size_t n = model.name.size();
-  if (touch.friction) {
-    model.friction.resize(n);
-    std::fill(model.friction.begin() + static_cast<std::ptrdiff_t>(first), model.friction.end(),
-              touch.friction);
-  }
+  const auto give = [&](const auto& own, auto& of_bodies) {
+    if (!own) return;
+    of_bodies.resize(n);
+    std::fill(of_bodies.begin() + static_cast<std::ptrdiff_t>(first), of_bodies.end(), own);
+  };
+  give(touch.friction, model.friction);
+  give(touch.restitution, model.restitution);
   if (touch.groups.empty()) return;
   std::uint64_t bits = 0;
   for (const std::string& name : touch.groups) bits |= std::uint64_t{1} << group_named(name, place);
@@ -180,6 +182,7 @@ void ModelBuilder::finish(const Vec3& gravity) {
     pairs->erase(std::unique(pairs->begin(), pairs->end()), pairs->end());
   }
   if (!model.friction.empty()) model.friction.resize(model.name.size());
+  if (!model.restitution.empty()) model.restitution.resize(model.name.size());
   if (!model.groups.of_body.empty()) model.groups.of_body.resize(model.name.size());
   find_avoided(model.groups);
 

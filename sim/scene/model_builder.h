@@ -41,7 +41,8 @@ MassSpec read_mass(const ObjectReader& in);
 // How a body touches others.
 struct TouchSpec {
   std::optional<SurfaceFriction> friction;  // of its own
-  std::vector<std::string> groups;          // that it is of
+  std::optional<double> restitution;
+  std::vector<std::string> groups;  // that it is of
 };
 
 struct BodySpec {
@@ -83,7 +84,7 @@ class ModelBuilder {
   void reserve(std::int64_t count, const Node& place);
   void add(BodySpec&& body, const Node& place);
 
-  // Gives all bodies from `first` on that friction and those groups. `place` is blamed for too many groups.
+  // Gives all bodies from `first` on that surface and those groups. `place` is blamed for too many groups.
   void set_touch(std::size_t first, const TouchSpec& touch, const Node& place);
 
   // Everything of an included scene but its planes: what holds on to one holds on to the world. `place` is blamed

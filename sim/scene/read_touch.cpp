@@ -111,6 +111,10 @@ struct PairReader {
 TouchSpec read_touch(const ObjectReader& in) {
   TouchSpec out;
   if (const auto node = in.find("friction")) out.friction = read_friction(in, *node);
+  if (in.find("restitution")) {
+    const ParameterRange& range = find_parameter("contact.restitution")->range;
+    out.restitution = in.number("restitution", Range{range.lo, range.hi});
+  }
   if (const auto node = in.find("group")) read_groups(in, *node, out.groups);
   return out;
 }

@@ -47,6 +47,7 @@ void add_touch(const Model& model, std::size_t i, OrderedJson& out) {
       out["friction"] = {{"static", own.mu_static}, {"dynamic", own.mu_dynamic}};
     }
   }
+  if (!model.restitution.empty() && model.restitution[i]) out["restitution"] = *model.restitution[i];
   const CollisionGroups& groups = model.groups;
   for (std::size_t g = 0; g < groups.name.size() && !groups.of_body.empty(); ++g)
     if ((groups.of_body[i] >> g & 1) != 0) out["group"].push_back(groups.name[g]);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/solver/friction.h"
+#include "sim/solver/restitution.h"
 
 namespace pabd {
 namespace {
@@ -41,7 +42,7 @@ const std::vector<ContactPoint>& overlaps(const Problem& p, const Workers& worke
     memory.c[i] = it.pose[i].c;
     memory.R[i] = it.pose[i].R;
   }
-  memory.reach.assign(n, 0);
+  memory.reach.assign(n, has_restitution(*p.model, p.params->contact) ? 0.5 * p.law.barrier.d_hat : 0);
   memory.collision.stop = workers.stop;
   std::swap(memory.collision.team, workers.team);
   detect(*p.model, memory.c, memory.R, memory.reach, p.model->no_collide, workers.threads, memory.collision,

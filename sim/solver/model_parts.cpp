@@ -54,6 +54,7 @@ void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool 
   pick(model.J, out.model.J);
   pick(model.fixed, out.model.fixed);
   pick(model.friction, out.model.friction);
+  pick(model.restitution, out.model.restitution);
   pick(model.groups.of_body, out.model.groups.of_body);
   out.model.groups.name = model.groups.name;
   out.model.groups.apart = model.groups.apart;

@@ -171,13 +171,24 @@ constexpr ParameterRow kRows[] = {
      .follows = "contact.friction.static"},
     {.key = "contact.friction_rule",
      .label = "combined",
-     .help =
-         "How the friction of two bodies becomes that of their contact, where one of them at least has its "
-         "own; who has none counts with contact.friction. Where neither has, contact.friction is that of "
-         "the contact",
+     .help = "How the friction and the restitution of two bodies become those of their contact, where one of "
+             "them at "
+             "least has its own; who has none counts with that of contact. Where neither has, that is the "
+             "contact's",
      .member = &ContactParams::friction_rule,
      .hashed_default = false,
-     .applies = [](const Model& model) { return !model.friction.empty(); }},
+     .applies = [](const Model& model) { return !model.friction.empty() || !model.restitution.empty(); }},
+    {.key = "contact.restitution",
+     .label = "restitution e",
+     .symbol = "e",
+     .help =
+         "Speed with which bodies part after a hit over that with which they came; of bodies that have none "
+         "of their own. What comes with less than 2 g h does not bounce. Not on a GPU",
+     .member = &ContactParams::restitution,
+     .range = {0, 1},
+     .slider_lo = 0,
+     .slider_hi = 1,
+     .hashed_default = false},
 };
 
 constexpr ParameterSection kSections[] = {

@@ -54,23 +54,35 @@ void spread_to_pairs(std::vector<ContactManifold>& manifolds) {
   }
 }
 
+// Of a point that is at d.
+void ease(const Problem& p, double d, int k, ContactManifold& manifold) {
+  const Barrier& barrier = p.law.barrier;
+  const double end = barrier.d_hat - way(p, d);  // d₀ + s
+  if (!(d < end)) return;
+  manifold.shift[k] = end - d;
+  manifold.scale[k] = evaluate(barrier, d).first / evaluate(barrier, end).first;
+}
+
+bool may_recover(const Problem& p) {
+  return p.params->contact.recovery_speed > 0 && !is_feasible_only(p.law.barrier.kind);
+}
+
 }  // namespace
 
+void recover_from(const Problem& p, Lanes d, ContactManifold& manifold) {
+  if (!may_recover(p)) return;
+  manifold.recovers = true;
+  for (int k = 0; k < manifold.count; ++k) ease(p, d[k], k, manifold);
+}
+
 void start_recovery(const Problem& p, Iterate& it) {
-  const Barrier& barrier = p.law.barrier;
-  const double speed = p.params->contact.recovery_speed;
-  if (speed == 0 || is_feasible_only(barrier.kind)) return;
+  if (!may_recover(p)) return;
   mark(p, it.manifold);
   mark_remembered(p.start->contacts, it.manifold);
   spread_to_pairs(it.manifold);
   for (ContactManifold& manifold : it.manifold) {
     if (!manifold.recovers) continue;
-    for (int k = 0; k < manifold.count; ++k) {
-      const double d = manifold.start_d[k], end = barrier.d_hat - way(p, d);  // d₀ and d₀ + s
-      if (!(d < end)) continue;
-      manifold.shift[k] = end - d;
-      manifold.scale[k] = evaluate(barrier, d).first / evaluate(barrier, end).first;
-    }
+    for (int k = 0; k < manifold.count; ++k) ease(p, manifold.start_d[k], k, manifold);
   }
 }
 

@@ -21,6 +21,9 @@ namespace pabd {
 // and sets their contacts up. Precondition: the manifolds are those of the step, sorted by pair.
 void start_recovery(const Problem& p, Iterate& it);
 
+// The pair recovers from now on, from where its points are: what a hit pressed together holds no energy either.
+void recover_from(const Problem& p, Lanes d, ContactManifold& manifold);
+
 // Keeps ContactManifold::recovers where the recovery goes on after the step.
 void finish_recovery(const Problem& p, Iterate& it);
 

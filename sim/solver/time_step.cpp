@@ -24,6 +24,7 @@
 #include "sim/solver/late_contacts.h"
 #include "sim/solver/momentum.h"
 #include "sim/solver/recovery.h"
+#include "sim/solver/restitution.h"
 #include "sim/solver/runaway.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_memory.h"
@@ -72,6 +73,7 @@ bool is_feasible(const Problem& p, const Iterate& it) {
 // who solves which island.
 void build(const StepOptions& options, const Workers& workers, StepMemory& m, StepReport& report) {
   Problem& p = m.problem;
+  leave_what_parts(p, m.iterate);
   start_recovery(p, m.iterate);
   pulls_as_joints(*p.model, options.pulls, m.pulls);
   p.joints = {p.model->joints, m.pulls};
@@ -307,6 +309,9 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
   if (halved && !make_again(options, workers, m, report)) return;  // 5. what ended unsolved, in halves
   watch.lap();
   bound_energy(p, workers, m, report);
+  for (const Island& island : m.islands.list) {  // 6. impacts that bounce
+    if (!is_made_again(island, m)) bounce(p, island, m.velocities, m.iterate);
+  }
   if (halved) leave_out_again(p, m);
   count_work(p, m, report);
   take_over(p, m, state);
