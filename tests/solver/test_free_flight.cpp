@@ -84,9 +84,12 @@ TEST_CASE("spin about the middle axis flips over (Dzhanibekov), about the others
   }
 }
 
-TEST_CASE("free rotation keeps energy and angular momentum to 1e-12 a step, for boxes, rods and plates at any speed") {
+TEST_CASE(
+    "free rotation keeps energy and angular momentum to 1e-12 a step, for boxes, rods and plates at any "
+    "speed") {
   const double turns = GENERATE(0.01, 0.3, 1.0, 2.5, 20.0, 60.0);  // ‖ω‖ h; rad
-  const Vec3 half = GENERATE(Vec3(0.5, 0.3, 0.1), Vec3(0.5, 0.02, 0.021), Vec3(0.3, 0.31, 0.32), Vec3(0.5, 0.5, 0.01));
+  const Vec3 half =
+      GENERATE(Vec3(0.5, 0.3, 0.1), Vec3(0.5, 0.02, 0.021), Vec3(0.3, 0.31, 0.32), Vec3(0.5, 0.5, 0.01));
   const Vec3 about = GENERATE(Vec3(1, 2, 3), Vec3(0.01, 1, -0.02), Vec3(-5, 0.1, 1));
   World world;
   world.params.gravity.setZero();
