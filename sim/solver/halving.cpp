@@ -13,8 +13,12 @@ bool may_halve(const SolverParams& solver) {
   return solver.halvings > 0 && solver.iterations > 1 && solver.method != SolverMethod::sissm;
 }
 
+bool is_far_from_solved(const IslandReport& island) {
+  return island.status == StepStatus::non_finite || !(island.residual <= kUnsolved);
+}
+
 bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy) {
-  if (island.status == StepStatus::non_finite || !(island.residual <= kUnsolved)) return true;
+  if (is_far_from_solved(island)) return true;
   if (!(island.friction_error <= kUnsettled)) return true;
   return gains(energy, island.solver == SolverMethod::newton ? kRise : kRiseInSweeps, island.residual);
 }

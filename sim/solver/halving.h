@@ -27,6 +27,10 @@ inline constexpr int kLastChance = 4;
 bool may_halve(const SolverParams& solver);
 
 bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy);
+// The first of these only: the last kReserve levels are for no other. Links of a gram under a weight of 32 kg need them; what
+// gains a little energy does not get better there.
+bool is_far_from_solved(const IslandReport& island);
+inline constexpr int kReserve = 2;
 
 // What a half of such a step is made with; `kappa`: of contacts in the whole of it, "auto" or not; J.
 Params of_half(const Params& whole, double kappa);

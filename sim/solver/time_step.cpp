@@ -140,7 +140,9 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
       outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);
     // Halves of a crowd end no better: other pairs are left out in each.
     if (island.crowd && outcome.status != StepStatus::non_finite) continue;
-    if (!halves || !ends_unsolved(outcome, m.balance[k])) continue;
+    if (!halves) continue;
+    const bool reserve = p.is_half && p.params->solver.halvings <= kReserve;
+    if (!(reserve ? is_far_from_solved(outcome) : ends_unsolved(outcome, m.balance[k]))) continue;
     for (const Index i : island.bodies) m.again[i] = 1;
   }
   return true;

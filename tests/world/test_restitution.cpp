@@ -42,6 +42,7 @@ TEST_CASE("a ball bounces with e times its speed, whatever the step, N, d̂ and 
   for (const double height : {1.6, 5.13, 12.77}) {
     Setting setting(h);
     ContactParams& contact = setting.builder.params.contact;
+    setting.builder.params.solver.integrator = Integrator::bdf2;
     contact.restitution = e;
     contact.N = N;
     if (kappa > 0) contact.kappa = kappa;
@@ -57,6 +58,7 @@ TEST_CASE("a ball bounces with e times its speed, whatever the step, N, d̂ and 
 TEST_CASE("a ball with e = 1 keeps 490.5 J over 20 s of bounces") {
   const double h = GENERATE(1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000);
   Setting setting(h);
+  setting.builder.params.solver.integrator = Integrator::bdf2;
   setting.builder.params.contact.restitution = 1;
   setting.ground();
   const std::string ball = setting.add(Sphere{0.5}, 10, {0, 5.5, 0});
@@ -73,6 +75,7 @@ TEST_CASE("a box that falls on a face or an edge comes up as it went down") {
   const Vec3 half = degrees == 0 ? GENERATE(Vec3(0.2, 0.2, 0.2), Vec3(0.5, 0.05, 0.3)) : Vec3(0.2, 0.2, 0.4);
   CAPTURE(h, e, degrees, half.transpose());
   Setting setting(h);
+  setting.builder.params.solver.integrator = Integrator::bdf2;
   setting.builder.params.contact.restitution = e;
   setting.ground();
   const std::string box = setting.add(Box{half}, 7, {0, 2.3, 0}, about_z(degrees));
@@ -87,6 +90,7 @@ TEST_CASE("boxes that tumble with e = 1 keep their energy, with less they lose s
   const double degrees = GENERATE(10.0, 31.0, 77.0);
   CAPTURE(h, e, degrees);
   Setting setting(h, 0);
+  setting.builder.params.solver.integrator = Integrator::bdf2;
   setting.builder.params.contact.restitution = e;
   setting.ground();
   const std::string box = setting.add(Box{{0.3, 0.2, 0.1}}, 7, {0, 2.3, 0}, about_z(degrees));
@@ -104,6 +108,7 @@ TEST_CASE("a row of balls passes on as many as hit it, whether they stand in tou
   CAPTURE(h, gap, hit);
   Setting setting(h, 0);
   setting.builder.params.gravity.setZero();
+  setting.builder.params.solver.integrator = Integrator::bdf2;
   setting.builder.params.contact.restitution = 1;
   const double r = 0.25, v = 3;
   std::vector<std::string> row;
@@ -149,6 +154,7 @@ TEST_CASE("what rests is at rest with any restitution, and a heap comes to rest"
   const double h = GENERATE(1.0 / 30, 1.0 / 60, 1.0 / 240), e = GENERATE(0.5, 0.9, 1.0);
   CAPTURE(h, e);
   Setting setting(h);
+  setting.builder.params.solver.integrator = Integrator::bdf2;
   setting.builder.params.contact.restitution = e;
   setting.ground();
   for (int i = 0; i < 6; ++i) setting.add(Box{{0.2, 0.1, 0.2}}, 3, {0, 0.111 + 0.2101 * i, 0});
@@ -162,6 +168,7 @@ TEST_CASE("a ball that hits the floor aslant rolls on after it where friction su
   const double e = GENERATE(0.3, 0.6, 1.0);
   CAPTURE(e);
   Setting setting(1.0 / 240, 10);
+  setting.builder.params.solver.integrator = Integrator::bdf2;
   setting.builder.params.contact.restitution = e;
   setting.ground();
   const std::string ball = setting.add(Sphere{0.1}, 1, {0, 0.6, 0});
