@@ -38,7 +38,6 @@ using Motion = Vec6;  // v, ω
 struct TouchPoint {
   Index manifold;
   int point;
-  bool operator==(const TouchPoint&) const = default;
 };
 
 // A contact point between two bodies, at its place at the end of the step.
@@ -90,6 +89,31 @@ class Impact {
   }
   bool any_hit() const { return !motion_.empty(); }
 
+  // Points that part are released, what was pressed comes apart slowly (recovery.h), and friction is left with the bound of
+  // what presses then: its share of the impact it had.
+  void take_over(Velocities& velocities, Iterate& it) const {
+    for (std::size_t k = 0; k < motion_.size(); ++k) {
+      if (!groups_[group_of_[k]].moves) continue;
+      velocities.v[island_.bodies[k]] = motion_[k].head<3>();
+      velocities.omega[island_.bodies[k]] = motion_[k].tail<3>();
+    }
+    for (const Touch& t : touches_) {
+      if (!is_moved(t)) continue;
+      ContactManifold& m = it.manifold[t.manifold];
+      const Lanes d = state_of(it, m).d;
+      if (d[t.point] < m.start_d[t.point] - kPressed * p_.law.barrier.d_hat) recover_from(p_, d, m);
+    }
+    for (const Touch& t : touches_) {
+      if (t.impulse > 0 && -approach(t) > t.e * least_) release(it.manifold[t.manifold], t.point);
+    }
+    for (const Touch& t : touches_) {
+      if (!is_moved(t)) continue;
+      ContactManifold& m = it.manifold[t.manifold];
+      const ContactForce f = normal_force(p_.law_of(m).barrier, m, state_of(it, m).d);
+      m.limit = smaller(m.limit, -m.mu * f.first);
+    }
+  }
+
  private:
   std::vector<std::uint8_t> find_hits() const {
     std::vector<std::uint8_t> out;
@@ -131,25 +155,6 @@ class Impact {
     settle(true);
   }
 
- public:
-  void take_over(Velocities& velocities, Iterate& it) const {
-    for (std::size_t k = 0; k < motion_.size(); ++k) {
-      if (!groups_[group_of_[k]].moves) continue;
-      velocities.v[island_.bodies[k]] = motion_[k].head<3>();
-      velocities.omega[island_.bodies[k]] = motion_[k].tail<3>();
-    }
-    for (const Touch& t : touches_) {
-      if (!is_moved(t)) continue;
-      ContactManifold& m = it.manifold[t.manifold];
-      const Lanes d = state_of(it, m).d;
-      if (d[t.point] < m.start_d[t.point] - kPressed * p_.law.barrier.d_hat) recover_from(p_, d, m);
-    }
-    for (const Touch& t : touches_) {
-      if (t.impulse > 0 && -approach(t) > t.e * least_) release(it.manifold[t.manifold], t.point);
-    }
-  }
-
- private:
   Index row(Index body) const {
     return body == kWorld || !p_.movable(body) ? -1 : island_.row[it_.slot(body)];
   }

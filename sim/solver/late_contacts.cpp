@@ -18,6 +18,12 @@ double way_between(const Pose& end, const Vec3& c, const Mat3& R, double radius)
   return (end.c - c).norm() + chord * radius;
 }
 
+// Does body i end more than d̂/2 beside where its contacts were looked for?
+bool ends_beside(const Problem& p, const Iterate& it, const Detection& looked_at, Index i) {
+  return way_between(it.pose[i], looked_at.c[i], looked_at.R[i], p.flight->radius[i]) >
+         0.5 * p.law.barrier.d_hat;
+}
+
 bool is_known(const Iterate& it, const ContactPoint& point) {
   const std::uint64_t pair = pair_key(point.a, point.b);
   const std::uint32_t feature = owned_feature(point.a, point.b, point.feature);
@@ -31,7 +37,8 @@ bool is_known(const Iterate& it, const ContactPoint& point) {
   return false;
 }
 
-// Points in which bodies overlap at the iterate.
+// Points in which bodies overlap at the iterate; of bodies that bounce, that are within d̂: a barrier that a hit presses
+// unseen would push beside the next impact.
 const std::vector<ContactPoint>& overlaps(const Problem& p, const Workers& workers, const Iterate& it,
                                           Detection& memory) {
   const std::size_t n = p.model->shape.size();
@@ -70,9 +77,7 @@ void mark_late_contacts(const Problem& p, const Islands& islands, const std::vec
                         const Workers& workers, const Iterate& it, const Detection& looked_at,
                         Detection& memory, std::vector<std::uint8_t>& marked) {
   const bool any = std::any_of(islands.solved.begin(), islands.solved.end(), [&](Index i) {
-    return outcome[islands.of[i]].status != StepStatus::non_finite &&
-           way_between(it.pose[i], looked_at.c[i], looked_at.R[i], p.flight->radius[i]) >
-               0.5 * p.law.barrier.d_hat;
+    return outcome[islands.of[i]].status != StepStatus::non_finite && ends_beside(p, it, looked_at, i);
   });
   if (!any) return;
   for (const ContactPoint& point : overlaps(p, workers, it, memory)) {
@@ -83,8 +88,11 @@ void mark_late_contacts(const Problem& p, const Islands& islands, const std::vec
 }
 
 bool mark_what_they_hit(const Problem& p, const Islands& islands, const Workers& workers, const Iterate& it,
-                        Detection& memory, std::vector<std::uint8_t>& marked) {
-  bool more = false;
+                        const Detection& looked_at, Detection& memory, std::vector<std::uint8_t>& marked) {
+  bool any = false, more = false;
+  for (Index i = 0; i < p.model->size() && !any; ++i)
+    any = p.movable(i) && marked[i] != 0 && ends_beside(p, it, looked_at, i);
+  if (!any) return false;
   for (const ContactPoint& point : overlaps(p, workers, it, memory)) {
     const auto made_again = [&](Index i) { return p.movable(i) && marked[i] != 0; };
     if (made_again(point.a) != made_again(point.b))

@@ -20,6 +20,6 @@ void mark_late_contacts(const Problem& p, const Islands& islands, const std::vec
 // Marks what the marked bodies, which are at the end of their halves, overlap with of all others: halves know of no body but
 // their own. False: nothing.
 bool mark_what_they_hit(const Problem& p, const Islands& islands, const Workers& workers, const Iterate& it,
-                        Detection& memory, std::vector<std::uint8_t>& marked);
+                        const Detection& looked_at, Detection& memory, std::vector<std::uint8_t>& marked);
 
 }  // namespace pabd

@@ -2,6 +2,8 @@
 // See restitution.h.
 #include "sim/solver/restitution.h"
 
+#include <utility>
+
 #include "sim/solver/impact.h"
 
 namespace pabd {
@@ -27,7 +29,6 @@ double restitution_between(const Model& model, const ContactParams& contact, Ind
 
 void leave_what_parts(const Problem& p, Iterate& it) {
   if (!has_restitution(*p.model, p.params->contact)) return;
-  const Velocities start{p.start->v, p.start->omega};
   for (ContactManifold& m : it.manifold) {
     const double least = restitution_between(*p.model, p.params->contact, m.a, m.b) * threshold(*p.params);
     if (!(least > 0) || !(smallest_start_d(m) < p.law.barrier.d_hat)) continue;
@@ -47,15 +48,18 @@ void leave_what_parts(const Problem& p, Iterate& it) {
 
 namespace {
 
-std::vector<TouchPoint> touching(const Problem& p, const Island& island, const Iterate& it) {
-  std::vector<TouchPoint> out;
-  for (const Index k : island.manifolds) {
-    const ContactManifold& m = it.manifold[k];
+// Adds the points that are closer than d̂. `known`: of each manifold of the island and each of its points, is it there already?
+void add_touching(const Problem& p, const Island& island, const Iterate& it, std::vector<std::uint8_t>& known,
+                  std::vector<TouchPoint>& out) {
+  known.resize(kLanes * island.manifolds.size());
+  for (std::size_t i = 0; i < island.manifolds.size(); ++i) {
+    const ContactManifold& m = it.manifold[island.manifolds[i]];
     const Lanes d = state_of(it, m).d;
-    for (int l = 0; l < m.count; ++l)
-      if (d[l] < p.law.barrier.d_hat) out.push_back({k, l});
+    for (int k = 0; k < m.count; ++k) {
+      if (d[k] < p.law.barrier.d_hat && !std::exchange(known[kLanes * i + static_cast<std::size_t>(k)], 1))
+        out.push_back({island.manifolds[i], k});
+    }
   }
-  return out;
 }
 
 Pose part_of_the_way(const Pose& from, const Pose& to, double share) {
@@ -100,16 +104,16 @@ void go_back(const Problem& p, const Impact& impact, const std::vector<TouchPoin
 void bounce(const Problem& p, const Island& island, Velocities& velocities, Iterate& it) {
   constexpr int kMostRounds = 20;
   if (!has_restitution(*p.model, p.params->contact)) return;
-  std::vector<TouchPoint> points = touching(p, island, it);
-  std::vector<std::uint8_t> hits;
+  std::vector<TouchPoint> points;
+  std::vector<std::uint8_t> known, hits;
+  add_touching(p, island, it, known, points);
   for (int i = 0; i < kMostRounds; ++i) {
     Impact impact(p, island, points, it);
     impact.find_velocities(velocities, hits);
     if (!impact.any_hit()) return;
     go_back(p, impact, points, it);
     const std::size_t before = points.size();
-    for (const TouchPoint& at : touching(p, island, it))
-      if (std::find(points.begin(), points.end(), at) == points.end()) points.push_back(at);
+    add_touching(p, island, it, known, points);
     hits.resize(points.size());
     if (i + 1 == kMostRounds || (i > 0 && points.size() == before)) return impact.take_over(velocities, it);
   }

@@ -257,7 +257,7 @@ bool make_again(const StepOptions& options, const Workers& workers, StepMemory& 
     if (status == StepStatus::interrupted) report.status = status;
     if (status != StepStatus::converged && status != StepStatus::iteration_limit) return false;
     m.halves->place(m.iterate.pose);
-  } while (mark_what_they_hit(m.problem, m.islands, workers, m.iterate, m.late, m.again));
+  } while (mark_what_they_hit(m.problem, m.islands, workers, m.iterate, m.detection, m.late, m.again));
   // How it ended the first time is no longer of interest.
   report.status = StepStatus::converged;
   report.iterations = 0;

@@ -236,6 +236,9 @@ TEST_CASE("what it cannot do is refused with the remedy, and the state stays") {
   joined.model.joints.emplace_back();
   CHECK(DeviceEngine::why_not(joined.model, fine(), {}).find("joints") != std::string::npos);
   CHECK(DeviceEngine::why_not(tiny.model, fine(), {}).empty());
+  Params bounces = fine();
+  bounces.contact.restitution = 0.5;
+  CHECK(DeviceEngine::why_not(tiny.model, bounces, {}).find("restitution") != std::string::npos);
 }
 
 TEST_CASE("a step that is stopped before it begins is interrupted") {

@@ -25,7 +25,7 @@ const std::string kPart = scene_text(R"("gravity": [0, 0, 0], "time_step": 0.002
   "bodies": [
     { "name": "floor", "shape": { "type": "plane", "offset": -50 }, "group": "ground" },
     { "name": "rod", "shape": { "type": "box", "size": [1, 0.2, 0.1] }, "position": [0.5, 0, 0], "mass": 2,
-      "velocity": [0, 1, 0], "angular_velocity": [0, 0, 100], "friction": 0.3, "group": ["left", "arm"],
+      "velocity": [0, 1, 0], "angular_velocity": [0, 0, 100], "friction": 0.3, "restitution": 0.4, "group": ["left", "arm"],
       "color": "#112233" },
     { "name": "bob", "shape": { "type": "capsule", "radius": 0.2, "length": 0.6 }, "position": [1.5, 0.3, 0],
       "orientation": { "euler": [10, 20, 30] }, "velocity": [1, 2, 3], "group": "arm" } ],
@@ -128,6 +128,9 @@ TEST_CASE("what is taken of an included scene, and under which names", "[scene]"
   REQUIRE(s.model.friction.size() == 6);
   CHECK(s.model.friction[1] == SurfaceFriction{0.3, 0.3});
   CHECK_FALSE(s.model.friction[2]);
+  REQUIRE(s.model.restitution.size() == 6);
+  CHECK(s.model.restitution[1] == 0.4);
+  CHECK_FALSE(s.model.restitution[2]);
   CHECK(s.model.groups.name == std::vector<std::string>{"l.ground", "l.left", "l.arm"});
   CHECK(keeps_apart(s.model.groups, 1, 2));
   CHECK_FALSE(keeps_apart(s.model.groups, 0, 2));

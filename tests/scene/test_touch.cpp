@@ -7,6 +7,7 @@
 
 #include "sim/scene/builder.h"
 #include "sim/scene/write_scene.h"
+#include "sim/solver/restitution.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
 
@@ -58,6 +59,31 @@ TEST_CASE("a body has friction of its own, as one number or two", "[scene]") {
   const Scene again = parse(written(s));
   CHECK(again.model.friction == s.model.friction);
   CHECK(again.params == s.params);
+}
+
+TEST_CASE("bodies, generators and builders have restitution of their own", "[scene]") {
+  const std::string plain = only_body(box("a", R"("mass": 1)"));
+  CHECK(parse(plain, {"contact.restitution=0"}).hash == parse(plain).hash);
+  CHECK(parse(plain, {"contact.restitution=0.5"}).hash != parse(plain).hash);
+  check_refused(only_body(box("a", R"("restitution": 1.1)")), {"/bodies/0/restitution", "0 to 1"});
+  const Scene s =
+      parse(scene_text(R"("name": "it", "contact": { "restitution": 0.2 }, "bodies": [)" +
+                       box("a", R"("restitution": 0.8)") + ", " + box("b", R"("position": [3, 0, 0])") +
+                       R"(], "generate": [{ "type": "stack", "count": 2, "position": [6, 0, 0],
+                                                       "restitution": 0.5 }])"));
+  CHECK(s.model.restitution == std::vector<std::optional<double>>{0.8, std::nullopt, 0.5, 0.5});
+  const Scene again = parse(written(s));
+  CHECK(again.model.restitution == s.model.restitution);
+  CHECK(again.params == s.params);
+  const auto e = [&](Index i, Index j) { return restitution_between(s.model, s.params.contact, i, j); };
+  CHECK(e(0, 1) == Approx(std::sqrt(0.8 * 0.2)));
+  CHECK(e(2, 3) == Approx(0.5));
+  SceneBuilder builder("it");
+  builder.params.contact.restitution = 0.2;
+  builder.add(spec::Body{.name = "a", .restitution = 0.8});
+  builder.add(spec::Body{.name = "b", .position = Vec3(3, 0, 0)});
+  builder.add(spec::Stack{{.position = Vec3(6, 0, 0), .restitution = 0.5}, 2});
+  CHECK(builder.build().hash == s.hash);
 }
 
 TEST_CASE("friction that no surface has is refused", "[scene]") {

@@ -102,6 +102,21 @@ TEST_CASE("boxes that tumble with e = 1 keep their energy, with less they lose s
   CHECK(run.kinetic() < (e == 1 ? 1.01 * run.begin : 1e-3));
 }
 
+TEST_CASE("friction of what bounces is that of Coulomb's law, as it is told") {
+  const double h = GENERATE(1.0 / 60, 1.0 / 240), e = GENERATE(0.3, 0.85);
+  CAPTURE(h, e);
+  Setting setting(h);
+  setting.builder.params.contact.restitution = e;
+  setting.ground();
+  for (int k = 0; k < 5; ++k)
+    setting.add(Box{{0.2, 0.15, 0.25}}, 5, {1.0 * k, 1.4, 0}, about_z(13.0 * k + 7));
+  Run run(setting);
+  double excess = 0;
+  run.go(2, [&] { excess = std::max(excess, run.report.friction_excess); });
+  CHECK(excess < 0.01);
+  CHECK(run.rise < 1e-6 * run.begin);
+}
+
 TEST_CASE("a row of balls passes on as many as hit it, whether they stand in touch or apart") {
   const double h = GENERATE(1.0 / 30, 1.0 / 60, 1.0 / 1000), gap = GENERATE(0.0102, 0.013, 0.03, 0.08);
   const int hit = GENERATE(1, 2, 3);
