@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The GPU as the maker of steps: the processor's motion, known states, refusals, any thread.
+// The GPU as the maker of steps: the processor's motion, known states, any thread.
 #include <catch2/catch.hpp>
 #include <optional>
 #include <thread>
@@ -9,7 +9,6 @@
 #include "render/gl/gl_objects.h"
 #include "sim/math/so3.h"
 #include "sim/solver/step_summary.h"
-#include "tests/support/errors.h"
 #include "tests/support/tiny_model.h"
 
 namespace pabd::test_device_engine {
@@ -195,50 +194,6 @@ TEST_CASE("another model is compiled anew") {
   REQUIRE(state.size() == 4);
   const double t = 10 * fine().h;
   CHECK(state.c[3].y() == Approx(3 - 9.81 * t * (t + fine().h) / 2).epsilon(1e-5));
-}
-
-TEST_CASE("what it cannot do is refused with the remedy, and the state stays") {
-  const auto engine = shared_engine();
-  const TinyModel tiny = balls();
-  const State start = tiny.state;
-  const auto refused = [&](const char* words, const Params& params, const StepOptions& options) {
-    State state = start;
-    StepReport report;
-    const Caught error = caught([&] { engine->step(tiny.model, params, options, state, report); });
-    CAPTURE(words, error.text);
-    CHECK(error.kind == bad_input);
-    CHECK(error.says(words));
-    CHECK(error.says("--device cpu"));
-    CHECK(same_bits(state, start));
-  };
-  StepOptions options;
-  options.record_iterations = true;
-  refused("iterations", fine(), options);
-  options = {};
-  options.report_bodies = true;
-  refused("bodies", fine(), options);
-  options = {};
-  options.report_joints = true;
-  refused("joints", fine(), options);
-  options = {};
-  options.pulls = {Pull{1, Vec3::Zero(), Vec3::Zero(), 1}};
-  refused("hands", fine(), options);
-  // Also after steps that it made.
-  State state = start;
-  advance(*engine, tiny.model, 1, state);
-  Params params = fine();
-  params.solver.method = SolverMethod::newton;
-  refused("not by newton", params, {});
-  params = fine();
-  params.contact.barrier = BarrierKind::log;
-  refused("log barrier", params, {});
-  TinyModel joined = balls();
-  joined.model.joints.emplace_back();
-  CHECK(DeviceEngine::why_not(joined.model, fine(), {}).find("joints") != std::string::npos);
-  CHECK(DeviceEngine::why_not(tiny.model, fine(), {}).empty());
-  Params bounces = fine();
-  bounces.contact.restitution = 0.5;
-  CHECK(DeviceEngine::why_not(tiny.model, bounces, {}).find("restitution") != std::string::npos);
 }
 
 TEST_CASE("a step that is stopped before it begins is interrupted") {
