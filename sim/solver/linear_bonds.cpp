@@ -11,6 +11,29 @@ PABD_EACH_LEVEL bool pushes(const ContactLaw& law, const Iterate& it, const Cont
   return !(sum(alpha_n) + sum(friction_weight(law, manifold.limit, length(state.u))) <= 0);
 }
 
+namespace {
+
+// The weights of b where its points are not those of a.
+void set_apart(const ContactManifold& manifold, const ContactState& state, const ContactLevers& on_a,
+               const Lanes& alpha_n, const Lanes& alpha_t, const Lanes& less, const Vec3x& t,
+               LinearManifold& out) {
+  out.apart_b.setZero();
+  out.apart_ba.setZero();
+  const Vec3x surface_b = state.normal_y - state.lever_b * state.n;
+  for (int k = 0; k < manifold.count; ++k) {
+    if (alpha_n[k] + alpha_t[k] <= 0) continue;
+    const Vec3 n = lane(state.n, k), slip = lane(t, k);
+    const Mat3 K_n = alpha_n[k] * n * n.transpose();
+    const Mat3 K_t = alpha_t[k] * (Mat3::Identity() - n * n.transpose()) - less[k] * slip * slip.transpose();
+    const Vec3 normal = lane(state.normal_y, k), surface = lane(surface_b, k);
+    out.apart_b += weight_between(K_n, normal, normal) + weight_between(K_t, surface, surface);
+    out.apart_ba += weight_between(K_n, normal, lane(on_a.normal, k)) +
+                    weight_between(K_t, surface, lane(on_a.surface, k));
+  }
+}
+
+}  // namespace
+
 PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& it,
                                          const ContactManifold& manifold) {
   LinearManifold out;
@@ -40,7 +63,13 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   const double xx = sum(tr.x * r.x), yy = sum(tr.y * r.y), zz = sum(tr.z * r.z);
   const double xy = sum(tr.x * r.y), xz = sum(tr.x * r.z), yz = sum(tr.y * r.z);
   H.bottomRightCorner<3, 3>() << yy + zz, -xy, -xz, -xy, xx + zz, -yz, -xz, -yz, xx + yy;
-  out.normal = {{n.x, n.y, n.z, arm.x, arm.y, arm.z}, -f.first, f.alpha_n, law.k_t * u, a.c - b.c};
+  const Vec3x arm_b = cross(state.normal_y, n);
+  out.normal = {{n.x, n.y, n.z, arm.x, arm.y, arm.z},
+                {arm_b.x, arm_b.y, arm_b.z},
+                -f.first,
+                f.alpha_n,
+                law.k_t * u,
+                a.c - b.c};
   const Lanes* row = out.normal.row;
   const Lanes slip[6] = {n.x, n.y, n.z, slip_arm.x, slip_arm.y, slip_arm.z};
   for (int c = 0; c < 6; ++c) {
@@ -49,14 +78,17 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   }
   // Sliding contacts: less along the slip.
   const Lanes less = select(law.k_t * u > manifold.limit, (1 - manifold.along) * alpha_t, lanes(0));
+  const Vec3x t = (1 / select(u > 0, u, lanes(1))) * state.u;
   if (sum(less) > 0) {
-    const Vec3x t = (1 / select(u > 0, u, lanes(1))) * state.u, t_arm = cross(r, t);
+    const Vec3x t_arm = cross(r, t);
     const Lanes along[6] = {t.x, t.y, t.z, t_arm.x, t_arm.y, t_arm.z};
     for (int c = 0; c < 6; ++c) {
       for (int k = c; k < 6; ++k) H(k, c) -= sum(less * along[c] * along[k]);
     }
   }
   H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
+  out.apart = manifold.separate && !manifold.turns;
+  if (out.apart) set_apart(manifold, state, on_a, f.alpha_n, alpha_t, less, t, out);
   return out;
 }
 

@@ -41,22 +41,38 @@ inline Vec6 wrench(const Vec3& force, const Vec3& torque) {
   return g;
 }
 
-// How the normal forces of a manifold answer to moves of its bodies: f_n + α_n row·(δ_a − T δ_b), T the shift `back`.
+// [1, −[r_b]]ᵀ K [1, −[r_a]] for a symmetric K.
+inline Mat6 weight_between(const Mat3& K, const Vec3& r_b, const Vec3& r_a) {
+  const Mat3 turned = skew(r_b) * K;
+  Mat6 H;
+  H << K, (skew(r_a) * K).transpose(), turned, -turned * skew(r_a);
+  return H;
+}
+
+// How the normal forces of a manifold answer to moves of its bodies: f_n + α_n (row·δ_a − row_b·T δ_b), T the shift `back`.
 struct alignas(sizeof(Lanes)) NormalRows {
   Lanes row[6];          // −∇d, a's
+  Lanes arm_b[3];        // the last three of row_b; the first are those of row
   Lanes force, alpha_n;  // f_n; N, N/m
   Lanes pull;            // k_t ‖u‖; N
   Vec3 back;             // from c_b to c_a; m
 };
 
-// A manifold: with J = [1, −[r]] at its points seen from a, H = Σ Jᵀ (α_t 1 + (α_n − α_t) n nᵀ) J. Both
-// bodies share the points, so that b's part follows from H by the shift `back` of the centre.
+// A manifold: with J = [1, −[r]] at its points seen from a, H = Σ Jᵀ (α_t 1 + (α_n − α_t) n nᵀ) J. Both bodies share the
+// points, so that b's part follows from H by the shift `back` of the centre. Not where a is round: its normal point and
+// b's slide past each other in the step, by as much as what friction turns b moves it.
 struct LinearManifold {
   bool active;    // else nothing pushes, and H and the gradients are not set
+  bool apart;     // each body has points of its own
   double energy;  // J
   Vec6 g_a, g_b;  // (N, N m)
   Mat6 H;
+  Mat6 apart_b, apart_ba;  // where they are apart: J of b for both J, and for the left one
   NormalRows normal;
+
+  // H as a turn and a move of b see it, and b's force under those of a; both from the centre of a.
+  const Mat6& H_b() const { return apart ? apart_b : H; }
+  const Mat6& H_ba() const { return apart ? apart_ba : H; }
 };
 // Does it push or hold there? LinearManifold::active says the same.
 bool pushes(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold);

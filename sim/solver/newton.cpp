@@ -52,29 +52,21 @@ void add_force(const Vec3& r, const Vec3& gradient, Vec6& g) {
   g.tail<3>() += r.cross(gradient);
 }
 
-// [1, −[r_b]]ᵀ K [1, −[r_a]]; rK_a = [r_a] K, rK_b = [r_b] K.
-Mat6 weight_between(const Mat3& K, const Mat3& rK_b, const Mat3& rK_a, const Vec3& r_a) {
-  Mat6 H;
-  H << K, rK_a.transpose(), rK_b, -rK_b * skew(r_a);
-  return H;
-}
-
 // A joint's bond between block rows p and q (−1: not moved here); `pull` is its predicted gradient on b.
 void add_bond(const LinearBond& bond, const Vec3& pull, Index p, Index q, NewtonSystem& system) {
-  const Mat3 rK_a = skew(bond.r_a) * bond.K, rK_b = skew(bond.r_b) * bond.K;
   if (p >= 0) {
-    Mat6 H = weight_between(bond.K, rK_a, rK_a, bond.r_a);
+    Mat6 H = weight_between(bond.K, bond.r_a, bond.r_a);
     H.bottomRightCorner<3, 3>() += geometric_stiffness(bond.r_a, -pull);
     system.matrix.diagonal(p).add(H);
     add_force(bond.r_a, -bond.gradient, system.motion.g[p]);
   }
   if (q >= 0) {
-    Mat6 H = weight_between(bond.K, rK_b, rK_b, bond.r_b);
+    Mat6 H = weight_between(bond.K, bond.r_b, bond.r_b);
     H.bottomRightCorner<3, 3>() += geometric_stiffness(bond.r_b, pull);
     system.matrix.diagonal(q).add(H);
     add_force(bond.r_b, bond.gradient, system.motion.g[q]);
   }
-  if (p >= 0 && q >= 0) system.matrix.add_off_diagonal(q, p, -weight_between(bond.K, rK_b, rK_a, bond.r_a));
+  if (p >= 0 && q >= 0) system.matrix.add_off_diagonal(q, p, -weight_between(bond.K, bond.r_b, bond.r_a));
 }
 
 // H seen from a body whose centre is `back` behind: T = [1, −[back]; 0, 1], then Tᵀ H and Tᵀ H T.
@@ -140,10 +132,11 @@ PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geo
       system.motion.g[a] += linear.g_a;
     }
     if (b >= 0) {
-      system.matrix.diagonal(b).add(shifted(linear.normal.back, linear.H));
+      system.matrix.diagonal(b).add(shifted(linear.normal.back, linear.H_b()));
       system.motion.g[b] += linear.g_b;
     }
-    if (a >= 0 && b >= 0) system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.normal.back, linear.H));
+    if (a >= 0 && b >= 0)
+      system.matrix.add_off_diagonal(b, a, -shifted_rows(linear.normal.back, linear.H_ba()));
     if (system.curved) add_curvature(curvature(p.law, it, manifold), a, b, system);
   }
   return energy;

@@ -45,14 +45,15 @@ PABD_EACH_LEVEL void add_sliding_points(const Island& island, const Iterate& it,
 PABD_EACH_LEVEL bool move_bounds(const Island& island, const NormalRows& normal, const Moves& step,
                                  ContactManifold& manifold) {
   const Index a = island.row[manifold.a], b = island.row[manifold.b];
-  Vec6 move = Vec6::Zero();  // of a as b sees it
-  if (a >= 0) move += step[a];
+  Vec6 of_a = Vec6::Zero(), of_b = Vec6::Zero();  // both at the centre of a
+  if (a >= 0) of_a = step[a];
   if (b >= 0) {
-    move -= step[b];
-    move.head<3>() -= step[b].tail<3>().cross(normal.back);
+    of_b = step[b];
+    of_b.head<3>() += step[b].tail<3>().cross(normal.back);
   }
   Lanes closing = lanes(0);
-  for (int c = 0; c < 6; ++c) closing += move[c] * normal.row[c];
+  for (int c = 0; c < 6; ++c)
+    closing += of_a[c] * normal.row[c] - of_b[c] * (c < 3 ? normal.row[c] : normal.arm_b[c - 3]);
   const Lanes bound = manifold.mu * larger(normal.force + normal.alpha_n * closing, lanes(0));
   const bool other = any((bound != manifold.limit) & (normal.pull > smaller(bound, manifold.limit)));
   manifold.limit = bound;
