@@ -15,14 +15,13 @@ namespace {
 
 // The weights of b where its points are not those of a.
 void set_apart(const ContactManifold& manifold, const ContactState& state, const ContactLevers& on_a,
-               const Lanes& alpha_n, const Lanes& alpha_t, const Lanes& less, const Vec3x& t,
-               LinearManifold& out) {
+               const Lanes& alpha_n, const Lanes& alpha_t, const Lanes& less, LinearManifold& out) {
   out.apart_b.setZero();
   out.apart_ba.setZero();
   const Vec3x surface_b = state.normal_y - state.lever_b * state.n;
   for (int k = 0; k < manifold.count; ++k) {
     if (alpha_n[k] + alpha_t[k] <= 0) continue;
-    const Vec3 n = lane(state.n, k), slip = lane(t, k);
+    const Vec3 n = lane(state.n, k), slip = lane(state.u, k).normalized();
     const Mat3 K_n = alpha_n[k] * n * n.transpose();
     const Mat3 K_t = alpha_t[k] * (Mat3::Identity() - n * n.transpose()) - less[k] * slip * slip.transpose();
     const Vec3 normal = lane(state.normal_y, k), surface = lane(surface_b, k);
@@ -63,7 +62,8 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   const double xx = sum(tr.x * r.x), yy = sum(tr.y * r.y), zz = sum(tr.z * r.z);
   const double xy = sum(tr.x * r.y), xz = sum(tr.x * r.z), yz = sum(tr.y * r.z);
   H.bottomRightCorner<3, 3>() << yy + zz, -xy, -xz, -xy, xx + zz, -yz, -xz, -yz, xx + yy;
-  const Vec3x arm_b = cross(state.normal_y, n);
+  out.apart = manifold.separate && !manifold.turns;
+  const Vec3x arm_b = out.apart ? cross(state.normal_y, n) : arm;
   out.normal = {{n.x, n.y, n.z, arm.x, arm.y, arm.z},
                 {arm_b.x, arm_b.y, arm_b.z},
                 -f.first,
@@ -78,17 +78,15 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   }
   // Sliding contacts: less along the slip.
   const Lanes less = select(law.k_t * u > manifold.limit, (1 - manifold.along) * alpha_t, lanes(0));
-  const Vec3x t = (1 / select(u > 0, u, lanes(1))) * state.u;
   if (sum(less) > 0) {
-    const Vec3x t_arm = cross(r, t);
+    const Vec3x t = (1 / select(u > 0, u, lanes(1))) * state.u, t_arm = cross(r, t);
     const Lanes along[6] = {t.x, t.y, t.z, t_arm.x, t_arm.y, t_arm.z};
     for (int c = 0; c < 6; ++c) {
       for (int k = c; k < 6; ++k) H(k, c) -= sum(less * along[c] * along[k]);
     }
   }
   H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
-  out.apart = manifold.separate && !manifold.turns;
-  if (out.apart) set_apart(manifold, state, on_a, f.alpha_n, alpha_t, less, t, out);
+  if (out.apart) set_apart(manifold, state, on_a, f.alpha_n, alpha_t, less, out);
   return out;
 }
 

@@ -67,10 +67,10 @@ struct LinearManifold {
   double energy;  // J
   Vec6 g_a, g_b;  // (N, N m)
   Mat6 H;
-  Mat6 apart_b, apart_ba;  // where they are apart: J of b for both J, and for the left one
+  Mat6 apart_b, apart_ba;  // where they are apart: with J of b on both sides, and on the left side only
   NormalRows normal;
 
-  // H as a turn and a move of b see it, and b's force under those of a; both from the centre of a.
+  // The blocks of b with itself and with a; seen from the centre of a, as H is.
   const Mat6& H_b() const { return apart ? apart_b : H; }
   const Mat6& H_ba() const { return apart ? apart_ba : H; }
 };

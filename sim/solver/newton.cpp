@@ -21,6 +21,7 @@
 
 #include "sim/math/extremes.h"
 #include "sim/math/levels.h"
+#include "sim/solver/friction.h"
 #include "sim/solver/joint_actions.h"
 #include "sim/solver/linear_bonds.h"
 
