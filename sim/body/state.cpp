@@ -36,17 +36,17 @@ bool same_change(const StepChange& a, const StepChange& b) {
 }  // namespace
 
 StepChangeNumbers numbers_of(const StepChange& change) {
-  const auto& [h, place, velocity, turn, spin, gained] = change;
+  const auto& [h, velocity, spin, gained] = change;
   StepChangeNumbers out{h, gained};
   std::size_t k = 2;
-  for (const Vec3* x : {&place, &velocity, &turn, &spin})
+  for (const Vec3* x : {&velocity, &spin})
     for (int axis = 0; axis < 3; ++axis) out[k++] = (*x)[axis];
   return out;
 }
 
 StepChange step_change(const StepChangeNumbers& numbers) {
   const auto vector = [&](std::size_t k) { return Vec3(numbers[k], numbers[k + 1], numbers[k + 2]); };
-  return {numbers[0], vector(2), vector(5), vector(8), vector(11), numbers[1]};
+  return {numbers[0], vector(2), vector(5), numbers[1]};
 }
 
 bool same_bits(const State& a, const State& b) {

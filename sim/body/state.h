@@ -41,14 +41,14 @@ inline void set_flags(unsigned flags, ContactMemory& contact) {
 
 // What a step added to the free flight of a body under its weight (solver/second_order.h).
 struct StepChange {
-  double h = 0;                                        // of that step; s. 0: nothing is known
-  Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();  // m, m/s
-  Vec3 turn = Vec3::Zero(), spin = Vec3::Zero();       // rad, kg m²/s
+  double h = 0;                  // of that step; s. 0: nothing is known
+  Vec3 velocity = Vec3::Zero();  // m/s
+  Vec3 spin = Vec3::Zero();      // kg m²/s
   double gained = 0;  // T + U + Ψ of the bodies that hang together with it, since they move by themselves; J
 };
 
 // Its numbers, for files: h, gained, then the vectors in their order.
-using StepChangeNumbers = std::array<double, 14>;
+using StepChangeNumbers = std::array<double, 8>;
 StepChangeNumbers numbers_of(const StepChange& change);
 StepChange step_change(const StepChangeNumbers& numbers);
 

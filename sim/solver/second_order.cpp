@@ -8,6 +8,7 @@
 #include "sim/joint/expand.h"
 #include "sim/math/so3.h"
 #include "sim/math/symmetric3.h"
+#include "sim/solver/halving.h"
 
 namespace pabd {
 namespace {
@@ -25,15 +26,37 @@ bool is_smooth(const Problem& p, const Joint& joint) {
   return !joint.action->motor || !joint.action->motor->profile.turns_within(from, p.time);
 }
 
+bool pushes_at_start(const Problem& p, const ContactManifold& manifold) {
+  return smallest_start_d(manifold) < p.law.barrier.d_hat;
+}
+
+// Is there a contact that pushes, or may push where the step ends, and that would not be made again in halves? What no
+// joint holds flies along its parabola by Euler, too.
+bool is_touched(const Problem& p, const Island& island, const Iterate& it) {
+  if (island.joints.empty() || !may_halve(p.params->solver)) return !island.manifolds.empty();
+  return std::any_of(island.manifolds.begin(), island.manifolds.end(),
+                     [&](Index k) { return pushes_at_start(p, it.manifold[k]); });
+}
+
+bool ends_pushed(const Problem& p, const Island& island, const Iterate& it) {
+  return std::any_of(island.manifolds.begin(), island.manifolds.end(), [&](Index m) {
+    const ContactManifold& manifold = it.manifold[m];
+    const ContactState s = state_of(it, manifold);
+    for (int k = 0; k < manifold.count; ++k)
+      if (s.d[k] < p.law.barrier.d_hat) return true;
+    return false;
+  });
+}
+
 // Does nothing break in on the island, so that what it remembers is worth something?
-bool is_smooth(const Problem& p, const Island& island) {
-  return island.manifolds.empty() && std::all_of(island.joints.begin(), island.joints.end(), [&](Index k) {
-           if (static_cast<std::size_t>(k) >= p.joints.model.size()) return false;
-           const Joint& joint = p.joints[k];
-           return is_smooth(p, joint) &&
-                  !(has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, joint.i, *p.start),
-                                                         place(joint.on_j, joint.j, *p.start)));
-         });
+bool is_smooth(const Problem& p, const Island& island, const Iterate& it) {
+  return !is_touched(p, island, it) && std::all_of(island.joints.begin(), island.joints.end(), [&](Index k) {
+    if (static_cast<std::size_t>(k) >= p.joints.model.size()) return false;
+    const Joint& joint = p.joints[k];
+    return is_smooth(p, joint) &&
+           !(has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, joint.i, *p.start),
+                                                  place(joint.on_j, joint.j, *p.start)));
+  });
 }
 
 Mat3 turned(const Mat3& R, const Mat3& tensor) { return R * tensor * R.transpose(); }
@@ -43,32 +66,31 @@ Vec3 spin_at_start(const Problem& p, Index i) {
   return turned(p.start->R[i], inertia_tensor(p.model->J[i])) * p.start->omega[i];
 }
 
-void predict_body(const Problem& p, Index i, const StepChange& last, const Mat3& R_f, Flight& flight) {
+void predict_body(const Problem& p, Index i, const StepChange& last, Flight& flight) {
   const Vec3 &v = p.start->v[i], &g = p.params->gravity;
   const Mat3 I = inertia_tensor(p.model->J[i]), inverse = symmetric_inverse(I);
   const double h = p.params->h;
   Pose& star = flight.star[i];
-  star.c = p.start->c[i] + h * (v + 0.5 * h * g) + last.place / 3 - h / 9 * last.velocity;
+  star.c = p.start->c[i] + h * (v + 0.5 * h * g) + h / 18 * last.velocity;
   flight.v[i] = v + h * g + last.velocity / 3;
   flight.h[i] = 2 * h / 3;
-  if (last.turn.isZero(0) && last.spin.isZero(0)) return;  // free rotation is exact
-  star.R = reorthonormalized(exp_so3(last.turn / 3 - h / 9 * (turned(R_f, inverse) * last.spin)) * R_f);
+  if (last.spin.isZero(0)) return;  // free rotation is exact
+  star.R = reorthonormalized(exp_so3(h / 18 * (turned(star.R, inverse) * last.spin)) * star.R);
   flight.omega[i] = turned(star.R, inverse) * (spin_at_start(p, i) + last.spin / 3);
 }
 
 }  // namespace
 
-void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory) {
-  memory.R_f.resize(flight.star.size());
-  for (std::size_t i = 0; i < memory.R_f.size(); ++i) memory.R_f[i] = flight.star[i].R;
+void predict(const Problem& p, const Islands& islands, const Iterate& it, Flight& flight,
+             SecondOrder& memory) {
   const std::vector<StepChange>& last = p.start->change;
   const auto knows = [&](Index i) { return !last.empty() && last[i].h == p.params->h; };
   memory.smooth.resize(islands.list.size());
   for (std::size_t k = 0; k < islands.list.size(); ++k) {
     const Island& island = islands.list[k];
-    memory.smooth[k] = is_smooth(p, island);
+    memory.smooth[k] = is_smooth(p, island, it);
     if (!memory.smooth[k] || !std::all_of(island.bodies.begin(), island.bodies.end(), knows)) continue;
-    for (const Index i : island.bodies) predict_body(p, i, last[i], memory.R_f[i], flight);
+    for (const Index i : island.bodies) predict_body(p, i, last[i], flight);
   }
 }
 
@@ -81,19 +103,19 @@ void let_fly(const Problem& p, Iterate& it) {
     Vec3& c = it.pose[i].c;
     if (!((c - p.flight->star[i].c).squaredNorm() < least)) continue;
     const auto ends = p.ends[i];
-    if (std::none_of(ends.begin(), ends.end(), [&](const ManifoldEnd& end) {
-          return smallest_start_d(it.manifold[end.manifold]) < p.law.barrier.d_hat;
-        }))
+    if (std::none_of(ends.begin(), ends.end(),
+                     [&](const ManifoldEnd& end) { return pushes_at_start(p, it.manifold[end.manifold]); }))
       c -= 0.5 * fall;
   }
 }
 
-bool ends_past_a_limit(const Problem& p, const Island& island, const Iterate& it) {
-  return std::any_of(island.joints.begin(), island.joints.end(), [&](Index k) {
-    const Joint& joint = p.joints[k];
-    return has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, it.pose[it.slot(joint.i)]),
-                                                place(joint.on_j, it.pose[it.slot(joint.j)]));
-  });
+bool ends_broken_in(const Problem& p, const Island& island, const Iterate& it) {
+  if (!p.second_order(island.bodies.front())) return false;
+  return ends_pushed(p, island, it) || std::any_of(island.joints.begin(), island.joints.end(), [&](Index k) {
+           const Joint& joint = p.joints[k];
+           return has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, it.pose[it.slot(joint.i)]),
+                                                       place(joint.on_j, it.pose[it.slot(joint.j)]));
+         });
 }
 
 void remember(const Problem& p, const Islands& islands, const SecondOrder& memory,
@@ -107,10 +129,9 @@ void remember(const Problem& p, const Islands& islands, const SecondOrder& memor
     StepChange& now = out[i];
     const Vec3 &v = p.start->v[i], &g = p.params->gravity;
     now.h = h;
-    now.place = end.c - (p.start->c[i] + h * (v + 0.5 * h * g));
     now.velocity = velocities.v[i] - (v + h * g);
-    if (end.R == memory.R_f[i]) return;
-    now.turn = turn_between(memory.R_f[i], end.R);
+    const bool remembered = p.second_order(i) && !p.start->change[i].spin.isZero(0);
+    if (!remembered && end.R == p.flight->star[i].R) return;  // turned freely
     now.spin = turned(end.R, inertia_tensor(p.model->J[i])) * velocities.omega[i] - spin_at_start(p, i);
   };
   for (std::size_t k = 0; k < islands.list.size(); ++k) {

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Second order at the price of one solve (Deviation D28): BDF2, (3q⁺ − 4q + q⁻)/2h = v⁺ and the same of v, is an Euler
-// step of h′ = 2h/3 from another start. Said as what a step adds to free flight it leaves free flight exact, and needs of
-// the step before only what that one added (StepChange):
+// Second order at the price of one solve (Deviation D28). Velocities go by BDF2, and places by the velocities of three
+// times:
+//
+//   (3v⁺ − 4v + v⁻)/2h = a⁺,   c⁺ = c + h (4v⁺ + v + v⁻)/6
+//
+// That is an Euler step of h′ = 2h/3 from another start. Said as what a step adds to free flight it leaves free flight
+// exact, and needs of the step before only what that one added (StepChange):
 //
 //   c_f = c + h v + h² g/2,   v_f = v + h g,   R_f = R after free rotation by h     its parabola
-//   ĉ = c_f + δ/3 − h Δ/9,   R̂ = exp(θ/3 − h I⁻¹ Λ/9) R_f                          the predicted pose of E, with h′ for h
+//   ĉ = c_f + h Δ/18,   R̂ = exp(h I_f⁻¹ Λ/18) R_f                                  the predicted pose of E, with h′ for h
 //   v⁺ = v_f + Δ/3 + h′ f/m,   L⁺ = L + Λ/3 + h′ τ                                  f, τ: forces at the end of the step
-//   δ⁺ = c⁺ − c_f,   Δ⁺ = v⁺ − v_f,   θ⁺ = log(R⁺ R_fᵀ),   Λ⁺ = L⁺ − L
+//   Δ⁺ = v⁺ − v_f,   Λ⁺ = L⁺ − L
+//
+// BDF2 for places too would remember a turn beside Λ: errors across a slender body that a hinge drives then grow, where
+// (I_max/I_min − 1)(Ω h)² > 0.8. This way they fall.
 //
 // What no joint holds and no contact pushes ends on its parabola (let_fly), in halves too. What is not smooth must not be
-// seen through that memory (a ball that stops would get half its speed back): an island with a contact within reach, a
+// seen through that memory (a ball that stops would get half its speed back): an island with a contact that pushes, a
 // joint that is past a limit or has friction, a key of a drive or motor within the step, or a hand, makes an implicit
 // Euler step and remembers nothing, and so do halves (halving.h). The first step of an island after such a one is Euler's
-// as well. A step that ends past a limit is made again in halves.
+// as well. A step that ends past a limit or with a contact that pushes is made again in halves; without halves, and
+// without joints, a contact within reach is enough for Euler.
 //
 // Where bodies turn far in a step it may gain energy all the same: a step after which there would be more than when things
 // began to move by themselves is made again in halves, too (gains_in_all() of energy_bound.h).
@@ -33,22 +41,22 @@ inline bool has_second_order(const SolverParams& solver) {
 inline bool remembers(const Problem& p) { return has_second_order(p.params->solver) && !p.is_half; }
 
 struct SecondOrder {
-  std::vector<Mat3> R_f;             // of each body
   std::vector<std::uint8_t> smooth;  // of each island: nothing breaks in
   std::vector<double> gained;        // of each island: StepChange::gained at the end; J
 };
 
 // Predicted poses and velocities of bodies whose step is of second order, in place of those of free flight by Euler, and
 // Flight::h of them. Precondition: islands are known.
-void predict(const Problem& p, const Islands& islands, Flight& flight, SecondOrder& memory);
+void predict(const Problem& p, const Islands& islands, const Iterate& it, Flight& flight,
+             SecondOrder& memory);
 
 // Bodies without joints that no contact pushed where the step starts, and that feel less than this share of their weight,
 // end on their parabola. The GPU asks the same (render/device). Precondition: has_second_order.
 inline constexpr double kFelt = 1e-3;
 void let_fly(const Problem& p, Iterate& it);
 
-// Is a joint of the island past a limit where the step ends?
-bool ends_past_a_limit(const Problem& p, const Island& island, const Iterate& it);
+// Does a step of second order end with a joint of the island past a limit, or with a contact that pushes?
+bool ends_broken_in(const Problem& p, const Island& island, const Iterate& it);
 
 // What the step added to the free flight of each body, for the next one; nothing of bodies i with again[i], whose step
 // is made by others. Empty where there is nothing to remember.

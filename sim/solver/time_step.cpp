@@ -81,7 +81,7 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
     split_into_islands(p, m.iterate, m.islands);
     color_bodies(p, m.islands);
   }
-  if (remembers(p)) predict(p, m.islands, m.flight, m.second_order);
+  if (remembers(p)) predict(p, m.islands, m.iterate, m.flight, m.second_order);
   first_iterate(p, m.iterate);
   report.capped_bonds = cap_stiffness(p, m.iterate);
   start_actions(p, m.iterate);
@@ -106,7 +106,7 @@ bool judge_motion(const Problem& p, const Island& island, std::size_t k, StepMem
   gained = before + energy.rise;
   if (!solved || !p.second_order(island.bodies.front())) return false;
   const bool gains = gains_in_all(energy, before);
-  if (may_halve(p.params->solver) && (gains || ends_past_a_limit(p, island, m.iterate))) {
+  if (may_halve(p.params->solver) && gains) {
     gained = before;  // at most
     for (const Index i : island.bodies) m.again[i] = 1;
   } else if (gains) {
@@ -131,6 +131,10 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
         ran_away(p, island, m.velocities, m.energy.pose, m.iterate)) {
       outcome.status = StepStatus::non_finite;
       if (!halves) return false;
+    } else if (moves_on && halves && ends_broken_in(p, island, m.iterate)) {
+      m.second_order.gained[k] = gained_before(p, island.bodies.front());  // at most
+      for (const Index i : island.bodies) m.again[i] = 1;
+      continue;
     } else if (bounds) {
       const bool solved = outcome.status == StepStatus::converged;
       m.balance[k] = energy_balance(p, island, solved, workers, m.velocities, m.energy, m.iterate);

@@ -78,7 +78,7 @@ void read_changes(const Node& list, std::size_t count, std::vector<StepChange>& 
   for (std::size_t i = 0; i < count; ++i) {
     StepChangeNumbers numbers{};
     list.element(i).numbers(numbers, kAny);
-    if (numbers[0] < 0) list.element(i).fail_expected("14 numbers, the first of them a time step");
+    if (numbers[0] < 0) list.element(i).fail_expected("8 numbers, the first of them a time step");
     out.push_back(step_change(numbers));
   }
 }

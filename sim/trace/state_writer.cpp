@@ -51,7 +51,7 @@ class StateWriter {
       for (std::size_t i = 0; i < state.change.size(); ++i) {
         text(i == 0 ? "\n    " : ",\n    ");
         const StepChangeNumbers change = numbers_of(state.change[i]);
-        numbers(Eigen::Map<const Eigen::Matrix<double, 14, 1>>(change.data()));
+        numbers(Eigen::Map<const Eigen::Matrix<double, 8, 1>>(change.data()));
       }
       text("\n  ]");
     }
