@@ -201,10 +201,12 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
     flight += kinetic_energy(model, i, p.flight->star[i].R, p.start->v[i], p.flight->omega[i]);
     fell += fall(p, i, it.pose[i].c);
   }
+  const double kinetic = kinetic_at_end(p, island, velocities, it);
+  out.sped_up = kinetic - out.kinetic;
   if (!p.second_order(island.bodies.front())) out.kinetic = std::max(out.kinetic, flight);
   out.stored = joint_energies_at_start(p, island, memory, it);
   add_contacts_at_start(p, island, solved, it, out);
-  out.rise = kinetic_at_end(p, island, velocities, it) + fell + joint_energies(p, island, p.time, it) +
+  out.rise = kinetic + fell + joint_energies(p, island, p.time, it) +
              contact_energies(p, island, solved, workers, memory, it) - drive_work(p, it, island.joints) -
              out.kinetic - out.stored;
   if (solved) out.rise -= turning_work(p, it, island.joints, velocities);

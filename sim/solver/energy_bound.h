@@ -38,6 +38,7 @@ struct EnergyBalance {
   double kinetic = 0;  // T at the start, or in free flight, where that is more
   double stored = 0;   // Ψ at the start
   double found = 0;    // the part of it in overlap that the last step did not know of
+  double sped_up = 0;  // T above that of the start
   double rise = 0;     // T + U + Ψ above the start and W
   double freed = 0;    // Ψ that overlap lost which nobody paid for
 

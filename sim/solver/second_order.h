@@ -13,14 +13,15 @@
 //   Δ⁺ = v⁺ − v_f,   Λ⁺ = L⁺ − L
 //
 // BDF2 for places too would remember a turn beside Λ: errors across a slender body that a hinge drives then grow, where
-// (I_max/I_min − 1)(Ω h)² > 0.8. This way they fall.
+// (I_max/I_min − 1)(Ω h)² > 0.8. This way they fall while no body that a joint holds by its axis turns by more than
+// 0.4 rad in a step (turns_far); beyond, steps are Euler's.
 //
 // What no joint holds and no contact pushes ends on its parabola (let_fly), in halves too. What is not smooth must not be
 // seen through that memory (a ball that stops would get half its speed back): an island with a contact that pushes, a
 // joint that is past a limit or has friction, a key of a drive or motor within the step, or a hand, makes an implicit
-// Euler step and remembers nothing, and so do halves (halving.h). The first step of an island after such a one is Euler's
-// as well. A step that ends past a limit or with a contact that pushes is made again in halves; without halves, and
-// without joints, a contact within reach is enough for Euler.
+// Euler step and remembers nothing, and so do halves (halving.h) and the first step of a run with joints. The step after
+// such a one is Euler's as well. A step that ends past a limit or with a contact that pushes is made again in halves;
+// without halves, and without joints, a contact within reach is enough for Euler.
 //
 // Where bodies turn far in a step it may gain energy all the same: a step after which there would be more than when things
 // began to move by themselves is made again in halves, too (gains_in_all() of energy_bound.h).

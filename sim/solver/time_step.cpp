@@ -99,12 +99,16 @@ void find_motion(const Problem& p, StepMemory& m) {
 }
 
 // Of a step of second order. False: it is to be judged as any other.
-bool judge_motion(const Problem& p, const Island& island, std::size_t k, StepMemory& m, bool solved) {
+bool judge_motion(const Problem& p, const Island& island, std::size_t k, const IslandReport& report,
+                  StepMemory& m) {
   EnergyBalance& energy = m.balance[k];
   double& gained = m.second_order.gained[k];
   const double before = gained_before(p, island.bodies.front());
   gained = before + energy.rise;
-  if (!solved || !p.second_order(island.bodies.front())) return false;
+  const bool second_order = p.second_order(island.bodies.front());
+  // Euler's velocities are those of the middle of a step: T is off by about half of what it changes by.
+  if (!second_order && before == 0) gained -= std::abs(energy.sped_up);
+  if (!second_order || is_far_from_solved(report)) return false;
   const bool gains = gains_in_all(energy, before);
   if (may_halve(p.params->solver) && gains) {
     gained = before;  // at most
@@ -138,7 +142,7 @@ bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& 
     } else if (bounds) {
       const bool solved = outcome.status == StepStatus::converged;
       m.balance[k] = energy_balance(p, island, solved, workers, m.velocities, m.energy, m.iterate);
-      if (moves_on && judge_motion(p, island, k, m, solved)) continue;
+      if (moves_on && judge_motion(p, island, k, outcome, m)) continue;
     }
     if (outcome.status == StepStatus::iteration_limit && p.friction)
       outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);

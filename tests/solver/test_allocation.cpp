@@ -38,8 +38,8 @@ TEST_CASE("a warm step allocates nothing") {
     StepWorkspace workspace;
     StepReport report;
     const StepOptions options{true, true, 1};
-    // The chain whips for two seconds, and lists more pairs now and then.
-    for (int k = 0; k < 240; ++k) step(world.model, world.params, options, world.state, workspace, report);
+    // The chain whips for ten seconds, and lists more pairs now and then.
+    for (int k = 0; k < 600; ++k) step(world.model, world.params, options, world.state, workspace, report);
     const std::size_t before = test::allocations().count;
     REQUIRE(before > 0);  // it does count
     for (int k = 0; k < 10; ++k) step(world.model, world.params, options, world.state, workspace, report);
