@@ -65,9 +65,9 @@ constexpr ParameterRow kRows[] = {
     {.key = "solver.integrator",
      .label = "integrator",
      .help =
-         "euler: implicit Euler, the paper's, which damps what swings. bdf2: of second order where motion is "
-         "smooth, for what flies and for joints, so that what swings is hardly damped; where a contact is "
-         "within reach, a joint past a limit or with friction, and for halves: implicit Euler. For sissm "
+         "bdf2: of second order where motion is smooth, for what flies and for joints, so that what swings "
+         "is hardly damped; where a contact pushes, a joint is past a limit or has friction, and for halves: "
+         "implicit Euler. euler: implicit Euler throughout, the paper's, which damps what swings. For sissm "
          "always euler",
      .member = &SolverParams::integrator,
      .hashed_default = false},

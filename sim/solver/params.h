@@ -34,7 +34,7 @@ struct SolverParams {
   int iterations = 20;      // cap per step
   double tolerance = 1e-6;  // relative step at which the solve stops early; 0: never
   int halvings = 6;  // how often a step that ends unsolved is made again in halves (halving.h); 0: never
-  Integrator integrator = Integrator::euler;
+  Integrator integrator = Integrator::bdf2;
   double relaxation = 0.5;  // of the Jacobi step of sissm
   Projection projection = Projection::automatic;
   SolverDevice device = SolverDevice::cpu;

@@ -193,7 +193,7 @@ TEST_CASE("another model is compiled anew") {
   const auto reports = advance(*engine, tiny->model, 10, state);
   REQUIRE(state.size() == 4);
   const double t = 10 * fine().h;
-  CHECK(state.c[3].y() == Approx(3 - 9.81 * t * (t + fine().h) / 2).epsilon(1e-5));
+  CHECK(state.c[3].y() == Approx(3 - 0.5 * 9.81 * t * t).epsilon(1e-5));
 }
 
 TEST_CASE("a step that is stopped before it begins is interrupted") {

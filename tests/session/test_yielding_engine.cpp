@@ -29,7 +29,7 @@ TEST_CASE("where a device cannot go on the processor does, from there on, and th
   CHECK(drift->steps == 3);
   CHECK(session.state().step == 6);
   const double h = session.params().h;
-  CHECK(session.state().c[0].y() == Approx(10 - 6 * 9.81 * h * h).epsilon(1e-12));  // three steps of it
+  CHECK(session.state().c[0].y() == Approx(10 - 0.5 * 9.81 * 9 * h * h).epsilon(1e-12));  // three steps of it
 }
 
 }  // namespace pabd::test_yielding_engine

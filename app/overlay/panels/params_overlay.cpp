@@ -38,9 +38,9 @@ std::vector<Row> joint_rows(const OverlayData& data) {
   return rows;
 }
 
-// The paper's goes without saying.
+// The default goes without saying.
 bool names_integrator(const OverlayData& data) {
-  return data.view && data.view->params.solver.integrator != Integrator::euler;
+  return data.view && data.view->params.solver.integrator != SolverParams{}.integrator;
 }
 
 std::vector<Row> parameter_rows(const OverlayData& data) {

@@ -73,8 +73,9 @@ class Both {
       : bodies_(bodies) {
     write_bytes(folder_ / file, text);
     std::filesystem::copy_file(kAssets / "meshes/wedge.obj", folder_ / "wedge.obj");
-    ours_ = std::make_unique<ImportedRun>(import_robot_text(text, file, kAssets).text,
-                                          std::vector<std::string>{"time_step=" + std::to_string(kStep)});
+    ours_ = std::make_unique<ImportedRun>(
+        import_robot_text(text, file, kAssets).text,
+        std::vector<std::string>{"time_step=" + std::to_string(kStep), "solver.integrator=euler"});
     theirs_ = std::make_unique<MujocoRun>(folder_ / file);
     for (std::size_t i = 0; i < ours_->state.c.size(); ++i) start_.push_back(z_up() * ours_->state.R[i]);
     for (const std::string& name : bodies_)
