@@ -130,8 +130,7 @@ bool is_quiet(const Problem& p, const Iterate& it, Index i, double bound) {
 
 // Moves below it are quiet. A body moves by at most d̂ here, so that one that flies about does not silence
 // all.
-double quiet_bound(const Problem& p, const Island& island, const Iterate& it) {
-  const double tolerance = p.params->solver.tolerance;
+double quiet_bound(const Island& island, double tolerance, const Iterate& it) {
   if (tolerance == 0) return 0;
   double sum = 0;
   for (const Index i : island.colored) sum += std::min(1.0, it.moved[i]);
@@ -143,7 +142,7 @@ double quiet_bound(const Problem& p, const Island& island, const Iterate& it) {
 void descent_sweep(const Problem& p, const Island& island, const DescentSweep& sweep, const Workers& workers,
                    DescentMemory& memory, Iterate& it) {
   // In the first sweep nobody rests: what a body remembers of the last one would be that of another step.
-  const double bound = sweep.every_body || sweep.first ? 0 : quiet_bound(p, island, it);
+  const double bound = sweep.every_body || sweep.first ? 0 : quiet_bound(island, sweep.tolerance, it);
   for (std::size_t k = 0; k + 1 < island.first_of_color.size() && !workers.stop.requested(); ++k) {
     const Index first = island.first_of_color[k];
     const auto count = static_cast<std::size_t>(island.first_of_color[k + 1] - first);

@@ -24,6 +24,7 @@ struct DescentSweep {
   bool first;        // of the solve
   bool move_limits;  // move the friction bounds to the current iterate on the way
   bool every_body;   // relax quiet bodies too
+  double tolerance;  // of moves where the solve ends; d̂. 0: nobody is quiet
 };
 
 // E does not rise (for fixed friction bounds). Fills it.moved for the bodies of the island: of those that are

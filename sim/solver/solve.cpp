@@ -68,7 +68,7 @@ void start(const Task& t, Iterate& it) {
 }
 
 // Iteration k of the island's solver. Returns the smallest d before the projection of `sissm`.
-double iterate(int k, bool every_body, Task& t, Iterate& it) {
+double iterate(int k, bool every_body, double tolerance, Task& t, Iterate& it) {
   const bool swept = sweeps_limits(t.p, t.island);
   if (k > 0 && !swept) move_friction_limits(t.p, t.island, t.workers, it);
   if (k > 0) actions_settled(t, false, it);
@@ -83,8 +83,8 @@ double iterate(int k, bool every_body, Task& t, Iterate& it) {
       t.since = k;
       [[fallthrough]];
     default:
-      descent_sweep(t.p, t.island, {k == t.since, swept && k > 0, every_body}, t.workers, t.memory.descent,
-                    it);
+      descent_sweep(t.p, t.island, {k == t.since, swept && k > 0, every_body, tolerance}, t.workers,
+                    t.memory.descent, it);
   }
   return gap_before;
 }
@@ -126,13 +126,17 @@ void change_solver(int done, double residual, Task& t, Iterate& it) {
 
 bool sweeps_joints(const Task& t) { return t.island.solver == SolverMethod::descent && t.island.jointed; }
 
-// Below what residual an island may be at its end. Sweeps over joints begin with moves that are far less than d̂ where the
-// step is short, and so is all their way: after the first one nothing is known of it.
+// Below what residual an island may be at its end. Sweeps begin with moves that are far less than d̂ where the step is short,
+// and so is all their way; what rests falls by h² g and is put back. Of joints nothing is known after the first sweep.
 double tolerance_of(const Task& t, int iterations, double first) {
   constexpr double kRounding = 1e-12;  // d̂
+  constexpr double kOfContacts = 100;  // by default they are solved to a part in 10⁴ of their way
   const double tolerance = t.p.params->solver.tolerance;
-  if (!sweeps_joints(t) || tolerance == 0) return tolerance;
-  return iterations > 1 ? std::max(tolerance * std::min(1.0, first), kRounding) : kRounding;
+  if (t.island.solver != SolverMethod::descent || tolerance == 0) return tolerance;
+  const auto part = [&](double way) { return std::max(tolerance * std::min(1.0, way), kRounding); };
+  if (t.island.jointed) return iterations > 1 ? part(first) : kRounding;
+  const double h = t.p.params->h, fall = h * h * t.p.params->gravity.norm() / t.p.law.barrier.d_hat;
+  return part(kOfContacts * std::max(first, fall));
 }
 
 // Where nothing switches, the moves of `newton` shrink quadratically: after two that do, the next is about
@@ -165,7 +169,7 @@ void solve(Task t, Iterate& it, IslandReport& out) {
   bool every_body = true;
   double moved = 0, first = 0;
   for (int k = 0; goes_on(k, out.residual, t, it); ++k) {
-    const double gap_before = iterate(k, every_body, t, it);
+    const double gap_before = iterate(k, every_body, tolerance_of(t, k, first), t, it);
     out.solver = t.island.solver;
     ++out.iterations;
     const double before = std::exchange(moved, largest_moved(t.island, it));
