@@ -58,6 +58,8 @@ const char* gl_error_name(GLenum error) {
       return "GL_INVALID_FRAMEBUFFER_OPERATION";
     case GL_OUT_OF_MEMORY:
       return "GL_OUT_OF_MEMORY";
+    case 0x0507:  // of GL 4.5
+      return "GL_CONTEXT_LOST";
     default:
       return "an unknown GL error";
   }

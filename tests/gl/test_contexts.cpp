@@ -14,6 +14,7 @@
 #include "sim/base/error.h"
 #include "tests/gl/drawn_scenes.h"
 #include "tests/gl/render_fixture.h"
+#include "tests/support/errors.h"
 #include "tests/support/files.h"
 
 namespace pabd::test_contexts {
@@ -178,6 +179,19 @@ TEST_CASE("two renderers on two contexts live side by side") {
     b->make_current();
   }
   a->make_current();
+}
+
+// A driver whose GPU is gone answers every question with the same error.
+TEST_CASE("a context that is lost, and never stops to say so, is told once") {
+  constexpr GLenum kLost = 0x0507;  // GL_CONTEXT_LOST
+  std::vector<ContextAttempt> attempts;
+  const auto context = create_headless_context(Backend::automatic, attempts);
+  GlFunctions gl(*context);
+  gl.GetError = []() -> GLenum { return kLost; };
+  const Caught error = caught([&] { gl.check("drawing"); });
+  CHECK(error.kind == ErrorKind::no_context);
+  CHECK(error.says("drawing failed with GL_CONTEXT_LOST"));
+  gl.forget_errors();
 }
 
 }  // namespace pabd::test_contexts
