@@ -80,6 +80,7 @@ void check_range(const std::string& option, double value, double lo, double hi, 
   X(scenes) \
   X(import) \
   X(bench) \
+  X(validate) \
   X(doctor) \
   X(marks) \
   X(view) \

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// What slides and rolls.
+#include <cmath>
+
+#include "app/validate/case.h"
+#include "sim/body/shape_kind.h"
+
+namespace pabd::validate {
+namespace {
+
+constexpr double kMu = 0.3, kRadius = 0.1, kSlope = 20 * kDegree;
+
+struct Round {
+  const char* key;
+  const char* name;
+  Shape shape;
+  double k;     // I/(m r²) about the axis that it rolls about, z
+  bool turned;  // its axis lies along z where the shape has it along y
+};
+
+std::vector<Round> round_bodies() {
+  return {{"ball", "a ball", Sphere{kRadius}, 0.4, false},
+          {"can", "a can on its side", make_shape("cylinder", {kRadius, 0.3}), 0.5, true},
+          {"coin", "a coin on its edge", make_shape("cylinder", {kRadius, 0.02}), 0.5, true}};
+}
+
+void add_round(Bench& bench, const Round& round, double degrees) {
+  bench.friction(kMu);
+  bench.ground(degrees);
+  const double angle = degrees * kDegree, height = kRadius + bench.builder().params.contact.d_hat;
+  spec::Orientation turn{1, 0, 0, 0};
+  if (round.turned) turn = spec::AxisAngle{Vec3::UnitX(), 90};
+  bench.add("body", round.shape, 1, height * Vec3(std::sin(angle), std::cos(angle), 0), turn);
+  bench.build();
+}
+
+// Let go with 3 m/s and no spin on a plane: rolls with 1/(1 + k) of it after 3/(μ g (1 + 1/k)) s.
+Outcome slide_to_roll(Bench& bench, const Round& round) {
+  add_round(bench, round, 0);
+  bench.v("body") = Vec3(3, 0, 0);
+  Outcome out;
+  const double rolls = 3 / (1 + round.k);
+  bench.run(1.5, [&] {
+    out.x.push_back(bench.time());
+    out.ours.push_back(bench.v("body").x());
+    out.published.push_back(std::max(rolls, 3 - kMu * kG * bench.time()));
+  });
+  out.value = out.ours.back();
+  return out;
+}
+
+// From rest down 20°: its acceleration, by its way in 1.5 s.
+Outcome roll_down(Bench& bench, const Round& round) {
+  add_round(bench, round, kSlope / kDegree);
+  Outcome out;
+  const Vec3 down(std::cos(kSlope), -std::sin(kSlope), 0);
+  const double a = kG * std::sin(kSlope) / (1 + round.k);
+  bench.run(1.5, [&] {
+    out.x.push_back(bench.time());
+    out.ours.push_back(bench.v("body").dot(down));
+    out.published.push_back(a * bench.time());
+  });
+  out.value = out.ours.back() / bench.time();
+  return out;
+}
+
+// A box down 30°: its acceleration.
+Outcome slide_down(Bench& bench) {
+  bench.friction(kMu);
+  bench.ground(30);
+  const double angle = 30 * kDegree, height = 0.1 + bench.builder().params.contact.d_hat;
+  const Vec3 normal(std::sin(angle), std::cos(angle), 0), down(std::cos(angle), -std::sin(angle), 0);
+  bench.add("box", Box{{0.2, 0.1, 0.2}}, 5, height * normal, spec::AxisAngle{Vec3::UnitZ(), -30});
+  Outcome out;
+  bench.run(1, [&] {
+    out.x.push_back(bench.time());
+    out.ours.push_back(bench.v("box").dot(down));
+    out.published.push_back(kG * (std::sin(angle) - kMu * std::cos(angle)) * bench.time());
+  });
+  out.value = out.ours.back() / bench.time();
+  return out;
+}
+
+// A box of 3 m/s on a plane: how far it comes.
+Outcome stop(Bench& bench) {
+  bench.friction(kMu);
+  bench.ground();
+  bench.add("box", Box{{0.2, 0.1, 0.2}}, 5, {0, 0.1 + bench.builder().params.contact.d_hat, 0});
+  bench.build();
+  bench.v("box") = Vec3(3, 0, 0);
+  Outcome out;
+  const double end = 3 / (kMu * kG);
+  bench.run(1.5, [&] {
+    const double t = std::min(bench.time(), end);
+    out.x.push_back(bench.time());
+    out.ours.push_back(bench.c("box").x());
+    out.published.push_back(3 * t - 0.5 * kMu * kG * t * t);
+  });
+  out.value = out.ours.back();
+  return out;
+}
+
+}  // namespace
+
+void add_rolling(std::vector<Case>& cases) {
+  const std::string to_roll = "Coulomb: v₀/(1 + I/m r²)", down = "g sin α/(1 + I/m r²)";
+  for (const Round& round : round_bodies()) {
+    cases.push_back({std::string("roll-") + round.key,
+                     std::string(round.name) + " of 3 m/s that slides until it rolls: speed",
+                     "m/s",
+                     3 / (1 + round.k),
+                     to_roll,
+                     {{1.0 / 60, 1e-6}, {1.0 / 240, 1e-6}, {1.0 / 1000, 1e-6}},
+                     "time [s]",
+                     "speed [m/s]",
+                     [round](Bench& bench) { return slide_to_roll(bench, round); }});
+    cases.push_back({std::string("downhill-") + round.key,
+                     std::string(round.name) + " down 20°: acceleration",
+                     "m/s²",
+                     kG * std::sin(kSlope) / (1 + round.k),
+                     down,
+                     {{1.0 / 60, 1e-5}, {1.0 / 240, 1e-5}},
+                     "time [s]",
+                     "speed [m/s]",
+                     [round](Bench& bench) { return roll_down(bench, round); }});
+  }
+  cases.push_back({"slide-downhill",
+                   "a box down 30° with μ = 0.3: acceleration",
+                   "m/s²",
+                   kG * (std::sin(30 * kDegree) - kMu * std::cos(30 * kDegree)),
+                   "Coulomb: g (sin α − μ cos α)",
+                   {{1.0 / 60, 1e-5}, {1.0 / 240, 1e-5}},
+                   "time [s]",
+                   "speed [m/s]",
+                   slide_down});
+  cases.push_back({"slide-stop",
+                   "a box of 3 m/s on a plane with μ = 0.3: way until it stands",
+                   "m",
+                   9 / (2 * kMu * kG),
+                   "Coulomb: v²/(2 μ g)",
+                   {{1.0 / 60, 0.03}, {1.0 / 240, 0.008}, {1.0 / 1000, 0.002}},
+                   "time [s]",
+                   "way [m]",
+                   stop});
+}
+
+}  // namespace pabd::validate
