@@ -71,14 +71,36 @@ bool turns_far(const Problem& p, const Island& island) {
   });
 }
 
-// Does nothing break in on the island, so that what it remembers is worth something? At the start of a run joints may take up
-// velocities that do not fit them.
+// Do the velocities where a run starts go along the joint? It takes up those that do not.
+bool fits(const Problem& p, const Joint& joint) {
+  if (traits_of(joint.type).points && joint.law.potential == BondPotential::soft) return true;  // a spring
+  constexpr double kStep = 1e-3, kAside = 0.01;  // of h; of the way of the bodies
+  const double dt = kStep * p.params->h, from = p.time - p.params->h;
+  const auto moved = [&](Index i) {
+    const Pose pose = p.start_pose(i);
+    return p.movable(i) ? Pose{pose.c + dt * p.start->v[i], exp_so3(dt * p.start->omega[i]) * pose.R} : pose;
+  };
+  BondList before, after;
+  expand(joint, p.start_pose(joint.i), p.start_pose(joint.j), from, before);
+  expand(joint, moved(joint.i), moved(joint.j), from + dt, after);
+  double way = 0, opened = 0;
+  for (const Index i : {joint.i, joint.j})
+    if (p.movable(i))
+      way = std::max({way, dt * p.start->v[i].norm(), joint.arm * dt * p.start->omega[i].norm()});
+  for (int b = 0; b < std::min(before.count, after.count); ++b) {
+    const double was = evaluate(joint.law, before.bond[b]).stretch;
+    opened = std::max(opened, std::abs(evaluate(joint.law, after.bond[b]).stretch - was));
+  }
+  return opened <= kAside * way;
+}
+
+// Does nothing break in on the island, so that what it remembers is worth something?
 bool is_smooth(const Problem& p, const Island& island, const Iterate& it) {
-  return (p.start->step > 0 || island.joints.empty()) && !is_touched(p, island, it) &&
-         !turns_far(p, island) && std::all_of(island.joints.begin(), island.joints.end(), [&](Index k) {
+  return !is_touched(p, island, it) && !turns_far(p, island) &&
+         std::all_of(island.joints.begin(), island.joints.end(), [&](Index k) {
            if (static_cast<std::size_t>(k) >= p.joints.model.size()) return false;
            const Joint& joint = p.joints[k];
-           return is_smooth(p, joint) &&
+           return is_smooth(p, joint) && (p.start->step > 0 || fits(p, joint)) &&
                   !(has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, joint.i, *p.start),
                                                          place(joint.on_j, joint.j, *p.start)));
          });

@@ -19,7 +19,7 @@
 // What no joint holds and no contact pushes ends on its parabola (let_fly), in halves too. What is not smooth must not be
 // seen through that memory (a ball that stops would get half its speed back): an island with a contact that pushes, a
 // joint that is past a limit or has friction, a key of a drive or motor within the step, or a hand, makes an implicit
-// Euler step and remembers nothing, and so do halves (halving.h) and the first step of a run with joints. The step after
+// Euler step and remembers nothing, and so do halves (halving.h) and a first step whose velocities do not fit the joints. The step after
 // such a one is Euler's as well. A step that ends past a limit or with a contact that pushes is made again in halves;
 // without halves, and without joints, a contact within reach is enough for Euler.
 //
