@@ -59,10 +59,12 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
     sim/base/utf8.h
     sim/body/body_look.h
     sim/body/collision_groups.h
+    sim/body/external_force.h
     sim/body/compound.h
     sim/body/convex_hull.h
     sim/body/hull.h
     sim/body/joint.h
+    sim/body/keyed.h
     sim/body/line_cut.h
     sim/body/mass_properties.h
     sim/body/model.h

@@ -81,6 +81,13 @@ void add_motion(const RunView& run, Index body, InspectorRows& rows) {
   rows.push_back({"ω", in_unit(s.omega[i], "rad/s"), "Angular velocity, world"});
   rows.push_back({"kinetic energy", in_unit(kinetic_energy_of(*run.model, s, body), "J")});
   rows.push_back({"potential energy", in_unit(-mass * run.params.gravity.dot(s.c[i]), "J"), "−m g·c"});
+  if (!run.model->external.empty() && run.model->external[i]) {
+    const ExternalForce& external = *run.model->external[i];
+    if (external.force)
+      rows.push_back({"external force", in_unit(external.force_at(s.time), "N"), "From outside, world"});
+    if (external.torque)
+      rows.push_back({"external torque", in_unit(external.torque_at(s.time), "N m"), "From outside, world"});
+  }
   if (i < run.report.body_reports.size()) {
     rows.push_back({"contact energy", in_unit(run.report.body_reports[i].contact_energy, "J"),
                     "Half of the energy of each contact of this body"});

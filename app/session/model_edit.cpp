@@ -106,6 +106,7 @@ void carry_out(const AddBody& body, const BondLaw&, Model& model, State& state) 
   };
   give(body.friction, model.friction);
   give(body.restitution, model.restitution);
+  give(std::optional<ExternalForce>(), model.external);
   for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
     if (!bits->empty()) bits->push_back(0);
   state.c.push_back(body.position);
@@ -171,6 +172,7 @@ void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& stat
   erase_at(model.fixed, gone);
   if (!model.friction.empty()) erase_at(model.friction, gone);
   if (!model.restitution.empty()) erase_at(model.restitution, gone);
+  if (!model.external.empty()) erase_at(model.external, gone);
   for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
     if (!bits->empty()) erase_at(*bits, gone);
   erase_at(state.c, gone);

@@ -87,9 +87,9 @@ AddBody read_add_body(const Node& node) {
         Node(*shape, node, "shape").fail_expected(sized_shapes());
     }
   }
-  if (node.value().contains("group"))
-    Node(node.value().at("group"), node, "group")
-        .fail("a body that is added is of no group; remove this key");
+  for (const char* key : {"group", "force", "torque"})
+    if (node.value().contains(key))
+      Node(node.value().at(key), node, key).fail("a body that is added has none; remove this key");
   Json body = node.value();
   body.erase("do");
   MeshLibrary none{{}};

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/body/keyed.h"
 #include "sim/body/rare.h"
 #include "sim/math/types.h"
 
@@ -66,14 +67,6 @@ struct JointRange {
   double lo, hi;
 };
 
-// Piecewise linear in time; constant before the first and after the last key.
-template <class Value>
-struct Keyed {
-  std::vector<std::pair<double, Value>> keys;  // (s, value), rising times, at least one
-  Value at(double time) const;
-  // Is there a key, at which it may change its slope, from `from` until before `to`?
-  bool turns_within(double from, double to) const;
-};
 using Profile = Keyed<double>;    // rad or m
 using TurnProfile = Keyed<Vec3>;  // rotation vector in the joint's frame on i; rad
 

@@ -19,4 +19,15 @@ MovableMass movable_mass(const Model& model) {
   return out;
 }
 
+double most_external_force(const Model& model) {
+  double sum = 0;
+  for (const auto& external : model.external) {
+    double most = 0;
+    if (external && external->force)
+      for (const auto& [time, force] : external->force->keys) most = std::max(most, force.norm());
+    sum += most;
+  }
+  return sum;
+}
+
 }  // namespace pabd

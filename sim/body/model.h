@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/body/collision_groups.h"
+#include "sim/body/external_force.h"
 #include "sim/body/joint.h"
 #include "sim/body/shape.h"
 #include "sim/body/surface_friction.h"
@@ -27,6 +28,7 @@ struct Model {
   CollisionGroups groups;                                // more that never touch
   std::vector<std::optional<SurfaceFriction>> friction;  // of bodies that have their own. Empty: none has
   std::vector<std::optional<double>> restitution;        // the same; 0 … 1
+  std::vector<std::optional<ExternalForce>> external;    // of movable bodies that one acts on. Empty: on none
 
   Index size() const { return static_cast<Index>(shape.size()); }
 };
@@ -36,5 +38,8 @@ struct MovableMass {
   double total = 0, heaviest = 0, lightest = 0;
 };
 MovableMass movable_mass(const Model& model);
+
+// The most that forces from outside press with together, each at its greatest; N.
+double most_external_force(const Model& model);
 
 }  // namespace pabd

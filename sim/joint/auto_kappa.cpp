@@ -24,7 +24,7 @@ JointLoad joint_load(const Model& model, const Vec3& gravity) {
     smallest = std::min(smallest, 2 * inner_radius(model.shape[i]));
   }
   const double g = gravity.norm() > 0 ? gravity.norm() : 9.81;
-  return {g, mass * g, smallest};
+  return {g, mass * g + most_external_force(model), smallest};
 }
 
 double auto_joint_kappa(const JointLoad& load, const BondLaw& law) {

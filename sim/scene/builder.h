@@ -72,7 +72,8 @@ struct Body {
   std::optional<Vec3> angular_velocity = {};     // world; degrees/s
   std::optional<SurfaceFriction> friction = {};  // of its own; else contact.friction
   std::optional<double> restitution = {};
-  std::vector<std::string> groups = {};  // that it is of
+  std::optional<Keyed<Vec3>> force = {}, torque = {};  // from outside, over time in s; world; N, N m
+  std::vector<std::string> groups = {};                // that it is of
 };
 
 // The name of a group where that of a body may stand.

@@ -30,7 +30,8 @@ inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
 inline constexpr std::array body{
     Key("name"),     Key("shape"),       Key("fixed"),    Key("density"),          Key("mass"),
     Key("position"), Key("orientation"), Key("velocity"), Key("angular_velocity"), Key("color"),
-    Key("material"), Key("inertia"),     Key("friction"), Key("restitution"),      Key("group")};
+    Key("material"), Key("inertia"),     Key("friction"), Key("restitution"),      Key("group"),
+    Key("force"),    Key("torque")};
 inline constexpr std::array material{Key("opacity"), Key("checker")};
 inline constexpr std::array stack{Key("type"),     Key("name"),    Key("count"),    Key("size"),
                                   Key("position"), Key("density"), Key("mass"),     Key("masses"),

@@ -64,6 +64,10 @@ std::vector<Index> ModelBuilder::append_bodies(ModelBuilder& part, const Placeme
   };
   bring(part.model.friction, model.friction);
   bring(part.model.restitution, model.restitution);
+  const std::size_t before = model.external.size();
+  bring(part.model.external, model.external);
+  for (std::size_t i = before; i < model.external.size(); ++i)
+    if (model.external[i]) turn(placement.R, *model.external[i]);
   return to;
 }
 

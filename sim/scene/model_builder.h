@@ -57,6 +57,7 @@ struct BodySpec {
   Vec3 omega = Vec3::Zero();  // rad/s
   BodyLook look = {};
   TouchSpec touch = {};
+  std::optional<ExternalForce> external = {};
 };
 
 // Where the bodies of an included scene go.

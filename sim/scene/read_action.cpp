@@ -10,8 +10,6 @@
 namespace pabd {
 namespace {
 
-constexpr double kMostForce = 1e12;
-
 // The words of a motor that turns, and of one that pushes.
 struct MotorWords {
   std::string_view force, most, unit, rate_unit, spring_unit;

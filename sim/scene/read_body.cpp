@@ -12,6 +12,7 @@
 #include "sim/body/shape_kind.h"
 #include "sim/body/uneven.h"
 #include "sim/scene/keys.h"
+#include "sim/scene/read_external.h"
 #include "sim/scene/read_look.h"
 #include "sim/scene/read_rotation.h"
 #include "sim/scene/read_touch.h"
@@ -162,7 +163,7 @@ void refuse_on_plane(const ObjectReader& in) {
     fixed->fail("a plane is always fixed; expected true, or leave the key out");
   }
   for (const std::string_view key : {"density", "mass", "inertia", "position", "orientation", "velocity",
-                                     "angular_velocity", "color", "material"}) {
+                                     "angular_velocity", "force", "torque", "color", "material"}) {
     if (in.has(key)) in.fail_key(key, "a plane has only a normal and an offset; remove this key");
   }
 }
@@ -193,6 +194,7 @@ BodySpec read_body(const Node& node, std::size_t index, MeshLibrary& meshes) {
     if (!body.omega.isZero(0))
       in.fail_key("angular_velocity", "a fixed body does not turn; expected [0, 0, 0]");
   }
+  body.external = read_external(in, body.fixed);
   body.look = read_look(in);
   body.touch = read_touch(in);
   return body;

@@ -67,6 +67,10 @@ Profile read_drive(const Node& node, const Range& range, double unit) {
   return read_keyed<double>(node, [&](const Node& value) { return value.number(range) * unit; });
 }
 
+Keyed<Vec3> read_vectors(const Node& node, const Range& range) {
+  return read_keyed<Vec3>(node, [&](const Node& value) { return value.vec3(range); });
+}
+
 TurnProfile read_turn(const Node& node) {
   return read_keyed<Vec3>(node, [](const Node& value) { return Vec3(value.vec3(kTurnRange) * (kPi / 180)); });
 }

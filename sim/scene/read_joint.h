@@ -6,6 +6,7 @@
 
 namespace pabd {
 
+inline constexpr double kMostForce = 1e12;  // N, N m
 inline constexpr Range kAngleRange{-180, 180, "degrees"};
 inline constexpr Range kMotorTurnsRange{-1e7, 1e7, "degrees/s"};  // as bodies turn
 
@@ -24,6 +25,7 @@ JointRange read_limits(const ObjectReader& in, std::string_view key, const Range
                        std::optional<double> stands_at);
 Profile read_drive(const Node& node, const Range& range, double unit);
 TurnProfile read_turn(const Node& node);  // rotation vectors in degrees
+Keyed<Vec3> read_vectors(const Node& node, const Range& range);
 
 // "motor", "damping", "friction" and "spring" of a joint whose type may have them (read_action.cpp).
 void read_action(const ObjectReader& in, Joint& joint);

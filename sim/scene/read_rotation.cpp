@@ -10,7 +10,7 @@ namespace pabd {
 namespace {
 
 constexpr Range kTurnRange{-360, 360, "degrees"};
-constexpr std::string_view kExpected =
+constexpr std::string_view kExpectedRotation =
     "a unit quaternion [w, x, y, z], { \"axis\": [x, y, z], \"angle\": degrees } or { \"euler\": [a, b, c] }";
 
 // Three axes, no two neighbours alike.
@@ -60,10 +60,10 @@ Mat3 read_euler(const Node& node) {
 
 Mat3 read_rotation(const Node& node, const ObjectReader& in, std::string_view key) {
   if (node.value().is_array()) return read_quaternion(node, in, key);
-  if (!node.value().is_object()) node.fail_expected(kExpected);
+  if (!node.value().is_object()) node.fail_expected(kExpectedRotation);
   const auto has = [&](std::string_view word) { return node.value().contains(word); };
   const bool euler = has("euler") || has("order"), axis = has("axis") || has("angle");
-  if (!euler && !axis) node.fail_expected(kExpected);
+  if (!euler && !axis) node.fail_expected(kExpectedRotation);
   if (euler && axis) node.fail("an axis with its angle or Euler angles, not both; remove one of them");
   return euler ? read_euler(node) : read_axis_angle(node);
 }

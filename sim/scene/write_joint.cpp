@@ -92,6 +92,10 @@ void add_own_law(const Joint& joint, const BondLaw& joint_law, OrderedJson& out)
 
 }  // namespace
 
+OrderedJson json_of_keys(const Keyed<Vec3>& over_time, double now) {
+  return keys_from(now, over_time, [](const Vec3& value) { return json_of(value); });
+}
+
 OrderedJson json_of_joint(const Model& model, const State& state, const Joint& joint, const std::string& name,
                           const BondLaw& joint_law) {
   const PlacedFrame on_i = place(joint.on_i, joint.i, state), on_j = place(joint.on_j, joint.j, state);

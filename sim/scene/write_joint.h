@@ -8,6 +8,9 @@
 
 namespace pabd {
 
+// What a force over time says from `now` on.
+OrderedJson json_of_keys(const Keyed<Vec3>& over_time, double now);
+
 // A joint of the model at the poses and the time of `state`. `name` is for the entry; `joint_law` is what
 // "joints_default" will say.
 OrderedJson json_of_joint(const Model& model, const State& state, const Joint& joint, const std::string& name,

@@ -97,6 +97,9 @@ OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) 
   if (state.R[i] != Mat3::Identity()) out["orientation"] = json_of_rotation(state.R[i]);
   if (!state.v[i].isZero(0)) out["velocity"] = json_of(state.v[i]);
   if (!state.omega[i].isZero(0)) out["angular_velocity"] = json_of(Vec3(state.omega[i] * (180 / kPi)));
+  if (model.external.empty() || !model.external[i]) return out;
+  if (const auto& force = model.external[i]->force) out["force"] = json_of_keys(*force, state.time);
+  if (const auto& torque = model.external[i]->torque) out["torque"] = json_of_keys(*torque, state.time);
   return out;
 }
 

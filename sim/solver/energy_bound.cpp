@@ -7,6 +7,7 @@
 
 #include "sim/math/levels.h"
 #include "sim/math/so3.h"
+#include "sim/solver/external.h"
 #include "sim/solver/halving.h"
 #include "sim/solver/joint_actions.h"
 #include "sim/solver/joint_set.h"
@@ -147,8 +148,9 @@ double joint_energies_at_start(const Problem& p, const Island& island, EnergyMem
   return energy;
 }
 
-double fall(const Problem& p, Index i, const Vec3& c) {
-  return -p.model->mass[i] * p.params->gravity.dot(c - p.start->c[i]);
+// By how much U of the body is above that of the start, less the work of what acts from outside; J.
+double fall(const Problem& p, Index i, const Pose& end) {
+  return -p.model->mass[i] * p.params->gravity.dot(end.c - p.start->c[i]) - external_work(p, i, end);
 }
 
 // U + Ψ − W with the poses a part t of their way from `from`, above U of the start.
@@ -159,7 +161,7 @@ double stored_at_part(const Problem& p, const Island& island, const Workers& wor
     const Pose &from = memory.from[i], &end = memory.pose[i];
     const Vec3 c = from.c + t * (end.c - from.c);
     set_pose(p, i, {c, exp_so3(t * log_so3(end.R * from.R.transpose())) * from.R}, it);
-    energy += fall(p, i, c);
+    energy += fall(p, i, it.pose[i]);
   }
   return energy + joint_energies(p, island, p.time, it) +
          contact_energies(p, island, false, workers, memory, it) - drive_work(p, it, island.joints);
@@ -198,8 +200,10 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
   double flight = 0, fell = 0;
   for (const Index i : island.bodies) {
     out.kinetic += kinetic_energy(model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
-    flight += kinetic_energy(model, i, p.flight->star[i].R, p.start->v[i], p.flight->omega[i]);
-    fell += fall(p, i, it.pose[i].c);
+    flight += has_external(model, i)
+                  ? kinetic_energy(model, i, p.start->R[i], p.start->v[i], p.start->omega[i])
+                  : kinetic_energy(model, i, p.flight->star[i].R, p.start->v[i], p.flight->omega[i]);
+    fell += fall(p, i, it.pose[i]);
   }
   const double kinetic = kinetic_at_end(p, island, velocities, it);
   out.sped_up = kinetic - out.kinetic;

@@ -4,6 +4,7 @@
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
 #include "sim/math/symmetric3.h"
+#include "sim/solver/external.h"
 
 namespace pabd {
 namespace {
@@ -110,6 +111,8 @@ void fly(const Model& model, const Params& params, const State& state, const Wor
     out.radius[i] = bounding_radius(model.shape[i]);
     if (model.fixed[i]) return;
     out.turn[i] = free_flight(model.J[i], params.gravity, params.h, out.star[i], out.v[i], out.omega[i]);
+    if (has_external(model, static_cast<Index>(i)))
+      add_external(model, static_cast<Index>(i), state.time + params.h, params.h, out);
   });
 }
 

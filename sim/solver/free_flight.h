@@ -17,7 +17,7 @@ namespace pabd {
 // Returns the mean angular velocity times h, which may be several turns: R* = exp(it) R.
 Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega);
 
-// Free flight of all bodies, one entry each; fixed ones stay.
+// Free flight of all bodies, one entry each, with the forces from outside (external.h); fixed ones stay.
 struct Flight {
   std::vector<Pose> star;      // Q*
   std::vector<Vec3> v, omega;  // at its end; m/s, rad/s

@@ -23,13 +23,13 @@ double resolve_kappa(const Model& model, const Params& params) {
   const double d_hat = params.contact.d_hat;
   const Barrier unit{params.contact.barrier, params.contact.N, d_hat, 1.0, params.contact.onset};
   const BarrierValue at_load = evaluate(unit, (1 - kShare) * d_hat);
-  // kContacts contacts carry a mass M at d = (1 − kShare) d̂:  kContacts κ |B'| = M g.
-  const double per_mass = g / (kContacts * -at_load.first);
-  const double impacts = kImpacts * m.heaviest * per_mass;
+  // kContacts contacts carry a mass M at d = (1 − kShare) d̂:  kContacts κ |B'| = M g, or a force from outside.
+  const double per_force = 1 / (kContacts * -at_load.first), per_mass = g * per_force;
+  const double impacts = kImpacts * m.heaviest * per_mass, pressed = most_external_force(model) * per_force;
   const double load = std::min(m.total, kHighest * m.heaviest) * per_mass;
   // What rounding of a far place adds to a force stays below the lightest weight.
   const double rounding = m.lightest * g / (at_load.second * kRoundingStep);
-  return std::max(impacts, std::min(load, rounding));
+  return std::max({impacts, pressed, std::min(load, rounding)});
 }
 
 }  // namespace pabd

@@ -55,6 +55,7 @@ void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool 
   pick(model.fixed, out.model.fixed);
   pick(model.friction, out.model.friction);
   pick(model.restitution, out.model.restitution);
+  pick(model.external, out.model.external);
   pick(model.groups.of_body, out.model.groups.of_body);
   out.model.groups.name = model.groups.name;
   out.model.groups.apart = model.groups.apart;

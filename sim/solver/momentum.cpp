@@ -7,6 +7,7 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
+#include "sim/solver/external.h"
 
 namespace pabd {
 namespace {
@@ -27,7 +28,7 @@ void join_groups(const Problem& p, const Islands& islands, const Iterate& it, Fr
   }
   for (const auto& [i, j] : p.joint_ends) join(i, j);
   for (const Index i : islands.solved) {
-    if (g.held[i]) g.held[root(g.parent, i)] = 1;
+    if (g.held[i] || has_external(*p.model, i)) g.held[root(g.parent, i)] = 1;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "sim/joint/expand.h"
 #include "sim/math/so3.h"
 #include "sim/math/symmetric3.h"
+#include "sim/solver/external.h"
 #include "sim/solver/halving.h"
 
 namespace pabd {
@@ -106,17 +107,49 @@ bool is_smooth(const Problem& p, const Island& island, const Iterate& it) {
          });
 }
 
+// Free flight without what acts from outside, which comes with another h.
+void fly_alone(const Problem& p, Index i, Flight& flight) {
+  flight.star[i] = p.start_pose(i);
+  flight.v[i] = p.start->v[i];
+  flight.omega[i] = p.start->omega[i];
+  flight.turn[i] = free_flight(p.model->J[i], p.params->gravity, p.params->h, flight.star[i], flight.v[i],
+                               flight.omega[i]);
+}
+
 void predict_body(const Problem& p, Index i, const StepChange& last, Flight& flight) {
   const Vec3 &v = p.start->v[i], &g = p.params->gravity;
-  const Mat3 I = inertia_tensor(p.model->J[i]), inverse = symmetric_inverse(I);
   const double h = p.params->h;
+  const bool pushed = has_external(*p.model, i);
+  if (pushed) fly_alone(p, i, flight);
   Pose& star = flight.star[i];
   star.c = p.start->c[i] + h * (v + 0.5 * h * g) + h / 18 * last.velocity;
   flight.v[i] = v + h * g + last.velocity / 3;
   flight.h[i] = 2 * h / 3;
-  if (last.spin.isZero(0)) return;  // free rotation is exact
-  star.R = reorthonormalized(exp_so3(h / 18 * (turned(star.R, inverse) * last.spin)) * star.R);
-  flight.omega[i] = turned(star.R, inverse) * (spin_at_start(p, i) + last.spin / 3);
+  if (!last.spin.isZero(0)) {  // free rotation is exact
+    const Mat3 I = inertia_tensor(p.model->J[i]), inverse = symmetric_inverse(I);
+    star.R = reorthonormalized(exp_so3(h / 18 * (turned(star.R, inverse) * last.spin)) * star.R);
+    flight.omega[i] = turned(star.R, inverse) * (spin_at_start(p, i) + last.spin / 3);
+  }
+  if (pushed) add_external(*p.model, i, p.time, flight.h[i], flight);
+}
+
+// What a force that goes from F₀ to F₁ does to a body alone, in place of what Euler has it do:
+// h (F₀ + F₁)/2m to its velocity, h² (2F₀ + F₁)/6m to its place. The same of a torque.
+void let_fly_pushed(const Problem& p, Index i, Iterate& it, Velocities& velocities) {
+  const double h = p.params->h, from = p.time - h;
+  const ExternalForce& external = *p.model->external[i];
+  const Vec3 F0 = external.force_at(from), F1 = external.force_at(p.time);
+  Pose pose = it.pose[i];
+  pose.c -= h * h / (6 * p.model->mass[i]) * (5 * F1 - 2 * F0);
+  velocities.v[i] -= 0.5 * h / p.model->mass[i] * (F1 - F0);
+  const Vec3 t0 = external.torque_at(from), t1 = external.torque_at(p.time);
+  if (!t0.isZero(0) || !t1.isZero(0)) {
+    const Mat3 I = inertia_tensor(p.model->J[i]), inverse = symmetric_inverse(I);
+    const Vec3 L = turned(pose.R, I) * velocities.omega[i] - 0.5 * h * (t1 - t0);
+    pose.R = reorthonormalized(exp_so3(-h * h / 6 * (turned(pose.R, inverse) * (5 * t1 - 2 * t0))) * pose.R);
+    velocities.omega[i] = turned(pose.R, inverse) * L;
+  }
+  set_pose(p, i, pose, it);
 }
 
 }  // namespace
@@ -134,18 +167,20 @@ void predict(const Problem& p, const Islands& islands, const Iterate& it, Flight
   }
 }
 
-void let_fly(const Problem& p, Iterate& it) {
+void let_fly(const Problem& p, Iterate& it, Velocities& velocities) {
   const double h = p.params->h;
   const Vec3 fall = h * h * p.params->gravity;
-  const double least = kFelt * kFelt * fall.squaredNorm();
   for (Index i = 0; i < p.model->size(); ++i) {
     if (!p.movable(i) || !p.joints_at[i].empty()) continue;
-    Vec3& c = it.pose[i].c;
-    if (!((c - p.flight->star[i].c).squaredNorm() < least)) continue;
+    const Pose& star = p.flight->star[i];
+    const double least = kFelt * kFelt * (star.c - p.start->c[i] - h * p.start->v[i]).squaredNorm();
+    if (!((it.pose[i].c - star.c).squaredNorm() <= least)) continue;
     const auto ends = p.ends[i];
-    if (std::none_of(ends.begin(), ends.end(),
-                     [&](const ManifoldEnd& end) { return pushes_at_start(p, it.manifold[end.manifold]); }))
-      c -= 0.5 * fall;
+    if (std::any_of(ends.begin(), ends.end(),
+                    [&](const ManifoldEnd& end) { return pushes_at_start(p, it.manifold[end.manifold]); }))
+      continue;
+    it.pose[i].c -= 0.5 * fall;
+    if (has_external(*p.model, i)) let_fly_pushed(p, i, it, velocities);
   }
 }
 
@@ -171,7 +206,7 @@ void remember(const Problem& p, const Islands& islands, const SecondOrder& memor
     now.h = h;
     now.velocity = velocities.v[i] - (v + h * g);
     const bool remembered = p.second_order(i) && !p.start->change[i].spin.isZero(0);
-    if (!remembered && end.R == p.flight->star[i].R) return;  // turned freely
+    if (!remembered && !has_external(*p.model, i) && end.R == p.flight->star[i].R) return;  // turned freely
     now.spin = turned(end.R, inertia_tensor(p.model->J[i])) * velocities.omega[i] - spin_at_start(p, i);
   };
   for (std::size_t k = 0; k < islands.list.size(); ++k) {

@@ -16,7 +16,8 @@
 // (I_max/I_min − 1)(Ω h)² > 0.8. This way they fall while no body that a joint holds by its axis turns by more than
 // 0.4 rad in a step (turns_far); beyond, steps are Euler's.
 //
-// What no joint holds and no contact pushes ends on its parabola (let_fly), in halves too. What is not smooth must not be
+// What no joint holds and no contact pushes ends where its weight and what acts from outside (external.h) bring it
+// (let_fly), in halves too. What is not smooth must not be
 // seen through that memory (a ball that stops would get half its speed back): an island with a contact that pushes, a
 // joint that is past a limit or has friction, a key of a drive or motor within the step, or a hand, makes an implicit
 // Euler step and remembers nothing, and so do halves (halving.h) and a first step whose velocities do not fit the joints. The step after
@@ -54,7 +55,7 @@ void predict(const Problem& p, const Islands& islands, const Iterate& it, Flight
 // Bodies without joints that no contact pushed where the step starts, and that feel less than this share of their weight,
 // end on their parabola. The GPU asks the same (render/device). Precondition: has_second_order.
 inline constexpr double kFelt = 1e-3;
-void let_fly(const Problem& p, Iterate& it);
+void let_fly(const Problem& p, Iterate& it, Velocities& velocities);
 
 // Does a step of second order end with a joint of the island past a limit, or with a contact that pushes?
 bool ends_broken_in(const Problem& p, const Island& island, const Iterate& it);

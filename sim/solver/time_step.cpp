@@ -16,6 +16,7 @@
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/energy_bound.h"
+#include "sim/solver/external.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/halving.h"
 #include "sim/solver/joint_actions.h"
@@ -95,7 +96,7 @@ void find_motion(const Problem& p, StepMemory& m) {
   balance_poses(p, m.groups, m.iterate);
   find_velocities(p, m.islands, m.iterate, m.velocities);
   balance_velocities(p, m.iterate, m.groups, m.velocities);
-  if (has_second_order(p.params->solver)) let_fly(p, m.iterate);
+  if (has_second_order(p.params->solver)) let_fly(p, m.iterate, m.velocities);
 }
 
 // Of a step of second order. False: it is to be judged as any other.
@@ -201,7 +202,7 @@ void take_over(const Problem& p, StepMemory& m, State& state) {
   state.joint_force.swap(m.iterate.joint_force);
 }
 
-// The work of drives on what is not made again. Precondition: the state is still that of the start.
+// The work of drives, and of what acts from outside, on what is not made again. Precondition: the state is still that of the start.
 void count_work(const Problem& p, StepMemory& m, StepReport& report) {
   m.told_joints.clear();
   for (std::size_t k = 0; k < p.joints.size(); ++k) {
@@ -210,6 +211,8 @@ void count_work(const Problem& p, StepMemory& m, StepReport& report) {
     if (!p.movable(moving) || !m.again[moving]) m.told_joints.push_back(static_cast<Index>(k));
   }
   report.drive_work = drive_work(p, m.iterate, m.told_joints);
+  for (Index i = 0; i < p.model->size(); ++i)
+    if (p.movable(i) && !m.again[i]) report.drive_work += external_work(p, i, m.iterate.pose[i]);
 }
 
 // Of what is not made again.

@@ -62,6 +62,10 @@ TEST_CASE("what it cannot do is refused with the remedy, and the state stays") {
   Params bounces;
   bounces.contact.restitution = 0.5;
   CHECK(DeviceEngine::why_not(tiny.model, bounces, {}).find("restitution") != std::string::npos);
+  TinyModel pushed = ball();
+  pushed.model.external.resize(2);
+  pushed.model.external[1] = ExternalForce{Keyed<Vec3>{{{0, Vec3::UnitX()}}}, {}};
+  CHECK(DeviceEngine::why_not(pushed.model, Params{}, {}).find("forces act") != std::string::npos);
 }
 
 }  // namespace pabd::test_device_refusals

@@ -28,7 +28,8 @@ const std::string kPart = scene_text(R"("gravity": [0, 0, 0], "time_step": 0.002
       "velocity": [0, 1, 0], "angular_velocity": [0, 0, 100], "friction": 0.3, "restitution": 0.4, "group": ["left", "arm"],
       "color": "#112233" },
     { "name": "bob", "shape": { "type": "capsule", "radius": 0.2, "length": 0.6 }, "position": [1.5, 0.3, 0],
-      "orientation": { "euler": [10, 20, 30] }, "velocity": [1, 2, 3], "group": "arm" } ],
+      "orientation": { "euler": [10, 20, 30] }, "velocity": [1, 2, 3], "group": "arm",
+      "force": { "keys": [[0, [0, 0, 0]], [0.3, [20, 5, 0]]] }, "torque": [0, 0.5, 0] } ],
   "generate": [ { "type": "chain", "links": 3, "position": [0, 3, 0], "direction": [1, 0, 1], "joint": "hinge" } ],
   "joints": [
     { "name": "pin", "type": "hinge", "bodies": [null, "rod"], "anchor": [0, 0, 0], "axis": [0, 0, 1],
