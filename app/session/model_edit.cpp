@@ -106,6 +106,7 @@ void carry_out(const AddBody& body, const BondLaw&, Model& model, State& state) 
   };
   give(body.friction, model.friction);
   give(body.restitution, model.restitution);
+  give(std::optional<Vec3>(), model.surface_velocity);
   give(std::optional<ExternalForce>(), model.external);
   for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
     if (!bits->empty()) bits->push_back(0);
@@ -172,6 +173,7 @@ void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& stat
   erase_at(model.fixed, gone);
   if (!model.friction.empty()) erase_at(model.friction, gone);
   if (!model.restitution.empty()) erase_at(model.restitution, gone);
+  if (!model.surface_velocity.empty()) erase_at(model.surface_velocity, gone);
   if (!model.external.empty()) erase_at(model.external, gone);
   for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
     if (!bits->empty()) erase_at(*bits, gone);

@@ -185,6 +185,8 @@ std::string DeviceSolver::why_not(const Model& model, const Params& params) {
   if (!model.joints.empty()) return "the scene has joints, which the GPU does not take: --device cpu";
   if (has_restitution(model, params.contact))
     return "the scene has restitution, which the GPU does not take: --device cpu";
+  if (!model.surface_velocity.empty())
+    return "surfaces of bodies move of themselves, which the GPU does not take: --device cpu";
   if (!model.external.empty()) return "forces act on bodies, which the GPU does not take: --device cpu";
   if (const BarrierKind kind = params.contact.barrier; !is_on_device(kind))
     return std::string("the ") + to_string(kind) +

@@ -28,7 +28,9 @@ struct Model {
   CollisionGroups groups;                                // more that never touch
   std::vector<std::optional<SurfaceFriction>> friction;  // of bodies that have their own. Empty: none has
   std::vector<std::optional<double>> restitution;        // the same; 0 … 1
-  std::vector<std::optional<ExternalForce>> external;    // of movable bodies that one acts on. Empty: on none
+  // m/s, body frame: of surfaces that move of themselves, as belts do. Empty: none does.
+  std::vector<std::optional<Vec3>> surface_velocity;
+  std::vector<std::optional<ExternalForce>> external;  // of movable bodies that one acts on. Empty: on none
 
   Index size() const { return static_cast<Index>(shape.size()); }
 };

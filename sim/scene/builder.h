@@ -72,6 +72,7 @@ struct Body {
   std::optional<Vec3> angular_velocity = {};     // world; degrees/s
   std::optional<SurfaceFriction> friction = {};  // of its own; else contact.friction
   std::optional<double> restitution = {};
+  std::optional<Vec3> surface_velocity = {};           // of itself, as of a belt; body frame; m/s
   std::optional<Keyed<Vec3>> force = {}, torque = {};  // from outside, over time in s; world; N, N m
   std::vector<std::string> groups = {};                // that it is of
 };

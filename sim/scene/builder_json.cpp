@@ -130,6 +130,7 @@ Json json_of(const spec::Body& body) {
   put(out, "orientation", body.orientation);
   put(out, "velocity", body.velocity);
   put(out, "angular_velocity", body.angular_velocity);
+  put(out, "surface_velocity", body.surface_velocity);
   put(out, "force", body.force);
   put(out, "torque", body.torque);
   put_touch(out, body);

@@ -27,11 +27,24 @@ inline constexpr std::array scene{Key("$schema"),      Key("format"),      Key("
 inline constexpr std::array joints_default{Key("potential"), Key("kappa"), Key("N"), Key("d_hat")};
 inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
 
-inline constexpr std::array body{
-    Key("name"),     Key("shape"),       Key("fixed"),    Key("density"),          Key("mass"),
-    Key("position"), Key("orientation"), Key("velocity"), Key("angular_velocity"), Key("color"),
-    Key("material"), Key("inertia"),     Key("friction"), Key("restitution"),      Key("group"),
-    Key("force"),    Key("torque")};
+inline constexpr std::array body{Key("name"),
+                                 Key("shape"),
+                                 Key("fixed"),
+                                 Key("density"),
+                                 Key("mass"),
+                                 Key("position"),
+                                 Key("orientation"),
+                                 Key("velocity"),
+                                 Key("angular_velocity"),
+                                 Key("color"),
+                                 Key("material"),
+                                 Key("inertia"),
+                                 Key("friction"),
+                                 Key("restitution"),
+                                 Key("group"),
+                                 Key("surface_velocity"),
+                                 Key("force"),
+                                 Key("torque")};
 inline constexpr std::array material{Key("opacity"), Key("checker")};
 inline constexpr std::array stack{Key("type"),     Key("name"),    Key("count"),    Key("size"),
                                   Key("position"), Key("density"), Key("mass"),     Key("masses"),

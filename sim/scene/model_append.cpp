@@ -64,6 +64,7 @@ std::vector<Index> ModelBuilder::append_bodies(ModelBuilder& part, const Placeme
   };
   bring(part.model.friction, model.friction);
   bring(part.model.restitution, model.restitution);
+  bring(part.model.surface_velocity, model.surface_velocity);
   const std::size_t before = model.external.size();
   bring(part.model.external, model.external);
   for (std::size_t i = before; i < model.external.size(); ++i)

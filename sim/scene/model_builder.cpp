@@ -94,9 +94,13 @@ void ModelBuilder::add(BodySpec&& body, const Node& place) {
   state.v.push_back(body.v);
   state.omega.push_back(body.omega);
   set_touch(number, body.touch, place);
-  if (!body.external) return;
-  model.external.resize(number + 1);
-  model.external[number] = std::move(body.external);
+  const auto give = [&](auto& own, auto& of_bodies) {
+    if (!own) return;
+    of_bodies.resize(number + 1);
+    of_bodies[number] = std::move(own);
+  };
+  give(body.surface_velocity, model.surface_velocity);
+  give(body.external, model.external);
 }
 
 int ModelBuilder::group_named(const std::string& name, const Node& place) {
@@ -186,6 +190,7 @@ void ModelBuilder::finish(const Vec3& gravity) {
   }
   if (!model.friction.empty()) model.friction.resize(model.name.size());
   if (!model.restitution.empty()) model.restitution.resize(model.name.size());
+  if (!model.surface_velocity.empty()) model.surface_velocity.resize(model.name.size());
   if (!model.external.empty()) model.external.resize(model.name.size());
   if (!model.groups.of_body.empty()) model.groups.of_body.resize(model.name.size());
   find_avoided(model.groups);

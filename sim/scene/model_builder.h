@@ -57,6 +57,7 @@ struct BodySpec {
   Vec3 omega = Vec3::Zero();  // rad/s
   BodyLook look = {};
   TouchSpec touch = {};
+  std::optional<Vec3> surface_velocity = {};  // body frame; m/s
   std::optional<ExternalForce> external = {};
 };
 

@@ -194,6 +194,7 @@ BodySpec read_body(const Node& node, std::size_t index, MeshLibrary& meshes) {
     if (!body.omega.isZero(0))
       in.fail_key("angular_velocity", "a fixed body does not turn; expected [0, 0, 0]");
   }
+  if (in.has("surface_velocity")) body.surface_velocity = in.vec3("surface_velocity", kVelocityRange);
   body.external = read_external(in, body.fixed);
   body.look = read_look(in);
   body.touch = read_touch(in);

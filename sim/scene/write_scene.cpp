@@ -83,6 +83,8 @@ OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) 
                             in_quotes(model.name[i])));
   }
   add_touch(model, i, out);
+  if (!model.surface_velocity.empty() && model.surface_velocity[i])
+    out["surface_velocity"] = json_of(*model.surface_velocity[i]);
   if (is_plane(model.shape[i])) return out;
   if (model.fixed[i]) {
     out["fixed"] = true;

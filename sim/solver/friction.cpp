@@ -79,6 +79,19 @@ PABD_EACH_LEVEL void move_limit_in(const Problem& p, const Iterate& it, bool new
   }
 }
 
+// By how much the slip grows in the step while both bodies stay where they are.
+Vec3 slid_by_surfaces(const Problem& p, const ContactManifold& manifold, int k) {
+  const Vec3 slide = p.params->h * surface_slide(p, manifold.a, manifold.b);
+  const Vec3 n = lane(manifold.n, k),
+             own = manifold.turns ? Vec3(p.start->R[manifold.a].transpose() * slide) : slide;
+  return own - n * n.dot(own);
+}
+
+void carry(const Problem& p, ContactManifold& manifold) {
+  for (int k = 0; k < manifold.count; ++k)
+    set_lane(manifold.stretch, k, lane(manifold.stretch, k) + slid_by_surfaces(p, manifold, k));
+}
+
 }  // namespace
 
 SurfaceFriction friction_between(const Model& model, const ContactParams& contact, Index a, Index b) {
@@ -88,6 +101,13 @@ SurfaceFriction friction_between(const Model& model, const ContactParams& contac
   const auto& of_b = model.friction[static_cast<std::size_t>(b)];
   if (!of_a && !of_b) return common;
   return combined(contact.friction_rule, of_a.value_or(common), of_b.value_or(common));
+}
+
+Vec3 surface_slide(const Problem& p, Index a, Index b) {
+  const auto& own = p.model->surface_velocity;
+  if (own.empty()) return Vec3::Zero();
+  const auto of = [&](Index i) { return own[i] ? Vec3(p.start->R[i] * *own[i]) : Vec3(Vec3::Zero()); };
+  return of(b) - of(a);
 }
 
 void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds) {
@@ -116,6 +136,7 @@ void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds) 
         const Vec3 n = lane(manifold.n, k);
         set_lane(manifold.stretch, k, next->stretch - n * n.dot(next->stretch));
       }
+      if (!p.model->surface_velocity.empty()) carry(p, manifold);
     }
   });
 }
@@ -203,6 +224,21 @@ PABD_EACH_LEVEL void store_friction(const Problem& p, Iterate& it, std::vector<C
       }
     }
   });
+}
+
+PABD_EACH_LEVEL double surface_work(const Problem& p, const Iterate& it) {
+  if (p.model->surface_velocity.empty() || !p.friction) return 0;
+  double work = 0;
+  for (const ContactManifold& manifold : it.manifold) {
+    const ContactState s = state_of(it, manifold);
+    const Lanes weight = friction_weight(p.law_of(manifold), manifold.limit, length(s.u));
+    for (int k = 0; k < manifold.count; ++k) {
+      const Vec3 slid = slid_by_surfaces(p, manifold, k);
+      const Vec3 u = lane(s.u, k);
+      work += weight[k] * u.dot(manifold.turns ? Vec3(it.pose[manifold.a].R * slid) : slid);
+    }
+  }
+  return work;
 }
 
 }  // namespace pabd

@@ -50,6 +50,11 @@ inline bool has_friction(const Model& model, const ContactParams& contact) {
 // friction if the pair slid. Both lists are sorted.
 void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds);
 
+// How fast the surface of b goes on of itself where the step starts, less that of a's; world, m/s.
+Vec3 surface_slide(const Problem& p, Index a, Index b);
+// What surfaces that move of themselves do by friction in the step; J.
+double surface_work(const Problem& p, const Iterate& it);
+
 // First bounds: μ f_n at the start of the step, 0 where the first iterate no longer presses.
 void start_friction(const Problem& p, const Workers& workers, Iterate& it);
 

@@ -11,6 +11,7 @@
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
 #include "sim/math/symmetric3.h"
+#include "sim/solver/friction.h"
 #include "sim/solver/linear_bonds.h"
 #include "sim/solver/recovery.h"
 #include "sim/solver/restitution.h"
@@ -166,7 +167,7 @@ class Impact {
   }
   double approach(const Touch& t) const { return approach(t, motion(t.a), motion(t.b)); }
   Vec3 slip(const Touch& t) const {
-    const Vec3 v = at(motion(t.b), t.s_b) - at(motion(t.a), t.s_a);
+    const Vec3 v = at(motion(t.b), t.s_b) - at(motion(t.a), t.s_a) + surface_slide(p_, t.a, t.b);
     return v - v.dot(t.n) * t.n;
   }
   bool is_hit(const Touch& t) const { return any_end(t, &Group::hit); }

@@ -55,6 +55,7 @@ void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool 
   pick(model.fixed, out.model.fixed);
   pick(model.friction, out.model.friction);
   pick(model.restitution, out.model.restitution);
+  pick(model.surface_velocity, out.model.surface_velocity);
   pick(model.external, out.model.external);
   pick(model.groups.of_body, out.model.groups.of_body);
   out.model.groups.name = model.groups.name;

@@ -202,7 +202,7 @@ void take_over(const Problem& p, StepMemory& m, State& state) {
   state.joint_force.swap(m.iterate.joint_force);
 }
 
-// The work of drives, and of what acts from outside, on what is not made again. Precondition: the state is still that of the start.
+// The work of drives, belts and what acts from outside on what is not made again. Precondition: the state is still that of the start.
 void count_work(const Problem& p, StepMemory& m, StepReport& report) {
   m.told_joints.clear();
   for (std::size_t k = 0; k < p.joints.size(); ++k) {
@@ -210,7 +210,7 @@ void count_work(const Problem& p, StepMemory& m, StepReport& report) {
     const Index moving = p.movable(i) ? i : j;
     if (!p.movable(moving) || !m.again[moving]) m.told_joints.push_back(static_cast<Index>(k));
   }
-  report.drive_work = drive_work(p, m.iterate, m.told_joints);
+  report.drive_work = drive_work(p, m.iterate, m.told_joints) + surface_work(p, m.iterate);
   for (Index i = 0; i < p.model->size(); ++i)
     if (p.movable(i) && !m.again[i]) report.drive_work += external_work(p, i, m.iterate.pose[i]);
 }

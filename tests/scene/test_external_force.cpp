@@ -44,6 +44,18 @@ TEST_CASE("a scene that is written has its forces, with their keys from its time
           1e-15);
 }
 
+TEST_CASE("the velocity of a surface is read, also of a plane, and written", "[scene]") {
+  const Scene scene =
+      parse(scene_text(R"("bodies": [{ "shape": { "type": "plane" }, "surface_velocity": [1, 0, 0] },
+    { "shape": { "type": "sphere", "radius": 1 } }])"));
+  REQUIRE(scene.model.surface_velocity.size() == 2);
+  CHECK(scene.model.surface_velocity[0] == Vec3::UnitX());
+  CHECK_FALSE(scene.model.surface_velocity[1]);
+  const Scene again =
+      parse(scene_to_json(scene.model, scene.initial, scene.params, scene.joint_law, "again", {}, {}));
+  CHECK(again.model.surface_velocity == scene.model.surface_velocity);
+}
+
 TEST_CASE("forces on what does not move and values that are none are refused, with the place", "[scene]") {
   const auto refusal = [](const std::string& keys) { return caught([&] { parse(with(keys)); }); };
   CHECK(refusal(R"("fixed": true, "force": [1, 0, 0])").says("/bodies/0/force: a fixed body does not move"));

@@ -284,7 +284,7 @@ TEST_CASE("friction, forces and groups follow the bodies that come and go") {
   Session session(parse_scene(R"({ "format": "pabd-scene", "version": 1, "bodies": [
     { "name": "a", "shape": { "type": "sphere", "radius": 0.1 }, "group": "g" },
     { "name": "b", "shape": { "type": "sphere", "radius": 0.1 }, "position": [1, 0, 0], "friction": 0.2 },
-    { "name": "c", "shape": { "type": "sphere", "radius": 0.1 }, "position": [2, 0, 0], "group": "h", "force": [0, 1, 0] } ],
+    { "name": "c", "shape": { "type": "sphere", "radius": 0.1 }, "position": [2, 0, 0], "group": "h", "force": [0, 1, 0], "surface_velocity": [0, 0, 2] } ],
     "no_collide": [[{ "group": "g" }, { "group": "h" }]] })",
                               "test.json", {}));
   CHECK(keeps_apart(session.model().groups, 0, 2));
@@ -301,6 +301,8 @@ TEST_CASE("friction, forces and groups follow the bodies that come and go") {
   CHECK_FALSE(keeps_apart(model.groups, 0, 2));
   REQUIRE(model.friction.size() == 4);
   CHECK_FALSE(model.friction[1]);
+  REQUIRE(model.surface_velocity.size() == 4);
+  CHECK(model.surface_velocity[1] == Vec3(0, 0, 2));
   REQUIRE(model.external.size() == 4);
   CHECK(model.external[1]->force_at(0) == Vec3::UnitY());
   CHECK_FALSE((model.external[0] || model.external[2] || model.external[3]));
