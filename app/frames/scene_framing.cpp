@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/overlay/overlay_panels.h"
 #include "app/session/session.h"
@@ -20,8 +21,10 @@ constexpr double kMadeEnergy = 0.02;        // of the energy there is, above wha
 constexpr int kMoments = 60;                // that are kept of it
 constexpr double kLeastPart = 0.15;         // of the frame's sides: less is no room for a picture
 constexpr double kAround = 7;  // radii of a body that is followed: so much of what is around it is seen
-constexpr double kAway =
-    6;  // × the radius of the start: who ends farther from its middle has left the picture
+// Radii of the start, from its middle: who ends farther has left the picture. Where most come to rest belongs to it, 1.5
+// times as far as half of them; where none stays, their ways do, as far, and at most 60 radii or 1.5 times
+// as far as they fell onto what they go on.
+constexpr double kAway = 6, kFarther = 1.5, kFarthest = 60;
 
 // A body's spots at each of the moments.
 using Traces = std::vector<std::vector<Spot>>;
@@ -64,9 +67,42 @@ bool run_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start
   return true;
 }
 
-// Whether who ends here has not left the picture.
-bool stays(const BoundingSphere& start, const Vec3& end) {
-  return (end - start.centre).norm() <= kAway * start.radius;
+double median_of(std::vector<double>& list) {
+  const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
+  std::nth_element(list.begin(), middle, list.end());
+  return *middle;
+}
+
+double way_from(const BoundingSphere& start, const Vec3& c) { return (c - start.centre).norm(); }
+
+// How far from the middle of the start is still in the picture, and whether any body ends there; m.
+struct Reach {
+  double far;
+  bool any;
+};
+Reach reach_of(const Model& model, const BoundingSphere& start, const State& end,
+               const std::vector<std::uint8_t>& seen, const Vec3& gravity) {
+  const Vec3 down = gravity.normalized();
+  std::vector<double> all, at_rest, landed;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i] || model.fixed[i]) continue;
+    all.push_back(way_from(start, end.c[i]));
+    // It would take more than a second to leave its place, or its height.
+    const double slow = bounding_radius(model.shape[i]);
+    if (end.v[i].norm() < slow) at_rest.push_back(all.back());
+    if (std::abs(end.v[i].dot(down)) < slow) landed.push_back((end.c[i] - start.centre).dot(down));
+  }
+  double far = kAway * start.radius;
+  if (!at_rest.empty() && 2 * at_rest.size() >= all.size())
+    far = std::max(far, kFarther * median_of(at_rest));
+  const auto none = [&] {
+    return std::none_of(all.begin(), all.end(), [&](double way) { return way <= far; });
+  };
+  if (all.empty() || !none()) return {far, true};
+  const double fell = landed.empty() ? 0 : median_of(landed);
+  return {
+      std::max(far, std::min(kFarther * median_of(all), std::max(kFarthest * start.radius, kFarther * fell))),
+      false};
 }
 
 }  // namespace
@@ -91,8 +127,12 @@ std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const F
   Traces traces(model.shape.size());
   State end;
   if (!run_ahead(scene, start, seconds, seen, traces, end)) return out;
+  const Reach reach = reach_of(model, *around, end, seen, start.params.gravity);
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    if (stays(*around, end.c[i])) out.insert(out.end(), traces[i].begin(), traces[i].end());
+    if (reach.any && way_from(*around, end.c[i]) > reach.far) continue;
+    // Where all are gone in the end, as long as they are near.
+    std::copy_if(traces[i].begin(), traces[i].end(), std::back_inserter(out),
+                 [&](const Spot& spot) { return reach.any || way_from(*around, spot.centre) <= reach.far; });
   }
   return out;
 }
@@ -166,9 +206,10 @@ Camera scene_camera(const Scene& scene, const State& end, double aspect) {
   std::vector<Spot> spots = spots_of(scene.model, scene.initial);
   const auto around = bounding_sphere(scene.model, scene.initial);
   const std::vector<std::uint8_t> seen = bodies_in_picture(scene.model, end);
+  const double far = around ? reach_of(scene.model, *around, end, seen, scene.params.gravity).far : 0;
   for (Index i = 0; around && i < scene.model.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    if (seen[at] && stays(*around, end.c[at]))
+    if (seen[at] && way_from(*around, end.c[at]) <= far)
       add_spots(scene.model.shape[at], {end.c[at], end.R[at]}, spots);
   }
   return fit_camera(spots, side_of(scene), aspect);

@@ -143,7 +143,7 @@ Mat4f eye_matrix(const VisualScene& scene) { return view_matrix(scene.camera); }
 FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor,
                              int width, int height) {
   FrameUniforms u{};
-  const float radius = std::max(scene.radius, 1e-6f);
+  const float radius = studio_radius(scene);
   const float distance = (scene.camera.eye - scene.centre).norm();
   // The floor in front of the scene is near, the horizon far; 1 : 8000 leaves enough of 24 bits of depth.
   const float far_plane = distance + 80 * radius;

@@ -87,7 +87,7 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
   Vec3f axis_u, axis_v;
   plane_axes(n, axis_u, axis_v);
   const Vec3f below = scene.centre - (n.dot(scene.centre) - ground.offset) * n;
-  const float radius = std::max(scene.radius, 1e-6f);
+  const float radius = studio_radius(scene);
 
   const float decade = std::log10(radius / 2.5f);
   const float spacing = std::pow(10.0f, std::floor(decade));

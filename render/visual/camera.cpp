@@ -36,6 +36,13 @@ float half_height(const Camera& camera) {
   return camera.orthographic ? slope * std::max((camera.eye - camera.target).norm(), 1e-12f) : slope;
 }
 
+float studio_radius(const VisualScene& scene) {
+  constexpr float kSeen = 0.8f;  // of half the picture's height
+  const Camera& camera = scene.camera;
+  const float distance = camera.orthographic ? 1 : (camera.eye - camera.target).norm();
+  return std::max({scene.radius, kSeen * half_height(camera) * distance, 1e-6f});
+}
+
 Mat4f view_matrix(const Camera& camera) {
   Vec3f z = camera.eye - camera.target;
   z = z.norm() > 1e-12f ? z.normalized() : Vec3f(0, 0, 1);

@@ -109,4 +109,7 @@ struct VisualScene {
   void clear();
 };
 
+// Of the floor and its grid: that of the bodies, or of what the camera sees around its target, where they go far; m.
+float studio_radius(const VisualScene& scene);
+
 }  // namespace pabd

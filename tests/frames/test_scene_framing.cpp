@@ -2,6 +2,8 @@
 // Every shipped scene, from every named camera, in frames of every shape, with and without panels: all bodies are
 // inside of what is free. They are looked at through the matrices that pictures are drawn with, and where a run of its
 // own takes them. No GL.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -69,9 +71,9 @@ struct Start {
   std::vector<std::vector<Vec3>> surface;  // of the bodies that are in the picture; of others nothing
 };
 
-Start open(const std::filesystem::path& file) {
+Start open_scene(std::shared_ptr<const Scene> scene) {
   Start out;
-  out.scene = std::make_shared<const Scene>(load_scene(file));
+  out.scene = std::move(scene);
   out.view = Session(out.scene).view();
   const Model& model = out.scene->model;
   const std::vector<std::uint8_t> seen = bodies_in_picture(model, out.scene->initial);
@@ -79,6 +81,9 @@ Start open(const std::filesystem::path& file) {
   for (std::size_t i = 0; i < seen.size(); ++i)
     if (seen[i]) out.surface[i] = surface_of(model.shape[i]);
   return out;
+}
+Start open(const std::filesystem::path& file) {
+  return open_scene(std::make_shared<const Scene>(load_scene(file)));
 }
 
 Extent extent_of(const Camera& camera, double aspect, const Start& start, const State& state) {
@@ -161,6 +166,58 @@ TEST_CASE("bodies stay in the picture while they move, where looking ahead is ch
       CHECK(seen.y1 < 0.99);
     }
   }
+}
+
+namespace {
+
+Start begin(const std::string& bodies) {
+  return open_scene(std::make_shared<const Scene>(
+      parse_scene(R"({ "format": "pabd-scene", "version": 1, "bodies": [{ "shape": { "type": "plane" } }, )" +
+                      bodies + "] }",
+                  "test", {})));
+}
+
+std::string ball(double radius, const Vec3& at, const Vec3& v = Vec3::Zero()) {
+  return fmt::format(
+      R"({{ "shape": {{ "type": "sphere", "radius": {} }}, "position": [{}, {}, {}], "velocity": [{}, {}, {}] }})",
+      radius, at.x(), at.y(), at.z(), v.x(), v.y(), v.z());
+}
+
+}  // namespace
+
+// The simplest scene of one's own.
+TEST_CASE(
+    "a ball that falls on the ground is in the picture at every time, from any height, also where it rolls "
+    "on") {
+  for (const double radius : {0.1, 0.5}) {
+    for (const double height : {0.3, 1.5, 5.0, 20.0}) {
+      for (const double speed : {0.0, 2.0}) {
+        CAPTURE(radius, height, speed);
+        const Start start = begin(ball(radius, {0, height + radius, 0}, {speed, 0, 0}));
+        const double aspect = 16.0 / 9;
+        const Camera camera =
+            fit_camera(spots_ahead(start.scene, start.view, 5), side_of(*start.scene), aspect);
+        Session run(start.scene);
+        while (run.state().time < 4.9) {
+          const Extent seen = extent_of(camera, aspect, start, run.state());
+          CAPTURE(run.state().time);
+          if (speed == 0 || run.state().time < 1.5) {
+            CHECK((seen.x0 > 0.01 && seen.x1 < 0.99 && seen.y0 > 0.01 && seen.y1 < 0.99));
+          }
+          for (int k = 0; k < 10; ++k) run.step();
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("a body that flies off makes the others no smaller") {
+  std::string heap;
+  for (int k = 0; k < 9; ++k) heap += ball(0.2, {0.5 * (k % 3), 0.21 + 0.5 * (k / 3), 0}) + ", ";
+  const Start start = begin(heap + ball(0.2, {0.5, 2, 0}, {0, 0, -60}));
+  const Camera camera = fit_camera(spots_ahead(start.scene, start.view, 3), side_of(*start.scene), 1.5);
+  const Extent seen = extent_of(camera, 1.5, start, start.scene->initial);
+  CHECK(std::max(seen.x1 - seen.x0, seen.y1 - seen.y0) > 0.3);
 }
 
 TEST_CASE("a camera that follows goes as far as its body, and starts near it") {
