@@ -149,12 +149,16 @@ std::optional<Mat3> read_inertia(const ObjectReader& in) {
   Mat3 tensor;
   tensor << I[0], I[3], I[4], I[3], I[1], I[5], I[4], I[5], I[2];
   const Mat3 J = second_moment_of(tensor);
-  const Eigen::SelfAdjointEigenSolver<Mat3> spread(J, Eigen::EigenvaluesOnly);
-  if (!(spread.eigenvalues()[0] > 1e-12 * J.trace()) || !(J.trace() > 0))
+  constexpr double kThin = 1e-6;  // of tr J: laminas and rods get so much across, and files are rounded
+  const Eigen::SelfAdjointEigenSolver<Mat3> spread(J);
+  const double thin = kThin * J.trace();
+  if (!(thin > 0) || !(spread.eigenvalues()[0] >= -thin))
     node->fail(
-        "no body has these moments; expected positive ones of which each is less than the other two "
+        "no body has these moments; expected positive ones of which none is more than the other two "
         "together");
-  return J;
+  if (spread.eigenvalues()[0] >= thin) return J;
+  const Mat3& axes = spread.eigenvectors();
+  return axes * spread.eigenvalues().cwiseMax(thin).asDiagonal() * axes.transpose();
 }
 
 // A plane is placed by its normal and offset and never moves, so the rest of a body's keys would say nothing.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Matter that is not spread evenly, corners in the scene itself, and pairs that never touch.
+#include <fmt/format.h>
+
 #include "sim/body/mass_properties.h"
 #include "sim/scene/write_scene.h"
 #include "sim/solver/time_step.h"
@@ -33,6 +35,36 @@ TEST_CASE("a body has the inertia that it is given", "[scene]") {
   // It is written, and read back.
   const std::string text = scene_to_json(s.model, s.initial, s.params, s.joint_law, s.name, {}, {});
   CHECK((parse(text).model.J[0] - s.model.J[0]).norm() < 1e-14);
+}
+
+TEST_CASE("laminas and rods are bodies, also where a file rounds their moments", "[scene]") {
+  for (const Vec3& moments :
+       {Vec3(1, 1, 2), Vec3(0.333333, 0.666667, 1), Vec3(3, 1, 2), Vec3(0, 1, 1), Vec3(1, 1, 1e-9)}) {
+    CAPTURE(moments.transpose());
+    const Scene s = parse(only_body(fmt::format(
+        R"({{ {}, "mass": 2, "inertia": [{}, {}, {}, 0, 0, 0], "angular_velocity": [20, 90, 40] }})", kBox,
+        moments.x(), moments.y(), moments.z())));
+    const Vec3 found = inertia_tensor(s.model.J[0]).diagonal();
+    CHECK((found - moments).cwiseAbs().maxCoeff() < 3e-6 * moments.sum());
+    CHECK(found.minCoeff() > 0);
+    const State end = after(s, 3);
+    CHECK(end.R[0].allFinite());
+    const auto spin = [&](const State& state) -> Vec3 {
+      return state.R[0] * inertia_tensor(s.model.J[0]) * state.R[0].transpose() * state.omega[0];
+    };
+    CHECK((spin(end) - spin(s.initial)).norm() < 1e-9 * spin(s.initial).norm());
+  }
+}
+
+// Gauss, Huygens: T = 2π √(2 L/3 g) for small swings.
+TEST_CASE("a rod without thickness swings as one of length 2 L/3", "[scene]") {
+  const Scene s = parse(scene_text(
+      R"("time_step": 0.002, "bodies": [{ "name": "rod", "mass": 3, "inertia": [0.25, 0, 0.25, 0, 0, 0],
+    "shape": { "type": "box", "size": [0.02, 1, 0.02] }, "position": [0.005, -0.5, 0] }],
+    "joints": [{ "type": "hinge", "bodies": [null, "rod"], "anchor": [0, 0, 0], "axis": [0, 0, 1] }])"));
+  const double quarter = 0.5 * kPi * std::sqrt(2.0 / 3 / 9.81);
+  CHECK(after(s, 0.95 * quarter).c[0].x() > 0);
+  CHECK(after(s, 1.05 * quarter).c[0].x() < 0);
 }
 
 TEST_CASE("moments that no body has are refused", "[scene]") {
