@@ -136,7 +136,9 @@ std::vector<const CLI::App*> subcommands_of(const CLI::App& command) {
 std::string value_name(const CLI::Option& option) {
   if (option.get_type_size() == 0) return "";
   const std::string type = option.get_type_name();
-  return type.substr(0, type.find(':'));  // what is allowed is for the description to say
+  std::size_t end = type.find(':');  // what is allowed is for the description to say
+  if (end != std::string::npos && end > 0 && type[end - 1] == '[') end = type.find(':', end + 1);
+  return type.substr(0, end);
 }
 
 std::string option_words(const CLI::Option& option) {

@@ -2,6 +2,7 @@
 // pabd plot barrier: B_N and B_N' against d, for lists of N, d̂, κ and kinds.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -70,6 +71,13 @@ void check_values(const BarrierCurves& curves) {
       throw Error(ErrorKind::bad_input, fmt::format("{} {}: {}", option, value, error->message));
     }
   };
+  for (const BarrierKind kind : curves.kinds) {
+    const int least = traits_of(kind).least_N, most = *std::max_element(curves.N.begin(), curves.N.end());
+    if (most < least)
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("--N {}: the {} barrier has no term below N = {}; expected {} or more", most,
+                              to_string(kind), least, least));
+  }
   for (const int N : curves.N) check("--N", N, [&](ContactParams& c) { c.N = N; });
   for (const double d_hat : curves.d_hat) check("--d-hat", d_hat, [&](ContactParams& c) { c.d_hat = d_hat; });
   for (const double kappa : curves.kappa) check("--kappa", kappa, [&](ContactParams& c) { c.kappa = kappa; });

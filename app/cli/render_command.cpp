@@ -83,7 +83,9 @@ bool is_still(const std::string& out) { return out.ends_with(".png") && !is_fram
 std::string written_text(const RenderOptions& options, const FrameRange& range, int frames) {
   const std::string& out = options.output.path;
   if (frames == 0) return "wrote nothing: ended before the first frame\n";
-  const std::string what = fmt::format("{} of {}", counted(frames, "frame"), options.size);
+  const FrameSize drawn = parse_size(options.size);
+  const std::string what = fmt::format("{} of {}x{}", counted(frames, "frame"),
+                                       side_in_file(out, drawn.width), side_in_file(out, drawn.height));
   if (out == "-") return fmt::format("wrote {} to standard output\n", what);
   if (is_frame_template(out)) {
     const std::string first = frame_path(out, range.first).string();

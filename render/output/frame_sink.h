@@ -50,6 +50,8 @@ struct SinkOptions {
 // frame is kept. Metadata of a video: tags of the file with the keywords of `about`, and "title", its "Scene"; of a
 // .gif a comment with a line each.
 std::unique_ptr<FrameSink> make_sink(const std::string& out, const SinkOptions& options);
+// The side of the file `out` whose frames have such a side; pixels.
+int side_in_file(const std::string& out, int side);
 
 // Path of frame `number` (>= 0) for a template with one "{frame}" or "{frame:0W}" field (W = 1 to 9) in the
 // file name. is_frame_template: whether there is such a field, right or wrong. The others throw

@@ -36,12 +36,11 @@ Arguments metadata(const PngText& about) {
 class VideoSink : public FrameSink {
  public:
   VideoSink(std::string path, const SinkOptions& options)
-      : path_(std::move(path)), options_(options), width_(options.width), height_(options.height) {
+      : path_(std::move(path)),
+        options_(options),
+        width_(side_in_file(path_, options.width)),
+        height_(side_in_file(path_, options.height)) {
     const std::string kind = std::filesystem::path(path_).extension().string();
-    if (kind == ".mp4") {  // H.264 in 4:2:0 needs even sides
-      width_ += width_ % 2;
-      height_ += height_ % 2;
-    }
     check_video_encoder(options.video);
 
     file_.emplace(path_);
@@ -91,6 +90,11 @@ class VideoSink : public FrameSink {
 };
 
 }  // namespace
+
+// H.264 in 4:2:0 needs even ones.
+int side_in_file(const std::string& out, int side) {
+  return std::filesystem::path(out).extension() == ".mp4" ? side + side % 2 : side;
+}
 
 std::unique_ptr<FrameSink> make_video_sink(const std::string& path, const SinkOptions& options) {
   return std::make_unique<VideoSink>(path, options);

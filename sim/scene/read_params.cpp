@@ -3,7 +3,6 @@
 // types, whole numbers and words are.
 #include "sim/scene/read_params.h"
 
-#include <limits>
 #include <string>
 
 #include "sim/scene/keys.h"
@@ -13,7 +12,6 @@ namespace pabd {
 namespace {
 
 constexpr Range kAny{};
-constexpr std::int64_t kIntLo = std::numeric_limits<int>::min(), kIntHi = std::numeric_limits<int>::max();
 
 // One value of the object `in`, there under `key`; `now` where it is left out. A type each.
 struct ValueReader {
@@ -22,7 +20,10 @@ struct ValueReader {
   const ParameterRow& row;
 
   ParameterValue operator()(double now) const { return in.number(key, kAny, now); }
-  ParameterValue operator()(int now) const { return static_cast<int>(in.integer(key, kIntLo, kIntHi, now)); }
+  ParameterValue operator()(int now) const {
+    const auto bound = [](double x) { return static_cast<std::int64_t>(x); };
+    return static_cast<int>(in.integer(key, bound(row.range.lo), bound(row.range.hi), now));
+  }
   ParameterValue operator()(bool now) const { return in.boolean(key, now); }
   ParameterValue operator()(const Vec3& now) const {
     return in.vec3(key, {row.range.lo, row.range.hi, row.unit}, now);

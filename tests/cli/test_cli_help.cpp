@@ -101,6 +101,7 @@ TEST_CASE("help names what options take, and speaks of no types of a parser") {
   CHECK(help.find("only with --ab") != std::string::npos);
   CHECK(help.find("Usage: pabd render [OPTIONS] -o OUT SCENE\n") != std::string::npos);
   CHECK(help_of({"plot"}, 120).find("Usage: pabd plot [OPTIONS] COMMAND\n") != std::string::npos);
+  CHECK(help_of({"serve"}, 120).find("--host NAME[:PORT] ") != std::string::npos);
   CHECK(help_of({"sweep"}, 120).find("Usage: pabd sweep [OPTIONS] PLAN\n       pabd sweep COMMAND\n") !=
         std::string::npos);
 }

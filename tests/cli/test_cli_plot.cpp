@@ -53,6 +53,14 @@ TEST_CASE("a barrier plot is written as PNG, SVG and CSV") {
   CHECK(pabd::read_png(folder / "b.png").height == 500);
 }
 
+TEST_CASE("a barrier without a term of its order is refused, not drawn as 0") {
+  const CommandFolder folder;
+  const Outcome none = run_pabd({"plot", "barrier", "-o", folder / "b.svg", "--kind", "even", "--N", "1"});
+  CHECK(none.exit_code == 2);
+  CHECK(is_error_line(none.err, {"--N 1", "even", "2 or more"}));
+  CHECK(run_pabd({"plot", "barrier", "-o", folder / "b.svg", "--kind", "even", "--N", "1,2"}).exit_code == 0);
+}
+
 TEST_CASE("a plot is a PDF too, and light on dark") {
   const CommandFolder folder;
   CHECK(run_pabd({"plot", "barrier", "-o", folder / "a.pdf"}).exit_code == 0);

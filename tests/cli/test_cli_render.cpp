@@ -197,6 +197,10 @@ TEST_CASE("render names what it wrote, and how much") {
   CHECK(said(video, {"--frames", "6"})
             .starts_with("wrote " + video + ": 6 frames of 160x90, 0.1 s at 60 a second, "));
   CHECK(said(video, {"--frames", "1", "--force"}).starts_with("wrote " + video + ": 1 frame of 160x90"));
+  // Of odd sides the file has even ones.
+  const Outcome odd =
+      run_pabd({"render", "stack", "-o", folder / "odd.mp4", "--frames", "1", "--size", "161x91"});
+  CHECK(odd.err.find("1 frame of 162x92") != std::string::npos);
   const std::string still = folder / "a.png";
   CHECK(said(still, {"--time", "0"}).starts_with("wrote " + still + ": 160x90, "));
   CHECK(said(folder / "f{frame:02}.png", {"--frames", "3"}) ==

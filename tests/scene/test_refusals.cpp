@@ -110,7 +110,7 @@ TEST_CASE("parameters out of range are refused at their place", "[scene]") {
       {R"("contact": { "d_hat": -0.01 })", {"/contact/d_hat", "expected"}},
       {R"("contact": { "N": 0 })", {"/contact/N", "expected"}},
       {R"("contact": { "N": 33 })", {"/contact/N", "32"}},
-      {R"("contact": { "N": 3.5 })", {"/contact/N", "whole number"}},
+      {R"("contact": { "N": 3.5 })", {"/contact/N", "a whole number from 1 to 32"}},
       {R"("contact": { "N": "3" })", {"/contact/N", "whole number"}},
       {R"("contact": { "N": 1, "barrier": "even" })", {"/contact/N", "expected 2"}},
       {R"("contact": { "kappa": 0 })", {"/contact/kappa", "expected"}},
