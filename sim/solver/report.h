@@ -111,7 +111,8 @@ struct StepSummary {
   // or not (collision/broad_phase.h), and bodies that `descent` solved in place of `newton` (choice.h).
   std::int64_t left_pairs = 0;
   Index too_dense = 0;
-  double drive_work = 0;  // work of drives, motors, dampers and friction of joints; J
+  double drive_work =
+      0;  // of drives, motors, dampers and friction of joints, belts and forces from outside; J
   int capped_bonds = 0;   // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)
   int held_bodies = 0;    // that were slowed down so that no energy is made (energy_bound.h)
   int halved_bodies = 0;  // whose step was made again in halves (halving.h)
