@@ -106,7 +106,7 @@ void add_structures(std::vector<Case>& cases) {
                    "1",
                    0.1075,
                    "Milankovitch 1907, Heyman 1969",
-                   {{1.0 / 60, 0.003}, {1.0 / 240, 0.003}},
+                   {{1.0 / 60, 0.004}, {1.0 / 240, 0.004}},
                    "",
                    "",
                    arch});
