@@ -93,9 +93,12 @@ int validate_all(const ValidateOptions& options) {
   }
   if (!options.figures.empty()) write_figures(options, cases, rows);
   std::string failed;
-  for (const validate::Row& row : rows)
-    if (!row.passes() && failed.find(row.of->key) == std::string::npos)
-      failed += (failed.empty() ? "" : ", ") + row.of->key;
+  const validate::Case* last = nullptr;
+  for (const validate::Row& row : rows) {
+    if (row.passes() || row.of == last) continue;
+    failed += (failed.empty() ? "" : ", ") + row.of->key;
+    last = row.of;
+  }
   if (!failed.empty())
     throw Error(ErrorKind::images_differ,
                 "validate: these are farther from what is published than they may be: " + failed);

@@ -15,6 +15,15 @@ struct Outcome {
   double value = 0;  // in the unit of the case
   // For its figure, over `Case::x_label`: the program's, and what is published. Empty: the case has one number only.
   std::vector<double> x, ours, published;
+
+  void see(double at, double our) {
+    x.push_back(at);
+    ours.push_back(our);
+  }
+  void see(double at, double our, double right) {
+    see(at, our);
+    published.push_back(right);
+  }
 };
 
 // How far from the published value the program may be with such a step.

@@ -38,11 +38,7 @@ Outcome bouncing_ball(Bench& bench) {
   const double rest = 0.1 + bench.builder().params.contact.d_hat;
   bench.add("ball", Sphere{0.1}, 1, {0, rest + 50, 0});
   Outcome out;
-  bench.run(30, [&] {
-    out.x.push_back(bench.time());
-    out.ours.push_back(bench.energy() - kG * rest);
-    out.published.push_back(490.5);
-  });
+  bench.run(30, [&] { out.see(bench.time(), bench.energy() - kG * rest, 490.5); });
   out.value = out.ours.back();
   return out;
 }
@@ -59,8 +55,7 @@ Outcome rebound(Bench& bench) {
     up = up || bench.v("ball").y() > 0;
     const double height = bench.c("ball").y() - rest;
     if (up) out.value = std::max(out.value, height);
-    out.x.push_back(bench.time());
-    out.ours.push_back(height);
+    out.see(bench.time(), height);
   });
   return out;
 }
@@ -97,8 +92,7 @@ Outcome many_balls(Bench& bench, bool energy) {
   bench.run(3, [&] {
     const double now =
         energy ? (bench.energy() + bench.report().elastic) / start - 1 : bench.report().max_penetration / 0.1;
-    out.x.push_back(bench.time());
-    out.ours.push_back(now);
+    out.see(bench.time(), now);
     out.value = std::max(out.value, now);
   });
   return out;
@@ -131,8 +125,7 @@ Outcome stick_slip(Bench& bench) {
   bench.run(6, [&] {
     const double stretch = bench.c("block").x();
     if (bench.time() > 1) crossings.see(bench.time(), stretch - kSlip * kG / kSpring);
-    out.x.push_back(bench.time());
-    out.ours.push_back(1e3 * stretch);
+    out.see(bench.time(), 1e3 * stretch);
   });
   out.value = crossings.period();
   return out;

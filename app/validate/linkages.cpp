@@ -42,11 +42,7 @@ Outcome windows(Bench& bench, int count) {
   }
   Outcome out;
   const double start = bench.energy();
-  bench.run(10, [&] {
-    out.x.push_back(bench.time());
-    out.ours.push_back((bench.energy() - start) / (count + 1));
-    out.published.push_back(0);
-  });
+  bench.run(10, [&] { out.see(bench.time(), (bench.energy() - start) / (count + 1), 0); });
   out.value = out.ours.back();
   return out;
 }
@@ -66,8 +62,7 @@ Outcome bricard(Bench& bench) {
   bench.run(5, [&] {
     const double x = (bench.c(rod(1)) + bench.R(rod(1)) * Vec3(0, -0.5, 0)).x();
     crossings.see(bench.time(), x);
-    out.x.push_back(bench.time());
-    out.ours.push_back(x);
+    out.see(bench.time(), x);
   });
   out.value = crossings.at().empty() ? 0 : crossings.at().front();
   return out;
@@ -110,9 +105,7 @@ Outcome universal_joint(Bench& bench) {
     // The arm of the first shaft begins square to the plane of both: tan φ₂ = tan φ₁ cos β.
     const double right =
         std::remainder(std::atan2(std::sin(in) * std::cos(kBend), std::cos(in)) - in, 2 * kPi);
-    out.x.push_back(bench.time());
-    out.ours.push_back((turned - in) / kDegree);
-    out.published.push_back(right / kDegree);
+    out.see(bench.time(), (turned - in) / kDegree, right / kDegree);
     out.value = std::max(out.value, out.ours.back());
   });
   return out;
@@ -179,8 +172,7 @@ Outcome andrews(Bench& bench) {
     const double turned = std::atan2(R(1, 0), R(0, 0));
     beta += std::remainder(turned - from, 2 * kPi);
     from = turned;
-    out.x.push_back(1e3 * bench.time());
-    out.ours.push_back(beta);
+    out.see(1e3 * bench.time(), beta);
   });
   out.value = beta;
   return out;

@@ -31,11 +31,7 @@ Outcome energy_of_pendulum(Bench& bench) {
   bench.build();
   Outcome out;
   const double start = bench.energy();
-  bench.run(10, [&] {
-    out.x.push_back(bench.time());
-    out.ours.push_back(bench.energy() - start);
-    out.published.push_back(0);
-  });
+  bench.run(10, [&] { out.see(bench.time(), bench.energy() - start, 0); });
   out.value = out.ours.back();
   return out;
 }
@@ -54,9 +50,8 @@ Outcome mode_of_double_pendulum(Bench& bench, double sign) {
   const double omega = std::sqrt((2 - sign * std::sqrt(2.0)) * kG);
   bench.run(10, [&] {
     crossings.see(bench.time(), bench.c("upper").x());
-    out.x.push_back(bench.time());
-    out.ours.push_back(std::asin(bench.c("upper").x()) / kDegree);
-    out.published.push_back(first / kDegree * std::cos(omega * bench.time()));
+    out.see(bench.time(), std::asin(bench.c("upper").x()) / kDegree,
+            first / kDegree * std::cos(omega * bench.time()));
   });
   out.value = crossings.period();
   return out;
@@ -74,9 +69,7 @@ Outcome conical_pendulum(Bench& bench) {
   bench.v("bob") = bench.omega("bob").cross(bob);
   Outcome out;
   bench.run(5, [&] {
-    out.x.push_back(bench.time());
-    out.ours.push_back(std::acos(-bench.c("bob").y() / bench.c("bob").norm()) / kDegree);
-    out.published.push_back(kLean);
+    out.see(bench.time(), std::acos(-bench.c("bob").y() / bench.c("bob").norm()) / kDegree, kLean);
   });
   out.value = out.ours.back();
   return out;
@@ -107,9 +100,8 @@ Outcome mode_of_chain(Bench& bench) {
   const double start = bench.c(last).x();
   bench.run(8, [&] {
     crossings.see(bench.time(), bench.c(last).x());
-    out.x.push_back(bench.time());
-    out.ours.push_back(1e3 * bench.c(last).x());
-    out.published.push_back(1e3 * start * std::cos(0.5 * kZero * std::sqrt(kG) * bench.time()));
+    out.see(bench.time(), 1e3 * bench.c(last).x(),
+            1e3 * start * std::cos(0.5 * kZero * std::sqrt(kG) * bench.time()));
   });
   out.value = crossings.period();
   return out;
@@ -132,9 +124,7 @@ Outcome bead_on_rod(Bench& bench) {
   Outcome out;
   bench.run(1.5, [&] {
     const Vec3& c = bench.c("bead");
-    out.x.push_back(bench.time());
-    out.ours.push_back(std::hypot(c.x(), c.z()));
-    out.published.push_back(kFrom * std::cosh(kTurn * bench.time()));
+    out.see(bench.time(), std::hypot(c.x(), c.z()), kFrom * std::cosh(kTurn * bench.time()));
   });
   out.value = out.ours.back();
   return out;
@@ -150,11 +140,7 @@ Outcome eccentric_rotor(Bench& bench) {
   bench.omega("disc") = kSpeed * Vec3::UnitY();
   bench.v("disc") = bench.omega("disc").cross(c);
   Outcome out;
-  bench.run(1, [&] {
-    out.x.push_back(bench.time());
-    out.ours.push_back(bench.omega("disc").y());
-    out.published.push_back(kSpeed);
-  });
+  bench.run(1, [&] { out.see(bench.time(), bench.omega("disc").y(), kSpeed); });
   out.value = out.ours.back();
   return out;
 }
@@ -175,10 +161,8 @@ Outcome torsion_pendulum(Bench& bench) {
   bench.run(1, [&] {
     const Mat3& R = bench.R("wheel");
     const double t = bench.time();
-    out.x.push_back(t);
-    out.ours.push_back(std::atan2(R(1, 0), R(0, 0)));
-    out.published.push_back(1 - std::exp(-decay * t) *
-                                    (std::cos(omega * t) + decay / omega * std::sin(omega * t)));
+    out.see(t, std::atan2(R(1, 0), R(0, 0)),
+            1 - std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t)));
   });
   out.value = out.ours.back();
   return out;

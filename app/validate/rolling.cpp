@@ -40,11 +40,8 @@ Outcome slide_to_roll(Bench& bench, const Round& round) {
   bench.v("body") = Vec3(3, 0, 0);
   Outcome out;
   const double rolls = 3 / (1 + round.k);
-  bench.run(1.5, [&] {
-    out.x.push_back(bench.time());
-    out.ours.push_back(bench.v("body").x());
-    out.published.push_back(std::max(rolls, 3 - kMu * kG * bench.time()));
-  });
+  bench.run(
+      1.5, [&] { out.see(bench.time(), bench.v("body").x(), std::max(rolls, 3 - kMu * kG * bench.time())); });
   out.value = out.ours.back();
   return out;
 }
@@ -55,11 +52,7 @@ Outcome roll_down(Bench& bench, const Round& round) {
   Outcome out;
   const Vec3 down(std::cos(kSlope), -std::sin(kSlope), 0);
   const double a = kG * std::sin(kSlope) / (1 + round.k);
-  bench.run(1.5, [&] {
-    out.x.push_back(bench.time());
-    out.ours.push_back(bench.v("body").dot(down));
-    out.published.push_back(a * bench.time());
-  });
+  bench.run(1.5, [&] { out.see(bench.time(), bench.v("body").dot(down), a * bench.time()); });
   out.value = out.ours.back() / bench.time();
   return out;
 }
@@ -73,9 +66,8 @@ Outcome slide_down(Bench& bench) {
   bench.add("box", Box{{0.2, 0.1, 0.2}}, 5, height * normal, spec::AxisAngle{Vec3::UnitZ(), -30});
   Outcome out;
   bench.run(1, [&] {
-    out.x.push_back(bench.time());
-    out.ours.push_back(bench.v("box").dot(down));
-    out.published.push_back(kG * (std::sin(angle) - kMu * std::cos(angle)) * bench.time());
+    out.see(bench.time(), bench.v("box").dot(down),
+            kG * (std::sin(angle) - kMu * std::cos(angle)) * bench.time());
   });
   out.value = out.ours.back() / bench.time();
   return out;
@@ -92,9 +84,7 @@ Outcome stop(Bench& bench) {
   const double end = 3 / (kMu * kG);
   bench.run(1.5, [&] {
     const double t = std::min(bench.time(), end);
-    out.x.push_back(bench.time());
-    out.ours.push_back(bench.c("box").x());
-    out.published.push_back(3 * t - 0.5 * kMu * kG * t * t);
+    out.see(bench.time(), bench.c("box").x(), 3 * t - 0.5 * kMu * kG * t * t);
   });
   out.value = out.ours.back();
   return out;

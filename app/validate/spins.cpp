@@ -34,9 +34,7 @@ Outcome heavy_top(Bench& bench, double sign) {
     const double angle = std::atan2(-c.z(), c.x());
     turned += std::remainder(angle - before, 2 * kPi);
     before = angle;
-    out.x.push_back(bench.time());
-    out.ours.push_back(turned);
-    out.published.push_back(rate * bench.time());
+    out.see(bench.time(), turned, rate * bench.time());
   });
   out.value = turned / bench.time();
   return out;
@@ -54,8 +52,7 @@ Outcome fourth_flip(Bench& bench) {
     const double omega = (bench.R("body").transpose() * bench.omega("body")).y();
     up.see(bench.time(), omega);
     down.see(bench.time(), -omega);
-    out.x.push_back(bench.time());
-    out.ours.push_back(omega);
+    out.see(bench.time(), omega);
   });
   out.value = up.at().size() > 1 ? up.at()[1] : 0;
   return out;
