@@ -27,6 +27,9 @@ inline Mat3 inverse_from(const Adjugate3& a) {
   return inverse * (1 / a.det);
 }
 
+// R A Rᵀ: of a frame that R turns.
+inline Mat3 turned(const Mat3& R, const Mat3& A) { return R * A * R.transpose(); }
+
 // Precondition: A is symmetric and regular.
 inline Mat3 symmetric_inverse(const Mat3& A) { return inverse_from(adjugate(A)); }
 

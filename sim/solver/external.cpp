@@ -16,11 +16,10 @@ void add_external(const Model& model, Index i, double time, double h, Flight& fl
   flight.v[i] += dv;
   if (dL.isZero(0)) return;
   const Mat3 I = inertia_tensor(model.J[i]), inverse = symmetric_inverse(I);
-  const auto turned = [&](const Mat3& tensor) { return Mat3(star.R * tensor * star.R.transpose()); };
-  const Vec3 L = turned(I) * flight.omega[i] + dL, turn = h * (turned(inverse) * dL);
+  const Vec3 L = turned(star.R, I) * flight.omega[i] + dL, turn = h * (turned(star.R, inverse) * dL);
   star.R = reorthonormalized(exp_so3(turn) * star.R);
   flight.turn[i] += turn;
-  flight.omega[i] = turned(inverse) * L;
+  flight.omega[i] = turned(star.R, inverse) * L;
 }
 
 double external_work(const Problem& p, Index i, const Pose& end) {

@@ -7,6 +7,7 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
+#include "sim/math/symmetric3.h"
 #include "sim/solver/external.h"
 
 namespace pabd {
@@ -50,7 +51,7 @@ void number_groups(const Islands& islands, FreeGroups& g) {
 }
 
 Mat3 world_inertia(const Model& model, const Mat3& R, Index i) {
-  return R * inertia_tensor(model.J[i]) * R.transpose();
+  return turned(R, inertia_tensor(model.J[i]));
 }
 
 // P and L of free flight about the common centre of the predicted poses; L in a step of second order about the centre of

@@ -27,8 +27,6 @@ bool is_smooth(const Problem& p, const Joint& joint) {
   return !joint.action->motor || !joint.action->motor->profile.turns_within(from, p.time);
 }
 
-Mat3 turned(const Mat3& R, const Mat3& tensor) { return R * tensor * R.transpose(); }
-
 // Of body i from where its step started; kg m²/s.
 Vec3 spin_at_start(const Problem& p, Index i) {
   return turned(p.start->R[i], inertia_tensor(p.model->J[i])) * p.start->omega[i];
