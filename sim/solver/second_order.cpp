@@ -169,7 +169,7 @@ void let_fly(const Problem& p, Iterate& it, Velocities& velocities) {
   const double h = p.params->h;
   const Vec3 fall = h * h * p.params->gravity;
   for (Index i = 0; i < p.model->size(); ++i) {
-    if (!p.movable(i) || !p.joints_at[i].empty()) continue;
+    if (!p.movable(i) || !p.joints_at[i].empty() || p.second_order(i)) continue;
     const Pose& star = p.flight->star[i];
     const double least = kFelt * kFelt * (star.c - p.start->c[i] - h * p.start->v[i]).squaredNorm();
     if (!((it.pose[i].c - star.c).squaredNorm() <= least)) continue;

@@ -172,6 +172,31 @@ TEST_CASE("what flies freely by bdf2 flies along a parabola, and turns as by Eul
   CHECK((end.omega[0] - euler.omega[0]).norm() < 1e-10);
 }
 
+TEST_CASE("what flies within reach of a mechanism, and does not touch it, flies along its parabola") {
+  for (const int rate : {30, 60, 240}) {
+    for (const double gap : {0.02, 0.05, 0.2}) {
+      CAPTURE(rate, gap);
+      const double h = 1.0 / rate;
+      Scene scene = [&] {
+        SceneBuilder builder("swings beside");
+        builder.params.h = h;
+        builder.add(spec::Body{.name = "bob", .shape = Sphere{0.05}, .mass = 1, .position = Vec3(1, 0, 0)});
+        builder.add(
+            spec::Joint{.type = JointType::hinge, .j = "bob", .anchor = Vec3::Zero(), .axis = Vec3::UnitZ()});
+        builder.add(spec::Body{.name = "ball",
+                               .shape = Sphere{0.05},
+                               .position = Vec3(1, 0, 0.1 + gap),
+                               .velocity = Vec3(0, 0, 2 * gap)});
+        return builder.build();
+      }();
+      const State end = after(scene, 10 * h);
+      const double t = 10 * h;
+      const Vec3 parabola = Vec3(1, 0, 0.1 + gap + 2 * gap * t) + 0.5 * t * t * scene.params.gravity;
+      CHECK((end.c[1] - parabola).norm() < 1e-12);
+    }
+  }
+}
+
 TEST_CASE("a chain in free flight keeps its momentum by bdf2 to rounding, and its energy to second order") {
   const auto lost = [](double h) {
     SceneBuilder builder("chain");
