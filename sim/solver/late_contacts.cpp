@@ -58,16 +58,18 @@ const std::vector<ContactPoint>& overlaps(const Problem& p, const Workers& worke
   return memory.points;
 }
 
+bool in_crowd(const Islands& islands, Index body) {
+  return islands.of[body] >= 0 && islands.list[islands.of[body]].crowd;
+}
+
 // With all that its body hangs together with. False: a crowd.
 bool mark(const Problem& p, const Islands& islands, Index body, std::vector<std::uint8_t>& marked) {
-  if (!p.movable(body)) return false;
+  if (!p.movable(body) || in_crowd(islands, body)) return false;
   if (islands.of[body] < 0) {
     marked[body] = 1;
     return true;
   }
-  const Island& island = islands.list[islands.of[body]];
-  if (island.crowd) return false;
-  for (const Index i : island.bodies) marked[i] = 1;
+  for (const Index i : islands.list[islands.of[body]].bodies) marked[i] = 1;
   return true;
 }
 
@@ -81,7 +83,8 @@ void mark_late_contacts(const Problem& p, const Islands& islands, const std::vec
   });
   if (!any) return;
   for (const ContactPoint& point : overlaps(p, workers, it, memory)) {
-    if (is_known(it, point)) continue;
+    // A crowd is not made again: without it halves would not see it.
+    if (is_known(it, point) || in_crowd(islands, point.a) || in_crowd(islands, point.b)) continue;
     mark(p, islands, point.a, marked);
     mark(p, islands, point.b, marked);
   }
