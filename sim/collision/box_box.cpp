@@ -6,7 +6,8 @@
 //   face    the incident face clipped against the reference face (box_box_face); preferred to the rest, and
 //           the first body's face to the other's, unless clearly worse (see `preference`)
 //   edge    the nearest points of the two edges; along edges that run side by side, at both ends
-//           (side_by_side)
+//           (side_by_side). Not where faces are nearly flat on each other and come as near: they would
+//           have one point in a step and four in the next
 //   corner  apart: the corner of one box nearest to the other box, or the edges through it where they run
 //           side by side
 // The nearest or deepest place of the preferred face may lie beside it, as that face is not quite the best;
@@ -87,6 +88,13 @@ bool add_side_contacts(const Placed<Box>& a, const Placed<Box>& b, const EdgePai
       add_contact(out, a.number, b.number, a.c + a.R * p.y, a.R * p.n, p.distance, pair.name | p.where << 8);
   }
   return true;
+}
+
+// Is what separates the edges nearly the normal of that face, of a or of b?
+bool is_nearly_flat(const Relative& r, const Best& edge, bool of_b, const Best& face) {
+  const auto axis_of_b = [&](int k) { return Vec3(r.C[0][k], r.C[1][k], r.C[2][k]); };
+  const Vec3 n = Vec3::Unit(edge.i).cross(axis_of_b(edge.j));
+  return is_nearly_along(n, of_b ? axis_of_b(face.i) : Vec3(Vec3::Unit(face.i)));
 }
 
 // Nearest points of the two edges, in the frame of a. False when they lie beyond the ends of an edge.
@@ -244,13 +252,19 @@ void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts&
   }
   const double bound = face + preference(face, smallest);
   const bool clearly_edge = edge.separation > bound;
-  if (clearly_edge && add_edge_contact(a, b, r, edge, reach, out)) return;
-  if (clearly_edge) edge.j = -1;  // its places are beyond the ends
+  const bool flat = edge.j >= 0 && is_nearly_flat(r, edge, b_owns, b_owns ? face_b : face_a);
+  const auto add_chosen = [&] { return add_face(a, b, r, b_owns, b_owns ? face_b : face_a, reach, out); };
   const std::size_t start = out.size();
+  if (clearly_edge) {
+    if (flat && is_nearly(add_chosen(), edge.separation, smallest)) return;
+    out.resize(start);
+    if (add_edge_contact(a, b, r, edge, reach, out)) return;
+    edge.j = -1;  // its places are beyond the ends
+  }
   // Of boxes that are apart, though not across a face, what is below one lies beyond the box.
   const bool beyond = clearly_edge && edge.separation > 0 && face <= 0;
-  const double d = beyond ? kNone : add_face(a, b, r, b_owns, b_owns ? face_b : face_a, reach, out);
-  if (d <= bound) return;
+  const double d = beyond ? kNone : add_chosen();
+  if (d <= bound || (flat && is_nearly(d, edge.separation, smallest))) return;
   // The deepest or nearest part is not over that face.
   const Best& rival = b_owns ? face_a : face_b;
   if (std::max(face, edge.separation) > 0)

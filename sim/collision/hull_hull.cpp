@@ -273,13 +273,21 @@ void meet(const Side& a, const Side& b, double reach, Contacts& out) {
   if (!(edge.separation < reach)) return;
   const double bound = face + preference(face, smallest);
   const bool clearly_edge = edge.separation > bound, apart = edge.separation > 0;
-  if (clearly_edge && add_edge_contact(m, edge)) return;
-  if (clearly_edge) edge.g = -1;  // its places are beyond the ends
+  const BestFace& best = b_owns ? face_b : face_a;
+  const auto faces_of_best = b_owns ? moved.view.faces : a.view.faces;
+  const bool flat =
+      edge.g >= 0 && is_nearly_along(edge.n, faces_of_best[static_cast<std::size_t>(best.face)].normal);
   const std::size_t start = out.size();
+  if (clearly_edge) {
+    if (flat && is_nearly(add_face(m, b_owns, best, kNone), edge.separation, smallest)) return;
+    out.resize(start);
+    if (add_edge_contact(m, edge)) return;
+    edge.g = -1;  // its places are beyond the ends
+  }
   // Of hulls that are apart, though not across a face, what is below one lies beyond the hull.
   const bool beyond = clearly_edge && apart && face <= 0;
-  const double d = beyond ? kNone : add_face(m, b_owns, b_owns ? face_b : face_a, apart ? kNone : bound);
-  if (d <= bound) return;
+  const double d = beyond ? kNone : add_face(m, b_owns, best, apart ? kNone : bound);
+  if (d <= bound || (flat && is_nearly(d, edge.separation, smallest))) return;
   // The deepest or nearest part is not over that face.
   const BestFace& rival = b_owns ? face_a : face_b;
   if (apart) return add_apart(m, std::min(d, reach), b_owns, rival, edge, start);

@@ -101,6 +101,17 @@ inline double preference(double separation, double smallest_half) {
   return 0.02 * std::abs(separation) + 1e-3 * smallest_half;
 }
 
+// Is the normal n of an edge pair nearly that of a face, w (unit)? If the face comes as near, its contacts are taken: they
+// have all places that are about as near, where the edges have one.
+inline bool is_nearly_along(const Vec3& n, const Vec3& w) {
+  constexpr double kSine = 0.1;
+  return n.cross(w).squaredNorm() <= kSine * kSine * n.squaredNorm();
+}
+
+inline bool is_nearly(double separation, double other, double smallest_half) {
+  return std::abs(separation - other) <= preference(other, smallest_half);
+}
+
 inline constexpr double kNone = std::numeric_limits<double>::infinity();  // d where there is no contact
 
 // A unit vector normal to the unit vector u: +y where u allows it.

@@ -196,14 +196,19 @@ void find_contacts(wide reach) {
 
   wide bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
   bool clearly_edge = edge > bound, apart = max(face, edge) > 0;
-  // In turns, so that each kind of contact is made at one place of the shader, which saves a driver's time. Turn 0: the
-  // edge pair that is clearly best, the chosen face. Turn 1 of boxes that overlap: the edge pair, the other face. Turn 1
-  // of those that are apart: the other face; turn 2: the edge pair; turn 3: a corner.
-  bool try_edge = clearly_edge, try_face = true, corner_of_b = false;
+  // In turns, so that each kind of contact is made at one place of the shader, which saves a driver's time. Turn −1: the
+  // chosen face, where the edge pair that is clearly best is nearly along it. Turn 0: that edge pair, the chosen face.
+  // Turn 1 of boxes that overlap: the edge pair, the other face. Turn 1 of those that are apart: the other face; turn 2:
+  // the edge pair; turn 3: a corner.
+  bool is_flat = false;
+  if (edge_j >= 0)
+    is_flat = is_nearly_along(cross(unit_axis(edge_i), column(C, edge_j)),
+                                  b_owns ? column(C, axis_b) : unit_axis(axis_a));
+  bool try_edge = clearly_edge && !is_flat, try_face = true, corner_of_b = false;
   wide d = NONE, nearest = NONE;
   NearestCorner corner = NearestCorner(NONE, wide3(0), wide3(0), 0u);
   bool done = false;  // in place of `break`: one driver's loops with several ends and calls with loops inside never end
-  for (int turn = 0; turn < 4 && !done; ++turn) {
+  for (int turn = clearly_edge && is_flat ? -1 : 0; turn < 4 && !done; ++turn) {
     bool at_corner = turn == 3;
     if (try_edge || at_corner) {
       ContactPlace place;
@@ -229,11 +234,16 @@ void find_contacts(wide reach) {
     bool of_b = b_owns != (turn > 0);
     wide over = NONE;
     if (try_face) over = clip_to_face(of_b, of_b ? axis_b : axis_a);
-    bool better = turn == 0 || (apart ? over <= rival_bound : over < d);
+    bool is_nearly = is_flat && abs(over - edge) <= preference(edge, smallest);
+    bool better = turn < 0    ? is_nearly
+                  : turn == 0 || (apart ? over <= rival_bound : over < d);
     if (try_face && better) keep_box_face(reach);
-    if (!done && turn == 0) {
+    if (turn < 0) {
+      done = better;
+      try_edge = true;
+    } else if (!done && turn == 0) {
       d = over;
-      done = d <= bound;
+      done = d <= bound || is_nearly;
       // Else the deepest or nearest part is not over that face.
       if (!done && apart) {
         d = min(d, reach);

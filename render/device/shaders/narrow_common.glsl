@@ -116,6 +116,12 @@ wide preference(wide separation, wide smallest_half) {
   return wide(0.02lf) * abs(separation) + wide(1e-3lf) * smallest_half;
 }
 
+// Is the normal n of an edge pair nearly that of a face, w (unit)?
+bool is_nearly_along(wide3 n, wide3 w) {
+  wide3 across = cross(n, w);
+  return dot(across, across) <= wide(0.01lf) * dot(n, n);
+}
+
 // A unit vector normal to the unit vector u: +y where u allows it.
 wide3 any_normal(wide3 u) {
   wide3 seed = abs(u.y) < wide(0.9lf) ? wide3(0, 1, 0) : wide3(1, 0, 0);

@@ -282,14 +282,16 @@ void find_contacts(wide reach) {
 
   wide bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
   bool clearly_edge = edge.separation > bound, apart = edge.separation > 0;
-  // In turns, so that each kind of contact is made at one place of the shader. Turn 0: the edge pair that is clearly
-  // best, the chosen face. Turn 1 of hulls that overlap: the edge pair, the other face. Turn 1 of those that are apart:
-  // the other face; turn 2: the edge pair; turn 3: a corner.
-  bool try_edge = clearly_edge, try_face = true, corner_of_b = false;
+  // In turns, so that each kind of contact is made at one place of the shader. Turn −1: the chosen face, where the edge
+  // pair that is clearly best is nearly along it. Turn 0: that edge pair, the chosen face. Turn 1 of hulls that overlap:
+  // the edge pair, the other face. Turn 1 of those that are apart: the other face; turn 2: the edge pair; turn 3: a corner.
+  bool is_flat = edge.g >= 0 && is_nearly_along(edge.n, b_owns ? C * normal_of(view_b, number_b)
+                                                                   : normal_of(view_a, number_a));
+  bool try_edge = clearly_edge && !is_flat, try_face = true, corner_of_b = false;
   wide d = NONE;
   NearestCorner corner = NearestCorner(NONE, wide3(0), wide3(0), 0u);
   bool done = false;  // in place of `break`: see narrow_box_box.glsl
-  for (int turn = 0; turn < 4 && !done; ++turn) {
+  for (int turn = clearly_edge && is_flat ? -1 : 0; turn < 4 && !done; ++turn) {
     bool at_corner = turn == 3;
     if (try_edge || at_corner) {
       ContactPlace place;
@@ -313,16 +315,21 @@ void find_contacts(wide reach) {
     if (turn == 0) try_face = !(clearly_edge && apart && face <= 0);
     try_face = try_face && !done;
     bool of_b = b_owns != (turn > 0);
-    wide face_bound = apart ? NONE : turn == 0 ? bound : rival_bound, over = NONE;
+    wide face_bound = apart || turn < 0 ? NONE : turn == 0 ? bound : rival_bound, over = NONE;
     if (try_face) over = clip_to_face(of_b, of_b ? number_b : number_a, face_bound);
-    bool better = turn == 0 || (apart ? over <= rival_bound : over < d);
+    bool is_nearly = is_flat && abs(over - edge.separation) <= preference(edge.separation, smallest);
+    bool better = turn < 0    ? is_nearly
+                  : turn == 0 || (apart ? over <= rival_bound : over < d);
     if (try_face && better) {
       found_count = 0;
       add_hull_face(reach);
     }
-    if (!done && turn == 0) {
+    if (turn < 0) {
+      done = better;
+      try_edge = true;
+    } else if (!done && turn == 0) {
       d = over;
-      done = d <= bound;
+      done = d <= bound || is_nearly;
       // Else the deepest or nearest part is not over that face.
       if (!done && apart) {
         d = min(d, reach);
