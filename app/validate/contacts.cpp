@@ -131,6 +131,30 @@ Outcome stick_slip(Bench& bench) {
   return out;
 }
 
+// A block of 0.2 × 1 m that rocks from 5°: what an impact of its base leaves of its energy, from one swing to the next.
+constexpr double kSlender = 0.2;
+Outcome rocking(Bench& bench) {
+  constexpr double kReach = 2e-4, kTilt = 5 * kDegree;
+  bench.builder().params.contact.d_hat = kReach;
+  bench.friction(1);
+  bench.ground();
+  const double wide = kSlender * std::cos(kTilt), high = std::cos(kTilt) + kSlender * std::sin(kTilt);
+  bench.add("block", Box{{kSlender / 2, 0.5, kSlender / 2}}, 40,
+            {0.5 * (std::sin(kTilt) - wide), 0.5 * high + kReach, 0}, spec::AxisAngle{Vec3::UnitZ(), -5});
+  Outcome out;
+  double last = 0, fastest[2] = {0, 0};
+  int swing = 0;
+  bench.run(1.5, [&] {
+    const double omega = bench.omega("block").z();
+    if (omega * last < 0) ++swing;
+    last = omega;
+    if (swing < 2) fastest[swing] = std::max(fastest[swing], std::abs(omega));
+    out.see(bench.time(), omega);
+  });
+  out.value = std::pow(fastest[1] / fastest[0], 2);
+  return out;
+}
+
 }  // namespace
 
 void add_contacts(std::vector<Case>& cases) {
@@ -199,6 +223,15 @@ void add_contacts(std::vector<Case>& cases) {
                    "time [s]",
                    "stretch of the spring [mm]",
                    stick_slip});
+  cases.push_back({"rocking",
+                   "a block of 1 to 5 that rocks on its base: energy that an impact leaves",
+                   "1",
+                   std::pow(1 - 1.5 * kSlender * kSlender / (1 + kSlender * kSlender), 2),
+                   "Housner 1963: (1 − 1.5 sin² α)²",
+                   {{1.0 / 1000, 0.02}, {1.0 / 4000, 0.008}},
+                   "time [s]",
+                   "speed of rotation [rad/s]",
+                   rocking});
 }
 
 }  // namespace pabd::validate

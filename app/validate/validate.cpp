@@ -15,7 +15,7 @@ namespace {
 
 std::string step_text(double h) {
   const double rate = 1 / h;
-  return rate < 2000 ? fmt::format("1/{:.0f}", rate) : fmt::format("{:.3g}", h);
+  return rate < 10000 ? fmt::format("1/{:.0f}", rate) : fmt::format("{:.3g}", h);
 }
 
 std::string unit_text(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
