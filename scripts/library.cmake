@@ -60,6 +60,7 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
     sim/body/body_look.h
     sim/body/collision_groups.h
     sim/body/external_force.h
+    sim/body/force_table.h
     sim/body/compound.h
     sim/body/convex_hull.h
     sim/body/hull.h

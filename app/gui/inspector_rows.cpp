@@ -118,8 +118,11 @@ void add_action(const Joint& joint, InspectorRows& rows) {
   if (action.damping > 0) rows.push_back({"damping", in_unit(action.damping, turns ? "N m s/rad" : "N s/m")});
   if (action.friction > 0) rows.push_back({"friction", in_unit(action.friction, turns ? "N m" : "N")});
   const JointSpring& spring = action.spring;
-  if (spring.stiffness == 0) return;
-  rows.push_back({"spring", in_unit(spring.stiffness, turns ? "N m/rad" : "N/m")});
+  if (!spring.pulls()) return;
+  if (spring.table.points.empty())
+    rows.push_back({"spring", in_unit(spring.stiffness, turns ? "N m/rad" : "N/m")});
+  else
+    rows.push_back({"spring", fmt::format("by a table of {} points", spring.table.points.size())});
   rows.push_back(
       {"its rest", turns ? fmt::format("{:.3f}°", kDegrees * spring.rest) : in_unit(spring.rest, "m")});
 }

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/body/force_table.h"
 #include "sim/body/keyed.h"
 #include "sim/body/rare.h"
 #include "sim/math/types.h"
@@ -87,8 +88,11 @@ struct JointMotor {
 
 // Pulls the angle or offset of a joint back to where it is at rest.
 struct JointSpring {
-  double stiffness = 0;  // N m/rad or N/m; 0: none
-  double rest = 0;       // rad, in [−π, π], or m
+  double stiffness = 0;   // N m/rad or N/m; 0: none
+  double rest = 0;        // rad, in [−π, π], or m
+  ForceTable table = {};  // in place of `stiffness`: what pulls back over the way from rest
+
+  bool pulls() const { return stiffness > 0 || !table.points.empty(); }
 };
 
 // What acts along the angle, offset or length of a joint, or on the turn of a ball, beside what holds it

@@ -24,15 +24,26 @@ BondSlope slope_of(const ActionHold& hold, double u) {
   return {f * (std::abs(u) - 0.5 * f / k), std::copysign(f, u), f / std::abs(u)};
 }
 
+// A table may fall: W'' is then no weight, and 0 does.
+BondSlope spring_slope(double stiffness, const ForceTable* table, double x) {
+  if (!table) return {0.5 * stiffness * x * x, stiffness * x, stiffness};
+  const ForceTable::Value at = table->at(x);
+  return {at.energy, at.force, std::max(0.0, at.slope)};
+}
+
+const ForceTable* table_of(const JointSpring& spring) {
+  return spring.table.points.empty() ? nullptr : &spring.table;
+}
+
 // W without the ball's damper.
 BondSlope slope_of(const ActionStep& action, double way) {
   const double beside = way - action.coasts;
   BondSlope sum{-action.force * way + 0.5 * action.damping * beside * beside,
                 -action.force + action.damping * beside, action.damping};
-  const double x = action.away + way;
-  sum.value += 0.5 * action.spring * x * x;
-  sum.first += action.spring * x;
-  sum.second += action.spring;
+  const BondSlope spring = spring_slope(action.spring, action.table, action.away + way);
+  sum.value += spring.value;
+  sum.first += spring.first;
+  sum.second += spring.second;
   for (const ActionHold& hold : action.hold) {
     if (hold.most == 0) continue;
     const BondSlope part = slope_of(hold, way - hold.way);
@@ -216,7 +227,8 @@ ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedF
   }
   action.start = measure->value(fi, fj);
   action.spring = given.spring.stiffness;
-  if (action.spring > 0) action.away = way_from_rest(*measure, given.spring, fi, fj);
+  action.table = table_of(given.spring);
+  if (given.spring.pulls()) action.away = way_from_rest(*measure, given.spring, fi, fj);
   const double coming = way_of_motion(measure->of, fi, fj, start.i, start.j);
   const bool turns = measure->of == JointMeasure::Of::angle;
   if (turns) action.expected = coming;
@@ -253,9 +265,9 @@ void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame&
 
 double spring_energy(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj) {
   const JointMeasure* measure = measure_of(joint);
-  if (!measure || !joint.action || joint.action->spring.stiffness == 0) return 0;
-  const double x = way_from_rest(*measure, joint.action->spring, fi, fj);
-  return 0.5 * joint.action->spring.stiffness * x * x;
+  if (!measure || !joint.action || !joint.action->spring.pulls()) return 0;
+  const JointSpring& spring = joint.action->spring;
+  return spring_slope(spring.stiffness, table_of(spring), way_from_rest(*measure, spring, fi, fj)).value;
 }
 
 double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
@@ -265,6 +277,7 @@ double work_of_action(const Joint& joint, const ActionStep& action, const Placed
   const double way = way_of(*measure, action, fi, fj);
   ActionStep lost = action;  // what the spring takes it gives back
   lost.spring = lost.coasts = 0;
+  lost.table = nullptr;
   lost.damping *= action.part;
   for (ActionHold& hold : lost.hold)  // to u at the mean speed
     if (hold.follows) hold.way += (1 - action.part) * way - action.coasts;

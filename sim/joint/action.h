@@ -4,7 +4,8 @@
 //
 //   W = −F Δ                      a motor that gives the force (or torque) F
 //     + c/(2h′) (Δ − Δ₀)²          a damper; of a ball c/(2h′) ‖θ‖², θ the rotation vector of j against i
-//     + s/2 (x + Δ)²                a spring, x away from its rest at the start: of an angle the shorter way round
+//     + s/2 (x + Δ)²                a spring, x away from its rest at the start: of an angle the shorter way round;
+//                                  one with a table: ∫ F from 0 to x + Δ
 //     + P(Δ − h v; k, f)          a motor that gives the speed v; friction, with v = 0
 //
 //   (Δ − Δ₀)/h′ is the speed at the end of the step: Δ/h by Euler; a step of second order (solver/second_order.h) says
@@ -46,17 +47,18 @@ struct ActionHold {
 
 // W of one joint in a step.
 struct ActionStep {
-  double start = 0;                  // angle, offset or length at the start of the step; rad or m
-  std::optional<double> ahead;       // Δ that a solver foresees; rad or m
-  double expected = 0;               // Δ in free flight, to tell whole turns; rad
-  double coasts = 0;                 // Δ₀; rad or m
-  double part = 1;                   // h′/h
-  Mat3 turned = Mat3::Identity();    // of a ball: j against i at the start
-  Mat3 coasted = Mat3::Identity();   // of a ball: the same where θ = 0
-  double force = 0;                  // F
-  double damping = 0;                // c/h′; N m/rad or N/m
-  double spring = 0, away = 0;       // s and x; N m/rad or N/m, rad or m
-  std::array<ActionHold, 2> hold{};  // the motor's and the friction's; f = 0: none
+  double start = 0;                   // angle, offset or length at the start of the step; rad or m
+  std::optional<double> ahead;        // Δ that a solver foresees; rad or m
+  double expected = 0;                // Δ in free flight, to tell whole turns; rad
+  double coasts = 0;                  // Δ₀; rad or m
+  double part = 1;                    // h′/h
+  Mat3 turned = Mat3::Identity();     // of a ball: j against i at the start
+  Mat3 coasted = Mat3::Identity();    // of a ball: the same where θ = 0
+  double force = 0;                   // F
+  double damping = 0;                 // c/h′; N m/rad or N/m
+  double spring = 0, away = 0;        // s and x; N m/rad or N/m, rad or m
+  const ForceTable* table = nullptr;  // of the joint's spring, in place of s
+  std::array<ActionHold, 2> hold{};   // the motor's and the friction's; f = 0: none
 };
 
 // A small motion of a body.

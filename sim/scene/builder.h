@@ -111,6 +111,8 @@ struct Motor {
 struct Spring {
   double stiffness = 0;             // N m/rad or N/m
   std::optional<double> rest = {};  // where it gives nothing; degrees or m
+  // In place of `stiffness`: (way from rest, what pulls back); degrees and N m, or m and N.
+  std::vector<std::pair<double, double>> table = {};
 };
 
 // Joins two bodies, or one and the world. Entries that the type does not have are refused.

@@ -100,7 +100,13 @@ void put_motor(Json& out, const spec::Joint& joint) {
 
 void put_spring(Json& out, const spec::Joint& joint) {
   if (!joint.spring) return;
-  out["spring"] = {{"stiffness", joint.spring->stiffness}};
+  if (joint.spring->table.empty()) {
+    out["spring"] = {{"stiffness", joint.spring->stiffness}};
+  } else {
+    Json table = Json::array();
+    for (const auto& [x, force] : joint.spring->table) table.push_back({x, force});
+    out["spring"] = {{"table", std::move(table)}};
+  }
   put(out["spring"], "rest", joint.spring->rest);
 }
 

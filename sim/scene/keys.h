@@ -80,7 +80,7 @@ inline constexpr std::array drive{Key("value"), Key("keys")};
 inline constexpr std::array twist{Key("limits")};
 inline constexpr std::array motor{Key("torque"), Key("speed"), Key("max_torque"), Key("gain")};
 inline constexpr std::array linear_motor{Key("force"), Key("speed"), Key("max_force"), Key("gain")};
-inline constexpr std::array spring{Key("stiffness"), Key("rest")};
+inline constexpr std::array spring{Key("stiffness"), Key("table"), Key("rest")};
 
 // Of state files as well.
 inline constexpr std::array friction_anchor{Key("bodies"),  Key("feature"),  Key("stretch"),

@@ -50,10 +50,30 @@ JointMotor read_motor(const Node& node, const MotorWords& words) {
   return motor;
 }
 
+ForceTable read_table(const Node& node, const MotorWords& words) {
+  constexpr std::size_t kMostPoints = 10000;
+  const std::size_t count = node.array_size();
+  if (count < 2 || count > kMostPoints)
+    node.fail_expected(fmt::format("2 to {} pairs [way from rest, {}]", kMostPoints, words.force));
+  ForceTable table;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Node pair = node.element(k);
+    if (pair.array_size() != 2) pair.fail_expected(fmt::format("a pair [way from rest, {}]", words.force));
+    const double x = words.size * pair.element(0).number(words.place);
+    if (k > 0 && !(x > table.points.back().first)) pair.element(0).fail("ways must rise from pair to pair");
+    table.points.emplace_back(x, pair.element(1).number({-kMostForce, kMostForce, words.unit}));
+  }
+  return table;
+}
+
 JointSpring read_spring(const Node& node, const MotorWords& words) {
   const ObjectReader in(node, keys::spring);
-  const double stiffness = in.number("stiffness", {0, kMostForce, words.spring_unit});
-  return {stiffness, words.size * in.number("rest", words.place, 0)};
+  if (in.has("stiffness") == in.has("table")) in.fail("expected either \"stiffness\" or \"table\"");
+  JointSpring spring;
+  spring.stiffness = in.optional_number("stiffness", {0, kMostForce, words.spring_unit}).value_or(0);
+  if (const auto table = in.find("table")) spring.table = read_table(*table, words);
+  spring.rest = words.size * in.number("rest", words.place, 0);
+  return spring;
 }
 
 }  // namespace
@@ -74,7 +94,7 @@ void read_action(const ObjectReader& in, Joint& joint) {
   action.damping = in.optional_number("damping", {0, kMostForce, words.rate_unit}).value_or(0);
   action.friction = in.optional_number("friction", {0, kMostForce, words.unit}).value_or(0);
   if (const auto spring = in.find("spring")) action.spring = read_spring(*spring, words);
-  if (action.motor || action.damping > 0 || action.friction > 0 || action.spring.stiffness > 0)
+  if (action.motor || action.damping > 0 || action.friction > 0 || action.spring.pulls())
     joint.action = std::move(action);
 }
 

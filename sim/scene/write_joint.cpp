@@ -61,9 +61,15 @@ void add_action(const Joint& joint, double now, OrderedJson& out) {
   if (joint.action->damping > 0) out["damping"] = joint.action->damping;
   if (joint.action->friction > 0) out["friction"] = joint.action->friction;
   const JointSpring& spring = joint.action->spring;
-  if (spring.stiffness == 0) return;
-  out["spring"] = {{"stiffness", spring.stiffness}};
+  if (!spring.pulls()) return;
   const double unit = acts_by_torque(traits_of(joint.type)) ? kDegrees : 1;
+  if (spring.table.points.empty()) {
+    out["spring"] = {{"stiffness", spring.stiffness}};
+  } else {
+    OrderedJson table = OrderedJson::array();
+    for (const auto& [x, force] : spring.table.points) table.push_back({x * unit, force});
+    out["spring"] = {{"table", std::move(table)}};
+  }
   if (spring.rest != 0) out["spring"]["rest"] = spring.rest * unit;
 }
 

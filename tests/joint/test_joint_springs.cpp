@@ -19,6 +19,13 @@ JointAction spring(double stiffness, double rest, double damping = 0) {
   return {{}, damping, 0, {stiffness, rest}};
 }
 
+JointAction table(std::vector<std::pair<double, double>> points, double rest = 0) {
+  JointAction action;
+  action.spring.table.points = std::move(points);
+  action.spring.rest = rest;
+  return action;
+}
+
 double angle(const World& world) { return std::atan2(world.state.R[0](1, 0), world.state.R[0](0, 0)); }
 double offset(const World& world) { return world.state.c[0].z(); }
 
@@ -50,6 +57,51 @@ TEST_CASE("the period of a torsional pendulum is 2π √(I/s), of a block on a s
   CHECK(turns == Approx(2 * kPi * std::sqrt(kI / kStiffness)).epsilon(2e-4));
   const double slides = period(block, 10000, [](const World& w) { return offset(w) - 0.3; });
   CHECK(slides == Approx(2 * kPi * std::sqrt(2 / kStiffness)).epsilon(2e-4));
+}
+
+// A play of ±g between two springs k: 4 g/v for the play and 2π √(m/k) for both springs, v = √(k/m) (A − g).
+TEST_CASE("a block with a play between two springs swings with the period that follows") {
+  const double play = 0.1, most = 0.25, mass = 2;
+  for (const bool swapped : {false, true}) {
+    CAPTURE(swapped);
+    World block = one_joint(
+        JointType::slider,
+        table({{-1, -kStiffness * (1 - play)}, {-play, 0}, {play, 0}, {0.2, kStiffness * (0.2 - play)}}),
+        Vec3::Zero(), swapped);
+    block.params.h = 1.0 / 960;
+    const double speed = std::sqrt(kStiffness / mass) * (most - play);
+    block.state.v[0] = Vec3(0, 0, speed);
+    double highest = 0;
+    const double slides = period(block, 18000, [&](const World& w) {
+      highest = std::max(highest, offset(w));
+      return offset(w);
+    });
+    CHECK(slides == Approx(4 * play / speed + 2 * kPi * std::sqrt(mass / kStiffness)).epsilon(2e-3));
+    CHECK(highest == Approx(most).epsilon(2e-3));
+  }
+}
+
+TEST_CASE("a spring by a straight table is the spring with that stiffness, in energy as well") {
+  for (const JointType type : {JointType::hinge, JointType::slider}) {
+    World by_table = one_joint(type, table({{-0.1, -0.1 * kStiffness}, {0.3, 0.3 * kStiffness}}, 0.4)),
+          plain = one_joint(type, spring(kStiffness, 0.4));
+    std::vector<double> energy;
+    run(plain, 200, {}, [&](const StepReport& r) { energy.push_back(r.elastic); });
+    std::size_t k = 0;
+    run(by_table, 200, {},
+        [&](const StepReport& r) { CHECK(r.elastic == Approx(energy[k++]).margin(1e-12)); });
+    CHECK((by_table.state.c[0] - plain.state.c[0]).norm() < 1e-12);
+    CHECK((by_table.state.R[0] - plain.state.R[0]).norm() < 1e-12);
+  }
+}
+
+// Pressed beyond the hump at 0.1 m it would snap through to where it carries the weight again: 20 N at 0.2 m.
+TEST_CASE("a spring that gives way snaps through to where it carries its load, and makes no energy") {
+  JointAction gives_way = table({{0, 0}, {0.1, 15}, {0.15, 5}, {0.25, 35}});
+  gives_way.damping = 8;
+  World block = one_joint(JointType::slider, gives_way, Vec3(0, 0, 10));
+  run(block, 900, {}, [](const StepReport& r) { CHECK(r.kinetic + r.potential + r.elastic < 1e-3); });
+  CHECK(offset(block) == Approx(0.2).margin(1e-6));
 }
 
 TEST_CASE("springs move as implicit Euler has it, in every solver and either way round") {

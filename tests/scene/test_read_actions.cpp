@@ -66,6 +66,12 @@ TEST_CASE("springs: N m/rad about an angle in degrees, N/m about an offset in me
   CHECK(pushes.stiffness == 7);
   CHECK(pushes.rest == -2);
   CHECK(only_action(kSlider + R"(, "spring": { "stiffness": 7 })").spring.rest == 0);
+  const JointSpring table =
+      only_action(kHinge + R"(, "spring": { "table": [[-90, -4], [0, 0], [180, 1]], "rest": 30 })").spring;
+  REQUIRE(table.table.points.size() == 3);
+  CHECK(table.table.points[0].first == Approx(-kPi / 2));
+  CHECK(table.table.points[0].second == -4);
+  CHECK(table.stiffness == 0);
   CHECK_FALSE(parse(joints("{" + kHinge + R"(, "spring": { "stiffness": 0 } })")).model.joints[0].action);
 }
 
@@ -83,13 +89,13 @@ TEST_CASE("a saved scene has the motors it had, from its own time on", "[scene]"
       "{" + kHinge + R"(, "motor": { "speed": { "keys": [[0, 0], [2, 360]] }, "max_torque": 4, "gain": 2 },
         "damping": 0.1, "friction": 0.2, "spring": { "stiffness": 3, "rest": -20 } }, {)" +
       kSlider + R"(, "motor": { "force": 7 }, "spring": { "stiffness": 4, "rest": 0.5 } }, {)" + kBall +
-      R"(, "damping": 3 })"));
+      R"(, "damping": 3 }, {)" + kHinge + R"(, "spring": { "table": [[-30, -2], [60, 5]], "rest": 10 } })"));
   State state = scene.initial;
   state.time = 1;
   const std::string saved = scene_to_json(scene.model, state, scene.params, scene.joint_law, "saved", {}, {},
                                           parameter_table(), {});
   const Model again = parse(saved).model;
-  REQUIRE(again.joints.size() == 3);
+  REQUIRE(again.joints.size() == 4);
   for (const Joint& joint : again.joints) REQUIRE(joint.action);
   const JointAction &turns = *again.joints[0].action, &pushes = *again.joints[1].action;
   CHECK(turns.motor->profile.at(0) == Approx(kPi));
@@ -105,6 +111,13 @@ TEST_CASE("a saved scene has the motors it had, from its own time on", "[scene]"
   CHECK(pushes.motor->gives == JointMotor::Gives::force);
   CHECK(pushes.motor->profile.at(0) == 7);
   CHECK(again.joints[2].action->damping == 3);
+  const JointSpring &table = again.joints[3].action->spring, &first = scene.model.joints[3].action->spring;
+  REQUIRE(table.table.points.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK(table.table.points[k].first == Approx(first.table.points[k].first));
+    CHECK(table.table.points[k].second == first.table.points[k].second);
+  }
+  CHECK(table.rest == Approx(first.rest));
 }
 
 TEST_CASE("motors built in C++ are those of a file", "[scene]") {
@@ -157,6 +170,12 @@ TEST_CASE("bad motors, dampers and friction are refused", "[scene]") {
       {kSlider + R"(, "friction": 1, "drive": { "value": 0 })", {"/joints/0/friction", "remove one"}},
       {kHinge + R"(, "spring": 5)", {"/joints/0/spring", "expected an object"}},
       {kHinge + R"(, "spring": { "rest": 5 })", {"/joints/0/spring", "stiffness"}},
+      {kHinge + R"(, "spring": { "stiffness": 1, "table": [[0, 0], [1, 1]] })",
+       {"/joints/0/spring", "either \"stiffness\" or \"table\""}},
+      {kHinge + R"(, "spring": { "table": [[0, 0]] })", {"/joints/0/spring/table", "pairs [way from rest"}},
+      {kHinge + R"(, "spring": { "table": [[0, 0], [0, 1]] })", {"/joints/0/spring/table/1/0", "must rise"}},
+      {kSlider + R"(, "spring": { "table": [[0, 0], [1]] })", {"/joints/0/spring/table/1", "a pair"}},
+      {kSlider + R"(, "spring": { "table": [[0, 0], [1, 1e20]] })", {"/joints/0/spring/table/1/1", "(N)"}},
       {kHinge + R"(, "spring": { "stiffness": -1 })", {"/joints/0/spring/stiffness", "(N m/rad)"}},
       {kSlider + R"(, "spring": { "stiffness": -1 })", {"/joints/0/spring/stiffness", "(N/m)"}},
       {kHinge + R"(, "spring": { "stiffness": 1, "rest": 181 })", {"/joints/0/spring/rest", "(degrees)"}},
