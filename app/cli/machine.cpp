@@ -12,6 +12,7 @@
 
 #include "app/cli/common.h"
 #include "render/gl/renderer.h"
+#include "render/output/video_options.h"
 #include "sim/base/child_process.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
@@ -33,6 +34,18 @@ std::string proc_value(const char* file, std::string_view key) {
     return start == std::string::npos ? "" : line.substr(start);
   }
   return "";
+}
+
+// ffmpeg may know an encoder whose GPU is not there.
+bool encodes(VideoEncoder encoder) {
+  VideoOptions options;
+  options.encoder = encoder;
+  try {
+    check_video_encoder(options);
+  } catch (const Error&) {
+    return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -73,8 +86,8 @@ FfmpegFacts find_ffmpeg() {
   const std::string encoders = capture({"ffmpeg", "-hide_banner", "-encoders"});
   facts.h264 = encoders.find(" libx264 ") != std::string::npos;
   facts.vp9 = encoders.find(" libvpx-vp9 ") != std::string::npos;
-  facts.nvenc = encoders.find(" h264_nvenc ") != std::string::npos;
-  facts.vaapi = encoders.find(" h264_vaapi ") != std::string::npos;
+  facts.nvenc = encoders.find(" h264_nvenc ") != std::string::npos && encodes(VideoEncoder::nvenc);
+  facts.vaapi = encoders.find(" h264_vaapi ") != std::string::npos && encodes(VideoEncoder::vaapi);
   return facts;
 }
 

@@ -25,7 +25,7 @@ struct FfmpegFacts {
   std::string version;
   bool h264 = false;                  // libx264, for .mp4
   bool vp9 = false;                   // libvpx-vp9, for .webm
-  bool nvenc = false, vaapi = false;  // h264_nvenc, h264_vaapi; whether the GPU has them only a trial tells
+  bool nvenc = false, vaapi = false;  // h264_nvenc, h264_vaapi, by a trial
 };
 
 struct CpuFacts {

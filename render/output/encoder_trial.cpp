@@ -12,6 +12,14 @@ namespace {
 
 constexpr double kPatience = 30;  // s
 
+// What follows is about what follows from it: "[h264_nvenc @ 0x5632…] Cannot load libcuda.so.1".
+std::string first_reason(const std::string& errors) {
+  std::string line = errors.substr(0, errors.find('\n'));
+  if (line.ends_with('.')) line.pop_back();
+  const auto end = line.starts_with('[') ? line.find("] ") : std::string::npos;
+  return one_line(end == std::string::npos ? line : line.substr(end + 2));
+}
+
 }  // namespace
 
 std::string encoder_complaint(const std::vector<std::string>& device, const std::vector<std::string>& codec) {
@@ -28,7 +36,7 @@ std::string encoder_complaint(const std::vector<std::string>& device, const std:
   if (!outcome.found) return "ffmpeg was not found in PATH";
   if (outcome.status == 0) return "";
   if (outcome.too_slow) return fmt::format("it did not answer within {:g} s", kPatience);
-  return outcome.errors.empty() ? "it gave no reason" : one_line(outcome.errors);
+  return outcome.errors.empty() ? "it gave no reason" : first_reason(outcome.errors);
 }
 
 }  // namespace pabd

@@ -234,10 +234,14 @@ TEST_CASE("the doctor reports, whatever is missing") {
   CHECK(here["gl"]["available"].get<bool>());
   CHECK_FALSE(here["gl"]["renderer"].get<std::string>().empty());
   CHECK(here["ffmpeg"]["libx264"].get<bool>());
-  const std::string encoders = run_shell("ffmpeg -hide_banner -encoders").out;
-  for (const char* name : {"h264_nvenc", "h264_vaapi"})
-    CHECK(here["ffmpeg"][name].get<bool>() ==
-          (encoders.find(std::string(" ") + name + " ") != std::string::npos));
+  const CommandFolder videos;
+  for (const char* name : {"nvenc", "vaapi"}) {
+    const Outcome video =
+        run_pabd({"render", "stack", "-o", (videos.path() / (std::string(name) + ".mp4")).string(),
+                  "--frames", "1", "--encoder", name});
+    CHECK(here["ffmpeg"][std::string("h264_") + name].get<bool>() == (video.exit_code == 0));
+    CHECK(video.err.find("0x") == std::string::npos);
+  }
   CHECK(here["cpu"]["cores"].get<int>() >= 1);
   CHECK_FALSE(here["build"].get<std::string>().empty());
   CHECK(here["font_bytes"].get<int>() > 100000);
