@@ -113,6 +113,16 @@ double caption_height(const PlotLayout& layout, const PlotStyle& style) {
   return static_cast<double>(layout.caption.size()) * FontMetrics::line * kCaption * style.tick;
 }
 
+// How far the last label of the x axis sticks out to the right of the inside.
+double sticks_out(const PlotLayout& layout, const PlotStyle& style, const FontMetrics& font) {
+  double most = 0;
+  for (const Tick& tick : layout.x.ticks)
+    if (tick.major)
+      most = std::max(most, 0.5 * text_width(font, tick.label, style.tick) -
+                                (1 - layout.x.unit(tick.value)) * layout.inner.w);
+  return most;
+}
+
 struct Margins {
   double left = 0, right = 0, top = 0, bottom = 0;
 };
@@ -130,6 +140,7 @@ Margins find_margins(const Plot& plot, const PlotLayout& layout, const PlotStyle
     if (!plot.y.label.empty()) m.left += label_height + 0.5 * style.gap;
     if (layout.has_right && !plot.y_right.label.empty()) m.right += label_height + 0.5 * style.gap;
   }
+  m.right = std::max(m.right, std::ceil(sticks_out(layout, style, font)));
   m.bottom = style.tick_length + style.gap + tick_height + 0.2 * style.tick;
   if (!plot.x.label.empty() || !layout.x.factor.empty()) m.bottom += label_height;
   if (has_strip(plot)) m.bottom += (kStripWords + kStrip) * style.tick + style.gap;

@@ -44,6 +44,30 @@ TEST_CASE("data is placed linearly between the corners of the inside") {
   CHECK(layout.map(2.5, 0.5).y == Approx(in.y + 0.25 * in.h).margin(kExact));
 }
 
+TEST_CASE("every label of an axis lies within the area of its plot, at any size and range") {
+  const FontMetrics font;
+  for (const PlotStyle& style : {panel_style(), figure_style(), panel_style().scaled(2)}) {
+    for (double width = 160; width < 1000; width *= 1.07) {
+      for (double most = 1.3e-3; most < 5e4; most *= 1.9) {
+        Plot plot = simple_plot();
+        plot.x = {"x [m]", false, 0, most};
+        plot.series[0].x = {0, 0.5 * most, most};
+        const Rect area{10, 20, width, 200};
+        const PlotLayout layout = layout_plot(plot, area, style, font);
+        CAPTURE(width, most, style.tick);
+        for (const Tick& tick : layout.x.ticks) {
+          if (!tick.major) continue;
+          const double at = layout.map(tick.value, 0).x,
+                       half = 0.5 * text_width(font, tick.label, style.tick);
+          CAPTURE(tick.label);
+          CHECK(at - half > area.x - 1);
+          CHECK(at + half < area.right() + 1);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("log and right axes map by their own scale") {
   Plot plot = simple_plot();
   plot.y_right = {"z", true, 1e-4, 1};
