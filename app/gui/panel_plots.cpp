@@ -127,7 +127,7 @@ Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
     plot.title.clear();  // the list says it
   } else {
     const auto quantity = static_cast<ConvergenceQuantity>(what - 1);
-    std::vector<MethodRun> runs{{to_string(r.method), r.records}};
+    std::vector<MethodRun> runs{{to_string(r.method), r.records, r.capped_bonds}};
     std::size_t others = 0;
     for (const HeldCurve& held : sim.held) {
       // E_end is one step's own.
@@ -135,7 +135,7 @@ Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
         ++others;
       } else {
         runs.push_back({held.step == r.step ? "held: " + held.name.substr(0, held.name.find(',')) : held.name,
-                        *held.records});
+                        *held.records, held.softened});
       }
     }
     plot = convergence_panel(runs, quantity);

@@ -226,7 +226,7 @@ std::string Run::edits() const {
   return out;
 }
 
-std::vector<IterationRecord> Run::records_with(SolverMethod method) const {
+StepReport Run::step_with(SolverMethod method) const {
   const Moment& m = timeline_[cursor_];
   if (m.start || cursor_ == 0) return {};
   if (timeline_.kept(cursor_ - 1) != cursor_ - 1)
@@ -245,7 +245,7 @@ std::vector<IterationRecord> Run::records_with(SolverMethod method) const {
   StepWorkspace workspace;
   StepReport report;
   step(*m.model, params, options, state, workspace, report);
-  return report.records;
+  return report;
 }
 
 void Run::branch() {

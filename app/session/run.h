@@ -114,9 +114,9 @@ class Run {
   // All edits of the timeline, as JSON, one a line.
   std::string edits() const;
 
-  // The step that led here again, with another method, recorded. Nothing for a start. Throws Error(bad_input) where
+  // The step that led here again, with another method, its iterations recorded. None for a start. Throws Error(bad_input) where
   // the state before it was not kept.
-  std::vector<IterationRecord> records_with(SolverMethod method) const;
+  StepReport step_with(SolverMethod method) const;
 
  private:
   void needs_processor() const;

@@ -30,6 +30,7 @@ struct HeldCurve {
   std::string name;  // method and step
   std::int64_t step = 0;
   std::shared_ptr<const std::vector<IterationRecord>> records;  // never null
+  int softened = 0;                                             // MethodRun::softened
 };
 
 // How far two runs are apart: largest distance between the places of a body.

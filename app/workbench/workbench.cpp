@@ -192,10 +192,9 @@ void Workbench::carry_out(const command::Hold& c) {
   if (!c.method.empty()) {
     method = tuned(a_->params(), {"solver.method=" + c.method, "solver.projection=auto"}).solver.method;
   }
-  std::vector<IterationRecord> records =
-      c.method.empty() ? a_->report().records : std::vector<IterationRecord>{};
-  if (records.empty()) records = a_->records_with(method);
-  if (records.empty())
+  const bool as_made = c.method.empty() && !a_->report().records.empty();
+  const StepReport made = as_made ? a_->report() : a_->step_with(method);
+  if (made.records.empty())
     throw Error(ErrorKind::bad_input, "no step with contacts or joints led here: there is nothing to hold");
   if (held_.size() >= kMostHeld) {
     keep_held("oldest held curve");
@@ -203,7 +202,7 @@ void Workbench::carry_out(const command::Hold& c) {
   }
   const std::int64_t step = a_->state().step;
   held_.push_back({fmt::format("{}, step {}", to_string(method), step), step,
-                   std::make_shared<const std::vector<IterationRecord>>(std::move(records))});
+                   std::make_shared<const std::vector<IterationRecord>>(made.records), made.capped_bonds});
 }
 
 void Workbench::carry_out(const command::DropHeld&) {

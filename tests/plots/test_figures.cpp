@@ -109,6 +109,15 @@ TEST_CASE("convergence figure: gaps above the minimum, penetration with its sign
   CHECK(figure.plots[2].series[0].y == std::vector<double>{-0.1, -0.15});
   CHECK(figure.plots[2].series[1].y == std::vector<double>{-0.2, -0.3});
   CHECK(figure.plots[2].series[3].y == std::vector<double>{-0.25});
+  // What solved a softened step has an E of its own, and says so.
+  std::vector<MethodRun> two = runs;
+  two[0].records.push_back(record(0.25, 0.1, 0.1, 0.1));
+  two[0].softened = 71;
+  const Figure apart = convergence_figure(two, Minimiser{0.5, 0.25});
+  CHECK(apart.plots[0].series[0].y[1] == 1.75);
+  CHECK(apart.plots[0].series[1].y == std::vector<double>{1.5, 0.5});
+  CHECK(apart.caption.find("E_{min} = 0.5 J") != std::string::npos);
+  CHECK(apart.caption.find("sissm softened 71 bonds: its E is another function") != std::string::npos);
   // Without a reference the least value is the minimum and leaves the log axis.
   const Figure own = convergence_figure(runs, std::nullopt);
   CHECK(own.plots[0].series[1].y[0] == 1);

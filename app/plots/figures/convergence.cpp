@@ -11,6 +11,7 @@
 #include "app/plots/figures/run_caption.h"
 #include "app/plots/plot_palette.h"
 #include "app/plots/quantities.h"
+#include "sim/base/counted.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd {
@@ -85,6 +86,17 @@ double ending_energy(const std::vector<IterationRecord>& records) {
   return known ? records.back().energy : std::numeric_limits<double>::infinity();
 }
 
+double least_ending_energy(const std::vector<MethodRun>& runs) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MethodRun& run : runs)
+    if (run.softened == 0) least = std::min(least, ending_energy(run.records));
+  return least;
+}
+
+double counted_from(const MethodRun& run, double least) {
+  return run.softened == 0 ? least : ending_energy(run.records);
+}
+
 Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser,
                           const std::string& about) {
   Figure figure;
@@ -92,8 +104,7 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   const bool joints = any_record(runs, [](const IterationRecord& r) { return r.max_joint_error > 0; });
   const bool contacts =
       any_record(runs, [](const IterationRecord& r) { return std::isfinite(r.min_gap_after); });
-  double least = std::numeric_limits<double>::infinity();
-  for (const MethodRun& run : runs) least = std::min(least, ending_energy(run.records));
+  double least = least_ending_energy(runs);
   const bool reference = minimiser && std::isfinite(minimiser->energy);
   // A reference that a shown solve gets below is none.
   const bool reached = reference && !(least < minimiser->energy - kReached * std::abs(least));
@@ -107,7 +118,8 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const MethodRun& run = runs[i];
     const int color = static_cast<int>(i);
-    energy.series.push_back(iteration_series(run.name, run.records, energy_gap(least), color));
+    energy.series.push_back(
+        iteration_series(run.name, run.records, energy_gap(counted_from(run, least)), color));
     residual.series.push_back(iteration_series(
         run.name, run.records, [](const IterationRecord& r) { return r.residual; }, color));
     joint.series.push_back(iteration_series(run.name, run.records, joint_error, color));
@@ -133,6 +145,11 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
                             format_value(least, 6), to_string(minimiser->method))
               : fmt::format("E_{{end}} = {} J: least value that a solve ends with.", format_value(least, 6));
   if (!std::isfinite(least)) figure.caption.clear();
+  for (const MethodRun& run : runs) {
+    if (run.softened == 0) continue;
+    figure.caption += fmt::format("{}{} softened {}: its E is another function, shown above its own end.",
+                                  figure.caption.empty() ? "" : " ", run.name, counted(run.softened, "bond"));
+  }
   if (!about.empty()) figure.caption = figure.caption.empty() ? about : about + ". " + figure.caption;
   figure.plots = {std::move(energy), std::move(residual)};
   if (contacts || !joints) figure.plots.push_back(std::move(depth));
@@ -165,7 +182,8 @@ std::vector<MethodRun> run_methods(const Model& model, const Params& params, con
     p.solver.method = method;
     p.solver.iterations = iterations;
     p.solver.tolerance = 0;
-    runs.push_back({to_string(method), recorded_step(model, p, state, threads).records});
+    StepReport report = recorded_step(model, p, state, threads);
+    runs.push_back({to_string(method), std::move(report.records), report.capped_bonds});
   }
   return runs;
 }

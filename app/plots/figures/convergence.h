@@ -29,10 +29,15 @@ namespace pabd {
 struct MethodRun {
   std::string name;  // "sissm"
   std::vector<IterationRecord> records;
+  int softened = 0;  // bonds with less stiffness than the step's (Deviation D17): its E is another function
 };
 
 // E of the last iteration; infinite when there is none.
 double ending_energy(const std::vector<IterationRecord>& records);
+// The least that runs of one function end with; infinite when there are none.
+double least_ending_energy(const std::vector<MethodRun>& runs);
+// What E of the run is counted from: `least`, or its own end, where its E is another function.
+double counted_from(const MethodRun& run, double least);
 
 // What the true minimiser of E over rigid poses has.
 struct Minimiser {

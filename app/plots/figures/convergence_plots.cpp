@@ -58,8 +58,7 @@ double value_of(const IterationRecord& r, ConvergenceQuantity quantity, double l
 }
 
 double least_energy(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const MethodRun& run : runs) least = std::min(least, ending_energy(run.records));
+  const double least = least_ending_energy(runs);
   return minimiser && minimiser->energy <= least ? minimiser->energy : least;
 }
 
@@ -115,7 +114,7 @@ Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity q
     series.weight = k == 0 ? 1.3 : 1.0;
     for (std::size_t i = 0; i < run.records.size(); ++i) {
       series.x.push_back(static_cast<double>(i + 1));
-      series.y.push_back(value_of(run.records[i], quantity, least));
+      series.y.push_back(value_of(run.records[i], quantity, counted_from(run, least)));
     }
     Series before = series;
     bool differs = false;
