@@ -114,7 +114,7 @@ class Run {
   // All edits of the timeline, as JSON, one a line.
   std::string edits() const;
 
-  // The step that led here again, with another method, its iterations recorded. None for a start. Throws Error(bad_input) where
+  // The step that led here again, with another method, its iterations recorded; of a start none. Throws Error(bad_input) where
   // the state before it was not kept.
   StepReport step_with(SolverMethod method) const;
 

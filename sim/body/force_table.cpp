@@ -30,8 +30,8 @@ double force_on(const Points& points, std::size_t k, double x) {
 ForceTable::Value ForceTable::at(double x) const {
   const std::size_t at_x = segment_of(points, x), at_0 = segment_of(points, 0);
   // From the lower of 0 and x to the upper one, segment by segment.
-  const auto [first, last] = std::minmax(at_0, at_x);
-  const auto [from, to] = std::minmax(0.0, x);
+  const std::size_t first = std::min(at_0, at_x), last = std::max(at_0, at_x);
+  const double from = std::min(0.0, x), to = std::max(0.0, x);
   double energy = 0;
   for (std::size_t k = first; k <= last; ++k) {
     const double low = k == first ? from : points[k].first, high = k == last ? to : points[k + 1].first;

@@ -59,6 +59,22 @@ TEST_CASE("the period of a torsional pendulum is 2π √(I/s), of a block on a s
   CHECK(slides == Approx(2 * kPi * std::sqrt(2 / kStiffness)).epsilon(2e-4));
 }
 
+TEST_CASE("the energy of a table is the integral of its force from 0, wherever that is") {
+  for (const double shift : {-3.0, -0.5, 0.0, 0.7, 3.0}) {
+    const ForceTable uneven{{{shift - 1, -2}, {shift - 0.2, 1}, {shift + 0.1, 1}, {shift + 1, 7}}};
+    for (double x = -5; x <= 5; x += 0.37) {
+      CAPTURE(shift, x);
+      constexpr int kParts = 20000;
+      double sum = 0;
+      for (int k = 0; k < kParts; ++k) sum += uneven.at(x * (k + 0.5) / kParts).force * x / kParts;
+      CHECK(uneven.at(x).energy == Approx(sum).margin(1e-5));
+      const double dx = 1e-6;
+      CHECK(uneven.at(x).force ==
+            Approx((uneven.at(x + dx).energy - uneven.at(x - dx).energy) / (2 * dx)).margin(1e-4));
+    }
+  }
+}
+
 // A play of ±g between two springs k: 4 g/v for the play and 2π √(m/k) for both springs, v = √(k/m) (A − g).
 TEST_CASE("a block with a play between two springs swings with the period that follows") {
   const double play = 0.1, most = 0.25, mass = 2;
