@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "app/gui/plot_reading.h"
+#include "app/gui/typed_number.h"
 #include "app/gui/widgets.h"
 #include "app/session/joint_settings.h"
 
@@ -44,8 +45,10 @@ void JointLawRow::field(GuiFrame& f, const char* name, const std::string& key, c
     typed_ = text;
   }
   if (mine && ImGui::IsItemDeactivated()) {
-    // Escape gave the text back. A unit behind the number is none of it.
-    if (text != shown) f.out.send(Command(command::Set{key, text.substr(0, text.find(' ')), Side::b}));
+    // Escape gave the text back.
+    const auto space = shown.find(' ');
+    const std::string unit = space == std::string::npos ? "" : shown.substr(space + 1);
+    if (text != shown) f.out.send(Command(command::Set{key, typed_number(text, unit), Side::b}));
     typing_.clear();
   }
   tooltip(help);

@@ -11,6 +11,7 @@
 #include "app/gui/panels.h"
 #include "app/gui/parameter_rows.h"
 #include "app/gui/significant.h"
+#include "app/gui/typed_number.h"
 #include "app/gui/value_slider.h"
 #include "app/gui/widgets.h"
 #include "sim/scene/thickness.h"
@@ -203,9 +204,9 @@ class ParametersPanel final : public GuiPanel {
   }
 
   // What was typed, as --set takes it.
-  static std::string typed(const std::string& text, const ParameterRow& row) {
+  static std::string typed(const std::string& text, const ParameterRow& row, const Params& params) {
     if (kind_of(row) == ParameterKind::vector) return "[" + text + "]";
-    return text.substr(0, text.find_first_of(" \t"));
+    return typed_number(text, unit_of(row, params));
   }
 
   // The exact value. What is typed is kept here while it is being typed.
@@ -221,7 +222,7 @@ class ParametersPanel final : public GuiPanel {
     }
     if (mine && ImGui::IsItemDeactivated()) {
       typed_ = text;  // Escape gave the text back
-      if (typed_ != shown(run, row)) set(f, row, typed(typed_, row));
+      if (typed_ != shown(run, row)) set(f, row, typed(typed_, row, run.params));
       typing_.clear();
     }
     tooltip("Exact value: " + value_text(value_of(row, run.params)) +
