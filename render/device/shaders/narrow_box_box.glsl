@@ -203,7 +203,7 @@ void find_contacts(wide reach) {
   bool is_flat = false;
   if (edge_j >= 0)
     is_flat = is_nearly_along(cross(unit_axis(edge_i), column(C, edge_j)),
-                                  b_owns ? column(C, axis_b) : unit_axis(axis_a));
+                              b_owns ? column(C, axis_b) : unit_axis(axis_a));
   bool try_edge = clearly_edge && !is_flat, try_face = true, corner_of_b = false;
   wide d = NONE, nearest = NONE;
   NearestCorner corner = NearestCorner(NONE, wide3(0), wide3(0), 0u);

@@ -116,7 +116,7 @@ wide preference(wide separation, wide smallest_half) {
   return wide(0.02lf) * abs(separation) + wide(1e-3lf) * smallest_half;
 }
 
-// Is the normal n of an edge pair nearly that of a face, w (unit)?
+// Is the normal n of an edge pair nearly that of a face, w (unit)? See narrow_phase.h: its kSine is 0.1.
 bool is_nearly_along(wide3 n, wide3 w) {
   wide3 across = cross(n, w);
   return dot(across, across) <= wide(0.01lf) * dot(n, n);

@@ -286,7 +286,7 @@ void find_contacts(wide reach) {
   // pair that is clearly best is nearly along it. Turn 0: that edge pair, the chosen face. Turn 1 of hulls that overlap:
   // the edge pair, the other face. Turn 1 of those that are apart: the other face; turn 2: the edge pair; turn 3: a corner.
   bool is_flat = edge.g >= 0 && is_nearly_along(edge.n, b_owns ? C * normal_of(view_b, number_b)
-                                                                   : normal_of(view_a, number_a));
+                                                               : normal_of(view_a, number_a));
   bool try_edge = clearly_edge && !is_flat, try_face = true, corner_of_b = false;
   wide d = NONE;
   NearestCorner corner = NearestCorner(NONE, wide3(0), wide3(0), 0u);
