@@ -47,8 +47,7 @@ struct ToJson {
     if (body.orientation != Mat3::Identity()) out["orientation"] = json_of_rotation(body.orientation);
     if (!body.velocity.isZero(0)) out["velocity"] = json_of(body.velocity);
     if (!body.omega.isZero(0)) out["angular_velocity"] = json_of(Vec3(body.omega * (180 / kPi)));
-    if (body.friction)
-      out["friction"] = {{"static", body.friction->mu_static}, {"dynamic", body.friction->mu_dynamic}};
+    if (body.friction) out["friction"] = json_of(*body.friction);
     if (body.restitution) out["restitution"] = *body.restitution;
     return out;
   }

@@ -14,6 +14,7 @@
 #include "sim/solver/friction.h"
 #include "sim/solver/halving.h"
 #include "sim/solver/restitution.h"
+#include "sim/solver/turn_friction.h"
 
 namespace pabd {
 namespace {
@@ -185,6 +186,8 @@ std::string DeviceSolver::why_not(const Model& model, const Params& params) {
   if (!model.joints.empty()) return "the scene has joints, which the GPU does not take: --device cpu";
   if (has_restitution(model, params.contact))
     return "the scene has restitution, which the GPU does not take: --device cpu";
+  if (has_turn_friction(model, params.contact))
+    return "the scene has torsional or rolling friction, which the GPU does not take: --device cpu";
   if (!model.surface_velocity.empty())
     return "surfaces of bodies move of themselves, which the GPU does not take: --device cpu";
   if (!model.external.empty()) return "forces act on bodies, which the GPU does not take: --device cpu";

@@ -39,7 +39,8 @@ const char* to_string(FrictionRule rule) {
 }
 
 SurfaceFriction combined(FrictionRule rule, const SurfaceFriction& a, const SurfaceFriction& b) {
-  return {combined(rule, a.mu_static, b.mu_static), combined(rule, a.mu_dynamic, b.mu_dynamic)};
+  return {combined(rule, a.mu_static, b.mu_static), combined(rule, a.mu_dynamic, b.mu_dynamic),
+          combined(rule, a.torsional, b.torsional), combined(rule, a.rolling, b.rolling)};
 }
 
 }  // namespace pabd

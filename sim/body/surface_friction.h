@@ -6,9 +6,11 @@
 
 namespace pabd {
 
-// Largest friction force over normal force while two surfaces stick and while they slide; 0 ≤ dynamic ≤ static.
+// Largest friction force over normal force while two surfaces stick and while they slide; 0 ≤ dynamic ≤ static. Largest
+// torque over normal force about the normal of a contact, and about what lies in its plane; m.
 struct SurfaceFriction {
   double mu_static = 0.5, mu_dynamic = 0.5;
+  double torsional = 0, rolling = 0;
   bool operator==(const SurfaceFriction&) const = default;
 };
 

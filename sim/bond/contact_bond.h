@@ -89,7 +89,18 @@ inline FrictionArms friction_arms(double radius_a, double radius_b, double gap, 
   return {radius_a + gap - beside_b, radius_b + beside_b};
 }
 
-struct alignas(sizeof(Lanes)) ContactManifold {
+// A friction force, or torque, of each lane, as iterations know it.
+struct alignas(sizeof(Lanes)) FrictionBound {
+  Lanes limit = lanes(0);        // its bound in this iteration
+  Lanes last_change = lanes(0);  // that the law asked for
+  Lanes gain = lanes(1);  // share of the next change: less where the bound swings, more where it does not
+  // For `newton`, see ease_slip.
+  Vec3x last_u = spread(Vec3::Zero());     // stretch of the last iterate
+  Lanes along = lanes(1);                  // share of the weight α_t that acts along the slip
+  Lanes least_along = lanes(kLeastAlong);  // see ease_slip
+};
+
+struct alignas(sizeof(Lanes)) ContactManifold : FrictionBound {
   Index a, b;
   int count;      // points in use, 1 … kLanes; the others are far away and feel nothing
   bool turns;     // a is flat: its plane turns with it. Else n, stretch and rolled are in the world frame
@@ -105,13 +116,7 @@ struct alignas(sizeof(Lanes)) ContactManifold {
   Lanes start_d = lanes(1e30);    // d where the step starts
   bool slides;                    // the pair of bodies has let go: dynamic friction
   double mu;                      // coefficient of this step
-  Lanes limit;                    // friction bound of this iteration
-  Lanes last_change;              // that μ f_n asked for
-  Lanes gain = lanes(1);  // share of the next change: less where the bound swings, more where it does not
-  // For `newton`, see ease_slip.
-  Vec3x last_u;                              // stretch of the last iterate
-  Lanes along = lanes(1);                    // share of the weight α_t that acts along the slip
-  Lanes least_along = lanes(kLeastAlong);    // see ease_slip
+  Index turning = -1;             // number of its TurnFriction, if it has one (bond/turn_friction.h)
   Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
   bool recovers = false;                     // solver/recovery.h
   bool recalled = false, restless = false;   // it has a past, and ContactMemory::restless
@@ -270,11 +275,11 @@ inline Lanes contact_energy(const ContactLaw& law, const ContactManifold& p, con
   return normal_force(law.barrier, p, s.d).value + friction_energy(law, p.limit, length(s.u));
 }
 
-// Moves the bounds towards μ f_n of the current iterate. Each goes its own share of the way: half of the last
+// Moves the bounds towards `most`, μ f_n of the current iterate. Each goes its own share of the way: half of the last
 // share where it swings back, half as much again where it goes on. (Forces answer to bounds; a whole way each
 // time may swing for ever.)
-inline void move_limit(ContactManifold& p, const ContactForce& f) {
-  const Lanes change = -p.mu * f.first - p.limit;
+inline void move_limit(FrictionBound& p, const Lanes& most) {
+  const Lanes change = most - p.limit;
   p.gain = select(change * p.last_change < 0, 0.5 * p.gain, smaller(lanes(1), 1.5 * p.gain));
   p.limit += p.gain * change;
   p.last_change = change;
@@ -284,7 +289,7 @@ inline void move_limit(ContactManifold& p, const ContactForce& f) {
 // with the majoriser converges slowly where the slip is short, without it the slip turns back and forth at
 // the threshold of sticking. So the share of α_t along u falls while the slip keeps its direction, by an eighth down to
 // a least share (first kLeastAlong), from there on by half. The least share is four times as large each time that the slip has turned back.
-inline void ease_slip(const ContactLaw& law, ContactManifold& p, const Vec3x& u) {
+inline void ease_slip(const ContactLaw& law, FrictionBound& p, const Vec3x& u) {
   const Lanes along = dot(u, p.last_u), straight = 0.9 * length(u) * length(p.last_u);
   const LaneMask steady = (along > straight) & (law.k_t * length(u) > p.limit);
   const LaneMask there = steady & (p.along <= p.least_along);
@@ -295,15 +300,16 @@ inline void ease_slip(const ContactLaw& law, ContactManifold& p, const Vec3x& u)
 }
 
 // Is a slip still held back by the majoriser, so that small moves do not mean the end?
-inline bool is_held_back(const ContactLaw& law, const ContactManifold& p, const Vec3x& u) {
+inline bool is_held_back(const ContactLaw& law, const FrictionBound& p, const Vec3x& u) {
   const LaneMask slides = (law.k_t * length(u) > p.limit) & (p.limit > 0);
   return sum(select(slides & (p.along > larger(p.least_along, lanes(kLeastAlong))), lanes(1), lanes(0))) > 0;
 }
 
-// Coulomb's law: how far the friction force min(k_t ‖u‖, limit) is from min(k_t ‖u‖, μ f_n); N.
-inline Lanes friction_error(const ContactLaw& law, const ContactManifold& p, const ContactForce& f, Lanes u) {
+// Coulomb's law: how far the friction force min(k_t ‖u‖, limit) is from min(k_t ‖u‖, most), `most` being μ f_n; N.
+inline Lanes friction_error(const ContactLaw& law, const FrictionBound& p, const Lanes& most,
+                            const Lanes& u) {
   const Lanes pull = law.k_t * u;
-  const Lanes error = smaller(pull, p.limit) - smaller(pull, -p.mu * f.first);
+  const Lanes error = smaller(pull, p.limit) - smaller(pull, most);
   return larger(error, -error);
 }
 

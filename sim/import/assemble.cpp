@@ -135,7 +135,8 @@ class Assembler {
       body.affinity |= geom->affinity;
       if (geom != shown.front() && geom->friction != shown.front()->friction)
         note(link.place, "geoms of one body with different friction: the body has the largest");
-      if (geom->friction) body.friction = std::max(body.friction.value_or(0), *geom->friction);
+      if (geom->friction)
+        body.friction = combined(FrictionRule::max, body.friction.value_or(*geom->friction), *geom->friction);
     }
   }
 

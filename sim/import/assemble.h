@@ -27,7 +27,7 @@ struct BodyPlan {
   bool even = false;  // I is that of even matter in the shape
   std::optional<Vec3> color;
   int type = 1, affinity = 1;
-  std::optional<double> friction;  // of what touches
+  std::optional<SurfaceFriction> friction;  // of what touches
 };
 
 inline constexpr int kNoBody = -1;                                    // the world

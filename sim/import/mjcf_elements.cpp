@@ -156,6 +156,17 @@ void read_size(const MjcfElement& element, RobotGeom& geom) {
   for (std::size_t k = 0; k < needed; ++k) geom.size[static_cast<Index>(k)] = (*size)[k];
 }
 
+// The lengths count from condim 4 (torsional) and 6 (rolling) on; 1 has no friction.
+SurfaceFriction geom_friction(const XmlElement& element, const XmlElement& dimension) {
+  std::array<double, 3> given{1, 0.005, 0.0001};
+  if (const auto own = element.numbers("friction", 1, 3)) std::copy(own->begin(), own->end(), given.begin());
+  if (std::any_of(given.begin(), given.end(), [](double x) { return x < 0; }))
+    element.fail_at("friction", "is negative");
+  const double condim = dimension.number("condim").value_or(3);
+  const double slip = condim < 3 ? 0 : given[0];
+  return {slip, slip, condim < 4 ? 0 : given[1], condim < 6 ? 0 : given[2]};
+}
+
 void require_size(const MjcfElement& element, const RobotGeom& geom) {
   for (std::size_t k = 0; k < sizes_of(geom.kind); ++k) {
     const double x = geom.size[static_cast<Index>(k)];
@@ -250,11 +261,7 @@ std::optional<RobotGeom> mjcf_geom(const MjcfElement& element, const MjcfContext
   geom.mass = element.with("mass").number("mass");
   geom.density = element.with("density").number("density").value_or(1000);
   if (geom.mass.value_or(0) < 0 || geom.density < 0) own.fail("its mass is negative");
-  geom.friction = 1;
-  if (const auto friction = element.with("friction").numbers("friction", 1, 3)) {
-    geom.friction = friction->front();
-    if (*geom.friction < 0) own.fail_at("friction", "is negative");
-  }
+  geom.friction = geom_friction(element.with("friction"), element.with("condim"));
   geom.color = read_color(element, context);
   return geom;
 }

@@ -13,6 +13,7 @@
 #include "sim/import/taken.h"
 #include "sim/math/so3.h"
 #include "sim/scene/text.h"
+#include "sim/solver/params.h"
 
 namespace pabd {
 namespace {
@@ -107,14 +108,17 @@ class UrdfReader {
   }
 
   void read_link(const std::string& name, const XmlElement& e) {
-    known_children(e, {"inertial", "visual", "collision"});
+    known_children(e, {"inertial", "visual", "collision", "contact"});
     RobotLink link;
     link.name = name;
     link.place = place_of(e);
     std::optional<Vec3> color;
+    std::optional<SurfaceFriction> friction;
     for (const XmlElement& child : e.children()) {
       const bool visual = child.name() == "visual";
-      if (child.name() == "inertial") {
+      if (child.name() == "contact") {
+        friction = read_friction(child);
+      } else if (child.name() == "inertial") {
         if (link.inertia) child.fail("a link has one <inertial>; this is the second");
         link.inertia = read_inertial(child);
       } else if (visual || child.name() == "collision") {
@@ -126,9 +130,28 @@ class UrdfReader {
         link.geoms.push_back(std::move(*geom));
       }
     }
-    for (RobotGeom& geom : link.geoms)
+    for (RobotGeom& geom : link.geoms) {
       if (!geom.color) geom.color = color;
+      geom.friction = friction;
+    }
     robot_.links.push_back(std::move(link));
+  }
+
+  // As the Bullet engine reads it. Empty where it says nothing of friction.
+  std::optional<SurfaceFriction> read_friction(const XmlElement& e) {
+    known_children(e, {"lateral_friction", "rolling_friction", "spinning_friction"});
+    const auto of = [&](const char* name) -> std::optional<double> {
+      const auto child = e.child(name);
+      if (!child) return {};
+      const double value = number(*child, "value");
+      if (value < 0) child->fail_at("value", "is negative");
+      return value;
+    };
+    const auto lateral = of("lateral_friction"), rolling = of("rolling_friction"),
+               spinning = of("spinning_friction");
+    if (!lateral && !rolling && !spinning) return {};
+    const double slip = lateral.value_or(ContactParams{}.mu_static);
+    return SurfaceFriction{slip, slip, spinning.value_or(0), rolling.value_or(0)};
   }
 
   RobotInertia read_inertial(const XmlElement& e) {

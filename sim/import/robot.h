@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/body/surface_friction.h"
 #include "sim/import/notes.h"
 #include "sim/math/types.h"
 
@@ -48,7 +49,7 @@ struct RobotGeom {
   int type = 1, affinity = 1;  // two collide if a type of one meets an affinity of the other; bits
   std::optional<double> mass;  // kg; or density
   double density = 0;          // kg/m³; 0: counts for nothing
-  std::optional<double> friction;
+  std::optional<SurfaceFriction> friction;
   std::optional<Vec3> color;  // sRGB, 0 … 1
   Place place;
 };

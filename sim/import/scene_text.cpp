@@ -91,21 +91,26 @@ Placed place(const BodyPlan& body) {
   return out;
 }
 
-constexpr double kMostFriction = 100;
+// What a scene may say.
+SurfaceFriction in_range(const SurfaceFriction& friction) {
+  constexpr SurfaceFriction kMost{100, 100, 1e3, 1e3};
+  return combined(FrictionRule::min, friction, kMost);
+}
 
 // The largest friction of a body that touches. Pairs have the larger one of two in MuJoCo.
-std::optional<double> largest_friction(const ScenePlan& plan) {
-  std::optional<double> most;
+std::optional<SurfaceFriction> largest_friction(const ScenePlan& plan) {
+  std::optional<SurfaceFriction> most;
   for (const BodyPlan& body : plan.bodies)
     if (!body.ghost && body.friction)
-      most = std::max(most.value_or(0), std::min(*body.friction, kMostFriction));
+      most = combined(FrictionRule::max, most.value_or(SurfaceFriction{0, 0}), in_range(*body.friction));
   return most;
 }
 
 // `friction` is what the scene says for all.
-OrderedJson json_of_body(const BodyPlan& body, const std::optional<double>& friction) {
+OrderedJson json_of_body(const BodyPlan& body, const std::optional<SurfaceFriction>& friction) {
   OrderedJson out{{"name", body.name}};
-  if (!body.ghost && body.friction && *body.friction < *friction) out["friction"] = *body.friction;
+  if (!body.ghost && body.friction && in_range(*body.friction) != *friction)
+    out["friction"] = json_of(in_range(*body.friction));
   const Mat3 W = upright();
   if (body.kind == GeomKind::plane) {
     const Vec3 n = W * body.R.col(2);
@@ -234,8 +239,8 @@ std::string scene_text(const ScenePlan& plan, const SceneWords& words, ImportNot
   const double d_hat = plan.smallest > 0 ? std::clamp(0.05 * plan.smallest, 1e-4, 0.01) : 0.01;
   OrderedJson contact{{"d_hat", d_hat}};
   if (plan.heaviest > 0) contact["kappa"] = stiffness(plan, words, d_hat);
-  const std::optional<double> friction = largest_friction(plan);
-  if (friction) contact["friction"] = *friction;
+  const std::optional<SurfaceFriction> friction = largest_friction(plan);
+  if (friction) contact["friction"] = json_of(*friction);
   std::vector<OrderedJson> bodies;
   if (words.ground) {
     OrderedJson plane{{"type", "plane"}, {"normal", {0, 1, 0}}, {"offset", plan.lowest - d_hat}};

@@ -25,7 +25,8 @@ constexpr ImportRow kMjcf[] = {
     {"frame", "name pos quat axisangle euler xyaxes zaxis childclass", "", ""},
     {"inertial", "pos quat axisangle euler xyaxes zaxis mass diaginertia fullinertia", "", ""},
     {"geom",
-     "name class type size fromto pos quat axisangle euler xyaxes zaxis mesh mass density friction contype "
+     "name class type size fromto pos quat axisangle euler xyaxes zaxis mesh mass density friction condim "
+     "contype "
      "conaffinity "
      "rgba material",
      "group user", ""},
@@ -112,7 +113,10 @@ constexpr ImportRow kUrdf[] = {
     {"ros2_control", "", "", "joints move freely"},
     {"verbose", "", "", kNothingMoves},
     {"contact_coefficients", "", "", "friction is the scene's"},
-    {"contact", "", "", "friction is the scene's"},
+    {"contact", "", "", ""},
+    {"lateral_friction", "value", "", ""},
+    {"rolling_friction", "value", "", ""},
+    {"spinning_friction", "value", "", ""},
 };
 
 bool has_word(std::string_view words, std::string_view word) {

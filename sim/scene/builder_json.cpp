@@ -19,7 +19,10 @@ Json value_of(const spec::Orientation& orientation) {
   return std::visit([](const auto& way) { return value_of(way); }, orientation);
 }
 Json value_of(const SurfaceFriction& friction) {
-  return {{"static", friction.mu_static}, {"dynamic", friction.mu_dynamic}};
+  Json out = {{"static", friction.mu_static}, {"dynamic", friction.mu_dynamic}};
+  if (friction.torsional > 0) out["torsional"] = friction.torsional;
+  if (friction.rolling > 0) out["rolling"] = friction.rolling;
+  return out;
 }
 Json value_of(const spec::BodyOrGroup& side) {
   const auto* group = std::get_if<spec::Group>(&side);

@@ -120,6 +120,16 @@ std::vector<std::string_view> parameter_keys(std::string_view section, Parameter
   return out;
 }
 
+std::vector<std::string_view> keys_of_number(std::string_view section, ParameterTable table) {
+  std::vector<std::string_view> out = parameter_keys(section, table);
+  const std::string first = key_below(section, out.front());
+  std::erase_if(out, [&](std::string_view part) {
+    const ParameterRow* row = find_parameter(key_below(section, part), table);
+    return row->key != first && !(row->follows && row->follows == first);
+  });
+  return out;
+}
+
 std::string key_below(std::string_view section, std::string_view part) {
   return std::string(section) + (section.empty() ? "" : ".") + std::string(part);
 }

@@ -109,6 +109,9 @@ std::vector<std::string_view> parameter_keys(std::string_view section, Parameter
 // "contact" and "barrier" as one key: "contact.barrier". An empty section adds nothing.
 std::string key_below(std::string_view section, std::string_view part);
 
+// Of these keys those that one number in place of the section is about: the first, and what follows it.
+std::vector<std::string_view> keys_of_number(std::string_view section, ParameterTable table);
+
 // The objects that hold parameters: "solver", "contact", "contact.friction".
 std::vector<std::string_view> sections_of(ParameterTable table);
 

@@ -81,11 +81,9 @@ class ParamsReader {
     if (!row.hashed || (plain && !row.hashed_default)) in.context().hash = before;
   }
 
-  // One number for all of a section.
   void read_number(const ObjectReader& in, double number, const std::string& section) {
-    for (const std::string_view part : parameter_keys(section, table_)) {
+    for (const std::string_view part : keys_of_number(section, table_)) {
       const ParameterRow* row = find_parameter(key_below(section, part), table_);
-      if (!row) continue;
       in.record(part, number);
       set_value(*row, out_, as_value(*row, number));
     }

@@ -15,8 +15,11 @@ namespace {
 constexpr std::size_t kMostPairs = 8'000'000;  // as joints
 
 SurfaceFriction read_friction(const ObjectReader& body, const Node& node) {
-  const ParameterRange& range = find_parameter("contact.friction.static")->range;
-  const Range allowed{range.lo, range.hi};
+  const auto range_of = [](const char* key) {
+    const ParameterRange& range = find_parameter(key)->range;
+    return Range{range.lo, range.hi};
+  };
+  const Range allowed = range_of("contact.friction.static");
   SurfaceFriction out;
   if (node.value().is_number()) {
     out.mu_static = out.mu_dynamic = node.number(allowed);
@@ -31,6 +34,9 @@ SurfaceFriction read_friction(const ObjectReader& body, const Node& node) {
   if (out.mu_dynamic > out.mu_static)
     in.fail_key("dynamic", fmt::format("{} is out of range: expected a coefficient not above the static one",
                                        out.mu_dynamic));
+  // Scenes that say nothing of them keep their hash.
+  if (in.find("torsional")) out.torsional = in.number("torsional", range_of("contact.friction.torsional"));
+  if (in.find("rolling")) out.rolling = in.number("rolling", range_of("contact.friction.rolling"));
   return out;
 }
 

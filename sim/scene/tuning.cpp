@@ -32,7 +32,7 @@ AnyJson value_json(const ParameterValue& value) {
 // A number that stands for a section, as the section.
 OrderedJson spelt_out(std::string_view section, const OrderedJson& number, ParameterTable table) {
   OrderedJson out = OrderedJson::object();
-  for (const std::string_view part : parameter_keys(section, table)) out[std::string(part)] = number;
+  for (const std::string_view part : keys_of_number(section, table)) out[std::string(part)] = number;
   return out;
 }
 

@@ -39,14 +39,7 @@ std::vector<std::pair<Index, Index>> pairs_apart(const Model& model) {
 
 // What is said of a body's touch. A scene of its own needs no more.
 void add_touch(const Model& model, std::size_t i, OrderedJson& out) {
-  if (!model.friction.empty() && model.friction[i]) {
-    const SurfaceFriction& own = *model.friction[i];
-    if (own.mu_static == own.mu_dynamic) {
-      out["friction"] = own.mu_static;
-    } else {
-      out["friction"] = {{"static", own.mu_static}, {"dynamic", own.mu_dynamic}};
-    }
-  }
+  if (!model.friction.empty() && model.friction[i]) out["friction"] = json_of(*model.friction[i]);
   if (!model.restitution.empty() && model.restitution[i]) out["restitution"] = *model.restitution[i];
   const CollisionGroups& groups = model.groups;
   for (std::size_t g = 0; g < groups.name.size() && !groups.of_body.empty(); ++g)

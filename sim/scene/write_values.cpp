@@ -36,6 +36,14 @@ OrderedJson json_of(const Shape& shape) {
   return out;
 }
 
+OrderedJson json_of(const SurfaceFriction& friction) {
+  if (friction == SurfaceFriction{friction.mu_static, friction.mu_static}) return friction.mu_static;
+  OrderedJson out = {{"static", friction.mu_static}, {"dynamic", friction.mu_dynamic}};
+  if (friction.torsional > 0) out["torsional"] = friction.torsional;
+  if (friction.rolling > 0) out["rolling"] = friction.rolling;
+  return out;
+}
+
 void add_law(const BondLaw& law, OrderedJson& out) {
   out["potential"] = law.potential == BondPotential::soft ? "soft" : "hard";
   out["kappa"] = law.kappa;

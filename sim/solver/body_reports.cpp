@@ -4,6 +4,8 @@
 
 #include <Eigen/LU>
 
+#include "sim/solver/turn_friction.h"
+
 namespace pabd {
 namespace {
 
@@ -12,6 +14,8 @@ void share_contacts(const Problem& p, const Iterate& it, std::vector<BodyReport>
   for (const ContactManifold& manifold : it.manifold) {
     const ContactState s = state_of(it, manifold);
     const Lanes energy = contact_energy(p.law_of(manifold), manifold, s);
+    for (const Index i : {manifold.a, manifold.b})
+      out[i].contact_energy += 0.5 * turn_energy(p.law_of(manifold), manifold, it);
     for (int k = 0; k < manifold.count; ++k) {
       if (s.d[k] >= p.law.barrier.d_hat) continue;
       for (const Index i : {manifold.a, manifold.b}) {

@@ -9,6 +9,7 @@
 #include "sim/math/so3.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/time_step.h"
+#include "sim/solver/turn_friction.h"
 
 namespace pabd {
 namespace {
@@ -244,6 +245,7 @@ void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterat
   make_manifolds(p, workers, passage, memory, it.manifold);
   set_rolling(p, memory, it);
   recall_friction(p, it.manifold);
+  find_turn_friction(p, it);
 }
 
 void first_iterate(const Problem& p, Iterate& it) {

@@ -19,6 +19,7 @@
 #include "sim/math/levels.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/tangent_model.h"
+#include "sim/solver/turn_friction.h"
 #include "sim/solver/weighted_projection.h"
 
 namespace pabd {
@@ -30,6 +31,7 @@ PABD_EACH_LEVEL double local_energy(const Problem& p, const Iterate& it, Index i
   for (const ManifoldEnd& end : p.ends[i]) {
     const ContactManifold& manifold = it.manifold[end.manifold];
     energy += contact_energy(p.law, manifold, state_of(it, manifold));
+    energy[0] += turn_energy(p.law, manifold, it);
   }
   return inertia_energy(in, it.pose[i]) + sum(energy) + joint_energy(p, it, i, it.pose[i]);
 }

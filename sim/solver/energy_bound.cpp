@@ -12,6 +12,7 @@
 #include "sim/solver/joint_actions.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/step_summary.h"
+#include "sim/solver/turn_friction.h"
 
 namespace pabd {
 namespace {
@@ -84,9 +85,10 @@ PABD_EACH_LEVEL double energy_at_end(const Problem& p, const ContactManifold& ma
                                      const Iterate& it) {
   const ContactLaw law = p.law_of(manifold);
   const ContactState s = state_of(it, manifold);
-  if (feels_nothing(law.barrier, manifold, s.d)) return 0;
+  if (feels_nothing(law.barrier, manifold, s.d)) return turn_energy(law, manifold, it);
   return sum(barrier_energy(manifold, normal_force(law.barrier, manifold, s.d), s.d, solved) +
-             friction_energy(law, manifold.limit, length(s.u)));
+             friction_energy(law, manifold.limit, length(s.u))) +
+         turn_energy(law, manifold, it);
 }
 
 double contact_energies(const Problem& p, const Island& island, bool solved, const Workers& workers,
@@ -120,6 +122,7 @@ void add_contacts_at_start(const Problem& p, const Island& island, bool solved, 
   for (const Index j : island.manifolds) {
     const ContactManifold& manifold = it.manifold[j];
     const Lanes energy = energy_at_start(p, manifold, solved);
+    out.stored += turn_energy_at_start(p, p.law_of(manifold), manifold, it);
     for (int k = 0; k < manifold.count; ++k) {
       out.stored += energy[k];
       if (is_found(manifold, k)) out.found += energy[k];

@@ -45,13 +45,17 @@ double lighter_weight(const Problem& p, const ContactManifold& manifold) {
   return mass * weight_per_mass(*p.params);
 }
 
-double friction_error(const Problem& p, const ContactManifold& manifold, const ContactForce& f, Lanes u,
-                      double least_load = kLeastLoad) {
-  if (manifold.mu == 0) return 0;
+double friction_error(const Problem& p, const ContactManifold& manifold, const Iterate& it,
+                      double least_load) {
+  if (manifold.mu == 0 && manifold.turning < 0) return 0;
+  const ContactState state = state_of(it, manifold);
+  const ContactLaw law = p.law_of(manifold);
+  const ContactForce f = normal_force(law.barrier, manifold, state.d);
   const double least = least_load * lighter_weight(p, manifold);
-  const Lanes error =
-      friction_error(p.law_of(manifold), manifold, f, u) / (manifold.mu * larger(-f.first, lanes(least)));
-  double worst = 0;
+  double worst = turn_friction_error(law, manifold, f, least, it);
+  if (manifold.mu == 0) return worst;
+  const Lanes error = friction_error(law, manifold, -manifold.mu * f.first, length(state.u)) /
+                      (manifold.mu * larger(-f.first, lanes(least)));
   for (int k = 0; k < manifold.count; ++k) {
     if (!(error[k] <= worst)) worst = error[k];  // NaN too
   }
@@ -59,23 +63,26 @@ double friction_error(const Problem& p, const ContactManifold& manifold, const C
 }
 
 // The bound that friction starts a step with.
-PABD_EACH_LEVEL void start_limit(const Problem& p, const Iterate& it, ContactManifold& manifold) {
+PABD_EACH_LEVEL void start_limit(const Problem& p, ContactManifold& manifold, Iterate& it) {
   const Barrier& barrier = p.law_of(manifold).barrier;
   // One that parts before the first iterate holds nothing back.
   const LaneMask pushes = normal_force(barrier, manifold, state_of(it, manifold).d).first < 0;
-  manifold.limit =
-      select(pushes, -manifold.mu * normal_force(barrier, manifold, manifold.start_d).first, lanes(0));
+  ContactForce f = normal_force(barrier, manifold, manifold.start_d);
+  f.first = select(pushes, f.first, lanes(0));
+  manifold.limit = -manifold.mu * f.first;
+  if (TurnFriction* turn = turn_friction_of(manifold, it)) turn->limit = most_torque(*turn, f);
 }
 
 // See move_friction_limits.
-PABD_EACH_LEVEL void move_limit_in(const Problem& p, const Iterate& it, bool newton,
-                                   ContactManifold& manifold) {
+PABD_EACH_LEVEL void move_limit_in(const Problem& p, bool newton, ContactManifold& manifold, Iterate& it) {
   const ContactState state = state_of(it, manifold);
   const ContactLaw law = p.law_of(manifold);
   if (newton) {
     ease_slip(law, manifold, state.u);
+    if (TurnFriction* turn = turn_friction_of(manifold, it))
+      ease_slip(turning(law, *turn), *turn, stretch_of_turn(*turn, it.rolls()));
   } else {
-    move_limit(manifold, normal_force(law.barrier, manifold, state.d));
+    move_limits(manifold, normal_force(law.barrier, manifold, state.d), it);
   }
 }
 
@@ -95,7 +102,7 @@ void carry(const Problem& p, ContactManifold& manifold) {
 }  // namespace
 
 SurfaceFriction friction_between(const Model& model, const ContactParams& contact, Index a, Index b) {
-  const SurfaceFriction common{contact.mu_static, contact.mu_dynamic};
+  const SurfaceFriction common{contact.mu_static, contact.mu_dynamic, contact.torsional, contact.rolling};
   if (model.friction.empty()) return common;
   const auto& of_a = model.friction[static_cast<std::size_t>(a)];
   const auto& of_b = model.friction[static_cast<std::size_t>(b)];
@@ -143,20 +150,20 @@ void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds) 
 
 void start_friction(const Problem& p, const Workers& workers, Iterate& it) {
   if (!p.friction) return;
-  workers.for_each(it.manifold.size(), [&](std::size_t j) { start_limit(p, it, it.manifold[j]); });
+  workers.for_each(it.manifold.size(), [&](std::size_t j) { start_limit(p, it.manifold[j], it); });
 }
 
 void move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it) {
   if (!p.friction) return;
   const bool newton = island.solver == SolverMethod::newton;
   workers.for_each(island.manifolds.size(),
-                   [&](std::size_t j) { move_limit_in(p, it, newton, it.manifold[island.manifolds[j]]); });
+                   [&](std::size_t j) { move_limit_in(p, newton, it.manifold[island.manifolds[j]], it); });
 }
 
 PABD_EACH_LEVEL void approach_friction_limits(const Problem& p, const Island& island, Iterate& it) {
   for (const Index k : island.manifolds) {
     ContactManifold& manifold = it.manifold[k];
-    move_limit(manifold, normal_force(p.law_of(manifold).barrier, manifold, state_of(it, manifold).d));
+    move_limits(manifold, normal_force(p.law_of(manifold).barrier, manifold, state_of(it, manifold).d), it);
   }
 }
 
@@ -165,10 +172,7 @@ PABD_EACH_LEVEL double largest_friction_error(const Problem& p, const Island& is
   if (!p.friction) return 0;
   double worst = 0;
   for (const Index k : island.manifolds) {
-    const ContactManifold& manifold = it.manifold[k];
-    const ContactState state = state_of(it, manifold);
-    const ContactForce f = normal_force(p.law_of(manifold).barrier, manifold, state.d);
-    const double error = friction_error(p, manifold, f, length(state.u), least_load);
+    const double error = friction_error(p, it.manifold[k], it, least_load);
     if (!(error <= worst)) worst = error;
   }
   return worst;
@@ -178,7 +182,10 @@ PABD_EACH_LEVEL bool holds_back(const Problem& p, const Island& island, const It
   if (!p.friction || island.solver != SolverMethod::newton) return false;
   return std::any_of(island.manifolds.begin(), island.manifolds.end(), [&](Index k) {
     const ContactManifold& manifold = it.manifold[k];
-    return is_held_back(p.law_of(manifold), manifold, state_of(it, manifold).u);
+    const ContactLaw law = p.law_of(manifold);
+    const TurnFriction* turn = turn_friction_of(manifold, it);
+    return is_held_back(law, manifold, state_of(it, manifold).u) ||
+           (turn && is_held_back(turning(law, *turn), *turn, stretch_of_turn(*turn, it.rolls())));
   });
 }
 
@@ -223,6 +230,7 @@ PABD_EACH_LEVEL void store_friction(const Problem& p, Iterate& it, std::vector<C
                             manifold.recovers, slides, manifold.restless});
       }
     }
+    for (std::size_t j = first; j != last; ++j) store_turn_friction(p, at(j), it, contacts);
   });
 }
 

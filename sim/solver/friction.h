@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "sim/solver/islands.h"
+#include "sim/solver/turn_friction.h"
 #include "sim/solver/workers.h"
 
 namespace pabd {
@@ -43,7 +44,7 @@ SurfaceFriction friction_between(const Model& model, const ContactParams& contac
 
 // May any contact have friction?
 inline bool has_friction(const Model& model, const ContactParams& contact) {
-  return contact.mu_static > 0 || !model.friction.empty();
+  return contact.mu_static > 0 || !model.friction.empty() || has_turn_friction(model, contact);
 }
 
 // Gives the manifolds the stretch that the last step left, and all contacts of a pair of bodies dynamic

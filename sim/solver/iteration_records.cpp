@@ -7,6 +7,7 @@
 
 #include "sim/math/extremes.h"
 #include "sim/solver/joint_set.h"
+#include "sim/solver/turn_friction.h"
 
 namespace pabd {
 namespace {
@@ -15,8 +16,11 @@ namespace {
 double incremental_potential(const Problem& p, const Island& island, const Iterate& it) {
   double energy = 0;
   for (const Index i : island.bodies) energy += inertia_energy(p.inertia(i), it.pose[i]);
-  for (const Index k : island.manifolds)
-    energy += sum(contact_energy(p.law_of(it.manifold[k]), it.manifold[k], state_of(it, it.manifold[k])));
+  for (const Index k : island.manifolds) {
+    const ContactManifold& manifold = it.manifold[k];
+    energy += sum(contact_energy(p.law_of(manifold), manifold, state_of(it, manifold))) +
+              turn_energy(p.law_of(manifold), manifold, it);
+  }
   for (const Index k : island.joints) energy += potential_of_joint(p, it, k);
   return energy;
 }

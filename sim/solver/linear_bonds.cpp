@@ -3,12 +3,15 @@
 
 #include "sim/math/levels.h"
 #include "sim/solver/island_step.h"
+#include "sim/solver/turn_friction.h"
 
 namespace pabd {
 PABD_EACH_LEVEL bool pushes(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold) {
   const ContactState state = state_of(it, manifold);
   const Lanes alpha_n = normal_force(law.barrier, manifold, state.d).alpha_n;
-  return !(sum(alpha_n) + sum(friction_weight(law, manifold.limit, length(state.u))) <= 0);
+  const TurnFriction* turn = turn_friction_of(manifold, it);
+  return !(sum(alpha_n) + sum(friction_weight(law, manifold.limit, length(state.u))) <= 0) ||
+         (turn && sum(turn->limit) > 0);
 }
 
 namespace {
@@ -41,8 +44,10 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   const ContactForce f = normal_force(law.barrier, manifold, state.d);
   const Lanes u = length(state.u);
   const Lanes alpha_t = friction_weight(law, manifold.limit, u);
-  out.energy = sum(f.value + friction_energy(law, manifold.limit, u));
-  out.active = !(sum(f.alpha_n) + sum(alpha_t) <= 0);  // what is no number must not be passed over
+  const TurnOnBody turn_a = turn_on_body(law, manifold, -1, it), turn_b = turn_on_body(law, manifold, 1, it);
+  out.energy = sum(f.value + friction_energy(law, manifold.limit, u)) + turn_a.energy;
+  // What is no number must not be passed over.
+  out.active = !(sum(f.alpha_n) + sum(alpha_t) + turn_a.H_ww.trace() <= 0);
   if (!out.active) return out;
 
   const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);
@@ -50,6 +55,8 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   const Vec3 force = sum(push + drag);
   out.g_a = -wrench(force, sum(cross(on_a.normal, push) + cross(on_a.surface, drag)));
   out.g_b = wrench(force, sum(cross(on_b.normal, push) + cross(on_b.surface, drag)));
+  out.g_a.tail<3>() += turn_a.g_w;
+  out.g_b.tail<3>() += turn_b.g_w;
 
   // Rows of H: Σ α_t (J_sᵀ J_s) at the surface points, and rank one along the normals.
   const Vec3x& r = on_a.surface;
@@ -86,7 +93,11 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
     }
   }
   H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
-  if (out.apart) set_apart(manifold, state, on_a, f.alpha_n, alpha_t, less, out);
+  H.bottomRightCorner<3, 3>() += turn_a.H_ww;
+  if (!out.apart) return out;
+  set_apart(manifold, state, on_a, f.alpha_n, alpha_t, less, out);
+  out.apart_b.bottomRightCorner<3, 3>() += turn_a.H_ww;
+  out.apart_ba.bottomRightCorner<3, 3>() += turn_a.H_ww;
   return out;
 }
 

@@ -99,7 +99,7 @@ void add_curvature(const ContactCurvature& c, Index a, Index b, NewtonSystem& sy
 bool follows(const Island& island, const NewtonSystem& system, const Iterate& it,
              const ContactManifold& manifold) {
   constexpr double kNear = 0.3;  // d̂ in the last iteration
-  if (manifold.mu == 0 || system.bounds_stay) return false;
+  if ((manifold.mu == 0 && manifold.turning < 0) || system.bounds_stay) return false;
   if (!island.jointed) return true;
   return it.moved[manifold.a] < kNear && it.moved[manifold.b] < kNear;
 }
@@ -148,7 +148,8 @@ PABD_EACH_LEVEL double energy_of(const Problem& p, const Island& island, const I
   for (const Index i : island.bodies) energy += inertia_energy(p.inertia(i), it.pose[i]);
   each_joint_bond(p, island, it, [&](const LinearBond& bond) { energy += bond.energy; });
   for (const Index k : island.manifolds)
-    energy += sum(contact_energy(p.law, it.manifold[k], state_of(it, it.manifold[k])));
+    energy += sum(contact_energy(p.law, it.manifold[k], state_of(it, it.manifold[k]))) +
+              turn_energy(p.law, it.manifold[k], it);
   return energy;
 }
 

@@ -169,6 +169,28 @@ constexpr ParameterRow kRows[] = {
      .range = {0, 100},
      .slider_hi = 1.5,
      .follows = "contact.friction.static"},
+    {.key = "contact.friction.torsional",
+     .label = "torsional",
+     .symbol = "μ_torsional",
+     .unit = "m",
+     .noun = "length",
+     .help = "Largest torque of friction about the normal of a contact, over its normal force: what spins on "
+             "a point comes to rest. Not on a GPU",
+     .member = &ContactParams::torsional,
+     .range = {0, 1e3},
+     .slider_hi = 0.1,
+     .hashed_default = false},
+    {.key = "contact.friction.rolling",
+     .label = "rolling",
+     .symbol = "μ_rolling",
+     .unit = "m",
+     .noun = "length",
+     .help = "Largest torque of friction about what lies in the plane of a contact, over its normal force: "
+             "what rolls comes to rest. Not on a GPU",
+     .member = &ContactParams::rolling,
+     .range = {0, 1e3},
+     .slider_hi = 0.1,
+     .hashed_default = false},
     {.key = "contact.friction_rule",
      .label = "combined",
      .help = "How the friction and the restitution of two bodies become those of their contact, where one of "
@@ -194,7 +216,8 @@ constexpr ParameterRow kRows[] = {
 constexpr ParameterSection kSections[] = {
     {"solver", "How a time step is solved"},
     {"contact", "What happens where bodies meet"},
-    {"contact.friction", "Coulomb friction", "Friction coefficients; one number stands for both"},
+    {"contact.friction", "Coulomb friction",
+     "Coulomb friction; one number is that of slip, static and dynamic"},
 };
 
 }  // namespace

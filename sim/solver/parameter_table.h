@@ -62,7 +62,8 @@ ParameterTable parameter_table();
 struct ParameterSection {
   const char* key;
   const char* help;
-  const char* as_number = nullptr;  // what one number in place of the object means; null: it is refused
+  const char* as_number =
+      nullptr;  // what one number means, of the first row and those that follow it; null: it is refused
 };
 std::span<const ParameterSection> parameter_sections();
 const ParameterSection* find_section(std::string_view key);  // null: none of that name

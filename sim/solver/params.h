@@ -50,6 +50,8 @@ struct ContactParams {
   double recovery_speed = 3;    // at which overlap deeper than 2 d̂ comes apart; m/s. 0: no limit
   double mu_static = 0.5;       // friction
   double mu_dynamic = 0.5;      // friction, not above mu_static
+  double torsional = 0;         // largest torque over normal force: about the normal; m
+  double rolling = 0;           // about what lies in the plane of the contact; m
   FrictionRule friction_rule =
       FrictionRule::geometric_mean;  // where a body has friction or restitution of its own
   double restitution = 0;            // speed after a hit over that before it

@@ -23,7 +23,7 @@
 
 #include "sim/body/model.h"
 #include "sim/body/state.h"
-#include "sim/bond/contact_bond.h"
+#include "sim/bond/turn_friction.h"
 #include "sim/joint/action.h"
 #include "sim/solver/free_flight.h"
 #include "sim/solver/inertia.h"
@@ -129,8 +129,9 @@ struct Iterate {
   std::vector<Vec3> joint_force;   // of each joint of the model on its body j, as far as the solver knows; N
   std::vector<ActionStep> action;  // of Problem::acting
   std::vector<ContactManifold> manifold;
-  std::vector<Rolling> rolling;  // of the separate manifolds
-  std::vector<Roll> roll;        // per body, at its pose; kept where Problem::rolls
+  std::vector<TurnFriction> turning;  // of the manifolds that have it
+  std::vector<Rolling> rolling;       // of the separate manifolds
+  std::vector<Roll> roll;             // per body, at its pose; kept where Problem::rolls
 
   Rolls rolls() const { return {roll.data(), rolling.data()}; }
   // Index of a body's pose.

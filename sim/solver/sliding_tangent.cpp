@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "sim/math/levels.h"
+#include "sim/solver/turn_friction.h"
 
 namespace pabd {
 namespace {
@@ -43,7 +44,7 @@ PABD_EACH_LEVEL void add_sliding_points(const Island& island, const Iterate& it,
 
 // Moves the bounds of an active manifold to the end of the step. True if E at the iterate is another one.
 PABD_EACH_LEVEL bool move_bounds(const Island& island, const NormalRows& normal, const Moves& step,
-                                 ContactManifold& manifold) {
+                                 ContactManifold& manifold, Iterate& it) {
   const Index a = island.row[manifold.a], b = island.row[manifold.b];
   Vec6 of_a = Vec6::Zero(), of_b = Vec6::Zero();  // both at the centre of a
   if (a >= 0) of_a = step[a];
@@ -54,10 +55,16 @@ PABD_EACH_LEVEL bool move_bounds(const Island& island, const NormalRows& normal,
   Lanes closing = lanes(0);
   for (int c = 0; c < 6; ++c)
     closing += of_a[c] * normal.row[c] - of_b[c] * (c < 3 ? normal.row[c] : normal.arm_b[c - 3]);
-  const Lanes bound = manifold.mu * larger(normal.force + normal.alpha_n * closing, lanes(0));
+  const Lanes force = larger(normal.force + normal.alpha_n * closing, lanes(0));
+  const Lanes bound = manifold.mu * force;
   const bool other = any((bound != manifold.limit) & (normal.pull > smaller(bound, manifold.limit)));
   manifold.limit = bound;
-  return other;
+  TurnFriction* turn = turn_friction_of(manifold, it);
+  if (!turn) return other;
+  const Lanes most = sum(force) * turn->length;
+  const bool others = any(most != turn->limit);
+  turn->limit = most;
+  return other || others;
 }
 
 double dot(const SlidingTangent& tangent, const Moves& x, const Moves& y) {
@@ -187,7 +194,8 @@ bool follow_bounds(const Problem& p, const Island& island, const BlockCholesky<6
     step_of_bounds(matrix, calm, tangent, step);
   }
   bool other_E = !tangent.points.empty();
-  for (const auto& [k, normal] : tangent.active) other_E |= move_bounds(island, normal, step, it.manifold[k]);
+  for (const auto& [k, normal] : tangent.active)
+    other_E |= move_bounds(island, normal, step, it.manifold[k], it);
   for (const SlidingTangent::Point& point : tangent.points)
     it.manifold[point.manifold].limit[point.lane] = point.limit + point.change;
   return other_E;

@@ -66,6 +66,9 @@ PABD_EACH_LEVEL void summarize_contacts(const Problem& p, const Iterate& it, boo
     const Lanes energy = f.value + friction_energy(law, manifold.limit, length(s.u));
     const Lanes alpha_t = friction_weight(law, manifold.limit, length(s.u));
     const Lanes excess = friction_excess(manifold, alpha_t * length(s.u), f, least);
+    report.elastic += turn_energy(law, manifold, it);
+    report.friction_excess =
+        larger(report.friction_excess, turn_friction_excess(law, manifold, f, least, it));
     for (int k = 0; k < manifold.count; ++k) {
       report.min_gap = smaller(report.min_gap, s.d[k]);
       report.friction_excess = larger(report.friction_excess, excess[k]);

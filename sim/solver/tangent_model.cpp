@@ -7,6 +7,7 @@
 
 #include "sim/math/levels.h"
 #include "sim/solver/joint_set.h"
+#include "sim/solver/turn_friction.h"
 
 namespace pabd {
 namespace {
@@ -55,6 +56,12 @@ void add_outer(Vec3x& diagonal, Vec3x& off, Lanes weight, const Vec3x& v) {
   sums.an_x = sums.an_x + (k * arm.x) * state.n;
   sums.an_y = sums.an_y + (k * arm.y) * state.n;
   sums.an_z = sums.an_z + (k * arm.z) * state.n;
+}
+
+void add(const TurnOnBody& turn, TurnOnBody& sum) {
+  sum.energy += turn.energy;
+  sum.g_w += turn.g_w;
+  sum.H_ww += turn.H_ww;
 }
 
 // The lanes added up, inertia added: lower triangle of H, g and the energy.
@@ -106,10 +113,11 @@ TangentModel add_up(const ContactSums& c, const Inertia& in, const Pose& pose) {
 
 }  // namespace
 
-PABD_EACH_LEVEL TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool move_limits,
+PABD_EACH_LEVEL TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool moves_limits,
                                            Iterate& it) {
   const Pose& pose = it.pose[i];
   ContactSums c;
+  TurnOnBody turning;
   Lanes room = lanes(std::numeric_limits<double>::infinity());
   for (const ManifoldEnd& end : p.ends[i]) {
     ContactManifold& manifold = it.manifold[end.manifold];
@@ -117,18 +125,21 @@ PABD_EACH_LEVEL TangentModel tangent_model(const Problem& p, Index i, const Iner
     const ContactState state = state_of(it, manifold);
     const Lanes beyond = state.d - p.law.barrier.d_hat;
     room = select(beyond < 0, room, smaller(room, beyond));
-    if (feels_nothing(p.law.barrier, manifold, state.d)) {
-      if (move_limits && end.owner) move_limit(manifold, {lanes(0), lanes(0), lanes(0)});
-      continue;
-    }
-    const ContactForce force = normal_force(p.law.barrier, manifold, state.d);
-    if (move_limits && end.owner) move_limit(manifold, force);
+    const bool nothing = feels_nothing(p.law.barrier, manifold, state.d);
+    const ContactForce force =
+        nothing ? ContactForce{lanes(0), lanes(0), lanes(0)} : normal_force(p.law.barrier, manifold, state.d);
+    if (moves_limits && end.owner) move_limits(manifold, force, it);
+    if (manifold.turning >= 0) add(turn_on_body(p.law, manifold, end.is_a ? -1 : 1, it), turning);
+    if (nothing) continue;
     manifold.felt = true;
     const ContactLevers levers =
         end.is_a ? levers_on_a(manifold, state, pose) : levers_on_b(state, other, pose);
     add_manifold(p.law, manifold, state, force, levers, end.is_a ? -1 : 1, c);
   }
   TangentModel q = add_up(c, in, pose);
+  q.H.bottomRightCorner<3, 3>() += turning.H_ww;
+  q.g.tail<3>() += turning.g_w;
+  q.energy += turning.energy;
   q.room = std::min(std::min(room[0], room[1]), std::min(room[2], room[3]));
   if (p.joints_at[i].empty()) return q;
   JointSums joints;

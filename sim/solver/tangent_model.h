@@ -22,8 +22,8 @@ struct TangentModel {
   double room;    // way of a point to where a contact that does not push now would; m
 };
 
-// Of body i at the iterate. `move_limits`: first moves the friction bounds of the manifolds whose owner
+// Of body i at the iterate. `moves_limits`: first moves the friction bounds of the manifolds whose owner
 // the body is to μ f_n of the current iterate.
-TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool move_limits, Iterate& it);
+TangentModel tangent_model(const Problem& p, Index i, const Inertia& in, bool moves_limits, Iterate& it);
 
 }  // namespace pabd

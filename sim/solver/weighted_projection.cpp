@@ -3,6 +3,7 @@
 
 #include "sim/math/levels.h"
 #include "sim/solver/joint_set.h"
+#include "sim/solver/turn_friction.h"
 
 namespace pabd {
 namespace {
@@ -26,6 +27,17 @@ void add_points(const Mat3& R, int count, const Vec3x& y, Lanes alpha, const Vec
     q.H_A += alpha[k] * r * r.transpose();
     q.b_c += t;
     q.b_A += t * r.transpose();
+  }
+}
+
+// A torque −g_w with its weight, as forces at ± arm e_k: Σ r × (τ × r) = 4 arm² τ.
+void add_turn(const Mat3& R, const TurnOnBody& turn, double arm, double factor, AffineModel& q) {
+  const double share = 1 / (4 * arm * arm), alpha = factor * share * turn.H_ww.diagonal().maxCoeff();
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 y = arm * Vec3::Unit(k), r = R.transpose() * y;
+    const Vec3 target = alpha * y - share * turn.g_w.cross(y);
+    q.H_A += 2 * alpha * r * r.transpose();
+    q.b_A += 2 * target * r.transpose();
   }
 }
 
@@ -78,6 +90,8 @@ PABD_EACH_LEVEL AffineModel affine_model(const Problem& p, const Iterate& it, In
       add_points(pose.R, manifold.count, levers.surface, factor * larger(alpha_n, alpha_t), push + friction,
                  q);
     }
+    if (const TurnFriction* turn = turn_friction_of(manifold, it))
+      add_turn(pose.R, turn_on_body(law, manifold, end.is_a ? -1 : 1, it), std::sqrt(turn->arm2), factor, q);
   }
   add_joint_points(p, it, i, coupled, q);
   return q;

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sim/bond/contact_bond.h"
+#include "sim/bond/turn_friction.h"
 
 namespace pabd::test_contact_bond {
 
@@ -111,6 +111,38 @@ TEST_CASE("force and moment of a contact between flat bodies are the slopes of i
     // One line of action: no momentum and no spin from nowhere.
     CHECK((a.force + b.force).norm() < 1e-12 * size);
     CHECK((a.moment + kA.c.cross(a.force) + b.moment + kB.c.cross(b.force)).norm() < 1e-12 * size);
+  }
+}
+
+TEST_CASE("the torque of friction against turns is the slope of its energy, its weight that of the torque") {
+  const ContactLaw law = law_with(BarrierKind::polynomial);
+  TurnFriction f{};
+  f.n = Vec3(0.2, 1, -0.4).normalized();
+  f.arm2 = 0.04;
+  const auto at = [&](const Vec3& turn) { return about_normal(f, turn); };
+  const Vec3 turn = Vec3(3e-3, 1e-3, -4e-3);
+  const auto torque = [&](const Vec3& v) { return turn_force(law, f, at(v)).torque; };
+  const double stuck = turning(law, f).k_t * turn.norm();
+  for (const double torsional : {0.2 * stuck, 5 * stuck}) {
+    for (const double rolling : {0.1 * stuck, 5 * stuck}) {
+      f.limit[0] = torsional;
+      f.limit[1] = rolling;
+      f.along = lanes(0);  // the true curvature of what slides
+      Mat3 weight;
+      Vec3 slope;
+      constexpr double kTurn = 1e-8;
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 more = turn + kTurn * Vec3::Unit(k), less = turn - kTurn * Vec3::Unit(k);
+        slope[k] = (turn_energy(law, f, at(more)) - turn_energy(law, f, at(less))) / (2 * kTurn);
+        weight.col(k) = (torque(more) - torque(less)) / (2 * kTurn);
+      }
+      const TurnForce found = turn_force(law, f, at(turn));
+      CAPTURE(torsional, rolling);
+      CHECK(found.energy == turn_energy(law, f, at(turn)));
+      CHECK((found.torque - slope).norm() < 1e-5 * slope.norm());
+      CHECK((found.weight - weight).norm() < 1e-5 * weight.norm());
+      CHECK(std::abs(found.torque.dot(f.n)) <= torsional * (1 + 1e-12));
+    }
   }
 }
 

@@ -175,6 +175,25 @@ TEST_CASE("what MuJoCo is told not to compute is not there", "[import]") {
   CHECK(scene("contact='disable'").model.no_collide.size() == 3);
 }
 
+TEST_CASE("friction of a geom has the kinds that its condim asks for", "[import]") {
+  const auto friction = [](const std::string& geom) {
+    const std::string robot =
+        "<mujoco><worldbody><geom type='plane' size='1 1 1' friction='3 4 5' condim='6'/>"
+        "<body pos='0 0 1'><freejoint/><geom size='0.1' " +
+        geom + "/></body></worldbody></mujoco>";
+    const ImportedScene imported = import_robot_text(robot, "m.xml", {});
+    for (const ImportNote& note : imported.notes) CHECK(note.text.find("condim") == std::string::npos);
+    return *parse_scene(imported.text, "m", {}).model.friction[1];
+  };
+  CHECK(friction("") == SurfaceFriction{1, 1});
+  CHECK(friction("friction='0.7 0.02 0.001'") == SurfaceFriction{0.7, 0.7});
+  CHECK(friction("friction='0.7 0.02 0.001' condim='1'") == SurfaceFriction{0, 0});
+  CHECK(friction("friction='0.7 0.02 0.001' condim='4'") == SurfaceFriction{0.7, 0.7, 0.02, 0});
+  CHECK(friction("friction='0.7 0.02 0.001' condim='6'") == SurfaceFriction{0.7, 0.7, 0.02, 0.001});
+  CHECK(friction("condim='6'") == SurfaceFriction{1, 1, 0.005, 0.0001});
+  CHECK_THROWS_WITH(friction("friction='0.7 -1'"), Catch::Contains("is negative"));
+}
+
 TEST_CASE("defaults of a nested class may stand in a file of their own", "[import]") {
   const TempFolder folder;
   std::ofstream(folder / "heavy.xml") << "<mujoco><geom mass='7'/></mujoco>";

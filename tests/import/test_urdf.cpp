@@ -71,6 +71,24 @@ TEST_CASE("what URDF says and a scene cannot is told with its line", "[import]")
   CHECK(parse_scene(imported.text, "x", {}).description.find("<mimic>") != std::string::npos);
 }
 
+TEST_CASE("a link has the friction that <contact> says", "[import]") {
+  const auto with = [](const std::string& contact) {
+    const std::string robot = R"(<robot name="r"><link name="wheel">)" + contact +
+                              R"(<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial>
+         <collision><geometry><sphere radius="0.5"/></geometry></collision></link></robot>)";
+    return parse_scene(import_robot_text(robot, "r.urdf", {}, {RobotBase::floating, true}).text, "r", {})
+        .params.contact;
+  };
+  const ContactParams all = with(
+      R"(<contact><lateral_friction value="1.5"/><rolling_friction value="0.01"/><spinning_friction value="0.02"/></contact>)");
+  CHECK(all.mu_static == 1.5);
+  CHECK(all.rolling == 0.01);
+  CHECK(all.torsional == 0.02);
+  CHECK(with(R"(<contact><stiffness value="1000"/></contact>)") == with(""));
+  CHECK_THROWS_WITH(with(R"(<contact><rolling_friction value="-1"/></contact>)"),
+                    Catch::Contains("is negative"));
+}
+
 TEST_CASE("the base of a URDF stands as it is told", "[import]") {
   const std::string robot =
       R"(<robot name="r"><link name="base"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial>

@@ -7,6 +7,7 @@
 
 #include "sim/scene/builder.h"
 #include "sim/scene/write_scene.h"
+#include "sim/solver/friction.h"
 #include "sim/solver/restitution.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
@@ -61,6 +62,29 @@ TEST_CASE("a body has friction of its own, as one number or two", "[scene]") {
   CHECK(again.params == s.params);
 }
 
+TEST_CASE("friction against turns is read, written and combined", "[scene]") {
+  const Scene s = parse(scene_text(
+      R"("contact": { "friction": { "static": 0.6, "rolling": 0.01, "torsional": 0.03 } }, "bodies": [)" +
+      box("a", R"("friction": { "static": 0.4, "torsional": 0.12, "rolling": 0.09 })") + ", " +
+      box("b", R"("position": [3, 0, 0])") + ", " + box("c", R"("position": [6, 0, 0], "friction": 0.4)") +
+      "]"));
+  CHECK(s.params.contact.rolling == 0.01);
+  CHECK(s.params.contact.torsional == 0.03);
+  CHECK(s.model.friction[0] == SurfaceFriction{0.4, 0.4, 0.12, 0.09});
+  CHECK(s.model.friction[2] == SurfaceFriction{0.4, 0.4});
+  const Scene again = parse(written(s));
+  CHECK(again.model.friction == s.model.friction);
+  CHECK(again.params == s.params);
+  const auto between = [&](Index i, Index j) { return friction_between(s.model, s.params.contact, i, j); };
+  CHECK(between(0, 1).torsional == Approx(0.06));
+  CHECK(between(0, 1).rolling == Approx(0.03));
+  CHECK(between(1, 2).rolling == 0);  // a number says that there is none
+  CHECK(between(1, 1) == SurfaceFriction{0.6, 0.6, 0.03, 0.01});
+  SceneBuilder builder("scene");
+  builder.add(spec::Body{.name = "a", .friction = SurfaceFriction{0.4, 0.3, 0.12, 0.09}});
+  CHECK(builder.build().model.friction[0] == SurfaceFriction{0.4, 0.3, 0.12, 0.09});
+}
+
 TEST_CASE("bodies, generators and builders have restitution of their own", "[scene]") {
   const std::string plain = only_body(box("a", R"("mass": 1)"));
   CHECK(parse(plain, {"contact.restitution=0"}).hash == parse(plain).hash);
@@ -95,7 +119,8 @@ TEST_CASE("friction that no surface has is refused", "[scene]") {
   check_refused(with("\"high\""), {at, "0 to 100", "\"static\""});
   check_refused(with(R"({ "dynamic": 0.2 })"), {at + "/static", "missing"});
   check_refused(with(R"({ "static": 0.2, "dynamic": 0.3 })"), {at + "/dynamic", "not above the static one"});
-  check_refused(with(R"({ "static": 0.2, "rolling": 0.3 })"), {at + "/rolling", "unknown key"});
+  check_refused(with(R"({ "static": 0.2, "rolling": -1 })"), {at + "/rolling", "0 to 1000"});
+  check_refused(with(R"({ "static": 0.2, "twisting": 0.3 })"), {at + "/twisting", "unknown key", "rolling"});
   check_refused(with_body(R"("contact": { "friction_rule": "mean" })"),
                 {"/contact/friction_rule", "\"geometric_mean\"", "\"product\""});
 }
@@ -108,6 +133,8 @@ TEST_CASE("what says nothing of friction and groups keeps its hash; each value c
       const char* change :
       {"contact.friction_rule=max",
        R"(bodies.0={"shape":{"type":"box","size":[1,1,1]},"mass":1,"name":"a","friction":0.5})",
+       "contact.friction.rolling=0.01", "contact.friction.torsional=0.01",
+       R"(bodies.0={"shape":{"type":"box","size":[1,1,1]},"mass":1,"name":"a","friction":{"static":0.5,"rolling":0.1}})",
        R"(bodies.0={"shape":{"type":"box","size":[1,1,1]},"mass":1,"name":"a","friction":{"static":0.5,"dynamic":0.4}})",
        R"(bodies.0={"shape":{"type":"box","size":[1,1,1]},"mass":1,"name":"a","group":"g"})",
        R"(bodies.0={"shape":{"type":"box","size":[1,1,1]},"mass":1,"name":"a","group":["g","h"]})"})

@@ -51,6 +51,27 @@ TEST_CASE("a run saved in the middle and loaded goes on as it would: 1e-9 m over
   }
 }
 
+TEST_CASE("what friction keeps from rolling down a slope is kept by a run that was saved") {
+  const std::string scene =
+      R"({ "format": "pabd-scene", "version": 1, "name": "held", "gravity": [1.5, -9.7, 0],
+    "contact": { "friction": { "static": 0.8, "rolling": 0.05, "torsional": 0.01 } },
+    "bodies": [{ "name": "ground", "shape": { "type": "plane" } },
+               { "name": "ball", "shape": { "type": "sphere", "radius": 0.2 }, "mass": 5, "position": [0, 0.2096, 0] },
+               { "name": "turns", "fixed": true, "shape": { "type": "box", "size": [1, 0.2, 1] }, "position": [5, 0, 0],
+                 "orientation": { "axis": [1, 2, 0.3], "angle": 3 } },
+               { "name": "can", "shape": { "type": "cylinder", "radius": 0.2, "height": 0.3 }, "mass": 5,
+                 "position": [5, 0.32, 0], "orientation": { "axis": [1, 0, 0], "angle": 90 } }] })";
+  Session original(parse_scene(scene, "held.json", {}));
+  for (int k = 0; k < 90; ++k) original.step();
+  Session again = loaded(saved(original));
+  for (int k = 0; k < 30; ++k) {
+    original.step();
+    again.step();
+  }
+  CHECK(original.state().v[1].norm() < 1e-6);
+  CHECK(largest_distance(original.state(), again.state()) < 1e-12);
+}
+
 TEST_CASE("what was saved comes back: names, laws, drives, limits, collisions") {
   Session first(parse_scene(R"({ "format": "pabd-scene", "version": 1, "name": "odd \"name\"",
     "time_step": 0.01, "gravity": [0, -3, 1], "contact": { "kappa": 7, "onset": 0.3 },
