@@ -127,6 +127,19 @@ void add_action(const Joint& joint, InspectorRows& rows) {
       {"its rest", turns ? fmt::format("{:.3f}°", kDegrees * spring.rest) : in_unit(spring.rest, "m")});
 }
 
+void add_coupling(const Model& model, const Joint& joint, InspectorRows& rows) {
+  const JointCoupling& coupling = *joint.follows;
+  const Joint& leader = model.joints[static_cast<std::size_t>(coupling.leader)];
+  if (&leader == &joint) {
+    rows.push_back(
+        {"lead", in_unit(2 * kPi * coupling.ratio, "m"), "How far it moves along its axis in a turn"});
+    return;
+  }
+  rows.push_back({"follows", leader.name});
+  rows.push_back({"its ratio", fmt::format("{:.6g}", coupling.ratio),
+                  "Of what it moves to what the other does; rad and m"});
+}
+
 // What a joint measures and what keeps it in range.
 void add_measures(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, InspectorRows& rows) {
   const JointTraits& traits = traits_of(joint.type);
@@ -219,6 +232,7 @@ InspectorRows joint_rows(const RunView& run, Index number) {
   rows.push_back({"now", ""});
   rows.push_back({"error", in_unit(error, "m"), "Largest distance between two points that should meet"});
   add_measures(joint, place(joint.on_i, i), place(joint.on_j, j), rows);
+  if (joint.follows) add_coupling(model, joint, rows);
   rows.push_back({"force", in_unit(force.norm(), "N"), "On j, summed over its bonds"});
   rows.push_back({"energy", in_unit(energy, "J")});
   return rows;

@@ -28,6 +28,7 @@ struct IterationRow {
 
 struct JointRow {
   Three force, moment, axis;
+  double coupling;
 };
 
 struct StepRow {
@@ -110,7 +111,7 @@ py::array iterations_of(const StepReport& report) {
 
 py::array joints_of(const StepReport& report) {
   return rows<JointRow>(report.joint_reports, [](const JointReport& j) {
-    return JointRow{three(j.force), three(j.moment), three(j.axis)};
+    return JointRow{three(j.force), three(j.moment), three(j.axis), j.coupling};
   });
 }
 
@@ -151,7 +152,7 @@ void register_rows() {
   PYBIND11_NUMPY_DTYPE(IterationRow, iteration, energy, residual, max_penetration_before,
                        max_penetration_after, min_gap_before, min_gap_after, max_joint_error,
                        projection_change);
-  PYBIND11_NUMPY_DTYPE(JointRow, force, moment, axis);
+  PYBIND11_NUMPY_DTYPE(JointRow, force, moment, axis, coupling);
   PYBIND11_NUMPY_DTYPE(StepRow, step, time, converged, iterations, contacts, kinetic, potential, elastic,
                        drive_work, kappa, max_penetration, min_gap, max_joint_error, residual,
                        friction_excess, milliseconds);

@@ -238,7 +238,8 @@ projection_change          largest |A - R| (Frobenius) over bodies)");
       R"(What each joint's first body does to the second one in the last step, a copy: structured array with the fields
 force    (3,) N, world
 moment   (3,) about the joint's anchor on the first body; N m
-axis     (3,) unit, of the joint, with the first body)");
+axis     (3,) unit, of the joint, with the first body
+coupling what the joint that it follows drives its angle or offset with; N m or N)");
   property(
       "history", [](const Simulation& s) { return steps_of(s.history()); },
       R"(The last steps (20000 or more) since the start, reset() or restore(), a copy: structured array with the fields

@@ -123,6 +123,21 @@ void erase_at(std::vector<T>& list, Index i) {
 
 // A joint, and the force it had.
 void erase_joint(Index k, Model& model, State& state) {
+  // What followed it moves freely from now on.
+  Index coupling = 0, left = 0;
+  for (std::size_t n = 0; n < model.joints.size(); ++n) {
+    auto& follows = model.joints[n].follows;
+    if (!follows) continue;
+    const bool goes = static_cast<Index>(n) == k || follows->leader == k;
+    if (!state.coupling.empty() && !goes) state.coupling[left] = state.coupling[coupling];
+    left += goes ? 0 : 1;
+    ++coupling;
+    if (goes)
+      follows.reset();
+    else if (follows->leader > k)
+      --follows->leader;
+  }
+  if (!state.coupling.empty()) state.coupling.resize(left);
   erase_at(model.joints, k);
   if (!state.joint_force.empty()) erase_at(state.joint_force, k);
 }

@@ -38,6 +38,8 @@ void write_state(const State& s, ByteWriter& out) {
   out.u32(s.change.size());
   for (const StepChange& change : s.change)
     for (const double x : numbers_of(change)) out.number(x);
+  out.u32(s.coupling.size());
+  for (const double error : s.coupling) out.number(error);
 }
 
 // Every number of the step, and of the times what plots show: a report that is read has detect and set_up as one.
@@ -88,6 +90,8 @@ State read_state(ByteReader& in, Index bodies) {
     for (double& x : numbers) x = in.finite();
     change = step_change(numbers);
   }
+  s.coupling.resize(in.count(sizeof(double)));
+  for (double& error : s.coupling) error = in.finite();
   return s;
 }
 

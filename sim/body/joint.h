@@ -28,9 +28,9 @@ enum class BondPotential : std::uint8_t { soft, hard };
 
 struct BondLaw {
   BondPotential potential = BondPotential::soft;
+  int N = 4;            // hard only
   double kappa = 1;     // N/m for soft, J for hard
   double d_hat = 0.01;  // m; hard only
-  int N = 4;            // hard only
 };
 
 inline constexpr Index kWorld = -1;  // instead of a body number
@@ -104,6 +104,17 @@ struct JointAction {
   JointSpring spring = {};
 };
 
+// What a joint leaves free follows what another one does: gears, a rack, a finger that closes with its neighbour.
+//
+//   x = ratio × x of the leader + offset      angles in rad, offsets in m
+//
+// A joint that leads itself is a screw: its offset follows its angle.
+struct JointCoupling {
+  Index leader = -1;  // number of the other joint
+  double ratio = 1;   // rad, m per rad, m of the leader
+  double offset = 0;  // rad or m
+};
+
 // What few joints have (limits, drives) is out of line, so that a million joints fit in 0.3 GB.
 struct Joint {
   std::string name;  // may be empty
@@ -118,6 +129,7 @@ struct Joint {
   Index i = kWorld, j = kWorld;
   float limit_scale = 1;  // stiffness of limits as part of κ
   Rare<JointAction> action;
+  Rare<JointCoupling> follows;
   JointFrame on_i, on_j;
   Rare<JointRange> limits;        // hinge: angle, rad, in [−π, π]; slider: offset, m
   Rare<Profile> drive;            // of the same quantity

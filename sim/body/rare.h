@@ -22,6 +22,7 @@ class Rare {
   bool has_value() const { return value_ != nullptr; }
   const T& operator*() const { return *value_; }
   const T* operator->() const { return value_.get(); }
+  T* operator->() { return value_.get(); }
   void reset() { value_.reset(); }
 
  private:

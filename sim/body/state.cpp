@@ -50,10 +50,11 @@ StepChange step_change(const StepChangeNumbers& numbers) {
 }
 
 bool same_bits(const State& a, const State& b) {
-  const auto& [time, step, c, R, v, omega, contacts, joint_force, change] = a;
+  const auto& [time, step, c, R, v, omega, contacts, joint_force, change, coupling] = a;
   return same(time, b.time) && step == b.step && same_list(c, b.c) && same_list(R, b.R) &&
          same_list(v, b.v) && same_list(omega, b.omega) && same_list(joint_force, b.joint_force) &&
          std::equal(contacts.begin(), contacts.end(), b.contacts.begin(), b.contacts.end(), same_memory) &&
+         std::equal(coupling.begin(), coupling.end(), b.coupling.begin(), b.coupling.end(), same) &&
          std::equal(change.begin(), change.end(), b.change.begin(), b.change.end(), same_change);
 }
 

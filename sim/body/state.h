@@ -64,6 +64,8 @@ struct State {
   std::vector<Vec3> joint_force;        // of each joint on its body j in the last step; N. Empty before the
                                         // first step; zero where the solver does not know it
   std::vector<StepChange> change;       // one a body; empty where steps are not of second order
+  std::vector<double> coupling;  // of each joint that follows another, how far it is off, with whole turns
+                                 // counted; rad or m. Empty before the first step
 
   Index size() const { return static_cast<Index>(c.size()); }
 };

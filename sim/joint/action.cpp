@@ -67,12 +67,10 @@ Vec3 turn_since(const Mat3& turned, const PlacedFrame& fi, const PlacedFrame& fj
   return fi.F * log_so3(turn_of(fi, fj) * turned.transpose());
 }
 
-// Δ. An angle is told up to whole turns: that which is nearest to free flight.
+// Δ.
 double way_of(const JointMeasure& measure, const ActionStep& action, const PlacedFrame& fi,
               const PlacedFrame& fj) {
-  const double way = measure.value(fi, fj) - action.start;
-  if (measure.of != JointMeasure::Of::angle) return way;
-  return action.expected + std::remainder(way - action.expected, 2 * kPi);
+  return way_from(measure, action.start, action.expected, fi, fj);
 }
 
 // From the spring's rest.
@@ -86,25 +84,6 @@ double way_from_rest(const JointMeasure& measure, const JointSpring& spring, con
 Vec3 way_of_angle(const PlacedFrame& fi, const Vec3& e) {
   const double x = e.dot(fi.F.col(1)), y = e.dot(fi.F.col(2));
   return (x * fi.F.col(2) - y * fi.F.col(1)) / (x * x + y * y);
-}
-
-// How far an angle, offset or length goes, to first order.
-double way_of_motion(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,
-                     const SmallMotion& j) {
-  switch (of) {
-    case JointMeasure::Of::angle: {
-      const Vec3 e = fj.F.col(1);
-      return e.cross(way_of_angle(fi, e)).dot(j.turn - i.turn);
-    }
-    case JointMeasure::Of::offset:
-      return fj.F.col(0).dot(j.at(fi.y) - i.at(fi.y));
-    case JointMeasure::Of::length: {
-      const Vec3 e = fj.y - fi.y;
-      const double length = e.norm();
-      return length > 0 ? e.dot(j.at(fj.y) - i.at(fi.y)) / length : 0;
-    }
-  }
-  return 0;
 }
 
 // A bond along `t`.
@@ -212,6 +191,57 @@ Mat3 coasted(const Coasting& predicted) {
 }
 
 }  // namespace
+
+double way_of_motion(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,
+                     const SmallMotion& j) {
+  switch (of) {
+    case JointMeasure::Of::angle: {
+      const Vec3 e = fj.F.col(1);
+      return e.cross(way_of_angle(fi, e)).dot(j.turn - i.turn);
+    }
+    case JointMeasure::Of::offset:
+      return fj.F.col(0).dot(j.at(fi.y) - i.at(fi.y));
+    case JointMeasure::Of::length: {
+      const Vec3 e = fj.y - fi.y;
+      const double length = e.norm();
+      return length > 0 ? e.dot(j.at(fj.y) - i.at(fi.y)) / length : 0;
+    }
+  }
+  return 0;
+}
+
+std::pair<Vec6, Vec6> gradient_of_way(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj,
+                                      const Vec3& c_i, const Vec3& c_j) {
+  Vec6 i = Vec6::Zero(), j = Vec6::Zero();
+  switch (of) {
+    case JointMeasure::Of::angle: {
+      const Vec3 e = fj.F.col(1), axis = e.cross(way_of_angle(fi, e));
+      j.tail<3>() = axis;
+      i.tail<3>() = -axis;
+      break;
+    }
+    case JointMeasure::Of::offset: {
+      const Vec3 n = fj.F.col(0);
+      j << n, (fi.y - c_j).cross(n);
+      i << -n, -(fi.y - c_i).cross(n);
+      break;
+    }
+    case JointMeasure::Of::length: {
+      const Vec3 e = (fj.y - fi.y).normalized();
+      j << e, (fj.y - c_j).cross(e);
+      i << -e, -(fi.y - c_i).cross(e);
+      break;
+    }
+  }
+  return {i, j};
+}
+
+double way_from(const JointMeasure& measure, double start, double expected, const PlacedFrame& fi,
+                const PlacedFrame& fj) {
+  const double way = measure.value(fi, fj) - start;
+  if (measure.of != JointMeasure::Of::angle) return way;
+  return expected + std::remainder(way - expected, 2 * kPi);
+}
 
 ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj,
                         const ActionStart& start) {

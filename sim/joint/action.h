@@ -29,6 +29,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "sim/joint/joint_traits.h"
 
@@ -76,6 +77,17 @@ struct Coasting {
   PlacedFrame fi, fj;
   SmallMotion i, j;
 };
+
+// How far an angle, offset or length goes by small motions of its bodies, to first order; and how fast with moves (δc, δω)
+// of i and of j, which have their centres there.
+double way_of_motion(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,
+                     const SmallMotion& j);
+std::pair<Vec6, Vec6> gradient_of_way(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj,
+                                      const Vec3& c_i, const Vec3& c_j);
+
+// From `start` to where the frames stand. An angle is told up to whole turns: that which is nearest to `expected`.
+double way_from(const JointMeasure& measure, double start, double expected, const PlacedFrame& fi,
+                const PlacedFrame& fj);
 
 // A step of length h that ends at `time`.
 struct ActionStart {

@@ -97,6 +97,10 @@ const JointMeasure* measure_with(const JointTraits& traits, Rare<JointRange> Joi
 inline const JointMeasure* moved_measure(const JointTraits& traits) {
   return measure_with(traits, &Joint::limits);
 }
+// May its offset follow its angle, as that of a screw?
+inline bool turns_freely(const JointTraits& traits) {
+  return traits.twist == Twist::free && measure_with(traits, &Joint::twist_limits);
+}
 // May it have a damper? Where there is something to move along, a turn or a length.
 inline bool may_be_damped(const JointTraits& traits) {
   return moved_measure(traits) || traits.turn || traits.points;

@@ -115,6 +115,13 @@ struct Spring {
   std::vector<std::pair<double, double>> table = {};
 };
 
+// x = ratio × x of the other joint + offset; angles count in rad for the ratio.
+struct Follows {
+  std::string joint;                  // name of the other one
+  double ratio = 1;                   // rad, m per rad, m
+  std::optional<double> offset = {};  // degrees or m; empty: as both stand at the start
+};
+
 // Joins two bodies, or one and the world. Entries that the type does not have are refused.
 struct Joint {
   JointType type = JointType::spherical;
@@ -135,6 +142,8 @@ struct Joint {
   std::optional<double> damping = {};    // N m s/rad or N s/m
   std::optional<double> friction = {};   // hinge, slider: dry; N m or N
   std::optional<Spring> spring = {};     // hinge, slider
+  std::optional<Follows> follows = {};   // hinge, slider, cylindrical
+  std::optional<double> lead = {};       // cylindrical: a screw; m a turn
   std::optional<Twist> twist = {};       // slider
   std::optional<Limits> twist_limits = {};  // slider with limited twist; degrees
   Law law = {};

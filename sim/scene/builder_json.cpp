@@ -164,6 +164,11 @@ Json json_of(const spec::Joint& joint) {
   put(out, "damping", joint.damping);
   put(out, "friction", joint.friction);
   put_spring(out, joint);
+  if (joint.follows) {
+    out["follows"] = {{"joint", joint.follows->joint}, {"ratio", joint.follows->ratio}};
+    put(out["follows"], "offset", joint.follows->offset);
+  }
+  put(out, "lead", joint.lead);
   put_twist(out, joint);
   put_law(out, joint.law);
   if (joint.collide) out["collide"] = true;

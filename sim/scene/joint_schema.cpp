@@ -83,6 +83,8 @@ void add_motion(const JointMeasure& measure, OrderedJson& out) {
                                          : "Dry friction in N: holds up to so much, and brakes with it.");
   out["spring"] = {{"$ref", angle ? "#/$defs/spring" : "#/$defs/linear_spring"},
                    {"description", "What pulls j back. Not together with drive."}};
+  out["follows"] = {{"$ref", "#/$defs/follows"},
+                    {"description", "The joint that it goes along with. Not together with drive."}};
 }
 
 void add_damping(const JointTraits& traits, OrderedJson& out) {
@@ -95,6 +97,12 @@ void add_twist(Twist fallback, OrderedJson& out) {
   out["twist"] = {{"anyOf", {{{"enum", {"free", "locked"}}}, {{"$ref", "#/$defs/twist"}}}},
                   {"default", fallback == Twist::free ? "free" : "locked"},
                   {"description", "Whether j may turn about the axis."}};
+}
+
+void add_lead(OrderedJson& out) {
+  out["lead"] = described(number({-1e6, 1e6}),
+                          "Of a screw: how far j moves along the axis in a turn, in m; below 0, left-handed. "
+                          "Not together with follows or drive.");
 }
 
 void add_turn(OrderedJson& out) {
@@ -153,6 +161,7 @@ OrderedJson joint_schema(JointType type) {
   }
   if (const JointMeasure* moved = moved_measure(traits)) add_motion(*moved, properties);
   if (measure_with(traits, &Joint::twist_limits)) add_twist(traits.twist, properties);
+  if (turns_freely(traits)) add_lead(properties);
   if (traits.turn) add_turn(properties);
   if (may_be_damped(traits)) add_damping(traits, properties);
   if (!traits.points) add_arms(properties);

@@ -20,8 +20,9 @@ std::vector<std::string_view> keys_of(const JointTraits& joint) {
   add(!joint.points, {"anchor"});
   add(joint.axes > 0, {"axis"});
   add(joint.axes > 1, {"second_axis"});
-  add(moved_measure(joint), {"start", "limits", "drive", "motor", "friction", "spring"});
+  add(moved_measure(joint), {"start", "limits", "drive", "motor", "friction", "spring", "follows"});
   add(measure_with(joint, &Joint::twist_limits), {"twist"});
+  add(turns_freely(joint), {"lead"});
   add(joint.turn, {"drive", "axes"});
   add(may_be_damped(joint), {"damping"});
   add(!joint.points, {"arm", "symmetric"});
@@ -82,6 +83,7 @@ std::span<const KeyTable> key_tables() {
                                      KeyTable{"linear_motor", keys::linear_motor},
                                      KeyTable{"spring", keys::spring},
                                      KeyTable{"linear_spring", keys::spring},
+                                     KeyTable{"follows", keys::follows},
                                      KeyTable{"friction_anchor", keys::friction_anchor}};
   static const auto kTables = [] {
     std::vector<KeyTable> tables = made_tables();

@@ -80,6 +80,7 @@ inline constexpr std::array drive{Key("value"), Key("keys")};
 inline constexpr std::array twist{Key("limits")};
 inline constexpr std::array motor{Key("torque"), Key("speed"), Key("max_torque"), Key("gain")};
 inline constexpr std::array linear_motor{Key("force"), Key("speed"), Key("max_force"), Key("gain")};
+inline constexpr std::array follows{Key("joint"), Key("ratio"), Key("offset")};
 inline constexpr std::array spring{Key("stiffness"), Key("table"), Key("rest")};
 
 // Of state files as well.

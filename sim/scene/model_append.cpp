@@ -96,7 +96,9 @@ void ModelBuilder::append_joints(ModelBuilder& part, const std::vector<Index>& t
                                  const Node& place) {
   const auto here = [&](Index i) { return i == kWorld ? kWorld : to[static_cast<std::size_t>(i)]; };
   reserve_joints(std::ssize(part.model.joints), place);
+  const auto before = static_cast<Index>(model.joints.size());
   for (Joint& joint : part.model.joints) {
+    if (joint.follows) joint.follows->leader += before;
     joint.i = here(joint.i);
     joint.j = here(joint.j);
     if (joint.i == kWorld) joint.on_i = moved(joint.on_i, placement);

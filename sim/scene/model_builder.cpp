@@ -179,8 +179,11 @@ void ModelBuilder::keep_groups_apart(int g, int h) {
 
 void ModelBuilder::move_behind(std::size_t count) {
   auto& joints = model.joints;
-  if (count < joints.size())
-    std::rotate(joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(count), joints.end());
+  if (count >= joints.size()) return;
+  std::rotate(joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(count), joints.end());
+  const auto n = static_cast<Index>(joints.size()), moved = static_cast<Index>(count);
+  for (Joint& joint : joints)
+    if (joint.follows) joint.follows->leader = (joint.follows->leader + n - moved) % n;
 }
 
 void ModelBuilder::finish(const Vec3& gravity) {

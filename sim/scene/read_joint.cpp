@@ -277,6 +277,7 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder
     out.add_joint(std::move(joint), in.boolean("collide", false));
   }
   if (!starts.empty()) move_bodies(starts, generated, *list, out);
+  if (list) read_couplings(*list, generated, out);
 }
 
 }  // namespace pabd

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/joint/joint_traits.h"
+#include "sim/solver/couplings.h"
 
 namespace pabd {
 namespace {
@@ -97,6 +98,21 @@ void add_own_law(const Joint& joint, const BondLaw& joint_law, OrderedJson& out)
 }
 
 }  // namespace
+
+void add_coupling(const Model& model, const State& state, const Joint& joint, double error,
+                  const std::vector<std::string>& names, OrderedJson& out) {
+  const JointCoupling& coupling = *joint.follows;
+  const auto leader = static_cast<std::size_t>(coupling.leader);
+  if (&model.joints[leader] == &joint) {
+    out["lead"] = 2 * kPi * coupling.ratio;
+    return;
+  }
+  const double unit = coupled_measure(joint)->of == JointMeasure::Of::angle ? kDegrees : 1;
+  const double wound = coupling_error(model, state, joint);
+  out["follows"] = {{"joint", names[leader]},
+                    {"ratio", coupling.ratio},
+                    {"offset", unit * (coupling.offset + wound - error)}};
+}
 
 OrderedJson json_of_keys(const Keyed<Vec3>& over_time, double now) {
   return keys_from(now, over_time, [](const Vec3& value) { return json_of(value); });

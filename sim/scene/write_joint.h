@@ -16,4 +16,9 @@ OrderedJson json_of_keys(const Keyed<Vec3>& over_time, double now);
 OrderedJson json_of_joint(const Model& model, const State& state, const Joint& joint, const std::string& name,
                           const BondLaw& joint_law);
 
+// What the joint follows, which is `error` off (State::coupling). `names`: of all joints. The offset is that of the bodies
+// as they stand, so that whole turns need not be counted again.
+void add_coupling(const Model& model, const State& state, const Joint& joint, double error,
+                  const std::vector<std::string>& names, OrderedJson& out);
+
 }  // namespace pabd

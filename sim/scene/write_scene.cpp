@@ -14,6 +14,7 @@
 #include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_joint.h"
+#include "sim/solver/couplings.h"
 
 namespace pabd {
 namespace {
@@ -163,8 +164,15 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
   });
   if (!model.joints.empty()) {
     const std::vector<std::string> names = joint_names(model);
+    std::size_t coupling = 0;
     out += list("joints", model.joints.size(), [&](std::size_t k) {
-      return json_of_joint(model, state, model.joints[k], names[k], joint_law);
+      const Joint& joint = model.joints[k];
+      OrderedJson entry = json_of_joint(model, state, joint, names[k], joint_law);
+      if (!joint.follows) return entry;
+      const double error =
+          state.coupling.empty() ? coupling_error(model, state, joint) : state.coupling[coupling++];
+      add_coupling(model, state, joint, error, names, entry);
+      return entry;
     });
   }
   if (const OrderedJson apart = pairs_json(model); !apart.empty())

@@ -72,7 +72,9 @@ void choose_solvers(const Problem& p, const Iterate& it, Islands& islands, Newto
     Island& island = islands.list[k];
     island.solver = method;
     island.crowd = is_crowd(it, island);
-    if (method != SolverMethod::newton && method != SolverMethod::automatic) continue;
+    // Body by body no coupled joint moves.
+    const bool coupled = method == SolverMethod::descent && !island.couplings.empty();
+    if (method != SolverMethod::newton && method != SolverMethod::automatic && !coupled) continue;
     const bool newton = takes_newton(p, it, island, system_of(k, systems));
     island.solver = newton ? SolverMethod::newton : SolverMethod::descent;
   }

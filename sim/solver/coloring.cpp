@@ -20,6 +20,16 @@ Index free_color(const Problem& p, const std::vector<Index>& color, Index body) 
     const auto [i, j] = p.joint_ends[k];
     avoid(i == body ? j : i);
   }
+  if (!p.followers.empty()) {
+    for (const Index n : p.couplings_at[body]) {
+      const Index follower = p.followers[static_cast<std::size_t>(n)];
+      for (const Index k : {follower, p.joints[follower].follows->leader}) {
+        const auto [i, j] = p.joint_ends[static_cast<std::size_t>(k)];
+        for (const Index other : {i, j})
+          if (other != body) avoid(other);
+      }
+    }
+  }
   for (Index k = 0; k < 64; ++k) {
     if (!(used >> k & 1)) return k;
   }

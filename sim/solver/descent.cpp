@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "sim/math/levels.h"
+#include "sim/solver/couplings.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/tangent_model.h"
 #include "sim/solver/turn_friction.h"
@@ -33,7 +34,8 @@ PABD_EACH_LEVEL double local_energy(const Problem& p, const Iterate& it, Index i
     energy += contact_energy(p.law, manifold, state_of(it, manifold));
     energy[0] += turn_energy(p.law, manifold, it);
   }
-  return inertia_energy(in, it.pose[i]) + sum(energy) + joint_energy(p, it, i, it.pose[i]);
+  return inertia_energy(in, it.pose[i]) + sum(energy) + joint_energy(p, it, i, it.pose[i]) +
+         coupling_energy_of_body(p, it, i);
 }
 
 struct LocalStep {

@@ -7,6 +7,12 @@
 namespace pabd {
 namespace {
 
+// One of the bodies of a joint that can move; fixed where none can.
+Index moving_body(const Problem& p, Index joint) {
+  const auto [i, j] = p.joint_ends[static_cast<std::size_t>(joint)];
+  return p.movable(i) ? i : j;
+}
+
 // Joins the ends of all bonds; fixed bodies and the world join nothing.
 void join_bodies(const Problem& p, const Iterate& it, std::vector<Index>& parent) {
   parent.resize(p.model->shape.size());
@@ -16,6 +22,10 @@ void join_bodies(const Problem& p, const Iterate& it, std::vector<Index>& parent
   };
   for (const ContactManifold& manifold : it.manifold) join(manifold.a, manifold.b);
   for (std::size_t k = 0; k < p.joints.model.size(); ++k) join(p.joint_ends[k].first, p.joint_ends[k].second);
+  for (const Index k : p.followers) {
+    const Index leader = p.joints[k].follows->leader;
+    join(moving_body(p, k), moving_body(p, leader));
+  }
 }
 
 // Numbers the islands in order of their lowest bodies.
@@ -53,6 +63,12 @@ void split_into_islands(const Problem& p, const Iterate& it, Islands& out) {
       if (p.movable(i) || p.movable(j)) visit(of(i, j), static_cast<Index>(k));
     }
   });
+  out.couplings.fill(count, [&](const auto& visit) {
+    for (std::size_t n = 0; n < p.followers.size(); ++n) {
+      const Index body = moving_body(p, p.followers[n]);
+      if (p.movable(body)) visit(out.of[body], static_cast<Index>(n));
+    }
+  });
   out.row.assign(p.model->shape.size() + 1, -1);
   for (std::size_t k = 0; k < count; ++k) {
     Index row = 0;
@@ -65,6 +81,7 @@ void split_into_islands(const Problem& p, const Iterate& it, Islands& out) {
     island.bodies = out.bodies[number];
     island.manifolds = out.manifolds[number];
     island.joints = out.joints[number];
+    island.couplings = out.couplings[number];
     island.row = out.row;
     island.jointed =
         !island.joints.empty() && static_cast<std::size_t>(island.joints.front()) < p.joints.model.size();

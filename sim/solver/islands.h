@@ -10,7 +10,7 @@ namespace pabd {
 // Movable bodies that hang together, with their bonds, by number and in order of number. A body without bonds
 // is in no island.
 struct Island {
-  std::span<const Index> bodies, manifolds, joints;
+  std::span<const Index> bodies, manifolds, joints, couplings;
   std::span<const Index> row;  // per slot of a pose: the body's place in `bodies`, −1 where nothing moves
   bool jointed = false;        // by joints of the model; pulls alone do not count
   SolverMethod solver = SolverMethod::descent;
@@ -35,7 +35,7 @@ struct Islands {
   std::vector<Index> solved;  // bodies of all islands, in order of number
   std::vector<Index> of;      // per body: its island, −1 without
   std::vector<Index> row;     // Island::row, the same for all
-  RowList<Index> bodies, manifolds, joints;
+  RowList<Index> bodies, manifolds, joints, couplings;
 
   // Colours, see coloring.h.
   std::vector<Index> color, colored, first_of_color;

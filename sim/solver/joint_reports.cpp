@@ -2,6 +2,7 @@
 // See joint_reports.h.
 #include "sim/solver/joint_reports.h"
 
+#include "sim/solver/couplings.h"
 #include "sim/solver/joint_set.h"
 
 namespace pabd {
@@ -26,6 +27,7 @@ void report_joints(const Problem& p, const Iterate& it, const std::vector<Vec3>&
       report.force += force;
       report.moment += (bond.y_b - frame.y).cross(force);
     }
+    if (const Index n = coupling_of(p, number); n >= 0) report.coupling = coupling_force(p, it, n);
     out.push_back(report);
   }
 }

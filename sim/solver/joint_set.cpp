@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/solver/joint_set.h"
 
+#include <cmath>
+
 #include "sim/math/extremes.h"
+#include "sim/solver/couplings.h"
 
 namespace pabd {
 
@@ -76,10 +79,19 @@ void add_joints(const Problem& p, const Iterate& it, Index i, JointSums& sums) {
   });
 }
 
+namespace {
+
+double coupling_energy_of_joint(const Problem& p, const Iterate& it, Index k) {
+  const Index n = coupling_of(p, k);
+  return n < 0 ? 0 : coupling_energy(p, it, n);
+}
+
+}  // namespace
+
 double potential_of_joint(const Problem& p, const Iterate& it, Index k) {
   BondList list;
   expand_at(p, it, k, list);
-  return energy_of(p.law_of(k), list);
+  return energy_of(p.law_of(k), list) + coupling_energy_of_joint(p, it, k);
 }
 double energy_of_joint(const Problem& p, const Iterate& it, Index k) {
   return energy_of_joint(p, it, k, p.time);
@@ -87,7 +99,7 @@ double energy_of_joint(const Problem& p, const Iterate& it, Index k) {
 double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time) {
   BondList list;
   expand_held(p, it, k, time, list);
-  return energy_of(p.law_of(k), list);
+  return energy_of(p.law_of(k), list) + coupling_energy_of_joint(p, it, k);
 }
 
 double joint_error(const Problem& p, const Iterate& it, Index k) {
@@ -97,6 +109,11 @@ double joint_error(const Problem& p, const Iterate& it, Index k) {
   expand_held(p, it, k, p.time, list);
   double largest = 0;
   for (int b = 0; b < list.count; ++b) largest = larger(largest, evaluate(joint.law, list.bond[b]).stretch);
+  if (const Index n = coupling_of(p, k); n >= 0) {
+    const double error = std::abs(coupling_error(p, it, n));
+    largest =
+        larger(largest, coupled_measure(joint)->of == JointMeasure::Of::angle ? joint.arm * error : error);
+  }
   return largest;
 }
 

@@ -54,8 +54,7 @@ double potential_of_joint(const Problem& p, const Iterate& it, Index k);
 double energy_of_joint(const Problem& p, const Iterate& it, Index k);
 double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time);
 
-// Largest distance between points of joint k that should coincide; m. 0 for a spring.
+// Largest distance between points of joint k that should coincide, those of what it follows with them; m. 0 for a spring.
 double joint_error(const Problem& p, const Iterate& it, Index k);
-// Over all joints; m.
 
 }  // namespace pabd

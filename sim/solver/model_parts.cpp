@@ -76,6 +76,17 @@ void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool 
     joint = model.joints[static_cast<std::size_t>(out.joints[k])];
     if (joint.i != kWorld) joint.i = out.place[joint.i];
     if (joint.j != kWorld) joint.j = out.place[joint.j];
+    if (!joint.follows) continue;
+    const auto leader = std::lower_bound(out.joints.begin(), out.joints.end(), joint.follows->leader);
+    joint.follows->leader = static_cast<Index>(leader - out.joints.begin());
+  }
+  out.couplings.clear();
+  Index coupling = 0;
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    if (!model.joints[k].follows) continue;
+    if (std::binary_search(out.joints.begin(), out.joints.end(), static_cast<Index>(k)))
+      out.couplings.push_back(coupling);
+    ++coupling;
   }
 }
 
@@ -181,6 +192,11 @@ void take_part(const ModelPart& part, const State& whole, State& out) {
   out.change.resize(whole.change.empty() ? 0 : n);
   for (std::size_t k = 0; k < out.change.size(); ++k)
     out.change[k] = whole.change[static_cast<std::size_t>(part.bodies[k])];
+  const bool known =
+      !part.couplings.empty() && static_cast<std::size_t>(part.couplings.back()) < whole.coupling.size();
+  out.coupling.resize(known ? part.couplings.size() : 0);
+  for (std::size_t k = 0; k < out.coupling.size(); ++k)
+    out.coupling[k] = whole.coupling[static_cast<std::size_t>(part.couplings[k])];
   out.joint_force.resize(whole.joint_force.empty() ? 0 : part.joints.size());
   for (std::size_t k = 0; k < out.joint_force.size(); ++k)
     out.joint_force[k] = whole.joint_force[static_cast<std::size_t>(part.joints[k])];
@@ -208,6 +224,12 @@ void put_part(const ModelPart& part, const State& state, State& whole) {
   std::sort(whole.contacts.begin(), whole.contacts.end(), [](const ContactMemory& a, const ContactMemory& b) {
     return std::tie(a.pair, a.feature) < std::tie(b.pair, b.feature);
   });
+  if (!state.coupling.empty()) {
+    const auto most = static_cast<std::size_t>(part.couplings.back()) + 1;
+    if (whole.coupling.size() < most) whole.coupling.resize(most, 0);
+    for (std::size_t k = 0; k < part.couplings.size(); ++k)
+      whole.coupling[static_cast<std::size_t>(part.couplings[k])] = state.coupling[k];
+  }
   if (state.joint_force.empty()) return;
   const auto needed = static_cast<std::size_t>(part.joints.back()) + 1;
   if (whole.joint_force.size() < needed) whole.joint_force.resize(needed, Vec3::Zero());

@@ -18,9 +18,10 @@ namespace pabd {
 // Some bodies of a model as a model of its own, in the same order.
 struct ModelPart {
   Model model;
-  std::vector<Index> bodies;  // number in the whole of each
-  std::vector<Index> joints;  // the same of its joints
-  std::vector<Index> place;   // number in the part of each body of the whole, −1: it is elsewhere
+  std::vector<Index> bodies;     // number in the whole of each
+  std::vector<Index> joints;     // the same of its joints
+  std::vector<Index> couplings;  // the same of its couplings, State::coupling
+  std::vector<Index> place;      // number in the part of each body of the whole, −1: it is elsewhere
 
   bool holds(Index body) const { return place[static_cast<std::size_t>(body)] >= 0; }
 };

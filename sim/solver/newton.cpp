@@ -108,6 +108,7 @@ bool follows(const Island& island, const NewtonSystem& system, const Iterate& it
 PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geometric, NewtonSystem& system,
                                 Iterate& it) {
   system.matrix.set_zero();
+  system.matrix.clear_couplings();
   double energy = 0;
   for (std::size_t k = 0; k < island.bodies.size(); ++k) {
     const Index i = island.bodies[k];
@@ -119,6 +120,8 @@ PABD_EACH_LEVEL double assemble(const Problem& p, const Island& island, bool geo
     energy += bond.energy;
     add_bond(bond, pull, island.row[bond.a], island.row[bond.b], system);
   });
+  for (const Index n : island.couplings)
+    energy += system.matrix.add(island, linearize_coupling(p, it, n), system.motion.g);
   system.sliding.active.clear();
   for (const Index k : island.manifolds) {
     ContactManifold& manifold = it.manifold[k];
@@ -147,6 +150,7 @@ PABD_EACH_LEVEL double energy_of(const Problem& p, const Island& island, const I
   double energy = 0;
   for (const Index i : island.bodies) energy += inertia_energy(p.inertia(i), it.pose[i]);
   each_joint_bond(p, island, it, [&](const LinearBond& bond) { energy += bond.energy; });
+  for (const Index n : island.couplings) energy += coupling_energy(p, it, n);
   for (const Index k : island.manifolds)
     energy += sum(contact_energy(p.law, it.manifold[k], state_of(it, it.manifold[k]))) +
               turn_energy(p.law, it.manifold[k], it);

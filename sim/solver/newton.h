@@ -2,7 +2,7 @@
 // `newton`: all bodies of an island at once. The linear system, and its iterations.
 #pragma once
 
-#include "sim/math/block_cholesky.h"
+#include "sim/solver/coupled_matrix.h"
 #include "sim/solver/dual_newton.h"
 #include "sim/solver/island_step.h"
 #include "sim/solver/sliding_tangent.h"
@@ -14,7 +14,7 @@ namespace pabd {
 // factorisation. Neither influences a result. Block rows are the bodies of the island.
 struct NewtonSystem {
   Elimination::Pairs pairs;  // coupled block rows p < q, sorted
-  BlockCholesky<6> matrix;
+  CoupledMatrix matrix;
   IslandStep motion;
 
   // Gradient on b of each bond of joints after the full step, by the linear model; N. Bond j of the island's

@@ -3,6 +3,7 @@
 #include "sim/solver/problem.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pabd {
 namespace {
@@ -13,6 +14,19 @@ bool stays(const List& now, List& last) {
   if (now == last) return true;
   last = now;
   return false;
+}
+
+// Each once at each of its bodies.
+void list_couplings(Problem& p) {
+  p.couplings_at.fill(p.model->shape.size(), [&](const auto& visit) {
+    for (std::size_t n = 0; n < p.followers.size(); ++n) {
+      const auto [i, j] = p.joint_ends[static_cast<std::size_t>(p.followers[n])];
+      const auto [k, l] = p.joint_ends[static_cast<std::size_t>(p.joints[p.followers[n]].follows->leader)];
+      const std::array bodies{i, j, k, l};
+      for (auto at = bodies.begin(); at != bodies.end(); ++at)
+        if (p.movable(*at) && std::find(bodies.begin(), at, *at) == at) visit(*at, static_cast<Index>(n));
+    }
+  });
 }
 
 bool manifolds_stay(const Iterate& it, BodyPairs& last) {
@@ -31,8 +45,15 @@ bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
   const auto bodies = p.model->shape.size();
   p.joint_ends.clear();
   p.acting.clear();
+  p.followers.clear();
+  BodyPairs couplings;
   for (const Joint& joint : p.joints.model) {
-    if (joint.action) p.acting.push_back(static_cast<Index>(p.joint_ends.size()));
+    const auto number = static_cast<Index>(p.joint_ends.size());
+    if (joint.action) p.acting.push_back(number);
+    if (joint.follows) {
+      p.followers.push_back(number);
+      couplings.emplace_back(number, joint.follows->leader);
+    }
     p.joint_ends.emplace_back(joint.i, joint.j);
   }
   for (const Joint& joint : p.joints.pulls) p.joint_ends.emplace_back(joint.i, joint.j);
@@ -40,6 +61,7 @@ bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
   same = stays(p.joints.model.size(), last.model_joints) && same;
   same = stays(p.model->fixed, last.fixed) && same;
   same = stays(p.joint_ends, last.joints) && same;
+  same = stays(couplings, last.couplings) && same;
   same = manifolds_stay(it, last.manifolds) && same;
   if (same) return false;
   p.ends.fill(bodies, [&](const auto& visit) {
@@ -58,6 +80,7 @@ bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
       }
     }
   });
+  if (!p.followers.empty()) list_couplings(p);
   return true;
 }
 

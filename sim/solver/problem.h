@@ -93,6 +93,9 @@ struct Problem {
   BodyPairs joint_ends;
   std::vector<Index> acting;        // joints with an action
   std::vector<Index> action_at;     // per joint: place among them, or −1; empty where there are none
+  std::vector<Index> followers;     // joints that follow others; the number of a coupling is its place here
+  std::vector<Index> following;     // per joint: its coupling, or −1; empty where there are none
+  RowList<Index> couplings_at;      // per body; not filled where there are none
   std::vector<std::uint8_t> rolls;  // per body: has it a manifold whose slip follows its roll?
 
   bool movable(Index i) const { return i != kWorld && !model->fixed[static_cast<std::size_t>(i)]; }
@@ -122,12 +125,22 @@ struct Problem {
   }
 };
 
+// A coupling of two joints in a step; see couplings.h.
+struct CouplingStep {
+  Index follower;
+  double error;                  // c at the start; rad or m
+  double start, start_leader;    // coordinates there
+  double coming, coming_leader;  // how far they go in free flight
+  double stiffness;              // s; N m/rad or N/m
+};
+
 // Where a solve stands.
 struct Iterate {
   std::vector<Pose> pose;
   std::vector<double> moved;       // per body: way in the last iteration over d̂
   std::vector<Vec3> joint_force;   // of each joint of the model on its body j, as far as the solver knows; N
   std::vector<ActionStep> action;  // of Problem::acting
+  std::vector<CouplingStep> coupling;  // of Problem::followers
   std::vector<ContactManifold> manifold;
   std::vector<TurnFriction> turning;  // of the manifolds that have it
   std::vector<Rolling> rolling;       // of the separate manifolds
@@ -141,6 +154,7 @@ struct Iterate {
 // Which bodies have bonds with which: what islands and colours follow from.
 struct BondGraph {
   std::size_t bodies = 0, model_joints = 0;
+  BodyPairs couplings;  // of joints
   std::vector<std::uint8_t> fixed;
   BodyPairs joints, manifolds;
 };

@@ -82,7 +82,7 @@ void add(double t, const Moves& x, Moves& y) {
 
 // y = −H⁻¹ Σ D Δl, Δl a member or a function of a point.
 template <class Change>
-void drag(const SlidingTangent& tangent, const BlockCholesky<6>& matrix, const Change& change, Moves& y) {
+void drag(const SlidingTangent& tangent, const CoupledMatrix& matrix, const Change& change, Moves& y) {
   y.assign(tangent.radius.size(), Vec6::Zero());
   for (const SlidingTangent::Point& point : tangent.points) {
     const double force = std::invoke(change, point);
@@ -100,13 +100,13 @@ double change_by(const SlidingTangent::Point& point, const Moves& x) {
 }
 
 // y = −H⁻¹ U x.
-void drag_of_move(const SlidingTangent& tangent, const BlockCholesky<6>& matrix, const Moves& x, Moves& y) {
+void drag_of_move(const SlidingTangent& tangent, const CoupledMatrix& matrix, const Moves& x, Moves& y) {
   drag(
       tangent, matrix, [&](const SlidingTangent::Point& point) { return change_by(point, x); }, y);
 }
 
 // Adds to `step` what the changes of the bounds that it makes add to it.
-void solve_for_both(const BlockCholesky<6>& matrix, SlidingTangent& tangent, Moves& step) {
+void solve_for_both(const CoupledMatrix& matrix, SlidingTangent& tangent, Moves& step) {
   drag(tangent, matrix, &SlidingTangent::Point::ahead, tangent.change);
   add(1, tangent.change, step);
   Moves& rest = tangent.rest;
@@ -135,7 +135,7 @@ void solve_for_both(const BlockCholesky<6>& matrix, SlidingTangent& tangent, Mov
 // Where friction presses its own contacts by more than itself, the bounds that fit both are negative, however far above the
 // present ones μ f_n is: a pencil that is pushed along a rough table. Such points jam: their bounds grow from iteration to
 // iteration until they hold. Sets the changes of the others to 0.
-void find_jams(const BlockCholesky<6>& matrix, bool calm, const Moves& step, SlidingTangent& tangent) {
+void find_jams(const CoupledMatrix& matrix, bool calm, const Moves& step, SlidingTangent& tangent) {
   bool any = false;
   for (SlidingTangent::Point& point : tangent.points) {
     const bool may = calm && point.ahead > 0 && point.ahead + change_by(point, step) < -point.limit;
@@ -151,7 +151,7 @@ void find_jams(const BlockCholesky<6>& matrix, bool calm, const Moves& step, Sli
 
 // The step of the bounds as they have become: downhill on their E, however well both were found. They stay as they are where
 // that is beyond all numbers.
-void step_of_bounds(const BlockCholesky<6>& matrix, bool calm, SlidingTangent& tangent, Moves& step) {
+void step_of_bounds(const CoupledMatrix& matrix, bool calm, SlidingTangent& tangent, Moves& step) {
   find_jams(matrix, calm, step, tangent);
   for (SlidingTangent::Point& point : tangent.points) {
     if (!(point.change > 0)) point.change = larger(point.ahead + change_by(point, step), -point.limit);
@@ -179,7 +179,7 @@ void make_room(std::size_t bodies, SlidingTangent& tangent) {
 
 }  // namespace
 
-bool follow_bounds(const Problem& p, const Island& island, const BlockCholesky<6>& matrix,
+bool follow_bounds(const Problem& p, const Island& island, const CoupledMatrix& matrix,
                    SlidingTangent& tangent, std::vector<Vec6>& step, Iterate& it) {
   if (tangent.active.empty()) return false;
   make_room(step.size(), tangent);

@@ -13,7 +13,7 @@
 // a thousand times too large; and δ is the Newton step of E under the new bounds: a line search on that E goes downhill.
 #pragma once
 
-#include "sim/math/block_cholesky.h"
+#include "sim/solver/coupled_matrix.h"
 #include "sim/solver/island_step.h"
 #include "sim/solver/linear_bonds.h"
 
@@ -42,7 +42,7 @@ struct SlidingTangent {
 
 // Turns `step`, that of fixed bounds, into the step of both, and moves the bounds of the active manifolds to its end. `matrix`
 // is factorised. True if that changes E at the iterate.
-bool follow_bounds(const Problem& p, const Island& island, const BlockCholesky<6>& matrix,
+bool follow_bounds(const Problem& p, const Island& island, const CoupledMatrix& matrix,
                    SlidingTangent& tangent, std::vector<Vec6>& step, Iterate& it);
 
 }  // namespace pabd

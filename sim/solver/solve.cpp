@@ -133,6 +133,7 @@ double tolerance_of(const Task& t, int iterations, double first) {
   constexpr double kOfContacts = 100;  // by default they are solved to a part in 10⁴ of their way
   const double tolerance = t.p.params->solver.tolerance;
   if (t.island.solver != SolverMethod::descent || tolerance == 0) return tolerance;
+  if (!t.island.couplings.empty()) return 0;  // moves are short because it cannot solve them
   const auto part = [&](double way) { return std::max(tolerance * std::min(1.0, way), kRounding); };
   if (t.island.jointed) return iterations > 1 ? part(first) : kRounding;
   const double h = t.p.params->h, fall = h * h * t.p.params->gravity.norm() / t.p.law.barrier.d_hat;

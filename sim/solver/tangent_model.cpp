@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/math/levels.h"
+#include "sim/solver/couplings.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/turn_friction.h"
 
@@ -150,6 +151,10 @@ PABD_EACH_LEVEL TangentModel tangent_model(const Problem& p, Index i, const Iner
   q.g.head<3>() += joints.g_c;
   q.g.tail<3>() += joints.g_w;
   q.energy += joints.energy;
+  const CoupledBody coupled = couple_body(p, it, i);
+  q.H += coupled.H;
+  q.g += coupled.g;
+  q.energy += coupled.energy;
   return q;
 }
 

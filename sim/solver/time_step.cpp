@@ -15,6 +15,7 @@
 #include "sim/solver/body_reports.h"
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
+#include "sim/solver/couplings.h"
 #include "sim/solver/energy_bound.h"
 #include "sim/solver/external.h"
 #include "sim/solver/friction.h"
@@ -86,6 +87,7 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
   first_iterate(p, m.iterate);
   report.capped_bonds = cap_stiffness(p, m.iterate);
   start_actions(p, m.iterate);
+  start_couplings(p, m.iterate);
   start_friction(p, workers, m.iterate);
   choose_solvers(p, m.iterate, m.islands, m.solvers.newton);
 }
@@ -195,11 +197,14 @@ void take_over(const Problem& p, StepMemory& m, State& state) {
     state.c[i] = m.iterate.pose[i].c;
     state.R[i] = m.iterate.pose[i].R;
   }
-  // Not swapped: who looks at an array sees it go on.
+  // Not swapped: views of these arrays go on.
   std::copy(m.velocities.v.begin(), m.velocities.v.end(), state.v.begin());
   std::copy(m.velocities.omega.begin(), m.velocities.omega.end(), state.omega.begin());
   store_friction(p, m.iterate, state.contacts);
   state.joint_force.swap(m.iterate.joint_force);
+  state.coupling.resize(p.followers.size());
+  for (std::size_t n = 0; n < state.coupling.size(); ++n)
+    state.coupling[n] = coupling_error(p, m.iterate, static_cast<Index>(n));
 }
 
 // The work of drives, belts and what acts from outside on what is not made again. Precondition: the state is still that of the start.

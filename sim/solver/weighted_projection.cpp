@@ -2,6 +2,7 @@
 #include "sim/solver/weighted_projection.h"
 
 #include "sim/math/levels.h"
+#include "sim/solver/couplings.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/turn_friction.h"
 
@@ -94,6 +95,13 @@ PABD_EACH_LEVEL AffineModel affine_model(const Problem& p, const Iterate& it, In
       add_turn(pose.R, turn_on_body(law, manifold, end.is_a ? -1 : 1, it), std::sqrt(turn->arm2), factor, q);
   }
   add_joint_points(p, it, i, coupled, q);
+  const CoupledBody couplings = couple_body(p, it, i);
+  if (couplings.energy == 0 && couplings.H.isZero(0)) return q;
+  const double held = coupled * couplings.H.diagonal().head<3>().maxCoeff();
+  q.h_c += held;
+  q.b_c -= couplings.g.head<3>();
+  add_turn(pose.R, {0, couplings.g.tail<3>(), couplings.H.bottomRightCorner<3, 3>()}, p.flight->radius[i],
+           coupled, q);
   return q;
 }
 

@@ -35,6 +35,7 @@ std::string state_hash(const State& state) {
   for (const Vec3& force : state.joint_force) add(hash, force);
   for (const StepChange& change : state.change)
     for (const double x : numbers_of(change)) hash.add_number(x);
+  for (const double error : state.coupling) hash.add_number(error);
   return hash.hex();
 }
 

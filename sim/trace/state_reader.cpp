@@ -18,9 +18,9 @@ namespace pabd {
 namespace {
 
 using Key = std::string_view;
-constexpr std::array kStateKeys{Key("format"),  Key("version"),      Key("time"),
-                                Key("step"),    Key("hash"),         Key("bodies"),
-                                Key("anchors"), Key("joint_forces"), Key("changes")};
+constexpr std::array kStateKeys{Key("format"),  Key("version"),  Key("time"),    Key("step"),
+                                Key("hash"),    Key("bodies"),   Key("anchors"), Key("joint_forces"),
+                                Key("changes"), Key("couplings")};
 constexpr std::array kBodyKeys{Key("name"),     Key("position"),         Key("orientation"), Key("rotation"),
                                Key("velocity"), Key("angular_velocity"), Key("omega")};
 
@@ -122,6 +122,16 @@ State state_from_json(const Model& model, const std::string& text, const std::st
     read_joint_forces(*forces, model.joints.size(), state.joint_force);
 
   if (const auto changes = in.find("changes")) read_changes(*changes, count, state.change);
+
+  if (const auto couplings = in.find("couplings")) {
+    const auto following = static_cast<std::size_t>(std::count_if(
+        model.joints.begin(), model.joints.end(), [](const Joint& j) { return j.follows.has_value(); }));
+    if (couplings->array_size() != following)
+      couplings->fail(fmt::format("expected one a joint that follows another, {}, got {}", following,
+                                  couplings->array_size()));
+    state.coupling.resize(following);
+    couplings->numbers(state.coupling, kAny);
+  }
 
   if (const auto hash = in.find("hash")) {
     const std::string expected = state_hash(state);

@@ -55,6 +55,10 @@ class StateWriter {
       }
       text("\n  ]");
     }
+    if (!state.coupling.empty()) {
+      text(",\n  \"couplings\": ");
+      numbers(Eigen::Map<const Eigen::VectorXd>(state.coupling.data(), std::ssize(state.coupling)));
+    }
     text("\n}\n");
     return fmt::to_string(out_);
   }

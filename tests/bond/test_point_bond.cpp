@@ -15,8 +15,8 @@ const Vec3 kAlong = Vec3(2, -1, 3).normalized();
 const Vec3 kFree = Vec3(1, 4, -2).normalized();
 
 std::vector<BondLaw> laws() {
-  std::vector<BondLaw> out{{BondPotential::soft, 350, 0, 0}};
-  for (const int N : {2, 4, 7}) out.push_back({BondPotential::hard, 12, 0.02, N});
+  std::vector<BondLaw> out{{BondPotential::soft, 0, 350, 0}};
+  for (const int N : {2, 4, 7}) out.push_back({BondPotential::hard, N, 12, 0.02});
   return out;
 }
 
@@ -41,12 +41,12 @@ double energy_at(const BondLaw& law, PointBond bond, const Vec3& y_b) {
 TEST_CASE("a soft bond holds ½ κ s², a hard one the even part of the barrier, term by term") {
   for (const double l : {0.0, 0.5}) {
     for (const double s : {1e-4, 0.003, 0.05}) {
-      CHECK(evaluate(BondLaw{BondPotential::soft, 350, 0, 0}, bond_of(l, s, false)).energy ==
+      CHECK(evaluate(BondLaw{BondPotential::soft, 0, 350, 0}, bond_of(l, s, false)).energy ==
             Approx(0.5 * 350 * s * s).epsilon(1e-10));
       for (const int N : {2, 5, 8}) {
         double sum = 0;
         for (int m = 1; m <= N / 2; ++m) sum += std::pow(s / 0.02, 2 * m) / (2 * m);
-        const PointBondForce f = evaluate(BondLaw{BondPotential::hard, 12, 0.02, N}, bond_of(l, s, false));
+        const PointBondForce f = evaluate(BondLaw{BondPotential::hard, N, 12, 0.02}, bond_of(l, s, false));
         CHECK(f.energy == Approx(12 * sum).epsilon(1e-10));
         CHECK(f.stretch == Approx(s).epsilon(1e-10));
       }

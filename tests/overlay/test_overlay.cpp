@@ -76,7 +76,7 @@ TEST_CASE("frames of every size, with all panels, with and without data") {
   report.contact_reports.resize(2);
   report.contact_reports[0].d = 0.004;
   report.contact_reports[1].d = std::numeric_limits<double>::quiet_NaN();
-  const BondLaw law{BondPotential::hard, 1e9, 0.01, 4};
+  const BondLaw law{BondPotential::hard, 4, 1e9, 0.01};
   const OverlayData full{"сцена 一 with a very very long name that cannot fit", &view, &law};
   for (const auto& [w, h] : {std::pair{640, 360}, {1280, 720}, {2560, 1440}, {64, 64}}) {
     check_draw_data(overlay.frame(all, full, nullptr, w, h), w, h);
@@ -115,7 +115,7 @@ TEST_CASE("the parameters list the law of joints, soft or hard") {
   FrameView view;
   view.kappa = 120;
   view.report.max_joint_error = 3.21e-9;
-  BondLaw law{BondPotential::soft, 1.234e9, 0.02, 6};
+  BondLaw law{BondPotential::soft, 6, 1.234e9, 0.02};
   OverlayData data{"s", &view};
   const auto text = [&] {
     SvgCanvas canvas(font, 1280, 720);

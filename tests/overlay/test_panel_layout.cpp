@@ -15,7 +15,7 @@ namespace {
 
 // With joints of a hard law, so that the parameters have four rows more, and every legend something to say.
 OverlayData data_with_joints() {
-  static const BondLaw law{BondPotential::hard, 1e9, 0.01, 4};
+  static const BondLaw law{BondPotential::hard, 4, 1e9, 0.01};
   static const FrameView view = [] {
     auto model = std::make_shared<Model>();
     for (const JointType type : kJointTypes) model->joints.emplace_back().type = type;

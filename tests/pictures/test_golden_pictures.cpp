@@ -137,7 +137,7 @@ TEST_CASE("a mechanism with all overlays, small") {
     stored.report.records[k].max_joint_error = 1e-3 * std::pow(0.2, static_cast<double>(k));
   for (StepSummary& report : stored.history) report.max_joint_error = 2e-9 + 1e-9 * std::sin(6 * report.time);
   stored.report.max_joint_error = stored.history.back().max_joint_error;
-  const BondLaw law{BondPotential::hard, 2.5e8, 0.01, 4};
+  const BondLaw law{BondPotential::hard, 4, 2.5e8, 0.01};
   const FrameView view = view_of(stored);
   OverlayData data = overlay_of(stored, view);
   data.joint_law = &law;

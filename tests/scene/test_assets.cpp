@@ -144,15 +144,15 @@ TEST_CASE("the README of the assets lists every scene, and its example of joints
       text.substr(begin + fence.size(), text.find("```", begin + 3) - begin - fence.size());
   std::string bodies;
   for (const char* name : {"post", "arm", "crank", "rail", "cart", "hand", "tool", "shaft", "wheel", "sleeve",
-                           "rod", "ram", "lid"}) {
+                           "rod", "ram", "lid", "gear", "nut"}) {
     bodies += std::string(bodies.empty() ? "" : ",") + R"({"name": ")" + name +
               R"(", "shape": {"type": "sphere", "radius": 0.1}})";
   }
   const Scene s =
       parse_scene(R"({"format": "pabd-scene", "version": 1, "bodies": [)" + bodies + "], " + example + "}",
                   "README.md", kAssets);
-  CHECK(s.model.joints.size() == 11 + 21 + 180);  // listed, chain with both ends, net of 10 by 10
-  CHECK(s.model.joints[10].law.kappa == 500);
+  CHECK(s.model.joints.size() == 13 + 21 + 180);  // listed, chain with both ends, net of 10 by 10
+  CHECK(s.model.joints[12].law.kappa == 500);
   CHECK(s.model.joints[3].arm == 0.2);
 }
 

@@ -210,7 +210,7 @@ TEST_CASE("edits that make no sense are refused and change nothing") {
   joint.axis.setZero();
   check_refused(session, joint, "axis");
   joint.axis = Vec3::UnitX();
-  joint.law = BondLaw{BondPotential::soft, -1, 0.01, 4};
+  joint.law = BondLaw{BondPotential::soft, 4, -1, 0.01};
   check_refused(session, joint, "kappa");
 
   Session lonely = session_of(crate("only", 0, 0));
@@ -230,7 +230,7 @@ TEST_CASE("edits as JSON: there and back, and refusals that name the place") {
   AddJoint joint;
   joint.type = JointType::hinge;
   joint.j = 2;
-  joint.law = BondLaw{BondPotential::soft, 500, 0.01, 4};
+  joint.law = BondLaw{BondPotential::soft, 4, 500, 0.01};
   check_json(joint, R"({"do":"add_joint","type":"hinge","bodies":[null,2],"anchor":[0.0,0.0,0.0],)"
                     R"("axis":[0.0,0.0,1.0],"potential":"soft","kappa":500.0})");
   joint.type = JointType::distance;
