@@ -60,6 +60,7 @@ class Assembler {
 
   ScenePlan assemble() {
     for (std::size_t l = 0; l < links_.size(); ++l) make(l);
+    for (const auto& [number, follow] : follows_) make_follow(number, *follow);
     for (const RobotLoop& loop : robot_.loops) make_loop(loop);
     keep_apart();
     weigh_trees();
@@ -216,8 +217,26 @@ class Assembler {
         from = out.j = light(body, out.anchor, reach);
         note(joint.place, "one of several joints of a link: a light body is put between them");
       }
+      joint_number_.try_emplace(joint.name, plan_.joints.size());
+      if (joint.follows) follows_.emplace_back(plan_.joints.size(), &*joint.follows);
       plan_.joints.push_back(std::move(out));
     }
+  }
+
+  void make_follow(std::size_t number, const RobotFollow& follow) {
+    JointPlan& joint = plan_.joints[number];
+    const auto leader = joint_number_.find(follow.joint);
+    const bool known = leader != joint_number_.end() && leader->second != number;
+    if (!known || joint.kind == RobotJointKind::ball ||
+        plan_.joints[leader->second].kind == RobotJointKind::ball)
+      return note(follow.place,
+                  fmt::format("follows {}, which is no other joint that moves along one coordinate: "
+                              "moves freely",
+                              in_quotes(follow.joint)));
+    if (follow.ratio == 0) return note(follow.place, "follows another joint with the ratio 0: moves freely");
+    if (joint.target) note(joint.place, "position actuator of a joint that follows another: not taken");
+    joint.target.reset();
+    joint.follows = {static_cast<int>(leader->second), follow.ratio, follow.offset};
   }
 
   int light(const BodyPlan& body, const Vec3& anchor, double reach) {
@@ -366,6 +385,8 @@ class Assembler {
   std::vector<LinkGroup>& links_;
   const std::vector<int>& group_of_;
   UniqueNames names_{std::set<std::string>{kGroundName}}, joint_names_;
+  std::map<std::string, std::size_t> joint_number_;  // by their names in the file
+  std::vector<std::pair<std::size_t, const RobotFollow*>> follows_;
   bool lowered_ = false;
 };
 

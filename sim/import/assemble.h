@@ -33,6 +33,11 @@ struct BodyPlan {
 inline constexpr int kNoBody = -1;                                    // the world
 inline constexpr const char* kGroundName = "ground under the robot";  // of no body here
 
+struct FollowPlan {
+  int leader;  // number of the joint
+  double ratio, offset;
+};
+
 struct JointPlan {
   RobotJointKind kind = RobotJointKind::hinge;
   bool weld = false;  // in place of the kind
@@ -44,6 +49,7 @@ struct JointPlan {
   std::optional<std::pair<double, double>> range;
   std::optional<double> target;
   RobotAction action;
+  std::optional<FollowPlan> follows;
   double arm = 0;  // m
   Place place;
 };

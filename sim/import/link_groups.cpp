@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 
 #include "sim/base/error.h"
 #include "sim/import/geometry.h"
@@ -13,6 +14,8 @@
 
 namespace pabd {
 namespace {
+
+constexpr std::size_t kMostInARow = 20;  // joints, each of which follows the next
 
 constexpr double kDensity = 1000;  // kg/m³, of a moving link that says nothing of its mass
 
@@ -111,17 +114,47 @@ class Grouping {
         RobotInertia{kLight * above, Vec3::Zero(), Mat3::Identity() * (0.4 * kLight * above * r * r)};
   }
 
-  // Forward kinematics at the start: 0, or the nearest in a joint's range.
+  // Where joints start: at 0, or at the nearest in their range; what follows another joint, where that says.
+  void find_starts() {
+    std::map<std::string, const double*> start;  // of the first of that name
+    std::vector<std::pair<RobotJoint*, double*>> following;
+    for (LinkGroup& group : out_.groups) {
+      group.start.resize(group.link.joints.size());
+      for (std::size_t k = 0; k < group.start.size(); ++k) {
+        RobotJoint& joint = group.link.joints[k];
+        double& q = group.start[k];
+        if (joint.range) q = std::clamp(q, joint.range->first, joint.range->second);
+        start.try_emplace(joint.name, &q);
+        if (joint.follows) {
+          following.emplace_back(&joint, &q);
+        } else if (q != 0) {
+          note(joint.place, "its range leaves out 0: it begins at the bound");
+        }
+      }
+    }
+    // One may follow another that follows a third.
+    for (std::size_t round = 0; round < std::min(following.size(), kMostInARow); ++round)
+      for (const auto& [joint, q] : following)
+        if (const auto leader = start.find(joint->follows->joint); leader != start.end())
+          *q = joint->follows->ratio * *leader->second + joint->follows->offset;
+    for (const auto& [joint, q] : following) {
+      if (!joint->range || (*q >= joint->range->first && *q <= joint->range->second)) continue;
+      note(joint->place,
+           "starts beyond its range, where the joint that it follows has it: the range is not held");
+      joint->range.reset();
+    }
+  }
+
+  // Forward kinematics at the start.
   void place() {
+    find_starts();
     for (LinkGroup& group : out_.groups) {
       const RobotLink& link = group.link;
       group.pose = link.parent == kNoLink ? link.at
                                           : out_.groups[static_cast<std::size_t>(link.parent)].pose * link.at;
-      for (const RobotJoint& joint : link.joints) {
-        double q = 0;
-        if (joint.range) q = std::clamp(q, joint.range->first, joint.range->second);
-        if (q != 0) note(joint.place, "its range leaves out 0: it begins at the bound");
-        group.start.push_back(q);
+      for (std::size_t k = 0; k < link.joints.size(); ++k) {
+        const RobotJoint& joint = link.joints[k];
+        const double q = group.start[k];
         const Vec3 axis = group.pose.R * joint.axis, anchor = group.pose * joint.anchor;
         if (joint.kind == RobotJointKind::slide) group.pose.t += q * axis;
         if (joint.kind == RobotJointKind::hinge && q != 0) {

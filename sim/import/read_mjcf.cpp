@@ -244,6 +244,8 @@ class MjcfReader {
           read_motor(context_.defaults.of(e, ""));
         } else if (name == "equality" && (kind == "connect" || kind == "weld")) {
           read_loop(e);
+        } else if (name == "equality" && kind == "joint") {
+          read_follow(e);
         } else {
           note_element(e, mjcf_rows(), notes_);
         }
@@ -282,9 +284,12 @@ class MjcfReader {
 
   void apply_flags() {
     if (!loops_hold_) robot_.loops.clear();
-    if (limits_hold_) return;
-    for (RobotLink& link : robot_.links)
-      for (RobotJoint& joint : link.joints) joint.range.reset();
+    for (RobotLink& link : robot_.links) {
+      for (RobotJoint& joint : link.joints) {
+        if (!loops_hold_) joint.follows.reset();
+        if (!limits_hold_) joint.range.reset();
+      }
+    }
   }
 
   // A servo at its rest: control 0. <general> is one when its force is k (control − position).
@@ -330,6 +335,23 @@ class MjcfReader {
     RobotJoint& joint = robot_.links[static_cast<std::size_t>(link)].joints[number];
     if (joint.kind == RobotJointKind::ball) return leave("actuator of a ball joint: not taken");
     return &joint;
+  }
+
+  // joint1 = a polynomial of joint2, each from its pose in the file.
+  void read_follow(const XmlElement& e) {
+    note_attributes(e, mjcf_rows(), notes_);
+    if (!e.boolean("active").value_or(true)) return;
+    const auto found = joints_.find(e.text("joint1"));
+    if (found == joints_.end()) e.fail_at("joint1", "there is no joint " + in_quotes(e.text("joint1")));
+    if (!e.has("joint2")) return e.note(notes_, "equality of one joint: not taken");
+    std::vector<double> poly = e.numbers("polycoef", 1, 5).value_or(std::vector<double>{0, 1});
+    poly.resize(5, 0);
+    if (poly[2] != 0 || poly[3] != 0 || poly[4] != 0)
+      return e.note(notes_, "equality of joints by a polynomial above the first order: not taken");
+    const auto [link, number] = found->second;
+    RobotJoint& joint = robot_.links[static_cast<std::size_t>(link)].joints[number];
+    if (joint.follows) return e.note(notes_, "second equality of a joint: not taken");
+    joint.follows = RobotFollow{e.text("joint2"), poly[1], poly[0], place_of(e)};
   }
 
   void read_loop(const XmlElement& e) {

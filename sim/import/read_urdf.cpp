@@ -215,7 +215,7 @@ class UrdfReader {
 
   // Joints of a moving one; `link` gets them. Fixed ones get none.
   void read_joint(const XmlElement& e, RobotLink& link) {
-    known_children(e, {"parent", "child", "origin", "axis", "limit", "dynamics"});
+    known_children(e, {"parent", "child", "origin", "axis", "limit", "dynamics", "mimic"});
     link.at = pose_in(e);
     const std::string type = e.text("type");
     if (type == "fixed") return;
@@ -253,6 +253,9 @@ class UrdfReader {
       joint.action.damping = dynamics->resistance("damping");
       joint.action.friction = dynamics->resistance("friction");
     }
+    if (const auto mimic = e.child("mimic"))
+      joint.follows = RobotFollow{mimic->text("joint"), mimic->number("multiplier").value_or(1),
+                                  mimic->number("offset").value_or(0), place_of(*mimic)};
     link.joints.push_back(std::move(joint));
   }
 

@@ -71,6 +71,13 @@ struct RobotAction {
   bool any() const { return motor() || damping > 0 || friction > 0 || stiffness > 0; }
 };
 
+// Its angle or offset is ratio × that of the other joint + offset, both measured from the pose of the file.
+struct RobotFollow {
+  std::string joint;
+  double ratio = 1, offset = 0;  // rad, m
+  Place place;
+};
+
 struct RobotJoint {
   RobotJointKind kind = RobotJointKind::hinge;
   std::string name;
@@ -80,6 +87,7 @@ struct RobotJoint {
   std::optional<std::pair<double, double>> range;  // rad or m, measured from the pose of the file
   std::optional<double> target;                    // held there by a position actuator; the same
   RobotAction action;
+  std::optional<RobotFollow> follows;
   Place place;
 };
 

@@ -213,6 +213,10 @@ OrderedJson json_of_joint(const JointPlan& joint, const ScenePlan& plan, ImportN
     add_range(joint, unit, out, notes);
   }
   add_action(joint, unit, out, notes);
+  if (const auto& follow = joint.follows)
+    out["follows"] = {{"joint", plan.joints[static_cast<std::size_t>(follow->leader)].name},
+                      {"ratio", follow->ratio},
+                      {"offset", follow->offset / unit}};
   return out;
 }
 

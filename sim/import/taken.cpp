@@ -30,7 +30,9 @@ constexpr ImportRow kMjcf[] = {
      "conaffinity "
      "rgba material",
      "group user", ""},
-    {"joint", "name class type pos axis range limited ref damping frictionloss stiffness springref",
+    {"joint",
+     "name class type pos axis range limited ref damping frictionloss stiffness springref joint1 joint2 "
+     "polycoef active",
      "group user actuatorfrclimited", ""},
     {"freejoint", "name", "group align", ""},
     {"mesh", "name class file scale vertex refpos refquat",
@@ -101,8 +103,8 @@ constexpr ImportRow kUrdf[] = {
     {"dynamics", "damping friction", "", ""},
     {"material", "name", "", ""},
     {"color", "rgba", "", ""},
+    {"mimic", "joint multiplier offset", "", ""},
     // Not taken.
-    {"mimic", "", "", "the joint moves freely"},
     {"safety_controller", "", "", kNothingMoves},
     {"calibration", "", "", kNothingMoves},
     {"texture", "", "", kNothingMoves},

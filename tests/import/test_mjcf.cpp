@@ -175,6 +175,32 @@ TEST_CASE("what MuJoCo is told not to compute is not there", "[import]") {
   CHECK(scene("contact='disable'").model.no_collide.size() == 3);
 }
 
+TEST_CASE("an equality of two joints makes one follow the other", "[import]") {
+  const auto scene = [](const std::string& equality, const std::string& flags = "") {
+    const auto finger = [](const std::string& name) {
+      return "<body name='" + name + "' pos='0 1 0'><joint name='" + name +
+             " joint'/><geom size='0.1'/></body>";
+    };
+    return import_robot_text("<mujoco><option><flag " + flags + "/></option><worldbody>" + finger("a") +
+                                 finger("b") + "</worldbody><equality>" + equality + "</equality></mujoco>",
+                             "m.xml", {});
+  };
+  const std::string plain = "<joint joint1='b joint' joint2='a joint'";
+  const auto follows = [&](const std::string& equality, const std::string& flags = "") {
+    return parse_scene(scene(equality, flags).text, "m", {}).model.joints[1].follows;
+  };
+  REQUIRE(follows(plain + "/>"));
+  CHECK(follows(plain + "/>")->ratio == 1);
+  CHECK(follows(plain + " polycoef='0.3 -2 0 0 0'/>")->ratio == -2);
+  CHECK(follows(plain + " polycoef='0.3 -2 0 0 0'/>")->offset == Approx(0.3));
+  CHECK_FALSE(follows(plain + " active='false'/>"));
+  CHECK_FALSE(follows(plain + "/>", "equality='disable'"));
+  CHECK_FALSE(follows(plain + " polycoef='0 1 2 0 0'/>"));
+  note_with(scene(plain + " polycoef='0 1 2 0 0'/>"), "above the first order");
+  CHECK_FALSE(follows("<joint joint1='b joint'/>"));
+  CHECK_THROWS_WITH(scene("<joint joint1='c'/>"), Catch::Contains("there is no joint"));
+}
+
 TEST_CASE("friction of a geom has the kinds that its condim asks for", "[import]") {
   const auto friction = [](const std::string& geom) {
     const std::string robot =

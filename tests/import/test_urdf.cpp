@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/body/mass_properties.h"
+#include "sim/joint/expand.h"
 #include "tests/import/import_helpers.h"
 #include "tests/support/places.h"
 
@@ -65,10 +66,56 @@ TEST_CASE("a URDF block slides as gravity says, and stops at its limit", "[impor
 
 TEST_CASE("what URDF says and a scene cannot is told with its line", "[import]") {
   const ImportedScene imported = slider();
-  const ImportNote mimic = note_with(imported, "<mimic>");
+  const ImportNote mimic = note_with(imported, "follows \"bed\"");
   REQUIRE(mimic.where.size() == 1);
   CHECK(mimic.where[0] == std::pair(std::string("slider.urdf"), 26));
-  CHECK(parse_scene(imported.text, "x", {}).description.find("<mimic>") != std::string::npos);
+  CHECK(parse_scene(imported.text, "x", {}).description.find("follows \"bed\"") != std::string::npos);
+}
+
+TEST_CASE("a joint that mimics another follows it, from where both start", "[import]") {
+  const auto robot = [](const std::string& mimic) {
+    const auto link = [](const std::string& name, const std::string& at = "0 0 0") {
+      return "<link name='" + name + "'><inertial><origin xyz='" + at +
+             "'/><mass value='1'/><inertia ixx='.1' iyy='.1' "
+             "izz='.1'/></inertial><collision><geometry>"
+             "<sphere radius='0.1'/></geometry></collision></link>";
+    };
+    const auto joint = [](const std::string& name, const std::string& child, const std::string& rest) {
+      return "<joint name='" + name + "' type='revolute'><parent link='base'/><child link='" + child +
+             "'/><origin xyz='" + (child == "l" ? "1" : "2") + " 1 0'/><axis xyz='1 0 0'/>" + rest +
+             "</joint>";
+    };
+    return import_robot_text("<robot name='r'>" + link("base") + link("l", "0 -0.5 0") + link("m") +
+                                 joint("second", "m", "<limit lower='-3' upper='3'/>" + mimic) +
+                                 joint("first", "l", "<limit lower='0.2' upper='1'/>") + "</robot>",
+                             "r.urdf", {}, {RobotBase::fixed, false});
+  };
+  ImportedRun run(robot("<mimic joint='first' multiplier='-1.5' offset='0.4'/>").text);
+  REQUIRE(run.scene.model.joints.size() == 2);
+  const Joint& follower = run.scene.model.joints[1];
+  REQUIRE(follower.name == "second");
+  REQUIRE(follower.follows);
+  CHECK(follower.follows->leader == 0);
+  CHECK(follower.follows->ratio == -1.5);
+  CHECK(follower.follows->offset == Approx(0.4));
+  const auto angle = [&](std::size_t k) {
+    const Joint& joint = run.scene.model.joints[k];
+    return joint_angle(place(joint.on_i, joint.i, run.state), place(joint.on_j, joint.j, run.state));
+  };
+  CHECK(angle(0) == Approx(0.2));
+  CHECK(angle(1) == Approx(0.1));
+  run.run(1);
+  CHECK(std::abs(angle(0) - 0.2) > 0.1);
+  CHECK(angle(1) == Approx(0.4 - 1.5 * angle(0)).margin(1e-6));
+  const auto freely = [&](const std::string& mimic) {
+    return !parse_scene(robot(mimic).text, "r", {}).model.joints[1].follows;
+  };
+  CHECK(freely(""));
+  CHECK(freely("<mimic joint='nothing'/>"));
+  CHECK(freely("<mimic joint='second'/>"));
+  CHECK(freely("<mimic joint='first' multiplier='0'/>"));
+  const ImportedScene beyond = robot("<mimic joint='first' multiplier='50'/>");
+  note_with(beyond, "starts beyond its range");
 }
 
 TEST_CASE("a link has the friction that <contact> says", "[import]") {
