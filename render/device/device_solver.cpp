@@ -186,6 +186,8 @@ std::string DeviceSolver::why_not(const Model& model, const Params& params) {
   if (!model.joints.empty()) return "the scene has joints, which the GPU does not take: --device cpu";
   if (has_restitution(model, params.contact))
     return "the scene has restitution, which the GPU does not take: --device cpu";
+  if (params.contact.damping > 0)
+    return "the scene has contact.damping, which the GPU does not take: --device cpu";
   if (has_turn_friction(model, params.contact))
     return "the scene has torsional or rolling friction, which the GPU does not take: --device cpu";
   if (!model.surface_velocity.empty())

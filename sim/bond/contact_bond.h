@@ -117,13 +117,15 @@ struct alignas(sizeof(Lanes)) ContactManifold : FrictionBound {
   bool slides;                    // the pair of bodies has let go: dynamic friction
   double mu;                      // coefficient of this step
   Index turning = -1;             // number of its TurnFriction, if it has one (bond/turn_friction.h)
-  Lanes shift = lanes(0), scale = lanes(1);  // of the barrier while overlap recovers: q Ψ(d + s)
-  bool recovers = false;                     // solver/recovery.h
-  bool recalled = false, restless = false;   // it has a past, and ContactMemory::restless
-  bool known[kLanes] = {};                   // so has each point
-  bool crowded = false;                      // of two bodies in crowds (collision/broad_phase.h)
-  bool felt = false;                         // it pushed or held in some iterate of this step
-  double share = 1;                          // of the law's stiffness, see stiffness_cap.h
+  // Of the barrier: q Ψ(g d + s)/g. While overlap recovers (solver/recovery.h) g is 1; g = 1 + τ/h damps (solver/damping.h).
+  Lanes shift = lanes(0), scale = lanes(1);
+  double damped = 1;                        // g
+  bool recovers = false;                    // solver/recovery.h
+  bool recalled = false, restless = false;  // it has a past, and ContactMemory::restless
+  bool known[kLanes] = {};                  // so has each point
+  bool crowded = false;                     // of two bodies in crowds (collision/broad_phase.h)
+  bool felt = false;                        // it pushed or held in some iterate of this step
+  double share = 1;                         // of the law's stiffness, see stiffness_cap.h
 };
 
 inline double smallest_start_d(const ContactManifold& manifold) {
@@ -240,18 +242,28 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   return f;
 }
 
-// The same of a manifold, whose barrier may be another one while overlap recovers.
+// The d that the barrier of a manifold sees.
+[[gnu::always_inline]] inline Lanes seen_distance(const ContactManifold& p, Lanes d) {
+  return p.damped * d + p.shift;
+}
+
+// The same of a manifold, whose barrier may be another one.
 [[gnu::always_inline]] inline ContactForce normal_force(const Barrier& b, const ContactManifold& p, Lanes d) {
-  ContactForce f = normal_force(b, d + p.shift);
-  f.value *= p.scale;
+  ContactForce f = normal_force(b, seen_distance(p, d));
+  f.value *= p.scale / p.damped;
   f.first *= p.scale;
-  f.alpha_n *= p.scale;
+  f.alpha_n *= p.damped * p.scale;
   return f;
+}
+
+// What the points of a manifold hold at d, and give back: without what damping takes. J.
+inline Lanes stored_energy(const Barrier& b, const ContactManifold& p, const ContactForce& f, Lanes d) {
+  return p.damped == 1 ? f.value : normal_force(b, d).value;
 }
 
 // Is every point too far to push, and is none held by friction? Then the manifold has no energy and no force.
 [[gnu::always_inline]] inline bool feels_nothing(const Barrier& b, const ContactManifold& p, Lanes d) {
-  const LaneMask far = (d + p.shift >= b.d_hat) & (p.limit <= 0);
+  const LaneMask far = (seen_distance(p, d) >= b.d_hat) & (p.limit <= 0);
   return (far[0] & far[1] & far[2] & far[3]) != 0;
 }
 
@@ -301,7 +313,8 @@ inline void ease_slip(const ContactLaw& law, FrictionBound& p, const Vec3x& u) {
 
 // Is a slip still held back by the majoriser, so that small moves do not mean the end?
 inline bool is_held_back(const ContactLaw& law, const FrictionBound& p, const Vec3x& u) {
-  const LaneMask slides = (law.k_t * length(u) > p.limit) & (p.limit > 0);
+  constexpr double kRounding = 1e-9;  // of its stretch: a slip that short has no direction
+  const LaneMask slides = (law.k_t * length(u) > (1 + kRounding) * p.limit) & (p.limit > 0);
   return sum(select(slides & (p.along > larger(p.least_along, lanes(kLeastAlong))), lanes(1), lanes(0))) > 0;
 }
 

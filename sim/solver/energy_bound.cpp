@@ -68,8 +68,9 @@ double turning_work(const Problem& p, const Iterate& it, std::span<const Index> 
 }
 
 // Ψ of the points of a manifold at distances d, or −W where recovery does work, see energy_bound.h.
-Lanes barrier_energy(const ContactManifold& manifold, const ContactForce& f, Lanes d, bool solved) {
-  if (solved) return f.value;
+Lanes barrier_energy(const Barrier& barrier, const ContactManifold& manifold, Lanes d, bool solved) {
+  const ContactForce f = normal_force(barrier, manifold, d);
+  if (solved || !manifold.recovers) return stored_energy(barrier, manifold, f, d);
   return select(manifold.shift > 0, f.first * (d - manifold.start_d), f.value);
 }
 
@@ -77,7 +78,7 @@ Lanes barrier_energy(const ContactManifold& manifold, const ContactForce& f, Lan
 Lanes energy_at_start(const Problem& p, const ContactManifold& manifold, bool solved) {
   const ContactLaw law = p.law_of(manifold);
   const Lanes d = manifold.start_d;
-  return barrier_energy(manifold, normal_force(law.barrier, manifold, d), d, solved) +
+  return barrier_energy(law.barrier, manifold, d, solved) +
          friction_energy(law, manifold.limit, length(manifold.stretch));
 }
 
@@ -86,7 +87,7 @@ PABD_EACH_LEVEL double energy_at_end(const Problem& p, const ContactManifold& ma
   const ContactLaw law = p.law_of(manifold);
   const ContactState s = state_of(it, manifold);
   if (feels_nothing(law.barrier, manifold, s.d)) return turn_energy(law, manifold, it);
-  return sum(barrier_energy(manifold, normal_force(law.barrier, manifold, s.d), s.d, solved) +
+  return sum(barrier_energy(law.barrier, manifold, s.d, solved) +
              friction_energy(law, manifold.limit, length(s.u))) +
          turn_energy(law, manifold, it);
 }

@@ -221,7 +221,7 @@ PABD_EACH_LEVEL void store_friction(const Problem& p, Iterate& it, std::vector<C
       const ContactLaw law = p.law_of(manifold);
       const Lanes kept = friction_weight(law, manifold.limit, length(s.u)) / law.k_t;  // 1 while it sticks
       for (int k = 0; k < manifold.count; ++k) {
-        if (!(s.d[k] + manifold.shift[k] < law.barrier.d_hat) && !(manifold.limit[k] > 0) &&
+        if (!(seen_distance(manifold, s.d)[k] < law.barrier.d_hat) && !(manifold.limit[k] > 0) &&
             !manifold.recovers)
           continue;
         const Vec3 u = lane(s.u, k);

@@ -211,6 +211,17 @@ constexpr ParameterRow kRows[] = {
      .slider_lo = 0,
      .slider_hi = 1,
      .hashed_default = false},
+    {.key = "contact.damping",
+     .label = "damping τ",
+     .symbol = "τ",
+     .unit = "s",
+     .noun = "time",
+     .help = "Contacts push as if they were at d + τ times the speed at which d changes, and never pull: "
+             "what sways on them comes to rest. Not for the log barrier, not on a GPU",
+     .member = &ContactParams::damping,
+     .range = {0, 10},
+     .slider_hi = 0.1,
+     .hashed_default = false},
 };
 
 constexpr ParameterSection kSections[] = {

@@ -47,6 +47,7 @@ struct ContactParams {
   double d_hat = 0.01;          // contact thickness d̂; m
   std::optional<double> kappa;  // stiffness κ; J. Empty: "auto", see resolve_kappa
   double onset = 0.2;           // onset width ε
+  double damping = 0;           // of normal motion: Ψ' is that of d + τ ḋ, τ in s
   double recovery_speed = 3;    // at which overlap deeper than 2 d̂ comes apart; m/s. 0: no limit
   double mu_static = 0.5;       // friction
   double mu_dynamic = 0.5;      // friction, not above mu_static

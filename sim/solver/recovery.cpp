@@ -72,6 +72,8 @@ bool may_recover(const Problem& p) {
 void recover_from(const Problem& p, Lanes d, ContactManifold& manifold) {
   if (!may_recover(p)) return;
   manifold.recovers = true;
+  manifold.damped = 1;
+  manifold.shift = lanes(0);
   for (int k = 0; k < manifold.count; ++k) ease(p, d[k], k, manifold);
 }
 

@@ -63,7 +63,8 @@ PABD_EACH_LEVEL void summarize_contacts(const Problem& p, const Iterate& it, boo
     const ContactState s = state_of(it, manifold);
     const ContactLaw law = p.law_of(manifold);
     const ContactForce f = normal_force(law.barrier, manifold, s.d);
-    const Lanes energy = f.value + friction_energy(law, manifold.limit, length(s.u));
+    const Lanes energy =
+        stored_energy(law.barrier, manifold, f, s.d) + friction_energy(law, manifold.limit, length(s.u));
     const Lanes alpha_t = friction_weight(law, manifold.limit, length(s.u));
     const Lanes excess = friction_excess(manifold, alpha_t * length(s.u), f, least);
     report.elastic += turn_energy(law, manifold, it);

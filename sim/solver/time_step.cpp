@@ -16,6 +16,7 @@
 #include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/couplings.h"
+#include "sim/solver/damping.h"
 #include "sim/solver/energy_bound.h"
 #include "sim/solver/external.h"
 #include "sim/solver/friction.h"
@@ -77,6 +78,7 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
   Problem& p = m.problem;
   leave_what_parts(p, m.iterate);
   start_recovery(p, m.iterate);
+  damp_contacts(p, m.iterate);
   pulls_as_joints(*p.model, options.pulls, m.pulls);
   p.joints = {p.model->joints, m.pulls};
   if (list_bonds(p, m.iterate, m.graph)) {

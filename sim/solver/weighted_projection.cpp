@@ -77,7 +77,8 @@ PABD_EACH_LEVEL AffineModel affine_model(const Problem& p, const Iterate& it, In
     const Lanes alpha_t = friction_weight(law, manifold.limit, length(state.u));
     Lanes alpha_n = f.alpha_n;
     if (weights != WeightKind::tangent)
-      alpha_n = manifold.scale * binomial_weights(law.barrier, state.d + manifold.shift, f.alpha_n);
+      alpha_n = manifold.damped * manifold.scale *
+                binomial_weights(law.barrier, seen_distance(manifold, state.d), f.alpha_n);
     if (weights == WeightKind::majorising) alpha_n = larger(alpha_n, f.alpha_n);
     const ContactLevers levers =
         end.is_a ? levers_on_a(manifold, state, pose) : levers_on_b(state, it.pose[manifold.a], pose);

@@ -62,6 +62,12 @@ TEST_CASE("what it cannot do is refused with the remedy, and the state stays") {
   Params bounces;
   bounces.contact.restitution = 0.5;
   CHECK(DeviceEngine::why_not(tiny.model, bounces, {}).find("restitution") != std::string::npos);
+  Params damped, rolls, spins;
+  damped.contact.damping = 0.01;
+  rolls.contact.rolling = spins.contact.torsional = 0.01;
+  CHECK(DeviceEngine::why_not(tiny.model, damped, {}).find("damping") != std::string::npos);
+  CHECK(DeviceEngine::why_not(tiny.model, rolls, {}).find("rolling") != std::string::npos);
+  CHECK(DeviceEngine::why_not(tiny.model, spins, {}).find("torsional") != std::string::npos);
   TinyModel pushed = ball();
   pushed.model.external.resize(2);
   pushed.model.external[1] = ExternalForce{Keyed<Vec3>{{{0, Vec3::UnitX()}}}, {}};
