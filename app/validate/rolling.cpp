@@ -90,6 +90,54 @@ Outcome stop(Bench& bench) {
   return out;
 }
 
+// A box of 10 kg on the ground with 25 balls of 1 kg on it, pushed by 150 N along its diagonal: 0.4 between box and ground, 0.8
+// between balls and box. The balls roll with 2/7 of its acceleration: (F − 0.4 · 35 g)/(10 + 25 · 2/7) = 0.7385 m/s².
+constexpr double kPush = 150, kBox = 10, kBalls = 25, kUnder = 0.4, kOn = 0.8;
+constexpr double kBoxSpeeds = (kPush - kUnder * (kBox + kBalls) * kG) / (kBox + kBalls * 2 / 7);
+Outcome pushed_under_balls(Bench& bench, bool ball) {
+  const double d_hat = bench.builder().params.contact.d_hat;
+  const Vec3 along = Vec3(1, 0, 1).normalized();
+  const auto friction = [](double mu) { return SurfaceFriction{mu, mu}; };
+  bench.builder().params.contact.friction_rule = FrictionRule::min;
+  bench.builder().add(
+      spec::Body{.name = "ground", .shape = Plane{Vec3::UnitY(), 0}, .friction = friction(kUnder)});
+  bench.builder().add(spec::Body{.name = "box",
+                                 .shape = Box{{2, 0.1, 2}},
+                                 .mass = kBox,
+                                 .position = Vec3(0, 0.1 + d_hat, 0),
+                                 .friction = friction(kOn),
+                                 .force = Keyed<Vec3>{{{0, kPush * along}}}});
+  for (int k = 0; k < 25; ++k)
+    bench.builder().add(spec::Body{.name = "ball " + std::to_string(k),
+                                   .shape = Sphere{0.1},
+                                   .mass = 1,
+                                   .position = Vec3(0.5 * (k % 5 - 2), 0.3 + 2 * d_hat, 0.5 * (k / 5 - 2)),
+                                   .friction = friction(kOn)});
+  Outcome out;
+  const double due = ball ? kBoxSpeeds * 2 / 7 : kBoxSpeeds;
+  bench.run(2,
+            [&] { out.see(bench.time(), bench.v(ball ? "ball 7" : "box").dot(along), due * bench.time()); });
+  out.value = out.ours.back() / bench.time();
+  return out;
+}
+
+// A ball that rolls against a friction of l f_n.
+constexpr double kResists = 0.002;
+Outcome roll_until_it_stops(Bench& bench) {
+  bench.builder().params.contact.rolling = kResists;
+  add_round(bench, round_bodies().front(), 0);
+  bench.v("body") = Vec3(0.5, 0, 0);
+  bench.omega("body") = Vec3(0, 0, -0.5 / kRadius);
+  const double slowed = kResists * kG / (1.4 * kRadius), end = 0.5 / slowed;
+  Outcome out;
+  bench.run(4, [&] {
+    const double t = std::min(bench.time(), end);
+    out.see(bench.time(), bench.c("body").x(), 0.5 * t - 0.5 * slowed * t * t);
+  });
+  out.value = out.ours.back();
+  return out;
+}
+
 }  // namespace
 
 void add_rolling(std::vector<Case>& cases) {
@@ -132,6 +180,27 @@ void add_rolling(std::vector<Case>& cases) {
                    "time [s]",
                    "way [m]",
                    stop});
+  for (const bool ball : {false, true}) {
+    cases.push_back({ball ? "pushed-ball" : "pushed-box",
+                     ball ? "25 balls on a box that is pushed: acceleration of a ball"
+                          : "a box that is pushed with 25 balls on it: acceleration",
+                     "m/s²",
+                     ball ? kBoxSpeeds * 2 / 7 : kBoxSpeeds,
+                     "SimBenchmark of RaiSim, rolling test: by hand",
+                     {{1.0 / 60, 5e-4}, {1.0 / 240, 5e-4}, {1.0 / 1000, 5e-4}},
+                     "time [s]",
+                     "speed [m/s]",
+                     [ball](Bench& bench) { return pushed_under_balls(bench, ball); }});
+  }
+  cases.push_back({"roll-stop",
+                   "a ball of 0.5 m/s against a rolling friction of 2 mm: way until it stands",
+                   "m",
+                   0.25 * 1.4 * kRadius / (2 * kResists * kG),
+                   "Coulomb: v² (1 + I/m r²) r/(2 l g)",
+                   {{1.0 / 60, 0.01}, {1.0 / 240, 0.003}, {1.0 / 1000, 0.001}},
+                   "time [s]",
+                   "way [m]",
+                   roll_until_it_stops});
 }
 
 }  // namespace pabd::validate
