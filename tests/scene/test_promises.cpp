@@ -171,6 +171,29 @@ TEST_CASE("Geneva drive: a quarter a turn, locked between, and the ratio of the 
   CHECK(fastest == Approx(reach / (1 - reach)).epsilon(0.03));  // 2.414
 }
 
+TEST_CASE("gears: turns and the rack's way are as the ratios say, the balls stay on the tray", "[scene]") {
+  Show show("gears");
+  const Vec3 rack = show.place("rack"), tray = show.place("tray"), nut = show.place("nut");
+  const auto turned = [&](const char* name) {
+    const Vec3 x = show.state().R[show.body(name)].col(0);  // of what lies along z, in the plane
+    return std::atan2(x.y(), x.x());
+  };
+  show.run(3, [&] {
+    const double driver = turned("driver");
+    CHECK(turned("pinion") == Approx(driver).margin(1e-6));
+    CHECK(turned("wheel") == Approx(-0.5 * driver).margin(1e-6));
+    CHECK(show.place("rack").y() - rack.y() == Approx(0.25 * driver).margin(1e-6));
+  });
+  CHECK(show.place("rack").y() - rack.y() == Approx(0.25 * radians(140)).epsilon(1e-6));
+  CHECK(show.place("nut").y() < nut.y() - 1.5);
+  show.run(6);
+  CHECK(show.place("tray").y() == Approx(tray.y()).margin(1e-6));
+  for (const char* ball : {"ball 1", "ball 2", "ball 3"}) {
+    CHECK(show.place(ball).y() > tray.y());
+    CHECK(show.state().v[show.body(ball)].norm() < 1e-3);
+  }
+}
+
 TEST_CASE("drop: each ball goes as deep as its energy: Ψ(d) = m g h, for N, d̂ and κ", "[scene]") {
   for (const std::vector<std::string>& changes : std::vector<std::vector<std::string>>{
            {}, {"contact.N=1"}, {"contact.N=8"}, {"contact.d_hat=0.1"}, {"contact.kappa=20000"}}) {
