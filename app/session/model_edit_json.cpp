@@ -86,7 +86,7 @@ AddBody read_add_body(const Node& node) {
         Node(*shape, node, "shape").fail_expected(sized_shapes());
     }
   }
-  for (const char* key : {"group", "surface_velocity", "force", "torque"})
+  for (const char* key : {"group", "center_of_mass", "surface_velocity", "force", "torque"})
     if (node.value().contains(key))
       Node(node.value().at(key), node, key).fail("a body that is added has none; remove this key");
   Json body = node.value();

@@ -163,7 +163,7 @@ class TableMaker {
     Words words;
     for (const CompoundPart& part : data.parts) {
       add_vector(part.offset, words);
-      words.push_back(hull(*part.hull.data));
+      words.push_back(hull(*part.hull().data));
     }
     const auto [same, is_first] = compound_words_.try_emplace(std::move(words), next());
     at->second = same->second;
@@ -192,7 +192,7 @@ std::size_t most_faces(const Shape& shape) {
   std::size_t most = 0;
   if (const auto* compound = std::get_if<Compound>(&shape)) {
     for (const CompoundPart& part : compound->data->parts)
-      most = std::max(most, part.hull.data->faces.size());
+      most = std::max(most, part.hull().data->faces.size());
   }
   return most;
 }
@@ -209,6 +209,8 @@ std::string why_not_on_device(const Model& model) {
   for (std::size_t i = 0; i < model.shape.size(); ++i) {
     const Shape& shape = model.shape[i];
     const std::string body = "body '" + model.name[i] + "' ";
+    if (off_centre(shape))
+      return body + "has its centre of mass beside that of its shape, which the GPU does not take";
     const std::size_t faces = most_faces(shape);
     if (faces > kMostDeviceHullFaces) {
       return body + "has " + counted(faces, "face") +

@@ -11,6 +11,8 @@
 #include <limits>
 #include <optional>
 
+#include "sim/body/mass_properties.h"
+#include "sim/body/shape_kind.h"
 #include "sim/body/uneven.h"
 
 namespace pabd {
@@ -44,6 +46,30 @@ Compound joined(const std::vector<Hull>& hulls, const std::optional<Vec3>& origi
 }
 
 }  // namespace
+
+const CompoundPart* off_centre(const Shape& shape) {
+  const auto* compound = std::get_if<Compound>(&shape);
+  if (!compound || compound->data->parts.size() != 1) return nullptr;
+  const CompoundPart& part = compound->data->parts.front();
+  return std::holds_alternative<Hull>(part.shape) ? nullptr : &part;
+}
+
+Compound with_centre_of_mass(const Shape& shape, const Vec3& com) {
+  auto out = std::make_shared<CompoundData>();
+  if (const auto* compound = std::get_if<Compound>(&shape)) {
+    *out = *compound->data;
+    for (CompoundPart& part : out->parts) part.offset -= com;
+  } else {
+    out->parts.push_back({shape, -com});
+    out->volume = volume(shape);
+    out->second_moment = kind_of(shape).second_moment(shape);
+    out->inner_radius = inner_radius(shape);
+  }
+  out->centroid = com;
+  // Of a sphere that holds it.
+  out->bounding_radius = bounding_radius(shape) + com.norm();
+  return Compound{std::move(out)};
+}
 
 Compound make_compound(const std::vector<Hull>& hulls) { return joined(hulls, {}); }
 Compound make_compound_about(const std::vector<Hull>& hulls, const Vec3& origin) {

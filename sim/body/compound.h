@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Several convex polyhedra as one rigid body. Origin at the common centre of mass; the axes of all parts are
-// those of the body.
+// Several convex polyhedra as one rigid body, or one shape of any kind whose matter is not even. Origin at the centre of
+// mass; the axes of all parts are those of the body.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,12 @@ namespace pabd {
 // Of a body.
 inline constexpr std::size_t kMostParts = 64;
 
-// One convex part.
+// One convex part. Where there are several each is a hull.
 struct CompoundPart {
-  Hull hull;
-  Vec3 offset;  // of the hull's centre of mass from that of the body; m
+  Shape shape;
+  Vec3 offset;  // of the part's centre from the centre of mass of the body; m
+
+  const Hull& hull() const { return *std::get_if<Hull>(&shape); }
 };
 
 // The parts, in the body frame, and what they are together.
@@ -31,5 +33,8 @@ struct CompoundData {
 // Joins hulls that were made in common coordinates. Mass properties are the sum of those of the parts: where
 // parts overlap, the matter counts once for each. Precondition: 1 to kMostParts hulls.
 Compound make_compound(const std::vector<Hull>& hulls);
+
+// The one part of a shape that is off its centre of mass and no hull; null for all others.
+const CompoundPart* off_centre(const Shape& shape);
 
 }  // namespace pabd

@@ -25,7 +25,7 @@ Aabb hull_bounds(const HullData& data, const Vec3& c, const Mat3& R) {
 Aabb compound_bounds(const Shape& shape, const Vec3& c, const Mat3& R) {
   Vec3 lo = Vec3::Constant(kInfinity), hi = -lo;
   for (const CompoundPart& part : compound(shape).parts) {
-    const Aabb box = hull_bounds(*part.hull.data, c + R * part.offset, R);
+    const Aabb box = bounds(part.shape, c + R * part.offset, R);
     lo = lo.cwiseMin(box.lo);
     hi = hi.cwiseMax(box.hi);
   }
@@ -42,7 +42,7 @@ std::optional<SurfaceHit> hull_hit(const HullData& data, const RayLine& line) {
 std::optional<SurfaceHit> compound_hit(const Shape& shape, const RayLine& line) {
   std::optional<SurfaceHit> first;
   for (const CompoundPart& part : compound(shape).parts) {
-    const auto hit = hull_hit(*part.hull.data, RayLine{line.o - part.offset, line.u});
+    const auto hit = kind_of(part.shape).hit(part.shape, RayLine{line.o - part.offset, line.u});
     if (hit && (!first || hit->t < first->t)) first = hit;
   }
   return first;
@@ -71,7 +71,11 @@ constinit const ShapeKind hull_kind{
 constinit const ShapeKind compound_kind{
     .name = "mesh",
     .keys = kMeshKeys,
-    .text = [](const Shape&) { return std::string("compound of hulls"); },
+    .text =
+        [](const Shape& shape) {
+          const CompoundPart* part = off_centre(shape);
+          return part ? text_of(part->shape) + ", off its centre of mass" : std::string("compound of hulls");
+        },
     .volume = [](const Shape& shape) { return compound(shape).volume; },
     .second_moment = [](const Shape& shape) { return compound(shape).second_moment; },
     .bounds = compound_bounds,
@@ -80,8 +84,11 @@ constinit const ShapeKind compound_kind{
     .hit = compound_hit,
     .surface =
         [](const Shape& shape, std::vector<SurfacePart>& out) {
-          for (const CompoundPart& part : compound(shape).parts)
-            out.push_back({.form = SurfaceForm::polyhedron, .at = part.offset, .hull = &part.hull});
+          for (const CompoundPart& part : compound(shape).parts) {
+            const std::size_t first = out.size();
+            kind_of(part.shape).surface(part.shape, out);
+            for (std::size_t k = first; k < out.size(); ++k) out[k].at += part.offset;
+          }
         },
 };
 

@@ -54,10 +54,10 @@ void each_part(const Placed<Compound>& compound, const Vec3& c, const Mat3& R, I
   for (const CompoundPart& part : compound.shape.data->parts) {
     const Vec3 centre = compound.c + compound.R * part.offset;
     const std::uint32_t own_name = name++;
-    const double near = part.hull.data->bounding_radius + radius + reach;
+    const double near = part.hull().data->bounding_radius + radius + reach;
     if ((centre - c).squaredNorm() > near * near) continue;
     const std::size_t start = out.size();
-    const Placed<Hull> hull{part.hull, centre, compound.R, compound.number, compound.first};
+    const Placed<Hull> hull{part.hull(), centre, compound.R, compound.number, compound.first};
     meet(HullAgainst{hull, c, R, number, !compound.first, reach, out});
     for (std::size_t k = start; k < out.size(); ++k) out[k].feature = part_name(own_name, out[k].feature);
   }
@@ -72,8 +72,8 @@ void compound_shape(const Placed<Compound>& compound, const Placed<Shape>& other
     std::uint32_t row = 0;
     for (const CompoundPart& part : second->data->parts) {
       each_part(compound, other.c + other.R * part.offset, other.R, other.number,
-                part.hull.data->bounding_radius, row++, reach, out,
-                [&](const HullAgainst& hull) { hull(part.hull); });
+                part.hull().data->bounding_radius, row++, reach, out,
+                [&](const HullAgainst& hull) { hull(part.hull()); });
     }
   } else {
     // A plane is everywhere: its radius is infinite.

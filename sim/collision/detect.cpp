@@ -110,8 +110,18 @@ const Shape& facets(const Shape& shape) {
   return solid ? solid->data->facets : shape;
 }
 
+// Where a shape is that is off its centre of mass; `c` has room for it.
+Placed<Shape> at_own_centre(const Placed<Shape>& body, Vec3& c) {
+  const CompoundPart* part = body.shape.index() == kCompound ? off_centre(body.shape) : nullptr;
+  if (!part) return body;
+  c = body.c + body.R * part->offset;
+  return {part->shape, c, body.R, body.number, body.first};
+}
+
 // The same of any two; hulls stand for solids. In the order of their features.
-void collide_any(const Placed<Shape>& one, const Placed<Shape>& other, double reach, Contacts& out) {
+void collide_any(const Placed<Shape>& body, const Placed<Shape>& other_body, double reach, Contacts& out) {
+  Vec3 c, other_c;
+  const Placed<Shape> one = at_own_centre(body, c), other = at_own_centre(other_body, other_c);
   const bool ordered = narrow::goes_first(one, other);
   Placed<Shape> a = ordered ? one : other;
   const Placed<Shape>& b = ordered ? other : one;
@@ -242,9 +252,9 @@ InnerBall core_of(const Poses& poses, Index i) {
   const auto& parts = compound->data->parts;
   const auto stoutest =
       std::max_element(parts.begin(), parts.end(), [](const CompoundPart& x, const CompoundPart& y) {
-        return x.hull.data->inner_radius < y.hull.data->inner_radius;
+        return inner_radius(x.shape) < inner_radius(y.shape);
       });
-  return {c + R * stoutest->offset, stoutest->hull.data->inner_radius};
+  return {c + R * stoutest->offset, inner_radius(stoutest->shape)};
 }
 
 // Of two that are in crowds, and as deep in each other as it comes, the deepest contact is enough.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/body/compound.h"
 #include "sim/collision/detect.h"
 
 namespace pabd {
@@ -11,6 +12,7 @@ namespace {
 
 // Of a shape along the unit vector n, in its frame. A compound is as thin as its slimmest part.
 double thickness(const Shape& shape, const Vec3& n) {
+  if (const CompoundPart* part = off_centre(shape)) return thickness(part->shape, n);
   if (is_plane(shape) || std::holds_alternative<Compound>(shape)) return 2 * inner_radius(shape);
   const Aabb box = bounds(shape, Vec3::Zero(), rotation_between(n, Vec3::UnitX()));
   return box.hi.x() - box.lo.x();

@@ -121,7 +121,7 @@ struct HasFace {
   bool operator()(const Hull& hull) const { return (*this)(*hull.data); }
   bool operator()(const Compound& compound) const {
     return std::any_of(compound.data->parts.begin(), compound.data->parts.end(),
-                       [&](const CompoundPart& part) { return (*this)(*part.hull.data); });
+                       [&](const CompoundPart& part) { return (*this)(*part.hull().data); });
   }
   bool operator()(const Solid&) const { return std::abs(n.y()) > 1 - 1e-9; }
   bool operator()(const Sphere&) const { return false; }

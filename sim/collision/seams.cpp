@@ -41,9 +41,11 @@ struct SurfacesAt {
   int operator()(const Plane& plane) const { return is_near_zero(plane.normal.dot(x) - plane.offset, flush); }
   int operator()(const Hull& hull) const { return is_on(*hull.data, x, flush); }
   int operator()(const Compound& compound) const {
+    if (const CompoundPart* part = off_centre(compound))
+      return std::visit(SurfacesAt{x - part->offset, flush}, part->shape);
     return static_cast<int>(std::count_if(
         compound.data->parts.begin(), compound.data->parts.end(),
-        [&](const CompoundPart& part) { return is_on(*part.hull.data, x - part.offset, flush); }));
+        [&](const CompoundPart& part) { return is_on(*part.hull().data, x - part.offset, flush); }));
   }
   int operator()(const Sphere&) const { return 0; }
   int operator()(const Capsule&) const { return 0; }

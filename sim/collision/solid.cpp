@@ -85,7 +85,8 @@ struct Towards {
   Vec3 operator()(const Compound& compound) const {
     Face nearest{kNone, Vec3::UnitY()};
     for (const CompoundPart& part : compound.data->parts) {
-      const Face face = farthest_face(body, part.hull.data->faces, other.c + other.R * part.offset, other.R);
+      const Face face =
+          farthest_face(body, part.hull().data->faces, other.c + other.R * part.offset, other.R);
       if (face.distance < nearest.distance) nearest = face;
     }
     return -nearest.normal;

@@ -21,7 +21,7 @@ struct SceneBuilder::Parts {
   }
   Json enter(const Compound& compound) {
     std::vector<std::string> files;
-    for (const CompoundPart& part : compound.data->parts) files.push_back(enter(part.hull));
+    for (const CompoundPart& part : compound.data->parts) files.push_back(enter(part.hull()));
     meshes.enter(files, compound);
     return files;
   }
@@ -30,6 +30,7 @@ struct SceneBuilder::Parts {
     if (const auto* mesh = std::get_if<spec::Mesh>(&body.shape)) return json_of(*mesh);
     const Shape& shape = std::get<Shape>(body.shape);
     if (const auto* hull = std::get_if<Hull>(&shape)) return {{"type", "mesh"}, {"file", enter(*hull)}};
+    if (const CompoundPart* part = off_centre(shape)) return Json(json_of(part->shape));
     if (const auto* compound = std::get_if<Compound>(&shape))
       return {{"type", "mesh"}, {"file", enter(*compound)}};
     return Json(json_of(shape));
@@ -56,6 +57,9 @@ SceneBuilder& SceneBuilder::operator=(SceneBuilder&&) noexcept = default;
 void SceneBuilder::add(const spec::Body& body) {
   Json entry = json_of(body);
   entry["shape"] = parts_->shape_of(body);
+  const auto* shape = std::get_if<Shape>(&body.shape);
+  if (const CompoundPart* part = shape ? off_centre(*shape) : nullptr)
+    entry["center_of_mass"] = {-part->offset.x(), -part->offset.y(), -part->offset.z()};
   parts_->document["bodies"].push_back(std::move(entry));
 }
 

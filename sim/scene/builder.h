@@ -66,8 +66,9 @@ struct Body {
   std::optional<double> mass = {};               // kg; or density
   std::optional<double> density = {};            // kg/m³; 1000
   bool fixed = false;                            // never moves
-  std::optional<Vec3> position = {};             // of the centre of mass, world; m
+  std::optional<Vec3> position = {};             // of the shape's centre, world; m
   std::optional<Orientation> orientation = {};   // body to world
+  std::optional<Vec3> center_of_mass = {};       // from there, along the body's axes; m. Empty: there
   std::optional<Vec3> velocity = {};             // m/s
   std::optional<Vec3> angular_velocity = {};     // world; degrees/s
   std::optional<SurfaceFriction> friction = {};  // of its own; else contact.friction

@@ -137,6 +137,7 @@ Json json_of(const spec::Body& body) {
   Json out = with_mass(body);
   if (body.fixed) out["fixed"] = true;
   put(out, "orientation", body.orientation);
+  put(out, "center_of_mass", body.center_of_mass);
   put(out, "velocity", body.velocity);
   put(out, "angular_velocity", body.angular_velocity);
   put(out, "surface_velocity", body.surface_velocity);

@@ -166,8 +166,9 @@ void refuse_on_plane(const ObjectReader& in) {
   if (const auto fixed = in.find("fixed"); fixed && !fixed->boolean()) {
     fixed->fail("a plane is always fixed; expected true, or leave the key out");
   }
-  for (const std::string_view key : {"density", "mass", "inertia", "position", "orientation", "velocity",
-                                     "angular_velocity", "force", "torque", "color", "material"}) {
+  for (const std::string_view key :
+       {"density", "mass", "inertia", "center_of_mass", "position", "orientation", "velocity",
+        "angular_velocity", "force", "torque", "color", "material"}) {
     if (in.has(key)) in.fail_key(key, "a plane has only a normal and an offset; remove this key");
   }
 }
@@ -190,6 +191,11 @@ BodySpec read_body(const Node& node, std::size_t index, MeshLibrary& meshes) {
   body.c = in.vec3("position", kPositionRange, Vec3::Zero());
   if (const auto orientation = in.find("orientation")) {
     body.R = read_rotation(*orientation, in, "orientation");
+  }
+  if (in.find("center_of_mass")) {
+    const Vec3 com = in.vec3("center_of_mass", kPositionRange);
+    body.shape = with_centre_of_mass(body.shape, com);
+    body.c += body.R * com;
   }
   body.v = in.vec3("velocity", kVelocityRange, Vec3::Zero());
   body.omega = in.vec3("angular_velocity", kSpinRange, Vec3::Zero()) * (kPi / 180);

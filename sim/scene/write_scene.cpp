@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "sim/base/error.h"
+#include "sim/body/compound.h"
 #include "sim/body/mass_properties.h"
 #include "sim/scene/read_look.h"
 #include "sim/scene/text.h"
@@ -69,7 +70,8 @@ OrderedJson pairs_json(const Model& model) {
 }
 
 OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) {
-  OrderedJson out{{"name", model.name[i]}, {"shape", json_of(model.shape[i])}};
+  const CompoundPart* part = off_centre(model.shape[i]);
+  OrderedJson out{{"name", model.name[i]}, {"shape", json_of(part ? part->shape : model.shape[i])}};
   if (out["shape"].is_null()) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("the shape of {} comes from a mesh file, which cannot be written into a scene; "
@@ -89,7 +91,8 @@ OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) 
       out["inertia"] = {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
     }
   }
-  out["position"] = json_of(state.c[i]);
+  out["position"] = json_of(part ? Vec3(state.c[i] + state.R[i] * part->offset) : state.c[i]);
+  if (part) out["center_of_mass"] = json_of(Vec3(-part->offset));
   if (state.R[i] != Mat3::Identity()) out["orientation"] = json_of_rotation(state.R[i]);
   if (!state.v[i].isZero(0)) out["velocity"] = json_of(state.v[i]);
   if (!state.omega[i].isZero(0)) out["angular_velocity"] = json_of(Vec3(state.omega[i] * (180 / kPi)));

@@ -102,7 +102,7 @@ double support(const Shape& shape, const Vec3& c, const Mat3& R, const Vec3& n) 
   if (const auto* compound = std::get_if<Compound>(&shape)) {
     double best = -1e300;
     for (const CompoundPart& part : compound->data->parts)
-      best = std::max(best, support(part.hull, c + R * part.offset, R, n));
+      best = std::max(best, support(part.hull(), c + R * part.offset, R, n));
     return best;
   }
   const auto& capsule = std::get<Capsule>(shape);

@@ -80,7 +80,7 @@ TEST_CASE("the smallest distance is that of the nearest part, for every other sh
     double nearest = 1e300;
     for (const CompoundPart& part : parts) {
       Setup single;
-      single.add(part.hull, at + R_a * part.offset, R_a);
+      single.add(part.hull(), at + R_a * part.offset, R_a);
       single.add(other, at + c, R_b);
       nearest = std::min(nearest, smallest(single.contacts()));
     }

@@ -7,6 +7,7 @@
 
 #include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
+#include "sim/body/uneven.h"
 #include "sim/collision/ray_cast.h"
 #include "tests/collision/reference.h"
 
@@ -72,6 +73,15 @@ TEST_CASE("ray and sphere: straight, off centre, from inside, far away") {
   const auto far = ray_cast(Shape(Sphere{1e-3}), Vec3::Zero(), Mat3::Identity(), {{-5e2, 0, 0}, {1, 0, 0}});
   REQUIRE(far.has_value());
   CHECK(far->t == Approx(500 - 1e-3).epsilon(1e-14));
+}
+
+TEST_CASE("ray and a shape off its centre of mass: as the shape alone, moved") {
+  const Vec3 com(0.3, -0.2, 0.1);
+  const Shape shape = with_centre_of_mass(Sphere{0.5}, com);
+  check_hit(shape, Vec3(-3, 0.2, -0.1), Vec3::UnitX(), {3 - 0.5 - 0.3, -Vec3::UnitX()});
+  const Aabb box = bounds(shape, Vec3::Zero(), Mat3::Identity());
+  CHECK((box.lo - (Vec3::Constant(-0.5) - com)).norm() < kTolerance);
+  CHECK((box.hi - (Vec3::Constant(0.5) - com)).norm() < kTolerance);
 }
 
 TEST_CASE("ray and capsule: side, caps, along the axis, from inside") {

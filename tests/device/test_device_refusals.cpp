@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/device/device_engine.h"
+#include "sim/body/uneven.h"
 #include "tests/support/errors.h"
 #include "tests/support/tiny_model.h"
 
@@ -68,6 +69,10 @@ TEST_CASE("what it cannot do is refused with the remedy, and the state stays") {
   CHECK(DeviceEngine::why_not(tiny.model, damped, {}).find("damping") != std::string::npos);
   CHECK(DeviceEngine::why_not(tiny.model, rolls, {}).find("rolling") != std::string::npos);
   CHECK(DeviceEngine::why_not(tiny.model, spins, {}).find("torsional") != std::string::npos);
+  TinyModel beside = ball();
+  for (Shape& shape : beside.model.shape)
+    if (!is_plane(shape)) shape = with_centre_of_mass(shape, Vec3(0.01, 0, 0));
+  CHECK(DeviceEngine::why_not(beside.model, Params{}, {}).find("centre of mass") != std::string::npos);
   TinyModel pushed = ball();
   pushed.model.external.resize(2);
   pushed.model.external[1] = ExternalForce{Keyed<Vec3>{{{0, Vec3::UnitX()}}}, {}};

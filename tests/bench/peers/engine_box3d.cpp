@@ -61,7 +61,7 @@ class ShapeMaker {
     } else if (const Hull* hull = std::get_if<Hull>(&shape)) {
       add_hull(body, *hull, Vec3::Zero());
     } else if (const Compound* compound = std::get_if<Compound>(&shape)) {
-      for (const CompoundPart& part : compound->data->parts) add_hull(body, part.hull, part.offset);
+      for (const CompoundPart& part : compound->data->parts) add_hull(body, part.hull(), part.offset);
     }
   }
 
