@@ -147,13 +147,14 @@ class Assembler {
     body.parts.push_back(std::move(part));
     if (geom.kind != GeomKind::box && geom.kind != GeomKind::mesh)
       note(geom.place,
-           "round geometry is a polyhedron: a body has one round shape, about its centre of mass");
+           "round geometry is a polyhedron: a body of several shapes is made of those");
   }
 
   bool primitive(const RobotGeom& geom, const RobotInertia& inertia, BodyPlan& body) {
     if (geom.kind == GeomKind::mesh || geom.kind == GeomKind::ellipsoid) return false;
     const double extent = geom.size.cwiseAbs().maxCoeff();
-    if ((geom.at.t - inertia.com).norm() > 1e-9 * extent) return false;
+    const Vec3 centre = geom.at.R.transpose() * (geom.at.t - inertia.com);
+    if (centre.norm() > 1e-9 * extent) body.centre = centre;
     body.kind = geom.kind;
     body.size = geom.size;
     body.R = body.R * geom.at.R;
@@ -161,6 +162,7 @@ class Assembler {
     RobotGeom centred = geom;
     centred.at = LinkPose{};
     const RobotInertia even = solid_of(centred, 1);
+    centred.at.t = body.centre;
     body.even = (even.I * (inertia.mass / even.mass) - body.I).norm() <= 1e-9 * body.I.norm();
     body.parts = {corners_of(centred)};  // for bounds
     return true;

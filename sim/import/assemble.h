@@ -22,7 +22,8 @@ struct BodyPlan {
   Mat3 R = Mat3::Identity();
   // One primitive about the centre of mass, or convex parts by their corners in the body's frame.
   GeomKind kind = GeomKind::mesh;
-  Vec3 size = Vec3::Zero();  // as RobotGeom
+  Vec3 size = Vec3::Zero();    // as RobotGeom
+  Vec3 centre = Vec3::Zero();  // of a primitive, from c along the body's axes; m
   std::vector<std::vector<Vec3>> parts;
   bool even = false;  // I is that of even matter in the shape
   std::optional<Vec3> color;

@@ -127,6 +127,10 @@ OrderedJson json_of_body(const BodyPlan& body, const std::optional<SurfaceFricti
     if (!body.even) out["inertia"] = {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
   }
   out["position"] = clean(W * placed.c, std::max(placed.c.norm(), 1e-3));
+  if (!body.centre.isZero(0)) {
+    out["position"] = json_of(Vec3(W * (body.c + body.R * body.centre)));
+    out["center_of_mass"] = json_of(Vec3(-(placed.R.transpose() * (body.R * body.centre))));
+  }
   out["orientation"] = json_of_rotation(W * placed.R);
   if (body.color) out["color"] = json_of(*body.color);
   if (body.hidden) out["material"] = {{"opacity", 0}};

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/body/compound.h"
 #include "sim/body/mass_properties.h"
 #include "sim/body/shape.h"
 #include "tests/import/import_helpers.h"
@@ -173,6 +174,26 @@ TEST_CASE("what MuJoCo is told not to compute is not there", "[import]") {
   CHECK(scene("equality='disable'").model.joints.size() == 1);
   CHECK_FALSE(scene("limit='disable' equality='disable'").model.joints[0].limits);
   CHECK(scene("contact='disable'").model.no_collide.size() == 3);
+}
+
+TEST_CASE("a round geom beside the centre of mass stays round", "[import]") {
+  const ImportedScene imported =
+      import_robot_text(R"(<mujoco><worldbody><body pos='0 0 1' euler='0 90 0'><freejoint/>
+      <inertial pos='0.1 0 0.02' mass='2' diaginertia='.02 .03 .03'/>
+      <geom type='cylinder' size='0.2 0.05' pos='0 0 0.03' euler='30 0 0'/></body></worldbody></mujoco>)",
+                        "m.xml", {});
+  for (const ImportNote& note : imported.notes) CHECK(note.text.find("polyhedron") == std::string::npos);
+  const Scene s = parse_scene(imported.text, "m", {});
+  REQUIRE(s.model.size() == 1);
+  const CompoundPart* part = off_centre(s.model.shape[0]);
+  REQUIRE(part);
+  CHECK(std::holds_alternative<Solid>(part->shape));
+  // z of the robot is y here, its y is -z: turned about y by 90 degrees its x points down and its z along x.
+  CHECK((s.initial.c[0] - Vec3(0.02, 1 - 0.1, 0)).norm() < 1e-9);
+  CHECK((s.initial.c[0] + s.initial.R[0] * part->offset - Vec3(0.03, 1, 0)).norm() < 1e-9);
+  CHECK(s.model.mass[0] == 2);
+  const Mat3 I = s.initial.R[0] * inertia_tensor(s.model.J[0]) * s.initial.R[0].transpose();
+  CHECK((I - Vec3(0.03, 0.02, 0.03).asDiagonal().toDenseMatrix()).norm() < 1e-9);
 }
 
 TEST_CASE("an equality of two joints makes one follow the other", "[import]") {
