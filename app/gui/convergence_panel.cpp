@@ -75,10 +75,7 @@ class ConvergencePanel final : public GuiPanel {
   static void status(const GuiFrame& f) {
     const StepReport& r = f.sim.a.report;
     if (r.step == 0 || r.records.empty()) {
-      muted_label(f, r.step == 0 ? "No step yet: press play (space) or → for one step."
-                     : !f.sim.a.device.name.empty()
-                         ? "The GPU does not tell of its iterations."
-                         : fmt::format("Step {}: no iterations, nothing touched.", r.step));
+      muted_label(f, why_no_curve(r, !f.sim.a.device.name.empty()));
       return;
     }
     const bool limit = r.status == StepStatus::iteration_limit && f.sim.a.made_with.solver.tolerance > 0;

@@ -118,6 +118,15 @@ BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& v
   return barrier_panel(run.params.contact, run.kappa, contacts, contact_ink, options);
 }
 
+std::string why_no_curve(const StepReport& report, bool on_device) {
+  if (report.step == 0) return "No step yet: press play (space) or → for one step.";
+  if (on_device) return "The GPU does not tell of its iterations.";
+  if (report.iterations == 0 && report.contacts == 0)
+    return fmt::format("Step {}: no iterations, nothing touched.", report.step);
+  return fmt::format("Step {}: its iterations were not recorded. → makes a step that shows them.",
+                     report.step);
+}
+
 Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
   const StepReport& r = sim.a.report;
   const std::size_t what = index_in(kConvergenceViews, ui.convergence);

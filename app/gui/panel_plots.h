@@ -22,6 +22,9 @@ BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& v
 // Of the view `ui.convergence`. The title says which held curves are left out; empty: none.
 Plot convergence_panel_of(const Snapshot& sim, const UiState& ui);
 
+// In place of a curve that is not there. Iterations are recorded while the window is open: a run that was loaded has none.
+std::string why_no_curve(const StepReport& report, bool on_device);
+
 // Of the view `ui.series`.
 Plot series_panel_of(const Snapshot& sim, const UiState& ui);
 

@@ -207,7 +207,8 @@ Figure pareto_figure(const CollectedSweep& sweep, std::span<const Criterion> cri
       line.x.push_back(xs[i]);
       line.y.push_back(ys[i]);
     }
-    plot.series = {std::move(all), std::move(line)};
+    plot.series = {std::move(all)};
+    if (front.size() > 1) plot.series.push_back(std::move(line));  // one point has its own label
     for (std::size_t k = 0; k < front.size(); ++k) {
       const std::size_t i = front[k];
       const std::int64_t index = sweep.tasks[tasks[i]].index;

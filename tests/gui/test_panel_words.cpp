@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What panels say in place of a plot.
+#include <catch2/catch.hpp>
+
+#include "app/gui/panel_plots.h"
+
+namespace pabd::test_panel_words {
+
+TEST_CASE("a step whose iterations nobody recorded did not touch nothing") {
+  StepReport report;
+  CHECK(why_no_curve(report, false).find("No step yet") == 0);
+  report.step = 7;
+  CHECK(why_no_curve(report, false) == "Step 7: no iterations, nothing touched.");
+  CHECK(why_no_curve(report, true).find("GPU") != std::string::npos);
+  report.contacts = 3;
+  CHECK(why_no_curve(report, false).find("not recorded") != std::string::npos);
+  report.contacts = 0;
+  report.iterations = 2;  // joints alone
+  CHECK(why_no_curve(report, false).find("not recorded") != std::string::npos);
+}
+
+}  // namespace pabd::test_panel_words
