@@ -5,7 +5,8 @@
 namespace pabd {
 
 double CoupledMatrix::add(const Island& island, const LinearCoupling& coupling, std::vector<Vec6>& g) {
-  Coupling& added = couplings_.emplace_back();
+  if (count_ == couplings_.size()) couplings_.emplace_back();
+  Coupling& added = couplings_[count_++];
   added.stiffness = coupling.stiffness;
   added.count = coupling.count;
   for (int k = 0; k < coupling.count; ++k) {
@@ -28,35 +29,35 @@ double CoupledMatrix::along(const Coupling& coupling, const std::vector<Vec6>& x
 
 bool CoupledMatrix::factorize(const Stop& stop) {
   if (!BlockCholesky<6>::factorize(stop)) return false;
-  if (couplings_.empty()) return true;
-  const auto count = static_cast<Eigen::Index>(couplings_.size());
-  for (Coupling& coupling : couplings_) {
+  if (count_ == 0) return true;
+  const auto size = static_cast<Eigen::Index>(count_);
+  small_.resize(size, size);
+  for (std::size_t n = 0; n < count_; ++n) {
+    Coupling& coupling = couplings_[n];
     coupling.Z.assign(static_cast<std::size_t>(rows()), Vec6::Zero());
     for (int k = 0; k < coupling.count; ++k) {
       const End& end = coupling.ends[static_cast<std::size_t>(k)];
       coupling.Z[static_cast<std::size_t>(end.row)] += end.G;
     }
     BlockCholesky<6>::solve(coupling.Z);
+    const auto column = static_cast<Eigen::Index>(n);
+    for (Eigen::Index row = 0; row < size; ++row)
+      small_(row, column) = along(couplings_[static_cast<std::size_t>(row)], coupling.Z);
+    small_(column, column) += 1 / coupling.stiffness;
   }
-  Eigen::MatrixXd small(count, count);
-  for (Eigen::Index m = 0; m < count; ++m)
-    for (Eigen::Index n = 0; n < count; ++n)
-      small(m, n) = along(couplings_[static_cast<std::size_t>(m)], couplings_[static_cast<std::size_t>(n)].Z);
-  for (Eigen::Index n = 0; n < count; ++n)
-    small(n, n) += 1 / couplings_[static_cast<std::size_t>(n)].stiffness;
-  small_.compute(small);
-  return small_.info() == Eigen::Success;
+  factor_.compute(small_);
+  return factor_.info() == Eigen::Success;
 }
 
 void CoupledMatrix::solve(std::vector<Vec6>& y) const {
   BlockCholesky<6>::solve(y);
-  if (couplings_.empty()) return;
-  Eigen::VectorXd x(static_cast<Eigen::Index>(couplings_.size()));
-  for (Eigen::Index n = 0; n < x.size(); ++n) x[n] = along(couplings_[static_cast<std::size_t>(n)], y);
-  const Eigen::VectorXd share = small_.solve(x);
-  for (Eigen::Index n = 0; n < x.size(); ++n) {
-    const std::vector<Vec6>& Z = couplings_[static_cast<std::size_t>(n)].Z;
-    for (std::size_t k = 0; k < y.size(); ++k) y[k] -= share[n] * Z[k];
+  if (count_ == 0) return;
+  share_.resize(static_cast<Eigen::Index>(count_));
+  for (std::size_t n = 0; n < count_; ++n) share_[static_cast<Eigen::Index>(n)] = along(couplings_[n], y);
+  factor_.solveInPlace(share_);
+  for (std::size_t n = 0; n < count_; ++n) {
+    const double share = share_[static_cast<Eigen::Index>(n)];
+    for (std::size_t k = 0; k < y.size(); ++k) y[k] -= share * couplings_[n].Z[k];
   }
 }
 

@@ -17,8 +17,8 @@ namespace pabd {
 // Entries are those of H.
 class CoupledMatrix : public BlockCholesky<6> {
  public:
-  // Forgets the couplings; adds one, its gradient to g, and returns its energy.
-  void clear_couplings() { couplings_.clear(); }
+  // Forgets the couplings, but for their memory; adds one, its gradient to g, and returns its energy.
+  void clear_couplings() { count_ = 0; }
   double add(const Island& island, const LinearCoupling& coupling, std::vector<Vec6>& g);
 
   // As those of H.
@@ -38,8 +38,11 @@ class CoupledMatrix : public BlockCholesky<6> {
   };
   static double along(const Coupling& coupling, const std::vector<Vec6>& x);
 
-  std::vector<Coupling> couplings_;
-  Eigen::LDLT<Eigen::MatrixXd> small_;
+  std::vector<Coupling> couplings_;  // the first count_ are those of the matrix
+  std::size_t count_ = 0;
+  Eigen::MatrixXd small_;
+  Eigen::LDLT<Eigen::MatrixXd> factor_;
+  mutable Eigen::VectorXd share_;
 };
 
 }  // namespace pabd

@@ -29,6 +29,17 @@ void list_couplings(Problem& p) {
   });
 }
 
+bool couplings_stay(const Problem& p, BodyPairs& last) {
+  const auto pair_of = [&](Index follower) {
+    return std::pair(follower, p.joints[follower].follows->leader);
+  };
+  const auto same = [&](Index follower, const auto& pair) { return pair_of(follower) == pair; };
+  if (std::equal(p.followers.begin(), p.followers.end(), last.begin(), last.end(), same)) return true;
+  last.clear();
+  for (const Index k : p.followers) last.push_back(pair_of(k));
+  return false;
+}
+
 bool manifolds_stay(const Iterate& it, BodyPairs& last) {
   const auto same = [](const ContactManifold& manifold, const std::pair<Index, Index>& pair) {
     return manifold.a == pair.first && manifold.b == pair.second;
@@ -46,14 +57,10 @@ bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
   p.joint_ends.clear();
   p.acting.clear();
   p.followers.clear();
-  BodyPairs couplings;
   for (const Joint& joint : p.joints.model) {
     const auto number = static_cast<Index>(p.joint_ends.size());
     if (joint.action) p.acting.push_back(number);
-    if (joint.follows) {
-      p.followers.push_back(number);
-      couplings.emplace_back(number, joint.follows->leader);
-    }
+    if (joint.follows) p.followers.push_back(number);
     p.joint_ends.emplace_back(joint.i, joint.j);
   }
   for (const Joint& joint : p.joints.pulls) p.joint_ends.emplace_back(joint.i, joint.j);
@@ -61,7 +68,7 @@ bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
   same = stays(p.joints.model.size(), last.model_joints) && same;
   same = stays(p.model->fixed, last.fixed) && same;
   same = stays(p.joint_ends, last.joints) && same;
-  same = stays(couplings, last.couplings) && same;
+  same = couplings_stay(p, last.couplings) && same;
   same = manifolds_stay(it, last.manifolds) && same;
   if (same) return false;
   p.ends.fill(bodies, [&](const auto& visit) {

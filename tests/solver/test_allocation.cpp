@@ -25,6 +25,7 @@ TEST_CASE("a warm step allocates nothing") {
     testing::World world;
     world.params.solver.method = method;
     world.params.solver.tolerance = 0;
+    world.params.contact.rolling = world.params.contact.torsional = 0.001;
     world.add_ground();
     for (int k = 0; k < 20; ++k) world.add_cube(1, 100, {1.5 * (k % 5), 0.509 + 1.01 * (k / 5), 0});
     world.add(make_compound({tetrahedron(0), tetrahedron(0.3)}), 100, {0, 0.3, 3});
@@ -35,6 +36,15 @@ TEST_CASE("a warm step allocates nothing") {
                                                     link, Vec3(k, 20, 8)));
       if (k > 0) world.model.no_collide.emplace_back(link - 1, link);
     }
+    for (int k = 0; k < 4; ++k) {  // gears, each after the one before
+      const Index gear = world.add(Box{{0.3, 0.3, 0.05}}, 5, {1.5 * k, 30, 0});
+      Joint joint = testing::make_joint(world, JointType::hinge, kWorld, gear, Vec3(1.5 * k, 30, 0));
+      const auto number = static_cast<Index>(world.model.joints.size());
+      if (k > 0) joint.follows = JointCoupling{number - 1, -1, 0};
+      testing::add_joint(world, joint);
+      world.state.omega[static_cast<std::size_t>(gear)] = Vec3(0, 0, k % 2 ? -3 : 3);
+    }
+    world.add(Sphere{0.3}, 5, {0, 0.305, 6});
     StepWorkspace workspace;
     StepReport report;
     const StepOptions options{true, true, 1};
