@@ -146,8 +146,7 @@ class Assembler {
     for (Vec3& corner : part) corner = geom.at * corner - com;
     body.parts.push_back(std::move(part));
     if (geom.kind != GeomKind::box && geom.kind != GeomKind::mesh)
-      note(geom.place,
-           "round geometry is a polyhedron: a body of several shapes is made of those");
+      note(geom.place, "round geometry is a polyhedron: a body of several shapes is made of those");
   }
 
   bool primitive(const RobotGeom& geom, const RobotInertia& inertia, BodyPlan& body) {
