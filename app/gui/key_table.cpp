@@ -111,7 +111,7 @@ const std::vector<KeyBinding>& key_table() {
     add("Window", "ctrl+=", "larger", scales(1.1));
     add("Window", "ctrl+-", "smaller", scales(1 / 1.1));
     add("Window", "ctrl+0", "ordinary size", scales(0));
-    add("Window", "shift+/", "this help", toggle_help);
+    add("Window", "?", "this help", toggle_help);
     add("Window", "f1", "this help", toggle_help);
     add("Window", "ctrl+shift+p", "all commands, to search", sends(ViewCommand(command::Palette{true})));
     add("Window", "escape", "close, select nothing", leave);
@@ -138,7 +138,7 @@ const std::vector<KeyBinding>& key_table() {
 }
 
 std::string chord_text(const KeyChord& chord) {
-  if (chord == parse_key_chord("shift+/")) return "?";
+  if (chord == parse_key_chord("?")) return "?";
   std::string out;
   if (chord.modifiers.ctrl) out += "Ctrl+";
   if (chord.modifiers.shift) out += "Shift+";

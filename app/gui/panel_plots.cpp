@@ -23,6 +23,7 @@
 #include "render/gl/renderer.h"
 #include "render/output/png.h"
 #include "sim/base/atomic_file.h"
+#include "sim/base/counted.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -133,7 +134,9 @@ Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
   Plot plot;
   if (what == 0) {
     plot = convergence_plot(r.records, !sim.a.model->joints.empty());
-    plot.title.clear();  // the list says it
+    plot.title = sim.held.empty()
+                     ? ""  // the list says it
+                     : counted(sim.held.size(), "held curve") + " not shown: choose one quantity";
   } else {
     const auto quantity = static_cast<ConvergenceQuantity>(what - 1);
     std::vector<MethodRun> runs{{to_string(r.method), r.records, r.capped_bonds}};

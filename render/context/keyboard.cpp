@@ -69,6 +69,7 @@ Key parse_key(std::string_view text) {
 }
 
 KeyChord parse_key_chord(std::string_view text) {
+  if (text == "?") text = "shift+/";  // as help writes it
   KeyChord chord;
   for (std::size_t plus = text.find('+'); plus != std::string_view::npos; plus = text.find('+')) {
     const std::string_view word = text.substr(0, plus);

@@ -67,6 +67,7 @@ TEST_CASE("keys as people write them") {
   CHECK(parse_key("7") == Key::digit_7);
   CHECK(parse_key_chord("Ctrl+S") == KeyChord{Key::s, {true, false, false, false}});
   CHECK(parse_key_chord("shift+ctrl+/") == KeyChord{Key::slash, {true, true, false, false}});
+  CHECK(parse_key_chord("?") == KeyChord{Key::slash, {false, true, false, false}});
   CHECK(to_string(KeyChord{Key::page_up, {true, true, false, false}}) == "ctrl+shift+page_up");
 }
 

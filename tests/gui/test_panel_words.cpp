@@ -19,4 +19,14 @@ TEST_CASE("a step whose iterations nobody recorded did not touch nothing") {
   CHECK(why_no_curve(report, false).find("not recorded") != std::string::npos);
 }
 
+TEST_CASE("the overview of convergence tells of curves that are held and not shown") {
+  Snapshot sim;
+  sim.a.model = std::make_shared<Model>();
+  UiState ui;
+  ui.convergence = "all";
+  CHECK(convergence_panel_of(sim, ui).title.empty());
+  sim.held.resize(2);
+  CHECK(convergence_panel_of(sim, ui).title == "2 held curves not shown: choose one quantity");
+}
+
 }  // namespace pabd::test_panel_words
