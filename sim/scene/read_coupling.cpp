@@ -35,7 +35,6 @@ class CouplingReader {
   void read(std::size_t k) {
     const Node node = list_.element(k);
     const bool follows = node.value().contains("follows"), screw = node.value().contains("lead");
-    if (!follows && !screw) return;
     Joint& joint = out_.model.joints[first_ + k];
     const ObjectReader in(node, joint_keys(joint.type));
     const char* key = follows ? "follows" : "lead";
@@ -113,10 +112,10 @@ class CouplingReader {
 
 }  // namespace
 
-void read_couplings(const Node& list, std::size_t first, ModelBuilder& out) {
+void read_couplings(const Node& list, std::size_t first, const std::vector<std::size_t>& coupled,
+                    ModelBuilder& out) {
   CouplingReader reader(list, first, out);
-  const std::size_t count = list.array_size();
-  for (std::size_t k = 0; k < count; ++k) reader.read(k);
+  for (const std::size_t k : coupled) reader.read(k);
 }
 
 }  // namespace pabd

@@ -255,6 +255,7 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder
   const Surroundings around{names, out};
   std::unordered_set<std::string> seen = out.included_joints;
   std::vector<JointStart> starts;
+  std::vector<std::size_t> coupled;
   const std::size_t generated = out.model.joints.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Node node = list->element(k);
@@ -273,11 +274,12 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder
                                       in_quotes(joint.name)));
     around.read_ends(in, joint);
     if (const auto start = read_by_traits(in, around, joint)) starts.push_back({generated + k, *start});
+    if (in.has("follows") || in.has("lead")) coupled.push_back(k);
     joint.law = read_law(in, out.joint_law);
     out.add_joint(std::move(joint), in.boolean("collide", false));
   }
   if (!starts.empty()) move_bodies(starts, generated, *list, out);
-  if (list) read_couplings(*list, generated, out);
+  if (!coupled.empty()) read_couplings(*list, generated, coupled, out);
 }
 
 }  // namespace pabd

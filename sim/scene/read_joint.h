@@ -19,9 +19,10 @@ BondLaw read_joint_defaults(const ObjectReader& scene);
 // Reads every entry of "joints" into `out`, whose bodies are complete.
 void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder& out);
 
-// "follows" and "lead" of the entries of `list`, "joints", whose first is joint `first` (read_coupling.cpp). All joints and
+// "follows" or "lead" of those entries of `list`, "joints", whose first is joint `first` (read_coupling.cpp). All joints and
 // the places of all bodies are known.
-void read_couplings(const Node& list, std::size_t first, ModelBuilder& out);
+void read_couplings(const Node& list, std::size_t first, const std::vector<std::size_t>& coupled,
+                    ModelBuilder& out);
 
 // Parts of a joint (read_drive.cpp). `range` and `unit` are those of the file; the result is in rad or m.
 // Limits must include `stands_at`, the place where the joint starts, where it is known; in the unit of the file.

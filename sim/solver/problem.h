@@ -8,6 +8,10 @@
 //                  world
 //   iterate.       pair and four    bond/contact_bond.h, four points side by side    sorted by pair
 //   manifold       of its points
+//   iterate.       manifold that    bond/turn_friction.h                             its number is that of
+//   turning        brakes turns                                                      ContactManifold::turning
+//   iterate.       joint that       CouplingStep                                     in the order of `followers`
+//   coupling       follows one
 //   iterate.       joint of the     force on its body j (3)                          world; N
 //   joint_force    model
 //   joints         joint            body/joint.h; those of the model, then the pulls

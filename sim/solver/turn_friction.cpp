@@ -75,7 +75,8 @@ void find_turn_friction(Problem& p, Iterate& it) {
     turn.b = b;
     turn.n = normal_of(manifold, p.flight->star[a]);
     turn.before = turns[b] - turns[a] + left_of_last_step(p, manifold);
-    turn.arm2 = arm_of(p, manifold) * arm_of(p, manifold);
+    const double arm = arm_of(p, manifold);
+    turn.arm2 = arm * arm;
     turn.length[0] = mu.torsional;
     turn.length[1] = mu.rolling;
     p.rolls[a] = p.rolls[b] = 1;
