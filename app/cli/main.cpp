@@ -12,6 +12,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/report_error.h"
 #include "app/cli/streams.h"
+#include "render/context/context.h"
 #include "sim/scene/text.h"
 
 namespace pabd::cli {
@@ -105,6 +106,10 @@ int run_program(int argc, char** argv) {
 }  // namespace pabd::cli
 
 int main(int argc, char** argv) {
+  constexpr const char* kTryContexts = "--try-contexts";  // of this program itself only
+  if (argc > 1 && std::string_view(argv[1]) == kTryContexts)
+    pabd::try_headless_contexts({argv + 2, argv + argc});
+  pabd::set_context_trial({"/proc/self/exe", kTryContexts});
   // A reader that went away shows up as a failed write, which is reported like every other.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // the same for a file that may not grow (ulimit -f)

@@ -331,6 +331,8 @@ PYBIND11_MODULE(_pabd, module) {
     for (const pabd::ParameterRow& row : pabd::parameter_table()) rows.append(description_of(row));
     return rows;
   });
+  module.def("_set_context_trial", &pabd::set_context_trial, "command"_a);
+  module.def("_try_contexts", &pabd::try_headless_contexts, "words"_a);
   module.def("write_png", &write_array, "path"_a, "image"_a, "force"_a);
   module.def(
       "read_png", [](const std::filesystem::path& path) { return rgba_of(pabd::read_png(path)); }, "path"_a);

@@ -49,9 +49,14 @@ struct ContextAttempt {
 
 // Tries EGL device list (hardware first), EGL surfaceless, OSMesa in this order (or only the named ones) for
 // GL 3.3 core or better. The context is current on return. Fills `attempts`. Throws Error(no_context) with
-// every attempt and the variable, package or container flag that helps. The candidates are tried in a child
-// process first, so that a driver that crashes is one that does not work; once a process for each backend.
+// every attempt and the variable, package or container flag that helps. In a program that has said how it tries
+// contexts (below), a driver that crashes is one that does not work; it is tried once a process for each backend.
 std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts);
+
+// `command` starts this program again, so that it calls try_headless_contexts() with the words that follow.
+// Once, before the first context; without it, contexts are made in this process untried.
+void set_context_trial(std::vector<std::string> command);
+[[noreturn]] void try_headless_contexts(const std::vector<std::string>& words);
 
 // What helps when variables of the environment choose a driver that cannot do what is needed: "… try 'unset
 // GALLIUM_DRIVER'". Empty when none of them is set.

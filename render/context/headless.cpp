@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The one place that knows every headless candidate and their order.
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +14,7 @@
 #include "render/context/candidate.h"
 #include "render/context/probe.h"
 #include "sim/base/error.h"
+#include "sim/base/input_file.h"
 
 namespace pabd {
 namespace {
@@ -37,6 +41,38 @@ std::vector<ContextCandidate> candidates(Backend backend) {
 std::atomic<bool>& is_proven(Backend backend) {
   static std::array<std::atomic<bool>, 3> proven{};
   return proven[static_cast<std::size_t>(backend)];
+}
+
+// Mesa crashes where it finds no memory for its threads and shaders while it draws: better refused before.
+void check_address_space() {
+  constexpr std::size_t kNeeded = std::size_t{192} << 20;
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  void* const room = ::mmap(nullptr, kNeeded, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room != MAP_FAILED) {
+    ::munmap(room, kNeeded);
+    return;
+  }
+  // The first number of statm: pages in use.
+  const double used = std::atof(read_if_possible("/proc/self/statm", 4096).c_str()) *
+                      static_cast<double>(::sysconf(_SC_PAGESIZE));
+  throw Error(
+      ErrorKind::no_context,
+      fmt::format(
+          "the address space is limited to {} MB (ulimit -v), of which {:.0f} are in use, and {} more "
+          "are needed to draw",
+          limit.rlim_cur >> 20, used / (1 << 20), kNeeded >> 20));
+}
+
+std::vector<std::string>& trial_command() {
+  static std::vector<std::string> command;
+  return command;
+}
+
+std::vector<ContextAttempt> try_first(Backend backend) {
+  std::vector<std::string> command = trial_command();
+  if (!command.empty()) command.push_back(std::to_string(static_cast<int>(backend)));
+  return probe_contexts(command);
 }
 
 bool crashed(const ContextFamily& family, const std::vector<ContextAttempt>& attempts) {
@@ -106,10 +142,20 @@ std::string check_gl_version(GlContext& context) {
   return fmt::format("the driver offers OpenGL {}.{} only", major, minor);
 }
 
+void set_context_trial(std::vector<std::string> command) { trial_command() = std::move(command); }
+
+void try_headless_contexts(const std::vector<std::string>& words) {
+  fix_vector_width();
+  Backend backend = Backend::automatic;
+  for (const Backend b : {Backend::egl, Backend::osmesa})
+    if (!words.empty() && words.front() == std::to_string(static_cast<int>(b))) backend = b;
+  try_contexts(families(backend), words);
+}
+
 std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts) {
   fix_vector_width();
   attempts.clear();
-  if (!is_proven(backend)) attempts = probe_contexts(families(backend));
+  if (!is_proven(backend)) attempts = try_first(backend);
   const bool probed = !attempts.empty();
   const bool hopeless = probed && !attempts.back().failure.empty();
   for (const ContextFamily& family : families(backend)) {
@@ -122,6 +168,7 @@ std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<
       auto context = candidate.create(attempts.back().failure);
       if (context) {
         attempts.back().failure.clear();
+        check_address_space();
         is_proven(backend) = true;
         return context;
       }

@@ -128,6 +128,10 @@ int ChildProcess::exit_status() const {
   return status_ != -1 && WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
 }
 
+int ChildProcess::ending_signal() const {
+  return status_ != -1 && WIFSIGNALED(status_) ? WTERMSIG(status_) : 0;
+}
+
 void Tail::append(const char* text, std::size_t size) {
   text_.append(text, size);
   if (text_.size() > kKept) text_.erase(0, text_.size() - kKept);
@@ -205,6 +209,7 @@ ChildOutcome run_child(const std::vector<std::string>& arguments, double patienc
   }
   child.end();
   outcome.status = child.exit_status();
+  outcome.signal = child.ending_signal();
   outcome.errors = tail.text();
   return outcome;
 }

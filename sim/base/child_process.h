@@ -38,6 +38,7 @@ class ChildProcess {
   // How it ended: "status 3", "signal 9"; its exit status, −1 after a signal. Precondition: it has ended.
   std::string ending() const;
   int exit_status() const;
+  int ending_signal() const;  // 0: it ended by itself
 
  private:
   pid_t pid_ = -1;
@@ -50,6 +51,7 @@ struct ChildOutcome {
   bool found = false;  // it could be started
   bool too_slow = false;
   int status = -1;
+  int signal = 0;      // that ended it; 0: none did
   std::string errors;  // the last 4 KiB of its standard error
 };
 

@@ -14,6 +14,7 @@ std::string tests();           // its tests
 std::string build();           // where CMake builds
 std::string program();         // the built pabd
 std::string full_disk();       // a library to preload: a disk that is full
+std::string fake_drivers();    // a program that tries drivers of OpenGL that crash
 std::string public_headers();  // of the libraries that are installed, with commas between them
 
 }  // namespace pabd::places

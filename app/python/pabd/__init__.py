@@ -15,6 +15,7 @@ lock. Everything that is refused is a pabd.Error with the line that the program 
 """
 
 import json as _json
+import sys as _sys
 from collections.abc import MutableMapping as _MutableMapping
 from pathlib import Path as _Path
 
@@ -23,6 +24,12 @@ from pabd._pabd import Error, Figure, Scene, State, __version__
 
 __all__ = ["Error", "Figure", "Parameters", "Scene", "SceneBuilder", "Simulation", "State", "load", "parameters",
            "parse", "plot_barrier", "read_png", "scenes", "write_png"]
+
+# OpenGL drivers are tried in a process of their own: one that crashes takes nobody along.
+if _sys.executable:
+    _pabd._set_context_trial([_sys.executable, "-I", "-c",
+                              "import sys; sys.path.insert(0, sys.argv[1]); import _pabd; "
+                              "_pabd._try_contexts(sys.argv[2:])", str(_Path(_pabd.__file__).parent)])
 
 
 def _plain(value):
