@@ -2,6 +2,7 @@
 // The flag that the signal handler sets.
 #include "app/cli/interrupt.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <ctime>
 
+#include "app/cli/exit_code.h"
 #include "sim/base/leftovers.h"
 
 namespace pabd::cli {
@@ -50,9 +52,22 @@ extern "C" void on_request(int signal) {
   ::_exit(128 + signal);
 }
 
-// A crash, or Ctrl-\: the default follows, with its core dump.
-extern "C" void on_crash(int signal) {
+// Ctrl-\, a limit of time or a stray signal: the default follows.
+extern "C" void on_stray(int signal) {
   remove_leftovers();
+  ::raise(signal);
+}
+
+// A driver that finds no memory crashes, too. Where core dumps are wanted, the default follows.
+extern "C" void on_crash(int signal) {
+  static constexpr char kLine[] =
+      "pabd: error: the program crashed; where memory is limited (ulimit -v, containers), allow more; else "
+      "please "
+      "report the command line, the scene file and 'pabd doctor'\n";
+  remove_leftovers();
+  static_cast<void>(!::write(STDERR_FILENO, kLine, sizeof kLine - 1));
+  rlimit core = {};
+  if (::getrlimit(RLIMIT_CORE, &core) == 0 && core.rlim_cur == 0) ::_exit(exit_code(ErrorKind::defect));
   ::raise(signal);
 }
 
@@ -74,7 +89,9 @@ void handle(int signal, void (*handler)(int), int flags) {
 
 void install_signal_handlers() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, on_request, SA_RESTART);
-  for (const int signal : {SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
+  for (const int signal : {SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF, SIGXCPU})
+    handle(signal, on_stray, static_cast<int>(SA_RESETHAND));
+  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGTRAP})
     handle(signal, on_crash, static_cast<int>(SA_RESETHAND));
 }
 

@@ -24,6 +24,10 @@ int report_error(const std::exception_ptr& thrown) {
     return report_error(ErrorKind::file,
                         "out of memory; free some, or try a smaller scene, frame, file or --memory");
   } catch (const std::system_error& error) {  // a file, a folder, a thread
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return report_error(
+          ErrorKind::file,
+          "no thread could be started: allow more processes (ulimit -u) or memory, or try --threads 1");
     return report_error(ErrorKind::file, std::string("the system refused: ") + error.what());
   } catch (const std::exception& error) {
     return report_error(ErrorKind::defect,

@@ -268,4 +268,20 @@ TEST_CASE("every kind of error has its exit code; out of memory and what the sys
 #endif
 }
 
+#if !defined(PABD_SANITIZED)
+TEST_CASE("where the address space is too small for the driver of OpenGL, that is told in place of a crash") {
+  for (const std::size_t megabytes : {300, 400, 500, 600, 700}) {
+    CAPTURE(megabytes);
+    const CommandFolder folder;
+    Setting little;
+    little.most_memory = megabytes * 1'000'000;
+    const Outcome outcome = run_pabd({"render", "two_boxes", "--quiet", "-o", folder / "a.png"}, little);
+    CAPTURE(outcome.err);
+    CHECK((outcome.exit_code == 0 || outcome.exit_code == 3 || outcome.exit_code == 4));
+    CHECK((outcome.exit_code == 0 || is_error_line(outcome.err, {})));
+    CHECK(folder.names().size() == (outcome.exit_code == 0 ? 1 : 0));
+  }
+}
+#endif
+
 }  // namespace pabd::test_cli_inputs

@@ -12,6 +12,7 @@
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/places.h"
 #include "tests/support/running.h"
+#include "tests/support/sanitized.h"
 
 namespace pabd::test_cli_signals {
 
@@ -84,6 +85,29 @@ TEST_CASE("a crash leaves nothing temporary either") {
   program.signal(SIGQUIT);
   CHECK(program.wait().exit_code == 128 + SIGQUIT);
   CHECK(folder.names().empty());
+}
+
+TEST_CASE(
+    "a stray signal, a limit of time or a crash leaves nothing temporary; a crash is a line and an exit "
+    "code") {
+#if defined(PABD_SANITIZED)  // whose own handlers say what crashed
+  const int signals[] = {SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU};
+#else
+  const int signals[] = {SIGUSR1, SIGUSR2, SIGALRM, SIGXCPU, SIGSEGV, SIGABRT, SIGBUS};
+#endif
+  for (const int signal : signals) {
+    CAPTURE(signal);
+    const CommandFolder folder;
+    RunningPabd program(
+        {"run", "two_boxes", "--steps", "1000000000", "--quiet", "--trace", folder / "t.csv"});
+    program.wait_until([&](const std::string&) { return !folder.names().empty(); });
+    program.signal(signal);
+    const Outcome outcome = program.wait();
+    const bool crash = signal == SIGSEGV || signal == SIGABRT || signal == SIGBUS;
+    CHECK(outcome.exit_code == (crash ? 1 : 128 + signal));
+    CHECK(is_error_line(outcome.err, {"the program crashed", "ulimit -v"}) == crash);
+    CHECK(folder.names().empty());
+  }
 }
 
 TEST_CASE("a hang-up that the program was told to ignore is ignored") {
