@@ -5,6 +5,7 @@
 #include "app/cli/backend_option.h"
 #include "app/cli/help_text.h"
 #include "app/cli/serve_setup.h"
+#include "app/serve/gate.h"
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
 
@@ -20,6 +21,11 @@ int checked(const ServeSetup& setup) {
   check_range("--idle-limit", setup.idle_limit, 0.1, 1e5, "minutes");
   if (setup.certificate.empty() != setup.key.empty())
     throw Error(ErrorKind::bad_input, "--tls-cert and --tls-key go together: give both, or none");
+  for (const std::string& host : setup.hosts)
+    if (!is_host(host))
+      throw Error(
+          ErrorKind::bad_input,
+          fmt::format("--host {}: expected a name such as example.org or example.org:8472", one_line(host)));
   if (!setup.embed.empty() && !setup.embed.starts_with("http://") && !setup.embed.starts_with("https://"))
     throw Error(ErrorKind::bad_input, "--embed: expected an origin such as http://localhost:8888");
   if (setup.embed.find_first_of(" ;,'\"*\r\n") != std::string::npos)

@@ -3,6 +3,7 @@
 #include "app/serve/gate.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace pabd {
 namespace {
@@ -23,6 +24,15 @@ Gate::Gate(std::vector<std::string> hosts, bool secure) : secure_(secure) {
     hosts_.push_back(small(host));
     if (host.ends_with(usual)) hosts_.push_back(small(host.substr(0, host.size() - usual.size())));
   }
+}
+
+bool is_host(std::string_view host) {
+  constexpr std::size_t kLongest = 255 + 6;
+  const bool named = !host.empty() && host.front() != ':' && host.size() <= kLongest;
+  return named && std::all_of(host.begin(), host.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 ||
+                  std::string_view("-._:[]").find(static_cast<char>(c)) != std::string_view::npos;
+         });
 }
 
 bool Gate::knows_host(std::string_view host) const {

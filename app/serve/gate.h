@@ -29,6 +29,9 @@ class Gate {
   bool secure_;
 };
 
+// "name", "name:8472", "[::1]:8472": what a browser can send as Host.
+bool is_host(std::string_view host);
+
 // `rate` tokens a second, at most `most` at a time.
 class RateBucket {
  public:

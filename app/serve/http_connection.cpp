@@ -4,6 +4,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/serve/clock.h"
 #include "app/serve/event_stream.h"
 #include "app/serve/http_answers.h"
 #include "app/serve/net.h"
@@ -19,6 +20,8 @@ using namespace std::chrono_literals;
 constexpr std::uint32_t kMostHeader = 16 * 1024;
 constexpr auto kIdle = 30s, kLongest = 600s;
 constexpr std::size_t kMostUploads = 2, kMostWaiting = 16;
+constexpr double kUploadGrace = 10,
+                 kUploadRate = 1e4;  // s; bytes a second: who sends slower keeps others out
 
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
@@ -68,6 +71,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     request.hosts = head.count(http::field::host);
     request.origin = text(head[http::field::origin]);
     request.authorization = text(head[http::field::authorization]);
+    request.coding = text(head[http::field::transfer_encoding]);
     request.upgrade = beast::websocket::is_upgrade(head);
     request.has_body = parser_->chunked() || parser_->content_length_remaining().value_or(0) > 0;
     session_ = std::string(text(head["Pabd-Session"]));
@@ -114,16 +118,30 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const bool waits = beast::iequals(parser_->get()[http::field::expect], "100-continue");
     body_.emplace(std::move(*parser_));
     body_->body_limit(route.most_body);
-    expire(route.endpoint == Endpoint::write_file ? kLongest : kIdle);
-    const auto on_body = [self = shared_from_this(), route](Failure failure, std::size_t) {
-      self->take_body(route, failure);
-    };
-    if (!waits) return http::async_read(stream_, buffer_, *body_, on_body);
+    body_began_ = seconds_now();
+    body_bytes_ = 0;
+    expire(kIdle);
+    if (!waits) return read_more(route);
     auto go_on = std::make_shared<http::response<http::empty_body>>(http::status::continue_, 11);
     http::async_write(stream_, *go_on,
-                      [self = shared_from_this(), go_on, on_body](Failure failure, std::size_t) {
-                        if (!failure) http::async_read(self->stream_, self->buffer_, *self->body_, on_body);
+                      [self = shared_from_this(), go_on, route](Failure failure, std::size_t) {
+                        if (!failure) self->read_more(route);
                       });
+  }
+
+  void read_more(const Route& route) {
+    if (body_->is_done()) return take_body(route, {});
+    const double since = seconds_now() - body_began_;
+    if (since > kUploadGrace && static_cast<double>(body_bytes_) < kUploadRate * since) {
+      if (std::exchange(uploading_, false)) --shared_.uploads;
+      return refuse(408, "the body comes too slowly");
+    }
+    expire(kIdle);
+    http::async_read_some(stream_, buffer_, *body_,
+                          [self = shared_from_this(), route](Failure failure, std::size_t n) {
+                            self->body_bytes_ += n;
+                            failure ? self->take_body(route, failure) : self->read_more(route);
+                          });
   }
 
   void take_body(const Route& route, Failure failure) {
@@ -290,7 +308,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   std::optional<http::request_parser<http::string_body>> body_;
   std::string session_;
   std::array<char, 16 * 1024> rest_{};
-  std::size_t drained_ = 0;
+  std::size_t drained_ = 0, body_bytes_ = 0;
+  double body_began_ = 0;
   bool keep_alive_ = false, uploading_ = false;
 };
 

@@ -3,6 +3,7 @@
 #include "app/serve/http_server.h"
 
 #include <fmt/format.h>
+#include <netinet/tcp.h>
 
 #include <boost/asio/ip/v6_only.hpp>
 #include <boost/asio/post.hpp>
@@ -21,6 +22,9 @@ using namespace std::chrono_literals;
 constexpr auto kTick = 100ms;
 constexpr auto kFarewell = 1000ms;
 constexpr auto kShortOfFiles = 200ms;
+// Who acknowledges nothing for so long has vanished; the system alone would wait for a quarter of an hour.
+constexpr std::chrono::milliseconds kVanished = 15s;
+using GivesUpAfter = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_USER_TIMEOUT>;
 constexpr int kMostRefused = 64;  // connections that are told why they are too many
 
 std::string in_url(const std::string& address) {
@@ -128,6 +132,7 @@ struct HttpServer::Impl {
     const auto peer = socket.remote_endpoint(failure);
     if (failure) return;
     socket.set_option(tcp::no_delay(true), failure);
+    socket.set_option(GivesUpAfter(kVanished.count()), failure);
     Place place(shared, peer.address().to_string());
     if (shared.refused > kMostRefused) return;
     serve(shared, NetStream(shared.io, std::move(socket), tls ? &*tls : nullptr), std::move(place));

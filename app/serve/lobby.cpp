@@ -14,6 +14,7 @@ namespace pabd {
 namespace {
 
 constexpr std::size_t kMostListeners = 8;  // of a session's events
+constexpr double kKeepAlive = 10;          // s; what cannot be delivered shows who has vanished
 
 std::shared_ptr<const std::string> shared(const OrderedJson& json) {
   return std::make_shared<const std::string>(
@@ -38,6 +39,7 @@ struct Lobby::Room {
   std::vector<std::shared_ptr<EventLink>> listeners;
   std::optional<VisitorId> controller;
   double alone_since = 0;
+  double kept_alive = 0;  // when listeners got their last blank line
   bool ended = false;
   bool dressed = false;  // light or dark, as the first who controlled likes it
 };
@@ -95,7 +97,7 @@ std::optional<Lobby::Seat> Lobby::enter(const message::Hello& hello, Access acce
   }
   try {
     if (!here) here = open_room(name);
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {  // no thread, no memory, no folder: no session, but a server
     link->close(CloseCode::gone, error.what());
     return std::nullopt;
   }
@@ -203,10 +205,10 @@ bool Lobby::hear(const Seat& seat, const ClientMessage& said, VisitorLink& link)
   return true;
 }
 
-void Lobby::leave(const Seat& seat) {
+void Lobby::leave(const Seat& seat, bool closed) {
   const auto here = room(seat.session);
   if (!here || here->guests.erase(seat.visitor) == 0) return;
-  here->roles.leave(seat.visitor, seconds_now());
+  here->roles.leave(seat.visitor, seconds_now(), closed);
   here->desk->send(desk::Depart{seat.visitor});
   if (here->guests.empty()) here->alone_since = seconds_now();
   tell_roles(*here);
@@ -264,6 +266,10 @@ void Lobby::tick(double now) {
   for (auto& [name, here] : rooms_) {
     if (here->ended) continue;
     here->roles.tick(now);
+    if (now - here->kept_alive >= kKeepAlive) {
+      here->kept_alive = now;
+      for (const auto& listener : here->listeners) listener->send_line("");
+    }
     if (std::erase_if(here->listeners, [](const auto& l) { return !l->open(); }) > 0 &&
         here->listeners.empty())
       here->desk->tell_events(false);

@@ -70,7 +70,7 @@ class Lobby {
                             const std::shared_ptr<VisitorLink>& link);
   // Only the controller's input is obeyed. False: too much of it waits.
   bool hear(const Seat& seat, const ClientMessage& message, VisitorLink& link);
-  void leave(const Seat& seat);
+  void leave(const Seat& seat, bool closed = false);  // its page, and not only the connection
 
   // For programs; an empty name means the one session. False when there is none of that name, or too much
   // waits for it.

@@ -27,23 +27,29 @@ std::optional<Roles::Arrival> Roles::arrive(const std::string& key, bool may_con
     if (holder_ == known->id) holder_ = out.id;
     known->id = out.id;
     known->present = true;
+    known->closed = false;
   } else {
     if (visitors_.size() - present() >= kMostKept) {
       const auto oldest = std::find_if(visitors_.begin(), visitors_.end(),
                                        [&](const Visitor& v) { return !v.present && holder_ != v.id; });
       if (oldest != visitors_.end()) visitors_.erase(oldest);
     }
-    visitors_.push_back({out.id, key, may_control, true, false, 0});
+    visitors_.push_back({out.id, key, may_control, true, false, false, 0});
   }
   ++next_;
+  // Who opens the link again in another tab need not wait for the one that he closed.
+  const Visitor* holder = holder_ ? find(*holder_) : nullptr;
+  if (may_control && holder && !holder->present && holder->closed && present_controllers() == 1)
+    holder_ = out.id;
   settle();
   return out;
 }
 
-void Roles::leave(VisitorId id, double now) {
+void Roles::leave(VisitorId id, double now, bool closed) {
   if (Visitor* visitor = find(id)) {
     visitor->present = visitor->asks = false;
     visitor->left = now;
+    visitor->closed = closed;
   }
 }
 
@@ -68,9 +74,9 @@ bool Roles::give(VisitorId id) {
 void Roles::tick(double now) {
   if (holder_) {
     const Visitor* holder = find(*holder_);
-    const bool waited_for = std::any_of(visitors_.begin(), visitors_.end(),
-                                        [](const Visitor& v) { return v.present && v.may_control; });
-    if (!holder || (!holder->present && waited_for && now - holder->left >= kGone)) holder_.reset();
+    if (!holder || (!holder->present && present_controllers() > 0 &&
+                    now - holder->left >= (holder->closed ? kReload : kGone)))
+      holder_.reset();
   }
   std::erase_if(visitors_, [&](const Visitor& v) { return !v.present && now - v.left >= kKept; });
   if (holder_ && !find(*holder_)) holder_.reset();
@@ -97,6 +103,11 @@ std::optional<VisitorId> Roles::controller() const {
 bool Roles::somebody_asks() const {
   return std::any_of(visitors_.begin(), visitors_.end(),
                      [](const Visitor& v) { return v.present && v.asks; });
+}
+
+std::size_t Roles::present_controllers() const {
+  return static_cast<std::size_t>(std::count_if(visitors_.begin(), visitors_.end(),
+                                                [](const Visitor& v) { return v.present && v.may_control; }));
 }
 
 std::size_t Roles::present() const {

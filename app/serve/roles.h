@@ -16,6 +16,7 @@ class Roles {
  public:
   static constexpr double kKept = 60;           // s that a lost visitor's role waits for it
   static constexpr double kGone = 10;           // s after which a lost controller's role goes to who waits
+  static constexpr double kReload = 2;          // the same when its page was closed: it may be loaded again
   static constexpr std::size_t kMost = 16;      // visitors at a time
   static constexpr std::size_t kMostKept = 64;  // roles that wait
 
@@ -27,7 +28,8 @@ class Roles {
 
   // `key`: what the page keeps. None: there are too many.
   std::optional<Arrival> arrive(const std::string& key, bool may_control, double now);
-  void leave(VisitorId id, double now);
+  // `closed`: the page was closed or left, not only its connection lost.
+  void leave(VisitorId id, double now, bool closed = false);
   void ask(VisitorId id);
   // To who asked first, else to who waits longest. False when `id` does not control or nobody can have it.
   bool give(VisitorId id);
@@ -43,9 +45,11 @@ class Roles {
     VisitorId id;
     std::string key;
     bool may_control, present, asks;
+    bool closed;  // its page
     double left;  // when
   };
   Visitor* find(VisitorId id);
+  std::size_t present_controllers() const;
   void settle();
 
   std::vector<Visitor> visitors_;  // in the order of their first arrival

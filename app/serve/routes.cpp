@@ -6,6 +6,7 @@
 
 #include "app/serve/page_files.h"
 #include "app/workbench/file_root.h"
+#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace {
@@ -104,6 +105,8 @@ std::optional<std::string> percent_decoded(std::string_view text) {
 }
 
 Route find_route(const HttpRequest& request, const Gate& gate, const AccessTokens& tokens) {
+  if (!request.coding.empty() && lower_case(request.coding) != "chunked")
+    return refuse(501, "expected no Transfer-Encoding but chunked");
   if (request.hosts != 1) return refuse(400, "expected one Host");
   if (!gate.knows_host(request.host))
     return refuse(421,

@@ -17,8 +17,9 @@ inline constexpr std::uint64_t kMostBody = std::uint64_t{1} << 20;
 
 struct HttpRequest {
   std::string_view method, target, host, origin, authorization;
-  std::size_t hosts = 1;  // headers of that name
-  bool upgrade = false;   // to a WebSocket
+  std::string_view coding;  // Transfer-Encoding
+  std::size_t hosts = 1;    // headers of that name
+  bool upgrade = false;     // to a WebSocket
   bool has_body = false;
 };
 

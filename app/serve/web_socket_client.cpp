@@ -96,17 +96,17 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
 
   void read() {
     socket_.async_read(buffer_, [self = shared_from_this()](Failure failure, std::size_t) {
-      if (failure) return self->lost();
+      if (failure) return self->lost(failure == websocket::error::closed);
       self->take();
       self->read();
     });
   }
 
-  // Nothing comes any more: the visitor has left.
-  void lost() {
+  // Nothing comes any more: the visitor has left, having said so or not.
+  void lost(bool closed) {
     closing_ = true;
     hello_timer_.cancel();
-    if (seat_) shared_.lobby->leave(*seat_);
+    if (seat_) shared_.lobby->leave(*seat_, closed);
     seat_.reset();
   }
 

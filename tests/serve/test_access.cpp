@@ -60,6 +60,13 @@ TEST_CASE("Host and Origin are exact") {
   CHECK_FALSE(Gate({"a:1"}, true).knows_origin("http://a:1", "a:1"));
 }
 
+TEST_CASE("a name of the server is one that a browser can send") {
+  for (const char* host : {"a", "example.org:8472", "[::1]:1", "10.0.0.1", "my_host-2"}) CHECK(is_host(host));
+  for (const char* host : {"", ":80", "a b", "a\r\nX: y", "a,b", "a/b", "http://a", "a@b", "\xc3\xa4.org"})
+    CHECK_FALSE(is_host(host));
+  CHECK_FALSE(is_host(std::string(300, 'a')));
+}
+
 TEST_CASE("a host on the port that is usual for its scheme is known without it, as browsers call it") {
   const Gate plain({"127.0.0.1:80", "[::1]:80", "a:443"}, false), secure({"127.0.0.1:443", "a:80"}, true);
   for (const char* host : {"127.0.0.1", "127.0.0.1:80", "[::1]", "a:443"}) CHECK(plain.knows_host(host));

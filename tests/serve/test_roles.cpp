@@ -66,6 +66,31 @@ TEST_CASE("alone, a role waits a minute; then the next who may has it") {
   CHECK(others.controller());
 }
 
+TEST_CASE("who closed the page and opens the link again need not wait for himself") {
+  Roles roles;
+  const VisitorId a = roles.arrive("a", true, 0)->id;
+  roles.arrive("w", false, 0);  // one who only watches waits for nothing
+  roles.leave(a, 1, true);
+  const VisitorId b = roles.arrive("b", true, 1.1)->id;
+  CHECK(roles.controls(b));
+  CHECK_FALSE(roles.controls(roles.arrive("a", true, 1.2)->id));  // it closed; another one took over
+
+  Roles early;  // the new page is there before the old one is gone: that may be loaded again, for a moment
+  const VisitorId old = early.arrive("a", true, 0)->id, next = early.arrive("b", true, 0.9)->id;
+  early.leave(old, 1, true);
+  early.tick(2.9);
+  CHECK_FALSE(early.controls(next));
+  early.tick(3);
+  CHECK(early.controls(next));
+
+  Roles reloaded;
+  const VisitorId page = reloaded.arrive("a", true, 0)->id;
+  reloaded.arrive("b", true, 0);
+  reloaded.leave(page, 1, true);
+  reloaded.tick(2);
+  CHECK(reloaded.controls(reloaded.arrive("a", true, 2)->id));
+}
+
 TEST_CASE("the same page twice: the newer connection takes the place, but not with a lesser link") {
   Roles roles;
   const VisitorId a = roles.arrive("a", true, 0)->id;

@@ -97,6 +97,23 @@ TEST_CASE("pictures have a size") {
     CHECK(c.ask("GET", std::string("/frame.png?") + query, c.control).status == 400);
 }
 
+TEST_CASE("of codings of a transfer there is one") {
+  const Case c;
+  HttpRequest request;
+  request.method = "GET";
+  request.target = "/";
+  request.host = "127.0.0.1:1";
+  for (const char* coding : {"xchunked", "chunked, chunked", "gzip", "gzip, chunked", "identity", " "}) {
+    CAPTURE(coding);
+    request.coding = coding;
+    CHECK(find_route(request, c.gate, c.tokens).status == 501);
+  }
+  for (const char* coding : {"chunked", "Chunked"}) {
+    request.coding = coding;
+    CHECK(find_route(request, c.gate, c.tokens).status == 200);
+  }
+}
+
 TEST_CASE("bodies have limits, and two Hosts are none") {
   const Case c;
   CHECK(c.ask("POST", "/actions", c.control).most_body == kMostBody);
