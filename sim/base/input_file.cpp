@@ -57,7 +57,8 @@ Descriptor open_input(const std::filesystem::path& path, std::string& problem) {
     problem = problem_of(file.get(), info);
   }
   if (!problem.empty()) return Descriptor();
-  ::fcntl(file.get(), F_SETFL, ::fcntl(file.get(), F_GETFL) & ~O_NONBLOCK);
+  // What blocks though it calls itself a regular file (/proc/kmsg) says that it has nothing.
+  if (!S_ISREG(info.st_mode)) ::fcntl(file.get(), F_SETFL, ::fcntl(file.get(), F_GETFL) & ~O_NONBLOCK);
   return file;
 }
 

@@ -44,10 +44,10 @@ Character character_at(std::string_view text, std::size_t i) {
   return {code, size, true};
 }
 
-// Steers the terminal, breaks the line or turns its direction.
+// Steers the terminal, breaks the line, turns its direction or cannot be seen.
 bool is_control(char32_t c) {
   return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x200E || c == 0x200F || (c >= 0x2028 && c <= 0x202E) ||
-         (c >= 0x2066 && c <= 0x2069);
+         (c >= 0x2066 && c <= 0x2069) || c == 0x200B || c == 0x2060 || c == 0xFEFF;
 }
 
 void append_escaped(std::string& out, unsigned byte) {

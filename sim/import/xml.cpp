@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <tinyxml2.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -23,6 +24,33 @@ constexpr double kLargest = 1e12;
 }
 
 bool blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+// TinyXML-2 compares each attribute of an element with all before it.
+void check_attributes(std::string_view text, const std::string& name) {
+  std::size_t at = 0;
+  const auto skip_past = [&](std::string_view end) {
+    const std::size_t found = text.find(end, at);
+    at = found == std::string_view::npos ? text.size() : found + end.size();
+  };
+  while ((at = text.find('<', at)) < text.size()) {
+    const std::string_view rest = text.substr(at);
+    if (rest.starts_with("<!--")) {
+      skip_past("-->");
+    } else if (rest.starts_with("<![CDATA[")) {
+      skip_past("]]>");
+    } else {
+      const std::size_t begin = at;
+      for (std::size_t count = 0; at < text.size() && text[at] != '>'; ++at) {
+        if (text[at] != '"' && text[at] != '\'') continue;
+        at = std::min(text.find(text[at], at + 1), text.size() - 1);
+        if (++count <= kMostXmlAttributes) continue;
+        const std::string_view before = text.substr(0, begin);
+        refuse(name, static_cast<int>(1 + std::count(before.begin(), before.end(), '\n')),
+               fmt::format("an element has more than {} attributes; expected fewer", kMostXmlAttributes));
+      }
+    }
+  }
+}
 
 // Without recursion: the depth is the file's.
 std::size_t count_elements(const tinyxml2::XMLElement& root) {
@@ -105,6 +133,9 @@ std::optional<std::string> XmlElement::find(std::string_view attribute) const {
 std::string XmlElement::text(std::string_view attribute) const {
   const auto value = find(attribute);
   if (!value || value->empty()) fail_at(attribute, "missing; expected a name");
+  if (value->size() > kLongestXmlName)
+    fail_at(attribute,
+            fmt::format("{} bytes long; expected a name of at most {}", value->size(), kLongestXmlName));
   return *value;
 }
 
@@ -153,6 +184,7 @@ XmlElement XmlFiles::parse(const std::string& text, const std::string& name,
     refuse(name, 0, fmt::format("more than {} files; expected fewer includes", kMostXmlFiles));
   if (text.size() > kMostXmlBytes)
     refuse(name, 0, fmt::format("{} bytes; expected at most {}", text.size(), kMostXmlBytes));
+  check_attributes(text, name);
   auto file = std::make_unique<XmlFile>();
   file->name = name;
   file->folder = folder;

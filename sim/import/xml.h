@@ -27,6 +27,8 @@ namespace pabd {
 
 inline constexpr std::size_t kMostXmlBytes = std::size_t{16} << 20;  // of a file
 inline constexpr std::size_t kMostXmlElements = 200'000;             // of all files of a robot
+inline constexpr std::size_t kMostXmlAttributes = 1000;              // of an element
+inline constexpr std::size_t kLongestXmlName = 1000;                 // bytes
 inline constexpr std::size_t kMostXmlFiles = 64;
 
 struct XmlFile {

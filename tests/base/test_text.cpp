@@ -19,7 +19,8 @@ TEST_CASE("what is printed as it is, and what is shown by number") {
                  "31m") == "\\xc2\\x9b31m");             // CSI as a character
   CHECK(one_line("\xE2\x80\xAE") == "\\xe2\\x80\\xae");  // right to left from here on
   CHECK(one_line("\xE2\x81\xA6") == "\\xe2\\x81\\xa6");
-  CHECK(one_line("\xE2\x80\xA8") == "\\xe2\\x80\\xa8");  // a line break
+  CHECK(one_line("\xE2\x80\xA8") == "\\xe2\\x80\\xa8");                                   // a line break
+  CHECK(one_line("\xEF\xBB\xBFkey\xE2\x80\x8B") == "\\xef\\xbb\\xbfkey\\xe2\\x80\\x8b");  // without width
   CHECK(one_line("\xC0\xAF\xED\xA0\x80\xF4\x90\x80\x80") ==
         "\\xc0\\xaf\\xed\\xa0\\x80\\xf4\\x90\\x80\\x80");  // too long, half a pair, beyond the last
   CHECK(one_line("caf\xC3") == "caf\\xc3");                // cut off

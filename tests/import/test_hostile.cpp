@@ -47,6 +47,24 @@ TEST_CASE("what is no robot is refused", "[import]") {
   check_refused("<mujoco/>", {"no bodies"});
 }
 
+TEST_CASE("attributes and names have bounds, and nothing is compared with everything", "[import]") {
+  const auto attributes = [](int count) {
+    std::string out;
+    for (int k = 0; k < count; ++k) out += " a" + std::to_string(k) + (k % 2 == 0 ? "='1'" : "=\">\"");
+    return out;
+  };
+  // A million of them are refused as fast as they are read: compared in pairs, they would take an hour.
+  for (const int count : {1001, 1'000'000})
+    check_refused(world("<!-- a='1' -->\n<body" + attributes(count) + "/>"),
+                  {"robot.xml:3", "more than 1000 attributes"});
+  check_refused(world("<body" + attributes(1000) + "/>"), {"no bodies"});
+  check_refused(world("<!--" + attributes(5000) + "--><![CDATA[<" + attributes(5000) + "]]>"), {"no bodies"});
+  check_refused("<mujoco><include file='" + repeated("a", 5000) + "'/></mujoco>",
+                {"<include> file", "5000 bytes long"});
+  for (const char* open : {"<robot a='1", "<robot a=\"'", "<!-- ", "<![CDATA[ ", "<", "<robot a="})
+    check_refused(open, {});
+}
+
 TEST_CASE("numbers are finite and in range", "[import]") {
   for (const char* bad : {"nan", "inf", "1e400", "0x1", "1,0", "1e13", ""}) {
     check_refused(world("<geom size='" + std::string(bad) + "'/>"), {"robot.xml:2", "<geom> size"});
