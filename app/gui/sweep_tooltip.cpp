@@ -61,6 +61,7 @@ void sweep_tooltip(GuiFrame& f, const CollectedSweep& sweep, const ShownSweep& s
                  (task.status == SweptStatus::done ? "" : ": " + std::string(status_word(task.status))) +
                  (loaded ? " (shown here)" : ""));
   if (!task.why.empty()) wrapped_label(task.why);
+  if (!task.faults.empty()) wrapped_label("Not acceptable: " + task.faults);
   for (const std::size_t p : varied_parameters(sweep)) {
     if (!task.parameters[p].absent())
       read_out(f, sweep.parameters[p].words, value_words(task.parameters[p], sweep.parameters[p].unit));

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/plots/markup.h"
 #include "sim/base/shell_quoted.h"
 
 namespace pabd {
@@ -87,11 +88,12 @@ std::vector<std::size_t> counted_criteria(const std::vector<Criterion>& criteria
   return out;
 }
 
-// Tasks that have all of what counts.
-std::vector<std::size_t> comparable(const Ranking& ranking, std::size_t count) {
+// Tasks that have all of what counts, and are no failures.
+std::vector<std::size_t> comparable(const CollectedSweep& sweep, const Ranking& ranking) {
   std::vector<std::size_t> tasks;
   if (ranking.counted.empty()) return tasks;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
+    if (!sweep.tasks[i].faults.empty()) continue;
     if (std::all_of(ranking.counted.begin(), ranking.counted.end(),
                     [&](std::size_t c) { return ranking.criteria[c].sizes[i].has_value(); }))
       tasks.push_back(i);
@@ -99,10 +101,18 @@ std::vector<std::size_t> comparable(const Ranking& ranking, std::size_t count) {
   return tasks;
 }
 
+// As it is compared. The next run would take another time: two digits of it, and nothing below 0.05 ms, decide.
+double compared_size(const Criterion& criterion, std::size_t task) {
+  const double size = *criterion.sizes[task];
+  if (criterion.quantity.key != kStepTime) return size;
+  const double time = std::max(size, 0.05), unit = std::pow(10, std::floor(std::log10(time)) - 1);
+  return std::round(time / unit) * unit;
+}
+
 // 1 + how many are smaller.
 std::vector<std::size_t> ranks_of(const Criterion& criterion, const std::vector<std::size_t>& tasks) {
   std::vector<double> sizes;
-  for (const std::size_t task : tasks) sizes.push_back(*criterion.sizes[task]);
+  for (const std::size_t task : tasks) sizes.push_back(compared_size(criterion, task));
   std::vector<double> order = sizes;
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> ranks;
@@ -114,6 +124,13 @@ std::vector<std::size_t> ranks_of(const Criterion& criterion, const std::vector<
 
 std::string overall_sentence(const CollectedSweep& sweep, const Ranking& ranking) {
   if (ranking.criteria.empty()) return "No task tells a metric, so that there is nothing to rank.";
+  if (ranking.compared == 0 && ranking.unacceptable > 0) {
+    const auto first = std::find_if(sweep.tasks.begin(), sweep.tasks.end(),
+                                    [](const SweptTask& task) { return !task.faults.empty(); });
+    return fmt::format("None is acceptable: of {}, {}.",
+                       task_words(sweep, static_cast<std::size_t>(first - sweep.tasks.begin())),
+                       escape_markup(first->faults));
+  }
   if (ranking.compared == 0)
     return "No task that is done tells every metric, so that none is the best of all.";
   const Ranked& first = ranking.front.front();
@@ -138,6 +155,10 @@ std::string overall_sentence(const CollectedSweep& sweep, const Ranking& ranking
     const Ranked& second = ranking.front[1];
     out += fmt::format(" Next comes {} with a sum of {}.", task_words(sweep, second.task), second.sum);
   }
+  if (ranking.unacceptable > 0)
+    out += fmt::format(" {} not compared: the column \"why\" says what makes {} unacceptable.",
+                       ranking.unacceptable == 1 ? "One is" : fmt::format("{} are", ranking.unacceptable),
+                       ranking.unacceptable == 1 ? "it" : "them");
   return out;
 }
 
@@ -219,11 +240,13 @@ Ranking rank(const CollectedSweep& sweep) {
   Ranking ranking;
   ranking.criteria = criteria_of(sweep);
   ranking.counted = counted_criteria(ranking.criteria);
-  const std::vector<std::size_t> tasks = comparable(ranking, sweep.tasks.size());
+  const std::vector<std::size_t> tasks = comparable(sweep, ranking);
   ranking.compared = tasks.size();
+  ranking.unacceptable = static_cast<std::size_t>(std::count_if(
+      sweep.tasks.begin(), sweep.tasks.end(), [](const SweptTask& task) { return !task.faults.empty(); }));
   std::vector<double> points;
   for (const std::size_t task : tasks) {
-    for (const std::size_t c : ranking.counted) points.push_back(*ranking.criteria[c].sizes[task]);
+    for (const std::size_t c : ranking.counted) points.push_back(compared_size(ranking.criteria[c], task));
   }
   std::vector<std::vector<std::size_t>> ranks;
   for (const std::size_t c : ranking.counted) ranks.push_back(ranks_of(ranking.criteria[c], tasks));

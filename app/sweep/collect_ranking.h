@@ -38,9 +38,10 @@ struct Ranked {
 
 struct Ranking {
   std::vector<Criterion> criteria;
-  std::vector<std::size_t> counted;    // criteria of the front and the sum: all errors, and one cost
-  std::vector<Ranked> front;           // by sum of ranks, then index
-  std::size_t compared = 0;            // tasks that are done and have every criterion that counts
+  std::vector<std::size_t> counted;  // criteria of the front and the sum: all errors, and one cost
+  std::vector<Ranked> front;         // by sum of ranks, then index
+  std::size_t compared = 0;          // tasks that are done, acceptable, and have every criterion that counts
+  std::size_t unacceptable = 0;      // tasks that are done, and nobody would take (acceptance.h)
   std::vector<std::string> sentences;  // rich text: one a criterion, then the whole
 };
 

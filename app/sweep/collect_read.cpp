@@ -144,6 +144,7 @@ void read_result(const fs::path& folder, const CollectLimits& limits, ReadTask& 
   if (file.has("step")) task.step = file.at("step").integer(0, kMostSteps);
   if (file.has("time")) task.time = file.at("time").number({});
   if (file.has("why")) task.why = one_line(file.at("why").text(limits.bytes));
+  if (file.has("faults")) task.faults = one_line(file.at("faults").text(limits.bytes));
   task.status = static_cast<SweptStatus>(file.at("status").choice(kStatuses));
   out.metrics = std::move(metrics);
 }
@@ -196,6 +197,7 @@ ReadTask read_task(const fs::path& folder, const CollectLimits& limits) {
     out.metrics.clear();
     out.task.status = SweptStatus::damaged;
     out.task.why = error.what();
+    out.task.faults.clear();
     out.task.step.reset();
     out.task.time.reset();
   }

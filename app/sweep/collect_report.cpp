@@ -90,14 +90,15 @@ std::string row(const CollectedSweep& sweep, const SweptTask& task, bool front, 
                        number(task.timing ? std::optional(task.timing->seconds) : std::nullopt));
   }
   out += fmt::format("<td class=\"word\"><code>{}</code></td>", escape_markup(task.hash));
-  if (whys) out += fmt::format("<td class=\"why\">{}</td>", escape_markup(task.why));
+  if (whys)
+    out += fmt::format("<td class=\"why\">{}</td>", escape_markup(task.why.empty() ? task.faults : task.why));
   return out + "</tr>\n";
 }
 
 std::string table(const CollectedSweep& sweep, const Ranking& ranking, std::size_t most) {
   const auto any = [&](auto&& has) { return std::any_of(sweep.tasks.begin(), sweep.tasks.end(), has); };
   const bool timed = any([](const SweptTask& t) { return t.timing.has_value(); });
-  const bool whys = any([](const SweptTask& t) { return !t.why.empty(); });
+  const bool whys = any([](const SweptTask& t) { return !t.why.empty() || !t.faults.empty(); });
   std::vector<bool> front(sweep.tasks.size());
   for (const Ranked& one : ranking.front) front[one.task] = true;
   std::string out = "<div class=\"wide\"><table>\n<thead><tr><th>task</th>";

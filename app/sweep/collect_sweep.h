@@ -3,7 +3,7 @@
 //
 //   DIR/plan.json                     the plan: scene, and the order of parameters and metrics
 //   DIR/tasks/HASH/task.json          {"index", "hash", "parameters"}
-//   DIR/tasks/HASH/result.json        {"index", "hash", "status", "why", "metrics", "step", "time"}
+//   DIR/tasks/HASH/result.json        {"index", "hash", "status", "why", "faults", "metrics", "step", "time"}
 //   DIR/tasks/HASH/timing.json        {"seconds", "threads", "step_time"}; may be absent
 //   DIR/tasks/HASH/end.json           the state at the end; may be absent, and is not read here
 //   DIR/tasks/HASH/end.png            what it looked like at the end; may be absent
@@ -51,7 +51,8 @@ struct SweptTask {
   std::string program;                 // that made it; empty: its files do not say
   std::vector<SweptValue> parameters;  // one a CollectedSweep::parameters
   SweptStatus status = SweptStatus::unfinished;
-  std::string why;                             // one line; empty: nothing to say
+  std::string why;     // one line; empty: nothing to say
+  std::string faults;  // why nobody would take it though it is done; empty: acceptable
   std::vector<std::optional<double>> metrics;  // one a CollectedSweep::metrics
   std::optional<std::int64_t> step;
   std::optional<double> time;  // simulated, s

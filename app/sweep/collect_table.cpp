@@ -156,6 +156,7 @@ std::string table_jsonl(const CollectedSweep& sweep) {
     }
     row["status"] = status_word(task.status);
     if (!task.why.empty()) row["why"] = task.why;
+    if (!task.faults.empty()) row["faults"] = task.faults;
     auto& metrics = row["metrics"] = nlohmann::ordered_json::object();
     for (std::size_t m = 0; m < sweep.metrics.size(); ++m) {
       if (task.metrics[m]) metrics[sweep.metrics[m].key] = *task.metrics[m];

@@ -10,6 +10,7 @@
 #include "app/session/session.h"
 #include "app/session/step_at_time.h"
 #include "app/session/timeline.h"
+#include "app/sweep/acceptance.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
@@ -37,7 +38,11 @@ class TaskRun {
  public:
   TaskRun(const SweepPlan& plan, const SweepTask& task, std::shared_ptr<const Scene> scene,
           const TaskOptions& options)
-      : plan_(plan), task_(task), session_(std::move(scene), options.threads), taken_(plan.metrics.size()) {
+      : plan_(plan),
+        task_(task),
+        session_(std::move(scene), options.threads),
+        acceptance_(session_.model()),
+        taken_(plan.metrics.size()) {
     session_.stop_when(options.stop);
     const Scene& own = session_.scene();
     const double time = plan.stop.time.value_or(own.duration.value_or(kDuration));
@@ -77,7 +82,9 @@ class TaskRun {
     session_.complete_state();
     TaskResult out;
     out.status = diverged_ ? "diverged" : "done";
-    if (diverged_)
+    if (!diverged_)
+      out.faults = acceptance_.faults();
+    else
       out.why = fmt::format("the state left all bounds at step {} (t = {:.6g} s)", steps_ + 1,
                             session_.state().time + session_.params().h);
     for (std::size_t i = 0; i < taken_.size(); ++i) {
@@ -103,6 +110,7 @@ class TaskRun {
                         {"seconds", seconds_},
                         {"work", work_},
                         {"times", times_.to_json()},
+                        {"acceptance", acceptance_.to_json()},
                         {"metrics", OrderedJson::array()},
                         {"state", state_to_json(session_.model(), session_.state())}};
     for (const Taken& taken : taken_) json["metrics"].push_back(taken.to_json());
@@ -123,6 +131,7 @@ class TaskRun {
     seconds_ = json.at("seconds").get<double>();
     work_ = json.at("work").get<double>();
     times_ = Taken::from_json(json.at("times"));
+    acceptance_.take_up(json.at("acceptance"));
     for (std::size_t i = 0; i < taken_.size(); ++i) taken_[i] = Taken::from_json(json.at("metrics")[i]);
     if (json.contains("since")) since_ = json.at("since").get<double>();
     restore(session_, json.at("state"));
@@ -157,7 +166,9 @@ class TaskRun {
     StepMeasures step;
     step.report = &report;
     step.joints = !session_.model().joints.empty();
-    step.energy_error = std::abs(energy_of(report) - energy_start_ - work_);
+    const double gained = energy_of(report) - energy_start_ - work_;
+    acceptance_.add(report, gained, session_.params().solver.tolerance > 0);
+    step.energy_error = std::abs(gained);
     step.step_time = ms;
     if (reference_) step.distance = largest_distance(session_.state(), reference_->state());
     for (std::size_t i = 0; i < taken_.size(); ++i) taken_[i].add(measured(plan_.metrics[i], step));
@@ -182,6 +193,7 @@ class TaskRun {
   std::int64_t last_ = 0, steps_ = 0;
   double seconds_ = 0, energy_start_ = 0, work_ = 0;
   Taken times_;  // ms
+  Acceptance acceptance_;
   std::vector<Taken> taken_;
   std::optional<double> since_;  // when what ends the run began to hold; s
   bool held_ = false, diverged_ = false;
@@ -232,6 +244,7 @@ std::optional<TaskResult> run_task(const SweepPlan& plan, const SweepTask& task,
 void write_result(TaskFolder& folder, const SweepTask& task, const TaskResult& result, int threads) {
   OrderedJson json = {{"index", task.index}, {"hash", task.hash}, {"status", result.status}};
   if (!result.why.empty()) json["why"] = result.why;
+  if (!result.faults.empty()) json["faults"] = result.faults;
   json["metrics"] = result.metrics;
   json["step"] = result.step;
   json["time"] = result.time;

@@ -21,6 +21,7 @@ struct TaskOptions {
 struct TaskResult {
   std::string status;  // "done", "diverged", "refused"
   std::string why;     // of the latter two
+  std::string faults;  // of what is done: acceptance.h
   nlohmann::ordered_json metrics = nlohmann::ordered_json::object(), times = nlohmann::ordered_json::object();
   std::int64_t step = 0;
   double time = 0;                     // s

@@ -20,6 +20,7 @@ struct FakeTask {
   std::map<std::string, std::string> parameters = {};  // key → JSON
   std::string status = "done";
   std::string why = {};
+  std::string faults = {};
   std::map<std::string, std::string> metrics = {};  // name → JSON
   std::optional<double> step_time = {};             // ms
   std::optional<Image> picture = {};
@@ -69,8 +70,10 @@ class SweptFolder {
         "{\"index\":" + std::to_string(task.index) + ",\"hash\":\"" + hash_of(task.index) + "\",";
     write_bytes(folder / "task.json", head + "\"parameters\":" + members(task.parameters) + "}");
     const std::string why = task.why.empty() ? "" : "\"why\":\"" + task.why + "\",";
-    write_bytes(folder / "result.json", head + "\"status\":\"" + task.status + "\"," + why + "\"metrics\":" +
-                                            members(task.metrics) + ",\"step\":60,\"time\":1}");
+    const std::string faults = task.faults.empty() ? "" : "\"faults\":\"" + task.faults + "\",";
+    write_bytes(folder / "result.json", head + "\"status\":\"" + task.status + "\"," + why + faults +
+                                            "\"metrics\":" + members(task.metrics) +
+                                            ",\"step\":60,\"time\":1}");
     if (task.step_time) {
       std::ostringstream timing;
       timing << "{\"seconds\":" << 0.06 * *task.step_time

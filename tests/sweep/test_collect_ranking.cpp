@@ -90,6 +90,44 @@ TEST_CASE("the ranking says which is best in what, and why") {
   CHECK(plot.series[1].y == std::vector<double>{0.004, 0.003, 0.001});
 }
 
+TEST_CASE("what nobody would take is never the best, and noise decides nothing") {
+  // task   penetration   time a step      the fastest and the one with least penetration are of no use
+  //   0    1.22          0.001 ms
+  //   1    0.002         0.0204 ms
+  //   2    0.002         0.0201 ms        as fast as 1, but for noise
+  //   3    0.0001        9 ms
+  const double penetration[] = {1.22, 0.002, 0.002, 0.0001}, time[] = {0.001, 0.0204, 0.0201, 9};
+  const auto add = [&](const SweptFolder& folder, int i, const std::string& faults) {
+    folder.add({.index = i,
+                .parameters = {{"contact.kappa", std::to_string(i + 1)}},
+                .faults = faults,
+                .metrics = {{"penetration", std::to_string(penetration[i])}},
+                .step_time = time[i]});
+  };
+  const SweptFolder folder;
+  add(folder, 0, "bodies overlap by 1.22 m");
+  add(folder, 1, "");
+  add(folder, 2, "");
+  add(folder, 3, "7 of 60 steps end unsolved");
+  const Ranking ranking = rank(collect_sweep(folder.path()));
+  CHECK(ranking.compared == 2);
+  CHECK(ranking.unacceptable == 2);
+  REQUIRE(ranking.front.size() == 2);  // equal, so that both are on it
+  CHECK(ranking.front[0].task == 1);
+  CHECK(ranking.front[0].ranks == std::vector<std::size_t>{1, 1});
+  CHECK(ranking.front[1].ranks == std::vector<std::size_t>{1, 1});
+  CHECK_THAT(ranking.sentences.back(), Catch::StartsWith("On the whole task 1 (κ = 2 J) is best") &&
+                                           Catch::EndsWith("2 are not compared: the column \"why\" says what "
+                                                           "makes them unacceptable."));
+
+  const SweptFolder hopeless;
+  add(hopeless, 0, "bodies overlap by 1.22 m");
+  add(hopeless, 3, "7 of 60 steps end unsolved");
+  const Ranking none = rank(collect_sweep(hopeless.path()));
+  CHECK(none.front.empty());
+  CHECK(none.sentences.back() == "None is acceptable: of task 0 (κ = 1 J), bodies overlap by 1.22 m.");
+}
+
 TEST_CASE("of two costs one counts") {
   // task   penetration   iterations   time a step    ranks of penetration and time
   //   0    0.001         30           3 ms           1, 3

@@ -28,7 +28,7 @@ std::vector<SweepTask> tasks_of(const SweepPlan& plan) { return tasks_of(plan, b
 
 // All that does not differ between runs.
 std::string bytes_of(const TaskResult& result) {
-  return result.status + result.why + result.metrics.dump() + std::to_string(result.step) +
+  return result.status + result.why + result.faults + result.metrics.dump() + std::to_string(result.step) +
          (result.scene ? state_to_json(result.scene->model, result.end) : "");
 }
 
@@ -137,6 +137,21 @@ TEST_CASE("a run ends when its rule has held long enough") {
   CHECK(steps(R"({"at": "/time", "above": 0.095})") == 10);
   CHECK(steps(R"({"at": "/time", "above": 0.095, "for": 0.1})") == 20);
   CHECK(steps(R"({"at": "/time", "below": -1})") == 50);
+}
+
+TEST_CASE("what nobody would take is told") {
+  const auto faults = [](const std::string& scene, const std::string& set) {
+    const SweepPlan plan = plan_of(scene, R"("stop": {"steps": 120}, "set": {)" + set +
+                                              R"(}, "parameters": [{"key": "contact.N", "values": [2]}])");
+    return run_task(plan, tasks_of(plan).at(0), "/nowhere/checkpoint.json", {}).value().faults;
+  };
+  CHECK(faults("pyramid", R"("time_step": 0.0166)").empty());
+  CHECK(faults("pendulum", R"("time_step": 0.0166)").empty());
+  // A contact that carries nothing, and a solver that may look once at a step and should end at 1e-9.
+  CHECK_THAT(faults("pyramid", R"("contact.kappa": 1e-9)"), Catch::StartsWith("bodies overlap by "));
+  CHECK_THAT(
+      faults("pyramid", R"("solver.iterations": 1, "solver.method": "sissm", "solver.tolerance": 1e-9)"),
+      Catch::Contains(" of 120 steps end unsolved"));
 }
 
 TEST_CASE("what the scene refuses is a result, and says why") {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// See acceptance.h.
+#include "app/sweep/acceptance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "sim/body/model.h"
+#include "sim/body/shape.h"
+
+namespace pabd {
+namespace {
+
+// Of the smallest movable body's inner radius: what a picture shows of an overlap, and of a joint that parts.
+constexpr double kMostOverlap = 0.1, kMostJointError = 0.1;
+constexpr double kMostGain = 0.05;      // of the energy that moved
+constexpr double kMostUnsolved = 0.02;  // of the steps
+
+}  // namespace
+
+Acceptance::Acceptance(const Model& model) : size_(std::numeric_limits<double>::infinity()) {
+  for (Index i = 0; i < model.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!model.fixed[k]) size_ = std::min(size_, inner_radius(model.shape[k]));
+  }
+}
+
+void Acceptance::add(const StepSummary& step, double gained, bool asked_to_converge) {
+  // What a scene puts within the thickness of its contacts has energy that no report before the first step knows.
+  if (steps_++ == 0) {
+    potential_start_ = step.potential;
+    pressed_in_ = std::max(0.0, gained);
+  }
+  overlap_ = std::max(overlap_, step.max_penetration);
+  joint_error_ = std::max(joint_error_, step.max_joint_error);
+  gained_ = std::max(gained_, gained - pressed_in_);
+  moved_ = std::max(moved_, step.kinetic + std::abs(step.potential - potential_start_));
+  if (asked_to_converge && step.status == StepStatus::iteration_limit) ++unsolved_;
+  if (step.left_pairs > 0) ++crowded_;
+}
+
+std::string Acceptance::faults() const {
+  std::string out;
+  const auto add = [&](bool is, const std::string& text) {
+    if (is) out += (out.empty() ? "" : ", ") + text;
+  };
+  const auto steps = static_cast<double>(steps_);
+  add(overlap_ > kMostOverlap * size_,
+      fmt::format("bodies overlap by {:.3g} m, more than a tenth of the smallest one's radius ({:.3g} m)",
+                  overlap_, size_));
+  add(joint_error_ > kMostJointError * size_,
+      fmt::format("a joint parts by {:.3g} m, more than a tenth of the smallest body's radius ({:.3g} m)",
+                  joint_error_, size_));
+  add(gained_ > kMostGain * moved_, fmt::format("{:.3g} J are made, where {:.3g} J moved", gained_, moved_));
+  add(static_cast<double>(unsolved_) > kMostUnsolved * steps,
+      fmt::format("{} of {} steps end unsolved", unsolved_, steps_));
+  add(crowded_ > 0, fmt::format("in {} steps a crowd is looked at in part only", crowded_));
+  return out;
+}
+
+nlohmann::ordered_json Acceptance::to_json() const {
+  return {{"overlap", overlap_}, {"joint_error", joint_error_}, {"gained", gained_},
+          {"moved", moved_},     {"start", potential_start_},   {"pressed_in", pressed_in_},
+          {"steps", steps_},     {"unsolved", unsolved_},       {"crowded", crowded_}};
+}
+
+void Acceptance::take_up(const nlohmann::json& json) {
+  overlap_ = json.at("overlap").get<double>();
+  joint_error_ = json.at("joint_error").get<double>();
+  gained_ = json.at("gained").get<double>();
+  moved_ = json.at("moved").get<double>();
+  potential_start_ = json.at("start").get<double>();
+  pressed_in_ = json.at("pressed_in").get<double>();
+  steps_ = json.at("steps").get<std::int64_t>();
+  unsolved_ = json.at("unsolved").get<std::int64_t>();
+  crowded_ = json.at("crowded").get<std::int64_t>();
+}
+
+}  // namespace pabd

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What makes a run one that nobody would take, whatever its metrics: it is told, and is never "best".
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "sim/solver/report.h"
+
+namespace pabd {
+
+struct Model;
+
+class Acceptance {
+ public:
+  explicit Acceptance(const Model& model);
+
+  // `gained`: kinetic, potential and elastic energy above their start and what drives did; J. `asked_to_converge`:
+  // the solver has a tolerance.
+  void add(const StepSummary& step, double gained, bool asked_to_converge);
+
+  // "bodies overlap by 1.22 m, more than a tenth of the smallest (0.05 m)", with ", " between; empty: acceptable.
+  std::string faults() const;
+
+  // Reading gives the same bits. Throws nlohmann's exceptions for what was not written by it.
+  nlohmann::ordered_json to_json() const;
+  void take_up(const nlohmann::json& json);
+
+ private:
+  double size_;  // inner radius of the smallest movable body; m
+  double overlap_ = 0, joint_error_ = 0, gained_ = 0, pressed_in_ = 0;
+  double moved_ = 0, potential_start_ = 0;  // J; the energy that went from one kind to another, at most
+  std::int64_t steps_ = 0, unsolved_ = 0, crowded_ = 0;
+};
+
+}  // namespace pabd
