@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -60,6 +61,20 @@ std::string random_letters() {
   return text;
 }
 
+// Removes a temporary file that nobody writes any more. False: it is in use, or nobody can tell.
+bool remove_left(const fs::path& temporary) {
+  const Descriptor file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  struct stat held, named;
+  if (file.get() < 0 || ::fstat(file.get(), &held) != 0 || !S_ISREG(held.st_mode) ||
+      held.st_uid != ::geteuid())
+    return false;
+  if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return false;
+  // Its writer may have given it its name just now, and another one begun.
+  const bool same =
+      ::lstat(temporary.c_str(), &named) == 0 && named.st_ino == held.st_ino && named.st_dev == held.st_dev;
+  return same && ::unlink(temporary.c_str()) == 0;
+}
+
 }  // namespace
 
 NewFolders::NewFolders(const fs::path& file) {
@@ -111,18 +126,29 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), folders_(path_),
   }
 }
 
+// One writer holds its lock until it ends, however it ends: what is not locked was left by one that was killed.
 void AtomicFile::open_temporary() {
   std::string name = target_.filename().string();
   if (name.size() > longest_name) fail("cannot be created", ENAMETOOLONG);
-  name.resize(std::min(name.size(), longest_name - 12));
+  name.resize(std::min(name.size(), longest_name - 17));
+  bool usual = true;  // the name that the next run looks at
   for (int attempt = 0; attempt < 100; ++attempt) {
-    temporary_ = target_.parent_path() / fmt::format(".{}.{}.tmp", name, random_letters());
+    temporary_ = target_.parent_path() /
+                 fmt::format(".{}{}{}.pabd.tmp", name, usual ? "" : ".", usual ? "" : random_letters());
     // Before the file is there: a signal may come at any time.
     leftover_ = Leftover(temporary_);
     // mkstemp would give 0600; 0666 leaves the choice to the user's umask, as for any other file.
     fd_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (fd_ >= 0) return;
+    if (fd_ >= 0) {
+      struct stat info;
+      static_cast<void>(::flock(fd_, LOCK_EX));
+      if (::fstat(fd_, &info) != 0 || info.st_nlink > 0) return;
+      ::close(std::exchange(fd_, -1));  // another program took it for one that was left
+      continue;
+    }
+    leftover_.release();  // it is another's
     if (errno != EEXIST && errno != EINTR) fail("cannot be created", errno);
+    usual = errno == EINTR || remove_left(temporary_);
   }
   fail("cannot be created", EEXIST);
 }

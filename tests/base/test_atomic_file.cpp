@@ -14,6 +14,7 @@
 #include "sim/base/descriptor.h"
 #include "tests/support/errors.h"
 #include "tests/support/file_size_limit.h"
+#include "tests/support/files.h"
 #include "tests/support/temp_folder.h"
 
 namespace pabd::test_atomic_file {
@@ -88,6 +89,38 @@ TEST_CASE("names without folder, with spaces, and as long as can be") {
   }
   CHECK(caught([] { AtomicFile file(std::string(256, 'n')); }).says("choose a shorter name"));
   CHECK(folder.names().size() == 3);
+}
+
+TEST_CASE("what a killed writer left goes with the next one; what another still writes stays") {
+  const TempFolder folder;
+  const fs::path path = folder / "a.txt";
+  {
+    AtomicFile first(path), second(path), third(path);  // side by side, each with a file of its own
+    CHECK(first.temporary() != second.temporary());
+    CHECK(second.temporary() != third.temporary());
+    for (AtomicFile* file : {&third, &first, &second}) {
+      file->write(file->temporary().string());
+      file->commit();
+    }
+    CHECK(read_bytes(path) == second.temporary().string());
+  }
+  const fs::path left = AtomicFile(path).temporary();  // as every first writer calls it
+  CHECK_FALSE(fs::exists(left));
+  write_bytes(left, "of a writer that was killed");
+  {
+    AtomicFile next(path);
+    CHECK(next.temporary() == left);
+    next.write("whole");
+    next.commit();
+  }
+  CHECK(read_bytes(path) == "whole");
+  CHECK(std::distance(fs::directory_iterator(folder.path()), {}) == 1);
+  // What looks so but is another's: neither followed nor removed.
+  write_bytes(folder / "other", "kept");
+  fs::create_symlink("other", left);
+  CHECK(AtomicFile(path).temporary() != left);
+  CHECK(read_bytes(folder / "other") == "kept");
+  CHECK(fs::is_symlink(left));
 }
 
 TEST_CASE("permissions are those of any new file, and of the file that is replaced") {
