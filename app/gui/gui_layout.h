@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where everything of the window goes. Nothing overlaps: columns that leave the picture too little room are
-// not shown.
+// Where everything of the window goes. Nothing overlaps: where columns would leave the picture too little room, one
+// place has the tabs of all, below the picture of a portrait window, else beside it.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@ namespace pabd {
 struct GuiLayout {
   Rect toolbar, timeline, view;
   BySlot<Rect> slots;         // empty (w = 0) when not shown
+  bool joined = false;        // the one that is shown has the panels of all
   std::array<Rect, 2> views;  // parts of `view` for A and B side by side; the first is all of it else
 };
 

@@ -12,7 +12,7 @@ namespace pabd {
 // Begins the ImGui window of a part that stays where it is; ImGui::End() ends it.
 void begin_fixed(const char* id, const Rect& rect, ImGuiWindowFlags more = 0);
 // A slot with its tabs and the panel that it shows.
-void draw_slot(GuiFrame& frame, Slot slot, const Rect& rect, GuiPanel& panel);
+void draw_slot(GuiFrame& frame, Slot slot, const Rect& rect, bool all_tabs, GuiPanel& panel);
 
 void draw_toolbar(GuiFrame& frame);
 class TimelineBar {

@@ -26,7 +26,8 @@ constexpr double kIdleFrames = 15;  // 1/s
 // Pixels of an ordinary screen: for what makes files, and for what is at the right end.
 constexpr double kOutput = 232, kRight = 156;
 constexpr double kName = 136;    // of the scene
-constexpr double kNarrow = 690;  // below it only what is pressed most: a telephone's screen
+constexpr double kNarrow = 690;  // below it only what is pressed most
+constexpr double kTiny = 440;    // a telephone's screen
 
 void draw_output(GuiFrame& f) {
   draw_camera_menu(f);
@@ -53,6 +54,21 @@ void draw_short_output(GuiFrame& f) {
   ImGui::EndPopup();
 }
 
+void draw_colors(GuiFrame& f, bool is_narrow) {
+  ImGui::SetNextItemWidth(f.px(is_narrow ? 96 : 150));
+  const auto& chosen = kColors[static_cast<std::size_t>(f.ui.color)];
+  if (ImGui::BeginCombo("##color",
+                        ui_text((is_narrow ? "" : "colour: ") + std::string(chosen.text)).c_str())) {
+    for (const auto& c : kColors) {
+      if (ImGui::Selectable(ui_text(c.text).c_str(), c.quantity == f.ui.color))
+        f.out.send(ViewCommand(command::ColorBy{c.name}));
+    }
+    ImGui::EndCombo();
+  }
+  tooltip("What the colours of bodies say");
+  ImGui::SameLine();
+}
+
 }  // namespace
 
 void draw_toolbar(GuiFrame& f) {
@@ -73,18 +89,7 @@ void draw_toolbar(GuiFrame& f) {
   };
   show("Contacts", "contacts", f.ui.contacts, "Discs and normals of contacts, coloured by d/d̂ (c)");
   show("Bonds", "bonds", f.ui.bonds, "The two points of every bond, axes and limits of joints (b)");
-  ImGui::SetNextItemWidth(f.px(is_narrow ? 96 : 150));
-  const auto& chosen = kColors[static_cast<std::size_t>(f.ui.color)];
-  if (ImGui::BeginCombo("##color",
-                        ui_text((is_narrow ? "" : "colour: ") + std::string(chosen.text)).c_str())) {
-    for (const auto& c : kColors) {
-      if (ImGui::Selectable(ui_text(c.text).c_str(), c.quantity == f.ui.color))
-        f.out.send(ViewCommand(command::ColorBy{c.name}));
-    }
-    ImGui::EndCombo();
-  }
-  tooltip("What the colours of bodies say");
-  ImGui::SameLine();
+  if (ImGui::GetContentRegionMax().x >= f.px(kTiny)) draw_colors(f, is_narrow);
   if (toggle_button(
           f, "A/B", f.sim.b.has_value(),
           f.sim.b ? "End the comparison" : "A second simulation beside this one, with other parameters")) {

@@ -66,6 +66,7 @@ struct UiState {
   bool help = false, palette = false, hidden = false, costs = false;
   BySlot<const WindowPanel*> shown{&parameters_tab, &barrier_tab, &convergence_tab};
   BySlot<bool> open{true, true, true};
+  Slot front = Slot::left;  // that is shown where there is room for one
 
   CameraPose camera;
   std::optional<Framed> framed;

@@ -52,6 +52,7 @@ struct Actor {
     const WindowPanel& panel = find_panel(c.panel);
     if (c.on) ui.shown[panel.slot] = &panel;
     ui.open[panel.slot] = c.on;
+    if (c.on) ui.front = panel.slot;
   }
   void operator()(const command::Theme& c) const { ui.dark = c.dark; }
   void operator()(const command::Scale& c) const {
@@ -222,6 +223,7 @@ struct Actor {
     if (folder.empty()) return;
     ui.shown[sweep_tab.slot] = &sweep_tab;
     ui.open[sweep_tab.slot] = true;
+    ui.front = sweep_tab.slot;
   }
   void operator()(const command::SweepView& c) const {
     if (!ui.sweep.read)

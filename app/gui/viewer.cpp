@@ -229,7 +229,8 @@ struct Viewer::Impl {
       begin_fixed("##toolbar", layout.toolbar, ImGuiWindowFlags_NoScrollbar);
       draw_toolbar(frame);
       ImGui::End();
-      for (const Slot slot : kSlots) draw_slot(frame, slot, layout.slots[slot], *panels.at(ui.shown[slot]));
+      for (const Slot slot : kSlots)
+        draw_slot(frame, slot, layout.slots[slot], layout.joined, *panels.at(ui.shown[slot]));
       begin_fixed("##timeline", layout.timeline, ImGuiWindowFlags_NoScrollbar);
       timeline.draw(frame);
       ImGui::End();

@@ -13,6 +13,7 @@ constexpr double kGap = 0.6;     // between panels of one place, in margins
 constexpr double kLeast = 0.62;  // plots may be lower than they wish by this factor
 // Below this scale text is too small to read: panels of small frames take more of the frame instead.
 constexpr double kLeastScale = 0.72;
+constexpr double kReadable = 0.62;  // what would have to be smaller is left out
 
 Rect snapped(double x, double y, double w, double h) {
   const double x0 = std::round(x), y0 = std::round(y);
@@ -30,6 +31,17 @@ struct Place {
   double widest = 0, tallest = 0, heights = 0;
 
   int count() const { return static_cast<int>(wishes.size()); }
+  void add(const Wish& wish) {
+    wishes.push_back(wish);
+    widest = std::max(widest, wish.width);
+    tallest = std::max(tallest, wish.height);
+    heights += wish.height;
+  }
+  void drop_last() {
+    std::vector<Wish> rest(wishes.begin(), wishes.end() - 1);
+    *this = {};
+    for (const Wish& wish : rest) add(wish);
+  }
 };
 
 Place wishes_of(PanelPlace place, const OverlayOptions& options, const OverlayData& data) {
@@ -37,28 +49,39 @@ Place wishes_of(PanelPlace place, const OverlayOptions& options, const OverlayDa
   for (const OverlayPanel* panel : options.shown()) {
     if (panel->place != place || (panel->applies && !panel->applies(data))) continue;
     const double height = panel->height + (panel->more_height ? panel->more_height(data) : 0);
-    out.wishes.push_back({panel, panel->width, height});
-    out.widest = std::max(out.widest, panel->width);
-    out.tallest = std::max(out.tallest, height);
-    out.heights += height;
+    out.add({panel, panel->width, height});
   }
   return out;
+}
+
+// Of texts and lines, so that all of it has its place.
+double scale_of(const Place& top, const Place& column, const Place& legends, int width, int height) {
+  const double needed_width = std::max(top.widest, legends.widest) + column.widest + 3 * kMargin;
+  const double needed_height =
+      std::max(top.heights + legends.heights + (top.count() + legends.count() + 1) * kMargin,
+               column.count() * (kLeast * column.tallest + kGap * kMargin) + 2 * kMargin);
+  const double s = std::max(kLeastScale, std::min(width / 1280.0, height / 720.0));
+  return std::min({s, width / needed_width, height / needed_height});
 }
 
 }  // namespace
 
 PanelLayout layout_panels(const OverlayOptions& options, const OverlayData& data, int width, int height) {
-  const Place top = wishes_of(PanelPlace::top_left, options, data);
-  const Place column = wishes_of(PanelPlace::column, options, data);
-  const Place legends = wishes_of(PanelPlace::bottom_left, options, data);
+  Place top = wishes_of(PanelPlace::top_left, options, data);
+  Place column = wishes_of(PanelPlace::column, options, data);
+  Place legends = wishes_of(PanelPlace::bottom_left, options, data);
 
   PanelLayout layout;
-  const double needed_width = std::max(top.widest, legends.widest) + column.widest + 3 * kMargin;
-  const double needed_height =
-      std::max(top.heights + legends.heights + (top.count() + legends.count() + 1) * kMargin,
-               column.count() * (kLeast * column.tallest + kGap * kMargin) + 2 * kMargin);
-  double s = std::max(kLeastScale, std::min(width / 1280.0, height / 720.0));
-  s = std::min({s, width / needed_width, height / needed_height});
+  double s = scale_of(top, column, legends, width, height);
+  while (s < kReadable) {
+    Place& least = column.count() > 1 || (top.count() == 0 && legends.count() == 0) ? column
+                   : legends.count() > 0                                            ? legends
+                   : column.count() > 0                                             ? column
+                                                                                    : top;
+    if (top.count() + column.count() + legends.count() <= 1) break;  // who asks for one gets it
+    least.drop_last();
+    s = scale_of(top, column, legends, width, height);
+  }
   layout.scale = s;
 
   const double margin = kMargin * s, gap = kGap * margin;

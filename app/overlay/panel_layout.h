@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Where the panels are: some top left, legends bottom left, plots in a column at the right. Panels never overlap and
-// stay inside the frame.
+// stay inside the frame; a small one has the first of them only, in letters that can be read.
 #pragma once
 
 #include <vector>

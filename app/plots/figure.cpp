@@ -33,37 +33,41 @@ std::string csv_field(const std::string& text) {
 
 std::string csv_number(double v) { return std::isnan(v) ? "nan" : fmt::format("{}", v); }
 
-}  // namespace
+// Of a figure: what a small one leaves out.
+struct Parts {
+  bool title, caption;
+  std::size_t plots;  // the first so many
+};
 
-PictureSize default_size(const Figure& figure) {
-  const int columns = std::max(1, figure.columns);
-  const int rows = std::max(1, row_count(figure));
-  const int height = rows > 2 ? 430 : 600;  // of a row
-  return {columns == 1 ? 1000 : columns * 800 - (columns > 2 ? 150 * columns : 0), 100 + rows * height};
+bool is_readable(const FigureLayout& layout) {
+  const double tick = layout.style.tick;
+  return std::all_of(layout.cells.begin(), layout.cells.end(),
+                     [&](const Rect& cell) { return cell.w >= 14 * tick && cell.h >= 9 * tick; });
 }
 
-FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font,
-                           const PlotTheme& theme) {
+FigureLayout layout_parts(const Figure& figure, const Parts& parts, double width, double height,
+                          const FontMetrics& font, const PlotTheme& theme) {
   FigureLayout layout;
-  const int columns = std::max(1, figure.columns);
-  const int rows = std::max(1, row_count(figure));
+  const auto count = static_cast<int>(parts.plots);
+  const int columns = std::clamp(figure.columns, 1, std::max(1, count));
+  const int rows = std::max(1, (count + columns - 1) / columns);
   const double scale = std::min(height / (100 + rows * (rows > 2 ? 430 : kReferenceHeight - 100)),
                                 width / (columns * kCellWidth));
   layout.style = figure_style().scaled(std::max(scale, 0.6) * 1.25);
   layout.style.theme = theme;
   const PlotStyle& style = layout.style;
-  const double margin = 1.6 * style.tick;
+  const double margin = std::min(1.6 * style.tick, 0.04 * std::min(width, height));
   double top = margin, bottom = height - margin;
-  if (!figure.title.empty()) {
+  if (parts.title && !figure.title.empty()) {
     layout.title = {margin, top, width - 2 * margin, 1.2 * style.title};
     top += 2.2 * style.title;
   }
-  if (!figure.caption.empty()) {
+  if (parts.caption && !figure.caption.empty()) {
     double wrap = width - 4 * margin;
     layout.caption_lines = wrap_text(font, figure.caption, style.tick, wrap);
     // Lines of about equal length: no single word on the last one.
     for (auto lines = layout.caption_lines;
-         lines.size() == layout.caption_lines.size() && lines.size() > 1;) {
+         lines.size() == layout.caption_lines.size() && lines.size() > 1 && wrap > 0.5 * width;) {
       layout.caption_lines = lines;
       wrap *= 0.96;
       lines = wrap_text(font, figure.caption, style.tick, wrap);
@@ -76,9 +80,34 @@ FigureLayout layout_figure(const Figure& figure, double width, double height, co
   const double gap = 2.4 * style.tick;
   const double w = (width - 2 * margin - (columns - 1) * gap) / columns;
   const double h = (bottom - top - (rows - 1) * gap) / rows;
-  for (std::size_t i = 0; i < figure.plots.size(); ++i) {
-    const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
-    layout.cells.push_back({margin + column * (w + gap), top + row * (h + gap), w, h});
+  for (int i = 0; i < count; ++i)
+    layout.cells.push_back({margin + i % columns * (w + gap), top + i / columns * (h + gap), w, h});
+  return layout;
+}
+
+}  // namespace
+
+PictureSize default_size(const Figure& figure) {
+  const int columns = std::max(1, figure.columns);
+  const int rows = std::max(1, row_count(figure));
+  const int height = rows > 2 ? 430 : 600;  // of a row
+  return {columns == 1 ? 1000 : columns * 800 - (columns > 2 ? 150 * columns : 0), 100 + rows * height};
+}
+
+FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font,
+                           const PlotTheme& theme) {
+  // In this order, as long as the plots are too small to be read.
+  Parts parts{true, true, figure.plots.size()};
+  FigureLayout layout = layout_parts(figure, parts, width, height, font, theme);
+  while (!is_readable(layout) && (parts.caption || parts.title || parts.plots > 1)) {
+    if (parts.caption) {
+      parts.caption = false;
+    } else if (parts.title) {
+      parts.title = false;
+    } else {
+      --parts.plots;
+    }
+    layout = layout_parts(figure, parts, width, height, font, theme);
   }
   return layout;
 }
@@ -99,8 +128,8 @@ void paint_caption(const std::vector<std::string>& lines, double width, double y
 void paint_figure(const Figure& figure, double width, double height, Canvas& canvas, const PlotTheme& theme) {
   const FigureLayout layout = layout_figure(figure, width, height, canvas.font(), theme);
   const PlotStyle& style = layout.style;
-  paint_title(figure.title, width, layout.title.y, style, canvas);
-  for (std::size_t i = 0; i < figure.plots.size(); ++i) {
+  if (layout.title.h > 0) paint_title(figure.title, width, layout.title.y, style, canvas);
+  for (std::size_t i = 0; i < layout.cells.size(); ++i) {
     paint_plot(figure.plots[i], layout_plot(figure.plots[i], layout.cells[i], style, canvas.font()), style,
                canvas);
   }

@@ -24,6 +24,7 @@ struct PictureSize {
 // What a figure looks best at: 1600 × 700 for two columns.
 PictureSize default_size(const Figure& figure);
 
+// A small figure leaves out what would not be readable: its caption, its title, its last plots.
 FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font,
                            const PlotTheme& theme = light_theme());
 void paint_figure(const Figure& figure, double width, double height, Canvas& canvas,

@@ -273,11 +273,15 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
   }
   settle();
   Legend legend = legend_column(plot, layout.colors, style, font);
-  if (!legend.entries.empty() && !place_inside(legend, plot, layout, style) && area.w > 2.5 * legend.box.w) {
-    outer.w -= legend.box.w + style.gap;
-    settle();
-    legend.boxed = false;
-    move_legend(legend, area.right() - legend.box.w, layout.inner.y);
+  if (!legend.entries.empty() && !place_inside(legend, plot, layout, style)) {
+    if (area.w > 2.5 * legend.box.w && area.h > legend.box.h) {
+      outer.w -= legend.box.w + style.gap;
+      settle();
+      legend.boxed = false;
+      move_legend(legend, area.right() - legend.box.w, layout.inner.y);
+    } else {
+      legend = {};  // a small plot has none
+    }
   }
   layout.legend = std::move(legend);
   place_tags(plot, style, font, layout);

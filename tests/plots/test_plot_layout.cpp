@@ -217,4 +217,45 @@ TEST_CASE("cells of a figure do not overlap and stay on the page") {
   }
 }
 
+TEST_CASE("a small figure leaves out what would not be readable, and shows a plot at any size") {
+  Figure figure;
+  figure.columns = 3;
+  figure.title = "a title of some words";
+  figure.caption = "a caption that is long enough to be broken into lines where the figure is not wide";
+  figure.plots.assign(3, simple_plot());
+  const FontMetrics font;
+  const auto parts = [&](double w, double h) {
+    const FigureLayout layout = layout_figure(figure, w, h, font);
+    for (const Rect& cell : layout.cells) {
+      CHECK(Rect{0, 0, w, h}.contains(cell));
+      if (w >= 150) CHECK(cell.w >= 14 * layout.style.tick);
+      CHECK_FALSE(cell.overlaps(layout.title));
+    }
+    return std::to_string(layout.cells.size()) + (layout.title.h > 0 ? " title" : "") +
+           (layout.caption_lines.empty() ? "" : " caption");
+  };
+  CHECK(parts(1600, 700) == "3 title caption");
+  CHECK(parts(640, 360) == "3 title caption");
+  CHECK(parts(640, 120) == "3 title");
+  CHECK(parts(300, 150) == "2");
+  CHECK(parts(200, 150) == "1");
+  CHECK(parts(16, 16) == "1");
+}
+
+TEST_CASE("a legend that finds no room is left out") {
+  Plot plot = simple_plot();
+  for (int k = 0; k < 20; ++k) {
+    plot.series.push_back(plot.series[0]);
+    plot.series.back().name = "a curve with a long name " + std::to_string(k);
+  }
+  const FontMetrics font;
+  for (const double w : {60.0, 160.0, 300.0, 700.0, 1500.0}) {
+    const Rect area{5, 5, w, 0.6 * w};
+    const PlotLayout layout = layout_plot(plot, area, figure_style(), font);
+    CAPTURE(w);
+    CHECK((layout.legend.entries.empty() || area.contains(layout.legend.box)));
+    CHECK(layout.legend.entries.empty() == (w < 500));
+  }
+}
+
 }  // namespace pabd::test_plot_layout
