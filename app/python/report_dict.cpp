@@ -2,7 +2,7 @@
 // See report_dict.h. Units: sim/solver/report.h.
 #include "app/python/report_dict.h"
 
-#include "app/session/step_numbers.h"
+#include "sim/trace/step_numbers.h"
 
 namespace pabd::python {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "app/session/step_numbers.h"
+#include "sim/trace/step_numbers.h"
 
 namespace pabd {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/session/step_numbers.h"
+#include "sim/trace/step_numbers.h"
 
 namespace pabd {
 

@@ -4,14 +4,16 @@
 #include <fmt/format.h>
 
 #include <iterator>
-#include <limits>
 #include <string>
 
+#include "sim/trace/step_numbers.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {
 
 namespace {
+
+constexpr std::size_t kBeforeWords = 2;  // step and time; then come the solver and the outcome
 
 void put(std::ostream& out, const fmt::memory_buffer& line) {
   out.write(line.data(), static_cast<std::streamsize>(line.size()));
@@ -28,22 +30,25 @@ std::string field(const std::string& name) {
 }  // namespace
 
 void write_steps_header(std::ostream& out) {
-  out << "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,max_"
-         "joint_error,"
-         "residual,step_ms,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,friction_excess\n";
+  out << "step,time,method,status";
+  for (const StepNumber& number : step_numbers().subspan(kBeforeWords)) out << ',' << number.name;
+  out << ",step_ms\n";
 }
 
 // A step that failed ends in no state: what a state has is not known of it, and not zero.
 void write_steps_row(std::ostream& out, const StepSummary& r) {
   const bool failed = r.status == StepStatus::non_finite;
-  const auto known = [failed](double x) { return failed ? std::numeric_limits<double>::quiet_NaN() : x; };
   fmt::memory_buffer line;
-  fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
-                 r.step, r.time, to_string(r.method), to_string(r.status), r.iterations, known(r.kinetic),
-                 known(r.potential), known(r.elastic), failed ? "nan" : std::to_string(r.contacts),
-                 known(r.max_penetration), known(r.min_gap), known(r.max_joint_error),
-                 r.iterations == 0 ? known(r.residual) : r.residual, r.times.total, known(r.drive_work),
-                 r.capped_bonds, r.held_bodies, r.halved_bodies, r.halvings, known(r.friction_excess));
+  const auto add = [&](const StepNumber& number) {
+    const bool known = !failed || (!number.of_end && (number.name != "residual" || r.iterations > 0));
+    if (!known) return fmt::format_to(std::back_inserter(line), ",nan");
+    return std::visit([&](const auto of) { return fmt::format_to(std::back_inserter(line), ",{}", r.*of); },
+                      number.member);
+  };
+  fmt::format_to(std::back_inserter(line), "{},{},{},{}", r.step, r.time, to_string(r.method),
+                 to_string(r.status));
+  for (const StepNumber& number : step_numbers().subspan(kBeforeWords)) add(number);
+  fmt::format_to(std::back_inserter(line), ",{}\n", r.times.total);
   put(out, line);
 }
 

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "app/session/recording.h"
-#include "app/session/step_numbers.h"
 #include "sim/base/error.h"
 #include "sim/base/hash.h"
 #include "sim/scene/tuning.h"
+#include "sim/trace/step_numbers.h"
 #include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "sim/trace/step_numbers.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::test_csv {
@@ -40,6 +41,9 @@ StepReport example() {
   r.halved_bodies = 5;
   r.halvings = 4;
   r.friction_excess = 0.125;
+  r.kappa = 1250;
+  r.left_pairs = 6;
+  r.too_dense = 9;
   r.records.push_back({1.5, 1e-2, 0.1, 0.2, 0.3, 0.4, 0, 3e-3});
   r.records.push_back({1.25, 1e-3, 0.05, 0.06, 0.3, 0.4, 0, 2e-3});
   return r;
@@ -53,15 +57,25 @@ TEST_CASE("steps CSV", "[trace]") {
   write_steps_row(out, example());
   CHECK(out.str() ==
         "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,"
-        "max_joint_error,residual,step_ms,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,"
-        "friction_excess\n"
-        "7,0.11666666666666667,sissm,converged,12,0.1,-0.3333333333333333,1e-300,8,0,inf,5e-324,1e-07,2.5,"
-        "-0.25,3,2,5,4,0.125\n");
+        "max_joint_error,residual,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,"
+        "friction_excess,kappa,left_pairs,too_dense,step_ms\n"
+        "7,0.11666666666666667,sissm,converged,12,0.1,-0.3333333333333333,1e-300,8,0,inf,5e-324,1e-07,"
+        "-0.25,3,2,5,4,0.125,1250,6,9,2.5\n");
   const std::string row = out.str().substr(out.str().find('\n') + 1);
   const auto cells = split(row);
-  REQUIRE(cells.size() == 20);
+  REQUIRE(cells.size() == 23);
   CHECK(std::strtod(cells[1].c_str(), nullptr) == 7.0 / 60);
   CHECK(std::strtod(cells[6].c_str(), nullptr) == -1.0 / 3);
+}
+
+TEST_CASE("the list of a step's numbers is whole", "[trace]") {
+  // Method and status are words, times differ in every run; all else that a summary holds is in the list, as wide as it is.
+  std::size_t listed = 0;
+  for (const StepNumber& number : step_numbers())
+    listed +=
+        std::visit([](const auto of) { return sizeof(std::declval<StepSummary>().*of); }, number.member);
+  constexpr std::size_t kWords = 2, kPadding = 10;
+  CHECK(listed + kWords + kPadding + sizeof(PhaseTimes) == sizeof(StepSummary));
 }
 
 TEST_CASE("iterations CSV", "[trace]") {
@@ -87,7 +101,8 @@ TEST_CASE("a step that failed has no numbers of where it ended, and no zeros", "
   write_steps_row(out, r);
   // The residual is that of the last iteration, which there was.
   CHECK(out.str() ==
-        "7,0.11666666666666667,sissm,non_finite,12,nan,nan,nan,nan,nan,nan,nan,1e-07,2.5,nan,3,2,5,4,nan\n");
+        "7,0.11666666666666667,sissm,non_finite,12,nan,nan,nan,nan,nan,nan,nan,1e-07,nan,3,2,5,4,nan,1250,6,"
+        "9,2.5\n");
 }
 
 }  // namespace pabd::test_csv

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The numbers of a step's report by name: as Python's dictionary has them, and as metrics and rules of stopping of a
-// sweep name them: "/contacts".
+// The numbers of a step's report by name: the columns of a trace, what recordings keep, what Python's dictionary has,
+// and what metrics and rules of stopping of a sweep name: "/contacts". What is missing here is missing everywhere.
 #pragma once
 
 #include <span>
@@ -15,6 +15,7 @@ namespace pabd {
 struct StepNumber {
   std::string_view name;  // as in StepSummary
   std::variant<double StepSummary::*, int StepSummary::*, std::int64_t StepSummary::*> member;
+  bool of_end;  // of the state at the end: a step that failed has none
 
   double value(const StepSummary& step) const {  // may be infinite: no contact
     return std::visit([&](const auto of) { return static_cast<double>(step.*of); }, member);
