@@ -94,6 +94,7 @@ std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, 
 
 void save_scene_picture(const std::string& path, const Snapshot& sim, const UiState& ui, int width,
                         int height, GlContext& context) {
+  check_png_name(path);
   const std::vector<std::uint8_t> png = scene_picture(sim, ui, width, height, context);
   write_file(path, {reinterpret_cast<const char*>(png.data()), png.size()});
 }

@@ -23,8 +23,12 @@ inline constexpr int png_largest_side = 16384;
 std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text = {});
 
 // Encodes and writes to a temporary name in the same folder, checks every write, fsyncs, renames.
-// Throws Error(file) naming the path and the system's reason; nothing is left under the final name then.
+// Throws Error(file) naming the path and the system's reason; nothing is left under the final name then. Throws
+// Error(bad_input) as check_png_name does.
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text = {});
+
+// A name that promises another format is refused: Error(bad_input). Devices and names without an ending are not.
+void check_png_name(const std::filesystem::path& path);
 
 // Any colour type and depth, converted to RGB with 8 bits; transparency is laid over black.
 // Throws Error(file) if the file cannot be read, Error(bad_input) if it is not a PNG that can be decoded or

@@ -160,7 +160,17 @@ std::vector<std::uint8_t> encode_png(const Image& image, const PngText& text) {
   return out;
 }
 
+void check_png_name(const std::filesystem::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  std::error_code none;
+  const bool device = std::filesystem::is_other(path, none) || std::filesystem::is_character_file(path, none);
+  if (!extension.empty() && extension != ".png" && !device)
+    throw Error(ErrorKind::bad_input, path.string(),
+                "this picture is written as PNG; end the name with .png");
+}
+
 void write_png(const std::filesystem::path& path, const Image& image, const PngText& text) {
+  check_png_name(path);
   const std::vector<std::uint8_t> bytes = encode_png(image, text);
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }

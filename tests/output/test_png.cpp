@@ -288,6 +288,18 @@ TEST_CASE("text that was packed a thousandfold is not unpacked beyond a limit") 
   CHECK(caught([&] { static_cast<void>(read_png_text(folder / "b.png")); }).says("bytes of text"));
 }
 
+TEST_CASE("a name of another format is refused, and nothing is written") {
+  const TempFolder folder;
+  Image image;
+  image.resize(4, 3);
+  for (const char* name : {"a.jpg", "a.png.bmp", "a.PNGX"}) {
+    CHECK_THROWS_WITH(write_png(folder / name, image), Catch::Contains("end the name with .png"));
+    CHECK_FALSE(std::filesystem::exists(folder / name));
+  }
+  for (const char* name : {"a.png", "a.PNG", "a"}) CHECK_NOTHROW(write_png(folder / name, image));
+  CHECK_NOTHROW(write_png("/dev/null", image));
+}
+
 TEST_CASE("a full disk leaves no picture behind") {
   const TempFolder folder;
   const FileSizeLimit full(2000);
