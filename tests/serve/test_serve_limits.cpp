@@ -96,6 +96,27 @@ TEST_CASE("HTTP that is wrong, long or slow is refused and the others are served
   CHECK(answers(server));
 }
 
+TEST_CASE("uploads that come too slowly make room for others; who listens hears that the server lives") {
+  const RunningServer server;
+  const std::string head =
+      " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(server.port()) + "\r\n" + bearer(server.control());
+  Socket listener(server.port());
+  listener.send("GET /events" + head + "\r\n");
+  CHECK_THAT(listener.read_until("\r\n\r\n"), Catch::Contains("200 OK"));
+  const Socket a(server.port()), b(server.port());
+  for (const Socket* slow : {&a, &b})
+    slow->send("PUT /files/slow.json" + head + "Content-Length: 1000000\r\n\r\n");
+  const auto upload = [&] {
+    for (const Socket* slow : {&a, &b}) slow->send("x");  // it never stops to send
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    return http(server.port(), "PUT", "/files/mine.json", bearer(server.control()), "{}").status;
+  };
+  CHECK(upload() == 503);
+  CHECK(comes([&] { return upload() == 201; }));  // after 10 s
+  // Nothing has happened in the meantime; the line that says so is blank, in a chunk of its own.
+  CHECK_THAT(listener.read_until("1\r\n\n\r\n"), Catch::EndsWith("1\r\n\n\r\n"));
+}
+
 TEST_CASE("fifty connections at once: so many are served as may be, the rest is told") {
   const RunningServer server;
   std::vector<std::unique_ptr<WebSocketPage>> pages;
