@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // pabd serve at work: see serve_setup.h and app/serve.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <stdlib.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "app/cli/backend_option.h"
 #include "app/cli/gpu_devices.h"
@@ -15,6 +19,7 @@
 #include "app/cli/streams.h"
 #include "app/serve/http_server.h"
 #include "render/output/live_video.h"
+#include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
 
@@ -35,9 +40,16 @@ class Root {
       if (failure) throw Error(ErrorKind::file, named, "cannot be made: " + failure.message());
       return;
     }
-    std::string name = (fs::temp_directory_path() / "pabd-serve-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw Error(ErrorKind::file, name, "cannot be made; --root names a folder");
-    folder_ = name;
+    remove_left();
+    // Another server that begins now may take it for one that was left: then there is another one.
+    for (int attempt = 0; attempt < kTries && !lock_; ++attempt) {
+      if (attempt > 0) fs::remove(folder_, failure);
+      std::string name = (fs::temp_directory_path() / (std::string(kTemporary) + "XXXXXX")).string();
+      if (!::mkdtemp(name.data()))
+        throw Error(ErrorKind::file, name, "cannot be made; --root names a folder");
+      folder_ = name;
+      lock_ = lock_of(folder_);
+    }
   }
   ~Root() {
     std::error_code ignored;
@@ -48,8 +60,29 @@ class Root {
   const fs::path& folder() const { return folder_; }
 
  private:
+  static constexpr std::string_view kTemporary = ".pabd-serve-";  // nobody calls his own so
+
+  // Held as long as the server lives, however it ends. None: it is another's.
+  static std::optional<Descriptor> lock_of(const fs::path& folder) {
+    Descriptor out(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+    struct stat info;
+    const bool ours = out.get() >= 0 && ::fstat(out.get(), &info) == 0 && info.st_uid == ::geteuid();
+    if (!ours || ::flock(out.get(), LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+    return out;
+  }
+
+  // Of servers that were killed.
+  static void remove_left() {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(fs::temp_directory_path(), ignored)) {
+      if (!entry.path().filename().string().starts_with(kTemporary)) continue;
+      if (lock_of(entry.path())) fs::remove_all(entry.path(), ignored);
+    }
+  }
+
   fs::path folder_;
   bool kept_;
+  std::optional<Descriptor> lock_;
 };
 
 bool only_here(const std::string& address) { return address.starts_with("127.") || address == "::1"; }

@@ -19,7 +19,7 @@ from common import Case, Unexpected
 PARTS = {"disks": files.full_disk, "kills": files.killed, "leftovers": files.killed_output, "determinism": files.determinism,
          "limits": limits.scarce, "encoders": limits.encoder, "drivers": limits.driver, "settings": limits.settings,
          "signals": limits.interrupted, "requests": peers.requests, "messages": peers.messages, "slow": peers.slow,
-         "sessions": peers.sessions}
+         "sessions": peers.sessions, "servers": peers.killed_server}
 MOST = 5  # unexpected cases of a part, after which it ends
 
 

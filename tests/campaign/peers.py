@@ -213,3 +213,22 @@ def sessions(case):
                 pass
             link.close()
         require(peer.process.poll() is None, f"the server ended with {peer.process.returncode} ({kind}: {options.get('limits')})")
+
+
+def killed_server(case):
+    """The next server removes the files of one that was killed, and leaves those of one that lives."""
+    def folders():
+        return {path.name for path in case.folder.glob(".pabd-serve-*")}
+    environment = {"TMPDIR": str(case.folder)}
+    with server(case, environment=environment) as living:
+        kept = folders()
+        killed = case.start(["serve", "two_boxes", "--port", "0", "--quiet"], environment=environment)
+        Server(killed)
+        killed.kill()
+        killed.communicate()
+        require(len(folders()) == 2, f"two servers have {folders()}")
+        with server(case, environment=environment):
+            require(kept < folders() and len(folders()) == 2, f"after {kept} there are {folders()}")
+        require(folders() == kept, f"left {folders() - kept}")
+        living.require_well("others")
+    require(not folders(), f"left {folders()}")
