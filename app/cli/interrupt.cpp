@@ -61,9 +61,8 @@ extern "C" void on_stray(int signal) {
 // A driver that finds no memory crashes, too. Where core dumps are wanted, the default follows.
 extern "C" void on_crash(int signal) {
   static constexpr char kLine[] =
-      "pabd: error: the program crashed; where memory is limited (ulimit -v, containers), allow more; else "
-      "please "
-      "report the command line, the scene file and 'pabd doctor'\n";
+      "pabd: error: the program crashed; where memory is limited (ulimit -v, containers), allow more; "
+      "else please report the command line, the scene file and 'pabd doctor'\n";
   remove_leftovers();
   static_cast<void>(!::write(STDERR_FILENO, kLine, sizeof kLine - 1));
   rlimit core = {};

@@ -20,8 +20,9 @@ using namespace std::chrono_literals;
 constexpr std::uint32_t kMostHeader = 16 * 1024;
 constexpr auto kIdle = 30s, kLongest = 600s;
 constexpr std::size_t kMostUploads = 2, kMostWaiting = 16;
-constexpr double kUploadGrace = 10,
-                 kUploadRate = 1e4;  // s; bytes a second: who sends slower keeps others out
+// Who sends slower keeps others out.
+constexpr double kUploadGrace = 10;  // s
+constexpr double kUploadRate = 1e4;  // bytes a second
 
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
