@@ -13,7 +13,8 @@ constexpr double kGap = 0.6;     // between panels of one place, in margins
 constexpr double kLeast = 0.62;  // plots may be lower than they wish by this factor
 // Below this scale text is too small to read: panels of small frames take more of the frame instead.
 constexpr double kLeastScale = 0.72;
-constexpr double kReadable = 0.62;  // what would have to be smaller is left out
+// What would have to be smaller, or leaves the picture less of the frame, is left out.
+constexpr double kReadable = 0.62, kLeastFree = 0.25;
 
 Rect snapped(double x, double y, double w, double h) {
   const double x0 = std::round(x), y0 = std::round(y);
@@ -64,24 +65,9 @@ double scale_of(const Place& top, const Place& column, const Place& legends, int
   return std::min({s, width / needed_width, height / needed_height});
 }
 
-}  // namespace
-
-PanelLayout layout_panels(const OverlayOptions& options, const OverlayData& data, int width, int height) {
-  Place top = wishes_of(PanelPlace::top_left, options, data);
-  Place column = wishes_of(PanelPlace::column, options, data);
-  Place legends = wishes_of(PanelPlace::bottom_left, options, data);
-
+PanelLayout place(const Place& top, const Place& column, const Place& legends, int width, int height) {
   PanelLayout layout;
-  double s = scale_of(top, column, legends, width, height);
-  while (s < kReadable) {
-    Place& least = column.count() > 1 || (top.count() == 0 && legends.count() == 0) ? column
-                   : legends.count() > 0                                            ? legends
-                   : column.count() > 0                                             ? column
-                                                                                    : top;
-    if (top.count() + column.count() + legends.count() <= 1) break;  // who asks for one gets it
-    least.drop_last();
-    s = scale_of(top, column, legends, width, height);
-  }
+  const double s = scale_of(top, column, legends, width, height);
   layout.scale = s;
 
   const double margin = kMargin * s, gap = kGap * margin;
@@ -90,7 +76,7 @@ PanelLayout layout_panels(const OverlayOptions& options, const OverlayData& data
     layout.panels.push_back({wish.panel, snapped(margin, y, wish.width * s, wish.height * s)});
     y += wish.height * s + gap;
   }
-  double right = width;
+  double right = width, column_end = 0;
   if (column.count() > 0) {
     const double h =
         std::min(column.tallest * s, (height - 2 * margin - (column.count() - 1) * gap) / column.count());
@@ -101,6 +87,7 @@ PanelLayout layout_panels(const OverlayOptions& options, const OverlayData& data
       y += h + gap;
     }
     right -= margin;
+    column_end = y - gap + margin;
   }
   double bottom = height;
   for (const Wish& wish : legends.wishes) {
@@ -109,15 +96,38 @@ PanelLayout layout_panels(const OverlayOptions& options, const OverlayData& data
   }
   if (legends.count() > 0) bottom -= margin;
 
-  // Candidates: beside the panels at the top, or below them; above the legends or beside them.
+  // Candidates: beside the panels at the top, or below them; left of the plots, or below them.
   const bool any = top.count() > 0;
   const double beside = any ? 2 * margin + top.widest * s : 0;
   const double below = any ? 2 * margin + top.heights * s + (top.count() - 1) * gap : 0;
   for (const Rect& candidate :
-       {Rect{beside, 0, right - beside, bottom}, Rect{0, below, right, bottom - below}}) {
+       {Rect{beside, 0, right - beside, bottom}, Rect{0, below, right, bottom - below},
+        Rect{0, std::max(below, column_end), static_cast<double>(width),
+             bottom - std::max(below, column_end)}}) {
     if (candidate.w > 0 && candidate.h > 0 && candidate.w * candidate.h > layout.free.w * layout.free.h) {
       layout.free = candidate;
     }
+  }
+  return layout;
+}
+
+}  // namespace
+
+PanelLayout layout_panels(const OverlayOptions& options, const OverlayData& data, int width, int height) {
+  Place top = wishes_of(PanelPlace::top_left, options, data);
+  Place column = wishes_of(PanelPlace::column, options, data);
+  Place legends = wishes_of(PanelPlace::bottom_left, options, data);
+  PanelLayout layout = place(top, column, legends, width, height);
+  const auto is_good = [&] {
+    return layout.scale >= kReadable && layout.free.w * layout.free.h >= kLeastFree * width * height;
+  };
+  while (!is_good() && layout.panels.size() > 1) {  // who asks for one gets it
+    Place& least = column.count() > 1 || (top.count() == 0 && legends.count() == 0) ? column
+                   : legends.count() > 0                                            ? legends
+                   : column.count() > 0                                             ? column
+                                                                                    : top;
+    least.drop_last();
+    layout = place(top, column, legends, width, height);
   }
   return layout;
 }

@@ -17,7 +17,7 @@ struct PlacedPanel {
 struct PanelLayout {
   double scale = 1;  // of texts and lines; 1 at 1280 × 720
   std::vector<PlacedPanel> panels;
-  // The largest rectangle at the left of the plots that no panel covers: where the picture is seen.
+  // The largest rectangle beside or below the panels that none covers: where the picture is seen.
   Rect free;
 };
 

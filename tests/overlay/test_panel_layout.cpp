@@ -33,6 +33,7 @@ void check_layout(const OverlayOptions& options, const OverlayData& data, int wi
   const PanelLayout layout = layout_panels(options, data, width, height);
   // What a small frame has is readable; who asks for one panel gets it.
   CHECK((layout.scale >= 0.62 || layout.panels.size() == 1));
+  CHECK((layout.free.w * layout.free.h >= 0.25 * width * height || layout.panels.size() == 1));
   CHECK(layout.panels.size() >= 1);
   const bool room = width >= 1280 && height >= 720;
   CHECK(layout.panels.size() >= (room ? options.shown().size() : 1));
@@ -77,8 +78,10 @@ TEST_CASE("a small frame has those of its panels that can be read, the parameter
   };
   CHECK(names(1280, 720) == "params barrier convergence series legend");
   CHECK(names(640, 360) == "params barrier convergence series legend");
-  CHECK(names(480, 270) == "params barrier convergence legend");
+  CHECK(names(480, 270) == "params");
   CHECK(names(320, 180) == "params");
+  // In a portrait frame the picture is below the panels, as wide as the frame.
+  CHECK(layout_panels(parse_panels("params,barrier"), data_with_joints(), 400, 700).free.w == 400);
 }
 
 TEST_CASE("the picture stays visible: half the frame at 1280x720 and above, a quarter at 640x360") {
