@@ -35,6 +35,8 @@ void say(int fd, const std::string& text) {
 void try_contexts(const std::vector<ContextFamily>& families, const std::vector<std::string>& skip) {
   // Started by posix_spawn: to fork a process with threads would copy locks that drivers hold in it.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL})
+    ::signal(signal, SIG_DFL);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
   // What drivers print comes once, from the process that keeps the context.
