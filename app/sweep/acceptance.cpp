@@ -17,7 +17,8 @@ namespace {
 
 // Of the smallest movable body's inner radius: what a picture shows of an overlap, and of a joint that parts.
 constexpr double kMostOverlap = 0.1, kMostJointError = 0.1;
-constexpr double kMostGain = 0.05;      // of the energy that moved
+constexpr double kMostGain = 0.05;      // of the energy that moved,
+constexpr double kRounding = 1e-6;      // beyond what a part of the whole is rounded by, where nothing moves
 constexpr double kMostUnsolved = 0.02;  // of the steps
 
 }  // namespace
@@ -39,6 +40,7 @@ void Acceptance::add(const StepSummary& step, double gained, bool asked_to_conve
   joint_error_ = std::max(joint_error_, step.max_joint_error);
   gained_ = std::max(gained_, gained - pressed_in_);
   moved_ = std::max(moved_, step.kinetic + std::abs(step.potential - potential_start_));
+  whole_ = std::max({whole_, step.kinetic, std::abs(step.potential), step.elastic});
   if (asked_to_converge && step.status == StepStatus::iteration_limit) ++unsolved_;
   if (step.left_pairs > 0) ++crowded_;
 }
@@ -55,7 +57,8 @@ std::string Acceptance::faults() const {
   add(joint_error_ > kMostJointError * size_,
       fmt::format("a joint parts by {:.3g} m, more than a tenth of the smallest body's radius ({:.3g} m)",
                   joint_error_, size_));
-  add(gained_ > kMostGain * moved_, fmt::format("{:.3g} J are made, where {:.3g} J moved", gained_, moved_));
+  add(gained_ > kMostGain * moved_ + kRounding * whole_,
+      fmt::format("{:.3g} J are made, where {:.3g} J moved", gained_, moved_));
   add(static_cast<double>(unsolved_) > kMostUnsolved * steps,
       fmt::format("{} of {} steps end unsolved", unsolved_, steps_));
   add(crowded_ > 0, fmt::format("in {} steps a crowd is looked at in part only", crowded_));
@@ -63,9 +66,11 @@ std::string Acceptance::faults() const {
 }
 
 nlohmann::ordered_json Acceptance::to_json() const {
-  return {{"overlap", overlap_}, {"joint_error", joint_error_}, {"gained", gained_},
-          {"moved", moved_},     {"start", potential_start_},   {"pressed_in", pressed_in_},
-          {"steps", steps_},     {"unsolved", unsolved_},       {"crowded", crowded_}};
+  return {{"overlap", overlap_},       {"joint_error", joint_error_},
+          {"gained", gained_},         {"moved", moved_},
+          {"start", potential_start_}, {"whole", whole_},
+          {"pressed_in", pressed_in_}, {"steps", steps_},
+          {"unsolved", unsolved_},     {"crowded", crowded_}};
 }
 
 void Acceptance::take_up(const nlohmann::json& json) {
@@ -74,6 +79,7 @@ void Acceptance::take_up(const nlohmann::json& json) {
   gained_ = json.at("gained").get<double>();
   moved_ = json.at("moved").get<double>();
   potential_start_ = json.at("start").get<double>();
+  whole_ = json.at("whole").get<double>();
   pressed_in_ = json.at("pressed_in").get<double>();
   steps_ = json.at("steps").get<std::int64_t>();
   unsolved_ = json.at("unsolved").get<std::int64_t>();

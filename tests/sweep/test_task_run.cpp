@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/session/session.h"
+#include "app/sweep/acceptance.h"
 #include "app/sweep/task_run.h"
 #include "sim/base/error.h"
+#include "sim/body/model.h"
 #include "sim/trace/trace.h"
 #include "tests/support/files.h"
 #include "tests/support/places.h"
@@ -152,6 +155,26 @@ TEST_CASE("what nobody would take is told") {
   CHECK_THAT(
       faults("pyramid", R"("solver.iterations": 1, "solver.method": "sissm", "solver.tolerance": 1e-9)"),
       Catch::Contains(" of 120 steps end unsolved"));
+}
+
+TEST_CASE("energy that is made counts beside what moved, and rounding where nothing moves does not") {
+  const auto faults = [](double kinetic, double gained) {
+    Acceptance run{Model{}};
+    StepSummary step;
+    step.status = StepStatus::converged;
+    step.potential = 1000;
+    step.kinetic = kinetic;
+    run.add(step, 0, true);
+    run.add(step, gained, true);
+    Acceptance again{Model{}};
+    again.take_up(nlohmann::json::parse(run.to_json().dump()));
+    CHECK(again.faults() == run.faults());
+    return run.faults();
+  };
+  CHECK(faults(1e-20, 1e-10).empty());
+  CHECK(faults(100, 4).empty());
+  CHECK(faults(100, 6) == "6 J are made, where 100 J moved");
+  CHECK(faults(0, 1) == "1 J are made, where 0 J moved");
 }
 
 TEST_CASE("what the scene refuses is a result, and says why") {
