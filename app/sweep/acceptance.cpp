@@ -38,7 +38,9 @@ void Acceptance::add(const StepSummary& step, double gained, bool asked_to_conve
   }
   overlap_ = std::max(overlap_, step.max_penetration);
   joint_error_ = std::max(joint_error_, step.max_joint_error);
-  gained_ = std::max(gained_, gained - pressed_in_);
+  // What is lifted without motion was pressed in, and comes out of it slowly; what falls from there may move.
+  lifted_ = std::max(lifted_, gained - step.kinetic);
+  gained_ = std::max(gained_, gained - lifted_ - pressed_in_);
   moved_ = std::max(moved_, step.kinetic + std::abs(step.potential - potential_start_));
   whole_ = std::max({whole_, step.kinetic, std::abs(step.potential), step.elastic});
   if (asked_to_converge && step.status == StepStatus::iteration_limit) ++unsolved_;
@@ -58,7 +60,7 @@ std::string Acceptance::faults() const {
       fmt::format("a joint parts by {:.3g} m, more than a tenth of the smallest body's radius ({:.3g} m)",
                   joint_error_, size_));
   add(gained_ > kMostGain * moved_ + kRounding * whole_,
-      fmt::format("{:.3g} J are made, where {:.3g} J moved", gained_, moved_));
+      fmt::format("{:.3g} J of motion come from nowhere, where {:.3g} J moved", gained_, moved_));
   add(static_cast<double>(unsolved_) > kMostUnsolved * steps,
       fmt::format("{} of {} steps end unsolved", unsolved_, steps_));
   add(crowded_ > 0, fmt::format("in {} steps a crowd is looked at in part only", crowded_));
@@ -66,10 +68,9 @@ std::string Acceptance::faults() const {
 }
 
 nlohmann::ordered_json Acceptance::to_json() const {
-  return {{"overlap", overlap_},       {"joint_error", joint_error_},
-          {"gained", gained_},         {"moved", moved_},
-          {"start", potential_start_}, {"whole", whole_},
-          {"pressed_in", pressed_in_}, {"steps", steps_},
+  return {{"overlap", overlap_},       {"joint_error", joint_error_}, {"gained", gained_},
+          {"moved", moved_},           {"start", potential_start_},   {"whole", whole_},
+          {"pressed_in", pressed_in_}, {"lifted", lifted_},           {"steps", steps_},
           {"unsolved", unsolved_},     {"crowded", crowded_}};
 }
 
@@ -79,6 +80,7 @@ void Acceptance::take_up(const nlohmann::json& json) {
   gained_ = json.at("gained").get<double>();
   moved_ = json.at("moved").get<double>();
   potential_start_ = json.at("start").get<double>();
+  lifted_ = json.at("lifted").get<double>();
   whole_ = json.at("whole").get<double>();
   pressed_in_ = json.at("pressed_in").get<double>();
   steps_ = json.at("steps").get<std::int64_t>();

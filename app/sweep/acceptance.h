@@ -28,7 +28,7 @@ class Acceptance {
 
  private:
   double size_;  // inner radius of the smallest movable body; m
-  double overlap_ = 0, joint_error_ = 0, gained_ = 0, pressed_in_ = 0;
+  double overlap_ = 0, joint_error_ = 0, gained_ = 0, pressed_in_ = 0, lifted_ = 0;
   double moved_ = 0, potential_start_ = 0;  // J; the energy that went from one kind to another, at most
   double whole_ = 0;                        // J; the largest of one kind
   std::int64_t steps_ = 0, unsolved_ = 0, crowded_ = 0;
