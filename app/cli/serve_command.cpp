@@ -13,8 +13,6 @@ namespace pabd::cli {
 namespace {
 
 int checked(const ServeSetup& setup) {
-  if (setup.codec != "jpeg" && setup.codec != "h264")
-    throw Error(ErrorKind::bad_input, "--codec " + one_line(setup.codec) + ": expected jpeg or h264");
   check_range("--port", setup.port, 0, 65535);
   check_range("--sessions", setup.sessions, 1, 64);
   check_range("--past", setup.past, 1, 1e6, "MB");
@@ -99,12 +97,6 @@ void add_serve_command(CLI::App& app, Action& action) {
       ->add_option("--size", setup->size,
                    "pixels of the window before a page asks for its own (default 1280x720)")
       ->type_name("WxH")
-      ->group(group::kPicture);
-  command
-      ->add_option("--codec", setup->codec,
-                   "of moving pictures: jpeg, or h264 where the browser shows it, encoded by ffmpeg "
-                   "(default jpeg)")
-      ->type_name("jpeg|h264")
       ->group(group::kPicture);
   command->add_option("--past", setup->past, "for states of the past of each simulation (default 256)")
       ->type_name("MB")

@@ -18,7 +18,6 @@
 #include "app/cli/serve_setup.h"
 #include "app/cli/streams.h"
 #include "app/serve/http_server.h"
-#include "render/output/live_video.h"
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
@@ -152,7 +151,6 @@ LobbyOptions lobby_options(const ServeSetup& setup, const Root& root, const Acce
   desk.turn = std::make_shared<std::mutex>();
   desk.play = setup.play;
   desk.pause_when_alone = setup.pause_when_alone;
-  if (setup.codec == "h264") desk.video = live_video_encoder();
   desk.width = size.width;
   desk.height = size.height;
   return out;

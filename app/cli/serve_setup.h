@@ -11,8 +11,7 @@ namespace pabd::cli {
 
 struct ServeSetup {
   CommonOptions common;
-  std::string scene = "two_boxes", backend = "auto", size = "1280x720", root, certificate, key, embed,
-              codec = "jpeg";
+  std::string scene = "two_boxes", backend = "auto", size = "1280x720", root, certificate, key, embed;
   std::vector<std::string> addresses, hosts;
   int port = 8472, sessions = 1;
   bool port_given = false, trusted = false, no_watchers = false, pause_when_alone = false, play = false;

@@ -18,7 +18,6 @@ namespace {
 constexpr DocumentLimits kLimits{kMostMessageBytes, 20'000, 24};
 constexpr double kFarthest = 1e5;  // pixels from the window's corner
 constexpr double kMostNotches = 100;
-constexpr std::size_t kMostCodecs = 8;
 
 [[noreturn]] void refuse(const std::string& place, const std::string& expected) {
   throw Error(ErrorKind::bad_input, "message", fmt::format("\"{}\": expected {}", place, expected));
@@ -117,13 +116,6 @@ message::Hello read_hello(const Reader& in) {
   out.id = in.text("id", 16);
   if (!is_hex(out.id, 16)) refuse("id", "16 hex digits");
   if (in.json.contains("dark")) out.dark = in.flag("dark");
-  const Json& codecs = in.member("codecs", "a list of names");
-  if (!codecs.is_array() || codecs.size() > kMostCodecs) refuse("codecs", "a list of names");
-  for (const Json& codec : codecs) {
-    if (!codec.is_string() || codec.get_ref<const std::string&>().size() > 16)
-      refuse("codecs", "a list of names");
-    out.codecs.push_back(codec.get<std::string>());
-  }
   return out;
 }
 

@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 #include "render/context/keyboard.h"
 
@@ -25,7 +24,6 @@ struct Hello {
   std::string token;
   int width = 0, height = 0;
   double scale = 1;
-  std::vector<std::string> codecs;
   std::string id;            // hex digits that the page keeps
   std::optional<bool> dark;  // what the browser prefers
 };

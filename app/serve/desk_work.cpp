@@ -75,11 +75,9 @@ DeskWork::DeskWork(GlContext& context, Runner& runner, const DeskOptions& option
                 out.can_quit = false;
                 return out;
               }()),
-      stream_(
-          [this](VisitorId to, const EncodedFrame& frame) {
-            hear_(desk::Frame{to, frame});
-          },
-          options.video),
+      stream_([this](VisitorId to, const EncodedFrame& frame) {
+        hear_(desk::Frame{to, frame});
+      }),
       width_(options.width),
       height_(options.height),
       files_(options.files->list()) {}
@@ -120,7 +118,7 @@ bool DeskWork::take(DeskInput& input, const More& more, const std::function<bool
     stream_.acknowledge(shown->visitor, shown->frame, shown->ms, seconds_now());
     return false;
   } else if (const auto* arrive = std::get_if<desk::Arrive>(&input)) {
-    stream_.arrive(arrive->visitor, arrive->shows_video);
+    stream_.arrive(arrive->visitor);
     tell_scene();
     tell_scheme();
     text(message_text({{"t", "cursor"}, {"cursor", word(cursor_)}}), true);
@@ -265,10 +263,8 @@ void DeskWork::tell_stats(double now) {
     json["draw_ms"] = tenth(stats->draw_ms);
     json["quality"] = stats->look.quality;
     json["scale"] = stats->look.scale;
-    json["codec"] = stats->video ? "h264" : "jpeg";
     json["rtt_ms"] = tenth(stats->link_ms);
   }
-  if (!stream_.video_failure().empty()) json["no_video"] = stream_.video_failure();
   if (std::string said = message_text(json); said != stats_) {
     stats_ = said;
     text(std::move(said), false);

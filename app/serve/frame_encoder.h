@@ -8,7 +8,6 @@
 
 #include "app/serve/frame_head.h"
 #include "app/serve/tiles.h"
-#include "render/output/live_video.h"
 
 namespace pabd {
 
@@ -31,11 +30,6 @@ class FrameEncoder {
   // JPEG, 1 … 100; from 90 on colours have the resolution of brightness. Throws Error(encoder).
   EncodedFrame jpeg(const Image& image, const std::vector<PixelRect>& rects, int quality, FrameHead head);
   EncodedFrame png(const Image& image, const std::vector<PixelRect>& rects, FrameHead head);
-
-  // What `units`, of which the last one shows the whole image, are to change of the page's picture; they took
-  // `ms`. A part without a unit is cut out of the picture before it.
-  EncodedFrame h264(const Image& image, const std::vector<VideoUnit>& units,
-                    const std::vector<PixelRect>& rects, FrameHead head, double ms);
 
   double last_ms() const { return last_ms_; }  // that the last frame took
 

@@ -9,8 +9,8 @@
 namespace pabd {
 
 struct FrameHead {
-  enum Kind : std::uint8_t { jpeg = 1, png = 2, h264 = 3 };
-  static constexpr std::uint8_t kLast = 1, kLossless = 2, kKey = 4;  // flags
+  enum Kind : std::uint8_t { jpeg = 1, png = 2 };
+  static constexpr std::uint8_t kLast = 1, kLossless = 2;  // flags
   static constexpr std::size_t kBytes = 32;
 
   std::uint8_t kind = jpeg, flags = 0;

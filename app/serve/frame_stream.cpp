@@ -3,18 +3,10 @@
 #include "app/serve/frame_stream.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 namespace pabd {
-
-void FrameStream::arrive(VisitorId visitor, bool shows_video) {
-  visitors_[visitor] = {};
-  visitors_[visitor].shows_video = shows_video;
-}
-
-void FrameStream::depart(VisitorId visitor) { visitors_.erase(visitor); }
 
 void FrameStream::refresh(VisitorId visitor) {
   const auto found = visitors_.find(visitor);
@@ -74,28 +66,12 @@ void FrameStream::begin_moving() {
   whole_.reset();
 }
 
-// Only one visitor gets the stream: it waits for nobody, and each of its pictures needs those before.
-std::optional<EncodedFrame> FrameStream::video_frame(VisitorId id, const Visitor& visitor,
-                                                     const std::vector<PixelRect>& rects, double now) {
-  if (id != leader()) return std::nullopt;
-  video_sent_ = false;
-  if (!visitor.shows_video) return std::nullopt;
-  if (visitor.stale || id != std::exchange(video_visitor_, id)) video_.restart();
-  const auto begin = std::chrono::steady_clock::now();
-  const std::vector<VideoUnit> units = video_.encode(sent_, sent_look_.quality, now);
-  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-  if (units.empty()) return std::nullopt;
-  video_sent_ = true;
-  return encoder_.h264(sent_, units, rects, head(), took.count());
-}
-
 void FrameStream::send_moving(VisitorId id, Visitor& visitor, double now) {
   if (sent_number_ != number_) begin_moving();
   const bool has_base = base_ != 0 && visitor.frame == base_ && !visitor.stale;
   const std::vector<PixelRect> all{{0, 0, sent_.width, sent_.height}};
   const std::vector<PixelRect>& rects = has_base ? rects_ : all;
-  std::optional<EncodedFrame> video = video_frame(id, visitor, rects, now);
-  std::optional<EncodedFrame>& frame = video ? video : has_base ? part_ : whole_;
+  std::optional<EncodedFrame>& frame = has_base ? part_ : whole_;
   if (!frame) frame = encoder_.jpeg(sent_, rects, sent_look_.quality, head());
   const bool reduced_size = sent_.width != image_.width || sent_.height != image_.height;
   if (!visitor.lossy.fits(image_.width, image_.height)) visitor.lossy = Tiles(image_.width, image_.height);
@@ -160,7 +136,6 @@ std::optional<StreamStats> FrameStream::stats(double now) {
   out.link_ms = adaptation_.link_ms();
   out.draw_ms = draw_ms_;
   out.look = sent_look_;
-  out.video = video_sent_;
   return out;
 }
 

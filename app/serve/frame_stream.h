@@ -9,7 +9,6 @@
 
 #include "app/serve/adaptation.h"
 #include "app/serve/frame_encoder.h"
-#include "app/serve/moving_video.h"
 #include "app/serve/roles.h"
 
 namespace pabd {
@@ -17,7 +16,6 @@ namespace pabd {
 struct StreamStats {
   double fps = 0, kbps = 0, encode_ms = 0, draw_ms = 0, link_ms = 0;
   FrameLook look;
-  bool video = false;  // H.264, else JPEG
 };
 
 class FrameStream {
@@ -27,12 +25,10 @@ class FrameStream {
   static constexpr std::size_t kLosslessTiles =
       160;  // at a time, so that nobody waits long for the next frame
 
-  // `video`: what moves is H.264 for the one whose link decides, where its page can show that.
-  explicit FrameStream(Send send, std::optional<VideoEncoder> video = std::nullopt)
-      : send_(std::move(send)), video_(video) {}
+  explicit FrameStream(Send send) : send_(std::move(send)) {}
 
-  void arrive(VisitorId visitor, bool shows_video = false);
-  void depart(VisitorId visitor);
+  void arrive(VisitorId visitor) { visitors_[visitor] = {}; }
+  void depart(VisitorId visitor) { visitors_.erase(visitor); }
   void refresh(VisitorId visitor);  // it has nothing any more
   // Whose link decides how good moving frames are; none: the first one's.
   void follow(std::optional<VisitorId> visitor) { leader_ = visitor; }
@@ -51,14 +47,11 @@ class FrameStream {
 
   // Since the last call; none when nothing was sent.
   std::optional<StreamStats> stats(double now);
-  // Why H.264 was given up; empty: it was not.
-  const std::string& video_failure() const { return video_.failure(); }
 
  private:
   struct Visitor {
     bool ready = true;
-    bool stale = false;  // what it has is not to be built upon
-    bool shows_video = false;
+    bool stale = false;       // what it has is not to be built upon
     std::uint32_t frame = 0;  // that it has or gets; 0: none
     double sent = 0;          // when
     std::size_t bytes = 0;    // of it
@@ -67,17 +60,12 @@ class FrameStream {
   void send_moving(VisitorId id, Visitor& visitor, double now);
   void send_lossless(VisitorId id, Visitor& visitor, double now);
   void begin_moving();
-  std::optional<EncodedFrame> video_frame(VisitorId id, const Visitor& visitor,
-                                          const std::vector<PixelRect>& rects, double now);
   void send(VisitorId id, Visitor& visitor, const EncodedFrame& frame, double now);
   FrameHead head() const;
   VisitorId leader() const;
 
   Send send_;
   FrameEncoder encoder_;
-  MovingVideo video_;
-  VisitorId video_visitor_ = 0;  // whose stream it is
-  bool video_sent_ = false;      // with the last moving frame of the one whose link decides
   Adaptation adaptation_;
   std::map<VisitorId, Visitor> visitors_;
   std::optional<VisitorId> leader_;

@@ -124,14 +124,12 @@ std::optional<Lobby::Seat> Lobby::enter(const message::Hello& hello, Access acce
                          {"scene", std::filesystem::path(options_.desk.scene).stem().string()},
                          {"visitors", here->roles.present()},
                          {"id", hello.id},
-                         {"session", name},  // what the page's requests name
-                         {"codec", options_.desk.video ? "h264" : "jpeg"}};
+                         {"session", name}};  // what the page's requests name
   if (access == Access::control && !options_.watch_token.empty()) welcome["watch"] = options_.watch_token;
   link->send_text(shared(welcome));
   if (controls && hello.dark && !std::exchange(here->dressed, true))
     here->desk->send(desk::Scheme{*hello.dark});
-  const bool shows_video = std::find(hello.codecs.begin(), hello.codecs.end(), "h264") != hello.codecs.end();
-  here->desk->send(desk::Arrive{arrival->id, shows_video});
+  here->desk->send(desk::Arrive{arrival->id});
   tell_roles(*here);
   return Seat{name, arrival->id};
 }

@@ -23,7 +23,6 @@
 #include "render/context/context.h"
 #include "render/context/window.h"
 #include "render/device/shared_context.h"
-#include "render/output/video_options.h"
 
 namespace pabd {
 
@@ -44,7 +43,6 @@ struct DeskOptions {
   std::shared_ptr<std::mutex> turn;
   bool play = false, pause_when_alone = false;
   int width = 1280, height = 720;
-  std::optional<VideoEncoder> video;  // of moving frames; none: JPEG
 };
 
 namespace desk {
@@ -57,7 +55,6 @@ using Reply = std::function<void(Answer)>;  // called once, in the desk's thread
 
 struct Arrive {
   VisitorId visitor = 0;
-  bool shows_video = false;  // its page decodes H.264
 };
 // What the page of the first who controls prefers.
 struct Scheme {

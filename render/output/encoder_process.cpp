@@ -24,6 +24,7 @@ namespace {
 constexpr int kPollMs = 50;
 constexpr int kLastReads = 1000;         // of what ffmpeg left in the pipes, each up to 4 KiB
 constexpr double kVersionPatience = 10;  // s
+constexpr const char* kOtherWay = "write PNG files: frames/{frame:04}.png";  // without ffmpeg
 
 [[noreturn]] void fail_system(const std::string& name, int reason) {
   throw Error(ErrorKind::encoder,
@@ -85,7 +86,7 @@ EncoderProcess::EncoderProcess(EncoderSetup setup) : setup_(std::move(setup)) {
   if (reason == ENOENT) {
     throw Error(ErrorKind::encoder,
                 fmt::format("{}: ffmpeg was not found in PATH; install it: apt-get install ffmpeg, or {}",
-                            setup_.name, setup_.way_out));
+                            setup_.name, kOtherWay));
   }
   if (reason != 0) fail_system(setup_.name, reason);
   // A frame should fit into few writes; being refused (a limit for users) only costs speed.
@@ -103,9 +104,7 @@ void EncoderProcess::listen() {
   LineSplitter progress([this](std::string_view line) {
     if (line.starts_with("frame=")) frames_ = std::strtol(std::string(line.substr(6)).c_str(), nullptr, 10);
   });
-  const auto hear = [&](std::string_view bytes) {
-    setup_.output ? setup_.output(bytes) : progress.append(bytes.data(), bytes.size());
-  };
+  const auto hear = [&](std::string_view bytes) { progress.append(bytes.data(), bytes.size()); };
   std::array<pollfd, 3> sources = {
       {{child_.output.get(), POLLIN, 0}, {child_.errors.get(), POLLIN, 0}, {over_read_.get(), POLLIN, 0}}};
   bool over = false;
@@ -188,7 +187,7 @@ void EncoderProcess::give_up() {
       ErrorKind::encoder,
       fmt::format("{}: ffmpeg made no progress for {:g} s and was ended{}; if it only needs longer, give "
                   "it more with --encoder-timeout, or {}",
-                  setup_.name, setup_.patience, said.empty() ? "" : ": " + said, setup_.way_out));
+                  setup_.name, setup_.patience, said.empty() ? "" : ": " + said, kOtherWay));
 }
 
 void EncoderProcess::fail(const std::string& what) {

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -20,9 +19,6 @@ struct EncoderSetup {
   std::filesystem::path file;          // that ffmpeg writes
   double patience = 60;                // seconds without any progress before it is ended
   std::vector<std::string> arguments;  // of ffmpeg; make it read pipe:0 and report "-progress pipe:1"
-  // What it writes to pipe:1, in another thread; then that is no report of its progress.
-  std::function<void(std::string_view bytes)> output = {};
-  std::string way_out = "write PNG files: frames/{frame:04}.png";  // what to do without it, for messages
 };
 
 // ffmpeg makes progress when it takes bytes, reports frames, or changes the file. It is only waited for in
@@ -44,11 +40,6 @@ class EncoderProcess {
   long finish();
   // The same; throws Error(encoder) too when it says another number of frames than `sent`, or none were.
   void finish_after(long sent);
-
-  bool has_ended() { return child_.has_ended(); }
-
-  double patience() const { return setup_.patience; }  // s
-  void set_patience(double seconds) { setup_.patience = seconds; }
 
  private:
   class Patience;

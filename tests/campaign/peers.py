@@ -64,7 +64,7 @@ class Server:
             link.close()
             return None
         message(link, json.dumps(hello or {"t": "hello", "token": self.token, "size": [320, 180], "scale": 1,
-                                           "codecs": ["jpeg", "png"], "id": os.urandom(8).hex()}).encode())
+                                           "id": os.urandom(8).hex()}).encode())
         return link
 
 

@@ -191,9 +191,7 @@ int WebSocketPage::until_close() {
 }
 
 nlohmann::json WebSocketPage::hello(const std::string& token, const std::string& id, int width, int height) {
-  return {
-      {"t", "hello"}, {"token", token}, {"size", {width, height}}, {"scale", 1}, {"codecs", {"jpeg", "png"}},
-      {"id", id}};
+  return {{"t", "hello"}, {"token", token}, {"size", {width, height}}, {"scale", 1}, {"id", id}};
 }
 
 RunningServer::RunningServer(const std::function<void(ServerOptions&, LobbyOptions&)>& change) {

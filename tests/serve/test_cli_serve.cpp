@@ -175,17 +175,4 @@ TEST_CASE("with a certificate it is https, and nothing else") {
   CHECK(served.end(SIGTERM).exit_code == 0);
 }
 
-TEST_CASE("--codec h264 without ffmpeg: exit code 6 and a line that says what to do") {
-  const CommandFolder empty;
-  Setting setting;
-  setting.environment = {{"PATH", empty.path().string()}};
-  const Outcome none = run_pabd({"serve", "two_boxes", "--port", "0", "--codec", "h264"}, setting);
-  CAPTURE(none.err);
-  CHECK(none.exit_code == 6);
-  CHECK(is_error_line(none.err, {"--codec h264", "ffmpeg", "apt-get install"}));
-  const Outcome word = run_pabd({"serve", "two_boxes", "--port", "0", "--codec", "av1"});
-  CHECK(word.exit_code == 2);
-  CHECK(is_error_line(word.err, {"--codec av1", "jpeg or h264"}));
-}
-
 }  // namespace pabd::test_cli_serve

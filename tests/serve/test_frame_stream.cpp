@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Frames for visitors: one on its way, the newest wins, only what changed, lossless when still. What is sent
-// is put together again as a page does, and compared with what was drawn. H.264 is decoded by ffmpeg.
+// is put together again as a page does, and compared with what was drawn.
 #include <turbojpeg.h>
 
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <map>
 #include <random>
-#include <thread>
 
 #include "app/serve/frame_stream.h"
 #include "render/output/png.h"
-#include "sim/base/child_process.h"
 #include "tests/support/files.h"
 #include "tests/support/temp_folder.h"
 
@@ -243,110 +241,6 @@ TEST_CASE("somebody who never reads holds nobody up") {
   v.stream.depart(2);
   v.stream.show(scene(300, 300), 0, 1, 10);
   CHECK_FALSE(v.stream.wants_frame());  // nothing is drawn for it alone
-}
-
-namespace {
-
-// The picture of the last unit of a stream.
-Image last_picture(const std::string& stream, int width, int height) {
-  const TempFolder folder;
-  write_bytes(folder / "a.h264", stream);
-  const ChildOutcome decoded =
-      run_child({"ffmpeg", "-loglevel", "error", "-i", folder / "a.h264", "-sws_flags",
-                 "accurate_rnd+full_chroma_int", "-f", "rawvideo", "-pix_fmt", "rgb24", folder / "a.rgb"},
-                60, [](std::string_view) {});
-  REQUIRE(decoded.status == 0);
-  const std::string raw = read_bytes(folder / "a.rgb");
-  const int even_width = width + width % 2, even_height = height + height % 2;
-  const std::size_t row = 3 * static_cast<std::size_t>(even_width);
-  const std::size_t size = row * static_cast<std::size_t>(even_height);
-  REQUIRE(raw.size() >= size);
-  REQUIRE(raw.size() % size == 0);
-  Image out;
-  out.resize(width, height);
-  for (int y = 0; y < height; ++y)
-    std::memcpy(&out.rgb[3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width)],
-                &raw[raw.size() - size + row * static_cast<std::size_t>(y)],
-                3 * static_cast<std::size_t>(width));
-  return out;
-}
-
-}  // namespace
-
-TEST_CASE("H.264 for the first visitor: one stream in order, anew after a loss, and at rest all is exact") {
-  const int width = 321, height = 203;
-  std::map<VisitorId, std::vector<EncodedFrame>> got;
-  FrameStream stream([&](VisitorId id, const EncodedFrame& frame) { got[id].push_back(frame); },
-                     VideoEncoder::software);
-  const auto head_of = [](const EncodedFrame& frame, std::size_t part = 0) {
-    return read_frame_head(*frame.parts.at(part));
-  };
-  stream.arrive(1, true);
-  stream.arrive(2, true);
-  stream.follow(1);
-  double now = 0;
-  int number = 0;
-  Image image;
-  const auto show_next = [&] {
-    now += 0.03;
-    image = scene(20 + ++number % 200, 30, width, height);
-    stream.show(image, 0, 1, now);
-    stream.deliver(now);
-    for (const VisitorId id : {1, 2}) stream.acknowledge(id, head_of(got[id].back()).frame, 1, now + 0.001);
-    return head_of(got[1].back()).kind;
-  };
-  const auto begin = [&] {
-    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-    while (show_next() != FrameHead::h264) {
-      REQUIRE(std::chrono::steady_clock::now() < patience);
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  };
-  // Twice: after a loss there is JPEG at once, then another stream.
-  for (int round = 0; round < 2; ++round) {
-    begin();
-    CHECK((head_of(got[1].back()).flags & FrameHead::kKey) != 0);
-    const std::size_t first = got[1].size() - 1;
-    for (int i = 0; i < 20; ++i) CHECK(show_next() == FrameHead::h264);
-    std::string units;
-    int keys = 0;
-    for (std::size_t i = first; i < got[1].size(); ++i) {
-      for (std::size_t k = 0; k < got[1][i].parts.size(); ++k) {
-        const FrameHead head = head_of(got[1][i], k);
-        REQUIRE(head.kind == FrameHead::h264);
-        CHECK(head.left == got[1][i].parts.size() - 1 - k);
-        CHECK(head.width == width);
-        keys += (head.flags & FrameHead::kKey) != 0;
-        units += got[1][i].parts[k]->substr(FrameHead::kBytes);
-      }
-    }
-    CHECK(keys == 1);
-    CHECK(mean_error(last_picture(units, width, height), image) < 3);
-    CHECK(stream.stats(now)->video);
-    stream.refresh(1);
-    CHECK(show_next() == FrameHead::jpeg);
-    CHECK(head_of(got[1].back()).w == width);
-    CHECK_FALSE(stream.stats(now + 0.01)->video);
-  }
-  for (const EncodedFrame& frame : got[2]) CHECK(head_of(frame).kind == FrameHead::jpeg);
-
-  // Only what H.264 changed is sent again without loss.
-  begin();
-  std::size_t from = got[1].size();
-  for (int i = 0; i < 20; ++i) {
-    now += 0.3;
-    stream.deliver(now);
-    stream.acknowledge(1, head_of(got[1].back()).frame, 1, now);
-  }
-  REQUIRE(got[1].size() > from);
-  CHECK_FALSE(stream.due());
-  show_next();
-  from = got[1].size();
-  now += 0.3;
-  stream.deliver(now);
-  REQUIRE(got[1].size() == from + 1);
-  CHECK(got[1].back().bytes < 4000);
-  CHECK(stream.video_failure().empty());
 }
 
 }  // namespace pabd::test_frame_stream

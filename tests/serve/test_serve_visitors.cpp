@@ -25,7 +25,6 @@ TEST_CASE("a page gets a frame, its input changes the simulation, and its stamp 
   const Json welcome = page.until_text("welcome");
   CHECK(welcome["role"] == "control");
   CHECK(welcome["scene"] == "two_boxes");
-  CHECK(welcome["codec"] == "jpeg");
   const Message first = page.until(is_frame);
   CHECK(first.head().kind == FrameHead::jpeg);
   CHECK(first.head().width == 640);

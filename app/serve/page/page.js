@@ -14,7 +14,6 @@ import { LARGEST_SCALE, LEAST_SCALE, MODIFIER, clamp, window_for } from "./proto
 import { Statistics } from "./statistics.js";
 import { toasts } from "./toasts.js";
 import { take_id, take_key } from "./token.js";
-import { video_works } from "./video.js";
 
 const NARROW = 480; // CSS pixels: the window's text becomes smaller there, as its panels have a least width
 const CURSORS = {
@@ -28,7 +27,6 @@ const CURSORS = {
 
 let key = take_key();
 const id = await take_id();
-const codecs = ["jpeg", "png", ...((await video_works()) ? ["h264"] : [])];
 
 const prefers_dark = () => !matchMedia("(prefers-color-scheme: light)").matches;
 
@@ -36,7 +34,7 @@ const canvas = by_id("picture");
 const toast = toasts(by_id("toasts"));
 const picture = new Picture(canvas);
 const statistics = new Statistics(by_id("readout"));
-const link = new Link(() => ({ token: key, size: window_size(), scale: window_scale(), codecs, id, dark: prefers_dark() }));
+const link = new Link(() => ({ token: key, size: window_size(), scale: window_scale(), id, dark: prefers_dark() }));
 const people = new People(link, toast);
 const input = (message) => {
   if (people.controls) link.input(message);
@@ -137,7 +135,6 @@ const on_message = {
     document.title = message.scene ? `${message.scene} – pabd` : "pabd";
     by_id("version").textContent = message.version ? `pabd ${message.version}` : "";
     files.session = message.session ?? "";
-    statistics.asked_for(message.codec, codecs.includes(message.codec));
     on_message.role(message);
     const mode = preferences.get("quality", "auto");
     const choice = document.querySelector(`#quality input[value="${CSS.escape(mode)}"]`);
@@ -147,7 +144,6 @@ const on_message = {
   },
   role(message) {
     people.told(message);
-    statistics.controls = people.controls;
     picture.asked_for(...(people.controls ? box.size : [0, 0]));
     by_id("pick").hidden = !people.controls;
     by_id("files-hint").hidden = !people.controls;

@@ -3,7 +3,6 @@
 // reported as shown. Frames are shown in the order in which they came.
 
 import { parse_frame } from "./protocol.js";
-import { VideoPart } from "./video.js";
 
 const same_shape = (w, h, W, H) => Math.abs(w * H - W * h) <= 2 * (W + H); // a reduced frame's sizes are rounded
 
@@ -13,7 +12,6 @@ export class Picture {
   #parts = []; // of the frame that is still coming
   #first_at = 0;
   #queue = Promise.resolve();
-  #video = null;
   #life = 0; // a new connection begins anew
   #asked = [0, 0]; // pixels of the window that the server was asked for
 
@@ -40,8 +38,6 @@ export class Picture {
     this.#life += 1;
     this.#parts = [];
     this.#queue = Promise.resolve();
-    this.#video?.close();
-    this.#video = null;
   }
 
   add(buffer) {
@@ -53,9 +49,7 @@ export class Picture {
     }
     if (this.#parts.length > 0 && this.#parts[0].frame !== part.frame) this.#parts = [];
     if (this.#parts.length === 0) this.#first_at = now;
-    // H.264 has one picture for several rectangles: those that bring none are cut out of the one before.
-    const shared = part.codec === "h264" && part.payload.length === 0;
-    part.image = shared ? (this.#parts.at(-1)?.image ?? Promise.resolve(null)) : this.#decode(part).catch(() => null);
+    part.image = this.#decode(part).catch(() => null);
     this.#parts.push(part);
     if (!part.last) return;
     const parts = this.#parts;
@@ -66,10 +60,6 @@ export class Picture {
   }
 
   #decode(part) {
-    if (part.codec === "h264") {
-      this.#video ??= new VideoPart();
-      return this.#video.decode(part);
-    }
     const blob = new Blob([part.payload], { type: "image/" + part.codec });
     return createImageBitmap(blob, { colorSpaceConversion: "none", premultiplyAlpha: "none" });
   }
@@ -79,7 +69,7 @@ export class Picture {
     const decoded = performance.now();
     await new Promise(requestAnimationFrame);
     if (life !== this.#life) {
-      for (const image of new Set(images)) image?.close();
+      for (const image of images) image?.close();
       return;
     }
     const whole = parts[parts.length - 1];
@@ -95,10 +85,9 @@ export class Picture {
         return;
       }
       this.#context.imageSmoothingEnabled = sx !== 1 || sy !== 1;
-      const [x, y] = part.codec === "h264" ? [part.x, part.y] : [0, 0]; // a video shows the whole window
-      this.#context.drawImage(image, x, y, part.w, part.h, part.x * sx, part.y * sy, part.w * sx, part.h * sy);
+      this.#context.drawImage(image, part.x * sx, part.y * sy, part.w * sx, part.h * sy);
     });
-    for (const image of new Set(images)) image?.close();
+    for (const image of images) image?.close();
     this.has_picture = true;
     this.on_shown({
       ...whole,

@@ -3,7 +3,7 @@
 
 export const SUBPROTOCOL = "pabd.1";
 export const HEADER_BYTES = 32;
-export const CODECS = { 1: "jpeg", 2: "png", 3: "h264" };
+export const CODECS = { 1: "jpeg", 2: "png" };
 export const MODIFIER = { ctrl: 1, shift: 2, alt: 4, meta: 8 };
 const LEAST = [320, 240]; // pixels of a window
 const MOST_SIDE = 4096;
@@ -48,7 +48,6 @@ export function parse_frame(buffer) {
     codec,
     last: (flags & 1) !== 0,
     lossless: (flags & 2) !== 0,
-    key: (flags & 4) !== 0,
     left: view.getUint16(2, true),
     frame: view.getUint32(4, true),
     x: view.getUint16(8, true),
@@ -63,7 +62,7 @@ export function parse_frame(buffer) {
     bytes: buffer.byteLength,
     payload: new Uint8Array(buffer, HEADER_BYTES),
   };
-  if (part.payload.length === 0 && codec !== "h264") return null;
+  if (part.payload.length === 0) return null;
   const inside = part.w > 0 && part.h > 0 && part.x + part.w <= part.W && part.y + part.h <= part.H;
   return inside ? part : null;
 }

@@ -25,9 +25,6 @@ export class Statistics {
   #last = null;
   #moving = null; // the codec of the last frame that was not lossless
   #readout;
-  #asked = { codec: "jpeg", here: true }; // what the server was started with; whether this browser shows it
-
-  controls = true; // what moves is H.264 for nobody else
 
   constructor(readout) {
     this.#readout = readout;
@@ -42,18 +39,6 @@ export class Statistics {
     this.#latencies.push(latency);
     this.#second_latencies.push(latency);
     if (this.#latencies.length > LATENCIES) this.#latencies.shift();
-  }
-
-  asked_for(codec = "jpeg", here = true) {
-    this.#asked = { codec, here };
-  }
-
-  // Why what moves is JPEG although H.264 was asked for; "" when it is not so.
-  get #no_video() {
-    if (this.#asked.codec !== "h264") return "";
-    if (!this.#asked.here) return globalThis.isSecureContext ? "this browser has no H.264" : "H.264 wants https or localhost";
-    if (this.#server.no_video) return this.#server.no_video;
-    return this.controls ? "" : "H.264 is for who controls";
   }
 
   told(stats) {
@@ -113,10 +98,8 @@ export class Statistics {
     set("encode", Number.isFinite(n.encode) ? short(n.encode) + " ms" : SILENT);
     set("decode", Number.isFinite(n.decode) ? short(n.decode) + " ms" : SILENT);
     set("rtt", short(rtt) + " ms");
-    const name = (this.#moving ?? "").toUpperCase().replace("H264", "H.264");
+    const name = (this.#moving ?? "").toUpperCase();
     set("codec", last?.lossless ? "PNG, lossless" : name + (quality ? `, quality ${Math.round(quality)}` : ""));
-    set("no-video", this.#no_video);
-    by_id("stat-no-video").hidden = this.#no_video === "";
     set("size", last ? `${last.W} × ${last.H}` + (scale < 1 && !last.lossless ? `, ${Math.round(100 * scale)} %` : "") : SILENT);
     sparkline(by_id("spark-fps"), this.#history.fps, 30);
     sparkline(by_id("spark-latency"), this.#history.latency, 50);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a link bears: node measure.mjs LINK [seconds] [codec], after run.sh has installed the packages. A client that
+// What a link bears: node measure.mjs LINK [seconds], after run.sh has installed the packages. A client that
 // shows nothing and acknowledges at once moves the pointer, plays the scene, and prints the table of app/serve/README.md.
 // No test: times depend on the machine.
 import { join } from "node:path";
@@ -7,9 +7,9 @@ import { createRequire } from "node:module";
 
 import { parse_frame } from "../../../app/serve/page/protocol.js";
 
-const [link, seconds = "15", codec = "jpeg"] = process.argv.slice(2);
+const [link, seconds = "15"] = process.argv.slice(2);
 if (!link || !process.env.PABD_BROWSER_WORK) {
-  console.error("PABD_BROWSER_WORK=FOLDER node measure.mjs LINK [seconds] [jpeg|h264]");
+  console.error("PABD_BROWSER_WORK=FOLDER node measure.mjs LINK [seconds]");
   process.exit(2);
 }
 const { WebSocket } = createRequire(join(process.env.PABD_BROWSER_WORK, "package.json"))("ws");
@@ -25,7 +25,7 @@ const say = (message) => socket.send(JSON.stringify(message));
 const now = () => performance.now();
 
 const sent = new Map(); // stamp -> when
-const seen = { latency: [], draw: [], encode: [], frames: 0, bytes: 0, video: 0 };
+const seen = { latency: [], draw: [], encode: [], frames: 0, bytes: 0 };
 let stamp = 0;
 let from = Infinity; // the first seconds do not count
 
@@ -36,7 +36,6 @@ function hear(part) {
   seen.bytes += part.bytes;
   if (!part.last) return;
   seen.frames += 1;
-  seen.video += part.codec === "h264";
   seen.draw.push(part.draw_ms);
   seen.encode.push(part.encode_ms);
   for (const [known, when] of sent) {
@@ -54,7 +53,7 @@ socket.on("error", (error) => {
   process.exit(1);
 });
 socket.on("open", () => {
-  say({ t: "hello", token, id: "6d65617375726521", size: SIZE, scale: 1, codecs: ["jpeg", "png", ...(codec === "h264" ? ["h264"] : [])] });
+  say({ t: "hello", token, id: "6d65617375726521", size: SIZE, scale: 1 });
   const play = [{ do: "play" }];
   setTimeout(() => say({ t: "script", actions: play }), 1000);
   setTimeout(() => (from = now()), 4000);
@@ -67,7 +66,7 @@ socket.on("open", () => {
   setTimeout(
     () => {
       const span = (now() - from) / 1000;
-      console.log(`frames a second       ${(seen.frames / span).toFixed(1)}, of them H.264 ${seen.video}`);
+      console.log(`frames a second       ${(seen.frames / span).toFixed(1)}`);
       console.log(`input to its frame    ${both(seen.latency)} (p50, p99 of ${seen.latency.length})`);
       console.log(`drawing a frame       ${both(seen.draw)}`);
       console.log(`encoding a frame      ${both(seen.encode)}`);

@@ -103,7 +103,7 @@ page_test("statistics: latency from input to picture, bytes, times", {}, async (
   assert.equal(await text("encode"), "4.2 ms");
   assert.match(await text("frame"), /^[\d.]+ kB$/);
   assert.match(await text("rtt"), /^[\d.]+ ms$/);
-  mock.send({ t: "stats", fps: 30, quality: 80, scale: 0.5, codec: "jpeg" });
+  mock.send({ t: "stats", fps: 30, quality: 80, scale: 0.5 });
   await page.waitForFunction(() => document.getElementById("stat-codec").textContent === "PNG, quality 80"); // as it came
   await page.click("#quality label:has-text('Fine')");
   await mock.wait("quality", (m) => m.t === "quality" && m.mode === "fine");

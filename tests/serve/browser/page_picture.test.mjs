@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The page against a server that only speaks the protocol: the picture: frames, sizes, H.264, full screen.
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
 
 import { BLUE, GREEN, RED, page_test, settled } from "./page_support.mjs";
 import { canvas_size, pixel, shown_frame, stage, until, wait_frame } from "./support.mjs";
@@ -79,22 +78,4 @@ page_test("full screen hides the bar, and its edge brings it back", {}, async (p
   await until("the bar is back", seen);
   await page.click("#full");
   await page.waitForFunction(() => document.fullscreenElement === null);
-});
-
-page_test("H.264 by WebCodecs, where the browser has it", {}, async (page, mock) => {
-  const able = await page.evaluate(async () => {
-    if (typeof VideoDecoder === "undefined") return false;
-    return (await VideoDecoder.isConfigSupported({ codec: "avc1.42C028" })).supported;
-  });
-  assert.equal(mock.hellos[0].codecs.includes("h264"), able);
-  const [w, h] = [320, 192];
-  const source = ["-f", "lavfi", "-i", `color=c=red:s=${w}x${h}:r=1`, "-frames:v", "1"];
-  const coder = ["-c:v", "libx264", "-profile:v", "baseline", "-tune", "zerolatency", "-f", "h264", "-"];
-  const unit = spawnSync("ffmpeg", ["-v", "error", ...source, ...coder], { maxBuffer: 1 << 24 }).stdout;
-  assert.ok(unit?.length > 100, "ffmpeg made an access unit");
-  if (!able) return assert.equal(await shown_frame(page), 1);
-  const video = { at: [0, 0], size: [w, h], kind: 3, flags: 4, payload: unit };
-  await wait_frame(page, mock.frame({ rectangles: [video], whole: [w, h] }));
-  const [r, g, b] = await pixel(page, 100, 100);
-  assert.ok(r > 200 && g < 60 && b < 60, `${r}, ${g}, ${b}`);
 });

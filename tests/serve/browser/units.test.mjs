@@ -11,7 +11,6 @@ const { Gestures } = await page_module("gestures.js");
 const { parse_frame, window_for } = await page_module("protocol.js");
 const { quantile } = await page_module("statistics.js");
 const { notches } = await page_module("pointer.js");
-const { codec_of } = await page_module("video.js");
 const { key_in } = await page_module("token.js");
 
 const pressed = (key, code, more = {}) => ({ key, code, getModifierState: () => false, ...more });
@@ -193,8 +192,8 @@ test("the head of a frame is read as it is written", () => {
   });
   const buffer = message.buffer.slice(message.byteOffset, message.byteOffset + message.length);
   const part = parse_frame(buffer);
-  const { codec, last, lossless, key, left, frame, x, y, w, h, W, H, stamp, draw_ms, encode_ms, bytes } = part;
-  assert.deepEqual([codec, last, lossless, key, left, frame], ["jpeg", true, false, true, 2, 4000000000]);
+  const { codec, last, lossless, left, frame, x, y, w, h, W, H, stamp, draw_ms, encode_ms, bytes } = part;
+  assert.deepEqual([codec, last, lossless, left, frame], ["jpeg", true, false, 2, 4000000000]);
   assert.deepEqual([x, y, w, h, W, H, stamp, draw_ms, encode_ms, bytes], [64, 128, 320, 200, 1280, 720, 77, 7.1, 4.2, 35]);
   assert.deepEqual([...part.payload], [1, 2, 3]);
   assert.equal(parse_frame(buffer.slice(0, 32)), null, "no payload");
@@ -219,11 +218,6 @@ test("quantiles are values that were measured", () => {
   assert.equal(quantile(values, 0.5), 51);
   assert.equal(quantile(values, 0.99), 100);
   assert.ok(Number.isNaN(quantile([], 0.5)));
-});
-
-test("the codec's name comes from the sequence parameters", () => {
-  assert.equal(codec_of(Uint8Array.from([0, 0, 0, 1, 9, 16, 0, 0, 0, 1, 0x67, 0x42, 0xc0, 0x1f, 0x8c])), "avc1.42C01F");
-  assert.equal(codec_of(Uint8Array.from([0, 0, 0, 1, 0x41, 0x9a, 0, 0])), "");
 });
 
 test("a key is found in what people paste", () => {
