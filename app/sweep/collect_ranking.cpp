@@ -37,10 +37,11 @@ struct Measured {
   double size;
 };
 
-std::vector<Measured> sorted(const Criterion& criterion) {
+// Of the acceptable tasks.
+std::vector<Measured> sorted(const CollectedSweep& sweep, const Criterion& criterion) {
   std::vector<Measured> out;
   for (std::size_t i = 0; i < criterion.sizes.size(); ++i) {
-    if (criterion.sizes[i]) out.push_back({i, *criterion.sizes[i]});
+    if (criterion.sizes[i] && sweep.tasks[i].faults.empty()) out.push_back({i, *criterion.sizes[i]});
   }
   std::stable_sort(out.begin(), out.end(),
                    [](const Measured& a, const Measured& b) { return a.size < b.size; });
@@ -55,9 +56,13 @@ double median(const std::vector<Measured>& sorted) {
 
 // "Least penetration: …".
 std::string best_sentence(const CollectedSweep& sweep, const Criterion& criterion) {
-  const std::vector<Measured> all = sorted(criterion);
+  const std::vector<Measured> all = sorted(sweep, criterion);
   const std::string& name = criterion.quantity.words;
-  if (all.empty()) return fmt::format("No task tells its {}.", name);
+  if (all.empty()) {
+    const bool told = std::any_of(criterion.sizes.begin(), criterion.sizes.end(),
+                                  [](const auto& size) { return size.has_value(); });
+    return fmt::format("No {}task tells its {}.", told ? "acceptable " : "", name);
+  }
   const auto words = [&](double size) { return in_words(size, criterion.quantity.unit); };
   const double least = all.front().size, most = all.back().size;
   if (least == most) {

@@ -42,7 +42,7 @@ struct Ranking {
   std::vector<Ranked> front;         // by sum of ranks, then index
   std::size_t compared = 0;          // tasks that are done, acceptable, and have every criterion that counts
   std::size_t unacceptable = 0;      // tasks that are done, and nobody would take (acceptance.h)
-  std::vector<std::string> sentences;  // rich text: one a criterion, then the whole
+  std::vector<std::string> sentences;  // rich text: one a criterion, of the acceptable tasks, then the whole
 };
 
 Ranking rank(const CollectedSweep& sweep);

@@ -90,7 +90,7 @@ TEST_CASE("the ranking says which is best in what, and why") {
   CHECK(plot.series[1].y == std::vector<double>{0.004, 0.003, 0.001});
 }
 
-TEST_CASE("what nobody would take is never the best, and noise decides nothing") {
+TEST_CASE("what nobody would take is best in nothing, and noise decides nothing") {
   // task   penetration   time a step      the fastest and the one with least penetration are of no use
   //   0    1.22          0.001 ms
   //   1    0.002         0.0204 ms
@@ -116,6 +116,9 @@ TEST_CASE("what nobody would take is never the best, and noise decides nothing")
   CHECK(ranking.front[0].task == 1);
   CHECK(ranking.front[0].ranks == std::vector<std::size_t>{1, 1});
   CHECK(ranking.front[1].ranks == std::vector<std::size_t>{1, 1});
+  CHECK(ranking.sentences[0] == "All 2 tasks have the same penetration, 0.002 m.");
+  CHECK_THAT(ranking.sentences[1], Catch::StartsWith("Least time a step: task 2 (κ = 3 J) with 0.0201 ms") &&
+                                       Catch::EndsWith("the most is 0.0204 ms of task 1."));
   CHECK_THAT(ranking.sentences.back(), Catch::StartsWith("On the whole task 1 (κ = 2 J) is best") &&
                                            Catch::EndsWith("2 are not compared: the column \"why\" says what "
                                                            "makes them unacceptable."));
@@ -125,6 +128,8 @@ TEST_CASE("what nobody would take is never the best, and noise decides nothing")
   add(hopeless, 3, "7 of 60 steps end unsolved");
   const Ranking none = rank(collect_sweep(hopeless.path()));
   CHECK(none.front.empty());
+  CHECK(none.sentences[0] == "No acceptable task tells its penetration.");
+  CHECK(none.sentences[1] == "No acceptable task tells its time a step.");
   CHECK(none.sentences.back() == "None is acceptable: of task 0 (κ = 1 J), bodies overlap by 1.22 m.");
 }
 
