@@ -138,13 +138,12 @@ void add_options(CLI::App& command, SweepOptions& options) {
                 "of --list: a JSON object a line, with the hash that names its folder")
       ->needs(list)
       ->group(group::kOutput);
-  std::vector<std::string> engines(job_engines().begin(), job_engines().end());
   command
       .add_option("--emit", options.engine,
                   "write the file with which slurm, parallel, mpi or snakemake runs the sweep into the "
                   "folder, and leave")
       ->type_name("ENGINE")
-      ->check(CLI::IsMember(engines))
+      ->check(CLI::IsMember(job_engines()))
       ->excludes(list)
       ->group(group::kOutput);
   command

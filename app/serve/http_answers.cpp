@@ -38,8 +38,12 @@ TextAnswer json_answer(const Shared& shared, int status, const nlohmann::ordered
                      json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-TextAnswer page_answer(const Shared& shared, const PageFile& file) {
-  return text_answer(shared, 200, std::string(file.type), std::string(file.bytes));
+TextAnswer page_answer(const Shared& shared, const std::string& name) {
+  const char* const type = name.ends_with(".html")  ? "text/html; charset=utf-8"
+                           : name.ends_with(".css") ? "text/css; charset=utf-8"
+                           : name.ends_with(".js")  ? "text/javascript; charset=utf-8"
+                                                    : "image/svg+xml";
+  return text_answer(shared, 200, type, std::string(page_file(name)));
 }
 
 }  // namespace pabd::net

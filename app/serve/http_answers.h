@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/serve/net.h"
-#include "app/serve/page_files.h"
 
 namespace pabd::net {
 
@@ -16,6 +15,6 @@ void set_headers(const Shared& shared, http::fields& answer);
 using TextAnswer = http::response<http::string_body>;
 TextAnswer text_answer(const Shared& shared, int status, const std::string& type, std::string body);
 TextAnswer json_answer(const Shared& shared, int status, const nlohmann::ordered_json& json);
-TextAnswer page_answer(const Shared& shared, const PageFile& file);
+TextAnswer page_answer(const Shared& shared, const std::string& name);  // of a file of the page
 
 }  // namespace pabd::net

@@ -8,7 +8,6 @@
 #include "app/serve/event_stream.h"
 #include "app/serve/http_answers.h"
 #include "app/serve/net.h"
-#include "app/serve/page_files.h"
 #include "app/workbench/file_root.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
@@ -86,7 +85,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void act(const Route& route) {
     switch (route.endpoint) {
       case Endpoint::page:
-        return send(page_answer(shared_, *find_page_file(route.name)));
+        return send(page_answer(shared_, route.name));
       case Endpoint::socket:
         stream_.expires_never();
         return serve_socket(shared_, std::move(stream_), parser_->release(), std::move(place_));

@@ -4,7 +4,6 @@
 
 #include <charconv>
 
-#include "app/serve/page_files.h"
 #include "app/workbench/file_root.h"
 #include "sim/base/utf8.h"
 
@@ -80,7 +79,7 @@ Route find(const HttpRequest& request, std::string_view path, std::string_view q
     return at(get ? Endpoint::read_file : Endpoint::write_file, *name);
   }
   const std::string_view file = path == "/" ? "index.html" : path.substr(1);
-  if (!find_page_file(file)) return refuse(404, "there is no such page");
+  if (!page_file(file).data()) return refuse(404, "there is no such page");
   return only_get(at(Endpoint::page, std::string(file)));
 }
 

@@ -37,6 +37,9 @@ struct Route {
 
 Route find_route(const HttpRequest& request, const Gate& gate, const AccessTokens& tokens);
 
+// The bytes of a file of the page, which is part of the program; without data: there is none of that name.
+std::string_view page_file(std::string_view name);
+
 // "%20" → " "; none for what is not well-formed.
 std::optional<std::string> percent_decoded(std::string_view text);
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +11,7 @@
 
 namespace pabd {
 
-std::span<const std::string_view> job_engines();  // "slurm", "parallel", "mpi", "snakemake"
+std::vector<std::string> job_engines();  // "slurm", "parallel", "mpi", "snakemake"
 
 struct JobSetting {
   std::filesystem::path program, folder;  // whole paths
