@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "sim/body/model.h"
 #include "sim/body/shape.h"
@@ -65,27 +64,6 @@ std::string Acceptance::faults() const {
       fmt::format("{} of {} steps end unsolved", unsolved_, steps_));
   add(crowded_ > 0, fmt::format("in {} steps a crowd is looked at in part only", crowded_));
   return out;
-}
-
-nlohmann::ordered_json Acceptance::to_json() const {
-  return {{"overlap", overlap_},       {"joint_error", joint_error_}, {"gained", gained_},
-          {"moved", moved_},           {"start", potential_start_},   {"whole", whole_},
-          {"pressed_in", pressed_in_}, {"lifted", lifted_},           {"steps", steps_},
-          {"unsolved", unsolved_},     {"crowded", crowded_}};
-}
-
-void Acceptance::take_up(const nlohmann::json& json) {
-  overlap_ = json.at("overlap").get<double>();
-  joint_error_ = json.at("joint_error").get<double>();
-  gained_ = json.at("gained").get<double>();
-  moved_ = json.at("moved").get<double>();
-  potential_start_ = json.at("start").get<double>();
-  lifted_ = json.at("lifted").get<double>();
-  whole_ = json.at("whole").get<double>();
-  pressed_in_ = json.at("pressed_in").get<double>();
-  steps_ = json.at("steps").get<std::int64_t>();
-  unsolved_ = json.at("unsolved").get<std::int64_t>();
-  crowded_ = json.at("crowded").get<std::int64_t>();
 }
 
 }  // namespace pabd

@@ -2,7 +2,7 @@
 // What makes a run one that nobody would take, whatever its metrics: it is told, and is never "best".
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "sim/solver/report.h"
@@ -22,9 +22,9 @@ class Acceptance {
   // "bodies overlap by 1.22 m, more than a tenth of the smallest (0.05 m)", with ", " between; empty: acceptable.
   std::string faults() const;
 
-  // Reading gives the same bits. Throws nlohmann's exceptions for what was not written by it.
-  nlohmann::ordered_json to_json() const;
-  void take_up(const nlohmann::json& json);
+  // What was added, as JSON; reading gives the same bits.
+  NLOHMANN_DEFINE_TYPE_INTRUSIVE(Acceptance, overlap_, joint_error_, gained_, pressed_in_, lifted_, moved_,
+                                 potential_start_, whole_, steps_, unsolved_, crowded_)
 
  private:
   double size_;  // inner radius of the smallest movable body; m

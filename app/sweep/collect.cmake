@@ -11,7 +11,8 @@ add_library(pabd_sweep_collect STATIC
   collect_sheet.cpp
   collect_sweep.cpp
   collect_table.cpp
-  collect_write.cpp)
-target_link_libraries(pabd_sweep_collect PUBLIC pabd_base pabd_plot pabd_output pabd_flags
-  PRIVATE pabd_scene pabd_solver pabd_visual nlohmann_json::nlohmann_json fmt::fmt)
+  collect_write.cpp
+  metrics.cpp)
+target_link_libraries(pabd_sweep_collect PUBLIC pabd_base pabd_plot pabd_output pabd_trace pabd_flags nlohmann_json::nlohmann_json
+  PRIVATE pabd_scene pabd_solver pabd_visual fmt::fmt)
 target_compile_definitions(pabd_sweep_collect PRIVATE PABD_VERSION="${PROJECT_VERSION}")

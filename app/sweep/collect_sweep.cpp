@@ -11,6 +11,7 @@
 
 #include "app/plots/axis_ticks.h"
 #include "app/sweep/collect_read.h"
+#include "app/sweep/metrics.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
@@ -24,15 +25,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kNamed = 12;  // tasks that a note names one by one
 constexpr std::string_view kProgram = "pabd " PABD_VERSION;
 
-struct Known {
-  std::string_view key, words, unit;
-};
-// The metrics that sweeps know themselves; others are JSON pointers of a report and have no unit.
-constexpr std::array kMetrics = {
-    Known{"penetration", "penetration", "m"},   Known{"drift", "joint drift", "m"},
-    Known{"energy_error", "energy error", "J"}, Known{"iterations", "iterations a step", ""},
-    Known{"step_time", "time a step", "ms"},    Known{"distance", "distance to the reference", "m"}};
-
 SweptQuantity parameter_named(const std::string& key) {
   const ParameterRow* row = find_parameter(key);
   if (!row) return {key, key, key, ""};
@@ -44,11 +36,10 @@ SweptQuantity metric_named(const std::string& key, const ReadPlan& plan) {
   const auto planned =
       std::find_if(plan.metrics.begin(), plan.metrics.end(), [&](const auto& m) { return m.name == key; });
   const std::string& is = planned == plan.metrics.end() ? key : planned->known;
-  const auto known =
-      std::find_if(kMetrics.begin(), kMetrics.end(), [&](const Known& k) { return k.key == is; });
-  if (known == kMetrics.end()) return {key, key, key, ""};
-  const std::string words = is == key ? std::string(known->words) : key;
-  return {key, words, words, std::string(known->unit)};
+  const SweepMetric* known = find_metric(is);
+  if (!known) return {key, key, key, ""};
+  const std::string words = is == key ? known->words : key;
+  return {key, words, words, known->unit};
 }
 
 bool is_hash(std::string_view name) {

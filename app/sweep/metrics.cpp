@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace pabd {
 
@@ -15,13 +14,16 @@ std::span<const std::string_view> take_words() {
 }
 
 std::span<const SweepMetric> built_in_metrics() {
+  using Kind = MetricKind;
   static const std::array kMetrics = {
-      SweepMetric{"penetration", MetricKind::number, find_step_number("/max_penetration"), Take::max},
-      SweepMetric{"drift", MetricKind::drift, nullptr, Take::max},
-      SweepMetric{"energy_error", MetricKind::energy_error, nullptr, Take::max},
-      SweepMetric{"iterations", MetricKind::number, find_step_number("/iterations"), Take::mean},
-      SweepMetric{"step_time", MetricKind::step_time, nullptr, Take::mean},
-      SweepMetric{"distance", MetricKind::distance, nullptr, Take::end}};
+      SweepMetric{"penetration", "penetration", "m", Kind::number, find_step_number("/max_penetration"),
+                  Take::max},
+      SweepMetric{"drift", "joint drift", "m", Kind::drift, nullptr, Take::max},
+      SweepMetric{"energy_error", "energy error", "J", Kind::energy_error, nullptr, Take::max},
+      SweepMetric{"iterations", "iterations a step", "", Kind::number, find_step_number("/iterations"),
+                  Take::mean},
+      SweepMetric{"step_time", "time a step", "ms", Kind::step_time, nullptr, Take::mean},
+      SweepMetric{"distance", "distance to the reference", "m", Kind::distance, nullptr, Take::end}};
   return kMetrics;
 }
 
@@ -54,8 +56,9 @@ std::optional<double> measured(const SweepMetric& metric, const StepMeasures& st
 }
 
 void Taken::add(const std::optional<double>& value) {
-  end_ = value;
+  has_end_ = value.has_value();
   if (!value) return;
+  end_ = *value;
   max_ = count_ > 0 ? std::max(max_, *value) : *value;
   min_ = count_ > 0 ? std::min(min_, *value) : *value;
   sum_ += *value;
@@ -63,34 +66,20 @@ void Taken::add(const std::optional<double>& value) {
 }
 
 std::optional<double> Taken::value(Take take) const {
-  if (take == Take::end) return end_;
-  if (count_ == 0) return std::nullopt;
+  if (take == Take::end ? !has_end_ : count_ == 0) return std::nullopt;
   switch (take) {
+    case Take::end:
+      return end_;
     case Take::max:
       return max_;
     case Take::min:
       return min_;
     case Take::sum:
       return sum_;
-    default:
-      return sum_ / static_cast<double>(count_);
+    case Take::mean:
+      break;
   }
-}
-
-nlohmann::ordered_json Taken::to_json() const {
-  nlohmann::ordered_json json = {{"max", max_}, {"min", min_}, {"sum", sum_}, {"count", count_}};
-  if (end_) json["end"] = *end_;
-  return json;
-}
-
-Taken Taken::from_json(const nlohmann::json& json) {
-  Taken taken;
-  taken.max_ = json.at("max").get<double>();
-  taken.min_ = json.at("min").get<double>();
-  taken.sum_ = json.at("sum").get<double>();
-  taken.count_ = json.at("count").get<std::int64_t>();
-  if (json.contains("end")) taken.end_ = json.at("end").get<double>();
-  return taken;
+  return sum_ / static_cast<double>(count_);
 }
 
 }  // namespace pabd

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,7 +20,7 @@ std::span<const std::string_view> take_words();  // in the order of Take
 enum class MetricKind : std::uint8_t { number, drift, energy_error, step_time, distance };
 
 struct SweepMetric {
-  std::string name;
+  std::string name, words, unit;  // of a number of the report neither words nor unit
   MetricKind kind = MetricKind::number;
   const StepNumber* number = nullptr;  // of kind `number`
   Take take = Take::end;
@@ -47,13 +47,12 @@ class Taken {
   void add(const std::optional<double>& value);
   std::optional<double> value(Take take) const;  // empty: there is none
 
-  // Reading gives the same bits. Throws nlohmann's exceptions for what was not written by it.
-  nlohmann::ordered_json to_json() const;
-  static Taken from_json(const nlohmann::json& json);
+  // As JSON; reading gives the same bits.
+  NLOHMANN_DEFINE_TYPE_INTRUSIVE(Taken, has_end_, end_, max_, min_, sum_, count_)
 
  private:
-  std::optional<double> end_;
-  double max_ = 0, min_ = 0, sum_ = 0;
+  bool has_end_ = false;
+  double end_ = 0, max_ = 0, min_ = 0, sum_ = 0;
   std::int64_t count_ = 0;
 };
 

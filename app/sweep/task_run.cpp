@@ -33,16 +33,23 @@ double seconds_since(Clock::time_point start) {
 
 double energy_of(const StepSummary& s) { return s.kinetic + s.potential + s.elastic; }
 
+// What a run came to, beside its state.
+struct SoFar {
+  std::int64_t steps = 0;
+  double seconds = 0, work = 0;  // wall clock; J, of drives
+  Taken times;                   // ms
+  std::vector<Taken> taken;      // one a metric
+  double since = -1;             // when what ends the run began to hold, s; before 0: it does not
+  NLOHMANN_DEFINE_TYPE_INTRUSIVE(SoFar, steps, seconds, work, times, taken, since)
+};
+
 // A run that can be left and taken up again.
 class TaskRun {
  public:
   TaskRun(const SweepPlan& plan, const SweepTask& task, std::shared_ptr<const Scene> scene,
           const TaskOptions& options)
-      : plan_(plan),
-        task_(task),
-        session_(std::move(scene), options.threads),
-        acceptance_(session_.model()),
-        taken_(plan.metrics.size()) {
+      : plan_(plan), task_(task), session_(std::move(scene), options.threads), acceptance_(session_.model()) {
+    so_far_.taken.resize(plan.metrics.size());
     session_.stop_when(options.stop);
     const Scene& own = session_.scene();
     const double time = plan.stop.time.value_or(own.duration.value_or(kDuration));
@@ -57,7 +64,7 @@ class TaskRun {
                               reference_->model().size(), session_.model().size()));
   }
 
-  bool is_over() const { return diverged_ || held_ || steps_ >= last_; }
+  bool is_over() const { return diverged_ || held_ || so_far_.steps >= last_; }
 
   // False: it was stopped on the way, and is as before.
   bool step() {
@@ -70,9 +77,9 @@ class TaskRun {
       diverged_ = true;
       return true;
     }
-    ++steps_;
-    seconds_ += 1e-3 * ms;
-    times_.add(ms);
+    ++so_far_.steps;
+    so_far_.seconds += 1e-3 * ms;
+    so_far_.times.add(ms);
     measure(report, ms);
     watch(report);
     return true;
@@ -85,18 +92,19 @@ class TaskRun {
     if (!diverged_)
       out.faults = acceptance_.faults();
     else
-      out.why = fmt::format("the state left all bounds at step {} (t = {:.6g} s)", steps_ + 1,
+      out.why = fmt::format("the state left all bounds at step {} (t = {:.6g} s)", so_far_.steps + 1,
                             session_.state().time + session_.params().h);
-    for (std::size_t i = 0; i < taken_.size(); ++i) {
+    for (std::size_t i = 0; i < so_far_.taken.size(); ++i) {
       const SweepMetric& metric = plan_.metrics[i];
-      const auto value = taken_[i].value(metric.take);
+      const auto value = so_far_.taken[i].value(metric.take);
       auto& place = metric.kind == MetricKind::step_time ? out.times : out.metrics;
       place[metric.name] = value ? OrderedJson(*value) : OrderedJson();
     }
-    if (!out.times.contains("step_time")) out.times["step_time"] = times_.value(Take::mean).value_or(0);
-    out.step = steps_;
+    if (!out.times.contains("step_time"))
+      out.times["step_time"] = so_far_.times.value(Take::mean).value_or(0);
+    out.step = so_far_.steps;
     out.time = session_.state().time;
-    out.seconds = seconds_;
+    out.seconds = so_far_.seconds;
     out.scene = session_.shared_scene();
     out.end = session_.state();
     return out;
@@ -104,17 +112,11 @@ class TaskRun {
 
   std::string checkpoint() {
     session_.complete_state();
-    OrderedJson json = {{"format", kFormat},
-                        {"hash", task_.hash},
-                        {"steps", steps_},
-                        {"seconds", seconds_},
-                        {"work", work_},
-                        {"times", times_.to_json()},
-                        {"acceptance", acceptance_.to_json()},
-                        {"metrics", OrderedJson::array()},
-                        {"state", state_to_json(session_.model(), session_.state())}};
-    for (const Taken& taken : taken_) json["metrics"].push_back(taken.to_json());
-    if (since_) json["since"] = *since_;
+    Json json = so_far_;
+    json["format"] = kFormat;
+    json["hash"] = task_.hash;
+    json["acceptance"] = acceptance_;
+    json["state"] = state_to_json(session_.model(), session_.state());
     if (reference_) {
       reference_->complete_state();
       json["reference"] = state_to_json(reference_->model(), reference_->state());
@@ -126,17 +128,12 @@ class TaskRun {
   bool take_up(const std::string& text) {
     const Json json = Json::parse(text);
     if (json.at("format") != kFormat || json.at("hash") != task_.hash) return false;
-    if (json.at("metrics").size() != taken_.size()) return false;
-    steps_ = json.at("steps").get<std::int64_t>();
-    seconds_ = json.at("seconds").get<double>();
-    work_ = json.at("work").get<double>();
-    times_ = Taken::from_json(json.at("times"));
-    acceptance_.take_up(json.at("acceptance"));
-    for (std::size_t i = 0; i < taken_.size(); ++i) taken_[i] = Taken::from_json(json.at("metrics")[i]);
-    if (json.contains("since")) since_ = json.at("since").get<double>();
+    if (json.at("taken").size() != so_far_.taken.size()) return false;
+    json.get_to(so_far_);
+    json.at("acceptance").get_to(acceptance_);
     restore(session_, json.at("state"));
     if (reference_) restore(*reference_, json.at("reference"));
-    return session_.state().step == steps_;
+    return session_.state().step == so_far_.steps;
   }
 
   std::size_t most_bytes() const { return 4 * most_state_bytes(session_.model()) + (std::size_t{1} << 20); }
@@ -162,16 +159,17 @@ class TaskRun {
   }
 
   void measure(const StepReport& report, double ms) {
-    work_ += report.drive_work;
+    so_far_.work += report.drive_work;
     StepMeasures step;
     step.report = &report;
     step.joints = !session_.model().joints.empty();
-    const double gained = energy_of(report) - energy_start_ - work_;
+    const double gained = energy_of(report) - energy_start_ - so_far_.work;
     acceptance_.add(report, gained, session_.params().solver.tolerance > 0);
     step.energy_error = std::abs(gained);
     step.step_time = ms;
     if (reference_) step.distance = largest_distance(session_.state(), reference_->state());
-    for (std::size_t i = 0; i < taken_.size(); ++i) taken_[i].add(measured(plan_.metrics[i], step));
+    for (std::size_t i = 0; i < so_far_.taken.size(); ++i)
+      so_far_.taken[i].add(measured(plan_.metrics[i], step));
   }
 
   void watch(const StepSummary& report) {
@@ -179,23 +177,21 @@ class TaskRun {
     const StopWhen& when = *plan_.stop.when;
     const double x = when.number->value(report);
     if (!(when.below ? x < when.bound : x > when.bound)) {
-      since_.reset();
+      so_far_.since = -1;
       return;
     }
-    if (!since_) since_ = report.time;
-    held_ = report.time - *since_ >= when.hold - forgiven(report.time, session_.params().h);
+    if (so_far_.since < 0) so_far_.since = report.time;
+    held_ = report.time - so_far_.since >= when.hold - forgiven(report.time, session_.params().h);
   }
 
   const SweepPlan& plan_;
   const SweepTask& task_;
   Session session_;
   std::optional<Session> reference_;
-  std::int64_t last_ = 0, steps_ = 0;
-  double seconds_ = 0, energy_start_ = 0, work_ = 0;
-  Taken times_;  // ms
+  std::int64_t last_ = 0;
+  double energy_start_ = 0;
+  SoFar so_far_;
   Acceptance acceptance_;
-  std::vector<Taken> taken_;
-  std::optional<double> since_;  // when what ends the run began to hold; s
   bool held_ = false, diverged_ = false;
 };
 

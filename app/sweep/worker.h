@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "app/sweep/end_picture.h"
 #include "app/sweep/task_run.h"
+#include "render/gl/renderer.h"
 
 namespace pabd {
 
@@ -16,6 +16,24 @@ enum class TaskEnding { done, diverged, refused, skipped, busy, stopped };
 std::string_view to_string(TaskEnding ending);               // "done", …
 std::optional<TaskEnding> ending_of(std::string_view word);  // empty: none of them
 inline bool has_result(TaskEnding e) { return e < TaskEnding::busy; }
+
+// Draws how runs end, one after the other, in the thread that made it. OpenGL is looked for when the first one is drawn.
+class EndPainter {
+ public:
+  static constexpr int kWidth = 320, kHeight = 180;  // pixels
+
+  // The bytes of a PNG. Empty when there is no OpenGL that can; why() says so then. Precondition: the result has a
+  // scene.
+  std::vector<std::uint8_t> draw(const TaskResult& result, const std::string& hash);
+  const std::string& why() const { return why_; }
+
+ private:
+  bool ready();
+
+  std::unique_ptr<GlContext> context_;
+  std::unique_ptr<Renderer> renderer_;
+  std::string why_;
+};
 
 class SweepWorker {
  public:

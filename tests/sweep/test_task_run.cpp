@@ -168,7 +168,7 @@ TEST_CASE("energy that is made counts beside what moved, and rounding where noth
     step.kinetic += gained;
     run.add(step, gained, true);
     Acceptance again{Model{}};
-    again.take_up(nlohmann::json::parse(run.to_json().dump()));
+    nlohmann::json::parse(nlohmann::json(run).dump()).get_to(again);
     CHECK(again.faults() == run.faults());
     return run.faults();
   };
