@@ -21,10 +21,6 @@ constexpr double kWell = 0.45;       // of the time of a frame
 
 }  // namespace
 
-Adaptation::Mode Adaptation::mode_of(const std::string& word) {
-  return word == "fast" ? Mode::fast : word == "fine" ? Mode::fine : Mode::automatic;
-}
-
 void Adaptation::choose(Mode mode) {
   mode_ = mode;
   level_ = mode == Mode::fast ? kFast : 0;

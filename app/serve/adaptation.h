@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 namespace pabd {
 
@@ -20,7 +19,6 @@ class Adaptation {
   static constexpr double kFrameMs = 40;  // that a frame may take: 25 a second
 
   void choose(Mode mode);
-  static Mode mode_of(const std::string& word);  // "auto", "fast", "fine"
 
   // A frame of so many bytes was acknowledged: what encoding took, and the way there and back without the
   // page's own time; at `now`, in seconds.

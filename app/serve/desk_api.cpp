@@ -45,7 +45,7 @@ OrderedJson place_of_fault(const std::string& text) {
 
 }  // namespace
 
-void DeskWork::run(const desk::Run& run, const More& more, const std::function<bool()>& stop) {
+void DeskWork::run(const desk::Run& run) {
   const auto reply = [&](const desk::Answer& answer) {
     if (run.reply) return run.reply(answer);
     if (answer.status == 200) return;
@@ -69,8 +69,8 @@ void DeskWork::run(const desk::Run& run, const More& more, const std::function<b
     options.refusal_of_window = refusal_of_window;
     options.before_frame = [&] {
       if (turn.owns_lock()) turn.unlock();  // the last frame failed
-      if (stop()) throw LeftScript();
-      for (DeskInput& input : more()) take(input, more, stop);
+      if (queue_.stopped()) throw LeftScript();
+      for (DeskInput& input : queue_.take_acknowledgements()) take(input);
       turn.lock();
       began = seconds_now();
     };

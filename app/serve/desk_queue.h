@@ -21,9 +21,7 @@ class DeskQueue {
       if (merged(input)) return true;
       // What tells of visitors comes as seldom as they do, or is one a visitor, and is never lost.
       const bool told =
-          std::holds_alternative<desk::Arrive>(input) || std::holds_alternative<desk::Scheme>(input) ||
-          std::holds_alternative<desk::Depart>(input) || std::holds_alternative<desk::HandOver>(input) ||
-          std::holds_alternative<desk::Shown>(input) || std::holds_alternative<desk::Refresh>(input);
+          is<desk::Arrive, desk::Scheme, desk::Depart, desk::HandOver, desk::Shown, desk::Refresh>(input);
       if (!told && waiting_.size() >= ServedDesk::kMostInputs) return false;
       waiting_.push_back(std::move(input));
     }
@@ -42,9 +40,7 @@ class DeskQueue {
     const std::scoped_lock lock(mutex_);
     std::deque<DeskInput> out, rest;
     for (DeskInput& input : waiting_) {
-      const bool urgent = std::holds_alternative<desk::Arrive>(input) ||
-                          std::holds_alternative<desk::Depart>(input) ||
-                          std::holds_alternative<desk::Shown>(input);
+      const bool urgent = is<desk::Arrive, desk::Depart, desk::Shown>(input);
       (urgent ? out : rest).push_back(std::move(input));
     }
     waiting_ = std::move(rest);
@@ -64,13 +60,18 @@ class DeskQueue {
   }
 
  private:
+  template <class... Kinds>
+  static bool is(const DeskInput& input) {
+    return (std::holds_alternative<Kinds>(input) || ...);
+  }
+
   // A move after a move takes its place. Of what everybody may send, the newest of each visitor waits.
   bool merged(const DeskInput& input) {
     if (const auto* shown = std::get_if<desk::Shown>(&input)) return renewed(*shown);
     if (const auto* refresh = std::get_if<desk::Refresh>(&input)) return renewed(*refresh);
     const auto is_move = [](const DeskInput& i) {
-      const auto* event = std::get_if<desk::Input>(&i);
-      return event && std::holds_alternative<MouseMoved>(event->event);
+      const auto* hand = std::get_if<desk::Input>(&i);
+      return hand && hand->events.size() == 1 && std::holds_alternative<MouseMoved>(hand->events[0]);
     };
     if (waiting_.empty() || !is_move(input) || !is_move(waiting_.back())) return false;
     waiting_.back() = input;

@@ -56,11 +56,12 @@ double tenth(double x) { return std::round(10 * x) / 10; }
 
 }  // namespace
 
-DeskWork::DeskWork(GlContext& context, Runner& runner, const DeskOptions& options,
+DeskWork::DeskWork(GlContext& context, Runner& runner, const DeskOptions& options, DeskQueue& queue,
                    const std::function<void(DeskNews)>& hear)
     : context_(context),
       runner_(runner),
       options_(options),
+      queue_(queue),
       hear_(hear),
       viewer_(context, runner,
               [this, &options] {
@@ -110,10 +111,12 @@ void DeskWork::let_go() {
   for (int i = 0; i < 5; ++i) stamps_.push_back(stamp_);
 }
 
-bool DeskWork::take(DeskInput& input, const More& more, const std::function<bool()>& stop) {
+bool DeskWork::take(DeskInput& input) {
   if (const auto* x = std::get_if<desk::Input>(&input)) {
-    viewer_.handle(x->event);
-    stamps_.push_back(x->stamp);
+    for (const WindowEvent& event : x->events) {
+      viewer_.handle(event);
+      stamps_.push_back(x->stamp);
+    }
   } else if (const auto* shown = std::get_if<desk::Shown>(&input)) {
     stream_.acknowledge(shown->visitor, shown->frame, shown->ms, seconds_now());
     return false;
@@ -151,7 +154,7 @@ bool DeskWork::take(DeskInput& input, const More& more, const std::function<bool
       text(message_text({{"t", "error"}, {"text", error.what()}}), true);
     }
   } else if (const auto* script = std::get_if<desk::Run>(&input)) {
-    run(*script, more, stop);
+    run(*script);
   } else if (const auto* state = std::get_if<desk::AskState>(&input)) {
     answer(*state);
   } else if (const auto* picture = std::get_if<desk::AskPicture>(&input)) {

@@ -7,21 +7,20 @@
 #include <optional>
 
 #include "app/gui/viewer.h"
+#include "app/serve/desk_queue.h"
 #include "app/serve/frame_stream.h"
-#include "app/serve/served_desk.h"
 
 namespace pabd {
 
 class DeskWork {
  public:
   // The turn is held, and the context current. `hear` gets the news.
-  DeskWork(GlContext& context, Runner& runner, const DeskOptions& options,
+  DeskWork(GlContext& context, Runner& runner, const DeskOptions& options, DeskQueue& queue,
            const std::function<void(DeskNews)>& hear);
 
-  using More = std::function<std::deque<DeskInput>()>;
-  // True when the window may look different now. While a script is carried out `more` has what must not wait,
-  // and `stop` ends it. The turn is not held.
-  bool take(DeskInput& input, const More& more, const std::function<bool()>& stop);
+  // True when the window may look different now. While a script is carried out the queue gives what must not wait, and
+  // ends it when it is stopped. The turn is not held.
+  bool take(DeskInput& input);
 
   // Whether the simulation is elsewhere than in the last frame; with `events` says so.
   bool look(bool events);
@@ -38,7 +37,7 @@ class DeskWork {
   void resize(const desk::Resize& size);
   static std::string refusal_of_window(int width, int height);  // of one that resize() would make smaller
   void let_go();
-  void run(const desk::Run& run, const More& more, const std::function<bool()>& stop);
+  void run(const desk::Run& run);
   void answer(const desk::AskState& ask);
   void answer(const desk::AskPicture& ask);
   bool take_frame(double began);
@@ -52,6 +51,7 @@ class DeskWork {
   GlContext& context_;
   Runner& runner_;
   DeskOptions options_;
+  DeskQueue& queue_;
   const std::function<void(DeskNews)>& hear_;
   std::string clipboard_;
   Viewer viewer_;

@@ -5,7 +5,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 
-#include "app/serve/http_answers.h"
+#include "app/serve/net.h"
 
 namespace pabd::net {
 

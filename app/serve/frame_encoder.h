@@ -2,14 +2,35 @@
 // Rectangles of a frame as binary messages: head and JPEG or PNG.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/serve/frame_head.h"
 #include "app/serve/tiles.h"
 
 namespace pabd {
+
+// The 32 bytes before every rectangle of a frame.
+struct FrameHead {
+  enum Kind : std::uint8_t { jpeg = 1, png = 2 };
+  static constexpr std::uint8_t kLast = 1, kLossless = 2;  // flags
+  static constexpr std::size_t kBytes = 32;
+
+  std::uint8_t kind = jpeg, flags = 0;
+  std::uint16_t left = 0;  // rectangles of this frame that follow
+  std::uint32_t frame = 0;
+  std::uint16_t x = 0, y = 0, w = 0, h = 0;  // of the rectangle, pixels
+  std::uint16_t width = 0, height = 0;       // of the whole frame
+  std::uint32_t stamp = 0;                   // newest input that it shows
+  std::uint32_t draw_us = 0, encode_us = 0;  // microseconds
+  bool operator==(const FrameHead&) const = default;
+};
+
+std::string to_bytes(const FrameHead& head);  // little endian
+// Precondition: kBytes at least.
+FrameHead read_frame_head(std::string_view bytes);
 
 // A message that several visitors get.
 using SharedBytes = std::shared_ptr<const std::string>;

@@ -2,8 +2,15 @@
 // See gate.h.
 #include "app/serve/gate.h"
 
+#include <fmt/format.h>
+#include <sys/random.h>
+
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdint>
+
+#include "sim/base/error.h"
 
 namespace pabd {
 namespace {
@@ -17,6 +24,30 @@ std::string small(std::string_view text) {
 }
 
 }  // namespace
+
+AccessToken AccessToken::make() {
+  std::array<std::uint8_t, kDigits / 2> bytes{};
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    throw Error(ErrorKind::file,
+                "the system gives no random numbers (getrandom); without them no token is safe");
+  std::string hex;
+  for (const std::uint8_t byte : bytes) hex += fmt::format("{:02x}", byte);
+  return AccessToken(std::move(hex));
+}
+
+bool AccessToken::matches(std::string_view given) const {
+  unsigned differs = given.size() == kDigits ? 0 : 1;
+  for (std::size_t i = 0; i < kDigits; ++i) {
+    const char c = i < given.size() ? given[i] : '\0';
+    differs |= static_cast<unsigned>(static_cast<unsigned char>(c) ^ static_cast<unsigned char>(hex_[i]));
+  }
+  return differs == 0;
+}
+
+Access AccessTokens::access(std::string_view given) const {
+  const bool controls = control.matches(given), watches = watch.matches(given);
+  return controls ? Access::control : watches && watchers ? Access::watch : Access::none;
+}
 
 Gate::Gate(std::vector<std::string> hosts, bool secure) : secure_(secure) {
   const std::string_view usual = secure ? ":443" : ":80";  // a port that browsers leave out

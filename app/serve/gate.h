@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may come in: names under which the server is called, pages that may call it, how often.
+// Who may come in: with which secret, under which names of the server, from which pages, how often.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,32 @@
 #include <vector>
 
 namespace pabd {
+
+// The secret in the link: 128 bits of the system's randomness.
+class AccessToken {
+ public:
+  static constexpr std::size_t kDigits = 32;
+
+  static AccessToken make();  // throws Error(file) when the system has no randomness
+
+  const std::string& hex() const { return hex_; }
+  // In a time that does not depend on where they differ.
+  bool matches(std::string_view given) const;
+
+ private:
+  explicit AccessToken(std::string hex) : hex_(std::move(hex)) {}
+  std::string hex_;
+};
+
+// What a link with one of the two tokens may do.
+enum class Access { none, watch, control };
+
+struct AccessTokens {
+  AccessToken control = AccessToken::make(), watch = AccessToken::make();
+  bool watchers = true;  // the second one counts
+
+  Access access(std::string_view given) const;
+};
 
 // Host and Origin, compared as they are, without case. A page of another site that got a name of its own to
 // point here (DNS rebinding) is stopped by the first, its scripts by the second.

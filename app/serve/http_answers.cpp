@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See http_answers.h.
-#include "app/serve/http_answers.h"
+// Answers of HTTP, with what each says to a browser: see net.h.
+#include "app/serve/net.h"
 
 #include <nlohmann/json.hpp>
 

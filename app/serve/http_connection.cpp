@@ -6,7 +6,6 @@
 
 #include "app/serve/clock.h"
 #include "app/serve/event_stream.h"
-#include "app/serve/http_answers.h"
 #include "app/serve/net.h"
 #include "app/workbench/file_root.h"
 #include "sim/base/atomic_file.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/serve/access_token.h"
+#include "app/serve/gate.h"
 #include "app/serve/lobby.h"
 
 namespace pabd {

@@ -21,8 +21,6 @@ std::shared_ptr<const std::string> shared(const OrderedJson& json) {
       json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
 }
 
-MouseMoved at(double x, double y) { return {x, y}; }
-
 }  // namespace
 
 struct Lobby::Room {
@@ -114,7 +112,7 @@ std::optional<Lobby::Seat> Lobby::enter(const message::Hello& hello, Access acce
       here->desk->send(desk::Depart{*arrival->replaced});
     }
   }
-  here->guests[arrival->id] = {link, {hello.width, hello.height, hello.scale}, ""};
+  here->guests[arrival->id] = {link, hello.size, ""};
   const bool controls = here->roles.controls(arrival->id);
   const std::string role = controls ? "control" : "watch";
   OrderedJson welcome = {{"t", "welcome"},
@@ -156,13 +154,16 @@ void Lobby::tell_roles(Room& room) {
   }
 }
 
-bool Lobby::hear(const Seat& seat, const ClientMessage& said, VisitorLink& link) {
+bool Lobby::hear(const Seat& seat, ClientMessage said, VisitorLink& link) {
   const auto here = room(seat.session);
   if (!here) return true;
   ServedDesk& desk = *here->desk;
+  const bool controls = here->roles.controls(seat.visitor);
   // Of everybody:
-  if (const auto* ack = std::get_if<message::Ack>(&said))
-    return desk.send(desk::Shown{seat.visitor, ack->frame, ack->shown_ms});
+  if (auto* shown = std::get_if<desk::Shown>(&said)) {
+    shown->visitor = seat.visitor;
+    return desk.send(*shown);
+  }
   if (const auto* ping = std::get_if<message::Ping>(&said)) {
     link.send_text(shared({{"t", "pong"}, {"at", ping->at}}));
     return true;
@@ -172,35 +173,25 @@ bool Lobby::hear(const Seat& seat, const ClientMessage& said, VisitorLink& link)
     tell_roles(*here);
     return true;
   }
-  if (const auto* x = std::get_if<message::Size>(&said)) {
-    const desk::Resize size{x->width, x->height, x->scale};
-    here->guests[seat.visitor].size = size;
-    return desk.send(desk::Refresh{seat.visitor}) && (!here->roles.controls(seat.visitor) || desk.send(size));
+  if (const auto* size = std::get_if<desk::Resize>(&said)) {
+    here->guests[seat.visitor].size = *size;
+    if (!desk.send(desk::Refresh{seat.visitor})) return false;
   }
   // Of the controller:
-  if (!here->roles.controls(seat.visitor)) return true;
-  const auto input = [&](const WindowEvent& event, std::uint32_t stamp) {
-    return desk.send(desk::Input{event, stamp});
-  };
-  if (const auto* x = std::get_if<message::Move>(&said)) return input(at(x->x, x->y), x->stamp);
-  if (const auto* x = std::get_if<message::Button>(&said))
-    return input(at(x->x, x->y), x->stamp) && input(MouseClicked{x->button, x->down, x->modifiers}, x->stamp);
-  if (const auto* x = std::get_if<message::Wheel>(&said)) return input(MouseScrolled{x->x, x->y}, x->stamp);
-  if (const auto* x = std::get_if<message::KeyPress>(&said))
-    return x->key == Key::none || input(KeyChanged{x->key, x->modifiers, x->down, x->repeated}, x->stamp);
-  if (const auto* x = std::get_if<message::Text>(&said))
-    return x->text.empty() || input(TextTyped{x->text}, x->stamp);
-  if (std::holds_alternative<message::Leave>(said)) return input(MouseLeft{}, 0);
-  if (const auto* x = std::get_if<message::Clipboard>(&said)) return desk.send(desk::Paste{x->text});
-  if (const auto* x = std::get_if<message::Quality>(&said))
-    return desk.send(desk::Choose{Adaptation::mode_of(x->mode)});
-  if (const auto* x = std::get_if<message::Open>(&said)) return desk.send(desk::Open{x->name});
-  if (const auto* x = std::get_if<message::Actions>(&said)) return desk.send(desk::Run{x->json, {}});
+  if (!controls) return true;
   if (std::holds_alternative<message::GiveControl>(said)) {
     here->roles.give(seat.visitor);
     tell_roles(*here);
+    return true;
   }
-  return true;
+  return std::visit(
+      [&](auto& message) {
+        if constexpr (std::is_constructible_v<DeskInput, decltype(message)>)
+          return desk.send(std::move(message));
+        else
+          return true;
+      },
+      said);
 }
 
 void Lobby::leave(const Seat& seat, bool closed) {

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/serve/access_token.h"
-#include "app/serve/client_message.h"
+#include "app/serve/gate.h"
 #include "app/serve/served_desk.h"
 
 namespace pabd {
@@ -69,7 +68,7 @@ class Lobby {
   std::optional<Seat> enter(const message::Hello& hello, Access access,
                             const std::shared_ptr<VisitorLink>& link);
   // Only the controller's input is obeyed. False: too much of it waits.
-  bool hear(const Seat& seat, const ClientMessage& message, VisitorLink& link);
+  bool hear(const Seat& seat, ClientMessage message, VisitorLink& link);
   void leave(const Seat& seat, bool closed = false);  // its page, and not only the connection
 
   // For programs; an empty name means the one session. False when there is none of that name, or too much

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What the connections share. Includes Boost.Beast: only for the files that talk to sockets.
+// What the connections share, and the answers of HTTP. Includes Boost.Beast: only for the files that talk to sockets.
 #pragma once
 
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -66,5 +67,13 @@ void serve(Shared& shared, NetStream stream, Place place);
 // The request was found to be in order, but for the subprotocol.
 using UpgradeRequest = http::request<http::empty_body>;
 void serve_socket(Shared& shared, NetStream stream, UpgradeRequest request, Place place);
+
+// What a browser may do with an answer: nothing that is not from here, no frame but that of --embed.
+void set_headers(const Shared& shared, http::fields& answer);
+
+using TextAnswer = http::response<http::string_body>;
+TextAnswer text_answer(const Shared& shared, int status, const std::string& type, std::string body);
+TextAnswer json_answer(const Shared& shared, int status, const nlohmann::ordered_json& json);
+TextAnswer page_answer(const Shared& shared, const std::string& name);  // of a file of the page
 
 }  // namespace pabd::net

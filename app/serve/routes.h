@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "app/serve/access_token.h"
 #include "app/serve/gate.h"
 
 namespace pabd {

@@ -59,7 +59,7 @@ struct ServedDesk::Impl {
       if (options.devices) shared->put_beside(*context);
       if (options.play) runner->send(command::Play{});  // now bodies can be drawn from where steps are made
       std::unique_lock turn(*options.turn);
-      DeskWork desk(*context, *runner, options, hear);
+      DeskWork desk(*context, *runner, options, queue, hear);
       turn.unlock();
       started = true;
       ready.set_value();
@@ -111,9 +111,7 @@ struct ServedDesk::Impl {
   void round(DeskWork& desk) {
     for (DeskInput& input : queue.take(std::chrono::duration<double>(wait(desk)))) {
       const bool alone = desk.stream().empty();
-      if (desk.take(
-              input, [&] { return queue.take_acknowledgements(); }, [&] { return queue.stopped(); }))
-        happened();
+      if (desk.take(input)) happened();
       if (queue.stopped()) return;
       if (alone != desk.stream().empty()) left_alone(desk, !alone);
     }

@@ -10,18 +10,13 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "app/serve/adaptation.h"
-#include "app/serve/frame_encoder.h"
-#include "app/serve/roles.h"
+#include "app/serve/messages.h"
 #include "app/session/step_devices.h"
 #include "app/workbench/file_root.h"
 #include "render/context/context.h"
-#include "render/context/window.h"
 #include "render/device/shared_context.h"
 
 namespace pabd {
@@ -44,94 +39,6 @@ struct DeskOptions {
   bool play = false, pause_when_alone = false;
   int width = 1280, height = 720;
 };
-
-namespace desk {
-
-struct Answer {
-  int status = 200;
-  std::string type, body;
-};
-using Reply = std::function<void(Answer)>;  // called once, in the desk's thread
-
-struct Arrive {
-  VisitorId visitor = 0;
-};
-// What the page of the first who controls prefers.
-struct Scheme {
-  bool dark = true;
-};
-struct Depart {
-  VisitorId visitor = 0;
-};
-// Another controls now, or nobody: what is held is let go; whose link decides how good frames are.
-struct HandOver {
-  std::optional<VisitorId> controller;
-};
-struct Input {
-  WindowEvent event;
-  std::uint32_t stamp = 0;
-};
-struct Resize {
-  int width = 0, height = 0;
-  double scale = 1;
-};
-// A page lost what it had: a whole frame.
-struct Refresh {
-  VisitorId visitor = 0;
-};
-struct Paste {
-  std::string text;
-};
-struct Shown {
-  VisitorId visitor = 0;
-  std::uint32_t frame = 0;
-  double ms = 0;  // that the page took
-};
-struct Choose {
-  Adaptation::Mode mode = Adaptation::Mode::automatic;
-};
-struct Open {
-  std::string name;
-};
-// A visitor put it there: no news of what was saved.
-struct Uploaded {
-  std::string name;
-};
-struct Run {
-  std::string json;  // a script
-  Reply reply;       // may be empty
-};
-struct AskState {
-  Reply reply;
-};
-struct AskPicture {
-  int width = 0, height = 0;  // 0: as it is
-  bool panels = true;
-  Reply reply;
-};
-
-// ---- news ----
-struct Frame {
-  VisitorId visitor = 0;
-  EncodedFrame frame;
-};
-struct Text {
-  std::string json;
-  bool control_only = false;
-};
-struct Event {
-  std::string json;  // a line for GET /events
-};
-struct Ended {
-  std::string why;
-};
-
-}  // namespace desk
-
-using DeskInput = std::variant<desk::Arrive, desk::Scheme, desk::Depart, desk::HandOver, desk::Input,
-                               desk::Resize, desk::Refresh, desk::Paste, desk::Shown, desk::Choose,
-                               desk::Open, desk::Uploaded, desk::Run, desk::AskState, desk::AskPicture>;
-using DeskNews = std::variant<desk::Frame, desk::Text, desk::Event, desk::Ended>;
 
 class ServedDesk {
  public:

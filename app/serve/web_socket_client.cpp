@@ -4,7 +4,6 @@
 #include <boost/beast/websocket.hpp>
 #include <deque>
 
-#include "app/serve/client_message.h"
 #include "app/serve/clock.h"
 #include "app/serve/net.h"
 #include "sim/base/error.h"
@@ -117,10 +116,11 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     if (!bucket_.take(seconds_now())) return close(CloseCode::too_many, "more than 500 messages a second");
     if (!socket_.got_text()) return close(CloseCode::malformed, "expected text messages");
     try {
-      const ClientMessage message = read_client_message(text);
+      ClientMessage message = read_client_message(text);
       const auto* hello = std::get_if<message::Hello>(&message);
       if (!seat_ || hello) return enter(hello);
-      if (!shared_.lobby->hear(*seat_, message, *this)) close(CloseCode::too_many, "too much input waits");
+      if (!shared_.lobby->hear(*seat_, std::move(message), *this))
+        close(CloseCode::too_many, "too much input waits");
     } catch (const Error& error) {
       close(CloseCode::malformed, error.what());
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A message of a page to 'pabd serve'.
-#include "app/serve/client_message.h"
+#include "app/serve/messages.h"
 #include "tests/fuzz/fuzz.h"
 
 PABD_FUZZ_TARGET(message, bytes) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "app/serve/frame_head.h"
+#include "app/serve/frame_encoder.h"
 #include "app/serve/http_server.h"
 #include "sim/base/descriptor.h"
 #include "tests/support/temp_folder.h"

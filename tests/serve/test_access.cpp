@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "app/serve/access_token.h"
 #include "app/serve/gate.h"
 
 namespace pabd::test_access {

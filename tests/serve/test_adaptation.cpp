@@ -65,11 +65,11 @@ TEST_CASE("a long way, or a few late frames, are not mended by coarser ones") {
 TEST_CASE("what a person chooses holds") {
   Adaptation adaptation;
   double now = 0;
-  adaptation.choose(Adaptation::mode_of("fine"));
+  adaptation.choose(Adaptation::Mode::fine);
   run(adaptation, 100, 1000, now, 10);
   CHECK(adaptation.look().scale == 1);
   CHECK(adaptation.look().quality > 90);
-  adaptation.choose(Adaptation::mode_of("fast"));
+  adaptation.choose(Adaptation::Mode::fast);
   run(adaptation, 100'000, 200'000, now, 30);
   CHECK(adaptation.look().scale < 1);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What pages say: every message is read, everything else is refused in one line.
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
+#include <set>
 
-#include "app/serve/client_message.h"
+#include "app/serve/messages.h"
 #include "sim/base/error.h"
 #include "sim/base/utf8.h"
 
@@ -33,6 +33,11 @@ const std::vector<std::string>& samples() {
   return all;
 }
 
+// The events of an input.
+std::vector<WindowEvent> events_of(const std::string& text) {
+  return std::get<desk::Input>(read_client_message(text)).events;
+}
+
 // Empty: it was taken.
 std::string refusal(const std::string& text) {
   try {
@@ -48,35 +53,40 @@ std::string refusal(const std::string& text) {
 TEST_CASE("every message is read as it was meant") {
   const auto hello = std::get<message::Hello>(read_client_message(samples()[0]));
   CHECK(hello.token == "0123456789abcdef0123456789abcdef");
-  CHECK(hello.width == 1280);
-  CHECK(hello.height == 720);
-  CHECK(hello.scale == 1.5);
+  CHECK(hello.size.width == 1280);
+  CHECK(hello.size.height == 720);
+  CHECK(hello.size.scale == 1.5);
   CHECK(hello.dark == std::optional<bool>(false));
-  const auto button = std::get<message::Button>(read_client_message(samples()[2]));
+  const auto move = events_of(samples()[1]);
+  REQUIRE(move.size() == 1);
+  CHECK(std::get<MouseMoved>(move[0]).x == 12.5);
+  CHECK(std::get<MouseMoved>(move[0]).y == 700);
+  const auto input = std::get<desk::Input>(read_client_message(samples()[2]));
+  REQUIRE(input.events.size() == 2);  // there, and then pressed
+  CHECK(std::get<MouseMoved>(input.events[0]).y == 2);
+  const auto button = std::get<MouseClicked>(input.events[1]);
   CHECK(button.button == MouseButton::middle);
-  CHECK(button.down);
+  CHECK(button.pressed);
   CHECK(button.modifiers == Modifiers{true, false, true, false});
-  CHECK(button.stamp == 4294967295u);
-  CHECK(std::get<message::Wheel>(read_client_message(samples()[3])).y == -1.5);
-  CHECK(std::get<message::KeyPress>(read_client_message(samples()[4])).key == Key::a);
-  CHECK(std::get<message::Text>(read_client_message(samples()[5])).text == "κ = 1");
-  CHECK(std::get<message::Size>(read_client_message(samples()[7])).height == 360);
-  CHECK(std::get<message::Ack>(read_client_message(samples()[9])).frame == 7);
-  CHECK(std::get<message::Actions>(read_client_message(samples()[14])).json ==
-        R"([{"do":"step","steps":2}])");
-  std::vector<std::size_t> kinds;
-  for (const std::string& sample : samples()) kinds.push_back(read_client_message(sample).index());
-  std::sort(kinds.begin(), kinds.end());
-  CHECK(std::unique(kinds.begin(), kinds.end()) == kinds.end());
+  CHECK(input.stamp == 4294967295u);
+  CHECK(std::get<MouseScrolled>(events_of(samples()[3]).at(0)).y == -1.5);
+  CHECK(std::get<KeyChanged>(events_of(samples()[4]).at(0)).key == Key::a);
+  CHECK(std::get<TextTyped>(events_of(samples()[5]).at(0)).text == "κ = 1");
+  CHECK(std::holds_alternative<MouseLeft>(events_of(samples()[6]).at(0)));
+  CHECK(std::get<desk::Resize>(read_client_message(samples()[7])).height == 360);
+  CHECK(std::get<desk::Paste>(read_client_message(samples()[8])).text == "pabd render");
+  CHECK(std::get<desk::Shown>(read_client_message(samples()[9])).frame == 7);
+  CHECK(std::get<desk::Choose>(read_client_message(samples()[12])).mode == Adaptation::Mode::fine);
+  CHECK(std::get<desk::Open>(read_client_message(samples()[13])).name == "stack.json");
+  CHECK(std::get<desk::Run>(read_client_message(samples()[14])).json == R"([{"do":"step","steps":2}])");
+  std::set<std::size_t> kinds;
+  for (const std::string& sample : samples()) kinds.insert(read_client_message(sample).index());
   CHECK(kinds.size() == std::variant_size_v<ClientMessage>);
 }
 
 TEST_CASE("keys that the window does not know do nothing, control characters are not typed") {
-  CHECK(std::get<message::KeyPress>(read_client_message(R"({"t":"key","key":"VolumeUp","down":true,"s":1})"))
-            .key == Key::none);
-  CHECK(
-      std::get<message::Text>(read_client_message(R"({"t":"text","text":"a\n\u007fb\u0085","s":1})")).text ==
-      "ab");
+  CHECK(events_of(R"({"t":"key","key":"VolumeUp","down":true,"s":1})").empty());
+  CHECK(std::get<TextTyped>(events_of(R"({"t":"text","text":"a\n\u007fb\u0085","s":1})").at(0)).text == "ab");
 }
 
 TEST_CASE("what is wrong is said") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See client_message.h.
-#include "app/serve/client_message.h"
+// See messages.h: what pages say, read with limits on everything.
+#include "app/serve/messages.h"
 
 #include <fmt/format.h>
 
@@ -39,9 +39,6 @@ struct Reader {
     if (!(x >= lo && x <= hi)) refuse(name, expected);
     return x;
   }
-  double number_or(const char* name, double lo, double hi, double otherwise) const {
-    return json.contains(name) ? number(name, lo, hi) : otherwise;
-  }
   std::uint32_t count(const char* name, double most = 4294967295.0) const {
     const double x = number(name, 0, most);
     if (x != std::floor(x)) refuse(name, "a whole number");
@@ -64,8 +61,11 @@ struct Reader {
     const std::uint32_t bits = json.contains("mods") ? count("mods", 15) : 0;
     return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
   }
-  std::uint32_t stamp() const { return count("s"); }
-  void size(int& width, int& height) const {
+  MouseMoved place() const {
+    return {number("x", -kFarthest, kFarthest), number("y", -kFarthest, kFarthest)};
+  }
+  desk::Input input(std::vector<WindowEvent> events) const { return {std::move(events), count("s")}; }
+  desk::Resize size() const {
     const std::string expected = fmt::format("[width, height], {} to {} pixels", kLeastSide, kLargestSide);
     const Json& value = member("size", expected.c_str());
     const auto fits = [](const Json& side) {
@@ -73,97 +73,89 @@ struct Reader {
     };
     if (!value.is_array() || value.size() != 2 || !fits(value[0]) || !fits(value[1]))
       refuse("size", expected);
-    width = value[0].get<int>();
-    height = value[1].get<int>();
+    return {value[0].get<int>(), value[1].get<int>(), number("scale", 0.25, 8)};
   }
-  double scale() const { return number("scale", 0.25, 8); }
 };
 
-MouseButton button_of(const std::string& name) {
-  if (name == "left") return MouseButton::left;
-  if (name == "middle") return MouseButton::middle;
-  if (name == "right") return MouseButton::right;
-  refuse("b", "left, middle or right");
+desk::Input read_button(const Reader& in) {
+  const std::string name = in.text("b", 8);
+  if (name != "left" && name != "middle" && name != "right") refuse("b", "left, middle or right");
+  const MouseButton button = name == "left"     ? MouseButton::left
+                             : name == "middle" ? MouseButton::middle
+                                                : MouseButton::right;
+  return in.input({in.place(), MouseClicked{button, in.flag("down"), in.modifiers()}});
 }
 
-Key key_of(const std::string& name) {
+desk::Input read_key(const Reader& in) {
+  std::vector<WindowEvent> events;
+  const std::string name = in.text("key", 32);
+  const bool down = in.flag("down"), repeated = in.json.contains("repeat") && in.flag("repeat");
+  const Modifiers modifiers = in.modifiers();
   try {
-    return parse_key(name);
-  } catch (const Error&) {
-    return Key::none;  // keyboards have more keys than the window
+    events.push_back(KeyChanged{parse_key(name), modifiers, down, repeated});
+  } catch (const Error&) {  // keyboards have more keys than the window
   }
+  return in.input(std::move(events));
 }
 
 // What is typed is characters: a line break is the key enter.
-std::string typed(const std::string& text) {
+desk::Input read_typed(const Reader& in) {
+  const std::string text = in.text("text", 1024);
   std::string out;
   for (std::size_t i = 0; i < text.size();) {
     const char32_t c = next_character(text, i);
     if (c >= 0x20 && !(c >= 0x7f && c < 0xa0)) append_character(out, c);
   }
-  return out;
-}
-
-bool is_hex(const std::string& text, std::size_t digits) {
-  return text.size() == digits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+  return in.input(out.empty() ? std::vector<WindowEvent>{} : std::vector<WindowEvent>{TextTyped{out}});
 }
 
 message::Hello read_hello(const Reader& in) {
   message::Hello out;
   out.token = in.text("token", 64);
-  in.size(out.width, out.height);
-  out.scale = in.scale();
+  out.size = in.size();
   out.id = in.text("id", 16);
-  if (!is_hex(out.id, 16)) refuse("id", "16 hex digits");
+  if (out.id.size() != 16 || out.id.find_first_not_of("0123456789abcdef") != std::string::npos)
+    refuse("id", "16 hex digits");
   if (in.json.contains("dark")) out.dark = in.flag("dark");
   return out;
 }
 
-message::Size read_size(const Reader& in) {
-  message::Size out;
-  in.size(out.width, out.height);
-  out.scale = in.scale();
-  return out;
-}
-
-message::Quality read_quality(const Reader& in) {
+desk::Choose read_quality(const Reader& in) {
   const std::string mode = in.text("mode", 8);
-  if (mode != "auto" && mode != "fast" && mode != "fine") refuse("mode", "auto, fast or fine");
-  return {mode};
+  if (mode == "auto") return {Adaptation::Mode::automatic};
+  if (mode == "fast") return {Adaptation::Mode::fast};
+  if (mode == "fine") return {Adaptation::Mode::fine};
+  refuse("mode", "auto, fast or fine");
 }
 
-message::Actions read_actions(const Reader& in) {
+desk::Run read_script(const Reader& in) {
   const Json& actions = in.member("actions", "a list of actions");
   if (!actions.is_array()) refuse("actions", "a list of actions");
-  return {actions.dump(-1, ' ', false, Json::error_handler_t::replace)};
+  return {actions.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
 }
 
 ClientMessage read(const Json& json) {
   if (!json.is_object()) throw Error(ErrorKind::bad_input, "message", "expected an object");
   const Reader in{json};
   const std::string t = in.text("t", 32);
-  const auto x = [&] { return in.number("x", -kFarthest, kFarthest); };
-  const auto y = [&] { return in.number("y", -kFarthest, kFarthest); };
-  if (t == "move") return message::Move{x(), y(), in.stamp()};
-  if (t == "button")
-    return message::Button{button_of(in.text("b", 8)), in.flag("down"), x(), y(), in.modifiers(), in.stamp()};
+  if (t == "move") return in.input({in.place()});
+  if (t == "button") return read_button(in);
   if (t == "wheel")
-    return message::Wheel{in.number("x", -kMostNotches, kMostNotches),
-                          in.number("y", -kMostNotches, kMostNotches), in.stamp()};
-  if (t == "key")
-    return message::KeyPress{key_of(in.text("key", 32)), in.flag("down"),
-                             json.contains("repeat") && in.flag("repeat"), in.modifiers(), in.stamp()};
-  if (t == "text") return message::Text{typed(in.text("text", 1024)), in.stamp()};
-  if (t == "ack") return message::Ack{in.count("frame"), in.number_or("shown_ms", 0, 1e9, 0)};
+    return in.input({MouseScrolled{in.number("x", -kMostNotches, kMostNotches),
+                                   in.number("y", -kMostNotches, kMostNotches)}});
+  if (t == "key") return read_key(in);
+  if (t == "text") return read_typed(in);
+  if (t == "leave") return desk::Input{{MouseLeft{}}};
+  if (t == "ack")
+    return desk::Shown{in.count("frame"), json.contains("shown_ms") ? in.number("shown_ms", 0, 1e9) : 0};
   if (t == "ping") return message::Ping{in.number("at", -1e15, 1e15)};
-  if (t == "leave") return message::Leave{};
-  if (t == "size") return read_size(in);
-  if (t == "clipboard") return message::Clipboard{in.text("text", kMostMessageBytes)};
+  if (t == "size") return in.size();
+  if (t == "clipboard") return desk::Paste{in.text("text", kMostMessageBytes)};
   if (t == "ask_control") return message::AskControl{};
   if (t == "give_control") return message::GiveControl{};
   if (t == "quality") return read_quality(in);
-  if (t == "open") return message::Open{in.text("name", 256)};
-  if (t == "script") return read_actions(in);
+  if (t == "open") return desk::Open{in.text("name", 256)};
+  if (t == "script") return read_script(in);
   if (t == "hello") return read_hello(in);
   refuse("t", "the name of a message");
 }
