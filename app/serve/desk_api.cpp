@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What programs ask a desk for: scripts, its state, pictures. See desk_work.h.
-#include <nlohmann/json.hpp>
-
 #include "app/gui/pictures.h"
 #include "app/gui/script.h"
 #include "app/gui/script_reader.h"
@@ -9,7 +7,6 @@
 #include "app/serve/desk_work.h"
 #include "render/output/png.h"
 #include "sim/base/error.h"
-#include "sim/base/ordered_json.h"
 #include "sim/scene/document.h"
 
 namespace pabd {
@@ -17,13 +14,10 @@ namespace {
 
 constexpr const char *kJson = "application/json", *kPng = "image/png";
 
-std::string written(const OrderedJson& json) {
-  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+desk::Answer json_answer(int status, const OrderedJson& json) {
+  return {status, kJson, json_line(json) + "\n"};
 }
-
-desk::Answer refusal(int status, const std::string& why) {
-  return {status, kJson, written({{"error", why}})};
-}
+desk::Answer refusal(int status, const std::string& why) { return json_answer(status, {{"error", why}}); }
 
 // The script was ended from outside.
 struct LeftScript {};
@@ -49,7 +43,7 @@ void DeskWork::run(const desk::Run& run) {
   const auto reply = [&](const desk::Answer& answer) {
     if (run.reply) return run.reply(answer);
     if (answer.status == 200) return;
-    text(written({{"t", "error"}, {"text", OrderedJson::parse(answer.body)["error"]}}), true);
+    tell({{"t", "error"}, {"text", OrderedJson::parse(answer.body)["error"]}}, true);
   };
   OrderedJson action, printed = OrderedJson::array();
   double began = 0;
@@ -82,11 +76,11 @@ void DeskWork::run(const desk::Run& run) {
     script.run(viewer_, runner_, options);
     OrderedJson done = {{"done", script.size()}};
     if (!printed.empty()) done["printed"] = printed;
-    reply({200, kJson, written(done)});
+    reply(json_answer(200, done));
   } catch (const Error& error) {
     OrderedJson json = {{"error", error.what()}};
     if (!action.is_null()) json["action"] = action;
-    reply({422, kJson, written(json)});
+    reply(json_answer(422, json));
   } catch (const LeftScript&) {
     reply(refusal(503, "the server is going down"));
   } catch (const std::exception& error) {
@@ -99,7 +93,7 @@ void DeskWork::answer(const desk::AskState& ask) {
     const std::scoped_lock turn(*options_.turn);
     draw();
   }
-  ask.reply({200, kJson, written(state_document(viewer_.snapshot(), viewer_.ui()))});
+  ask.reply(json_answer(200, state_document(viewer_.snapshot(), viewer_.ui())));
 }
 
 // Whoever asks, also who only watches: what the controller does goes on as it is.

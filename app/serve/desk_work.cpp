@@ -7,12 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/gui/panel.h"
 #include "app/serve/clock.h"
 #include "sim/base/error.h"
-#include "sim/base/ordered_json.h"
 
 namespace pabd {
 namespace {
@@ -20,10 +18,6 @@ namespace {
 constexpr int kLeastWidth = 320, kLeastHeight = 240, kMostSide = 4096;
 constexpr double kSecondsOfFirst = 1.0 / 60;
 constexpr double kMostPixels = 3840.0 * 2400;
-
-std::string message_text(const OrderedJson& json) {
-  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
-}
 
 const char* word(MouseCursor cursor) {
   switch (cursor) {
@@ -70,7 +64,7 @@ DeskWork::DeskWork(GlContext& context, Runner& runner, const DeskOptions& option
                 out.clipboard = [this] { return clipboard_; };
                 out.set_clipboard = [this](const std::string& copied) {
                   clipboard_ = copied;
-                  text(message_text({{"t", "clipboard"}, {"text", copied}}), true);
+                  tell({{"t", "clipboard"}, {"text", copied}}, true);
                 };
                 out.files = options.files;
                 out.can_quit = false;
@@ -83,7 +77,9 @@ DeskWork::DeskWork(GlContext& context, Runner& runner, const DeskOptions& option
       height_(options.height),
       files_(options.files->list()) {}
 
-void DeskWork::text(std::string json, bool control_only) { hear_(desk::Text{std::move(json), control_only}); }
+void DeskWork::tell(const OrderedJson& json, bool control_only) {
+  hear_(desk::Text{json_line(json), control_only});
+}
 
 void DeskWork::resize(const desk::Resize& size) {
   width_ = std::clamp(size.width, kLeastWidth, kMostSide);
@@ -124,7 +120,7 @@ bool DeskWork::take(DeskInput& input) {
     stream_.arrive(arrive->visitor);
     tell_scene();
     tell_scheme();
-    text(message_text({{"t", "cursor"}, {"cursor", word(cursor_)}}), true);
+    tell({{"t", "cursor"}, {"cursor", word(cursor_)}}, true);
   } else if (const auto* scheme = std::get_if<desk::Scheme>(&input)) {
     viewer_.send(ViewCommand(command::Theme{scheme->dark}));
   } else if (const auto* depart = std::get_if<desk::Depart>(&input)) {
@@ -151,7 +147,7 @@ bool DeskWork::take(DeskInput& input) {
       viewer_.handle(FilesDropped{{viewer_.file_of(open->name)}});
       stamps_.push_back(stamp_);
     } catch (const Error& error) {
-      text(message_text({{"t", "error"}, {"text", error.what()}}), true);
+      tell({{"t", "error"}, {"text", error.what()}}, true);
     }
   } else if (const auto* script = std::get_if<desk::Run>(&input)) {
     run(*script);
@@ -196,11 +192,11 @@ bool DeskWork::take_frame(double began) {
 void DeskWork::tell_changes() {
   if (const MouseCursor cursor = viewer_.cursor(); cursor != cursor_) {
     cursor_ = cursor;
-    text(message_text({{"t", "cursor"}, {"cursor", word(cursor)}}), true);
+    tell({{"t", "cursor"}, {"cursor", word(cursor)}}, true);
   }
   if (const bool wants = viewer_.wants_text(); wants != wants_text_) {
     wants_text_ = wants;
-    text(message_text({{"t", "text_input"}, {"on", wants}}), true);
+    tell({{"t", "text_input"}, {"on", wants}}, true);
   }
   if (viewer_.snapshot().scene_serial != scene_) tell_scene();
   if (viewer_.ui().dark != dark_) tell_scheme();
@@ -212,12 +208,12 @@ void DeskWork::tell_changes() {
 
 void DeskWork::tell_scene() {
   scene_ = viewer_.snapshot().scene_serial;
-  text(message_text({{"t", "scene"}, {"scene", scene_name(viewer_.snapshot())}}), false);
+  tell({{"t", "scene"}, {"scene", scene_name(viewer_.snapshot())}}, false);
 }
 
 void DeskWork::tell_scheme() {
   dark_ = viewer_.ui().dark;
-  text(message_text({{"t", "scheme"}, {"dark", dark_}}), false);
+  tell({{"t", "scheme"}, {"dark", dark_}}, false);
 }
 
 // Whatever was saved said so.
@@ -225,13 +221,13 @@ void DeskWork::tell_files() {
   std::vector<FileRoot::Entry> files = options_.files->list();
   for (const FileRoot::Entry& file : files) {
     if (std::find(files_.begin(), files_.end(), file) == files_.end())
-      text(message_text({{"t", "file"}, {"name", file.name}, {"bytes", file.bytes}}), true);
+      tell({{"t", "file"}, {"name", file.name}, {"bytes", file.bytes}}, true);
   }
   files_ = std::move(files);
 }
 
 void DeskWork::tell_events(const Snapshot& sim) {
-  const auto tell = [&](const OrderedJson& json) { hear_(desk::Event{message_text(json)}); };
+  const auto tell = [&](const OrderedJson& json) { hear_(desk::Event{json_line(json)}); };
   if (sim.scene_serial != event_scene_) {
     event_scene_ = sim.scene_serial;
     event_step_ = -1;
@@ -268,10 +264,8 @@ void DeskWork::tell_stats(double now) {
     json["scale"] = stats->look.scale;
     json["rtt_ms"] = tenth(stats->link_ms);
   }
-  if (std::string said = message_text(json); said != stats_) {
-    stats_ = said;
-    text(std::move(said), false);
-  }
+  if (json != stats_) tell(json, false);
+  stats_ = std::move(json);
 }
 
 }  // namespace pabd

@@ -46,7 +46,7 @@ class DeskWork {
   void tell_scene();
   void tell_scheme();
   void tell_events(const Snapshot& sim);
-  void text(std::string json, bool control_only);
+  void tell(const OrderedJson& json, bool control_only);  // to the pages
 
   GlContext& context_;
   Runner& runner_;
@@ -70,7 +70,7 @@ class DeskWork {
   bool wants_text_ = false;
   bool dark_ = true;
   std::vector<FileRoot::Entry> files_;
-  std::string stats_;
+  OrderedJson stats_;  // as they were told last
 };
 
 }  // namespace pabd

@@ -2,8 +2,6 @@
 // Answers of HTTP, with what each says to a browser: see net.h.
 #include "app/serve/net.h"
 
-#include <nlohmann/json.hpp>
-
 namespace pabd::net {
 
 void set_headers(const Shared& shared, http::fields& answer) {
@@ -33,9 +31,8 @@ TextAnswer text_answer(const Shared& shared, int status, const std::string& type
   return out;
 }
 
-TextAnswer json_answer(const Shared& shared, int status, const nlohmann::ordered_json& json) {
-  return text_answer(shared, status, "application/json",
-                     json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+TextAnswer json_answer(const Shared& shared, int status, const OrderedJson& json) {
+  return text_answer(shared, status, "application/json", json_line(json) + "\n");
 }
 
 TextAnswer page_answer(const Shared& shared, const std::string& name) {

@@ -2,7 +2,6 @@
 // A connection that speaks HTTP: every request is checked (routes.h) before its body is read.
 #include <boost/asio/post.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/serve/clock.h"
 #include "app/serve/event_stream.h"
@@ -175,7 +174,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void list_files() {
     const auto files = shared_.lobby->files(session_);
     if (!files) return no_session();
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    OrderedJson list = OrderedJson::array();
     for (const FileRoot::Entry& entry : files->list())
       list.push_back({{"name", entry.name}, {"bytes", entry.bytes}});
     send(json_answer(shared_, 200, {{"files", list}}));
@@ -231,10 +230,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
         to->send(text_answer(to->shared_, answer.status, answer.type, std::move(answer.body)));
       });
     }
-    void refuse(const char* why) {
-      const nlohmann::json body = {{"error", why}};
-      answer({503, "application/json", body.dump() + "\n"});
-    }
+    void refuse(const char* why) { answer({503, "application/json", json_line({{"error", why}}) + "\n"}); }
 
    private:
     std::shared_ptr<HttpConnection> connection_;

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/serve/clock.h"
 #include "sim/base/error.h"
-#include "sim/base/ordered_json.h"
 
 namespace pabd {
 namespace {
@@ -17,8 +15,7 @@ constexpr std::size_t kMostListeners = 8;  // of a session's events
 constexpr double kKeepAlive = 10;          // s; what cannot be delivered shows who has vanished
 
 std::shared_ptr<const std::string> shared(const OrderedJson& json) {
-  return std::make_shared<const std::string>(
-      json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
+  return std::make_shared<const std::string>(json_line(json));
 }
 
 }  // namespace

@@ -162,6 +162,10 @@ ClientMessage read(const Json& json) {
 
 }  // namespace
 
+std::string json_line(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
 ClientMessage read_client_message(std::string_view text) {
   if (text.size() > kMostMessageBytes)
     throw Error(ErrorKind::bad_input, "message", fmt::format("longer than {} bytes", kMostMessageBytes));

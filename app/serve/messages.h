@@ -16,6 +16,7 @@
 #include "app/serve/frame_encoder.h"
 #include "app/serve/roles.h"
 #include "render/context/window.h"
+#include "sim/base/ordered_json.h"
 
 namespace pabd {
 
@@ -133,6 +134,9 @@ using DeskInput = std::variant<desk::Input, desk::Resize, desk::Paste, desk::Sho
                                desk::Run, desk::Arrive, desk::Scheme, desk::Depart, desk::HandOver,
                                desk::Refresh, desk::Uploaded, desk::AskState, desk::AskPicture>;
 using DeskNews = std::variant<desk::Frame, desk::Text, desk::Event, desk::Ended>;
+
+// JSON as it is sent, in one line; what is no UTF-8 is replaced.
+std::string json_line(const OrderedJson& json);
 
 // Throws Error(bad_input), in one line, for everything that is no message; members that nobody asked for are
 // passed over. No other exception, whatever the text.

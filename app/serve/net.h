@@ -5,7 +5,6 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -73,7 +72,7 @@ void set_headers(const Shared& shared, http::fields& answer);
 
 using TextAnswer = http::response<http::string_body>;
 TextAnswer text_answer(const Shared& shared, int status, const std::string& type, std::string body);
-TextAnswer json_answer(const Shared& shared, int status, const nlohmann::ordered_json& json);
+TextAnswer json_answer(const Shared& shared, int status, const OrderedJson& json);
 TextAnswer page_answer(const Shared& shared, const std::string& name);  // of a file of the page
 
 }  // namespace pabd::net
