@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "app/plots/axis_ticks.h"
 #include "sim/base/error.h"
@@ -44,12 +43,7 @@ Axes choose(const CollectedSweep& sweep, const std::string& x, const std::string
   for (const std::size_t p : varied_parameters(sweep)) {
     if (p != axes.x && p != axes.y) free.push_back(p);
   }
-  std::stable_sort(free.begin(), free.end(), [&](std::size_t a, std::size_t b) {
-    return values_of(sweep, a).size() > values_of(sweep, b).size();
-  });
-  const std::size_t needed = (axes.x ? 0u : 1u) + (axes.y ? 0u : 1u);
-  free.resize(std::min(free.size(), needed));
-  std::sort(free.begin(), free.end());
+  free = most_varied(sweep, std::move(free), (axes.x ? 0u : 1u) + (axes.y ? 0u : 1u));
   auto next = free.begin();
   if (!axes.x && next != free.end()) axes.x = *next++;
   if (!axes.y && next != free.end()) axes.y = *next++;
@@ -98,14 +92,6 @@ TaskGrid in_lines(const CollectedSweep& sweep) {
 }
 
 }  // namespace
-
-std::vector<SweptValue> values_of(const CollectedSweep& sweep, std::size_t parameter) {
-  std::set<SweptValue> values;
-  for (const SweptTask& task : sweep.tasks) {
-    if (!task.parameters[parameter].absent()) values.insert(task.parameters[parameter]);
-  }
-  return {values.begin(), values.end()};
-}
 
 TaskGrid grid_of(const CollectedSweep& sweep, const std::string& x, const std::string& y) {
   const Axes axes = choose(sweep, x, y);

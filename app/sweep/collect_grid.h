@@ -37,7 +37,4 @@ struct TaskGrid {
 // along x. Throws Error(bad_input) for a key that is no parameter of the sweep, or for twice the same.
 TaskGrid grid_of(const CollectedSweep& sweep, const std::string& x = {}, const std::string& y = {});
 
-// The values of a parameter, ascending; without what is absent.
-std::vector<SweptValue> values_of(const CollectedSweep& sweep, std::size_t parameter);
-
 }  // namespace pabd

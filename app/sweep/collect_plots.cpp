@@ -52,12 +52,7 @@ std::vector<std::size_t> scatter_axes(const CollectedSweep& sweep) {
     };
     if (std::all_of(sweep.tasks.begin(), sweep.tasks.end(), number)) axes.push_back(p);
   }
-  std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
-    return values_of(sweep, a).size() > values_of(sweep, b).size();
-  });
-  if (axes.size() > 2) axes.erase(axes.begin() + 2, axes.end());
-  std::sort(axes.begin(), axes.end());
-  return axes;
+  return most_varied(sweep, std::move(axes), 2);
 }
 
 Axis plot_axis_of(const CollectedSweep& sweep, std::size_t parameter) {
@@ -140,9 +135,7 @@ std::string signs_words(const CollectedSweep& sweep) {
   if (any(SweptStatus::refused)) words.emplace_back("/ refused");
   if (any(SweptStatus::unfinished) || any(SweptStatus::damaged))
     words.emplace_back("• unfinished or damaged");
-  std::string out;
-  for (const std::string& one : words) out += (out.empty() ? "" : ", ") + one;
-  return out;
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 HeatMap heat_map_of(const CollectedSweep& sweep, const TaskGrid& grid, const Criterion& criterion) {

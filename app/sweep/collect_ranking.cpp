@@ -22,16 +22,6 @@ std::string number_of(const CollectedSweep& sweep, std::size_t task) {
   return one.index < 0 ? one.hash : std::to_string(one.index);
 }
 
-// "2, 5 and 7".
-std::string numbers_of(const CollectedSweep& sweep, const std::vector<std::size_t>& tasks) {
-  std::string out;
-  const std::size_t shown = std::min(tasks.size(), kNamedEquals);
-  for (std::size_t i = 0; i < shown; ++i)
-    out += (i == 0 ? "" : i + 1 == tasks.size() ? " and " : ", ") + number_of(sweep, tasks[i]);
-  if (shown < tasks.size()) out += fmt::format(" and {} more", tasks.size() - shown);
-  return out;
-}
-
 struct Measured {
   std::size_t task;
   double size;
@@ -71,13 +61,13 @@ std::string best_sentence(const CollectedSweep& sweep, const Criterion& criterio
                              task_words(sweep, all[0].task), words(least))
                : fmt::format("All {} tasks have the same {}, {}.", all.size(), name, words(least));
   }
-  std::vector<std::size_t> best;
+  std::vector<std::string> best;
   for (const Measured& one : all) {
-    if (one.size == least) best.push_back(one.task);
+    if (one.size == least) best.push_back(number_of(sweep, one.task));
   }
   const std::string who = best.size() == 1
-                              ? task_words(sweep, best[0])
-                              : fmt::format("tasks {}, which are equal,", numbers_of(sweep, best));
+                              ? task_words(sweep, all[0].task)
+                              : fmt::format("tasks {}, which are equal,", named(best, kNamedEquals));
   return fmt::format("Least {}: {} with {}; the median of {} is {}, the most is {} of task {}.", name, who,
                      words(least), all.size(), words(median(all)), words(most),
                      number_of(sweep, all.back().task));

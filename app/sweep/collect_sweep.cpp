@@ -78,18 +78,6 @@ Folders list_tasks(const fs::path& folder, const CollectLimits& limits) {
   return found;
 }
 
-// "a, b, c and 4 more".
-std::string named(const std::vector<std::string>& names) {
-  std::string out;
-  const std::size_t shown = std::min(names.size(), kNamed);
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool last = i + 1 == names.size();
-    out += (i == 0 ? "" : last ? " and " : ", ") + names[i];
-  }
-  if (shown < names.size()) out += fmt::format(" and {} more", names.size() - shown);
-  return out;
-}
-
 std::vector<std::string> names_of(const std::vector<fs::path>& paths) {
   std::vector<std::string> names;
   for (const fs::path& path : paths) names.push_back(one_line(path.filename().string()));
@@ -132,10 +120,11 @@ void note_gaps(CollectedSweep& sweep) {
     previous = task.index;
     next = task.index + 1;
   }
-  if (gaps > 0) sweep.notes.push_back(fmt::format("{} missing: {}", counted(gaps, "task"), named(missing)));
+  if (gaps > 0)
+    sweep.notes.push_back(fmt::format("{} missing: {}", counted(gaps, "task"), named(missing, kNamed)));
   if (!twice.empty()) {
     sweep.notes.push_back(
-        fmt::format("indices that several tasks have, perhaps of an earlier plan: {}", named(twice)));
+        fmt::format("indices that several tasks have, perhaps of an earlier plan: {}", named(twice, kNamed)));
   }
 }
 
@@ -239,12 +228,12 @@ CollectedSweep collect_sweep(const fs::path& folder, const CollectLimits& limits
   note_gaps(sweep);
   if (!folders.begun.empty()) {
     sweep.notes.push_back(fmt::format("{} begun and not finished: {}", counted(folders.begun.size(), "task"),
-                                      named(names_of(folders.begun))));
+                                      named(names_of(folders.begun), kNamed)));
   }
   note_status(sweep, SweptStatus::unfinished);
   note_status(sweep, SweptStatus::damaged);
   if (!folders.strange.empty())
-    sweep.notes.push_back("no tasks, passed over: " + named(names_of(folders.strange)));
+    sweep.notes.push_back("no tasks, passed over: " + named(names_of(folders.strange), kNamed));
   return sweep;
 }
 
@@ -262,16 +251,22 @@ std::vector<std::string> settings_of(const CollectedSweep& sweep, const SweptTas
   return out;
 }
 
+std::string named(const std::vector<std::string>& names, std::size_t most) {
+  std::string out;
+  const std::size_t shown = std::min(names.size(), most);
+  for (std::size_t i = 0; i < shown; ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  if (shown < names.size()) out += fmt::format(" and {} more", names.size() - shown);
+  return out;
+}
+
 std::string counts_words(const CollectedSweep& sweep) {
   std::vector<std::string> parts;
   for (const SweptStatus status : kSweptStatuses) {
     if (const std::size_t n = sweep.count(status))
       parts.push_back(fmt::format("{} {}", n, status_word(status)));
   }
-  std::string out = counted(sweep.tasks.size(), "task");
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    out += (i == 0 ? ": " : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return out;
+  return counted(sweep.tasks.size(), "task") + (parts.empty() ? "" : ": " + named(parts, parts.size()));
 }
 
 std::string in_words(double value, const std::string& unit) {
@@ -291,6 +286,14 @@ std::string in_words(const CollectedSweep& sweep, const SweptTask& task,
   return out;
 }
 
+std::vector<SweptValue> values_of(const CollectedSweep& sweep, std::size_t parameter) {
+  std::set<SweptValue> values;
+  for (const SweptTask& task : sweep.tasks) {
+    if (!task.parameters[parameter].absent()) values.insert(task.parameters[parameter]);
+  }
+  return {values.begin(), values.end()};
+}
+
 std::vector<std::size_t> varied_parameters(const CollectedSweep& sweep) {
   std::vector<std::size_t> varied;
   for (std::size_t p = 0; p < sweep.parameters.size(); ++p) {
@@ -302,6 +305,16 @@ std::vector<std::size_t> varied_parameters(const CollectedSweep& sweep) {
       varied.push_back(p);
   }
   return varied;
+}
+
+std::vector<std::size_t> most_varied(const CollectedSweep& sweep, std::vector<std::size_t> parameters,
+                                     std::size_t count) {
+  std::stable_sort(parameters.begin(), parameters.end(), [&](std::size_t a, std::size_t b) {
+    return values_of(sweep, a).size() > values_of(sweep, b).size();
+  });
+  parameters.resize(std::min(parameters.size(), count));
+  std::sort(parameters.begin(), parameters.end());
+  return parameters;
 }
 
 }  // namespace pabd

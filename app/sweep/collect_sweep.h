@@ -100,6 +100,9 @@ std::string scene_of_sweep(const std::filesystem::path& folder, const CollectLim
 // What makes the plan's scene that of a task: "contact.kappa=50", as --set takes it.
 std::vector<std::string> settings_of(const CollectedSweep& sweep, const SweptTask& task);
 
+// "a, b, c and 4 more": `most` are named.
+std::string named(const std::vector<std::string>& names, std::size_t most);
+
 // "20 tasks: 17 done, 2 diverged and 1 refused".
 std::string counts_words(const CollectedSweep& sweep);
 
@@ -109,7 +112,12 @@ std::string in_words(double value, const std::string& unit);
 std::string in_words(const CollectedSweep& sweep, const SweptTask& task,
                      const std::vector<std::size_t>& which);
 
+// The values of a parameter, ascending; without what is absent.
+std::vector<SweptValue> values_of(const CollectedSweep& sweep, std::size_t parameter);
 // The parameters of which there are several values.
 std::vector<std::size_t> varied_parameters(const CollectedSweep& sweep);
+// Of `parameters` the `count` with the most values, in the plan's order.
+std::vector<std::size_t> most_varied(const CollectedSweep& sweep, std::vector<std::size_t> parameters,
+                                     std::size_t count);
 
 }  // namespace pabd
