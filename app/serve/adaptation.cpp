@@ -12,12 +12,12 @@ constexpr FrameLook kLooks[] = {{1, 85}, {1, 70}, {1, 55}, {0.75, 60}, {0.5, 60}
 constexpr std::size_t kLast = std::size(kLooks) - 1;
 constexpr std::size_t kFast = 3;  // what "fast" begins with
 constexpr FrameLook kFine{1, 92};
-constexpr double kShare = 0.25;      // of the newest in a smoothed value
-constexpr std::size_t kTiny = 4000;  // bytes of a frame whose size costs nothing
-constexpr double kForgets = 1;       // ms by which the way may become longer with each of them
+constexpr double kShare = 0.25;      // weight of the newest in a smoothed value
+constexpr std::size_t kTiny = 4000;  // bytes; a smaller frame measures the empty link
+constexpr double kForgets = 1;       // ms by which the empty link may become slower with each such frame
 constexpr double kPatience = 0.5;    // s between two steps down
-constexpr double kRecovered = 2;     // s that all was well before a step up
-constexpr double kWell = 0.45;       // of the time of a frame
+constexpr double kRecovered = 2;     // s of low load before a step up
+constexpr double kWell = 0.45;       // share of kFrameMs that counts as low load
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seconds, since whenever.
+// Seconds of a steady clock.
 #pragma once
 
 #include <chrono>

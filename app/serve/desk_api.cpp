@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What programs ask a desk for: scripts, its state, pictures. See desk_work.h.
+// Requests of programs: scripts, state, pictures. See desk_work.h.
 #include "app/gui/pictures.h"
 #include "app/gui/script.h"
 #include "app/gui/script_reader.h"
@@ -19,10 +19,10 @@ desk::Answer json_answer(int status, const OrderedJson& json) {
 }
 desk::Answer refusal(int status, const std::string& why) { return json_answer(status, {{"error", why}}); }
 
-// The script was ended from outside.
+// The desk was stopped during the script.
 struct LeftScript {};
 
-// The first action that cannot be read at all, if that is what is wrong.
+// Index of the first action that cannot be read; null: all can.
 OrderedJson place_of_fault(const std::string& text) {
   OrderedJson document = OrderedJson::parse(text, nullptr, false);
   if (document.is_object() && document.contains("actions")) document = OrderedJson(document["actions"]);
@@ -49,11 +49,11 @@ void DeskWork::run(const desk::Run& run) {
   double began = 0;
   std::unique_lock turn(*options_.turn, std::defer_lock);
   try {
-    static_cast<void>(parse_document(run.json, "actions"));  // not too deep for what follows
+    static_cast<void>(parse_document(run.json, "actions"));  // checks the depth
     action = place_of_fault(run.json);
     const Script script(run.json, "actions");
     ScriptOptions options;
-    options.force = true;  // the files are the visitor's own
+    options.force = true;  // the folder belongs to the visitors
     options.width = width_;
     options.height = height_;
     options.print = [&](const std::string& line) {
@@ -62,7 +62,7 @@ void DeskWork::run(const desk::Run& run) {
     options.before_action = [&](std::size_t number) { action = number; };
     options.refusal_of_window = refusal_of_window;
     options.before_frame = [&] {
-      if (turn.owns_lock()) turn.unlock();  // the last frame failed
+      if (turn.owns_lock()) turn.unlock();  // an exception skipped after_frame
       if (queue_.stopped()) throw LeftScript();
       for (DeskInput& input : queue_.take_acknowledgements()) take(input);
       turn.lock();
@@ -96,19 +96,19 @@ void DeskWork::answer(const desk::AskState& ask) {
   ask.reply(json_answer(200, state_document(viewer_.snapshot(), viewer_.ui())));
 }
 
-// Whoever asks, also who only watches: what the controller does goes on as it is.
+// Any visitor may ask, so the window and its input stay as they are.
 void DeskWork::answer(const desk::AskPicture& ask) {
   const std::scoped_lock turn(*options_.turn);
   const int width = ask.width > 0 ? ask.width : width_, height = ask.height > 0 ? ask.height : height_;
   const bool own_size = width == width_ && height == height_;
   try {
-    draw();  // what waits was meant for the window as it is
+    draw();  // processes waiting events at the present size
     if (ask.panels && !own_size && viewer_.button_held())
       return ask.reply(
           refusal(503, "somebody drags in the window: try again, ask for its own size, or with panels=0"));
     std::vector<std::uint8_t> png;
     if (ask.panels) {
-      for (int i = 0; i < 2; ++i) {  // the first one may find that a panel needs more room
+      for (int i = 0; i < 2; ++i) {  // the first one may resize panels
         if (own_size)
           draw();
         else

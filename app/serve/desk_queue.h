@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What waits for the desk's thread.
+// The inputs that wait for the desk's thread.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class DeskQueue {
     {
       const std::scoped_lock lock(mutex_);
       if (merged(input)) return true;
-      // What tells of visitors comes as seldom as they do, or is one a visitor, and is never lost.
+      // Inputs about visitors are rare, or one per visitor: they are never refused.
       const bool told =
           is<desk::Arrive, desk::Scheme, desk::Depart, desk::HandOver, desk::Shown, desk::Refresh>(input);
       if (!told && waiting_.size() >= ServedDesk::kMostInputs) return false;
@@ -35,7 +35,7 @@ class DeskQueue {
     return std::exchange(waiting_, {});
   }
 
-  // Only news of visitors and frames, in their order: while a script is carried out the rest waits.
+  // Only arrivals, departures and acknowledgements, in their order: the rest waits while a script runs.
   std::deque<DeskInput> take_acknowledgements() {
     const std::scoped_lock lock(mutex_);
     std::deque<DeskInput> out, rest;
@@ -65,7 +65,7 @@ class DeskQueue {
     return (std::holds_alternative<Kinds>(input) || ...);
   }
 
-  // A move after a move takes its place. Of what everybody may send, the newest of each visitor waits.
+  // A move replaces a move before it. Of Shown and Refresh, only the newest of each visitor waits.
   bool merged(const DeskInput& input) {
     if (const auto* shown = std::get_if<desk::Shown>(&input)) return renewed(*shown);
     if (const auto* refresh = std::get_if<desk::Refresh>(&input)) return renewed(*refresh);

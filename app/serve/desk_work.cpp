@@ -98,7 +98,7 @@ std::string DeskWork::refusal_of_window(int width, int height) {
                      kMostPixels);
 }
 
-// A hand that is gone holds nothing: no button, no key, no body.
+// Releases buttons, keys and pulled bodies.
 void DeskWork::let_go() {
   for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
     viewer_.handle(MouseClicked{button, false, {}});
@@ -175,7 +175,7 @@ bool DeskWork::draw() {
   return take_frame(began);
 }
 
-// The frame that was drawn goes to the stream, what goes with it to the page.
+// Passes the drawn frame to the stream and the accompanying texts to the page.
 bool DeskWork::take_frame(double began) {
   while (stamps_.size() > viewer_.waiting_events()) {
     stamp_ = stamps_.front();
@@ -216,7 +216,7 @@ void DeskWork::tell_scheme() {
   tell({{"t", "scheme"}, {"dark", dark_}}, false);
 }
 
-// Whatever was saved said so.
+// Announces new and changed files.
 void DeskWork::tell_files() {
   std::vector<FileRoot::Entry> files = options_.files->list();
   for (const FileRoot::Entry& file : files) {

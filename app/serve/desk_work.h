@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a served desk does in its thread: inputs into the viewer, frames out of it, scripts, texts for the page.
+// The work of a desk's thread: passes inputs to the viewer and frames to the stream, runs scripts, sends texts.
 #pragma once
 
 #include <deque>
@@ -14,18 +14,18 @@ namespace pabd {
 
 class DeskWork {
  public:
-  // The turn is held, and the context current. `hear` gets the news.
+  // Precondition: the turn is held and the context is current. `hear` receives the news.
   DeskWork(GlContext& context, Runner& runner, const DeskOptions& options, DeskQueue& queue,
            const std::function<void(DeskNews)>& hear);
 
-  // True when the window may look different now. While a script is carried out the queue gives what must not wait, and
-  // ends it when it is stopped. The turn is not held.
+  // True when the window may look different now. While a script runs, urgent inputs are taken from the queue, and
+  // stopping the queue ends the script. Precondition: the turn is not held.
   bool take(DeskInput& input);
 
-  // Whether the simulation is elsewhere than in the last frame; with `events` says so.
+  // Whether the simulation has changed since the last call; with `events` the changes are sent as events.
   bool look(bool events);
 
-  // A frame, with the turn held. True when it differs from the last one.
+  // Draws a frame. Precondition: the turn is held. True when it differs from the last one.
   bool draw();
 
   void tell_stats(double now);
@@ -35,7 +35,8 @@ class DeskWork {
 
  private:
   void resize(const desk::Resize& size);
-  static std::string refusal_of_window(int width, int height);  // of one that resize() would make smaller
+  static std::string refusal_of_window(int width,
+                                       int height);  // for a size that resize() would reduce; empty: it fits
   void let_go();
   void run(const desk::Run& run);
   void answer(const desk::AskState& ask);
@@ -59,8 +60,8 @@ class DeskWork {
   int width_, height_;
   double last_draw_ = 0;
 
-  std::deque<std::uint32_t> stamps_;  // of events that the viewer has not taken yet
-  std::uint32_t stamp_ = 0;           // newest that it took
+  std::deque<std::uint32_t> stamps_;  // of events that the viewer has not processed yet
+  std::uint32_t stamp_ = 0;           // newest that it processed
 
   std::uint64_t scene_ = 0;
   std::uint64_t seen_ = 0, event_serial_ = 0, messages_ = 0, event_messages_ = 0, event_scene_ = 0;
@@ -70,7 +71,7 @@ class DeskWork {
   bool wants_text_ = false;
   bool dark_ = true;
   std::vector<FileRoot::Entry> files_;
-  OrderedJson stats_;  // as they were told last
+  OrderedJson stats_;  // as last sent
 };
 
 }  // namespace pabd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// GET /events: a line of JSON for every change, until somebody closes.
+// GET /events: a line of JSON for every change, until the client or the server closes.
 #pragma once
 
 #include <boost/asio/steady_timer.hpp>
@@ -11,7 +11,8 @@ namespace pabd::net {
 
 class EventStream : public EventLink, public std::enable_shared_from_this<EventStream> {
  public:
-  static constexpr std::size_t kMostWaiting = 256 * 1024;  // bytes; who reads slower is closed
+  static constexpr std::size_t kMostWaiting =
+      256 * 1024;  // bytes; a client that reads more slowly is disconnected
 
   EventStream(Shared& shared, NetStream stream, Place place)
       : shared_(shared), stream_(std::move(stream)), place_(std::move(place)), farewell_(shared.io) {}
@@ -71,7 +72,7 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
                       });
   }
 
-  // A second, in tenths: time in which this thread had other work is not time that was not used to read.
+  // Waits a second in tenths, so that a pause of this thread does not count as the client's.
   void wait_for_reader(int tenths) {
     farewell_.expires_after(std::chrono::milliseconds(100));
     farewell_.async_wait([weak = weak_from_this(), tenths](Failure cancelled) {
@@ -87,7 +88,7 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
                       [self = shared_from_this()](Failure, std::size_t) { self->end(); });
   }
 
-  // The client's end is seen by reading.
+  // Reading shows when the client closes.
   void watch() {
     stream_.async_read_some(asio::buffer(rest_), [self = shared_from_this()](Failure failure, std::size_t) {
       failure ? self->end() : self->watch();

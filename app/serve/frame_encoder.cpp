@@ -36,7 +36,7 @@ struct JpegBytes {
   ~JpegBytes() { tjFree(data); }
 };
 
-// The members in the order of the bytes; `f` gets each.
+// Calls f(member) in the order of the bytes.
 void each(auto& head, auto&& f) {
   f(head.kind);
   f(head.flags);
@@ -82,7 +82,6 @@ FrameEncoder::FrameEncoder() : handle_(tjInitCompress()) {
 
 FrameEncoder::~FrameEncoder() { tjDestroy(handle_); }
 
-// A message for each rectangle.
 template <class Encode>
 EncodedFrame FrameEncoder::encode(const Image& image, const std::vector<PixelRect>& rects, FrameHead head,
                                   const Encode& encode) {

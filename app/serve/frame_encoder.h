@@ -23,16 +23,16 @@ struct FrameHead {
   std::uint32_t frame = 0;
   std::uint16_t x = 0, y = 0, w = 0, h = 0;  // of the rectangle, pixels
   std::uint16_t width = 0, height = 0;       // of the whole frame
-  std::uint32_t stamp = 0;                   // newest input that it shows
+  std::uint32_t stamp = 0;                   // of the newest input that the frame shows
   std::uint32_t draw_us = 0, encode_us = 0;  // microseconds
   bool operator==(const FrameHead&) const = default;
 };
 
 std::string to_bytes(const FrameHead& head);  // little endian
-// Precondition: kBytes at least.
+// Precondition: at least kBytes.
 FrameHead read_frame_head(std::string_view bytes);
 
-// A message that several visitors get.
+// A message that is sent to several visitors.
 using SharedBytes = std::shared_ptr<const std::string>;
 
 struct EncodedFrame {
@@ -47,12 +47,12 @@ class FrameEncoder {
   FrameEncoder(const FrameEncoder&) = delete;
   FrameEncoder& operator=(const FrameEncoder&) = delete;
 
-  // `head` says which frame it is, and what it shows; its kind, places and times are filled in. `quality` of
-  // JPEG, 1 … 100; from 90 on colours have the resolution of brightness. Throws Error(encoder).
+  // One message per rectangle. `head` gives frame, stamp and drawing time; the rest is filled in. `quality`: 1 … 100;
+  // from 90 on without chroma subsampling. Throws Error(encoder).
   EncodedFrame jpeg(const Image& image, const std::vector<PixelRect>& rects, int quality, FrameHead head);
   EncodedFrame png(const Image& image, const std::vector<PixelRect>& rects, FrameHead head);
 
-  double last_ms() const { return last_ms_; }  // that the last frame took
+  double last_ms() const { return last_ms_; }  // time of the last frame
 
  private:
   template <class Encode>

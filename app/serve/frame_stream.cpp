@@ -51,7 +51,7 @@ FrameHead FrameStream::head() const {
   return out;
 }
 
-// The frame as it is sent while things move; what of it is new to whoever has the last one.
+// Prepares the newest frame: reduced if necessary, with the rectangles that differ from the last one sent.
 void FrameStream::begin_moving() {
   sent_look_ = adaptation_.look();
   Image next = sent_look_.scale < 1 ? reduced(image_, sent_look_.scale) : image_;

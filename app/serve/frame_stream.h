@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From frames that were drawn to messages for each visitor: one frame on its way at a time, the newest wins,
-// only what changed, lossless when it stands still. Knows no GL, no network and no clock.
+// Drawn frames as messages for each visitor: one unacknowledged frame at a time, then the newest; only the changed
+// rectangles; lossless when the picture rests. Without GL, network and clock: times are parameters, in s.
 #pragma once
 
 #include <functional>
@@ -21,41 +21,41 @@ struct StreamStats {
 class FrameStream {
  public:
   using Send = std::function<void(VisitorId, const EncodedFrame&)>;
-  static constexpr double kStill = 0.2;  // s without change, then lossless
+  static constexpr double kStill = 0.2;  // s without change before lossless parts are sent
   static constexpr std::size_t kLosslessTiles =
-      160;  // at a time, so that nobody waits long for the next frame
+      160;  // at a time, so that the next moving frame does not wait long
 
   explicit FrameStream(Send send) : send_(std::move(send)) {}
 
   void arrive(VisitorId visitor) { visitors_[visitor] = {}; }
   void depart(VisitorId visitor) { visitors_.erase(visitor); }
-  void refresh(VisitorId visitor);  // it has nothing any more
-  // Whose link decides how good moving frames are; none: the first one's.
+  void refresh(VisitorId visitor);  // its page lost the picture
+  // Whose link controls the adaptation; none: the first visitor.
   void follow(std::optional<VisitorId> visitor) { leader_ = visitor; }
   void choose(Adaptation::Mode mode) { adaptation_.choose(mode); }
   void acknowledge(VisitorId visitor, std::uint32_t frame, double shown_ms, double now);
 
-  // The window as it was drawn. False: the same pixels as before.
+  // The window as drawn. False: the same pixels as before.
   bool show(Image image, std::uint32_t stamp, double draw_ms, double now);
-  // Somebody can take a frame, or the newest is on its way: it is worth to draw another one.
+  // Whether drawing another frame is useful: a visitor can take one, or has been sent the newest.
   bool wants_frame() const;
   bool empty() const { return visitors_.empty(); }
 
   void deliver(double now);
-  // When deliver() will have something to do without anything else happening.
+  // When deliver() has something to send if nothing else happens.
   std::optional<double> due() const;
 
-  // Since the last call; none when nothing was sent.
+  // Of the time since the last call; none: nothing was sent.
   std::optional<StreamStats> stats(double now);
 
  private:
   struct Visitor {
     bool ready = true;
-    bool stale = false;       // what it has is not to be built upon
-    std::uint32_t frame = 0;  // that it has or gets; 0: none
-    double sent = 0;          // when
-    std::size_t bytes = 0;    // of it
-    Tiles lossy;              // not as they are
+    bool stale = false;       // it needs a whole frame
+    std::uint32_t frame = 0;  // newest that it was sent; 0: none
+    double sent = 0;          // time
+    std::size_t bytes = 0;    // of that frame
+    Tiles lossy;              // places that it has in JPEG only
   };
   void send_moving(VisitorId id, Visitor& visitor, double now);
   void send_lossless(VisitorId id, Visitor& visitor, double now);
@@ -74,7 +74,7 @@ class FrameStream {
   std::uint32_t number_ = 0, stamp_ = 0;
   double draw_ms_ = 0, changed_ = -1e9;
 
-  // The newest moving frame: what was encoded, and after which other one its rectangles are enough.
+  // The newest moving frame as encoded, and the frame on which its rectangles (part_) build.
   Image sent_;
   FrameLook sent_look_;
   std::uint32_t sent_number_ = 0, base_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may come in: with which secret, under which names of the server, from which pages, how often.
+// Access checks: tokens, names of the server, origins of pages, rates.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace pabd {
 
-// The secret in the link: 128 bits of the system's randomness.
+// The secret in the link: 128 random bits of the system.
 class AccessToken {
  public:
   static constexpr std::size_t kDigits = 32;
 
-  static AccessToken make();  // throws Error(file) when the system has no randomness
+  static AccessToken make();  // throws Error(file) without a source of random numbers
 
   const std::string& hex() const { return hex_; }
-  // In a time that does not depend on where they differ.
+  // In constant time.
   bool matches(std::string_view given) const;
 
  private:
@@ -27,49 +27,48 @@ class AccessToken {
   std::string hex_;
 };
 
-// What a link with one of the two tokens may do.
+// What the holder of a token may do.
 enum class Access { none, watch, control };
 
 struct AccessTokens {
   AccessToken control = AccessToken::make(), watch = AccessToken::make();
-  bool watchers = true;  // the second one counts
+  bool watchers = true;  // whether the watch token is valid
 
   Access access(std::string_view given) const;
 };
 
-// Host and Origin, compared as they are, without case. A page of another site that got a name of its own to
-// point here (DNS rebinding) is stopped by the first, its scripts by the second.
+// Checks the headers Host (against DNS rebinding) and Origin (against scripts of other sites), regardless of case.
 class Gate {
  public:
-  // "127.0.0.1:8472"; `secure`: https. Those with its usual port are known without it too.
+  // "127.0.0.1:8472"; `secure`: https. A name with the scheme's default port is also known without it.
   Gate(std::vector<std::string> hosts, bool secure);
 
   bool knows_host(std::string_view host) const;
-  // An origin is right when it is that of the host that was asked.
+  // Whether the origin is that of the requested host.
   bool knows_origin(std::string_view origin, std::string_view host) const;
 
   const char* scheme() const { return secure_ ? "https" : "http"; }
 
  private:
-  std::vector<std::string> hosts_;  // in small letters
+  std::vector<std::string> hosts_;  // in lower case
   bool secure_;
 };
 
 // "name", "name:8472", "[::1]:8472": what a browser can send as Host.
 bool is_host(std::string_view host);
 
-// `rate` tokens a second, at most `most` at a time.
+// Token bucket: `rate` a second, at most `most` at once.
 class RateBucket {
  public:
   RateBucket(double rate, double most) : rate_(rate), most_(most), left_(most) {}
-  bool take(double now);  // seconds, since whenever; false: too many
+  bool take(double now);  // s; false: too many
 
  private:
   double rate_, most_, left_;
   std::optional<double> last_;
 };
 
-// Connections at a time.
+// Limits simultaneous connections, in all and per address.
 class ConnectionCount {
  public:
   enum class Verdict { welcome, busy_peer, full };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A connection that speaks HTTP: every request is checked (routes.h) before its body is read.
+// An HTTP connection: every request is checked (routes.h) before its body is read.
 #include <boost/asio/post.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 constexpr std::uint32_t kMostHeader = 16 * 1024;
 constexpr auto kIdle = 30s, kLongest = 600s;
 constexpr std::size_t kMostUploads = 2, kMostWaiting = 16;
-// Who sends slower keeps others out.
+// Slower uploads are refused, since only two run at a time.
 constexpr double kUploadGrace = 10;  // s
 constexpr double kUploadRate = 1e4;  // bytes a second
 
@@ -42,7 +42,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   void read() {
     parser_.emplace();
     parser_->header_limit(kMostHeader);
-    parser_->body_limit(kMostUpload);  // of the announced length; what is read has its own limit
+    parser_->body_limit(kMostUpload);  // limit of the announced length; read_body() has its own
     expire(kIdle);
     http::async_read_header(
         stream_, buffer_, *parser_,
@@ -206,8 +206,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   // ---- what a desk answers ----
 
-  // A request that a desk works on. It is answered whatever becomes of the desk, and the connection is used and
-  // let go of in the network's thread alone.
+  // A request that waits for a desk. It is answered even if the desk ends; the connection is used and released in the
+  // network's thread only.
   class Pending {
    public:
     explicit Pending(std::shared_ptr<HttpConnection> connection) : connection_(std::move(connection)) {
@@ -259,7 +259,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   // ---- answers ----
 
-  // What is wrong with a request may leave parts of it behind: the connection ends with it.
+  // Closes the connection: parts of a refused request may be unread.
   void refuse(int status, const std::string& why) {
     keep_alive_ = false;
     send(json_answer(shared_, status, {{"error", why}}));
@@ -280,7 +280,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     });
   }
 
-  // What the client still sends is read, for a moment, so that it sees the answer and no reset.
+  // Reads what the client still sends for a moment, so that it receives the answer instead of a reset.
   void close() {
     expire(stream_.secure() ? 2s : 1s);
     stream_.shutdown([self = shared_from_this()](Failure failure) {

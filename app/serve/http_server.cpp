@@ -22,10 +22,10 @@ using namespace std::chrono_literals;
 constexpr auto kTick = 100ms;
 constexpr auto kFarewell = 1000ms;
 constexpr auto kShortOfFiles = 200ms;
-// Who acknowledges nothing for so long has vanished; the system alone would wait for a quarter of an hour.
+// A peer that acknowledges nothing for so long is gone; the system's own limit is a quarter of an hour.
 constexpr std::chrono::milliseconds kVanished = 15s;
 using GivesUpAfter = asio::detail::socket_option::integer<IPPROTO_TCP, TCP_USER_TIMEOUT>;
-constexpr int kMostRefused = 64;  // connections that are told why they are too many
+constexpr int kMostRefused = 64;  // connections beyond the limit that are answered at a time
 
 std::string in_url(const std::string& address) {
   return address.find(':') == address.npos ? address : "[" + address + "]";

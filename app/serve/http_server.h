@@ -16,7 +16,7 @@ struct ServerOptions {
   std::vector<std::string> addresses;  // to listen on; empty: 127.0.0.1 and, where there is one, ::1
   int port = 0;                        // 0: any that is free
   int tries = 1;                       // ports from `port` on, until one is free
-  std::vector<std::string> hosts;      // other names under which it is called: "name:port"
+  std::vector<std::string> hosts;      // other names of this server: "name:port"
   std::string certificate, key;        // PEM files; both or none
   std::string embed;                   // origin of a page that may show this one in a frame
   AccessTokens tokens;
@@ -25,8 +25,8 @@ struct ServerOptions {
 
 class HttpServer {
  public:
-  // Listens when it returns, and answers in run(). Throws Error(bad_input) for an address, Error(file) for a
-  // port that is taken and for files of TLS, and what the lobby throws.
+  // Listens; requests are answered in run(). Throws Error(bad_input) for an address, Error(file) for a port in use and
+  // for TLS files, and what the lobby throws.
   HttpServer(const ServerOptions& options, const LobbyOptions& lobby);
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
@@ -35,8 +35,8 @@ class HttpServer {
   int port() const;
   std::string url() const;  // without a token: "http://127.0.0.1:8472/"
 
-  // Until `leave` says so, which is asked ten times a second; then tells every visitor. Throws Error(defect) when the
-  // one session ended by itself.
+  // Serves until `leave`, called ten times a second, returns true; then closes all connections. Throws Error(defect)
+  // when the only session ended by itself.
   void run(const std::function<bool()>& leave);
 
  private:

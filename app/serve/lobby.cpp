@@ -12,7 +12,7 @@ namespace pabd {
 namespace {
 
 constexpr std::size_t kMostListeners = 8;  // of a session's events
-constexpr double kKeepAlive = 10;          // s; what cannot be delivered shows who has vanished
+constexpr double kKeepAlive = 10;          // s between blank lines, which reveal connections that broke
 
 std::shared_ptr<const std::string> shared(const OrderedJson& json) {
   return std::make_shared<const std::string>(json_line(json));
@@ -24,7 +24,7 @@ struct Lobby::Room {
   struct Guest {
     std::weak_ptr<VisitorLink> link;
     desk::Resize size;  // of its page
-    std::string said;   // the last role that it was told
+    std::string said;   // the last role message
   };
   std::string name;
   std::shared_ptr<FileRoot> files;
@@ -36,7 +36,7 @@ struct Lobby::Room {
   double alone_since = 0;
   double kept_alive = 0;  // when listeners got their last blank line
   bool ended = false;
-  bool dressed = false;  // light or dark, as the first who controlled likes it
+  bool dressed = false;  // light or dark was set by the first controller
 };
 
 Lobby::Lobby(const LobbyOptions& options, std::function<void(std::function<void()>)> post)
@@ -72,7 +72,7 @@ std::shared_ptr<Lobby::Room> Lobby::open_room(const std::string& name) {
 }
 
 std::shared_ptr<Lobby::Room> Lobby::room(const std::string& session) const {
-  // A program need not name the only one that there is.
+  // The only session needs no name.
   const auto found = session.empty() && rooms_.size() == 1 ? rooms_.begin() : rooms_.find(session);
   return found == rooms_.end() || found->second->ended ? nullptr : found->second;
 }
@@ -129,7 +129,7 @@ std::optional<Lobby::Seat> Lobby::enter(const message::Hello& hello, Access acce
   return Seat{name, arrival->id};
 }
 
-// Everybody learns of what is new to them.
+// Sends each visitor its role if that changed.
 void Lobby::tell_roles(Room& room) {
   const auto controller = room.roles.controller();
   if (controller != room.controller) {
@@ -156,7 +156,7 @@ bool Lobby::hear(const Seat& seat, ClientMessage said, VisitorLink& link) {
   if (!here) return true;
   ServedDesk& desk = *here->desk;
   const bool controls = here->roles.controls(seat.visitor);
-  // Of everybody:
+  // From any visitor:
   if (auto* shown = std::get_if<desk::Shown>(&said)) {
     shown->visitor = seat.visitor;
     return desk.send(*shown);
@@ -174,7 +174,7 @@ bool Lobby::hear(const Seat& seat, ClientMessage said, VisitorLink& link) {
     here->guests[seat.visitor].size = *size;
     if (!desk.send(desk::Refresh{seat.visitor})) return false;
   }
-  // Of the controller:
+  // From the controller only:
   if (!controls) return true;
   if (std::holds_alternative<message::GiveControl>(said)) {
     here->roles.give(seat.visitor);
@@ -227,7 +227,7 @@ void Lobby::end(Room& room, const std::string& why) {
   room.guests.clear();
   for (const auto& listener : room.listeners) listener->finish();
   room.listeners.clear();
-  room.desk.reset();  // what it was asked is answered, and nobody writes its files any more
+  room.desk.reset();  // answers open questions and stops writing files
 }
 
 bool Lobby::ask(const std::string& session, DeskInput question) {
@@ -278,7 +278,7 @@ void Lobby::close_all(CloseCode code, const std::string& why) {
       if (const auto link = guest.link.lock()) link->close(code, why);
     }
     for (const auto& listener : here->listeners) listener->finish();
-    here->listeners.clear();  // each goes when it has written its end
+    here->listeners.clear();  // each is freed after its last line
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Visitors, their roles and the desks they are at; between the network, in whose thread it lives, and the
-// desks' threads. Knows no sockets.
+// Visitors, their roles and their desks. Lives in the network's thread and passes messages between it and the desks'
+// threads. Without sockets.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace pabd {
 
-// Reasons to close a connection, as the subprotocol numbers them.
+// Reasons to close a connection; numbers of the subprotocol.
 enum class CloseCode : int {
   going_away = 1001,
   malformed = 4400,
@@ -30,7 +30,7 @@ class VisitorLink {
  public:
   virtual ~VisitorLink() = default;
   virtual void send_text(std::shared_ptr<const std::string> json) = 0;
-  virtual void send_frame(EncodedFrame frame) = 0;  // takes the place of one that still waits
+  virtual void send_frame(EncodedFrame frame) = 0;  // replaces one that still waits
   virtual void close(CloseCode code, const std::string& why) = 0;
 };
 
@@ -39,22 +39,22 @@ class EventLink {
  public:
   virtual ~EventLink() = default;
   virtual void send_line(const std::string& json) = 0;
-  virtual void finish() = 0;  // nothing more comes: said to it, then closed
+  virtual void finish() = 0;  // sends what waits, then closes
   virtual bool open() const = 0;
 };
 
 struct LobbyOptions {
   DeskOptions desk;
-  int sessions = 1;         // 1: all visitors are at one desk
-  double idle_limit = 600;  // s; with sessions, a desk without visitors is ended
+  int sessions = 1;         // 1: all visitors share one desk
+  double idle_limit = 600;  // s; a session without visitors ends after it
   bool keep_files = false;  // of sessions that have ended
   std::string version;
-  std::string watch_token;  // for whoever may hand the link on; empty: there is none
+  std::string watch_token;  // sent to who may control; empty: there is none
 };
 
 class Lobby {
  public:
-  // `post` carries a function out in the network's thread. Throws Error when the one desk cannot be made.
+  // `post` runs a function in the network's thread. Throws Error when the shared desk cannot be made.
   Lobby(const LobbyOptions& options, std::function<void(std::function<void()>)> post);
   ~Lobby();
   Lobby(const Lobby&) = delete;
@@ -64,21 +64,21 @@ class Lobby {
     std::string session;
     VisitorId visitor = 0;
   };
-  // Says welcome, or closes the link: then there is no seat.
+  // Sends the welcome, or closes the link and returns nothing.
   std::optional<Seat> enter(const message::Hello& hello, Access access,
                             const std::shared_ptr<VisitorLink>& link);
-  // Only the controller's input is obeyed. False: too much of it waits.
+  // Input counts only from the controller. False: the desk's queue is full.
   bool hear(const Seat& seat, ClientMessage message, VisitorLink& link);
-  void leave(const Seat& seat, bool closed = false);  // its page, and not only the connection
+  void leave(const Seat& seat,
+             bool closed = false);  // `closed`: the page was closed, not only the connection lost
 
-  // For programs; an empty name means the one session. False when there is none of that name, or too much
-  // waits for it.
+  // For programs; an empty name means the only session. False: there is no such session, or its queue is full.
   bool ask(const std::string& session, DeskInput question);
   bool listen(const std::string& session, const std::shared_ptr<EventLink>& link);
   // The files of a session; null when there is none of that name.
   std::shared_ptr<FileRoot> files(const std::string& session) const;
 
-  // Why the one session ended; empty: it goes on.
+  // Why the only session ended; empty: it runs.
   const std::string& failure() const { return failure_; }
 
   void tick(double now);  // a few times a second

@@ -93,12 +93,12 @@ desk::Input read_key(const Reader& in) {
   const Modifiers modifiers = in.modifiers();
   try {
     events.push_back(KeyChanged{parse_key(name), modifiers, down, repeated});
-  } catch (const Error&) {  // keyboards have more keys than the window
+  } catch (const Error&) {  // a key that the window does not use
   }
   return in.input(std::move(events));
 }
 
-// What is typed is characters: a line break is the key enter.
+// Without control characters: a line break is the key enter.
 desk::Input read_typed(const Reader& in) {
   const std::string text = in.text("text", 1024);
   std::string out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every message: from pages (the subprotocol pabd.1, README.md), to a desk and from it. What a page may ask of the
-// desk itself is one message both ways. Knows no network.
+// All messages: from pages (the subprotocol pabd.1, README.md), to a desk and from a desk. What a page asks of the desk
+// is the same struct for both. Without network.
 #pragma once
 
 #include <cstddef>
@@ -22,12 +22,12 @@ namespace pabd {
 
 inline constexpr std::size_t kMostMessageBytes = 64 * 1024;
 inline constexpr std::size_t kMostHelloBytes = 4 * 1024;
-inline constexpr int kLeastSide = 64, kLargestSide = 8192;  // pixels of a window that may be asked for
+inline constexpr int kLeastSide = 64, kLargestSide = 8192;  // of a requested window, pixels
 
 namespace desk {
 
-// ---- of a page, to the desk ----
-// What a hand did; `stamp` comes back with the first frame that shows it.
+// ---- from a page to the desk ----
+// Mouse and keyboard; `stamp` is returned with the first frame that shows it.
 struct Input {
   std::vector<WindowEvent> events;
   std::uint32_t stamp = 0;
@@ -41,8 +41,8 @@ struct Paste {
 };
 struct Shown {
   std::uint32_t frame = 0;
-  double ms = 0;          // that the page took
-  VisitorId visitor = 0;  // not said by the page
+  double ms = 0;          // from arrival to display
+  VisitorId visitor = 0;  // set by the lobby
 };
 struct Choose {
   Adaptation::Mode mode = Adaptation::Mode::automatic;
@@ -60,26 +60,26 @@ struct Run {
   Reply reply;       // may be empty
 };
 
-// ---- of the lobby and of programs, to the desk ----
+// ---- from the lobby and from programs to the desk ----
 struct Arrive {
   VisitorId visitor = 0;
 };
-// What the page of the first who controls prefers.
+// Preference of the first controller's page.
 struct Scheme {
   bool dark = true;
 };
 struct Depart {
   VisitorId visitor = 0;
 };
-// Another controls now, or nobody: what is held is let go; whose link decides how good frames are.
+// Another visitor controls now, or nobody: held buttons and keys are released, and its link controls the adaptation.
 struct HandOver {
   std::optional<VisitorId> controller;
 };
-// A page lost what it had: a whole frame.
+// The page lost its picture and needs a whole frame.
 struct Refresh {
   VisitorId visitor = 0;
 };
-// A visitor put it there: no news of what was saved.
+// A visitor uploaded the file: it is not announced as saved.
 struct Uploaded {
   std::string name;
 };
@@ -87,12 +87,12 @@ struct AskState {
   Reply reply;
 };
 struct AskPicture {
-  int width = 0, height = 0;  // 0: as it is
+  int width = 0, height = 0;  // 0: that of the window
   bool panels = true;
   Reply reply;
 };
 
-// ---- of the desk ----
+// ---- from the desk ----
 struct Frame {
   VisitorId visitor = 0;
   EncodedFrame frame;
@@ -110,14 +110,14 @@ struct Ended {
 
 }  // namespace desk
 
-// ---- of a page, to the lobby ----
+// ---- from a page to the lobby ----
 namespace message {
 
 struct Hello {
   std::string token;
   desk::Resize size;
   std::string id;            // hex digits that the page keeps
-  std::optional<bool> dark;  // what the browser prefers
+  std::optional<bool> dark;  // the browser's preference
 };
 struct AskControl {};
 struct GiveControl {};
@@ -135,11 +135,11 @@ using DeskInput = std::variant<desk::Input, desk::Resize, desk::Paste, desk::Sho
                                desk::Refresh, desk::Uploaded, desk::AskState, desk::AskPicture>;
 using DeskNews = std::variant<desk::Frame, desk::Text, desk::Event, desk::Ended>;
 
-// JSON as it is sent, in one line; what is no UTF-8 is replaced.
+// In one line, with invalid UTF-8 replaced.
 std::string json_line(const OrderedJson& json);
 
-// Throws Error(bad_input), in one line, for everything that is no message; members that nobody asked for are
-// passed over. No other exception, whatever the text.
+// Throws Error(bad_input), in one line, for anything that is not a message, and no other exception; unknown members are
+// ignored.
 ClientMessage read_client_message(std::string_view text);
 
 }  // namespace pabd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the connections share, and the answers of HTTP. Includes Boost.Beast: only for the files that talk to sockets.
+// State shared by all connections, and HTTP answers. Includes Boost.Beast: for files that use sockets only.
 #pragma once
 
 #include <boost/beast/core.hpp>
@@ -22,15 +22,15 @@ struct Shared {
   std::optional<Gate> gate;
   std::unique_ptr<Lobby> lobby;
   ConnectionCount connections;
-  std::size_t uploads = 0, waiting = 0;  // requests that are being taken in; that a desk works on
-  int refused = 0;                       // connections that are told why they are too many
+  std::size_t uploads = 0, waiting = 0;  // uploads under way; requests that wait for a desk
+  int refused = 0;                       // connections beyond the limit that are being answered
   bool leaving = false;
-  asio::io_context io{1};  // goes first: what it still holds uses the rest
+  asio::io_context io{1};  // last member, so destroyed first: its handlers use the others
 
   explicit Shared(const ServerOptions& o) : options(o), connections(o.most_connections, o.most_each) {}
 };
 
-// A connection's place among those that are allowed.
+// Counts a connection as long as it lives.
 class Place {
  public:
   Place(Shared& shared, std::string peer) : shared_(&shared), peer_(std::move(peer)) {
@@ -63,11 +63,11 @@ class Place {
 // Answers requests of one connection, until it becomes a WebSocket or ends.
 void serve(Shared& shared, NetStream stream, Place place);
 
-// The request was found to be in order, but for the subprotocol.
+// Precondition: the request passed all checks but the subprotocol.
 using UpgradeRequest = http::request<http::empty_body>;
 void serve_socket(Shared& shared, NetStream stream, UpgradeRequest request, Place place);
 
-// What a browser may do with an answer: nothing that is not from here, no frame but that of --embed.
+// Headers that restrict what a browser does with an answer.
 void set_headers(const Shared& shared, http::fields& answer);
 
 using TextAnswer = http::response<http::string_body>;

@@ -10,12 +10,12 @@
 
 namespace pabd::net {
 
-constexpr std::size_t kRecord = 16 * 1024;  // bytes; TLS has no longer ones
+constexpr std::size_t kRecord = 16 * 1024;  // largest record of TLS, bytes
 
 struct NetStream::Impl {
   beast::tcp_stream tcp;
   std::optional<asio::ssl::stream<beast::tcp_stream&>> tls;
-  std::vector<char> record;  // what is written next
+  std::vector<char> record;  // being written
 
   explicit Impl(tcp::socket socket) : tcp(std::move(socket)) {}
 };
@@ -60,7 +60,7 @@ void NetStream::read_some(asio::mutable_buffer to, Moved done) {
 
 void NetStream::write_some(const std::vector<asio::const_buffer>& from, Moved done) {
   if (!impl_->tls) return impl_->tcp.async_write_some(from, std::move(done));
-  // A record a buffer would be a packet a buffer.
+  // One record for all buffers: a record each would be a packet each.
   impl_->record.resize(std::min(kRecord, asio::buffer_size(from)));
   asio::buffer_copy(asio::buffer(impl_->record), from);
   impl_->tls->async_write_some(asio::buffer(impl_->record), std::move(done));

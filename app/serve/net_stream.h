@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A connection with or without TLS, as one type: what is built on it is compiled once.
+// A connection with or without TLS as one type, so that code on top of it is compiled once.
 //
-// An AsyncStream in Boost.Beast's terms. The handlers of reads and writes are hidden behind std::function, so that TLS is
-// compiled once as well. For one thread: handlers run in the thread of the io_context.
+// An AsyncStream of Boost.Beast. std::function hides the handlers, so that TLS is compiled once as well. Not
+// thread-safe: handlers run in the thread of the io_context.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -28,7 +28,7 @@ class NetStream {
   using Moved = std::function<void(Failure, std::size_t)>;
   using Done = std::function<void(Failure)>;
 
-  // `tls`, if any, outlives the connection.
+  // `tls`, if any, must outlive the connection.
   NetStream(asio::io_context& io, tcp::socket socket, asio::ssl::context* tls);
   ~NetStream();
   NetStream(NetStream&&) noexcept;
@@ -36,15 +36,15 @@ class NetStream {
 
   executor_type get_executor() noexcept { return io_->get_executor(); }
 
-  // Of TLS; at once without.
+  // Without TLS calls `done` at once.
   void handshake(Done done);
-  // Tells the other side that nothing more comes: without TLS the socket's half, with TLS its notice, which is awaited.
+  // Announces the end: closes the sending half of the socket, or exchanges close_notify of TLS.
   void shutdown(Done done);
   bool secure() const;
-  // Both directions, to the end, and closed.
+  // Closes both directions.
   void tear_down(Done done);
 
-  // What is under way then ends with beast::error::timeout.
+  // Pending operations then fail with beast::error::timeout.
   void expires_after(std::chrono::steady_clock::duration after);
   void expires_never();
   void close();
@@ -90,7 +90,7 @@ class NetStream {
   std::unique_ptr<Impl> impl_;
 };
 
-// What beast::websocket asks of a stream: an end that the other side is told of, and one that it is not.
+// Required by beast::websocket: an orderly and an immediate close.
 template <class Handler>
 void async_teardown(beast::role_type, NetStream& stream, Handler&& handler) {
   stream.tear_down([held = std::make_shared<std::decay_t<Handler>>(std::forward<Handler>(handler))](

@@ -18,7 +18,7 @@ std::optional<Roles::Arrival> Roles::arrive(const std::string& key, bool may_con
     return v.key == key && v.may_control == may_control;
   });
   const bool here = known != visitors_.end() && known->present;
-  if (!here && present() >= kMost) return std::nullopt;  // also of who was here before
+  if (!here && present() >= kMost) return std::nullopt;  // for returning visitors as well
   Arrival out;
   out.id = next_;
   if (known != visitors_.end()) {
@@ -37,7 +37,7 @@ std::optional<Roles::Arrival> Roles::arrive(const std::string& key, bool may_con
     visitors_.push_back({out.id, key, may_control, true, false, false, 0});
   }
   ++next_;
-  // Who opens the link again in another tab need not wait for the one that he closed.
+  // After closing a tab and opening another one there is nobody to wait for.
   const Visitor* holder = holder_ ? find(*holder_) : nullptr;
   if (may_control && holder && !holder->present && holder->closed && present_controllers() == 1)
     holder_ = out.id;

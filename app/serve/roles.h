@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Who of a session's visitors controls it: the first who may; then whom it is handed to, or the one who waits
-// longest when the other is gone for too long. Knows no network and no clock.
+// Which visitor of a session controls it: the first who may, then whoever is given control; when the controller is
+// absent for too long, whoever has waited longest. Without network and clock.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ using VisitorId = std::uint32_t;
 
 class Roles {
  public:
-  static constexpr double kKept = 60;           // s that a lost visitor's role waits for it
-  static constexpr double kGone = 10;           // s after which a lost controller's role goes to who waits
-  static constexpr double kReload = 2;          // the same when its page was closed: it may be loaded again
+  static constexpr double kKept = 60;           // s that an absent visitor's role is kept
+  static constexpr double kGone = 10;           // s after which an absent controller loses control
+  static constexpr double kReload = 2;          // the same after its page was closed: it may be reloading
   static constexpr std::size_t kMost = 16;      // visitors at a time
-  static constexpr std::size_t kMostKept = 64;  // roles that wait
+  static constexpr std::size_t kMostKept = 64;  // roles of absent visitors
 
   struct Arrival {
     VisitorId id = 0;
@@ -26,16 +26,16 @@ class Roles {
     bool came_back = false;
   };
 
-  // `key`: what the page keeps. None: there are too many.
+  // `key`: identity of the page. None: there are too many visitors.
   std::optional<Arrival> arrive(const std::string& key, bool may_control, double now);
-  // `closed`: the page was closed or left, not only its connection lost.
+  // `closed`: the page was closed, not only its connection lost.
   void leave(VisitorId id, double now, bool closed = false);
   void ask(VisitorId id);
-  // To who asked first, else to who waits longest. False when `id` does not control or nobody can have it.
+  // Gives control to who asked first, else to who has waited longest. False: `id` does not control, or nobody can.
   bool give(VisitorId id);
   void tick(double now);
 
-  std::optional<VisitorId> controller() const;  // one that is here
+  std::optional<VisitorId> controller() const;  // if present
   bool controls(VisitorId id) const { return controller() == id; }
   bool somebody_asks() const;
   std::size_t present() const;

@@ -56,7 +56,7 @@ Route picture(std::string_view query) {
   return out;
 }
 
-// Where it leads, whoever asks.
+// The endpoint, before access is checked.
 Route find(const HttpRequest& request, std::string_view path, std::string_view query) {
   const bool get = request.method == "GET";
   const auto only_get = [&](Route route) { return get ? route : refuse(405, "expected GET"); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a request asks for, and whether it may: every check of HTTP in one function that knows no sockets.
+// What a request asks for and whether it is allowed: all checks of HTTP in one function, without sockets.
 #pragma once
 
 #include <cstdint>
@@ -25,11 +25,11 @@ struct HttpRequest {
 enum class Endpoint { page, socket, actions, state, picture, events, file_list, read_file, write_file };
 
 struct Route {
-  int status = 200;  // else `error` is what is told
+  int status = 200;  // else `error` is the answer
   std::string error;
   Endpoint endpoint = Endpoint::page;
-  std::string name;           // of a page's file, or of a visitor's
-  int width = 0, height = 0;  // of a picture; 0: as it is
+  std::string name;           // of a file of the page or of a visitor
+  int width = 0, height = 0;  // of a picture; 0: that of the window
   bool panels = true;
   std::uint64_t most_body = 0;  // bytes
 };
@@ -39,7 +39,7 @@ Route find_route(const HttpRequest& request, const Gate& gate, const AccessToken
 // The bytes of a file of the page, which is part of the program; without data: there is none of that name.
 std::string_view page_file(std::string_view name);
 
-// "%20" → " "; none for what is not well-formed.
+// "%20" → " "; nothing for malformed text.
 std::optional<std::string> percent_decoded(std::string_view text);
 
 }  // namespace pabd

@@ -16,12 +16,12 @@
 namespace pabd {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;  // s between two frames at least
-constexpr double kLook = 0.004;      // s between two looks at a simulation that plays slowly
-constexpr double kUnseen = 0.1;      // s between frames that nobody waits for
-constexpr double kAtRest = 0.05;     // s between two looks at a simulation at rest
+constexpr double kFrame = 1.0 / 60;  // s, least time between two frames
+constexpr double kLook = 0.004;      // s between two polls of a simulation that plays slowly
+constexpr double kUnseen = 0.1;      // s between frames that no visitor waits for
+constexpr double kAtRest = 0.05;     // s between two polls of a simulation at rest
 constexpr double kAlone = 0.25;      // the same without visitors
-// After the last change: until the picture is as good as it gets, and messages have gone.
+// s after the last change at which frames are drawn again: the picture is refined, messages disappear.
 constexpr double kLater[] = {0.1, 0.35, 0.7, 1.5, 3, 4.5, 6, 9, 13};
 
 struct LockAtEnd {
@@ -36,16 +36,16 @@ struct ServedDesk::Impl {
   std::function<void(DeskNews)> hear;
   DeskQueue queue;
   std::atomic<bool> events{false};
-  std::shared_ptr<Runner> runner;  // to be stopped from outside
+  std::shared_ptr<Runner> runner;  // stopped by the destructor
   const std::shared_ptr<SharedContext> shared = std::make_shared<SharedContext>();
   std::mutex runner_mutex;
   std::promise<void> ready;
   std::thread thread;
 
-  // The thread's own.
+  // Used by the thread only:
   std::size_t later = std::size(kLater);
   double changed = 0, drawn = -1e9, told = 0;
-  bool owed = true;          // something happened that the last frame does not show
+  bool owed = true;          // the last frame may be outdated
   bool was_playing = false;  // when the last visitor left
 
   Impl(const DeskOptions& o, std::function<void(DeskNews)> h) : options(o), hear(std::move(h)) {}
@@ -63,7 +63,7 @@ struct ServedDesk::Impl {
       turn.unlock();
       started = true;
       ready.set_value();
-      const LockAtEnd at_end{turn};  // the interface goes with the desk
+      const LockAtEnd at_end{turn};  // the desk destroys its interface under the lock
       while (!queue.stopped()) round(desk);
     } catch (const std::exception& error) {
       if (!started) ready.set_exception(std::current_exception());
@@ -78,7 +78,7 @@ struct ServedDesk::Impl {
     if (options.devices) bench.devices = options.devices(shared);
     bench.find_scene = [this](const std::string& name) { return scene_file(name); };
     for (const auto& folder : options.mesh_folders) options.files->allow(folder);
-    // Whoever started the server named the scene, and with it its meshes.
+    // The scene of the command line may read its meshes wherever they are.
     const auto starting = std::make_shared<std::atomic<bool>>(true);
     bench.may_read = [files = options.files, starting](const std::filesystem::path& mesh) {
       if (*starting) files->allow(mesh);
@@ -97,7 +97,7 @@ struct ServedDesk::Impl {
     try {
       const std::string file = options.files->file_of(name);
       if (std::filesystem::is_regular_file(file, none)) return file;
-    } catch (const Error&) {  // not a file of theirs
+    } catch (const Error&) {  // not a name in the folder
     }
     return options.find_scene(name);
   }

@@ -28,13 +28,13 @@ struct DeskOptions {
   std::size_t memory = std::size_t{256} << 20;  // bytes for states of the past
   Backend backend = Backend::automatic;
   std::shared_ptr<FileRoot> files;  // of the visitors; never null
-  // Of scenes that are not among the files of the visitors. Throws Error.
+  // File of a scene that is not among those of the visitors. Throws Error.
   std::function<std::string(const std::string& name)> find_scene;
-  // Beside the processor, given what the desk lends to them; null: none.
+  // Makes the devices beside the CPU that can run steps, from the GL context the desk shares; null: none.
   std::function<std::shared_ptr<const StepDevices>(std::shared_ptr<SharedContext>)> devices;
   std::vector<std::filesystem::path> mesh_folders;  // that scenes may read from, beside those files
   std::function<std::vector<std::filesystem::path>()> shipped_scenes;
-  // Held by whoever draws: the interface has one current context in a process. Never null.
+  // Locked while drawing: Dear ImGui has one current context per process. Never null.
   std::shared_ptr<std::mutex> turn;
   bool play = false, pause_when_alone = false;
   int width = 1280, height = 720;
@@ -42,20 +42,20 @@ struct DeskOptions {
 
 class ServedDesk {
  public:
-  static constexpr std::size_t kMostInputs = 4096;  // that wait
+  static constexpr std::size_t kMostInputs = 4096;  // in the queue
 
-  // `hear` is called in the desk's thread; the last news is the end, if something went wrong.
+  // `hear` is called in the desk's thread; after a failure its last news is desk::Ended.
   ServedDesk(const DeskOptions& options, std::function<void(DeskNews)> hear);
-  ~ServedDesk();  // ends the simulation in the middle of a step, a script in the middle of an action
+  ~ServedDesk();  // interrupts the simulation and its script
   ServedDesk(const ServedDesk&) = delete;
   ServedDesk& operator=(const ServedDesk&) = delete;
 
-  // Until a frame can be drawn; once. Throws Error of the scene (bad_input, file) or of GL (no_context).
+  // Waits until a frame can be drawn; call once. Throws Error of the scene (bad_input, file) or of GL (no_context).
   void wait_until_ready();
 
-  // False when too many wait. Moves of the mouse that follow each other become one.
+  // False: the queue is full. Successive moves of the mouse become one.
   bool send(DeskInput input);
-  // Whether steps and messages are told as events.
+  // Whether steps and messages are sent as events.
   void tell_events(bool on);
 
  private:

@@ -23,7 +23,7 @@ bool overlap(const Span& a, const Span& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
-// Rows of equal extent below each other become one.
+// Joins adjacent rows of equal extent.
 void join_rows(std::vector<Span>& spans) {
   std::vector<Span> out;
   for (const Span& span : spans) {
@@ -39,7 +39,7 @@ void join_rows(std::vector<Span>& spans) {
   spans = std::move(out);
 }
 
-// The pair that grows least becomes one.
+// Joins the pair whose area grows least.
 void join_cheapest(std::vector<Span>& spans) {
   std::size_t a = 0, b = 1;
   int least = -1;
@@ -128,7 +128,8 @@ PixelRect Tiles::pixels(int left, int top, int right, int bottom) const {
 }
 
 std::vector<PixelRect> Tiles::cover(bool whole) const {
-  constexpr std::size_t kMany = 64;  // runs, beyond which a row is one run: pairs are compared with pairs
+  constexpr std::size_t kMany =
+      64;  // runs; with more of them each row becomes one run, since joining compares all pairs
   std::vector<Span> spans, coarse;
   for (int r = 0; r < rows_; ++r) {
     const char* const marks = &marked_[static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which parts of a frame changed: tiles of 64 pixels, and few rectangles that cover them.
+// Which parts of a frame changed: tiles of 64 pixels, covered by few rectangles.
 #pragma once
 
 #include <cstddef>
@@ -20,12 +20,12 @@ class Tiles {
  public:
   static constexpr int kSide = 64;
   static constexpr std::size_t kMostRects = 8;
-  static constexpr double kWorthIt = 0.6;  // of the area; more is sent as a whole
+  static constexpr double kWorthIt = 0.6;  // share of the area above which the whole image is sent
 
   Tiles() = default;
   Tiles(int width, int height);  // of an image; none is marked
 
-  // Those in which two images of the same size differ.
+  // Marks the tiles in which two images of the same size differ.
   static Tiles changed(const Image& before, const Image& after);
 
   bool any() const;
@@ -34,11 +34,11 @@ class Tiles {
   void mark_all();
   void mark(const PixelRect& rect);
   void clear(const PixelRect& rect);
-  // The first `most` marked ones in the order of reading.
+  // The first `most` marked tiles, row by row.
   Tiles first(std::size_t most) const;
 
-  // At most kMostRects rectangles that cover what is marked and do not overlap; the whole image when they
-  // would be more than kWorthIt of it and `whole`.
+  // At most kMostRects disjoint rectangles that cover the marked tiles; with `whole`, the whole image when they exceed
+  // kWorthIt of it.
   std::vector<PixelRect> cover(bool whole = true) const;
 
  private:
@@ -48,7 +48,7 @@ class Tiles {
   std::vector<char> marked_;
 };
 
-// Sides times `scale` < 1, each pixel the mean of what it covers or, between, of its neighbours.
+// Bilinear reduction; `scale` < 1 of both sides.
 Image reduced(const Image& image, double scale);
 
 }  // namespace pabd

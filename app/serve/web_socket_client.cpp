@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A visitor's WebSocket: hello first, then messages with limits; one frame waits at most, the newest.
+// A visitor's WebSocket: a hello, then messages, with limits; at most one frame waits, the newest.
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/websocket.hpp>
 #include <deque>
@@ -82,7 +82,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
  private:
   void accepted(Failure failure) {
     if (failure) return;
-    read();  // also what the other side answers to a close
+    read();  // receives the answer to a close, too
     if (!fits_) return close(CloseCode::version, "expected the subprotocol pabd.1");
     if (shared_.leaving) return close(CloseCode::going_away, "the server is going down");
     hello_timer_.expires_after(5s);
@@ -101,7 +101,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     });
   }
 
-  // Nothing comes any more: the visitor has left, having said so or not.
+  // The connection ended, with or without a close frame.
   void lost(bool closed) {
     closing_ = true;
     hello_timer_.cancel();
@@ -135,7 +135,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
     seat_ = shared_.lobby->enter(*hello, access, shared_from_this());
   }
 
-  // Texts first, then the parts of the frame that is under way, then the one that waits.
+  // Texts first, except within a frame; then the rest of the current frame, then the waiting one.
   void write() {
     if (busy_ || closing_) return;
     if (!texts_.empty() && frame_.empty()) {

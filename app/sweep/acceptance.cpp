@@ -14,10 +14,10 @@
 namespace pabd {
 namespace {
 
-// Of the smallest movable body's inner radius: what a picture shows of an overlap, and of a joint that parts.
+// Parts of the smallest movable body's inner radius; an overlap or gap of a joint is visible from there on.
 constexpr double kMostOverlap = 0.1, kMostJointError = 0.1;
-constexpr double kMostGain = 0.05;      // of the energy that moved,
-constexpr double kRounding = 1e-6;      // beyond what a part of the whole is rounded by, where nothing moves
+constexpr double kMostGain = 0.05;      // of the energy that moved, plus
+constexpr double kRounding = 1e-6;      // of the largest energy: rounding, where nothing moves
 constexpr double kMostUnsolved = 0.02;  // of the steps
 
 }  // namespace
@@ -30,14 +30,14 @@ Acceptance::Acceptance(const Model& model) : size_(std::numeric_limits<double>::
 }
 
 void Acceptance::add(const StepSummary& step, double gained, bool asked_to_converge) {
-  // What a scene puts within the thickness of its contacts has energy that no report before the first step knows.
+  // Bodies that begin within the contact thickness have energy that only the first step reports.
   if (steps_++ == 0) {
     potential_start_ = step.potential;
     pressed_in_ = std::max(0.0, gained);
   }
   overlap_ = std::max(overlap_, step.max_penetration);
   joint_error_ = std::max(joint_error_, step.max_joint_error);
-  // What is lifted without motion was pressed in, and comes out of it slowly; what falls from there may move.
+  // Bodies that rise without motion were pressed together at the start and part slowly; they may move when they fall.
   lifted_ = std::max(lifted_, gained - step.kinetic);
   gained_ = std::max(gained_, gained - lifted_ - pressed_in_);
   moved_ = std::max(moved_, step.kinetic + std::abs(step.potential - potential_start_));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What makes a run one that nobody would take, whatever its metrics: it is told, and is never "best".
+// Whether a run is acceptable, whatever its metrics: large overlaps, created energy, unsolved steps. A run with faults
+// is never ranked as best.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,11 +16,11 @@ class Acceptance {
  public:
   explicit Acceptance(const Model& model);
 
-  // `gained`: kinetic, potential and elastic energy above their start and what drives did; J. `asked_to_converge`:
+  // `gained`: kinetic, potential and elastic energy minus their start and the work of drives; J. `asked_to_converge`:
   // the solver has a tolerance.
   void add(const StepSummary& step, double gained, bool asked_to_converge);
 
-  // "bodies overlap by 1.22 m, more than a tenth of the smallest (0.05 m)", with ", " between; empty: acceptable.
+  // "bodies overlap by 1.22 m, more than a tenth of the smallest (0.05 m)", joined by ", "; empty: acceptable.
   std::string faults() const;
 
   // What was added, as JSON; reading gives the same bits.
@@ -29,8 +30,8 @@ class Acceptance {
  private:
   double size_;  // inner radius of the smallest movable body; m
   double overlap_ = 0, joint_error_ = 0, gained_ = 0, pressed_in_ = 0, lifted_ = 0;
-  double moved_ = 0, potential_start_ = 0;  // J; the energy that went from one kind to another, at most
-  double whole_ = 0;                        // J; the largest of one kind
+  double moved_ = 0, potential_start_ = 0;  // J; most energy that changed its kind
+  double whole_ = 0;                        // J; largest energy of one kind
   std::int64_t steps_ = 0, unsolved_ = 0, crowded_ = 0;
 };
 

@@ -15,9 +15,9 @@
 namespace pabd {
 namespace {
 
-// A grid with less of its cells filled is no grid.
+// With fewer cells filled the tasks are a sample, not a grid.
 constexpr double kLeastFilled = 0.25;
-constexpr std::size_t kMostPlaces = 100;  // along an axis, to be one
+constexpr std::size_t kMostPlaces = 100;  // along an axis of a grid
 
 std::size_t find(const CollectedSweep& sweep, const std::string& key) {
   std::vector<std::string_view> keys;
@@ -108,8 +108,8 @@ TaskGrid grid_of(const CollectedSweep& sweep, const std::string& x, const std::s
     for (const std::size_t p : others) values.push_back(task.parameters[p]);
     return values;
   };
-  // Slices in the order of their values. How many there are comes before their cells: of a sample there is one a point,
-  // and no memory would hold all of them.
+  // Slices in the order of their values. They are counted before their cells are made: a sample has one per point, too
+  // many for the memory.
   std::map<std::vector<SweptValue>, GridSlice> slices;
   for (const SweptTask& task : sweep.tasks) {
     if (place(grid.x, task) && place(grid.y, task)) slices[values_in(task)];

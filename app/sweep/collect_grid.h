@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tasks of a sweep in the grid of two of its parameters, one grid for each combination of the others.
+// The tasks of a sweep in a grid over two parameters, one slice for each combination of the others.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace pabd {
 
 struct GridAxis {
-  std::optional<std::size_t> parameter;  // none: the axis has one place
+  std::optional<std::size_t> parameter;  // none: one column or row
   std::string label;                     // with unit; empty without parameter
   std::vector<SweptValue> values;        // ascending
   std::vector<std::string> names;        // of the values, without unit
@@ -23,18 +23,19 @@ struct GridSlice {
 };
 
 struct TaskGrid {
-  // Of a sample, whose points lie in no rows: tasks go in lines by their index, axes have no parameter.
+  // Of a sample, which lies in no grid: tasks fill the rows by index, and axes have no parameter.
   bool scattered = false;
   GridAxis x, y;
   std::vector<GridSlice> slices;
-  std::size_t hidden = 0;  // tasks that have no cell: of other parameters, or of the same as one before them
+  std::size_t hidden =
+      0;  // tasks without a cell: without the parameters, or with those of a task before them
 
   std::size_t columns() const { return x.values.size(); }
   std::size_t rows() const { return y.values.size(); }
 };
 
-// Axes by key; an empty one is chosen: of those that vary the ones with the most values, the first of the plan
-// along x. Throws Error(bad_input) for a key that is no parameter of the sweep, or for twice the same.
+// Axes by key; an empty one is chosen among the varied parameters with the most values, the plan's first along x.
+// Throws Error(bad_input) for an unknown key, or for the same key twice.
 TaskGrid grid_of(const CollectedSweep& sweep, const std::string& x = {}, const std::string& y = {});
 
 }  // namespace pabd

@@ -16,7 +16,7 @@
 namespace pabd {
 namespace {
 
-constexpr std::size_t kTagged = 8;  // points of a front that are told by number
+constexpr std::size_t kTagged = 8;  // points of a front that are labelled
 constexpr PictureSize kScatter{1000, 640};
 
 HeatMark mark_of(const SweptTask& task) {
@@ -43,7 +43,7 @@ std::string caption_of(const CollectedSweep& sweep, const TaskGrid& grid) {
   return caption;
 }
 
-// The two parameters that points lie along: of those that vary the ones with the most values, numbers only.
+// The axes of a sample: the two varied parameters with the most values, numbers only.
 std::vector<std::size_t> scatter_axes(const CollectedSweep& sweep) {
   std::vector<std::size_t> axes;
   for (const std::size_t p : varied_parameters(sweep)) {

@@ -11,28 +11,28 @@
 
 namespace pabd {
 
-// A picture and the size that suits it.
+// A picture and its natural size.
 struct SizedPicture {
   Picture picture;
   PictureSize size;
 };
 
-inline constexpr std::size_t kMostSlices = 12;  // side by side; a caption says how many there are more
+inline constexpr std::size_t kMostSlices = 12;  // side by side; the caption counts the others
 
-// A criterion over the grid's parameters: cells, or, of a sample, points. Without picture when points would lie
-// along parameters that are no numbers.
+// A criterion over the grid's parameters: cells, or points of a sample. No picture: the parameters of a sample are not
+// numbers.
 SizedPicture criterion_picture(const CollectedSweep& sweep, const TaskGrid& grid, const Criterion& criterion);
 HeatMap heat_map_of(const CollectedSweep& sweep, const TaskGrid& grid, const Criterion& criterion);
 
-// What the signs in cells without a value mean, of those that there are: "× diverged, / refused".
+// Legend of the signs that occur in cells without a value: "× diverged, / refused".
 std::string signs_words(const CollectedSweep& sweep);
-// The scale of a criterion's colours, the same for all cells; at most so many ticks.
+// The colour scale of a criterion, for all cells, with at most `ticks` ticks.
 AxisScale color_scale_of(const Criterion& criterion, int ticks);
 
-// The error against the cost, tasks and their front. No plots: there is no cost, or nothing else.
+// Errors against the cost, with the Pareto front. No plots: there is no cost, or no error.
 Figure pareto_figure(const CollectedSweep& sweep, std::span<const Criterion> criteria);
 
-// A place from 0 to 1 as a colour: violet blue over teal to yellow, light where values are large.
+// Colour of a place from 0 to 1: violet blue, teal, yellow; large values are light.
 Color sweep_color(double place);
 
 }  // namespace pabd

@@ -14,7 +14,7 @@
 namespace pabd {
 namespace {
 
-constexpr std::size_t kNamedEquals = 4;  // equals that are named one by one
+constexpr std::size_t kNamedEquals = 4;  // equal tasks that are named
 constexpr const char* kStepTime = "step_time";
 
 std::string number_of(const CollectedSweep& sweep, std::size_t task) {
@@ -73,7 +73,7 @@ std::string best_sentence(const CollectedSweep& sweep, const Criterion& criterio
                      number_of(sweep, all.back().task));
 }
 
-// What is summed up. A run that takes more iterations takes longer, too: that is one cost, not two.
+// Errors, and one cost: time and iterations are not independent.
 std::vector<std::size_t> counted_criteria(const std::vector<Criterion>& criteria) {
   const Criterion* cost = cost_of(criteria);
   std::vector<std::size_t> out;
@@ -83,7 +83,7 @@ std::vector<std::size_t> counted_criteria(const std::vector<Criterion>& criteria
   return out;
 }
 
-// Tasks that have all of what counts, and are no failures.
+// Acceptable tasks that have every counted criterion.
 std::vector<std::size_t> comparable(const CollectedSweep& sweep, const Ranking& ranking) {
   std::vector<std::size_t> tasks;
   if (ranking.counted.empty()) return tasks;
@@ -96,7 +96,7 @@ std::vector<std::size_t> comparable(const CollectedSweep& sweep, const Ranking& 
   return tasks;
 }
 
-// As it is compared. The next run would take another time: two digits of it, and nothing below 0.05 ms, decide.
+// Times are not reproducible: they are rounded to two digits, and to 0.05 ms at least.
 double compared_size(const Criterion& criterion, std::size_t task) {
   const double size = *criterion.sizes[task];
   if (criterion.quantity.key != kStepTime) return size;
@@ -213,7 +213,7 @@ std::vector<std::size_t> pareto_front(std::span<const double> points, std::size_
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::lexicographical_compare(point(a).begin(), point(a).end(), point(b).begin(), point(b).end());
   });
-  // In this order a point is beaten only by one before it, and then by one of the front.
+  // In this order only points before it can dominate a point, and then one of the front does.
   const auto beats = [&](std::size_t a, std::size_t b) {
     bool less = false;
     for (std::size_t d = 0; d < dimensions; ++d) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which parameters are best, in what, and why: in sentences with numbers and units.
+// Which parameters are best, in which metric, and why, in sentences with numbers and units.
 //
-// Less is better: all metrics that sweeps know are errors or costs. Of a metric with a sign the size counts.
+// Less is better: all built-in metrics are errors or costs. Of a metric with a sign the absolute value counts.
 #pragma once
 
 #include <optional>
@@ -13,36 +13,37 @@
 
 namespace pabd {
 
-// Something to be small.
+// A quantity to be minimized.
 struct Criterion {
   SweptQuantity quantity;
-  bool cost = false;                         // time or iterations: not an error
-  std::vector<std::optional<double>> sizes;  // one a task, ≥ 0; only of what is done
+  bool cost = false;                         // time or iterations, not an error
+  std::vector<std::optional<double>> sizes;  // one per task, ≥ 0; only of tasks that are done
 };
 
-// Every metric of the table, and the time a step where tasks tell it.
+// Every metric of the table, and the time per step where it was measured.
 std::vector<Criterion> criteria_of(const CollectedSweep& sweep);
 
-// What time is measured in for "error against time": the time a step, else the iterations.
+// The cost in "error against cost": the time per step, else the iterations; null: neither.
 const Criterion* cost_of(std::span<const Criterion> criteria);
 
-// Of points (rows of `dimensions` numbers each, finite): which are beaten by no other, that is none is at most
-// as large in everything and smaller in something. Equal points are on the front together. By index.
+// Indices of the points (rows of `dimensions` finite numbers) that no other point dominates, that is, is at most as large
+// in everything and smaller in something. Equal points are on the front together.
 std::vector<std::size_t> pareto_front(std::span<const double> points, std::size_t dimensions);
 
 struct Ranked {
   std::size_t task;
-  std::vector<std::size_t> ranks;  // one a criterion that counts, from 1; equal ones share the better rank
+  std::vector<std::size_t> ranks;  // one per counted criterion, from 1; equal tasks share the better rank
   std::size_t sum = 0;
 };
 
 struct Ranking {
   std::vector<Criterion> criteria;
-  std::vector<std::size_t> counted;  // criteria of the front and the sum: all errors, and one cost
+  std::vector<std::size_t> counted;  // criteria that are compared: all errors, and one cost
   std::vector<Ranked> front;         // by sum of ranks, then index
-  std::size_t compared = 0;          // tasks that are done, acceptable, and have every criterion that counts
-  std::size_t unacceptable = 0;      // tasks that are done, and nobody would take (acceptance.h)
-  std::vector<std::string> sentences;  // rich text: one a criterion, of the acceptable tasks, then the whole
+  std::size_t compared = 0;          // tasks that are done, acceptable, and have every counted criterion
+  std::size_t unacceptable = 0;      // tasks that are done with faults (acceptance.h)
+  std::vector<std::string>
+      sentences;  // rich text: one per criterion, of the acceptable tasks, then the best of all
 };
 
 Ranking rank(const CollectedSweep& sweep);

@@ -169,7 +169,7 @@ bool is_refused_link(const fs::path& path, const CollectLimits& limits) {
   return !limits.links && fs::is_symlink(fs::symlink_status(path, ignored));
 }
 
-// One that others read later; empty: it is not there to be read.
+// A file that is read later; empty: there is none.
 fs::path other_file(const fs::path& path, const CollectLimits& limits) {
   return is_file(path) && !is_refused_link(path, limits) ? path : fs::path();
 }
@@ -193,7 +193,7 @@ ReadTask read_task(const fs::path& folder, const CollectLimits& limits) {
     read_result(folder, limits, out);
     if (is_file(folder / "timing.json")) read_timing(folder, limits, out.task);
   } catch (const Error& error) {
-    // What was read before stays: the parameters say which task it was.
+    // Keeps what was read before: the parameters identify the task.
     out.metrics.clear();
     out.task.status = SweptStatus::damaged;
     out.task.why = error.what();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One task's files, checked. Internal to collecting.
+// Reads and checks the files of one task, and the plan. Internal to collecting.
 #pragma once
 
 #include <map>
@@ -8,29 +8,29 @@
 
 namespace pabd {
 
-// A task before there are columns.
+// A task before the columns of the table are known.
 struct ReadTask {
   SweptTask task;
   std::map<std::string, SweptValue> parameters;
   std::map<std::string, double> metrics;
 };
 
-// Throws Error(file) for a link where those are not taken.
+// Throws Error(file) for a link if the limits refuse links.
 void check_link(const std::filesystem::path& path, const CollectLimits& limits);
 
-// Never throws for what the files hold: a task that cannot be read is damaged, and `why` says how.
+// Does not throw for contents: a task that cannot be read has the status damaged, and `why` says the reason.
 ReadTask read_task(const std::filesystem::path& folder, const CollectLimits& limits);
 
-// What collecting needs of a plan: names and their order.
+// The parts of a plan that collecting needs: names and their order.
 struct ReadPlan {
   std::string scene;
   std::vector<std::string> parameters;  // keys, as the plan has them
   struct Metric {
-    std::string name, known;  // the built-in one that it is; empty: a place of the report
+    std::string name, known;  // `known`: the built-in metric; empty: a number of the report
   };
   std::vector<Metric> metrics;
-  std::map<std::string, SweptValue> set;  // what all runs have
-  double combinations = 1;                // at most so many tasks
+  std::map<std::string, SweptValue> set;  // set in all runs
+  double combinations = 1;                // the most tasks
 };
 
 // DIR/plan.json. Throws as collect_sweep does.

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kNamed = 12;  // tasks that a note names one by one
+constexpr std::size_t kNamed = 12;  // tasks that a note names
 constexpr std::string_view kProgram = "pabd " PABD_VERSION;
 
 SweptQuantity parameter_named(const std::string& key) {
@@ -31,7 +31,7 @@ SweptQuantity parameter_named(const std::string& key) {
   return {key, row->label, symbol_of(*row), row->unit};
 }
 
-// What a plan calls otherwise keeps the unit of what it is.
+// A renamed metric keeps its unit.
 SweptQuantity metric_named(const std::string& key, const ReadPlan& plan) {
   const auto planned =
       std::find_if(plan.metrics.begin(), plan.metrics.end(), [&](const auto& m) { return m.name == key; });
@@ -84,7 +84,7 @@ std::vector<std::string> names_of(const std::vector<fs::path>& paths) {
   return names;
 }
 
-// One column a key that any task has, the plan's in its order before others.
+// One column for each key of any task: those of the plan in its order, then others by name.
 template <class Value, class Name>
 std::vector<SweptQuantity> columns_of(const std::vector<ReadTask>& tasks,
                                       std::map<std::string, Value> ReadTask::*members,
@@ -128,7 +128,7 @@ void note_gaps(CollectedSweep& sweep) {
   }
 }
 
-// Where this version of the program has made a task, what others came to is left out.
+// Removes results of other versions where this one has a result for the same parameters.
 void leave_others(std::vector<ReadTask>& tasks, CollectedSweep& sweep) {
   std::set<std::vector<std::pair<std::string, std::string>>> own;
   const auto key = [](const ReadTask& one) {
@@ -197,7 +197,7 @@ CollectedSweep collect_sweep(const fs::path& folder, const CollectLimits& limits
   std::vector<ReadTask> read;
   for (const fs::path& path : folders.tasks) read.push_back(read_task(path, limits));
   std::stable_sort(read.begin(), read.end(), [](const ReadTask& a, const ReadTask& b) {
-    // Those without an index come last.
+    // Tasks without an index come last.
     return std::make_tuple(a.task.index < 0, a.task.index) < std::make_tuple(b.task.index < 0, b.task.index);
   });
   leave_others(read, sweep);

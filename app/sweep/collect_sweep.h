@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a sweep left in its folder, read back: every task with its parameters, its status and its metrics.
+// The folder of a sweep, read: every task with its parameters, its status and its metrics.
 //
 //   DIR/plan.json                     the plan: scene, and the order of parameters and metrics
 //   DIR/tasks/HASH/task.json          {"index", "hash", "parameters"}
@@ -20,8 +20,7 @@
 
 namespace pabd {
 
-// A parameter's value: a number, or anything else as JSON has it (a word without its quotes). Empty text: the
-// task does not say.
+// A parameter's value: a number, or anything else as JSON (a word without quotes). Empty text: the task has none.
 struct SweptValue {
   std::optional<double> number;
   std::string text;
@@ -29,10 +28,10 @@ struct SweptValue {
   bool absent() const { return text.empty(); }
   bool operator==(const SweptValue& other) const { return text == other.text; }
 };
-// Numbers by size, then texts by their bytes, then what is absent.
+// Numbers by size, then texts by their bytes, then absent values.
 bool operator<(const SweptValue& a, const SweptValue& b);
 
-// unfinished: begun, or without a result; damaged: its files are not what they should be.
+// unfinished: without a result; damaged: a file cannot be read or contradicts another.
 enum class SweptStatus : std::uint8_t { done, diverged, refused, unfinished, damaged };
 inline constexpr SweptStatus kSweptStatuses[] = {SweptStatus::done, SweptStatus::diverged,
                                                  SweptStatus::refused, SweptStatus::unfinished,
@@ -46,21 +45,21 @@ struct SweptTiming {
 };
 
 struct SweptTask {
-  std::int64_t index = -1;             // −1: its files do not say
+  std::int64_t index = -1;             // −1: unknown
   std::string hash;                    // name of its folder
-  std::string program;                 // that made it; empty: its files do not say
-  std::vector<SweptValue> parameters;  // one a CollectedSweep::parameters
+  std::string program;                 // that made it; empty: unknown
+  std::vector<SweptValue> parameters;  // one per CollectedSweep::parameters
   SweptStatus status = SweptStatus::unfinished;
-  std::string why;     // one line; empty: nothing to say
-  std::string faults;  // why nobody would take it though it is done; empty: acceptable
-  std::vector<std::optional<double>> metrics;  // one a CollectedSweep::metrics
+  std::string why;                             // of any other status than done; one line
+  std::string faults;                          // of a done task; empty: acceptable
+  std::vector<std::optional<double>> metrics;  // one per CollectedSweep::metrics
   std::optional<std::int64_t> step;
   std::optional<double> time;  // simulated, s
   std::optional<SweptTiming> timing;
-  std::filesystem::path picture, end;  // how it looks at its end, and the state there; empty: there is none
+  std::filesystem::path picture, end;  // of its end; empty: there is no such file
 };
 
-// A column and how people call it.
+// A column and its names.
 struct SweptQuantity {
   std::string key;     // "contact.d_hat", "penetration"
   std::string words;   // rich text: "thickness d̂", "penetration"
@@ -76,31 +75,31 @@ struct CollectedSweep {
   std::map<std::string, SweptValue> set;           // what the plan sets in all runs
   std::vector<SweptQuantity> parameters, metrics;  // in the plan's order, then by name
   std::vector<SweptTask> tasks;                    // by index, then hash
-  std::vector<std::string> notes;                  // a line each: what is missing, strange or damaged
+  std::vector<std::string> notes;                  // a line each: missing, unexpected or damaged files
 
   std::size_t count(SweptStatus status) const;
 };
 
-// What a collection takes at most; more is refused.
+// Larger sweeps are refused.
 struct CollectLimits {
   std::size_t tasks = 100000;
   std::size_t columns = 64;     // of parameters, and of metrics
   std::size_t bytes = 1 << 20;  // of a file of a task
   std::size_t plan_bytes = 16 << 20;
-  bool links = true;  // files and folders that are links are read; else they are damaged
+  bool links = true;  // whether links are followed; if not, they count as damaged
 };
 
 // Throws Error(file) if the folder is no sweep or cannot be read, Error(bad_input) if its plan is no JSON object
-// or there is more than the limits allow. What is wrong with one task is that task's status and a note.
+// or the limits are exceeded. A fault of one task is its status and a note.
 CollectedSweep collect_sweep(const std::filesystem::path& folder, const CollectLimits& limits = {});
 
 // The scene that a folder's plan names; may be empty. Throws as collect_sweep does.
 std::string scene_of_sweep(const std::filesystem::path& folder, const CollectLimits& limits = {});
 
-// What makes the plan's scene that of a task: "contact.kappa=50", as --set takes it.
+// The settings of a task, as for --set: "contact.kappa=50".
 std::vector<std::string> settings_of(const CollectedSweep& sweep, const SweptTask& task);
 
-// "a, b, c and 4 more": `most` are named.
+// "a, b, c and 4 more", after `most` names.
 std::string named(const std::vector<std::string>& names, std::size_t most);
 
 // "20 tasks: 17 done, 2 diverged and 1 refused".
@@ -108,13 +107,13 @@ std::string counts_words(const CollectedSweep& sweep);
 
 // A number with its unit, for people: "1.2·10⁻⁵ m".
 std::string in_words(double value, const std::string& unit);
-// "d̂ = 0.01 m, κ = 50 J": all parameters of `which`, as the task has them.
+// "d̂ = 0.01 m, κ = 50 J": the parameters `which` of the task.
 std::string in_words(const CollectedSweep& sweep, const SweptTask& task,
                      const std::vector<std::size_t>& which);
 
-// The values of a parameter, ascending; without what is absent.
+// The values of a parameter that occur, ascending.
 std::vector<SweptValue> values_of(const CollectedSweep& sweep, std::size_t parameter);
-// The parameters of which there are several values.
+// The parameters with several values.
 std::vector<std::size_t> varied_parameters(const CollectedSweep& sweep);
 // Of `parameters` the `count` with the most values, in the plan's order.
 std::vector<std::size_t> most_varied(const CollectedSweep& sweep, std::vector<std::size_t> parameters,

@@ -22,7 +22,7 @@ std::string field(const std::string& text) {
   return out + '"';
 }
 
-// Code points as they are: a table has no glyphs of its own.
+// Code points.
 std::u32string characters_of(const std::string& text) {
   std::u32string out;
   for (std::size_t i = 0; i < text.size();) out += next_character(text, i);
@@ -58,7 +58,7 @@ Column real(const std::string& name, std::function<std::optional<double>(const S
           }};
 }
 
-// As wide as the longest text.
+// Width: the longest text.
 Column text(const CollectedSweep& sweep, const std::string& name,
             std::function<std::string(const SweptTask&)> value) {
   std::size_t longest = 1;

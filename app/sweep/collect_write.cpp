@@ -89,7 +89,7 @@ class Collection {
   }
 
   void add(std::string name, std::function<std::string()> make) {
-    // Keys that differ may give the same name.
+    // Different keys may give the same name.
     const auto taken = [&] {
       return std::any_of(files_.begin(), files_.end(), [&](const PlannedFile& f) { return f.name == name; });
     };
@@ -162,7 +162,7 @@ class Collection {
   const CollectedSweep& sweep_;
   TaskGrid grid_;
   Ranking ranking_;
-  Report report_;  // its pictures come while files are made; it is the last
+  Report report_;  // filled while files are made; written last
   std::vector<PlannedFile> files_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that is made of a sweep, in a folder.
+// Writes all results of a sweep into a folder.
 //
 //   table.csv table.jsonl table.npy  timing.csv  ranking.txt
 //   sheet.png (sheet_2.png …)  heat_METRIC.png .svg  pareto.png .svg  report.html
@@ -20,17 +20,17 @@ struct CollectOptions {
   bool force = false;          // replace what is there
 };
 
-// Called with each file as it begins, and how many of how many.
+// Called before each file is made.
 using CollectProgress = std::function<void(const std::string& name, std::size_t number, std::size_t of)>;
 
-// For people, plain text.
+// Plain text for people.
 struct CollectionWords {
   std::vector<std::string> ranking;  // its sentences
-  std::vector<std::string> notes;    // a line each: what pictures leave out
+  std::vector<std::string> notes;    // a line each: omissions of pictures
 };
 
-// Files appear whole. Throws Error(exists) before anything is made if one of them is there and not `force`,
-// Error(bad_input) for axes that are none, Error(file).
+// Files appear whole. Throws Error(exists) before the first one is made if any exists and not `force`, Error(bad_input)
+// for unknown axes, Error(file).
 CollectionWords write_collection(const CollectedSweep& sweep, const std::filesystem::path& folder,
                                  const CollectOptions& options, const CollectProgress& progress = {});
 

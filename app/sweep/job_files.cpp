@@ -28,7 +28,7 @@ constexpr Engine kEngines[] = {{"slurm", "sweep.sbatch", "sbatch @file@"},
 
 using Values = std::vector<std::pair<std::string_view, std::string>>;
 
-// What stands between two @ is replaced where it is a name; what is put in is not looked at again.
+// Replaces "@name@" by the value of that name; values are not searched.
 std::string filled(std::string_view text, const Values& values) {
   std::string out;
   while (!text.empty()) {

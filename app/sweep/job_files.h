@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sweep as a file for the engine that is to run it.
+// The file with which a scheduler or workflow engine runs a sweep.
 #pragma once
 
 #include <filesystem>
@@ -15,19 +15,19 @@ std::vector<std::string> job_engines();  // "slurm", "parallel", "mpi", "snakema
 
 struct JobSetting {
   std::filesystem::path program, folder;  // whole paths
-  std::size_t chunk = 0;                  // tasks a job; 0: 1, of Slurm as many as make 1000 jobs
-  int processes = 1;                      // at a time, where the engine asks
-  int threads = 1;                        // a task
+  std::size_t chunk = 0;                  // tasks per job; 0: 1, for Slurm as many as give 1000 jobs
+  int processes = 1;                      // at a time, if the engine needs it
+  int threads = 1;                        // per task
 };
 
 struct JobFile {
   std::filesystem::path path;
   std::string text;
-  std::string start;  // the line of a shell that starts it
+  std::string start;  // shell command that starts it
 };
 
-// Precondition: engine is one of them, there are tasks. Throws Error(bad_input) for a path that the engine's file cannot
-// hold.
+// Precondition: `engine` is one of job_engines(), there are tasks. Throws Error(bad_input) for a path with characters
+// that do not fit into the file.
 JobFile job_file(std::string_view engine, const std::vector<SweepTask>& tasks, const JobSetting& setting);
 
 }  // namespace pabd

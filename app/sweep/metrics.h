@@ -20,17 +20,17 @@ std::span<const std::string_view> take_words();  // in the order of Take
 enum class MetricKind : std::uint8_t { number, drift, energy_error, step_time, distance };
 
 struct SweepMetric {
-  std::string name, words, unit;  // of a number of the report neither words nor unit
+  std::string name, words, unit;  // of built-in metrics only
   MetricKind kind = MetricKind::number;
   const StepNumber* number = nullptr;  // of kind `number`
   Take take = Take::end;
 };
 
-// Those that are known by name, as they are taken unless told otherwise.
+// With what is taken of them by default.
 std::span<const SweepMetric> built_in_metrics();
 const SweepMetric* find_metric(std::string_view name);  // null: none
 
-// What a step gives to metrics, and it is no number of the report.
+// What metrics need of a step.
 struct StepMeasures {
   const StepSummary* report = nullptr;
   bool joints = false;             // the model has some
@@ -41,7 +41,7 @@ struct StepMeasures {
 // Empty: the step has no such value.
 std::optional<double> measured(const SweepMetric& metric, const StepMeasures& step);
 
-// The values of one metric in the steps so far.
+// Running end, maximum, minimum, mean and sum of a metric.
 class Taken {
  public:
   void add(const std::optional<double>& value);

@@ -138,7 +138,7 @@ fs::path scene_file(const std::string& name, const fs::path& folder, const FindS
   return find_scene(name);
 }
 
-// In words that do not depend on how the plan was written.
+// Independent of how the plan is written.
 std::string measures_of(const SweepPlan& plan) {
   Json json = {{"metrics", Json::array()}, {"reference", nullptr}, {"stop", Json::object()}};
   for (const SweepMetric& metric : plan.metrics) {
@@ -161,7 +161,7 @@ std::string measures_of(const SweepPlan& plan) {
   return json.dump();
 }
 
-// For people, where that can be read again: long lists have a line a number.
+// Indented, unless that exceeds the size that is read: lists have one number per line then.
 std::string kept_text(const nlohmann::ordered_json& plan, const std::string& source) {
   for (const int indent : {2, -1}) {
     std::string text = plan.dump(indent) + "\n";

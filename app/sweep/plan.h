@@ -17,13 +17,13 @@ namespace pabd {
 
 inline constexpr std::size_t kMostTasks = 100'000;
 
-// Keys that vary together, and what they go through: one value a key.
+// Keys that vary together, and their values: one point has a value per key.
 struct SweepGroup {
   std::vector<std::string> keys;
   std::vector<std::vector<Json>> points;
 };
 
-// Ends a run before its time: the number is below (or above) the bound in all steps of so long.
+// Ends a run early: when the number was below (or above) the bound for `hold`.
 struct StopWhen {
   const StepNumber* number = nullptr;
   bool below = true;
@@ -40,7 +40,7 @@ struct StopRule {
 using KeyValues = std::vector<std::pair<std::string, Json>>;
 
 struct SweepPlan {
-  std::string source;           // names it in messages
+  std::string source;           // name for messages
   std::string text;             // for DIR/plan.json: as read, with the whole path of its scene
   std::string scene_name;       // as the plan says it
   std::filesystem::path scene;  // its file
@@ -50,14 +50,14 @@ struct SweepPlan {
   StopRule stop;
   std::optional<KeyValues> reference;
   bool picture = true;
-  std::string measures;  // what the hash of a task holds beside scene and parameters
+  std::string measures;  // part of the hash of a task, beside scene and parameters
 };
 
 // Finds the file of a shipped scene, or throws Error(file).
 using FindScene = std::function<std::filesystem::path(const std::string& name)>;
 
-// Throws Error(bad_input) naming file, JSON pointer, what was expected and what was found; Error(file) when it, or its
-// scene, is not there. `folder`: what the path of the scene is relative to.
+// Throws Error(bad_input) naming file, JSON pointer, what was expected and what was found; Error(file) when it or its
+// scene does not exist. Paths of scenes are relative to `folder`.
 SweepPlan parse_plan(const std::string& text, const std::string& source, const std::filesystem::path& folder,
                      const FindScene& find_scene);
 SweepPlan read_plan(const std::filesystem::path& file, const FindScene& find_scene);
@@ -65,7 +65,7 @@ SweepPlan read_plan(const std::filesystem::path& file, const FindScene& find_sce
 // As --set takes it.
 std::vector<std::string> overrides_of(const KeyValues& values);
 
-// Every key of a plan by the object that it belongs to, for the schema's test.
+// All keys of each object of a plan, for the test of the schema.
 std::vector<std::pair<std::string, std::vector<std::string_view>>> plan_keys();
 
 }  // namespace pabd

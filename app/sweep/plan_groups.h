@@ -15,10 +15,10 @@ namespace pabd {
 // Throws Error(bad_input).
 std::vector<SweepGroup> read_groups(const ObjectReader& plan);
 
-// A key as --set takes it: refuses what would not be one.
+// Refuses what is no key for --set.
 void check_key(const Node& node, std::string_view key);
 
-// The same value always as the same JSON: 1.0 as 1.
+// One representation for equal values: 1.0 as 1.
 Json canonical(const Json& value);
 
 std::vector<std::pair<std::string, std::vector<std::string_view>>> group_keys();

@@ -77,7 +77,7 @@ class Pool {
     for (const auto& worker : workers_) {
       if (worker->task || worker->silent || waiting_.empty()) continue;
       const std::string line = fmt::format("{}\n", waiting_.front());
-      // Otherwise it has ended, which is seen when it is buried.
+      // A failed write means that it has ended, which bury() handles.
       if (write_all(worker->child.input.get(), line.data(), line.size()) != 0) continue;
       worker->task = waiting_.front();
       waiting_.pop_front();
@@ -111,7 +111,7 @@ class Pool {
     const auto [end, failure] = std::from_chars(line.data(), line.data() + line.size(), task);
     if (failure != std::errc() || worker.task != task || end == line.data() + line.size()) return;
     const auto ending = ending_of(line.substr(static_cast<std::size_t>(end - line.data()) + 1));
-    if (!ending || *ending == TaskEnding::stopped) return;  // it says so and ends
+    if (!ending || *ending == TaskEnding::stopped) return;  // it ends, too
     worker.task.reset();
     if (*ending == TaskEnding::busy) {
       busy_.emplace_back(Clock::now() + kBusyPause, task);
@@ -178,7 +178,7 @@ class Pool {
   }
 
   void end_all() {
-    // Once: another signal would end those that write their checkpoints.
+    // Once: a second signal would kill those that write their checkpoints.
     if (std::exchange(ending_, true)) return;
     for (const auto& worker : workers_) worker->child.signal(SIGTERM);
     dismiss();
@@ -186,7 +186,8 @@ class Pool {
 
   const PoolOptions& options_;
   std::deque<std::size_t> waiting_;
-  std::deque<std::pair<Clock::time_point, std::size_t>> busy_;  // another process has them; when to ask again
+  std::deque<std::pair<Clock::time_point, std::size_t>>
+      busy_;  // locked by another process; when to try again
   std::vector<std::unique_ptr<Worker>> workers_;
   std::map<std::size_t, Worker*> numbers_;
   std::map<std::size_t, int> kills_;

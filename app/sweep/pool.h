@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Processes of this program that do the tasks of a sweep side by side. Each is told a task by a line on its standard
-// input, "3", and says what became of it by one on its standard output, "3 done"; "note …" is for people.
+// Worker processes for the tasks of a sweep. Each reads the index of a task as a line of standard input, "3", and
+// answers on standard output, "3 done"; "note …" is for people.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,8 @@ namespace pabd {
 struct PoolOptions {
   std::vector<std::string> worker;  // the command line of one
   int processes = 1;
-  std::set<int> stopped = {75};  // exit statuses of one that was asked to end
-  std::function<bool()> stop;    // asked often: true has them write their checkpoints and end
+  std::set<int> stopped = {75};  // exit statuses after a requested stop
+  std::function<bool()> stop;    // polled; true: all write their checkpoints and end
   std::function<void(std::size_t task, TaskEnding ending)> ended;  // of each task that has a result
   std::function<void(const std::string& text)> note;               // each text once
 };
@@ -30,9 +30,8 @@ struct PoolOutcome {
   std::optional<Error> error;  // of a task whose processes were killed
 };
 
-// Does all tasks. A process that is killed is replaced, and its task begun anew from its checkpoint; the third time that
-// this happens to one task, and when one fails in another way, the others are stopped. Throws Error(file) when none can
-// be started.
+// Does all tasks. A killed process is replaced, and its task continues from its checkpoint. After three kills of one task,
+// or another failure of a process, the others are stopped. Throws Error(file) when no process can be started.
 PoolOutcome run_pool(const std::vector<std::size_t>& tasks, const PoolOptions& options);
 
 }  // namespace pabd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that a sweep goes through: evenly on a line, or points that fill a space.
+// Values of swept parameters: evenly spaced numbers, and sample points.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,20 @@ namespace pabd {
 
 inline constexpr std::size_t kMostAxes = 100;
 
-// A range of numbers. Precondition of what takes one: from and to are finite, of `log` above 0.
+// Precondition of its users: `from` and `to` are finite, with `log` above 0.
 struct NumberRange {
   double from = 0, to = 1;
-  bool log = false;    // equal parts are equal factors
+  bool log = false;    // evenly spaced in the logarithm
   bool whole = false;  // only whole numbers
 };
 
-// Rounded to 12 significant digits, so that mathematical libraries that differ in the last bit name the same number.
+// To 12 significant digits, so that the result does not depend on the last bit of the math library.
 double rounded(double x);
 
-// `count` ≥ 1 numbers from `from` to `to`, both among them where there are two; one: `from`.
+// `count` ≥ 1 numbers from `from` to `to`, both included; one: `from`.
 std::vector<double> spaced(const NumberRange& range, std::size_t count);
 
-// Where u of [0, 1) lies in a range. Of a whole one all numbers, both ends among them, have equal parts.
+// The value at u in [0, 1). In a whole range all numbers, both ends included, are equally likely.
 double at_part(const NumberRange& range, double u);
 
 // Points in [0, 1)^axes, one a row. axes: 1 … kMostAxes.

@@ -38,14 +38,14 @@ void make_folder(const fs::path& path) {
   if (failure) fail(path, "the folder cannot be made", failure.message());
 }
 
-// Whether the locked file is still the one of that name: its last owner may have removed it.
+// Whether the name still refers to the locked file: its last owner may have removed it.
 bool is_named(int fd, const fs::path& path) {
   struct stat opened = {}, named = {};
   return ::fstat(fd, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
          opened.st_dev == named.st_dev;
 }
 
-// No descriptor: somebody else has it.
+// No descriptor: another process holds it.
 Descriptor lock(const fs::path& path) {
   for (;;) {
     Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
@@ -59,7 +59,7 @@ Descriptor lock(const fs::path& path) {
   }
 }
 
-// What another plan left has the number that this plan gives it.
+// Replaces the index of another plan by that of this one.
 void count_anew(const fs::path& place, const SweepTask& task) {
   for (const char* name : {"task.json", "result.json"}) {
     const fs::path path = place / name;
@@ -70,7 +70,7 @@ void count_anew(const fs::path& place, const SweepTask& task) {
   }
 }
 
-// The programs that made what lies in `folder` under names that are none of `tasks`; "" is one that did not say.
+// The programs that made results in `folder` that are not among `tasks`; "": unknown.
 std::set<std::string> other_programs(const fs::path& folder, const std::vector<SweepTask>& tasks) {
   std::unordered_set<std::string_view> known;
   for (const SweepTask& task : tasks) known.insert(task.hash);
@@ -157,7 +157,7 @@ std::optional<TaskFolder> TaskFolder::take(const fs::path& folder, const SweepTa
   return out;
 }
 
-// What another process left that was ended while it wrote; its checkpoint is whole.
+// Removes files of a process that was killed while writing; its checkpoint is complete.
 void TaskFolder::clean() const {
   std::error_code failure;
   fs::directory_iterator entries(partial_, failure);

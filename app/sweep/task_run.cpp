@@ -24,7 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kDuration = 5;  // s, of a scene that says nothing
+constexpr double kDuration = 5;  // s, of a scene without a duration
 constexpr const char* kFormat = "pabd-sweep-checkpoint " PABD_VERSION;
 
 double seconds_since(Clock::time_point start) {
@@ -33,17 +33,17 @@ double seconds_since(Clock::time_point start) {
 
 double energy_of(const StepSummary& s) { return s.kinetic + s.potential + s.elastic; }
 
-// What a run came to, beside its state.
+// Progress of a run, beside its state.
 struct SoFar {
   std::int64_t steps = 0;
   double seconds = 0, work = 0;  // wall clock; J, of drives
   Taken times;                   // ms
-  std::vector<Taken> taken;      // one a metric
-  double since = -1;             // when what ends the run began to hold, s; before 0: it does not
+  std::vector<Taken> taken;      // one per metric
+  double since = -1;             // when the stop condition began to hold, s; negative: it does not
   NLOHMANN_DEFINE_TYPE_INTRUSIVE(SoFar, steps, seconds, work, times, taken, since)
 };
 
-// A run that can be left and taken up again.
+// A run that can be interrupted and resumed.
 class TaskRun {
  public:
   TaskRun(const SweepPlan& plan, const SweepTask& task, std::shared_ptr<const Scene> scene,
@@ -66,7 +66,7 @@ class TaskRun {
 
   bool is_over() const { return diverged_ || held_ || so_far_.steps >= last_; }
 
-  // False: it was stopped on the way, and is as before.
+  // False: it was interrupted and is unchanged.
   bool step() {
     if (!advance_reference()) return false;
     const auto start = Clock::now();
@@ -124,7 +124,7 @@ class TaskRun {
     return json.dump();
   }
 
-  // False, or an exception of Error or JSON: it is none of this task, and this run is of no use.
+  // False, or an exception of Error or JSON: not a checkpoint of this task; the run must not be used.
   bool take_up(const std::string& text) {
     const Json json = Json::parse(text);
     if (json.at("format") != kFormat || json.at("hash") != task_.hash) return false;
@@ -143,7 +143,7 @@ class TaskRun {
     session.set_state(state_from_json(session.model(), text.get<std::string>(), "checkpoint"));
   }
 
-  // To its last step that is not after the next one of this run.
+  // To the last step that is not after the next one of this run.
   bool advance_reference() {
     if (!reference_) return true;
     const double t = session_.state().time + session_.params().h, h = reference_->params().h;
@@ -195,7 +195,7 @@ class TaskRun {
   bool held_ = false, diverged_ = false;
 };
 
-// Where a checkpoint left it, or its start.
+// From its checkpoint, or its start.
 std::unique_ptr<TaskRun> begin(const SweepPlan& plan, const SweepTask& task,
                                const std::shared_ptr<const Scene>& scene, const fs::path& checkpoint,
                                const TaskOptions& options) {

@@ -14,10 +14,10 @@ namespace pabd {
 struct TaskOptions {
   int threads = 1;
   double checkpoint_every = 10;  // s, wall clock
-  std::function<bool()> stop;    // asked often: true ends it with a checkpoint
+  std::function<bool()> stop;    // polled; true: write a checkpoint and end
 };
 
-// What a run came to.
+// The result of a run.
 struct TaskResult {
   std::string status;  // "done", "diverged", "refused"
   std::string why;     // of the latter two
@@ -30,8 +30,8 @@ struct TaskResult {
   State end;
 };
 
-// Runs a task; the same result from wherever a checkpoint let it go on. Empty: it was stopped, and its checkpoint is
-// written. A checkpoint that does not fit is left aside. Throws Error(file); Error(diverged) when the reference does.
+// Runs a task from its checkpoint or its start, to the same bits. Empty: it was stopped and wrote its checkpoint. A
+// checkpoint of another task is ignored. Throws Error(file); Error(diverged) when the reference diverges.
 std::optional<TaskResult> run_task(const SweepPlan& plan, const SweepTask& task,
                                    const std::filesystem::path& checkpoint, const TaskOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runs of a plan, in an order that stays the same.
+// The runs of a plan, in a fixed order.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace pabd {
 
-// "pabd 1.2.3". Other versions may come to other numbers, so that the hash of a task has it.
+// "pabd 1.2.3". Part of the hash of a task, since versions may differ in results.
 std::string sweep_program();
 
 struct SweepTask {
@@ -23,21 +23,20 @@ struct SweepTask {
   std::string text() const;                // "contact.N=3 contact.kappa=10"
 };
 
-// All combinations, the last entry of the plan varies fastest; what comes out twice is there once. `base`: the plan's
-// scene with its "set". An empty `program`: as the versions counted them that did not look at theirs.
+// All combinations without duplicates; the last entry of the plan varies fastest. `base`: the plan's scene with its
+// "set". An empty `program`: hashes of versions that did not include the program.
 std::vector<SweepTask> tasks_of(const SweepPlan& plan, const Scene& base,
                                 const std::string& program = sweep_program());
 
-// The scene of a plan without parameters. `notes`, if there, gets those of robots. Throws Error as load_any_scene does,
-// and Error(bad_input) where it asks for a GPU.
+// The scene of a plan without parameters. `notes`, if not null, receives those of an imported robot. Throws as
+// load_any_scene does, and Error(bad_input) if it requires a GPU.
 Scene base_scene(const SweepPlan& plan, std::vector<ImportNote>* notes = nullptr);
-// With those of a task. Throws in the same way.
+// With the parameters of a task. Throws in the same way.
 Scene scene_of(const SweepPlan& plan, const SweepTask& task);
-// Of the run that distances are measured to. Precondition: the plan has a reference.
+// Of the reference run. Precondition: the plan has a reference.
 Scene reference_scene(const SweepPlan& plan);
 
-// Throws Error(bad_input) when the scene takes none of several tasks from all over the plan: then it is the plan that is
-// wrong, in a key for example.
+// Throws Error(bad_input) when the scene accepts none of several tasks across the plan: then the plan itself is wrong.
 void check_plan(const SweepPlan& plan, const std::vector<SweepTask>& tasks);
 
 }  // namespace pabd

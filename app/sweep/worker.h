@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does tasks of a sweep, one after the other.
+// Does tasks of a sweep, one after another.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,18 @@
 
 namespace pabd {
 
-// What became of a task: it has a result, old or new; another process has it; or it was stopped, with a checkpoint.
+// done … skipped: it has a result, new or old; busy: another process has it; stopped: it wrote its checkpoint.
 enum class TaskEnding { done, diverged, refused, skipped, busy, stopped };
 std::string_view to_string(TaskEnding ending);               // "done", …
 std::optional<TaskEnding> ending_of(std::string_view word);  // empty: none of them
 inline bool has_result(TaskEnding e) { return e < TaskEnding::busy; }
 
-// Draws how runs end, one after the other, in the thread that made it. OpenGL is looked for when the first one is drawn.
+// Draws the ends of runs, in the thread that made it. Creates its OpenGL context for the first one.
 class EndPainter {
  public:
   static constexpr int kWidth = 320, kHeight = 180;  // pixels
 
-  // The bytes of a PNG. Empty when there is no OpenGL that can; why() says so then. Precondition: the result has a
-  // scene.
+  // A PNG. Empty: there is no usable OpenGL, and why() gives the reason. Precondition: the result has a scene.
   std::vector<std::uint8_t> draw(const TaskResult& result, const std::string& hash);
   const std::string& why() const { return why_; }
 
@@ -37,12 +36,12 @@ class EndPainter {
 
 class SweepWorker {
  public:
-  // The plan must live as long.
+  // The plan must outlive the worker.
   SweepWorker(const SweepPlan& plan, std::filesystem::path folder, TaskOptions options);
 
-  // Throws what is no result: Error(file), Error(diverged) of the reference.
+  // Throws Error(file), and Error(diverged) of the reference.
   TaskEnding run(const SweepTask& task);
-  // Why there are no pictures; empty: there are, or none was asked for.
+  // Why there are no pictures; empty: none is missing.
   const std::string& no_picture() const { return painter_.why(); }
 
  private:
