@@ -11,19 +11,9 @@
 #include <cstdint>
 
 #include "sim/base/error.h"
+#include "sim/base/utf8.h"
 
 namespace pabd {
-namespace {
-
-std::string small(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return out;
-}
-
-}  // namespace
 
 AccessToken AccessToken::make() {
   std::array<std::uint8_t, kDigits / 2> bytes{};
@@ -52,8 +42,8 @@ Access AccessTokens::access(std::string_view given) const {
 Gate::Gate(std::vector<std::string> hosts, bool secure) : secure_(secure) {
   const std::string_view usual = secure ? ":443" : ":80";  // a port that browsers leave out
   for (const std::string& host : hosts) {
-    hosts_.push_back(small(host));
-    if (host.ends_with(usual)) hosts_.push_back(small(host.substr(0, host.size() - usual.size())));
+    hosts_.push_back(lower_case(host));
+    if (host.ends_with(usual)) hosts_.push_back(lower_case(host.substr(0, host.size() - usual.size())));
   }
 }
 
@@ -67,11 +57,11 @@ bool is_host(std::string_view host) {
 }
 
 bool Gate::knows_host(std::string_view host) const {
-  return std::find(hosts_.begin(), hosts_.end(), small(host)) != hosts_.end();
+  return std::find(hosts_.begin(), hosts_.end(), lower_case(host)) != hosts_.end();
 }
 
 bool Gate::knows_origin(std::string_view origin, std::string_view host) const {
-  return knows_host(host) && small(origin) == std::string(scheme()) + "://" + small(host);
+  return knows_host(host) && lower_case(origin) == std::string(scheme()) + "://" + lower_case(host);
 }
 
 bool RateBucket::take(double now) {
@@ -100,7 +90,8 @@ void ConnectionCount::leave(const std::string& peer) {
 
 std::string_view bearer_token(std::string_view authorization) {
   constexpr std::string_view kScheme = "bearer ";
-  if (authorization.size() <= kScheme.size() || small(authorization.substr(0, kScheme.size())) != kScheme)
+  if (authorization.size() <= kScheme.size() ||
+      lower_case(authorization.substr(0, kScheme.size())) != kScheme)
     return {};
   return authorization.substr(kScheme.size());
 }
