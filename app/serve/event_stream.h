@@ -33,16 +33,6 @@ class EventStream : public EventLink, public std::enable_shared_from_this<EventS
     watch();
   }
 
-  void refuse() {
-    open_ = false;
-    auto answer =
-        std::make_shared<TextAnswer>(json_answer(shared_, 503, {{"error", "too many read the events"}}));
-    answer->keep_alive(false);
-    answer->prepare_payload();
-    stream_.expires_after(std::chrono::seconds(10));
-    http::async_write(stream_, *answer, [self = shared_from_this(), answer](Failure, std::size_t) {});
-  }
-
   void send_line(const std::string& json) override {
     if (!open_ || finished_) return;
     waiting_ += json + "\n";

@@ -248,8 +248,9 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void listen() {
     if (!shared_.lobby->files(session_)) return no_session();
+    if (!shared_.lobby->may_listen(session_)) return refuse(503, "too many read the events");
     auto events = std::make_shared<EventStream>(shared_, std::move(stream_), std::move(place_));
-    if (!shared_.lobby->listen(session_, events)) return events->refuse();
+    shared_.lobby->listen(session_, events);
     events->begin();
   }
 

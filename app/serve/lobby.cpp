@@ -235,12 +235,15 @@ bool Lobby::ask(const std::string& session, DeskInput question) {
   return here && here->desk->send(std::move(question));
 }
 
-bool Lobby::listen(const std::string& session, const std::shared_ptr<EventLink>& link) {
+bool Lobby::may_listen(const std::string& session) const {
   const auto here = room(session);
-  if (!here || here->listeners.size() >= kMostListeners) return false;
+  return here && here->listeners.size() < kMostListeners;
+}
+
+void Lobby::listen(const std::string& session, const std::shared_ptr<EventLink>& link) {
+  const auto here = room(session);
   here->listeners.push_back(link);
   here->desk->tell_events(true);
-  return true;
 }
 
 std::shared_ptr<FileRoot> Lobby::files(const std::string& session) const {

@@ -74,7 +74,9 @@ class Lobby {
 
   // For programs; an empty name means the only session. False: there is no such session, or its queue is full.
   bool ask(const std::string& session, DeskInput question);
-  bool listen(const std::string& session, const std::shared_ptr<EventLink>& link);
+  bool may_listen(const std::string& session) const;  // false: no such session, or too many listen
+  void listen(const std::string& session,
+              const std::shared_ptr<EventLink>& link);  // precondition: may_listen()
   // The files of a session; null when there is none of that name.
   std::shared_ptr<FileRoot> files(const std::string& session) const;
 
