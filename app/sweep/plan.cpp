@@ -231,15 +231,9 @@ std::vector<std::string> overrides_of(const KeyValues& values) {
   return out;
 }
 
-std::vector<std::pair<std::string, std::vector<Key>>> plan_keys() {
+std::vector<PlanObjectKeys> plan_keys() {
   auto out = group_keys();
-  const auto add = [&](const char* object, auto keys) {
-    out.emplace_back(object, std::vector<Key>(keys.begin(), keys.end()));
-  };
-  add("plan", kPlan);
-  add("metric", kMetric);
-  add("stop", kStop);
-  add("when", kWhen);
+  out.insert(out.end(), {{"plan", kPlan}, {"metric", kMetric}, {"stop", kStop}, {"when", kWhen}});
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,8 @@ SweepPlan read_plan(const std::filesystem::path& file, const FindScene& find_sce
 // As --set takes it.
 std::vector<std::string> overrides_of(const KeyValues& values);
 
+using PlanObjectKeys = std::pair<std::string, std::span<const std::string_view>>;
 // All keys of each object of a plan, for the test of the schema.
-std::vector<std::pair<std::string, std::vector<std::string_view>>> plan_keys();
+std::vector<PlanObjectKeys> plan_keys();
 
 }  // namespace pabd

@@ -157,16 +157,8 @@ std::vector<SweepGroup> read_groups(const ObjectReader& plan) {
   return groups;
 }
 
-std::vector<std::pair<std::string, std::vector<Key>>> group_keys() {
-  std::vector<std::pair<std::string, std::vector<Key>>> out;
-  const auto add = [&](const char* object, auto keys) {
-    out.emplace_back(object, std::vector<Key>(keys.begin(), keys.end()));
-  };
-  add("list", kList);
-  add("range", kRange);
-  add("sample", kSample);
-  add("axis", kAxis);
-  return out;
+std::vector<PlanObjectKeys> group_keys() {
+  return {{"list", kList}, {"range", kRange}, {"sample", kSample}, {"axis", kAxis}};
 }
 
 }  // namespace pabd

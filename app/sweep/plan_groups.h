@@ -21,6 +21,6 @@ void check_key(const Node& node, std::string_view key);
 // One representation for equal values: 1.0 as 1.
 Json canonical(const Json& value);
 
-std::vector<std::pair<std::string, std::vector<std::string_view>>> group_keys();
+std::vector<PlanObjectKeys> group_keys();
 
 }  // namespace pabd
