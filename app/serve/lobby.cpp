@@ -37,6 +37,15 @@ struct Lobby::Room {
   double kept_alive = 0;  // when listeners got their last blank line
   bool ended = false;
   bool dressed = false;  // light or dark was set by the first controller
+
+  // All connections.
+  void close(CloseCode code, const std::string& why) {
+    for (const auto& [id, guest] : guests) {
+      if (const auto link = guest.link.lock()) link->close(code, why);
+    }
+    for (const auto& listener : listeners) listener->finish();
+    listeners.clear();  // each is freed after its last line
+  }
 };
 
 Lobby::Lobby(const LobbyOptions& options, std::function<void(std::function<void()>)> post)
@@ -221,12 +230,8 @@ void Lobby::heard(Room& room, DeskNews news) {
 void Lobby::end(Room& room, const std::string& why) {
   room.ended = true;
   if (options_.sessions <= 1) failure_ = why;
-  for (const auto& [id, guest] : room.guests) {
-    if (const auto link = guest.link.lock()) link->close(CloseCode::gone, why);
-  }
+  room.close(CloseCode::gone, why);
   room.guests.clear();
-  for (const auto& listener : room.listeners) listener->finish();
-  room.listeners.clear();
   room.desk.reset();  // answers open questions and stops writing files
 }
 
@@ -276,13 +281,7 @@ void Lobby::tick(double now) {
 }
 
 void Lobby::close_all(CloseCode code, const std::string& why) {
-  for (auto& [name, here] : rooms_) {
-    for (const auto& [id, guest] : here->guests) {
-      if (const auto link = guest.link.lock()) link->close(code, why);
-    }
-    for (const auto& listener : here->listeners) listener->finish();
-    here->listeners.clear();  // each is freed after its last line
-  }
+  for (auto& [name, here] : rooms_) here->close(code, why);
 }
 
 }  // namespace pabd
