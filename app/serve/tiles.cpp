@@ -101,16 +101,10 @@ std::size_t Tiles::count() const {
 }
 void Tiles::mark_all() { std::fill(marked_.begin(), marked_.end(), 1); }
 
-void Tiles::mark(const PixelRect& rect) {
+void Tiles::set(const PixelRect& rect, char mark) {
   for (int r = rect.y / kSide; r * kSide < rect.y + rect.h && r < rows_; ++r)
     for (int c = rect.x / kSide; c * kSide < rect.x + rect.w && c < columns_; ++c)
-      marked_[static_cast<std::size_t>(r * columns_ + c)] = 1;
-}
-
-void Tiles::clear(const PixelRect& rect) {
-  for (int r = rect.y / kSide; r * kSide < rect.y + rect.h && r < rows_; ++r)
-    for (int c = rect.x / kSide; c * kSide < rect.x + rect.w && c < columns_; ++c)
-      marked_[static_cast<std::size_t>(r * columns_ + c)] = 0;
+      marked_[static_cast<std::size_t>(r * columns_ + c)] = mark;
 }
 
 Tiles Tiles::first(std::size_t most) const {

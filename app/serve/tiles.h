@@ -32,8 +32,8 @@ class Tiles {
   std::size_t count() const;
   bool fits(int width, int height) const { return width_ == width && height_ == height; }
   void mark_all();
-  void mark(const PixelRect& rect);
-  void clear(const PixelRect& rect);
+  void mark(const PixelRect& rect) { set(rect, 1); }
+  void clear(const PixelRect& rect) { set(rect, 0); }
   // The first `most` marked tiles, row by row.
   Tiles first(std::size_t most) const;
 
@@ -42,6 +42,7 @@ class Tiles {
   std::vector<PixelRect> cover(bool whole = true) const;
 
  private:
+  void set(const PixelRect& rect, char mark);
   PixelRect pixels(int left, int top, int right, int bottom) const;  // of tiles, ends excluded
 
   int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;

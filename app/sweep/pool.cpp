@@ -29,7 +29,11 @@ constexpr auto kBusyPause = std::chrono::milliseconds(250);
 constexpr int kPollMs = 100;
 
 struct Worker {
-  explicit Worker(std::function<void(std::string_view)> line) : lines(std::move(line)) {}
+  explicit Worker(std::function<void(Worker&, std::string_view)> hear)
+      : lines([this, hear = std::move(hear)](std::string_view line) { hear(*this, line); }) {}
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
   ChildProcess child;
   LineSplitter lines;
   Tail errors;
@@ -54,7 +58,7 @@ class Pool {
         end_all();
       }
       if (!ending_) hand_out();
-      if (!ending_ && waiting_.empty() && busy_.empty() && nobody_works()) dismiss();
+      if (!ending_ && waiting_.empty() && busy_.empty() && working() == 0) dismiss();
       listen();
       bury();
     }
@@ -63,8 +67,9 @@ class Pool {
 
  private:
   bool is_over() const { return workers_.empty() && (ending_ || (waiting_.empty() && busy_.empty())); }
-  bool nobody_works() const {
-    return std::none_of(workers_.begin(), workers_.end(), [](const auto& w) { return w->task.has_value(); });
+  std::size_t working() const {
+    return static_cast<std::size_t>(
+        std::count_if(workers_.begin(), workers_.end(), [](const auto& w) { return w->task.has_value(); }));
   }
 
   void hand_out() {
@@ -84,14 +89,8 @@ class Pool {
     }
   }
 
-  std::size_t working() const {
-    return static_cast<std::size_t>(
-        std::count_if(workers_.begin(), workers_.end(), [](const auto& w) { return w->task.has_value(); }));
-  }
-
   void start() {
-    auto worker = std::make_unique<Worker>([this, n = started_](std::string_view line) { hear(n, line); });
-    numbers_[started_++] = worker.get();
+    auto worker = std::make_unique<Worker>([this](Worker& from, std::string_view line) { hear(from, line); });
     if (const int reason = worker->child.start(options_.worker); reason != 0) {
       throw Error(ErrorKind::file, options_.worker.front(),
                   fmt::format("cannot be started: {}; try fewer --jobs", system_reason(reason)));
@@ -100,8 +99,7 @@ class Pool {
   }
 
   // "3 done", "note …".
-  void hear(std::size_t number, std::string_view line) {
-    Worker& worker = *numbers_.at(number);
+  void hear(Worker& worker, std::string_view line) {
     if (line.starts_with("note ")) {
       const std::string text(line.substr(5));
       if (notes_.insert(text).second && options_.note) options_.note(text);
@@ -189,10 +187,8 @@ class Pool {
   std::deque<std::pair<Clock::time_point, std::size_t>>
       busy_;  // locked by another process; when to try again
   std::vector<std::unique_ptr<Worker>> workers_;
-  std::map<std::size_t, Worker*> numbers_;
   std::map<std::size_t, int> kills_;
   std::set<std::string> notes_;
-  std::size_t started_ = 0;
   bool ending_ = false;
   PoolOutcome outcome_;
 };
