@@ -20,7 +20,6 @@ struct ServerOptions {
   std::string certificate, key;        // PEM files; both or none
   std::string embed;                   // origin of a page that may show this one in a frame
   AccessTokens tokens;
-  std::size_t most_connections = 64, most_each = 16;
 };
 
 class HttpServer {

@@ -21,13 +21,13 @@ struct Shared {
   ServerOptions options;
   std::optional<Gate> gate;
   std::unique_ptr<Lobby> lobby;
-  ConnectionCount connections;
+  ConnectionCount connections{64, 16};   // in all, and from one address
   std::size_t uploads = 0, waiting = 0;  // uploads under way; requests that wait for a desk
   int refused = 0;                       // connections beyond the limit that are being answered
   bool leaving = false;
   asio::io_context io{1};  // last member, so destroyed first: its handlers use the others
 
-  explicit Shared(const ServerOptions& o) : options(o), connections(o.most_connections, o.most_each) {}
+  explicit Shared(const ServerOptions& o) : options(o) {}
 };
 
 // Counts a connection as long as it lives.

@@ -94,25 +94,19 @@ void Roles::settle() {
 }
 
 std::optional<VisitorId> Roles::controller() const {
-  if (!holder_) return std::nullopt;
-  const auto found =
-      std::find_if(visitors_.begin(), visitors_.end(), [&](const Visitor& v) { return v.id == *holder_; });
-  return found != visitors_.end() && found->present ? holder_ : std::nullopt;
+  return count([&](const Visitor& v) { return v.present && holder_ == v.id; }) > 0 ? holder_ : std::nullopt;
 }
 
 bool Roles::somebody_asks() const {
-  return std::any_of(visitors_.begin(), visitors_.end(),
-                     [](const Visitor& v) { return v.present && v.asks; });
+  return count([](const Visitor& v) { return v.present && v.asks; }) > 0;
 }
 
 std::size_t Roles::present_controllers() const {
-  return static_cast<std::size_t>(std::count_if(visitors_.begin(), visitors_.end(),
-                                                [](const Visitor& v) { return v.present && v.may_control; }));
+  return count([](const Visitor& v) { return v.present && v.may_control; });
 }
 
 std::size_t Roles::present() const {
-  return static_cast<std::size_t>(
-      std::count_if(visitors_.begin(), visitors_.end(), [](const Visitor& v) { return v.present; }));
+  return count([](const Visitor& v) { return v.present; });
 }
 
 }  // namespace pabd

@@ -3,6 +3,7 @@
 // absent for too long, whoever has waited longest. Without network and clock.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -49,6 +50,9 @@ class Roles {
     double left;  // when
   };
   Visitor* find(VisitorId id);
+  std::size_t count(auto&& is) const {
+    return static_cast<std::size_t>(std::count_if(visitors_.begin(), visitors_.end(), is));
+  }
   std::size_t present_controllers() const;
   void settle();
 

@@ -20,7 +20,6 @@ struct ReportPicture {
 struct Report {
   std::vector<std::string> notes;  // after those of the sweep
   std::vector<ReportPicture> sheets, maps, plots;
-  std::size_t most_rows = 2000;  // of the table; table.csv has all
 };
 
 std::string report_html(const CollectedSweep& sweep, const Ranking& ranking, const Report& report);
