@@ -18,7 +18,6 @@
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/output_path.h"
-#include "sim/base/private_folder.h"
 #include "sim/base/utf8.h"
 
 namespace fs = std::filesystem;

@@ -11,12 +11,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <ctime>
 #include <utility>
 
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
-#include "sim/base/file_failure.h"
 
 namespace pabd {
 namespace fs = std::filesystem;
@@ -24,6 +24,33 @@ namespace {
 
 constexpr std::size_t buffer_size = 1 << 16;
 constexpr std::size_t longest_name = 255;  // NAME_MAX of the usual file systems
+
+// The remedy for the reasons that have one.
+std::string remedy(int reason, const fs::path& folder) {
+  switch (reason) {
+    case ENOENT:
+      return fmt::format("; create the folder: mkdir -p {}", folder.empty() ? "." : folder.string());
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "; choose a folder that you may write to";
+    case ENOSPC:
+    case EDQUOT:
+      return "; free some space or choose another disk";
+    case EFBIG:
+      return "; raise the limit on file sizes (ulimit -f)";
+    case ENAMETOOLONG:
+      return "; choose a shorter name";
+    default:
+      return "";
+  }
+}
+
+// Throws Error(file) "PATH: WHAT: REASON; REMEDY", the remedy where the reason, an errno, has one.
+[[noreturn]] void fail_for(const fs::path& path, const std::string& what, int reason) {
+  throw Error(ErrorKind::file, fmt::format("{}: {}: {}{}", path.string(), what, system_reason(reason),
+                                           remedy(reason, path.parent_path())));
+}
 
 fs::path folder_of(const fs::path& path) {
   const fs::path folder = path.parent_path();
@@ -61,8 +88,13 @@ std::string random_letters() {
   return text;
 }
 
-// Removes a temporary file that nobody writes any more. False: it is in use, or nobody can tell.
-bool remove_left(const fs::path& temporary) {
+// Some devices and network folders know no fsync: EINVAL, which says nothing about the data.
+void sync(int fd, const fs::path& path) {
+  if (::fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP) fail_for(path, "could not be written", errno);
+}
+
+// Removes a temporary file that nobody writes any more. False: it is in use, or may be.
+bool remove_abandoned(const fs::path& temporary) {
   const Descriptor file(::open(temporary.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct stat held, named;
   if (file.get() < 0 || ::fstat(file.get(), &held) != 0 || !S_ISREG(held.st_mode) ||
@@ -126,7 +158,7 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), folders_(path_),
   }
 }
 
-// One writer holds its lock until it ends, however it ends: what is not locked was left by one that was killed.
+// One writer holds its lock until it ends, however it ends: a file that is not locked is that of a writer that was killed.
 void AtomicFile::open_temporary() {
   std::string name = target_.filename().string();
   if (name.size() > longest_name) fail("cannot be created", ENAMETOOLONG);
@@ -143,12 +175,12 @@ void AtomicFile::open_temporary() {
       struct stat info;
       static_cast<void>(::flock(fd_, LOCK_EX));
       if (::fstat(fd_, &info) != 0 || info.st_nlink > 0) return;
-      ::close(std::exchange(fd_, -1));  // another program took it for one that was left
+      ::close(std::exchange(fd_, -1));  // another program took it for an abandoned one
       continue;
     }
     leftover_.release();  // it is another's
     if (errno != EEXIST && errno != EINTR) fail("cannot be created", errno);
-    usual = errno == EINTR || remove_left(temporary_);
+    usual = errno == EINTR || remove_abandoned(temporary_);
   }
   fail("cannot be created", EEXIST);
 }
@@ -182,8 +214,7 @@ void AtomicFile::flush() {
 void AtomicFile::commit() {
   if (fd_ < 0) throw Error(ErrorKind::defect, fmt::format("{}: committed twice", path_.string()));
   flush();
-  // Devices and some network folders know no fsync: EINVAL, which says nothing about the data.
-  if (::fsync(fd_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("could not be written", errno);
+  sync(fd_, path_);
   const int closed = ::close(std::exchange(fd_, -1));
   if (closed != 0 && errno != EINTR) fail("could not be closed", errno);
   if (!direct_ && ::rename(temporary_.c_str(), target_.c_str()) != 0) fail("could not get its name", errno);
@@ -208,5 +239,25 @@ void write_file(const fs::path& path, std::string_view bytes) {
 }
 
 void check_creatable(const fs::path& path) { const AtomicFile probe(path); }
+
+void write_private_file(const fs::path& path, std::string_view bytes) {
+  const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666));
+  if (file.get() < 0) fail_for(path, "cannot be created", errno);
+  if (const int reason = write_all(file.get(), bytes.data(), bytes.size()))
+    fail_for(path, "could not be written", reason);
+}
+
+// The name itself may be lost in a power cut, and the folder then has its old one: nobody took it for whole.
+void publish_folder(const fs::path& folder, const fs::path& place) {
+  std::error_code failure;
+  fs::directory_iterator entries(folder, failure);
+  for (; !failure && entries != fs::directory_iterator(); entries.increment(failure)) {
+    const Descriptor file(::open(entries->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    if (file.get() < 0) fail_for(entries->path(), "cannot be opened", errno);
+    sync(file.get(), entries->path());
+  }
+  if (failure) fail_for(folder, "cannot be read", failure.value());
+  if (::rename(folder.c_str(), place.c_str()) != 0) fail_for(place, "could not get its name", errno);
+}
 
 }  // namespace pabd

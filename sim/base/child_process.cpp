@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See child_process.h.
 #include "sim/base/child_process.h"
 
 #include <fcntl.h>
@@ -155,12 +154,12 @@ void LineSplitter::finish() {
 
 bool read_pipes(std::span<pollfd> sources, const std::function<void(std::string_view)>& output, Tail& tail) {
   std::array<char, 4096> text;
-  bool heard = false;
+  bool received = false;
   for (std::size_t i = 0; i < 2; ++i) {
     if (sources[i].fd < 0 || sources[i].revents == 0) continue;
     const ssize_t n = ::read(sources[i].fd, text.data(), text.size());
     if (n < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-    heard = true;
+    received = true;
     if (n <= 0) {
       sources[i].fd = -1;
     } else if (i == 0) {
@@ -169,7 +168,7 @@ bool read_pipes(std::span<pollfd> sources, const std::function<void(std::string_
       tail.append(text.data(), static_cast<std::size_t>(n));
     }
   }
-  return heard;
+  return received;
 }
 
 ChildOutcome run_child(const std::vector<std::string>& arguments, double patience,
@@ -181,21 +180,21 @@ ChildOutcome run_child(const std::vector<std::string>& arguments, double patienc
   outcome.found = true;
   child.input.close();
   LineSplitter lines(line);
-  const auto hear = [&](std::string_view bytes) { lines.append(bytes.data(), bytes.size()); };
+  const auto split = [&](std::string_view bytes) { lines.append(bytes.data(), bytes.size()); };
   Tail tail;
   std::array<pollfd, 2> sources = {{{child.output.get(), POLLIN, 0}, {child.errors.get(), POLLIN, 0}}};
   const auto start = Clock::now();
-  for (auto heard = start; sources[0].fd >= 0 || sources[1].fd >= 0;) {
+  for (auto last = start; sources[0].fd >= 0 || sources[1].fd >= 0;) {
     // What it said before it ended is in the pipes; nobody else is there to say more.
     const bool over = child.has_ended();
     const int ready = ::poll(sources.data(), sources.size(), over ? 0 : kPollMs);
     if (ready < 0 && errno != EINTR) break;
     if (ready <= 0 && over) break;
-    if (ready > 0 && read_pipes(sources, hear, tail)) heard = Clock::now();
+    if (ready > 0 && read_pipes(sources, split, tail)) last = Clock::now();
     const auto seconds_since = [](Clock::time_point t) {
       return std::chrono::duration<double>(Clock::now() - t).count();
     };
-    if (seconds_since(heard) > patience || seconds_since(start) > longest) {
+    if (seconds_since(last) > patience || seconds_since(start) > longest) {
       outcome.too_slow = true;
       break;
     }

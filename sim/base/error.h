@@ -32,7 +32,7 @@ enum class ErrorKind {
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(one_line(message)), kind_(kind) {}
-  // `source`: what the message is about, as its maker was told: a file, an action of a script.
+  // `source`: what the message is about, as its maker knows it: a file, an action of a script.
   Error(ErrorKind kind, std::string source, std::string_view message)
       : std::runtime_error(one_line(source + ": " + std::string(message))),
         kind_(kind),

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See input_file.h.
 #include "sim/base/input_file.h"
 
 #include <fcntl.h>

@@ -26,7 +26,7 @@ ReadOutcome try_read_file(const std::filesystem::path& path, std::size_t most, s
 // bytes: then `shorter` is what was expected, if given.
 std::string read_file(const std::filesystem::path& path, std::size_t most, std::string_view expected,
                       std::string_view shorter = {});
-// The whole file, or nothing when it cannot be read or is longer: for what the system tells about itself.
+// The whole file, or nothing when it cannot be read or is longer: for the system's files about itself.
 std::string read_if_possible(const std::filesystem::path& path, std::size_t most);
 
 }  // namespace pabd

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See output_path.h.
 #include "sim/base/output_path.h"
 
 #include <sys/stat.h>

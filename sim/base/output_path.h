@@ -11,7 +11,7 @@
 
 namespace pabd {
 
-// The files that a command reads, told apart by what they are and not by their names: links and other ways to
+// The files that a command reads, compared by device and inode, not by name: links and other ways to
 // write a path lead to the same file.
 class InputFiles {
  public:

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See utf8.h.
 #include "sim/base/utf8.h"
 
 #include <cassert>

@@ -35,7 +35,7 @@ std::string_view without_last(std::string_view text);
 
 // `text` for one line of a terminal or a message: blanks and line breaks at its end are dropped; control
 // characters (those of U+0080 … U+009F too), bytes that are no UTF-8 and characters that turn the direction
-// of writing or have no width are shown as \n, \t, \xNN. What is left is well-formed UTF-8, cut to about 16 kB.
+// of writing or have no width are shown as \n, \t, \xNN. The result is well-formed UTF-8, cut to about 16 kB.
 std::string one_line(std::string_view text);
 
 }  // namespace pabd
