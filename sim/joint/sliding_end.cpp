@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// See sliding_end.h.
 #include "sim/joint/sliding_end.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "sim/joint/joint_traits.h"
+#include "sim/math/row_list.h"
 
 namespace pabd {
 namespace {
@@ -21,23 +21,19 @@ bool slides(const Joint& joint) {
 // How many joints each body is from one that cannot move, or the world. Rods and springs hold no direction.
 std::vector<int> distances(const Model& model) {
   const std::size_t n = model.shape.size();
-  std::vector<std::size_t> first(n + 1, 0);
   std::vector<int> out(n, kFloats);
-  const auto each = [&](const auto& take) {
+  RowList<Index> neighbours;
+  neighbours.fill(n, [&](const auto& visit) {
     for (const Joint& joint : model.joints) {
       if (traits_of(joint.type).points) continue;
       if (joint.i != kWorld && joint.j != kWorld) {
-        take(static_cast<std::size_t>(joint.i), static_cast<std::size_t>(joint.j));
-        take(static_cast<std::size_t>(joint.j), static_cast<std::size_t>(joint.i));
+        visit(joint.i, joint.j);
+        visit(joint.j, joint.i);
       } else {
-        out[static_cast<std::size_t>(joint.i == kWorld ? joint.j : joint.i)] = 1;
+        out[joint.i == kWorld ? joint.j : joint.i] = 1;
       }
     }
-  };
-  each([&](std::size_t a, std::size_t) { ++first[a + 1]; });
-  for (std::size_t i = 0; i < n; ++i) first[i + 1] += first[i];
-  std::vector<std::size_t> neighbour(first[n]), next(first.begin(), first.end() - 1);
-  each([&](std::size_t a, std::size_t b) { neighbour[next[a]++] = b; });
+  });
 
   std::vector<std::size_t> queue;
   for (const int far : {0, 1}) {
@@ -49,10 +45,11 @@ std::vector<int> distances(const Model& model) {
   // Those of 1 come after what is a joint from a fixed body: in the order of distances all the same.
   for (std::size_t k = 0; k < queue.size(); ++k) {
     const std::size_t a = queue[k];
-    for (std::size_t m = first[a]; m < first[a + 1]; ++m) {
-      if (out[neighbour[m]] <= out[a] + 1) continue;
-      out[neighbour[m]] = out[a] + 1;
-      queue.push_back(neighbour[m]);
+    for (const Index b : neighbours[static_cast<Index>(a)]) {
+      int& distance = out[b];
+      if (distance <= out[a] + 1) continue;
+      distance = out[a] + 1;
+      queue.push_back(static_cast<std::size_t>(b));
     }
   }
   return out;
@@ -64,10 +61,9 @@ void settle_sliding_ends(Model& model, std::size_t first) {
   const auto begin = model.joints.begin() + static_cast<std::ptrdiff_t>(first);
   if (std::none_of(begin, model.joints.end(), slides)) return;
   const std::vector<int> far = distances(model);
-  const auto distance = [&](Index body) { return body == kWorld ? 0 : far[static_cast<std::size_t>(body)]; };
+  const auto distance = [&](Index body) { return body == kWorld ? 0 : far[body]; };
   const auto size = [&](Index body) {
-    return body == kWorld ? std::numeric_limits<double>::infinity()
-                          : bounding_radius(model.shape[static_cast<std::size_t>(body)]);
+    return body == kWorld ? std::numeric_limits<double>::infinity() : bounding_radius(model.shape[body]);
   };
   for (auto joint = begin; joint != model.joints.end(); ++joint) {
     if (!slides(*joint)) continue;

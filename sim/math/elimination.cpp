@@ -4,7 +4,8 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <numeric>
+
+#include "sim/math/row_list.h"
 
 namespace pabd {
 
@@ -21,19 +22,15 @@ bool Elimination::analyze(Index n, const Pairs& pairs, double most_products) {
 // approximate minimum degree.
 void Elimination::order(Index n) {
   const auto rows = static_cast<std::size_t>(n);
-  std::vector<Index> degree(rows, 0);
-  std::vector<std::size_t> first(rows + 1, 0);
-  for (const auto& [p, q] : pairs_) {
-    ++degree[p];
-    ++degree[q];
-  }
-  std::partial_sum(degree.begin(), degree.end(), first.begin() + 1);
-  std::vector<Index> neighbor(first.back());
-  std::vector<std::size_t> cursor(first.begin(), first.end() - 1);
-  for (const auto& [p, q] : pairs_) {
-    neighbor[cursor[p]++] = q;
-    neighbor[cursor[q]++] = p;
-  }
+  RowList<Index> neighbors;
+  neighbors.fill(rows, [&](const auto& visit) {
+    for (const auto& [p, q] : pairs_) {
+      visit(p, q);
+      visit(q, p);
+    }
+  });
+  std::vector<std::size_t> degree(rows);
+  for (Index p = 0; p < n; ++p) degree[p] = neighbors[p].size();
   row_at_.clear();
   position_.assign(rows, -1);
   const auto eliminate = [&](Index p) {
@@ -44,11 +41,8 @@ void Elimination::order(Index n) {
     if (degree[p] <= 1 && position_[p] < 0) eliminate(p);
   }
   for (std::size_t k = 0; k < row_at_.size(); ++k) {
-    const Index p = row_at_[k];
-    for (std::size_t e = first[p]; e < first[p + 1]; ++e) {
-      const Index q = neighbor[e];
+    for (const Index q : neighbors[row_at_[k]])
       if (position_[q] < 0 && --degree[q] <= 1) eliminate(q);
-    }
   }
   if (row_at_.size() < rows) order_core(n);
 }

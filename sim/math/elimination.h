@@ -36,7 +36,7 @@ class Elimination {
 
  private:
   void order(Index n);
-  void order_core(Index n);  // what is left when no row has fewer than two neighbours
+  void order_core(Index n);  // the rest, where every row has two neighbours or more
   bool find_fill(Index n, double most_products);
 
   Pairs pairs_;

@@ -9,7 +9,7 @@
 
 namespace pabd {
 
-// Reads the lower triangle of H. `definite` tells whether all of D were positive; else x is finite for a
+// Reads the lower triangle of H. `definite`: whether all of D were positive; else x is finite for a
 // finite H but solves nothing.
 inline Vec6 solve_ldlt(const Mat6& H, const Vec6& b, bool& definite) {
   double L[6][6], inverse[6], y[6];

@@ -48,7 +48,8 @@ Mat3 project_to_so3(const Mat3& B, const Mat3& guess) {
     const double angle = w.norm();
     if (!(angle < 1.0)) break;
     R = cayley(w) * R;
-    if (angle < 1e-7) return reorthonormalized(R);  // quadratic convergence: the error left is below 1e-14
+    if (angle < 1e-7)
+      return reorthonormalized(R);  // quadratic convergence: the remaining error is below 1e-14
   }
   return project_by_eigenvector(B);
 }
