@@ -170,32 +170,19 @@ void carry_out(const RemoveBody& edit, const BondLaw&, Model& model, State& stat
       b = moved(b);
     }
   }
-  const auto first = [](const ContactMemory& contact) { return static_cast<Index>(contact.pair >> 32); };
-  const auto second = [](const ContactMemory& contact) {
-    return static_cast<Index>(contact.pair & 0xffffffffu);
-  };
   std::erase_if(state.contacts, [&](const ContactMemory& contact) {
-    return first(contact) == gone || second(contact) == gone;
+    const auto [a, b] = bodies_of_pair(contact.pair);
+    return a == gone || b == gone;
   });
   for (ContactMemory& contact : state.contacts) {
-    const auto a = static_cast<std::uint64_t>(moved(first(contact)));
-    contact.pair = a << 32 | static_cast<std::uint64_t>(moved(second(contact)));
+    const auto [a, b] = bodies_of_pair(contact.pair);
+    contact.pair = pair_key(moved(a), moved(b));
   }
-  erase_at(model.name, gone);
-  erase_at(model.shape, gone);
-  erase_at(model.mass, gone);
-  erase_at(model.J, gone);
-  erase_at(model.fixed, gone);
-  if (!model.friction.empty()) erase_at(model.friction, gone);
-  if (!model.restitution.empty()) erase_at(model.restitution, gone);
-  if (!model.surface_velocity.empty()) erase_at(model.surface_velocity, gone);
-  if (!model.external.empty()) erase_at(model.external, gone);
-  for (auto* bits : {&model.groups.of_body, &model.groups.avoids})
-    if (!bits->empty()) erase_at(*bits, gone);
-  erase_at(state.c, gone);
-  erase_at(state.R, gone);
-  erase_at(state.v, gone);
-  erase_at(state.omega, gone);
+  const auto erase = [&](auto& list) {
+    if (!list.empty()) erase_at(list, gone);
+  };
+  each_body_list(erase, model);
+  each_body_array(erase, state);
 }
 
 void check_law(const BondLaw& law) {

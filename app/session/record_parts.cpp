@@ -21,10 +21,7 @@ void write_state(const State& s, ByteWriter& out) {
   out.u64(static_cast<std::uint64_t>(s.step));
   out.u32(s.c.size());
   for (std::size_t i = 0; i < s.c.size(); ++i) {
-    out.matrix(s.c[i]);
-    out.matrix(s.R[i]);
-    out.matrix(s.v[i]);
-    out.matrix(s.omega[i]);
+    each_body_array([&](const auto& array) { out.matrix(array[i]); }, s);
   }
   out.u32(s.contacts.size());
   for (const ContactMemory& a : s.contacts) {
@@ -56,15 +53,9 @@ State read_state(ByteReader& in, Index bodies) {
   s.step = static_cast<std::int64_t>(in.u64());
   const std::size_t n = in.count(kBodyBytes);
   in.require(n == static_cast<std::size_t>(bodies), "a state has another number of bodies than its model");
-  s.c.resize(n);
-  s.R.resize(n);
-  s.v.resize(n);
-  s.omega.resize(n);
+  each_body_array([&](auto& array) { array.resize(n); }, s);
   for (std::size_t i = 0; i < n; ++i) {
-    in.matrix(s.c[i]);
-    in.matrix(s.R[i]);
-    in.matrix(s.v[i]);
-    in.matrix(s.omega[i]);
+    each_body_array([&](auto& array) { in.matrix(array[i]); }, s);
     const Mat3 off = s.R[i].transpose() * s.R[i] - Mat3::Identity();
     in.require(off.cwiseAbs().maxCoeff() < 1e-6 && s.R[i].determinant() > 0, "an orientation is no rotation");
   }

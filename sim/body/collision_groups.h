@@ -25,7 +25,7 @@ struct CollisionGroups {
 // Do two bodies never touch because of their groups?
 inline bool keeps_apart(const CollisionGroups& groups, Index a, Index b) {
   if (groups.avoids.empty()) return false;
-  return (groups.avoids[static_cast<std::size_t>(a)] & groups.of_body[static_cast<std::size_t>(b)]) != 0;
+  return (groups.avoids[a] & groups.of_body[b]) != 0;
 }
 
 // Fills `avoids` from the other lists.

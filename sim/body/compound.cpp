@@ -13,7 +13,6 @@
 
 #include "sim/body/mass_properties.h"
 #include "sim/body/shape_kind.h"
-#include "sim/body/uneven.h"
 
 namespace pabd {
 

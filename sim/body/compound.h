@@ -33,6 +33,12 @@ struct CompoundData {
 // Joins hulls that were made in common coordinates. Mass properties are the sum of those of the parts: where
 // parts overlap, the matter counts once for each. Precondition: 1 to kMostParts hulls.
 Compound make_compound(const std::vector<Hull>& hulls);
+// With the body's origin at `origin` of the common coordinates, where its centre of mass is given to be.
+Compound make_compound_about(const std::vector<Hull>& hulls, const Vec3& origin);
+
+// The shape with the centre of mass at `com` in its frame; m. Not of a plane. Its second moment is that of even matter, about
+// the centre of mass all the same.
+Compound with_centre_of_mass(const Shape& shape, const Vec3& com);
 
 // The one part of a shape that is off its centre of mass and no hull; null for all others.
 const CompoundPart* off_centre(const Shape& shape);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See force_table.h.
 #include "sim/body/force_table.h"
 
 #include <algorithm>

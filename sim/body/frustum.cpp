@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See frustum.h.
-//
 //   ρ(y)    radius of the side, r_low − s (y − low), s = (r_low − r_high)/(high − low)        m
 //   x(t)    o + t u; on the side ‖x_⊥‖² = ρ²:  a t² + 2 b t + c = 0                           m
 //   a, b, c u_⊥² − s² u_y²,  o_⊥·u_⊥ + s u_y ρ(o_y),  o_⊥² − ρ(o_y)²
@@ -108,7 +106,7 @@ Hull facets(const Frustum& f) {
 
   const auto add_face = [&](const Vec3& direction, const std::vector<int>& corners) {
     const Vec3 normal = direction.normalized();
-    const double offset = normal.dot(hull.vertices[static_cast<std::size_t>(corners[0])]);
+    const double offset = normal.dot(hull.vertices[corners[0]]);
     hull.faces.push_back({normal, offset, static_cast<std::uint16_t>(hull.loop.size()),
                           static_cast<std::uint16_t>(corners.size())});
     for (const int corner : corners) hull.loop.push_back(static_cast<std::uint16_t>(corner));

@@ -20,10 +20,10 @@ struct Triangles {
   std::map<DirectedEdge, int> owner;  // triangle that walks the edge in this direction
 
   Vec3 area(int t) const {
-    const Triangle& k = list[static_cast<std::size_t>(t)];
+    const Triangle& k = list[t];
     return 0.5 * (at(k[1]) - at(k[0])).cross(at(k[2]) - at(k[0]));
   }
-  const Vec3& at(int vertex) const { return points[static_cast<std::size_t>(vertex)]; }
+  const Vec3& at(int vertex) const { return points[vertex]; }
 };
 
 // False when an edge is walked twice in one direction, or only in one.
@@ -47,28 +47,26 @@ std::vector<int> group_triangles(const Triangles& in, double tolerance, int& gro
     order[t] = static_cast<int>(t);
     size[t] = in.area(static_cast<int>(t)).norm();
   }
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return size[static_cast<std::size_t>(a)] > size[static_cast<std::size_t>(b)];
-  });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return size[a] > size[b]; });
   groups = 0;
   for (const int seed : order) {
-    if (group[static_cast<std::size_t>(seed)] >= 0) continue;
+    if (group[seed] >= 0) continue;
     const int number = groups++;
     const Vec3 n = in.area(seed).normalized();
-    const double o = n.dot(in.at(in.list[static_cast<std::size_t>(seed)][0]));
-    group[static_cast<std::size_t>(seed)] = number;
+    const double o = n.dot(in.at(in.list[seed][0]));
+    group[seed] = number;
     open.assign(1, seed);
     while (!open.empty()) {
-      const Triangle t = in.list[static_cast<std::size_t>(open.back())];
+      const Triangle t = in.list[open.back()];
       open.pop_back();
       for (std::size_t k = 0; k < 3; ++k) {
         const int next = in.owner.at({t[(k + 1) % 3], t[k]});
-        if (group[static_cast<std::size_t>(next)] >= 0) continue;
-        const Triangle& u = in.list[static_cast<std::size_t>(next)];
+        if (group[next] >= 0) continue;
+        const Triangle& u = in.list[next];
         const bool flat = std::all_of(u.begin(), u.end(),
                                       [&](int v) { return std::abs(n.dot(in.at(v)) - o) <= tolerance; });
         if (!flat) continue;
-        group[static_cast<std::size_t>(next)] = number;
+        group[next] = number;
         open.push_back(next);
       }
     }
@@ -80,10 +78,10 @@ std::vector<int> group_triangles(const Triangles& in, double tolerance, int& gro
 std::vector<std::vector<int>> rims(const Triangles& in, const std::vector<int>& group, int groups) {
   std::vector<std::map<int, int>> next(static_cast<std::size_t>(groups));
   for (const auto& [edge, t] : in.owner) {
-    const int mine = group[static_cast<std::size_t>(t)];
-    const int other = group[static_cast<std::size_t>(in.owner.at({edge.second, edge.first}))];
+    const int mine = group[t];
+    const int other = group[in.owner.at({edge.second, edge.first})];
     if (mine == other) continue;
-    if (!next[static_cast<std::size_t>(mine)].emplace(edge.first, edge.second).second) return {};
+    if (!next[mine].emplace(edge.first, edge.second).second) return {};
   }
   std::vector<std::vector<int>> out;
   for (const auto& step : next) {
@@ -195,7 +193,7 @@ std::optional<HullData> merge_faces(const std::vector<Vec3>& points, const std::
   drop_straight_corners(loops);
 
   HullData hull;
-  std::map<int, std::uint16_t> number;  // of the vertices that are left, in the order of the points
+  std::map<int, std::uint16_t> number;  // of the remaining vertices, in the order of the points
   for (const auto& loop : loops) {
     for (const int v : loop) number.emplace(v, std::uint16_t{0});
   }

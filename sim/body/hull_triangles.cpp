@@ -78,7 +78,7 @@ std::vector<Triangle> hull_triangles(const std::vector<Vec3>& points) {
       if (n == 3) return {};
       const auto offset = static_cast<const vertexT*>(*place)->point - first;
       if (offset < 0 || offset >= static_cast<std::ptrdiff_t>(coordinates.size())) return {};
-      t[static_cast<std::size_t>(n++)] = static_cast<int>(offset / 3);
+      t[n++] = static_cast<int>(offset / 3);
     }
     if (n != 3) return {};
     if (facet->toporient != qh_ORIENTclock) std::swap(t[1], t[2]);

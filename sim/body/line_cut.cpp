@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-// See line_cut.h.
-//
 //   tube   t = −b ± √((r² − ‖o − b u‖²)/‖u‖²), of o and u without their parts along y; b = o·u/‖u‖²
 #include "sim/body/line_cut.h"
 
 #include <cmath>
 
 namespace pabd {
-namespace {}  // namespace
-
 Interval Interval::nothing() { return {kInfinity, -kInfinity, Vec3::Zero(), Vec3::Zero()}; }
 
 void clip(const RayLine& line, const Vec3& n, double offset, Interval& cut) {

@@ -25,7 +25,8 @@ double volume(const Shape& shape);
 // 0.
 MassProperties mass_properties(const Shape& shape, double density);
 
-// The inertia tensor I = tr(J) 1 − J that belongs to J.
+// The inertia tensor I = tr(J) 1 − J that belongs to J, and back: J = ½ tr(I) 1 − I.
 inline Mat3 inertia_tensor(const Mat3& J) { return J.trace() * Mat3::Identity() - J; }
+inline Mat3 second_moment_of(const Mat3& I) { return 0.5 * I.trace() * Mat3::Identity() - I; }
 
 }  // namespace pabd

@@ -35,6 +35,23 @@ struct Model {
   Index size() const { return static_cast<Index>(shape.size()); }
 };
 
+// Calls visit(list, …) for each list of one entry a body, with those of all given models together. Lists that no body needs
+// are empty.
+template <class Visit, class... Models>
+void each_body_list(const Visit& visit, Models&... model) {
+  visit(model.name...);
+  visit(model.shape...);
+  visit(model.mass...);
+  visit(model.J...);
+  visit(model.fixed...);
+  visit(model.friction...);
+  visit(model.restitution...);
+  visit(model.surface_velocity...);
+  visit(model.external...);
+  visit(model.groups.of_body...);
+  visit(model.groups.avoids...);
+}
+
 // Of the movable bodies; kg. All are 0 when there is none.
 struct MovableMass {
   double total = 0, heaviest = 0, lightest = 0;

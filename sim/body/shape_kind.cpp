@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The table of shapes. See shape_kind.h.
+// The table of shapes, and what is asked of any shape (shape.h, mass_properties.h).
 #include "sim/body/shape_kind.h"
+#include "sim/body/mass_properties.h"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,19 @@ std::string text_of(const Shape& shape) {
   for (std::size_t k = 0; k < kind.sizes.size(); ++k)
     out += fmt::format(", {} {:.4g} m", kind.sizes[k].key, sizes[k]);
   return out;
+}
+
+Aabb bounds(const Shape& shape, const Vec3& c, const Mat3& R) { return kind_of(shape).bounds(shape, c, R); }
+
+double bounding_radius(const Shape& shape) { return kind_of(shape).bounding_radius(shape); }
+
+double inner_radius(const Shape& shape) { return kind_of(shape).inner_radius(shape); }
+
+double volume(const Shape& shape) { return kind_of(shape).volume(shape); }
+
+MassProperties mass_properties(const Shape& shape, double density) {
+  assert(density > 0 && !is_plane(shape));
+  return {density * volume(shape), density * kind_of(shape).second_moment(shape)};
 }
 
 }  // namespace pabd

@@ -3,7 +3,9 @@
 // contacts.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "sim/math/types.h"
@@ -16,9 +18,18 @@ struct Pose {
   Mat3 R;  // rotation, body to world
 };
 
+// Two bodies by one number, whichever is named first; and back, the lower number first.
+inline std::uint64_t pair_key(Index a, Index b) {
+  const auto [lo, hi] = std::minmax(a, b);
+  return static_cast<std::uint64_t>(lo) << 32 | static_cast<std::uint32_t>(hi);
+}
+inline std::pair<Index, Index> bodies_of_pair(std::uint64_t key) {
+  return {static_cast<Index>(key >> 32), static_cast<Index>(key & 0xffffffffu)};
+}
+
 // What a touching contact carries from one step to the next (see bond/contact_bond.h).
 struct ContactMemory {
-  std::uint64_t pair;  // (min body << 32) | max body: the two bodies in order of number
+  std::uint64_t pair;  // pair_key of its bodies
   std::uint32_t
       feature;   // which contact of the pair; top bit: the body with the higher number owns the normal
   Vec3 stretch;  // tangential, in the frame of the normal (its owner's, or the world's if that is round);
@@ -69,6 +80,15 @@ struct State {
 
   Index size() const { return static_cast<Index>(c.size()); }
 };
+
+// Calls visit(array, …) for each array of one entry a body that every state has, with those of all given states together.
+template <class Visit, class... States>
+void each_body_array(const Visit& visit, States&... state) {
+  visit(state.c...);
+  visit(state.R...);
+  visit(state.v...);
+  visit(state.omega...);
+}
 
 // Equal to the last bit in everything that the next step depends on.
 bool same_bits(const State& a, const State& b);

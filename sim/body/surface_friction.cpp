@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace pabd {
 
@@ -23,19 +24,8 @@ double combined(FrictionRule rule, double a, double b) {
 }
 
 const char* to_string(FrictionRule rule) {
-  switch (rule) {
-    case FrictionRule::geometric_mean:
-      return "geometric_mean";
-    case FrictionRule::average:
-      return "average";
-    case FrictionRule::min:
-      return "min";
-    case FrictionRule::max:
-      return "max";
-    case FrictionRule::product:
-      return "product";
-  }
-  return "?";
+  static constexpr const char* kWords[] = {"geometric_mean", "average", "min", "max", "product"};
+  return kWords[static_cast<std::size_t>(rule)];
 }
 
 SurfaceFriction combined(FrictionRule rule, const SurfaceFriction& a, const SurfaceFriction& b) {

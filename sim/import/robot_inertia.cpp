@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/body/compound.h"
 #include "sim/body/mass_properties.h"
-#include "sim/body/uneven.h"
 #include "sim/import/geometry.h"
 
 namespace pabd {

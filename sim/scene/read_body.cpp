@@ -8,9 +8,10 @@
 #include <algorithm>
 
 #include "sim/base/error.h"
+#include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
+#include "sim/body/mass_properties.h"
 #include "sim/body/shape_kind.h"
-#include "sim/body/uneven.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/read_external.h"
 #include "sim/scene/read_look.h"

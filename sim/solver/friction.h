@@ -28,12 +28,7 @@ inline double weight_per_mass(const Params& params) {
   return g > 0 ? g : 9.81;
 }
 
-// Names of contacts that last from step to step.
-inline std::uint64_t pair_key(Index a, Index b) {
-  const auto [lo, hi] = std::minmax(a, b);
-  return static_cast<std::uint64_t>(lo) << 32 | static_cast<std::uint32_t>(hi);
-}
-// The top bit tells which body owns the normal: what a contact remembers is lost when the owner changes, its
+// The top bit says which body owns the normal: what a contact remembers is lost when the owner changes, its
 // frame being another.
 inline std::uint32_t owned_feature(Index a, Index b, std::uint32_t feature) {
   return (feature & 0x7fffffffu) | (a > b ? 0x80000000u : 0u);
@@ -47,7 +42,7 @@ inline bool has_friction(const Model& model, const ContactParams& contact) {
   return contact.mu_static > 0 || !model.friction.empty() || has_turn_friction(model, contact);
 }
 
-// Gives the manifolds the stretch that the last step left, and all contacts of a pair of bodies dynamic
+// Gives the manifolds the stretch that the last step stored, and all contacts of a pair of bodies dynamic
 // friction if the pair slid. Both lists are sorted.
 void recall_friction(const Problem& p, std::vector<ContactManifold>& manifolds);
 

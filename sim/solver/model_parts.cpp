@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See model_parts.h.
 #include "sim/solver/model_parts.h"
 
 #include <algorithm>
@@ -33,10 +32,17 @@ bool meet(const Aabb& a, const Aabb& b) {
   return (a.lo.array() <= b.hi.array()).all() && (b.lo.array() <= a.hi.array()).all();
 }
 
+// The entries of those numbers; nothing of an empty list.
+template <class Entry>
+void pick(const std::vector<Entry>& from, const std::vector<Index>& numbers, std::vector<Entry>& to) {
+  to.resize(from.empty() ? 0 : numbers.size());
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[numbers[k]];
+}
+
 // Bodies whose mark is `mark`. Joints of fixed bodies alone belong to those that are marked.
 void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool mark, ModelPart& out) {
-  const auto belongs = [&](Index i) { return (marks[static_cast<std::size_t>(i)] != 0) == mark; };
-  const auto moves = [&](Index i) { return i != kWorld && !model.fixed[static_cast<std::size_t>(i)]; };
+  const auto belongs = [&](Index i) { return (marks[i] != 0) == mark; };
+  const auto moves = [&](Index i) { return i != kWorld && !model.fixed[i]; };
   out.place.assign(model.shape.size(), -1);
   out.bodies.clear();
   for (Index i = 0; i < model.size(); ++i) {
@@ -44,20 +50,7 @@ void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool 
     out.place[i] = static_cast<Index>(out.bodies.size());
     out.bodies.push_back(i);
   }
-  const auto pick = [&](const auto& whole, auto& part) {
-    part.resize(whole.empty() ? 0 : out.bodies.size());
-    for (std::size_t k = 0; k < part.size(); ++k) part[k] = whole[static_cast<std::size_t>(out.bodies[k])];
-  };
-  pick(model.name, out.model.name);
-  pick(model.shape, out.model.shape);
-  pick(model.mass, out.model.mass);
-  pick(model.J, out.model.J);
-  pick(model.fixed, out.model.fixed);
-  pick(model.friction, out.model.friction);
-  pick(model.restitution, out.model.restitution);
-  pick(model.surface_velocity, out.model.surface_velocity);
-  pick(model.external, out.model.external);
-  pick(model.groups.of_body, out.model.groups.of_body);
+  each_body_list([&](const auto& whole, auto& part) { pick(whole, out.bodies, part); }, model, out.model);
   out.model.groups.name = model.groups.name;
   out.model.groups.apart = model.groups.apart;
   find_avoided(out.model.groups);
@@ -73,7 +66,7 @@ void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool 
   out.model.joints.resize(out.joints.size());
   for (std::size_t k = 0; k < out.joints.size(); ++k) {
     Joint& joint = out.model.joints[k];
-    joint = model.joints[static_cast<std::size_t>(out.joints[k])];
+    joint = model.joints[out.joints[k]];
     if (joint.i != kWorld) joint.i = out.place[joint.i];
     if (joint.j != kWorld) joint.j = out.place[joint.j];
     if (!joint.follows) continue;
@@ -90,16 +83,9 @@ void fill_part(const Model& model, const std::vector<std::uint8_t>& marks, bool 
   }
 }
 
-std::uint64_t pair_of(Index a, Index b) {
-  return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
-}
-std::pair<Index, Index> bodies_of(std::uint64_t pair) {
-  return {static_cast<Index>(pair >> 32), static_cast<Index>(pair & 0xffffffffu)};
-}
-
 // A contact of two bodies that are in the part; those of two fixed ones there are none.
 bool belongs(const ModelPart& part, std::uint64_t pair) {
-  const auto [a, b] = bodies_of(pair);
+  const auto [a, b] = bodies_of_pair(pair);
   return part.holds(a) && part.holds(b);
 }
 
@@ -170,36 +156,20 @@ std::optional<std::pair<Index, Index>> coupling(const Model& model, const ModelP
 void take_part(const ModelPart& part, const State& whole, State& out) {
   out.time = whole.time;
   out.step = whole.step;
-  const std::size_t n = part.bodies.size();
-  out.c.resize(n);
-  out.R.resize(n);
-  out.v.resize(n);
-  out.omega.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(part.bodies[k]);
-    out.c[k] = whole.c[i];
-    out.R[k] = whole.R[i];
-    out.v[k] = whole.v[i];
-    out.omega[k] = whole.omega[i];
-  }
+  each_body_array([&](const auto& from, auto& to) { pick(from, part.bodies, to); }, whole, out);
+  pick(whole.change, part.bodies, out.change);
+  pick(whole.joint_force, part.joints, out.joint_force);
   out.contacts.clear();
   for (const ContactMemory& contact : whole.contacts) {
     if (!belongs(part, contact.pair)) continue;
-    const auto [a, b] = bodies_of(contact.pair);
+    const auto [a, b] = bodies_of_pair(contact.pair);
     out.contacts.push_back(contact);
-    out.contacts.back().pair = pair_of(part.place[a], part.place[b]);
+    out.contacts.back().pair = pair_key(part.place[a], part.place[b]);
   }
-  out.change.resize(whole.change.empty() ? 0 : n);
-  for (std::size_t k = 0; k < out.change.size(); ++k)
-    out.change[k] = whole.change[static_cast<std::size_t>(part.bodies[k])];
   const bool known =
       !part.couplings.empty() && static_cast<std::size_t>(part.couplings.back()) < whole.coupling.size();
   out.coupling.resize(known ? part.couplings.size() : 0);
-  for (std::size_t k = 0; k < out.coupling.size(); ++k)
-    out.coupling[k] = whole.coupling[static_cast<std::size_t>(part.couplings[k])];
-  out.joint_force.resize(whole.joint_force.empty() ? 0 : part.joints.size());
-  for (std::size_t k = 0; k < out.joint_force.size(); ++k)
-    out.joint_force[k] = whole.joint_force[static_cast<std::size_t>(part.joints[k])];
+  for (std::size_t k = 0; k < out.coupling.size(); ++k) out.coupling[k] = whole.coupling[part.couplings[k]];
 }
 
 void put_part(const ModelPart& part, const State& state, State& whole) {
@@ -209,17 +179,14 @@ void put_part(const ModelPart& part, const State& state, State& whole) {
   for (std::size_t k = 0; k < part.bodies.size(); ++k) {
     const auto i = static_cast<std::size_t>(part.bodies[k]);
     if (part.model.fixed[k]) continue;
-    whole.c[i] = state.c[k];
-    whole.R[i] = state.R[k];
-    whole.v[i] = state.v[k];
-    whole.omega[i] = state.omega[k];
+    each_body_array([&](const auto& from, auto& to) { to[i] = from[k]; }, state, whole);
     if (!state.change.empty()) whole.change[i] = state.change[k];
   }
   std::erase_if(whole.contacts, [&](const ContactMemory& contact) { return belongs(part, contact.pair); });
   for (const ContactMemory& contact : state.contacts) {
-    const auto [a, b] = bodies_of(contact.pair);
+    const auto [a, b] = bodies_of_pair(contact.pair);
     whole.contacts.push_back(contact);
-    whole.contacts.back().pair = pair_of(part.bodies[a], part.bodies[b]);
+    whole.contacts.back().pair = pair_key(part.bodies[a], part.bodies[b]);
   }
   std::sort(whole.contacts.begin(), whole.contacts.end(), [](const ContactMemory& a, const ContactMemory& b) {
     return std::tie(a.pair, a.feature) < std::tie(b.pair, b.feature);
@@ -228,13 +195,13 @@ void put_part(const ModelPart& part, const State& state, State& whole) {
     const auto most = static_cast<std::size_t>(part.couplings.back()) + 1;
     if (whole.coupling.size() < most) whole.coupling.resize(most, 0);
     for (std::size_t k = 0; k < part.couplings.size(); ++k)
-      whole.coupling[static_cast<std::size_t>(part.couplings[k])] = state.coupling[k];
+      whole.coupling[part.couplings[k]] = state.coupling[k];
   }
   if (state.joint_force.empty()) return;
   const auto needed = static_cast<std::size_t>(part.joints.back()) + 1;
   if (whole.joint_force.size() < needed) whole.joint_force.resize(needed, Vec3::Zero());
   for (std::size_t k = 0; k < part.joints.size(); ++k)
-    whole.joint_force[static_cast<std::size_t>(part.joints[k])] = state.joint_force[k];
+    whole.joint_force[part.joints[k]] = state.joint_force[k];
 }
 
 void put_contacts(const ModelPart& part, const std::vector<ContactReport>& contacts,
@@ -273,7 +240,7 @@ void add_report(const ModelPart& part, const StepReport& of_part, StepReport& ou
   out.times += of_part.times;
   put_contacts(part, of_part.contact_reports, out.contact_reports);
   for (IslandReport island : of_part.islands) {
-    island.first_body = part.bodies[static_cast<std::size_t>(island.first_body)];
+    island.first_body = part.bodies[island.first_body];
     out.islands.push_back(island);
   }
 }

@@ -20,10 +20,7 @@ std::string state_hash(const State& state) {
   hash.add_word(static_cast<std::uint64_t>(state.step));
   hash.add_word(state.c.size());
   for (std::size_t i = 0; i < state.c.size(); ++i) {
-    add(hash, state.c[i]);
-    add(hash, state.R[i]);
-    add(hash, state.v[i]);
-    add(hash, state.omega[i]);
+    each_body_array([&](const auto& array) { add(hash, array[i]); }, state);
   }
   hash.add_word(state.contacts.size());
   for (const ContactMemory& contact : state.contacts) {

@@ -15,8 +15,6 @@ namespace {
 
 double relative_error(const Mat3& a, const Mat3& b) { return (a - b).norm() / b.norm(); }
 
-Mat3 second_moment_of(const Mat3& I) { return 0.5 * I.trace() * Mat3::Identity() - I; }
-
 // Solid of revolution about y with profile radius(y) on [−top, top].
 MassProperties revolve(const std::function<double(double)>& radius, double top, double density) {
   const int n = 20000;

@@ -7,7 +7,6 @@
 
 #include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
-#include "sim/body/uneven.h"
 #include "sim/collision/ray_cast.h"
 #include "tests/collision/reference.h"
 

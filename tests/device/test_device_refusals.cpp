@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/device/device_engine.h"
-#include "sim/body/uneven.h"
+#include "sim/body/compound.h"
 #include "tests/support/errors.h"
 #include "tests/support/tiny_model.h"
 
