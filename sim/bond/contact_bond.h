@@ -24,15 +24,11 @@
 //   μ f_n       limit         largest friction force: a number while E is minimised, moved         N
 //                             between iterations (solver/friction.h)
 //
-// The plane of a flat owner turns with it, that of a round one does not: turning a ball moves neither its
-// surface nor its tangent planes (Deviation D9; with the surface point a ball could lower its energy by
-// spinning). Nor does its slip follow a material point, which turns away from the plane: that would be r sin
-// θ, and a ball that rolls farther than its radius in a step would be held back. θ = θ* + log(R R*ᵀ), with
-// the turn θ* of free flight, which may be several times π. A plane that turns with a sees b turn by θ_b −
-// θ_a, from half way through the step: to second order what it sees on average. A force acts on a and b along
-// one line, so linear and angular momentum are kept. (The supplement's point y_i is the foot of y_b on the
-// plane.) Deviation D4: Coulomb sliding as well as sticking. Deviation D6: `stretch` is carried from step to
-// step, so that a body at rest on a slope does not creep.
+// The plane of a flat owner turns with it, that of a round one does not, nor does its slip follow a material point (Deviation D9).
+// θ = θ* + log(R R*ᵀ), with the turn θ* of free flight, which may be several times π. A plane that turns with a sees b turn by
+// θ_b − θ_a, from half way through the step: to second order what it sees on average. A force acts on a and b along one line, so
+// linear and angular momentum are kept. (The supplement's point y_i is the foot of y_b on the plane.) `stretch` is carried
+// from step to step (Deviation D6).
 //
 // Up to four points of one pair of bodies form a manifold and are evaluated side by side.
 #pragma once
@@ -46,7 +42,7 @@ namespace pabd {
 
 // How far a turn δ = log(R R*ᵀ) rolls the surface, in units of the radius: δ itself up to 1 rad, then less
 // and less, nothing more from 2 rad on. A body's inertia resists a turn in one step by sin ‖δ‖ at most;
-// friction that went on with ‖δ‖ would drive a ball that is hit hard to ‖δ‖ = π, where no spin is left.
+// friction that went on with ‖δ‖ would drive a ball that is hit hard to ‖δ‖ = π, where it has no spin.
 struct Roll {
   Vec3 turn = Vec3::Zero();  // rad
   double slope = 1;          // d‖turn‖/d‖δ‖
@@ -93,7 +89,8 @@ inline FrictionArms friction_arms(double radius_a, double radius_b, double gap, 
 struct alignas(sizeof(Lanes)) FrictionBound {
   Lanes limit = lanes(0);        // its bound in this iteration
   Lanes last_change = lanes(0);  // that the law asked for
-  Lanes gain = lanes(1);  // share of the next change: less where the bound swings, more where it does not
+  Lanes relaxation =
+      lanes(1);  // share of the next change: less where the bound swings, more where it does not
   // For `newton`, see ease_slip.
   Vec3x last_u = spread(Vec3::Zero());     // stretch of the last iterate
   Lanes along = lanes(1);                  // share of the weight α_t that acts along the slip
@@ -117,7 +114,7 @@ struct alignas(sizeof(Lanes)) ContactManifold : FrictionBound {
   bool slides;                    // the pair of bodies has let go: dynamic friction
   double mu;                      // coefficient of this step
   Index turning = -1;             // number of its TurnFriction, if it has one (bond/turn_friction.h)
-  // Of the barrier: q Ψ(g d + s)/g. While overlap recovers (solver/recovery.h) g is 1; g = 1 + τ/h damps (solver/damping.h).
+  // Of the barrier: q Ψ(g d + s)/g. While overlap recovers (solver/recovery.h) g is 1; g = 1 + τ/h damps (damp_contacts).
   Lanes shift = lanes(0), scale = lanes(1);
   double damped = 1;                        // g
   bool recovers = false;                    // solver/recovery.h
@@ -125,7 +122,7 @@ struct alignas(sizeof(Lanes)) ContactManifold : FrictionBound {
   bool known[kLanes] = {};                  // so has each point
   bool crowded = false;                     // of two bodies in crowds (collision/broad_phase.h)
   bool felt = false;                        // it pushed or held in some iterate of this step
-  double share = 1;                         // of the law's stiffness, see stiffness_cap.h
+  double share = 1;                         // of the law's stiffness, see cap_stiffness
 };
 
 inline double smallest_start_d(const ContactManifold& manifold) {
@@ -292,8 +289,9 @@ inline Lanes contact_energy(const ContactLaw& law, const ContactManifold& p, con
 // time may swing for ever.)
 inline void move_limit(FrictionBound& p, const Lanes& most) {
   const Lanes change = most - p.limit;
-  p.gain = select(change * p.last_change < 0, 0.5 * p.gain, smaller(lanes(1), 1.5 * p.gain));
-  p.limit += p.gain * change;
+  p.relaxation =
+      select(change * p.last_change < 0, 0.5 * p.relaxation, smaller(lanes(1), 1.5 * p.relaxation));
+  p.limit += p.relaxation * change;
   p.last_change = change;
 }
 

@@ -18,9 +18,9 @@ namespace pabd {
 // Lane 0 is torsional, lane 1 rolling.
 struct alignas(sizeof(Lanes)) TurnFriction : FrictionBound {
   Index a, b;
-  Vec3 n;                   // world
-  Vec3 before;              // θ where both bodies are as predicted, with what the last step left; world, rad
-  double arm2;              // of the stiffness; m²
+  Vec3 n;       // world
+  Vec3 before;  // θ where both bodies are as predicted, with the stretch of the last step; world, rad
+  double arm2;  // of the stiffness; m²
   Lanes length = lanes(0);  // largest torque over normal force; m
 };
 

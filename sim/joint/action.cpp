@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See action.h.
 #include "sim/joint/action.h"
 
 #include <algorithm>
@@ -127,7 +126,7 @@ void add_pull(const BondSlope& w, const PlacedFrame& fi, const PlacedFrame& fj, 
 // c/(2h′) ‖θ‖²: the torque −c θ/h′, as forces at the corners a e_k of a tetrahedron; Σ a e_k × 3 (M × e_k)/(8a) = M.
 void add_ball_damper(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
                      const PlacedFrame& fj, BondList& out) {
-  if (joint.turn) return;  // it goes as it is told
+  if (joint.turn) return;  // its turn is prescribed
   const Vec3 theta = turn_since(action.coasted, fi, fj), moment = action.damping * theta;
   const double a = joint.arm, weight = 3 * action.damping / (8 * a * a);
   constexpr int kCorners[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};

@@ -1,31 +1,24 @@
 // SPDX-License-Identifier: MIT
-// What acts along a joint: motors, dampers, springs, dry friction. As a potential of the way Δ that its
-// angle, offset or length goes in a step of length h, and so a part of E like any bond:
+// What acts along a joint: motors, dampers, springs, dry friction (Deviation D22). A potential of the way Δ that its angle, offset
+// or length goes in a step of length h, and so a part of E like any bond:
 //
 //   W = −F Δ                      a motor that gives the force (or torque) F
-//     + c/(2h′) (Δ − Δ₀)²          a damper; of a ball c/(2h′) ‖θ‖², θ the rotation vector of j against i
-//     + s/2 (x + Δ)²                a spring, x away from its rest at the start: of an angle the shorter way round;
-//                                  one with a table: ∫ F from 0 to x + Δ
+//     + c/(2h′) (Δ − Δ₀)²         a damper; of a ball c/(2h′) ‖θ‖², θ the rotation vector of j against i
+//     + s/2 (x + Δ)²              a spring, x from its rest at the start, of an angle the shorter way round; with a table ∫ F
 //     + P(Δ − h v; k, f)          a motor that gives the speed v; friction, with v = 0
 //
-//   (Δ − Δ₀)/h′ is the speed at the end of the step: Δ/h by Euler; a step of second order (solver/second_order.h) says
-//   with which h′ and from where, Δ₀, the speed follows from the place.
+//   (Δ − Δ₀)/h′ is the speed at the end of the step: Δ/h by Euler; solver/second_order.h gives h′ and Δ₀ otherwise.
 //
-//   P(u; k, f) = ½ k u² where k |u| ≤ f, else f (|u| − f/2k): a force of at most f. Without a gain, k is
-//   1e5 m/h² of the lighter body, for `sissm` at most the joint's own stiffness: what holds creeps by F/k a step. A
-//   gain (force per missing speed) makes it gain/h′, with Δ − Δ₀ − h′ v.
+//   P(u; k, f) = ½ k u² where k |u| ≤ f, else f (|u| − f/2k): a force of at most f. Without a gain k is 1e5 m/h² of the lighter
+//   body, for `sissm` at most the joint's own stiffness: what holds creeps by F/k a step. A gain (force per missing speed)
+//   makes it gain/h′, with Δ − Δ₀ − h′ v.
 //
-// v (0 for friction) is one that the step can reach: it may change the spin of what turns by less than 1/h (D8), so that
-// a force beyond what gives that is not asked for.
+// v is one that the step can reach: it may change the spin of what turns by less than 1/h (D8). The force −W' is that of the end of
+// the step, so that it brakes at most to the speed it wants, for every h. Both bodies feel it at the same point of the world.
 //
-// The force −W' at the end of the step makes the step implicit: it brakes at most to the speed it wants, for
-// every h. Both bodies feel it at the same point of the world, the other way round, so that momentum is kept.
-//
-// P has a corner at each end. A solver that sees both as they are turns back and forth between them, so a
-// hold has a state, and its potential is smooth: it holds without bound, or gives way with ±f. What stands
-// against that changes the state (settle_action); one that cannot decide is taken as it is. A corner is only f/k wide,
-// some 1e-7 rad, by which an iterate is off until the last: where a solver foresees the way, by its linear model, it
-// knows the force long before, and that decides.
+// P has a corner at each end, and a solver that sees both turns back and forth between them. So a hold has a state, with a smooth
+// potential: it holds without bound, or gives way with ±f. What stands against that changes the state (settle_action). A
+// corner is only f/k wide, some 1e-7 rad, less than an iterate is off: the force that a solver foresees by its linear model decides.
 #pragma once
 
 #include <optional>
@@ -50,7 +43,7 @@ struct ActionHold {
 struct ActionStep {
   double start = 0;                   // angle, offset or length at the start of the step; rad or m
   std::optional<double> ahead;        // Δ that a solver foresees; rad or m
-  double expected = 0;                // Δ in free flight, to tell whole turns; rad
+  double expected = 0;                // Δ in free flight, which decides whole turns; rad
   double coasts = 0;                  // Δ₀; rad or m
   double part = 1;                    // h′/h
   Mat3 turned = Mat3::Identity();     // of a ball: j against i at the start
@@ -85,7 +78,7 @@ double way_of_motion(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFra
 std::pair<Vec6, Vec6> gradient_of_way(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj,
                                       const Vec3& c_i, const Vec3& c_j);
 
-// From `start` to where the frames stand. An angle is told up to whole turns: that which is nearest to `expected`.
+// From `start` to where the frames stand. An angle is known up to whole turns: the one nearest to `expected`.
 double way_from(const JointMeasure& measure, double start, double expected, const PlacedFrame& fi,
                 const PlacedFrame& fj);
 

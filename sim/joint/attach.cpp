@@ -45,8 +45,7 @@ void attach(const State& state, const Vec3& anchor, const Mat3& F, Joint& joint)
 double default_arm(const Model& model, Index i, Index j) {
   double smaller = std::numeric_limits<double>::infinity();
   for (const Index body : {i, j}) {
-    if (body != kWorld)
-      smaller = std::min(smaller, bounding_radius(model.shape[static_cast<std::size_t>(body)]));
+    if (body != kWorld) smaller = std::min(smaller, bounding_radius(model.shape[body]));
   }
   return std::isfinite(smaller) ? 0.5 * smaller : 1.0;
 }

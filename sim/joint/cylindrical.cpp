@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Cylindrical joint: a slider S(14–16) whose twist is free. j moves along a common axis and turns about it.
-#include "sim/joint/slider.h"
+#include "sim/joint/expand.h"
 
 namespace pabd {
 namespace {
 
-constexpr JointMeasure kCylindricalMeasures[] = {{.of = JointMeasure::Of::offset,
-                                                  .words = "offset λ",
-                                                  .help = "Of j along the axis, from the start",
-                                                  .value = joint_offset,
-                                                  .limits = &Joint::limits},
-                                                 {.of = JointMeasure::Of::angle,
-                                                  .words = "angle φ",
-                                                  .help = "Of j against i about the axis",
-                                                  .value = joint_angle,
-                                                  .plane = angle_plane,
-                                                  .limits = &Joint::twist_limits}};
+constexpr JointMeasure kCylindricalMeasures[] = {kOffsetAlongAxis, angle_about_axis(&Joint::twist_limits)};
 
 }  // namespace
 

@@ -21,7 +21,7 @@ std::optional<double> passed_angle(const JointRange& range, double angle) {
 bool is_past_a_limit(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj) {
   for (const JointMeasure& measure : traits_of(joint.type).measures) {
     if (!measure.limits || !(joint.*measure.limits)) continue;
-    if (measure.limits == &Joint::limits && joint.drive) continue;  // it goes as it is told
+    if (measure.limits == &Joint::limits && joint.drive) continue;  // it is driven
     const JointRange& range = *(joint.*measure.limits);
     const double value = measure.value(fi, fj);
     if (measure.of == JointMeasure::Of::angle ? passed_angle(range, value) : passed_bound(range, value))

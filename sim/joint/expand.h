@@ -16,9 +16,25 @@ void expand(const Joint& joint, const Pose& i, const Pose& j, double time, BondL
 double joint_angle(const PlacedFrame& fi, const PlacedFrame& fj);
 AnglePlane angle_plane(const PlacedFrame& fi, const PlacedFrame& fj);
 
+// That angle as a measure, limited by that member of the joint.
+constexpr JointMeasure angle_about_axis(Rare<JointRange> Joint::*limits, bool held = false) {
+  return {.of = JointMeasure::Of::angle,
+          .words = "angle φ",
+          .help = "Of j against i about the axis",
+          .value = joint_angle,
+          .plane = angle_plane,
+          .limits = limits,
+          .held = held};
+}
+
 // S(15): offset of the projection of i's anchor onto j's axis from j's anchor, with the sign of j's motion
 // along +n: positive when j has moved along the axis relative to i.
 double joint_offset(const PlacedFrame& fi, const PlacedFrame& fj);
+inline constexpr JointMeasure kOffsetAlongAxis{.of = JointMeasure::Of::offset,
+                                               .words = "offset λ",
+                                               .help = "Of j along the axis, from the start",
+                                               .value = joint_offset,
+                                               .limits = &Joint::limits};
 
 // Holds the angle about the axis at θ with `scale` times κ: points beside the axis S(12, 13). They slide along
 // `free_axis`, if there is one.
@@ -28,6 +44,10 @@ void hold_angle(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj
 // Points at ± arm from the anchors along column k of Fi meet those along column k of j's frame S(8–10).
 void hold_direction(const Joint& joint, const PlacedFrame& fj, const Vec3& y_i, const Mat3& Fi, int k,
                     BondList& out);
+
+// The bonds of S(14–16): the offset free, limited or driven, the twist as `joint.twist` says.
+void slide_along_axis(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double time,
+                      BondList& out);
 
 // Has the joint passed a limit of it?
 bool is_past_a_limit(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj);

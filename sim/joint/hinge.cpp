@@ -19,12 +19,7 @@ void expand_hinge(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& 
   }
 }
 
-constexpr JointMeasure kHingeMeasures[] = {{.of = JointMeasure::Of::angle,
-                                            .words = "angle φ",
-                                            .help = "Of j against i about the axis",
-                                            .value = joint_angle,
-                                            .plane = angle_plane,
-                                            .limits = &Joint::limits}};
+constexpr JointMeasure kHingeMeasures[] = {angle_about_axis(&Joint::limits)};
 
 }  // namespace
 

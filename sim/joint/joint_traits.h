@@ -25,15 +25,15 @@ struct BondList {
   BondList& operator=(const BondList&) = delete;
 
   PointBond& add(const Vec3& y_a, const Vec3& y_b) {
-    PointBond& added = bond[static_cast<std::size_t>(count++)];
+    PointBond& added = bond[count++];
     added = {y_a, y_b};
     return added;
   }
   // One that does what `force` says.
   void add_given(const Vec3& y_a, const Vec3& y_b, const PointBondForce& force) {
-    given[static_cast<std::size_t>(count)] = force;
+    given[count] = force;
     PointBond& added = add(y_a, y_b);
-    added.given = &given[static_cast<std::size_t>(count - 1)];
+    added.given = &given[count - 1];
   }
 };
 
@@ -52,12 +52,21 @@ inline PlacedFrame place(const JointFrame& frame, Index body, const State& state
   return place(frame, {state.c[k], state.R[k]});
 }
 
+// Both frames of a joint, where pose(body) says that its bodies are.
+struct PlacedFrames {
+  PlacedFrame i, j;
+};
+template <class PoseOf>
+PlacedFrames place(const Joint& joint, const PoseOf& pose) {
+  return {place(joint.on_i, pose(joint.i)), place(joint.on_j, pose(joint.j))};
+}
+
 // Where an angle is drawn, about the anchor of i: the directions of 0 and of +90°.
 struct AnglePlane {
   Vec3 zero, ahead;
 };
 
-// A number that tells how j stands against i.
+// A number that measures where j is against i.
 struct JointMeasure {
   enum class Of : std::uint8_t { angle, offset, length };  // rad; m along n of j; m between the anchors
   Of of;

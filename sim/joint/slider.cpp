@@ -4,7 +4,7 @@
 // are (Deviation D27). Because λ is re-projected with every pose, the bonds feel nothing along the axis. A driven λ
 // is a number instead, and the bonds hold along the axis as well; past a limit one more bond does, at the anchor. The
 // twist is held as a hinge's angle is.
-#include "sim/joint/slider.h"
+#include "sim/joint/expand.h"
 
 #include <utility>
 
@@ -43,18 +43,7 @@ void slide_along_axis(const Joint& joint, const PlacedFrame& fi, const PlacedFra
 
 namespace {
 
-constexpr JointMeasure kSliderMeasures[] = {{.of = JointMeasure::Of::angle,
-                                             .words = "angle φ",
-                                             .help = "Of j against i about the axis",
-                                             .value = joint_angle,
-                                             .plane = angle_plane,
-                                             .limits = &Joint::twist_limits,
-                                             .held = true},
-                                            {.of = JointMeasure::Of::offset,
-                                             .words = "offset λ",
-                                             .help = "Of j along the axis, from the start",
-                                             .value = joint_offset,
-                                             .limits = &Joint::limits}};
+constexpr JointMeasure kSliderMeasures[] = {angle_about_axis(&Joint::twist_limits, true), kOffsetAlongAxis};
 
 }  // namespace
 
