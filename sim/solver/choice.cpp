@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See choice.h.
 #include "sim/solver/choice.h"
 
 #include <algorithm>

@@ -229,6 +229,29 @@ void make_manifolds(const Problem& p, const Workers& workers, const Passage& fro
 
 }  // namespace
 
+// Declared in time_step.h: programs ask for it.
+double resolve_kappa(const Model& model, const Params& params) {
+  constexpr double kShare = 0.1;           // of d̂ by which the load closes a contact
+  constexpr double kContacts = 4;          // that share the load: a box on a face
+  constexpr double kImpacts = 10;          // times the heaviest weight, for what falls
+  constexpr double kHighest = 100;         // heaviest weights on top of each other
+  constexpr double kRoundingStep = 1e-12;  // of a place some 10 km from the origin; m
+  if (params.contact.kappa) return *params.contact.kappa;
+  const MovableMass m = movable_mass(model);
+  if (m.heaviest == 0) return 1.0;
+  const double g = params.gravity.norm() > 0 ? params.gravity.norm() : 9.81;
+  const double d_hat = params.contact.d_hat;
+  const Barrier unit{params.contact.barrier, params.contact.N, d_hat, 1.0, params.contact.onset};
+  const BarrierValue at_load = evaluate(unit, (1 - kShare) * d_hat);
+  // kContacts contacts carry a mass M at d = (1 − kShare) d̂:  kContacts κ |B'| = M g, or a force from outside.
+  const double per_force = 1 / (kContacts * -at_load.first), per_mass = g * per_force;
+  const double impacts = kImpacts * m.heaviest * per_mass, pressed = most_external_force(model) * per_force;
+  const double load = std::min(m.total, kHighest * m.heaviest) * per_mass;
+  // What rounding of a far place adds to a force stays below the lightest weight.
+  const double rounding = m.lightest * g / (at_load.second * kRoundingStep);
+  return std::max({impacts, pressed, std::min(load, rounding)});
+}
+
 ContactLaw contact_law(const Model& model, const Params& params) {
   const ContactParams& contact = params.contact;
   ContactLaw law;
@@ -246,6 +269,16 @@ void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterat
   set_rolling(p, memory, it);
   recall_friction(p, it.manifold);
   find_turn_friction(p, it);
+}
+
+void damp_contacts(const Problem& p, Iterate& it) {
+  const double steps = p.params->contact.damping / p.params->h;  // τ/h
+  if (!(steps > 0) || is_feasible_only(p.law.barrier.kind)) return;
+  for (ContactManifold& manifold : it.manifold) {
+    if (manifold.recovers) continue;
+    manifold.damped = 1 + steps;
+    manifold.shift = -steps * smaller(manifold.start_d, lanes(p.law.barrier.d_hat));
+  }
 }
 
 void first_iterate(const Problem& p, Iterate& it) {

@@ -25,6 +25,14 @@ ContactLaw contact_law(const Model& model, const Params& params);
 // Problem::rolls. Precondition: p.model, params, start, flight and law are set.
 void find_contacts(Problem& p, const Workers& workers, Detection& memory, Iterate& it);
 
+// Damping of normal motion, `contact.damping` τ, for contacts that do not recover (recovery.h): the force is Ψ′ at d + τ ḋ,
+// more while bodies come together, less while they part, never a pull. With ḋ = (d − d₀)/h at the end of a step that is
+//
+//   f = Ψ′(g d + s)      g = 1 + τ/h, s = −τ/h min(d₀, d̂)
+//
+// the slope of Ψ(g d + s)/g. Near rest it is a damper τ Ψ″ beside the spring Ψ″.
+void damp_contacts(const Problem& p, Iterate& it);
+
 // Fills the poses with the first iterate: Q* for a free body; for one that is touched the pose without this
 // step's gravity, so that a resting body starts at its equilibrium. Log barrier: the start of the step, which
 // is feasible.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See coupled_matrix.h.
 #include "sim/solver/coupled_matrix.h"
 
 namespace pabd {
@@ -10,10 +9,10 @@ double CoupledMatrix::add(const Island& island, const LinearCoupling& coupling, 
   added.stiffness = coupling.stiffness;
   added.count = coupling.count;
   for (int k = 0; k < coupling.count; ++k) {
-    const auto& [body, gradient] = coupling.ends[static_cast<std::size_t>(k)];
+    const auto& [body, gradient] = coupling.ends[k];
     const Index row = island.row[body];
-    added.ends[static_cast<std::size_t>(k)] = {row, gradient};
-    g[static_cast<std::size_t>(row)] += coupling.stiffness * coupling.error * gradient;
+    added.ends[k] = {row, gradient};
+    g[row] += coupling.stiffness * coupling.error * gradient;
   }
   return 0.5 * coupling.stiffness * coupling.error * coupling.error;
 }
@@ -21,8 +20,8 @@ double CoupledMatrix::add(const Island& island, const LinearCoupling& coupling, 
 double CoupledMatrix::along(const Coupling& coupling, const std::vector<Vec6>& x) {
   double sum = 0;
   for (int k = 0; k < coupling.count; ++k) {
-    const End& end = coupling.ends[static_cast<std::size_t>(k)];
-    sum += end.G.dot(x[static_cast<std::size_t>(end.row)]);
+    const End& end = coupling.ends[k];
+    sum += end.G.dot(x[end.row]);
   }
   return sum;
 }
@@ -36,13 +35,12 @@ bool CoupledMatrix::factorize(const Stop& stop) {
     Coupling& coupling = couplings_[n];
     coupling.Z.assign(static_cast<std::size_t>(rows()), Vec6::Zero());
     for (int k = 0; k < coupling.count; ++k) {
-      const End& end = coupling.ends[static_cast<std::size_t>(k)];
-      coupling.Z[static_cast<std::size_t>(end.row)] += end.G;
+      const End& end = coupling.ends[k];
+      coupling.Z[end.row] += end.G;
     }
     BlockCholesky<6>::solve(coupling.Z);
     const auto column = static_cast<Eigen::Index>(n);
-    for (Eigen::Index row = 0; row < size; ++row)
-      small_(row, column) = along(couplings_[static_cast<std::size_t>(row)], coupling.Z);
+    for (Eigen::Index row = 0; row < size; ++row) small_(row, column) = along(couplings_[row], coupling.Z);
     small_(column, column) += 1 / coupling.stiffness;
   }
   factor_.compute(small_);

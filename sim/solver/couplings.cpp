@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See couplings.h.
 #include "sim/solver/couplings.h"
 
 #include <algorithm>
@@ -16,19 +15,11 @@ struct Coordinates {
   const JointMeasure &of_follower, &of_leader;
 };
 Coordinates coordinates_of(std::span<const Joint> joints, const Joint& follower) {
-  const Joint& leader = joints[static_cast<std::size_t>(follower.follows->leader)];
+  const Joint& leader = joints[follower.follows->leader];
   return {follower, leader, *coupled_measure(follower), *leading_measure(follower, leader)};
 }
 Coordinates coordinates_of(const Problem& p, const CouplingStep& coupling) {
   return coordinates_of(p.joints.model, p.joints[coupling.follower]);
-}
-
-struct Frames {
-  PlacedFrame i, j;
-};
-template <class PoseOf>
-Frames frames_of(const Joint& joint, const PoseOf& pose) {
-  return {place(joint.on_i, pose(joint.i)), place(joint.on_j, pose(joint.j))};
 }
 
 // How far it goes in free flight.
@@ -38,12 +29,12 @@ double coming(const Problem& p, const Joint& joint, const JointMeasure& measure)
     if (!p.movable(i)) return SmallMotion{c, Vec3::Zero(), Vec3::Zero()};
     return SmallMotion{c, p.params->h * p.start->v[i], p.flight->turn[i]};
   };
-  const Frames f = frames_of(joint, [&](Index i) { return p.start_pose(i); });
+  const PlacedFrames f = frames_at_start(joint, p);
   return way_of_motion(measure.of, f.i, f.j, motion(joint.i), motion(joint.j));
 }
 
 double value_at_start(const Problem& p, const Joint& joint, const JointMeasure& measure) {
-  const Frames f = frames_of(joint, [&](Index i) { return p.start_pose(i); });
+  const PlacedFrames f = frames_at_start(joint, p);
   return measure.value(f.i, f.j);
 }
 
@@ -82,7 +73,7 @@ void start_couplings(Problem& p, Iterate& it) {
   for (const Index k : p.followers) {
     const Joint& joint = p.joints[k];
     const JointCoupling& follows = *joint.follows;
-    p.following[static_cast<std::size_t>(k)] = static_cast<Index>(it.coupling.size());
+    p.following[k] = static_cast<Index>(it.coupling.size());
     const Coordinates x = coordinates_of(p.joints.model, joint);
     CouplingStep step;
     step.follower = k;
@@ -100,25 +91,24 @@ void start_couplings(Problem& p, Iterate& it) {
 }
 
 double coupling_error(const Problem& p, const Iterate& it, Index n) {
-  const CouplingStep& step = it.coupling[static_cast<std::size_t>(n)];
+  const CouplingStep& step = it.coupling[n];
   const Coordinates x = coordinates_of(p, step);
-  const auto pose = [&](Index i) { return it.pose[it.slot(i)]; };
-  const Frames f = frames_of(x.follower, pose), l = frames_of(x.leader, pose);
+  const PlacedFrames f = frames_of(x.follower, it), l = frames_of(x.leader, it);
   return step.error + way_from(x.of_follower, step.start, step.coming, f.i, f.j) -
          x.follower.follows->ratio * way_from(x.of_leader, step.start_leader, step.coming_leader, l.i, l.j);
 }
 
 double coupling_energy(const Problem& p, const Iterate& it, Index n) {
   const double error = coupling_error(p, it, n);
-  return 0.5 * it.coupling[static_cast<std::size_t>(n)].stiffness * error * error;
+  return 0.5 * it.coupling[n].stiffness * error * error;
 }
 
 double coupling_force(const Problem& p, const Iterate& it, Index n) {
-  return -it.coupling[static_cast<std::size_t>(n)].stiffness * coupling_error(p, it, n);
+  return -it.coupling[n].stiffness * coupling_error(p, it, n);
 }
 
 LinearCoupling linearize_coupling(const Problem& p, const Iterate& it, Index n) {
-  const CouplingStep& step = it.coupling[static_cast<std::size_t>(n)];
+  const CouplingStep& step = it.coupling[n];
   const Coordinates x = coordinates_of(p, step);
   LinearCoupling out{coupling_error(p, it, n), step.stiffness, {}};
   const auto add = [&](Index body, const Vec6& gradient) {
@@ -133,9 +123,9 @@ LinearCoupling linearize_coupling(const Problem& p, const Iterate& it, Index n) 
     }
   };
   const auto add_joint = [&](const Joint& joint, const JointMeasure& measure, double share) {
-    const Pose &i = it.pose[it.slot(joint.i)], &j = it.pose[it.slot(joint.j)];
+    const PlacedFrames f = frames_of(joint, it);
     const auto [of_i, of_j] =
-        gradient_of_way(measure.of, place(joint.on_i, i), place(joint.on_j, j), i.c, j.c);
+        gradient_of_way(measure.of, f.i, f.j, it.pose[it.slot(joint.i)].c, it.pose[it.slot(joint.j)].c);
     add(joint.i, share * of_i);
     add(joint.j, share * of_j);
   };
@@ -151,7 +141,7 @@ CoupledBody couple_body(const Problem& p, const Iterate& it, Index i) {
     const LinearCoupling c = linearize_coupling(p, it, n);
     out.energy += 0.5 * c.stiffness * c.error * c.error;
     for (int k = 0; k < c.count; ++k) {
-      const auto& [body, gradient] = c.ends[static_cast<std::size_t>(k)];
+      const auto& [body, gradient] = c.ends[k];
       if (body != i) continue;
       out.g += c.stiffness * c.error * gradient;
       out.H += c.stiffness * gradient * gradient.transpose();

@@ -4,7 +4,7 @@
 //   c = x − ratio x′ − offset          unwound: an angle counts its turns                   rad or m
 //   E = s/2 c²                         s as stiff as the joints themselves are along x      J
 //
-// c is carried from step to step (State::coupling): an angle by itself does not tell how often it went round.
+// c is carried from step to step (State::coupling): an angle alone does not know its whole turns.
 #pragma once
 
 #include <array>
@@ -26,9 +26,8 @@ void start_couplings(Problem& p, Iterate& it);
 
 // Its place in it.coupling; −1 for a joint that follows none.
 inline Index coupling_of(const Problem& p, Index joint) {
-  return p.following.empty() || static_cast<std::size_t>(joint) >= p.following.size()
-             ? -1
-             : p.following[static_cast<std::size_t>(joint)];
+  return p.following.empty() || static_cast<std::size_t>(joint) >= p.following.size() ? -1
+                                                                                      : p.following[joint];
 }
 
 // c of coupling n at the iterate.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `descent`: block coordinate descent, a block being the six coordinates of a body. For each body, with all
-// others frozen, minimise a quadratic model of E (method notes §5.2): in the tangent space (tangent_model.h)
+// others frozen, minimise a quadratic model of E: in the tangent space (tangent_model.h)
 // or by the weighted projection. A step that does not lower the body's true energy is halved until it does.
 //
 // What moves little costs little:

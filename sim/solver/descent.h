@@ -17,7 +17,7 @@ struct LastStep {
 // What a body remembers from sweep to sweep of a solve; one entry a body.
 struct DescentMemory {
   std::vector<LastStep> last_step;
-  std::vector<std::uint8_t> rests;  // left alone in the last sweep
+  std::vector<std::uint8_t> rests;  // skipped in the last sweep
 };
 
 struct DescentSweep {
@@ -27,12 +27,11 @@ struct DescentSweep {
   double tolerance;  // of moves where the solve ends; d̂. 0: nobody is quiet
 };
 
-// E does not rise (for fixed friction bounds). Fills it.moved for the bodies of the island: of those that are
-// left alone it stays what it was.
+// E does not rise (for fixed friction bounds). Fills it.moved for the bodies of the island: that of skipped ones stays.
 void descent_sweep(const Problem& p, const Island& island, const DescentSweep& sweep, const Workers& workers,
                    DescentMemory& memory, Iterate& it);
 
-// Was any body left alone in the last sweep?
+// Was any body skipped in the last sweep?
 bool any_rests(const Island& island, const DescentMemory& memory);
 
 }  // namespace pabd

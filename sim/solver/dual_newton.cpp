@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See dual_newton.h.
 #include "sim/solver/dual_newton.h"
 
 #include <algorithm>
@@ -78,17 +77,15 @@ double add_joints(const Problem& p, const Island& island, const Iterate& it, Dua
 // Gradient of the inertia part of a body, and M⁻¹. False where that is not positive definite.
 bool find_compliance(const Inertia& in, const Pose& pose, std::span<const DualSystem::End> ends,
                      const DualSystem& s, Vec6& g, DualSystem::Compliance& out) {
-  const Mat3 X = in.star.R * in.J * pose.R.transpose();
-  const double mass = in.m * in.inv_h2;
-  g << mass * (pose.c - in.star.c), -in.inv_h2 * axial(X);
-  const Mat3 inertia = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose()));
-  Mat3 A = inertia;
+  const InertiaModel model = inertia_model(in, pose);
+  g = model.g;
+  Mat3 A = model.turn;
   for (const auto& [joint, is_b] : ends)
     A += is_b ? geometric_stiffness(s.r_b[joint], s.force[joint])
               : geometric_stiffness(s.r_a[joint], -s.force[joint]);
-  // What is pressed may have none left: then without the forces.
-  if (!invert_positive(A, out.turn) && !invert_positive(inertia, out.turn)) return false;
-  out.mass = 1 / mass;
+  // What is pressed may not be positive definite: then without the forces.
+  if (!invert_positive(A, out.turn) && !invert_positive(model.turn, out.turn)) return false;
+  out.mass = 1 / model.mass;
   out.c = pose.c - in.star.c;
   out.w = out.turn * g.tail<3>();
   return true;

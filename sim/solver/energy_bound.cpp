@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See energy_bound.h.
 #include "sim/solver/energy_bound.h"
 
 #include <algorithm>
@@ -7,7 +6,6 @@
 
 #include "sim/math/levels.h"
 #include "sim/math/so3.h"
-#include "sim/solver/external.h"
 #include "sim/solver/halving.h"
 #include "sim/solver/joint_actions.h"
 #include "sim/solver/joint_set.h"
@@ -180,6 +178,18 @@ double kinetic_at_end(const Problem& p, const Island& island, const Velocities& 
 }
 
 }  // namespace
+
+double external_work(const Problem& p, Index i, const Pose& end) {
+  if (!has_external(*p.model, i)) return 0;
+  const ExternalForce& external = *p.model->external[i];
+  const double from = p.time - p.params->h;
+  const auto mean = [&](const Vec3& first, const Vec3& last) {
+    return p.second_order(i) ? Vec3(0.5 * (first + last)) : last;
+  };
+  const Vec3 F = mean(external.force_at(from), external.force_at(p.time));
+  const Vec3 torque = mean(external.torque_at(from), external.torque_at(p.time));
+  return F.dot(end.c - p.start->c[i]) + torque.dot(turn_between(p.start->R[i], end.R));
+}
 
 double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints) {
   double work = 0;

@@ -2,24 +2,17 @@
 // The energy of an island over a step, and what keeps a step that was not solved to the end from making some
 // (Deviation D18).
 //
-//   T = Σ ½ m ‖v‖² + ½ ωᵀ I ω,   U = −Σ m g·c                                                            J
-//   Ψ                        of the bonds of this step, with the stiffness and the friction bounds that they
-//                            have at its end, and of springs                                             J
-//   W = Σ f·Δy               work of its drives: force on a driven point at the end of the step, in one   J
-//                            of second order its mean with that at the start, times the way that the
-//                            drive moves it; of motors, dampers and friction: force at
-//                            the end of the step times the way along the joint; where a step ends
-//                            unsolved also of recovery (recovery.h): force at the end times the way by
-//                            which the contact opens, since its barrier is another one in each step;
-//                            where it ends solved also what that product lacks at most, bodies that
-//                            turn going along arcs: a linkage that a drive moves is not slowed down
+//   T = Σ ½ m ‖v‖² + ½ ωᵀ I ω,   U = −Σ m g·c                                                             J
+//   Ψ    of the bonds of this step, with their stiffness and friction bounds at its end, and of springs    J
+//   W    work of drives: force on a driven point at the end of the step (of second order: the mean of start and end) times the
+//        way that the drive moves it; of motors, dampers and friction: force at the end times the way along the joint. Where the
+//        step ends unsolved also of recovery (recovery.h), whose barrier is another one in each step; where it ends solved also
+//        the most that these products lack, since bodies that turn go along arcs
 //
 // The minimiser of E has T + U + Ψ ≤ (T + U + Ψ)_start + W where Ψ is convex along the way. An iterate Q need not, nor a
-// minimiser past a corner that turned through its lowest point. What it has too much is taken from the inner motion: the
-// velocities relative to the rigid motion that carries the momentum of what hangs together, so that momentum stays. Poses
-// stay too: nothing is held in place. That suffices where E(Q) ≤ E(start), for then U + Ψ at the end is at most
-// T + U + Ψ at the start. Where it does not, and the solve is no end, the bodies go a part of their way beside that rigid
-// motion, the largest found by bisection.
+// minimiser past a corner that turned through its lowest point. What it has too much is taken from the velocities relative to the
+// rigid motion that carries the momentum of what hangs together; poses stay. That suffices where E(Q) ≤ E(start). Where it does
+// not, and the solve is no end, bodies go a part of their way beside that rigid motion, the largest found by bisection.
 #pragma once
 
 #include <algorithm>
@@ -33,6 +26,9 @@ namespace pabd {
 
 // W of all drives and of what acts along joints of an island at the iterate; J.
 double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints);
+
+// Work of the forces and torques from outside on body i on its way from the start of the step to `end`; J.
+double external_work(const Problem& p, Index i, const Pose& end);
 
 struct EnergyBalance {
   double kinetic = 0;  // T at the start, or in free flight, where that is more
@@ -56,7 +52,7 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
                              const Velocities& velocities, EnergyMemory& memory, Iterate& it);
 
 // Shares of T + Ψ that a step may gain: what is less is taken out of its motion, what is more is worth smaller steps. Implicit
-// Euler gains some where something tips over. Sweeps may have stopped too early, and then their energy tells first.
+// Euler gains some where something tips over. Sweeps may have stopped too early, which shows in their energy first.
 inline constexpr double kRise = 1e-4, kRiseInSweeps = 1e-5;
 // Does it gain more than that share? Energy of overlap that was found counts: nobody paid for it. What a solve that ends with
 // that residual (in d̂) leaves open does not: a hundred times as much of Ψ, contacts being pressed in by hundredths of d̂.

@@ -4,7 +4,6 @@
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
 #include "sim/math/symmetric3.h"
-#include "sim/solver/external.h"
 
 namespace pabd {
 namespace {
@@ -97,6 +96,20 @@ Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3&
   const Vec3 L = R * (I * (R.transpose() * omega));
   constexpr int kHalvings = 10;
   return turn_freely(symmetric_inverse(I), L, h, kHalvings, R, omega);
+}
+
+void add_external(const Model& model, Index i, double time, double h, Flight& flight) {
+  const ExternalForce& external = *model.external[i];
+  const Vec3 dv = h / model.mass[i] * external.force_at(time), dL = h * external.torque_at(time);
+  Pose& star = flight.star[i];
+  star.c += h * dv;
+  flight.v[i] += dv;
+  if (dL.isZero(0)) return;
+  const Mat3 I = inertia_tensor(model.J[i]), inverse = symmetric_inverse(I);
+  const Vec3 L = turned(star.R, I) * flight.omega[i] + dL, turn = h * (turned(star.R, inverse) * dL);
+  star.R = reorthonormalized(exp_so3(turn) * star.R);
+  flight.turn[i] += turn;
+  flight.omega[i] = turned(star.R, inverse) * L;
 }
 
 void fly(const Model& model, const Params& params, const State& state, const Workers& workers, Flight& out) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The predicted pose Q* = [c*, R*] of method notes §1: what a body does when nothing touches it.
+// The predicted pose Q* = [c*, R*] of a body: what a body does when nothing touches it.
 #pragma once
 
 #include "sim/body/model.h"
@@ -17,7 +17,7 @@ namespace pabd {
 // Returns the mean angular velocity times h, which may be several turns: R* = exp(it) R.
 Vec3 free_flight(const Mat3& J, const Vec3& gravity, double h, Pose& pose, Vec3& v, Vec3& omega);
 
-// Free flight of all bodies, one entry each, with the forces from outside (external.h); fixed ones stay.
+// Free flight of all bodies, one entry each, with the forces from outside; fixed ones stay.
 struct Flight {
   std::vector<Pose> star;      // Q*
   std::vector<Vec3> v, omega;  // at its end; m/s, rad/s
@@ -26,5 +26,16 @@ struct Flight {
   std::vector<double> h;       // of E and of the velocities that follow from it (second_order.h); s
 };
 void fly(const Model& model, const Params& params, const State& state, const Workers& workers, Flight& out);
+
+// Forces and torques from outside are constant in E, so that they only move its predicted poses:
+//
+//   c* += h′² F/m,  v += h′ F/m,  R* = exp(h′² I⁻¹ τ) R*,  L += h′ τ      F, τ: at the end of the step
+//
+// with h′ = h by Euler and 2h/3 in a step of second order (second_order.h).
+inline bool has_external(const Model& model, Index i) {
+  return !model.external.empty() && model.external[i].has_value();
+}
+// On body i, whose flight has none of it yet; `time`: where the step ends.
+void add_external(const Model& model, Index i, double time, double h, Flight& flight);
 
 }  // namespace pabd

@@ -2,7 +2,6 @@
 #include "sim/solver/friction.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 #include "sim/math/levels.h"
@@ -38,10 +37,7 @@ bool used_up(const Problem& p, const Iterate& it, const ManifoldAt& manifold, st
 
 // Weight of the lighter movable body of a manifold; N.
 double lighter_weight(const Problem& p, const ContactManifold& manifold) {
-  double mass = std::numeric_limits<double>::infinity();
-  for (const Index i : {manifold.a, manifold.b}) {
-    if (p.movable(i)) mass = std::min(mass, p.model->mass[i]);
-  }
+  const double mass = p.least_of(manifold.a, manifold.b, [&](Index i) { return p.model->mass[i]; });
   return mass * weight_per_mass(*p.params);
 }
 
@@ -73,17 +69,17 @@ PABD_EACH_LEVEL void start_limit(const Problem& p, ContactManifold& manifold, It
   if (TurnFriction* turn = turn_friction_of(manifold, it)) turn->limit = most_torque(*turn, f);
 }
 
-// See move_friction_limits.
-PABD_EACH_LEVEL void move_limit_in(const Problem& p, bool newton, ContactManifold& manifold, Iterate& it) {
-  const ContactState state = state_of(it, manifold);
+// Towards μ f_n of the iterate.
+PABD_EACH_LEVEL void move_limits_in(const Problem& p, ContactManifold& manifold, Iterate& it) {
+  move_limits(manifold, normal_force(p.law_of(manifold).barrier, manifold, state_of(it, manifold).d), it);
+}
+
+// The weights along what slides.
+PABD_EACH_LEVEL void ease_slips_in(const Problem& p, ContactManifold& manifold, Iterate& it) {
   const ContactLaw law = p.law_of(manifold);
-  if (newton) {
-    ease_slip(law, manifold, state.u);
-    if (TurnFriction* turn = turn_friction_of(manifold, it))
-      ease_slip(turning(law, *turn), *turn, stretch_of_turn(*turn, it.rolls()));
-  } else {
-    move_limits(manifold, normal_force(law.barrier, manifold, state.d), it);
-  }
+  ease_slip(law, manifold, state_of(it, manifold).u);
+  if (TurnFriction* turn = turn_friction_of(manifold, it))
+    ease_slip(turning(law, *turn), *turn, stretch_of_turn(*turn, it.rolls()));
 }
 
 // By how much the slip grows in the step while both bodies stay where they are.
@@ -104,8 +100,8 @@ void carry(const Problem& p, ContactManifold& manifold) {
 SurfaceFriction friction_between(const Model& model, const ContactParams& contact, Index a, Index b) {
   const SurfaceFriction common{contact.mu_static, contact.mu_dynamic, contact.torsional, contact.rolling};
   if (model.friction.empty()) return common;
-  const auto& of_a = model.friction[static_cast<std::size_t>(a)];
-  const auto& of_b = model.friction[static_cast<std::size_t>(b)];
+  const auto& of_a = model.friction[a];
+  const auto& of_b = model.friction[b];
   if (!of_a && !of_b) return common;
   return combined(contact.friction_rule, of_a.value_or(common), of_b.value_or(common));
 }
@@ -156,15 +152,14 @@ void start_friction(const Problem& p, const Workers& workers, Iterate& it) {
 void move_friction_limits(const Problem& p, const Island& island, const Workers& workers, Iterate& it) {
   if (!p.friction) return;
   const bool newton = island.solver == SolverMethod::newton;
-  workers.for_each(island.manifolds.size(),
-                   [&](std::size_t j) { move_limit_in(p, newton, it.manifold[island.manifolds[j]], it); });
+  workers.for_each(island.manifolds.size(), [&](std::size_t j) {
+    ContactManifold& manifold = it.manifold[island.manifolds[j]];
+    newton ? ease_slips_in(p, manifold, it) : move_limits_in(p, manifold, it);
+  });
 }
 
-PABD_EACH_LEVEL void approach_friction_limits(const Problem& p, const Island& island, Iterate& it) {
-  for (const Index k : island.manifolds) {
-    ContactManifold& manifold = it.manifold[k];
-    move_limits(manifold, normal_force(p.law_of(manifold).barrier, manifold, state_of(it, manifold).d), it);
-  }
+void approach_friction_limits(const Problem& p, const Island& island, Iterate& it) {
+  for (const Index k : island.manifolds) move_limits_in(p, it.manifold[k], it);
 }
 
 PABD_EACH_LEVEL double largest_friction_error(const Problem& p, const Island& island, const Iterate& it,

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// See halving.h.
 #include "sim/solver/halving.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
+#include "sim/solver/friction.h"
+#include "sim/solver/runaway.h"
 #include "sim/solver/step_memory.h"
 
 namespace pabd {
@@ -21,6 +24,62 @@ bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy) {
   if (is_far_from_solved(island)) return true;
   if (!(island.friction_error <= kUnsettled)) return true;
   return gains(energy, island.solver == SolverMethod::newton ? kRise : kRiseInSweeps, island.residual);
+}
+
+namespace {
+
+// Of a step of second order; empty: it is judged as any other.
+std::optional<Verdict> judge_motion(const Problem& p, std::size_t k, const IslandReport& outcome,
+                                    StepMemory& m) {
+  const Island& island = m.islands.list[k];
+  EnergyBalance& energy = m.balance[k];
+  double& gained = m.second_order.gained[k];
+  const double before = gained_before(p, island.bodies.front());
+  gained = before + energy.rise;
+  const bool second_order = p.second_order(island.bodies.front());
+  // Euler's velocities are those of the middle of a step: T is off by about half of what it changes by.
+  if (!second_order && before == 0) gained -= std::abs(energy.sped_up);
+  if (!second_order || is_far_from_solved(outcome)) return {};
+  if (!gains_in_all(energy, before)) {
+    energy = {};
+    return Verdict::stays;
+  }
+  if (may_halve(p.params->solver)) {
+    gained = before;  // at most
+    return Verdict::again;
+  }
+  energy.rise = std::exchange(gained, 0);
+  return Verdict::stays;
+}
+
+}  // namespace
+
+Verdict judge_island(const Problem& p, std::size_t k, const Workers& workers, StepMemory& m,
+                     IslandReport& outcome) {
+  const Island& island = m.islands.list[k];
+  const bool halves = may_halve(p.params->solver);
+  if (outcome.status == StepStatus::non_finite ||
+      ran_away(p, island, m.velocities, m.energy.pose, m.iterate)) {
+    outcome.status = StepStatus::non_finite;
+    return halves ? Verdict::again : Verdict::fails;
+  }
+  if (remembers(p) && halves && ends_broken_in(p, island, m.iterate)) {
+    m.second_order.gained[k] = gained_before(p, island.bodies.front());  // at most
+    return Verdict::again;
+  }
+  if (p.params->solver.projection != Projection::polar) {
+    const bool solved = outcome.status == StepStatus::converged;
+    m.balance[k] = energy_balance(p, island, solved, workers, m.velocities, m.energy, m.iterate);
+    if (remembers(p))
+      if (const auto verdict = judge_motion(p, k, outcome, m)) return *verdict;
+  }
+  if (outcome.status == StepStatus::iteration_limit && p.friction)
+    outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);
+  // Halves of a crowd end no better: other pairs are skipped in each.
+  if (island.crowd || !halves) return Verdict::stays;
+  const bool reserve = p.is_half && p.params->solver.halvings <= kReserve;
+  const bool unsolved = reserve ? is_far_from_solved(outcome) : ends_unsolved(outcome, m.balance[k]);
+  return unsolved ? Verdict::again : Verdict::stays;
 }
 
 Params of_half(const Params& whole, double kappa) {
@@ -59,7 +118,7 @@ const StepReport& Halves::make(const Problem& p, const StepOptions& options, Tea
   options_.pulls.clear();
   for (Pull pull : options.pulls) {
     if (!part_.holds(pull.body)) continue;
-    pull.body = part_.place[static_cast<std::size_t>(pull.body)];
+    pull.body = part_.place[pull.body];
     options_.pulls.push_back(pull);
   }
   Team& own = workspace_.memory().detection.collision.team;
@@ -80,13 +139,13 @@ const StepReport& Halves::make(const Problem& p, const StepOptions& options, Tea
 
 void Halves::place(std::vector<Pose>& pose) const {
   for (std::size_t k = 0; k < part_.bodies.size(); ++k) {
-    if (!part_.model.fixed[k]) pose[static_cast<std::size_t>(part_.bodies[k])] = {state_.c[k], state_.R[k]};
+    if (!part_.model.fixed[k]) pose[part_.bodies[k]] = {state_.c[k], state_.R[k]};
   }
 }
 
 void Halves::put(const Islands& islands, State& state, StepReport& report) const {
   put_part(part_, state_, state);
-  // Its islands are parts of those that are there already, and what was left out is counted already.
+  // Its islands are parts of those that are there already, and what it skipped is counted already.
   const std::size_t whole = report.islands.size();
   const StepSummary counted = report.summary();
   add_report(part_, both_, report);
@@ -111,7 +170,7 @@ void Halves::put(const Islands& islands, State& state, StepReport& report) const
   report.halved_bodies = movable;
   report.halvings = 1 + both_.halvings;
   for (std::size_t k = 0; k < both_.body_reports.size(); ++k) {
-    BodyReport& body = report.body_reports[static_cast<std::size_t>(part_.bodies[k])];
+    BodyReport& body = report.body_reports[part_.bodies[k]];
     const BodyReport& half = both_.body_reports[k];
     if (part_.model.fixed[k]) {  // of every part
       body.contacts += half.contacts;
@@ -122,7 +181,7 @@ void Halves::put(const Islands& islands, State& state, StepReport& report) const
     body.island = island;
   }
   for (std::size_t k = 0; k < both_.joint_reports.size(); ++k)
-    report.joint_reports[static_cast<std::size_t>(part_.joints[k])] = both_.joint_reports[k];
+    report.joint_reports[part_.joints[k]] = both_.joint_reports[k];
 }
 
 }  // namespace pabd

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A step that ends unsolved is made again as two halves (Deviation D23), island by island: what an island does not reach
-// in a step, its halves do not reach either. Down to `solver.halvings` levels: a half that ends unsolved is halved again.
+// A step that ends unsolved is made again as two halves (Deviation D23), island by island, down to `solver.halvings` levels.
 //
 // Unsolved is an island
-//   that left the numbers or all bounds (runaway.h),
+//   that is not finite or out of all bounds (runaway.h),
 //   whose bodies moved by more than kUnsolved d̂ in the last iteration,
 //   whose friction is off by more than kUnsettled (IslandReport::friction_error),
-//   that has more energy than it may have, converged or not (gains() and gains_in_all() of energy_bound.h): a corner
-//   turned through its lowest point between two steps,
+//   that has more energy than it may have, converged or not (gains() and gains_in_all() of energy_bound.h),
 //   or that overlaps at its end where the step knew of no contact (late_contacts.h).
-// Not with one iteration a step, which asks for what that gives, and not for `sissm`, whose bonds are as stiff as h lets them be
-// (stiffness_cap.h): halves would be of another model. Not a crowd (Deviation D25), unless it left the numbers.
+// Not with one iteration a step, which asks for what that gives, and not for `sissm`, whose bonds are as stiff as h lets them be.
+// Not a crowd (Deviation D25), unless it is not finite.
 #pragma once
 
 #include "sim/solver/energy_bound.h"
@@ -20,7 +18,7 @@
 namespace pabd {
 
 inline constexpr double kUnsolved = 0.03, kUnsettled = 0.01;
-// Times the iterations: at the last depth, from where there is no other way, and where little is left.
+// Times the iterations: at the last depth, from where there is no other way, and where a solution is near.
 inline constexpr int kLastChance = 4;
 
 // Is a step with these parameters made again where it ends unsolved?
@@ -32,10 +30,17 @@ bool ends_unsolved(const IslandReport& island, const EnergyBalance& energy);
 bool is_far_from_solved(const IslandReport& island);
 inline constexpr int kReserve = 2;
 
+// What becomes of the step of an island: it stays, it is made again in halves, or it cannot be made and the whole step fails.
+enum class Verdict : std::uint8_t { stays, again, fails };
+struct StepMemory;
+// Of island k, whose velocities are known. Fills its energies in `m`, and how far it is from solved in `outcome`.
+Verdict judge_island(const Problem& p, std::size_t k, const Workers& workers, StepMemory& m,
+                     IslandReport& outcome);
+
 // What a half of such a step is made with; `kappa`: of contacts in the whole of it, "auto" or not; J.
 Params of_half(const Params& whole, double kappa);
 
-// What both halves tell: work and times, and the worst of both. How it ends is the second's.
+// What both halves report: work and times, and the worst of both. How it ends is the second's.
 StepSummary both(const StepSummary& first, const StepSummary& second);
 
 // The islands of a step that are made again, as a model of their own, and the memory of their halves.

@@ -90,7 +90,7 @@ class Impact {
   }
   bool any_hit() const { return !motion_.empty(); }
 
-  // Points that part are released, what was pressed comes apart slowly (recovery.h), and friction is left with the bound of
+  // Points that part are released, what was pressed comes apart slowly (recovery.h), and friction keeps the bound of
   // what presses then: its share of the impact it had.
   void take_over(Velocities& velocities, Iterate& it) const {
     for (std::size_t k = 0; k < motion_.size(); ++k) {
@@ -147,7 +147,7 @@ class Impact {
     }
   }
 
-  // What is left approaches no more, and friction has its share.
+  // Nothing approaches any more, and friction has its share.
   void settle_all() {
     chosen_.clear();
     for (Touch& t : touches_) {
@@ -183,10 +183,10 @@ class Impact {
     if (row(i) < 0) return Motion::Zero();
     const Vec3 &v = p_.start->v[i], &g = p_.params->gravity;
     const Pose &end = it_.pose[i], &star = p_.flight->star[i];
-    const double gg = g.squaredNorm(), b = v.dot(g), gain = g.dot(end.c - p_.start->c[i]);  // m²/s²
+    const double gg = g.squaredNorm(), b = v.dot(g), drop = g.dot(end.c - p_.start->c[i]);  // m²/s²
     double t = 0;
     if (gg > 0) {
-      const double root = std::sqrt(std::max(0.0, b * b + 2 * gg * gain));
+      const double root = std::sqrt(std::max(0.0, b * b + 2 * gg * drop));
       t = std::clamp((-b - root >= 0 ? -b - root : -b + root) / gg, -p_.params->h, p_.params->h);
     }
     Motion out;
@@ -194,7 +194,7 @@ class Impact {
     const Mat3 I = spin_inertia(i);
     const double m = p_.model->mass[i], spin = 0.5 * out.tail<3>().dot(I * out.tail<3>());
     const double now = 0.5 * m * out.head<3>().squaredNorm() + spin;
-    const double most = std::max(0.0, 0.5 * m * v.squaredNorm() + spin + m * gain);
+    const double most = std::max(0.0, 0.5 * m * v.squaredNorm() + spin + m * drop);
     return now > most ? Motion(std::sqrt(most / now) * out) : out;
   }
 

@@ -25,4 +25,19 @@ inline double inertia_energy(const Inertia& in, const Pose& pose) {
   return 0.5 * in.inv_h2 * (in.m * (pose.c - in.star.c).squaredNorm() + (D * in.J).cwiseProduct(D).sum());
 }
 
+// Its derivatives there: the Hessian is m/h² 1 for moves and `turn` for turns.
+struct InertiaModel {
+  double mass;  // m/h²; N/m
+  Mat3 turn;    // N m
+  Vec6 g;
+};
+inline InertiaModel inertia_model(const Inertia& in, const Pose& pose) {
+  InertiaModel out;
+  const Mat3 X = in.star.R * in.J * pose.R.transpose();
+  out.mass = in.m * in.inv_h2;
+  out.turn = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose()));
+  out.g << out.mass * (pose.c - in.star.c), -in.inv_h2 * axial(X);
+  return out;
+}
+
 }  // namespace pabd

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See island_step.h.
 #include "sim/solver/island_step.h"
 
 #include <cmath>
@@ -69,7 +68,7 @@ double largest_move(const Problem& p, const Island& island, const std::vector<Ve
   return largest;
 }
 
-void tell_moves(const Problem& p, const Island& island, const IslandStep& s, Iterate& it) {
+void store_moves(const Problem& p, const Island& island, const IslandStep& s, Iterate& it) {
   for (std::size_t k = 0; k < island.bodies.size(); ++k)
     it.moved[island.bodies[k]] = move_of(p, island.bodies[k], s.step[k]);
 }

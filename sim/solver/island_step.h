@@ -37,7 +37,7 @@ void move(const Problem& p, const Island& island, const IslandStep& s, double t,
 double largest_move(const Problem& p, const Island& island, const std::vector<Vec6>& step);
 
 // Fills it.moved from the step.
-void tell_moves(const Problem& p, const Island& island, const IslandStep& s, Iterate& it);
+void store_moves(const Problem& p, const Island& island, const IslandStep& s, Iterate& it);
 
 // Second order of a point's motion under a rotation, ½ δω × (δω × r), against the gradient g of the energy at
 // the point: ½ (g rᵀ + r gᵀ) − (g·r) 1.

@@ -14,7 +14,7 @@ struct Island {
   std::span<const Index> row;  // per slot of a pose: the body's place in `bodies`, −1 where nothing moves
   bool jointed = false;        // by joints of the model; pulls alone do not count
   SolverMethod solver = SolverMethod::descent;
-  int iterations = 0, most_iterations = 0;  // the second: where little is left
+  int iterations = 0, most_iterations = 0;  // the second: where a solution is near
   bool crowd = false;  // so many of its contacts are of crowds that no solution is worth much
 
   // For descent: no two bodies of one colour share a bond. Colour k is colored[first_of_color[k]] …
@@ -37,13 +37,14 @@ struct Islands {
   std::vector<Index> row;     // Island::row, the same for all
   RowList<Index> bodies, manifolds, joints, couplings;
 
-  // Colours, see coloring.h.
   std::vector<Index> color, colored, first_of_color;
 
   std::vector<Index> parent;  // scratch
 };
 
-void split_into_islands(const Problem& problem, const Iterate& it, Islands& out);
+// Splits the bodies into islands and colours each of them: any may come to `descent`. Depends on the order of bodies and
+// bonds alone.
+void find_islands(const Problem& p, const Iterate& it, Islands& out);
 
 // The body that stands for i's set. Shortens the way to it.
 inline Index root(std::vector<Index>& parent, Index i) {

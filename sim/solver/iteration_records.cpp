@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See iteration_records.h.
 #include "sim/solver/iteration_records.h"
 
 #include <algorithm>

@@ -21,7 +21,7 @@ bool switch_actions(const Problem& p, const Island& island, bool converged, Iter
 // Energy of the spring of joint k at the iterate; J.
 double spring_energy(const Problem& p, const Iterate& it, Index k);
 
-// Work of what else acts along joint k in this step, as far as the iterate has gone; J.
+// Work of what else acts along joint k in this step, up to the iterate; J.
 double action_work(const Problem& p, const Iterate& it, Index k);
 
 }  // namespace pabd

@@ -12,7 +12,7 @@ void pulls_as_joints(const Model& model, const std::vector<Pull>& pulls, std::ve
   out.resize(pulls.size());
   std::size_t count = 0;
   for (const Pull& pull : pulls) {
-    if (model.fixed[static_cast<std::size_t>(pull.body)]) continue;
+    if (model.fixed[pull.body]) continue;
     Joint& joint = out[count++];
     joint.type = JointType::distance;
     joint.j = pull.body;
@@ -34,9 +34,9 @@ void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const 
     return trial != nullptr && body == moved && body != kWorld ? *trial : it.pose[it.slot(body)];
   };
   expand(joint, pose(joint.i), pose(joint.j), time, out);
-  if (!acts || p.action_at.empty() || p.action_at[static_cast<std::size_t>(k)] < 0) return;
-  add_action(joint, it.action[static_cast<std::size_t>(p.action_at[static_cast<std::size_t>(k)])],
-             place(joint.on_i, pose(joint.i)), place(joint.on_j, pose(joint.j)), out);
+  if (!acts || p.action_at.empty() || p.action_at[k] < 0) return;
+  add_action(joint, it.action[p.action_at[k]], place(joint.on_i, pose(joint.i)),
+             place(joint.on_j, pose(joint.j)), out);
 }
 
 double energy_of(const BondLaw& law, const BondList& list) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See late_contacts.h.
 #include "sim/solver/late_contacts.h"
 
 #include <algorithm>

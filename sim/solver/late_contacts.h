@@ -11,8 +11,8 @@
 namespace pabd {
 
 // Marks the bodies that overlap at the iterate in points that the step has no contact for, with all of their islands, but for
-// crowds. Looks only where a body ends more than d̂/2 beside where its contacts were looked for (`looked_at`), and not at what
-// left the numbers.
+// crowds. Looks only where a body ends more than d̂/2 beside where its contacts were looked for (`looked_at`), and not at what is
+// not finite.
 void mark_late_contacts(const Problem& p, const Islands& islands, const std::vector<IslandReport>& outcome,
                         const Workers& workers, const Iterate& it, const Detection& looked_at,
                         Detection& memory, std::vector<std::uint8_t>& marked);

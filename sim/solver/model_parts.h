@@ -23,7 +23,7 @@ struct ModelPart {
   std::vector<Index> couplings;  // the same of its couplings, State::coupling
   std::vector<Index> place;      // number in the part of each body of the whole, −1: it is elsewhere
 
-  bool holds(Index body) const { return place[static_cast<std::size_t>(body)] >= 0; }
+  bool holds(Index body) const { return place[body] >= 0; }
 };
 
 struct ModelParts {

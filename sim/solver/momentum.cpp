@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See momentum.h.
 #include "sim/solver/momentum.h"
 
 #include <Eigen/Dense>
@@ -8,7 +7,6 @@
 #include "sim/body/mass_properties.h"
 #include "sim/math/so3.h"
 #include "sim/math/symmetric3.h"
-#include "sim/solver/external.h"
 
 namespace pabd {
 namespace {

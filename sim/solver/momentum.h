@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Momentum of what hangs together, to rounding, however far a solve came.
+// Momentum of what hangs together, to rounding, however far a solve came (Deviation D15).
 //
-// A solve that stops early leaves every body with forces on it that its neighbours do not feel in the same
-// strength, and the implicit step itself takes the levers of forces at its end, which damps what turns about
-// a common centre. Bodies without external forces, weight aside, only pass momentum on among themselves, so
-// that their sums over the step are known:
+// A solve that stops early leaves forces on a body that its neighbours do not feel, and the implicit step itself damps what turns
+// about a common centre. Bodies without external forces, weight aside, only pass momentum on among themselves:
 //
 //   P  = Σ m v*                                     kg m/s
 //   L  = Σ (c₀ − o) × m v* + I ω*                   kg m²/s, c₀ the centres at the start of the step
 //
-// What is missing is given to all bodies of a group as one rigid motion, of which bonds inside feel nothing:
-// the smallest change of the velocities (in the norm of the kinetic energy) that restores the sums.
+// What is missing is given to all bodies of a group as one rigid motion, of which bonds inside feel nothing: the smallest change
+// of the velocities, in the norm of the kinetic energy, that restores the sums.
 #pragma once
 
 #include "sim/solver/islands.h"

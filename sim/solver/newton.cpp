@@ -1,18 +1,4 @@
 // SPDX-License-Identifier: MIT
-// `newton`: all bodies of its islands at once, in the tangent space of SE(3) (method notes §5.3).
-//
-//   unknowns   δ = (δc, δω) of each body, R ← cayley(δω) R
-//
-//   matrix     inertia m/h², (tr(X) 1 − X_s)/h²; Gauss–Newton blocks s_i s_j J_iᵀ K J_j of the bonds with
-//              J = [1, −[r]]; also the geometric stiffness of joints, and of contacts where a few iterations do not
-//              suffice, while that leaves it positive definite
-//
-//   step       full, turns limited to 1 rad: with stiff joints E is a narrow curved valley, in which a line
-//              search creeps. Where E stays above its lowest value for too long, back to that iterate (a
-//              watchdog), and on from there as if the bodies were heavier (Levenberg and Marquardt): light links
-//              under a heavy weight jump far before joints and contacts carry them. Contacts alone and soft
-//              pulls always need a line search
-
 #include "sim/solver/newton.h"
 
 #include <algorithm>
@@ -38,13 +24,12 @@ constexpr int kRaises = 3;  // in an iteration
 
 // Inertia of body i: its diagonal block, damped, its gradient and energy.
 double add_inertia(const Inertia& in, const Pose& pose, double damping, Block<6>& block, Vec6& g) {
-  const Mat3 X = in.star.R * in.J * pose.R.transpose();
-  const double mass = in.m * in.inv_h2;
+  const InertiaModel model = inertia_model(in, pose);
   Mat6 M = Mat6::Zero();
-  M.diagonal().head<3>().setConstant(mass);
-  M.bottomRightCorner<3, 3>() = in.inv_h2 * (X.trace() * Mat3::Identity() - 0.5 * (X + X.transpose()));
+  M.diagonal().head<3>().setConstant(model.mass);
+  M.bottomRightCorner<3, 3>() = model.turn;
   block.add((1 + damping) * M);
-  g << mass * (pose.c - in.star.c), -in.inv_h2 * axial(X);
+  g = model.g;
   return inertia_energy(in, pose);
 }
 
@@ -94,7 +79,7 @@ void add_curvature(const ContactCurvature& c, Index a, Index b, NewtonSystem& sy
   system.matrix.add_off_diagonal(b, a, H);
 }
 
-// Does the bound of a manifold follow in this iteration? The linear model of a barrier tells its force within a part of d̂: full
+// Does the bound of a manifold follow in this iteration? The linear model of a barrier knows its force within a part of d̂: full
 // steps are often longer, and far from the solution the bounds would make them worse.
 bool follows(const Island& island, const NewtonSystem& system, const Iterate& it,
              const ContactManifold& manifold) {
@@ -220,53 +205,53 @@ void measure_best(const Problem& p, const Island& island, NewtonSystem& system, 
   swap_with_best(p, island, system.motion, it);
 }
 
-// False where there is no step.
-bool take_full_step(const Problem& p, const Island& island, bool geometric, const Stop& stop,
-                    NewtonSystem& system, Iterate& it) {
+// The step of all bodies, with friction bounds and holds of motors moved to its end. `other_E`: E is another one since. False
+// where there is no step.
+bool find_step(const Problem& p, const Island& island, bool geometric, const Stop& stop, NewtonSystem& system,
+               Iterate& it, bool& other_E) {
   if (!find_direction(p, island, geometric, stop, system, it)) return false;
-  const bool other_E =
-      p.friction && follow_bounds(p, island, system.matrix, system.sliding, system.motion.step, it);
+  other_E = p.friction && follow_bounds(p, island, system.matrix, system.sliding, system.motion.step, it);
   foresee_actions(p, island, system.motion.step, it);
+  return true;
+}
+
+void take_full_step(const Problem& p, const Island& island, bool other_E, NewtonSystem& system, Iterate& it) {
   predict_forces(p, island, it, system);
   if (other_E) measure_best(p, island, system, it);
   move(p, island, system.motion, longest_step(system.motion), it);
-  return true;
 }
 
 // Short moves are made in full where bounds follow: the levers of friction on round bodies leave out the curvature of the
-// step's turn, and E no longer tells whether they are good. False where there is no step.
-bool search_step(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
-                 Iterate& it) {
+// step's turn, and E no longer decides whether they are good.
+void search_along_step(const Problem& p, const Island& island, bool other_E, NewtonSystem& system,
+                       Iterate& it) {
   constexpr double kSmall = 0.01;  // d̂
-  system.stuck = false;
-  if (!find_direction(p, island, false, stop, system, it)) return false;
-  const bool other_E =
-      p.friction && follow_bounds(p, island, system.matrix, system.sliding, system.motion.step, it);
-  foresee_actions(p, island, system.motion.step, it);
   double t = longest_step(system.motion);
-  if (!system.bounds_stay && largest_move(p, island, system.motion.step) < kSmall) {
-    move(p, island, system.motion, t, it);
-    return true;
-  }
+  if (!system.bounds_stay && largest_move(p, island, system.motion.step) < kSmall)
+    return move(p, island, system.motion, t, it);
   if (other_E) system.motion.lowest = energy_of(p, island, it);
   for (int k = 0; k < kHalvings; ++k, t *= 0.5) {
     move(p, island, system.motion, t, it);
-    if (p.params->solver.iterations == 1 || is_lower(energy_of(p, island, it), system.motion)) return true;
+    if (p.params->solver.iterations == 1 || is_lower(energy_of(p, island, it), system.motion)) return;
     restore_best(p, island, system.motion, it);
   }
   system.stuck = true;
-  return true;
 }
 
+// False where there is no step.
 bool iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, NewtonSystem& system,
                       Iterate& it) {
   IslandStep& motion = system.motion;
   const bool keeps = p.params->solver.iterations > 1;
   bool geometric = !system.force.empty() && island.jointed;
   double energy = assemble(p, island, geometric, system, it);
+  bool other_E = false;
   if (!island.jointed) {
     if (keeps) keep_best(island, it, energy, motion);
-    return search_step(p, island, stop, system, it);
+    system.stuck = false;
+    if (!find_step(p, island, false, stop, system, it, other_E)) return false;
+    search_along_step(p, island, other_E, system, it);
+    return true;
   }
   if (is_lower(energy, motion)) {
     if (keeps) keep_best(island, it, energy, motion);
@@ -279,7 +264,9 @@ bool iterate_by_moves(const Problem& p, const Island& island, const Stop& stop, 
     energy = assemble(p, island, geometric, system, it);  // anew: friction bounds may have moved since
     keep_best(island, it, energy, motion);
   }
-  return take_full_step(p, island, geometric, stop, system, it);
+  if (!find_step(p, island, geometric, stop, system, it, other_E)) return false;
+  take_full_step(p, island, other_E, system, it);
+  return true;
 }
 
 // False where the bodies' system has to take over.
@@ -365,12 +352,12 @@ bool newton_iteration(const Problem& p, const Island& island, const Workers& wor
     recall_forces(system);
   }
   if (!system.dual && !iterate_by_moves(p, island, workers.stop, system, it)) return workers.stop.requested();
-  tell_moves(p, island, system.motion, it);
-  for (const Index i : island.bodies) it.moved[i] *= 1 + system.damping;  // they would have gone as far
+  store_moves(p, island, system.motion, it);
+  for (const Index i : island.bodies) it.moved[i] *= 1 + system.damping;  // the way they would have made
   return true;
 }
 
-void tell_forces(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it) {
+void store_joint_forces(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it) {
   const std::size_t bonds = system.dual ? 1 : BondList::kMost;
   const std::vector<Vec3>& force = system.dual ? system.by_forces.force : system.force;
   for (std::size_t k = 0; k < island.joints.size(); ++k) {

@@ -1,5 +1,23 @@
 // SPDX-License-Identifier: MIT
-// `newton`: all bodies of an island at once. The linear system, and its iterations.
+// `newton`: all bodies of an island at once, in the tangent space of SE(3): δ = (δc, δω) of each body, R ← cayley(δω) R. In the
+// order of a step:
+//
+//   find_structure    couplings of block rows, elimination order; asked by choice.cpp, whether it is cheap enough
+//   start_newton
+//   newton_iteration
+//     while only ball joints hold the island together, the step from their forces     dual_newton
+//     else the matrix at the iterate                                                   linear_bonds, coupled_matrix
+//       its direction; friction bounds and holds of motors at the end of it            sliding_tangent, joint_actions
+//       that step in full, or searched along a line; the best iterate so far           island_step
+//   finish_newton     back to the best iterate where the last one is worse
+//
+//   matrix   inertia m/h², (tr(X) 1 − X_s)/h²; Gauss–Newton blocks s_i s_j J_iᵀ K J_j of the bonds with J = [1, −[r]]; the
+//            geometric stiffness of joints, and of contacts where a few iterations do not suffice, while that leaves it positive
+//            definite
+//   step     full, turns limited to 1 rad: with stiff joints E is a narrow curved valley, in which a line search creeps. Where E
+//            stays above its lowest value for too long, back to that iterate (a watchdog), and on from there with inertia raised
+//            (Levenberg and Marquardt): light links under a heavy weight jump far before joints and contacts carry them.
+//            Contacts alone and soft pulls always need a line search
 #pragma once
 
 #include "sim/solver/coupled_matrix.h"
@@ -45,12 +63,12 @@ bool find_structure(const Problem& p, const Island& island, const Iterate& it, d
 void start_newton(const Problem& p, const Island& island, const Iterate& it, NewtonSystem& system);
 
 // One iteration; fills it.moved for the bodies of the island. False where the island has become too dense (a contact came to
-// what joints alone held together), or where its matrix is beyond all numbers.
+// what joints alone held together), or where its matrix is not finite.
 bool newton_iteration(const Problem& p, const Island& island, const Workers& workers, NewtonSystem& system,
                       Iterate& it);
 
 // Fills it.joint_force for the joints of the island with what the last iteration found.
-void tell_forces(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it);
+void store_joint_forces(const Problem& p, const Island& island, const NewtonSystem& system, Iterate& it);
 
 // E has changed: friction bounds moved. What was best under the old ones is no measure.
 void forget_best(NewtonSystem& system);

@@ -33,37 +33,29 @@ ParameterValue typical(const ParameterRow& row) { return value_of(row, Params{})
 
 // ---- the words of each enumeration, in the order of scene files ----
 
-template <class Enum, std::size_t count>
-std::array<ParameterChoice, count> named(const Enum (&values)[count]) {
-  std::array<ParameterChoice, count> out;
-  for (std::size_t i = 0; i < count; ++i) out[i] = {to_string(values[i]), values[i]};
-  return out;
+// Words and values of the enumerators, in this order.
+template <auto... enumerators>
+std::span<const ParameterChoice> named() {
+  static const std::array all{ParameterChoice{to_string(enumerators), enumerators}...};
+  return all;
 }
 
 std::span<const ParameterChoice> choices(SolverMethod) {
   using enum SolverMethod;
-  static const auto all = named({automatic, sissm, descent, newton});
-  return all;
+  return named<automatic, sissm, descent, newton>();
 }
 std::span<const ParameterChoice> choices(Projection) {
   using enum Projection;
-  static const auto all = named({automatic, polar, weighted, tangent});
-  return all;
+  return named<automatic, polar, weighted, tangent>();
 }
-std::span<const ParameterChoice> choices(Integrator) {
-  using enum Integrator;
-  static const auto all = named({euler, bdf2});
-  return all;
-}
+std::span<const ParameterChoice> choices(Integrator) { return named<Integrator::euler, Integrator::bdf2>(); }
 std::span<const ParameterChoice> choices(SolverDevice) {
   using enum SolverDevice;
-  static const auto all = named({cpu, gpu, automatic});
-  return all;
+  return named<cpu, gpu, automatic>();
 }
 std::span<const ParameterChoice> choices(FrictionRule) {
   using enum FrictionRule;
-  static const auto all = named({geometric_mean, average, min, max, product});
-  return all;
+  return named<geometric_mean, average, min, max, product>();
 }
 // The usual one first.
 std::span<const ParameterChoice> choices(BarrierKind) {

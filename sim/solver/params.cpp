@@ -56,53 +56,23 @@ std::optional<ParamError> check_params(const Params& params) {
 }
 
 const char* to_string(SolverMethod method) {
-  switch (method) {
-    case SolverMethod::sissm:
-      return "sissm";
-    case SolverMethod::descent:
-      return "descent";
-    case SolverMethod::newton:
-      return "newton";
-    case SolverMethod::automatic:
-      return "auto";
-  }
-  return "?";
+  static constexpr const char* kWords[] = {"sissm", "descent", "newton", "auto"};
+  return kWords[static_cast<std::size_t>(method)];
 }
 
 const char* to_string(Projection projection) {
-  switch (projection) {
-    case Projection::automatic:
-      return "auto";
-    case Projection::polar:
-      return "polar";
-    case Projection::weighted:
-      return "weighted";
-    case Projection::tangent:
-      return "tangent";
-  }
-  return "?";
+  static constexpr const char* kWords[] = {"auto", "polar", "weighted", "tangent"};
+  return kWords[static_cast<std::size_t>(projection)];
 }
 
 const char* to_string(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::euler:
-      return "euler";
-    case Integrator::bdf2:
-      return "bdf2";
-  }
-  return "?";
+  static constexpr const char* kWords[] = {"euler", "bdf2"};
+  return kWords[static_cast<std::size_t>(integrator)];
 }
 
 const char* to_string(SolverDevice device) {
-  switch (device) {
-    case SolverDevice::cpu:
-      return "cpu";
-    case SolverDevice::gpu:
-      return "gpu";
-    case SolverDevice::automatic:
-      return "auto";
-  }
-  return "?";
+  static constexpr const char* kWords[] = {"cpu", "gpu", "auto"};
+  return kWords[static_cast<std::size_t>(device)];
 }
 
 }  // namespace pabd

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See problem.h.
 #include "sim/solver/problem.h"
 
 #include <algorithm>
@@ -20,7 +19,7 @@ bool stays(const List& now, List& last) {
 void list_couplings(Problem& p) {
   p.couplings_at.fill(p.model->shape.size(), [&](const auto& visit) {
     for (std::size_t n = 0; n < p.followers.size(); ++n) {
-      const auto [i, j] = p.joint_ends[static_cast<std::size_t>(p.followers[n])];
+      const auto [i, j] = p.joint_ends[p.followers[n]];
       const auto [k, l] = p.joint_ends[static_cast<std::size_t>(p.joints[p.followers[n]].follows->leader)];
       const std::array bodies{i, j, k, l};
       for (auto at = bodies.begin(); at != bodies.end(); ++at)

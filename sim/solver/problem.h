@@ -1,27 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a step minimises, and the iterate that its solvers move. Plain arrays, numbered as bodies, manifolds
-// and joints are, without a pointer among them: a copy of an iterate stands for itself.
-//
-//   array          one entry per    layout
-//   flight.star    body             c (3), R (3×3 by columns)                        predicted poses Q*
-//   iterate.pose   body, and the    the same                                         the world is the last
-//                  world
-//   iterate.       pair and four    bond/contact_bond.h, four points side by side    sorted by pair
-//   manifold       of its points
-//   iterate.       manifold that    bond/turn_friction.h                             its number is that of
-//   turning        brakes turns                                                      ContactManifold::turning
-//   iterate.       joint that       CouplingStep                                     in the order of `followers`
-//   coupling       follows one
-//   iterate.       joint of the     force on its body j (3)                          world; N
-//   joint_force    model
-//   joints         joint            body/joint.h; those of the model, then the pulls
-//   ends           body             manifolds that end there: row i of a RowList
-//   joints_at      body             joints that end there
-//   joint_ends     joint            its bodies; a joint itself takes some hundred bytes
-//   acting         joint of the     those with motors, dampers or friction
-//                  model
+// What a step minimises, and the iterate that its solvers move: plain arrays, numbered as bodies, manifolds and joints are. A copy
+// of an iterate stands for itself.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -29,36 +11,12 @@
 #include "sim/body/state.h"
 #include "sim/bond/turn_friction.h"
 #include "sim/joint/action.h"
+#include "sim/math/row_list.h"
 #include "sim/solver/free_flight.h"
 #include "sim/solver/inertia.h"
 #include "sim/solver/params.h"
 
 namespace pabd {
-
-// Lists of unequal length in one array: row i is items[first[i]] … items[first[i + 1] − 1].
-template <class Item>
-struct RowList {
-  std::vector<Index> first;
-  std::vector<Item> items;
-
-  std::span<const Item> operator[](Index i) const {
-    const auto k = static_cast<std::size_t>(i);
-    return {items.data() + first[k], static_cast<std::size_t>(first[k + 1] - first[k])};
-  }
-
-  // Fills `rows` rows: each(visit) calls visit(row, item) for all items, twice, in the order within the rows.
-  template <class Each>
-  void fill(std::size_t rows, const Each& each) {
-    first.assign(rows + 2, 0);
-    each([&](Index row, const Item&) { ++first[static_cast<std::size_t>(row) + 2]; });
-    for (std::size_t k = 2; k < first.size(); ++k) first[k] += first[k - 1];
-    items.resize(static_cast<std::size_t>(first.back()));
-    each([&](Index row, const Item& item) {
-      items[static_cast<std::size_t>(first[static_cast<std::size_t>(row) + 1]++)] = item;
-    });
-    first.pop_back();
-  }
-};
 
 // One end of a contact manifold, in the list of its body.
 struct ManifoldEnd {
@@ -88,13 +46,13 @@ struct Problem {
   const Flight* flight = nullptr;
   double time = 0;  // at the end of the step, for driven joints; s
   ContactLaw law{};
-  bool is_half = false;   // StepOptions::is_half
-  bool friction = false;  // may any contact have some?
-  StepJoints joints;
-  std::vector<double> joint_share;  // of the stiffness of each joint, see stiffness_cap.h
-  RowList<ManifoldEnd> ends;
-  RowList<Index> joints_at;
-  BodyPairs joint_ends;
+  bool is_half = false;             // StepOptions::is_half
+  bool friction = false;            // may any contact have some?
+  StepJoints joints;                // those of the model, then the pulls
+  std::vector<double> joint_share;  // of the stiffness of each joint, see cap_stiffness
+  RowList<ManifoldEnd> ends;        // per body: manifolds that end there
+  RowList<Index> joints_at;         // per body: joints that end there
+  BodyPairs joint_ends;             // of each joint: a joint itself takes some hundred bytes
   std::vector<Index> acting;        // joints with an action
   std::vector<Index> action_at;     // per joint: place among them, or −1; empty where there are none
   std::vector<Index> followers;     // joints that follow others; the number of a coupling is its place here
@@ -102,13 +60,21 @@ struct Problem {
   RowList<Index> couplings_at;      // per body; not filled where there are none
   std::vector<std::uint8_t> rolls;  // per body: has it a manifold whose slip follows its roll?
 
-  bool movable(Index i) const { return i != kWorld && !model->fixed[static_cast<std::size_t>(i)]; }
+  bool movable(Index i) const { return i != kWorld && !model->fixed[i]; }
   // Is the step of body i of second order (second_order.h)?
-  bool second_order(Index i) const { return flight->h[static_cast<std::size_t>(i)] != params->h; }
+  bool second_order(Index i) const { return flight->h[i] != params->h; }
   // The same of what a joint joins.
   bool second_order(const Joint& joint) const {
     const Index moving = movable(joint.i) ? joint.i : joint.j;
     return movable(moving) && second_order(moving);
+  }
+  // The least value(i) of those of two bodies that move; infinite where none does.
+  template <class Value>
+  double least_of(Index a, Index b, const Value& value) const {
+    double least = kInfinity;
+    for (const Index i : {a, b})
+      if (movable(i)) least = std::min(least, value(i));
+    return least;
   }
   // Of a body or the world.
   Pose start_pose(Index i) const {
@@ -124,7 +90,7 @@ struct Problem {
   ContactLaw law_of(const ContactManifold& manifold) const { return scaled(law, manifold.share); }
   BondLaw law_of(Index joint) const {
     BondLaw out = joints[joint].law;
-    out.kappa *= joint_share[static_cast<std::size_t>(joint)];
+    out.kappa *= joint_share[joint];
     return out;
   }
 };
@@ -140,15 +106,15 @@ struct CouplingStep {
 
 // Where a solve stands.
 struct Iterate {
-  std::vector<Pose> pose;
+  std::vector<Pose> pose;          // of each body, and of the world at the end
   std::vector<double> moved;       // per body: way in the last iteration over d̂
   std::vector<Vec3> joint_force;   // of each joint of the model on its body j, as far as the solver knows; N
   std::vector<ActionStep> action;  // of Problem::acting
-  std::vector<CouplingStep> coupling;  // of Problem::followers
-  std::vector<ContactManifold> manifold;
-  std::vector<TurnFriction> turning;  // of the manifolds that have it
-  std::vector<Rolling> rolling;       // of the separate manifolds
-  std::vector<Roll> roll;             // per body, at its pose; kept where Problem::rolls
+  std::vector<CouplingStep> coupling;     // of Problem::followers
+  std::vector<ContactManifold> manifold;  // sorted by pair of bodies, then by feature
+  std::vector<TurnFriction> turning;      // see ContactManifold::turning
+  std::vector<Rolling> rolling;           // of the separate manifolds
+  std::vector<Roll> roll;                 // per body, at its pose; kept where Problem::rolls
 
   Rolls rolls() const { return {roll.data(), rolling.data()}; }
   // Index of a body's pose.
@@ -166,6 +132,14 @@ struct BondGraph {
 // Fills p.joint_ends, p.acting, p.ends and p.joints_at from the joints and manifolds. False: `last`, the graph of the
 // call before, is still that of the problem, and so are all that follows from it.
 bool list_bonds(Problem& p, const Iterate& it, BondGraph& last);
+
+// The frames of a joint at the iterate, and where the step starts.
+inline PlacedFrames frames_of(const Joint& joint, const Iterate& it) {
+  return place(joint, [&](Index body) -> const Pose& { return it.pose[it.slot(body)]; });
+}
+inline PlacedFrames frames_at_start(const Joint& joint, const Problem& p) {
+  return place(joint, [&](Index body) { return p.start_pose(body); });
+}
 
 // A body's pose and its roll change together.
 inline void set_pose(const Problem& p, Index i, const Pose& pose, Iterate& it) {

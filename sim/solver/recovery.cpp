@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See recovery.h.
 #include "sim/solver/recovery.h"
 
 #include <algorithm>

@@ -17,7 +17,7 @@
 
 namespace pabd {
 
-// Finds the pairs that recover, by depth and by what the last step left in the start's memory of contacts,
+// Finds the pairs that recover, by depth and by what contacts remember of the last step,
 // and sets their contacts up. Precondition: the manifolds are those of the step, sorted by pair.
 void start_recovery(const Problem& p, Iterate& it);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one time step tells about itself. Plain data: written to CSV, plotted, drawn.
+// What one time step reports. Plain data: written to CSV, plotted, drawn.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace pabd {
 
-// non_finite: the step left the numbers, or threw a body out of all bounds (runaway.h).
+// non_finite: a result is not finite, or the step threw a body out of all bounds (runaway.h).
 enum class StepStatus : std::uint8_t { converged, iteration_limit, non_finite, interrupted };
 const char* to_string(StepStatus status);  // "converged", "iteration_limit", "non_finite", "interrupted"
 
@@ -108,13 +108,13 @@ struct StepSummary {
   double min_gap = 0;          // m; +inf without contacts
   double max_joint_error = 0;  // m
   double residual = 0;         // the largest of the islands
-  // What was left out because it would cost too much: pairs of bodies in crowds that were not looked at, overlap
+  // What was skipped because it would cost too much: pairs of bodies in crowds that were not looked at, overlap
   // or not (collision/broad_phase.h), and bodies that `descent` solved in place of `newton` (choice.h).
   std::int64_t left_pairs = 0;
   Index too_dense = 0;
   double drive_work =
       0;  // of drives, motors, dampers and friction of joints, belts and forces from outside; J
-  int capped_bonds = 0;   // joints and contact points that `sissm` made softer than asked (stiffness_cap.h)
+  int capped_bonds = 0;   // joints and contact points that `sissm` made softer than asked (sissm.h)
   int held_bodies = 0;    // that were slowed down so that no energy is made (energy_bound.h)
   int halved_bodies = 0;  // whose step was made again in halves (halving.h)
   int halvings = 0;       // how often it was halved, at most
@@ -124,7 +124,7 @@ struct StepSummary {
   PhaseTimes times;
 };
 
-// The summary, and what a step is asked to tell in detail.
+// The summary, and the details that a step is asked for.
 struct StepReport : StepSummary {
   std::vector<IslandReport> islands;     // in order of their lowest bodies
   std::vector<IterationRecord> records;  // one an iteration; empty unless StepOptions::record_iterations

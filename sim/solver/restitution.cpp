@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See restitution.h.
 #include "sim/solver/restitution.h"
 
 #include <utility>
@@ -20,14 +19,13 @@ bool has_restitution(const Model& model, const ContactParams& contact) {
 
 double restitution_between(const Model& model, const ContactParams& contact, Index a, Index b) {
   if (model.restitution.empty()) return contact.restitution;
-  const auto &of_a = model.restitution[static_cast<std::size_t>(a)],
-             &of_b = model.restitution[static_cast<std::size_t>(b)];
+  const auto &of_a = model.restitution[a], &of_b = model.restitution[b];
   if (!of_a && !of_b) return contact.restitution;
   return combined(contact.friction_rule, of_a.value_or(contact.restitution),
                   of_b.value_or(contact.restitution));
 }
 
-void leave_what_parts(const Problem& p, Iterate& it) {
+void release_parting_contacts(const Problem& p, Iterate& it) {
   if (!has_restitution(*p.model, p.params->contact)) return;
   for (ContactManifold& m : it.manifold) {
     const double least = restitution_between(*p.model, p.params->contact, m.a, m.b) * threshold(*p.params);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See second_order.h.
 #include "sim/solver/second_order.h"
 
 #include <algorithm>
@@ -8,13 +7,18 @@
 #include "sim/joint/expand.h"
 #include "sim/math/so3.h"
 #include "sim/math/symmetric3.h"
-#include "sim/solver/external.h"
 #include "sim/solver/halving.h"
 
 namespace pabd {
 namespace {
 
-bool has_limits(const Joint& joint) { return joint.limits || joint.twist_limits; }
+// `frames()`: of the joint; most have no limits, and need none.
+template <class Frames>
+bool is_past_a_limit(const Joint& joint, const Frames& frames) {
+  if (!joint.limits && !joint.twist_limits) return false;
+  const PlacedFrames at = frames();
+  return is_past_a_limit(joint, at.i, at.j);
+}
 
 // Has the joint no friction, and no key within the step? Times are sums of steps: one that is just before the step may
 // count with it.
@@ -100,8 +104,7 @@ bool is_smooth(const Problem& p, const Island& island, const Iterate& it) {
            if (static_cast<std::size_t>(k) >= p.joints.model.size()) return false;
            const Joint& joint = p.joints[k];
            return is_smooth(p, joint) && (p.start->step > 0 || fits(p, joint)) &&
-                  !(has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, joint.i, *p.start),
-                                                         place(joint.on_j, joint.j, *p.start)));
+                  !is_past_a_limit(joint, [&] { return frames_at_start(joint, p); });
          });
 }
 
@@ -186,8 +189,7 @@ bool ends_broken_in(const Problem& p, const Island& island, const Iterate& it) {
   if (!p.second_order(island.bodies.front())) return false;
   return ends_pushed(p, island, it) || std::any_of(island.joints.begin(), island.joints.end(), [&](Index k) {
            const Joint& joint = p.joints[k];
-           return has_limits(joint) && is_past_a_limit(joint, place(joint.on_i, it.pose[it.slot(joint.i)]),
-                                                       place(joint.on_j, it.pose[it.slot(joint.j)]));
+           return is_past_a_limit(joint, [&] { return frames_of(joint, it); });
          });
 }
 

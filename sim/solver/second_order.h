@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Second order at the price of one solve (Deviation D28). Velocities go by BDF2, and places by the velocities of three
-// times:
+// Second order at the price of one solve (Deviation D28): velocities by BDF2, places by the velocities of three times,
 //
 //   (3v⁺ − 4v + v⁻)/2h = a⁺,   c⁺ = c + h (4v⁺ + v + v⁻)/6
 //
-// That is an Euler step of h′ = 2h/3 from another start. Said as what a step adds to free flight it leaves free flight
+// which is an Euler step of h′ = 2h/3 from another start. In terms of what a step adds to free flight it leaves free flight
 // exact, and needs of the step before only what that one added (StepChange):
 //
 //   c_f = c + h v + h² g/2,   v_f = v + h g,   R_f = R after free rotation by h     its parabola
@@ -12,20 +11,17 @@
 //   v⁺ = v_f + Δ/3 + h′ f/m,   L⁺ = L + Λ/3 + h′ τ                                  f, τ: forces at the end of the step
 //   Δ⁺ = v⁺ − v_f,   Λ⁺ = L⁺ − L
 //
-// BDF2 for places too would remember a turn beside Λ: errors across a slender body that a hinge drives then grow, where
-// (I_max/I_min − 1)(Ω h)² > 0.8. This way they fall while no body that a joint holds by its axis turns by more than
-// 0.4 rad in a step (turns_far); beyond, steps are Euler's.
+// BDF2 for places too would remember a turn beside Λ, and errors across a slender body that a hinge drives would grow where
+// (I_max/I_min − 1)(Ω h)² > 0.8. This way they fall while no body that a joint holds by its axis turns by more than 0.4 rad in a
+// step (turns_far).
 //
-// What no joint holds and no contact pushes ends where its weight and what acts from outside (external.h) bring it
-// (let_fly), in halves too. What is not smooth must not be
-// seen through that memory (a ball that stops would get half its speed back): an island with a contact that pushes, a
-// joint that is past a limit or has friction, a key of a drive or motor within the step, or a hand, makes an implicit
-// Euler step and remembers nothing, and so do halves (halving.h) and a first step whose velocities do not fit the joints. The step after
-// such a one is Euler's as well. A step that ends past a limit or with a contact that pushes is made again in halves;
-// without halves, and without joints, a contact within reach is enough for Euler.
-//
-// Where bodies turn far in a step it may gain energy all the same: a step after which there would be more than when things
-// began to move by themselves is made again in halves, too (gains_in_all() of energy_bound.h).
+// What is not smooth must not be seen through that memory: a ball that stops would get half its speed back. So implicit Euler
+// makes, and nothing is remembered of, islands with a contact that pushes, a joint past a limit or with friction, a key of a
+// drive or motor within the step, bodies that turn far, or a hand; halves; a first step whose velocities do not fit the joints.
+// The step after such a one is Euler's as well. A step that ends past a limit or pushed, or after which there would be more energy
+// than when things began to move by themselves (gains_in_all() of energy_bound.h), is made again in halves; without halves, and
+// without joints, a contact within reach is enough for Euler. What no joint holds and no contact pushes ends where its weight
+// and forces from outside bring it, in halves too (let_fly).
 #pragma once
 
 #include <vector>
@@ -68,7 +64,7 @@ void remember(const Problem& p, const Islands& islands, const SecondOrder& memor
 
 // What the island of body i has gained in energy since nothing breaks in (StepChange); J.
 inline double gained_before(const Problem& p, Index i) {
-  return p.start->change.empty() ? 0 : p.start->change[static_cast<std::size_t>(i)].gained;
+  return p.start->change.empty() ? 0 : p.start->change[i].gained;
 }
 
 }  // namespace pabd

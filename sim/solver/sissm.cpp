@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
 // `sissm`: the supplement's iteration. Global step: every body's affine model is minimised with all others
-// where the last iteration left them (Jacobi). Local step: a rigid pose from it, by one of two projections.
+// where they were after the last iteration (Jacobi). Local step: a rigid pose from it, by one of two projections.
 //
 //   weighted  the exact minimiser of the model over SE(3) (Deviation D1). A bond whose two ends move weighs
 //             1/relaxation times as much. ½ α‖y_a − y_b‖² ≤ α‖y_a − m‖² + α‖y_b − m‖², m the midpoint: with
 //             relaxation ½ the models of all bodies together lie above E, and no iteration raises it. What
-//             does not converge is caught by stiffness_cap.h and energy_bound.h.
+//             does not converge is caught by cap_stiffness() and energy_bound.h.
 //   polar     R = polar(Â), as printed. Damped as a whole: a pose goes the part `relaxation` of its way. Has
 //             another fixed point than the minimum of E, and runs away where bonds are stiff.
-
 #include "sim/solver/sissm.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <limits>
 
+#include "sim/body/mass_properties.h"
+#include "sim/bond/point_bond.h"
+#include "sim/joint/joint_traits.h"
 #include "sim/math/extremes.h"
 #include "sim/solver/weighted_projection.h"
 
@@ -75,7 +78,56 @@ double affine_distance(const Problem& p, const Iterate& it, const SissmMemory& m
   return smallest;
 }
 
+constexpr double kJoints = 0.1, kContacts = 0.5;
+
+// 1/m + ½ tr([r]ᵀ I⁻¹ [r]): what a force at r moves r by, as the mean over the directions across r. 1/kg.
+double compliance(const Model& model, Index body, const Vec3& r) {
+  if (body == kWorld || model.fixed[body]) return 0;
+  const Mat3 inverse = inertia_tensor(model.J[body]).inverse();
+  return 1 / model.mass[body] + 0.5 * (r.squaredNorm() * inverse.trace() - r.dot(inverse * r));
+}
+
+// The largest over the points that the joint may hold. It does not depend on the poses, so a bond has the
+// same stiffness in every step.
+double joint_compliance(const Model& model, const Joint& joint) {
+  const auto at = [&](const Vec3& arm) {
+    return compliance(model, joint.i, joint.on_i.r + joint.on_i.F * arm) +
+           compliance(model, joint.j, joint.on_j.r + joint.on_j.F * arm);
+  };
+  double most = at(Vec3::Zero());
+  if (!has_arms(joint)) return most;
+  for (int k = 0; k < 3; ++k) {
+    for (const double side : {1.0, -1.0}) most = std::max(most, at(side * joint.arm * Vec3::Unit(k)));
+  }
+  return most;
+}
+
+double share(double stiffness, double cap) { return stiffness > cap ? cap / stiffness : 1; }
+
 }  // namespace
+
+int cap_stiffness(Problem& p, Iterate& it) {
+  p.joint_share.assign(p.joints.size(), 1);
+  const SolverParams& solver = p.params->solver;
+  if (!caps_stiffness(solver)) return 0;
+  const double followed = solver.iterations / (p.params->h * p.params->h);
+  int capped = 0;
+  for (std::size_t k = 0; k < p.joints.size(); ++k) {
+    const Joint& joint = p.joints[static_cast<Index>(k)];
+    const double c = joint_compliance(*p.model, joint);
+    if (c > 0) p.joint_share[k] = share(evaluate(joint.law, 0.0).second, kJoints * followed / c);
+    if (p.joint_share[k] < 1) ++capped;
+  }
+  const Barrier& barrier = p.law.barrier;
+  const double unit = area_of_kappa(barrier.kind, barrier.d_hat);
+  const auto inverse_mass = [&](Index i) { return p.movable(i) ? 1 / p.model->mass[i] : 0.0; };
+  for (ContactManifold& manifold : it.manifold) {
+    const double c = inverse_mass(manifold.a) + inverse_mass(manifold.b);
+    manifold.share = share(barrier.kappa / unit, kContacts * followed / c);
+    if (manifold.share < 1) capped += manifold.count;
+  }
+  return capped;
+}
 
 void sissm_iteration(const Problem& p, const Island& island, const Workers& workers, double* before,
                      SissmMemory& memory, Iterate& it) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See sliding_tangent.h.
 #include "sim/solver/sliding_tangent.h"
 
 #include <cmath>

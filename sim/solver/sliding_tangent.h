@@ -36,7 +36,7 @@ struct SlidingTangent {
   };
   std::vector<Point> points;
   std::vector<double> radius;             // of the island's bodies: what a turn moves; m
-  std::vector<Vec6> plain, change, rest;  // the step of fixed bounds, what both together add, what is left
+  std::vector<Vec6> plain, change, rest;  // the step of fixed bounds, what both together add, the residual
   std::vector<std::vector<Vec6>> way, image;  // directions, and what 1 + H⁻¹ U makes of them
 };
 

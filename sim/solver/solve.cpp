@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// See solve.h.
 #include "sim/solver/solve.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "sim/math/extremes.h"
@@ -31,7 +31,7 @@ bool marks_felt(const Problem& p, const Island& island) {
   return island.solver != SolverMethod::sissm && p.params->solver.projection != Projection::weighted;
 }
 
-// An island and what belongs to it while it is solved.
+// An island, what belongs to it while it is solved, and how far its iterations have come.
 struct Task {
   const Problem& p;
   Island island;  // its solver may change
@@ -39,9 +39,16 @@ struct Task {
   SolverMemory& memory;
   NewtonSystem* system;                   // where `newton` takes the island
   std::vector<IterationRecord>* records;  // where they are asked for
-  int since = 0;                          // iteration from which on the island has its solver
+
+  int iterations = 0;      // made
+  int since = 0;           // iteration from which on the island has its solver
+  double first = 0;        // largest move of the first one; d̂
+  double moved = 0;        // of the last one; d̂
+  double residual = 0;     // expected of the next one; d̂
+  bool every_body = true;  // the next sweep relaxes quiet bodies too
 
   bool newton() const { return island.solver == SolverMethod::newton; }
+  bool sweeps() const { return island.solver == SolverMethod::descent; }
 };
 
 // Does friction obey its law at an iterate that no longer moves? Before it may, bodies that can no longer
@@ -67,12 +74,49 @@ void start(const Task& t, Iterate& it) {
   if (t.records) t.records->assign(1, record(t.p, t.island, it));
 }
 
-// Iteration k of the island's solver. Returns the smallest d before the projection of `sissm`.
-double iterate(int k, bool every_body, double tolerance, Task& t, Iterate& it) {
+void record_iteration(const Task& t, double gap_before, const Iterate& it) {
+  IterationRecord r = record(t.p, t.island, it);
+  r.residual = t.moved;
+  if (t.island.solver == SolverMethod::sissm) {
+    r.min_gap_before = gap_before;
+    r.max_penetration_before = larger(0, -gap_before);
+    for (const Index i : t.island.bodies)
+      r.projection_change = larger(r.projection_change, t.memory.sissm.projected[i]);
+  }
+  t.records->push_back(r);
+}
+
+// Below what residual an island may be at its end; d̂. Sweeps begin with moves that are far less than d̂ where the step is
+// short, and so is all their way; what rests falls by h² g and is put back. Of joints nothing is known after the first sweep.
+double tolerance_of(const Task& t) {
+  constexpr double kRounding = 1e-12;
+  constexpr double kOfContacts = 100;  // by default they are solved to a part in 10⁴ of their way
+  const double tolerance = t.p.params->solver.tolerance;
+  if (!t.sweeps() || tolerance == 0) return tolerance;
+  if (!t.island.couplings.empty()) return 0;  // moves are short because it cannot solve them
+  const auto part = [&](double way) { return std::max(tolerance * std::min(1.0, way), kRounding); };
+  if (t.island.jointed) return t.iterations > 1 ? part(t.first) : kRounding;
+  const double h = t.p.params->h, fall = h * h * t.p.params->gravity.norm() / t.p.law.barrier.d_hat;
+  return part(kOfContacts * std::max(t.first, fall));
+}
+
+// The move after those of `before` and t.moved. Where nothing switches, the moves of `newton` shrink quadratically: after two
+// that do, the next is about now³/before². A hundred times that, to be sure. Those of sweeps over joints hardly shrink: what
+// is still to go is their sum, now/(1 − now/before).
+double next_move(const Task& t, double before) {
+  const double now = t.moved;
+  if (t.sweeps() && t.island.jointed) return now < before ? now / (1 - now / before) : now;
+  if (!t.newton() || !t.system->dual || !(now < 0.1 * before)) return now;
+  return std::min(now, 100 * now * (now / before) * (now / before));
+}
+
+// One iteration of the island's solver, after friction bounds and what acts along joints have followed the last one.
+void iterate(Task& t, Iterate& it) {
+  const int k = t.iterations;
   const bool swept = sweeps_limits(t.p, t.island);
   if (k > 0 && !swept) move_friction_limits(t.p, t.island, t.workers, it);
   if (k > 0) actions_settled(t, false, it);
-  double gap_before = 0;
+  double gap_before = 0;  // smallest d before the projection of `sissm`
   switch (t.island.solver) {
     case SolverMethod::sissm:
       sissm_iteration(t.p, t.island, t.workers, t.records ? &gap_before : nullptr, t.memory.sissm, it);
@@ -83,35 +127,26 @@ double iterate(int k, bool every_body, double tolerance, Task& t, Iterate& it) {
       t.since = k;
       [[fallthrough]];
     default:
-      descent_sweep(t.p, t.island, {k == t.since, swept && k > 0, every_body, tolerance}, t.workers,
+      descent_sweep(t.p, t.island, {k == t.since, swept && k > 0, t.every_body, tolerance_of(t)}, t.workers,
                     t.memory.descent, it);
   }
-  return gap_before;
-}
-
-void record_iteration(const Task& t, double residual, double gap_before, const Iterate& it) {
-  IterationRecord r = record(t.p, t.island, it);
-  r.residual = residual;
-  if (t.island.solver == SolverMethod::sissm) {
-    r.min_gap_before = gap_before;
-    r.max_penetration_before = larger(0, -gap_before);
-    for (const Index i : t.island.bodies)
-      r.projection_change = larger(r.projection_change, t.memory.sissm.projected[i]);
-  }
-  t.records->push_back(r);
+  ++t.iterations;
+  const double before = std::exchange(t.moved, largest_moved(t.island, it));
+  t.residual = next_move(t, before);
+  if (k == 0) t.first = t.moved;
+  if (t.records) record_iteration(t, gap_before, it);
 }
 
 // `auto` in a pile. While contacts come and go each iteration of `newton` solves another system, and costs
 // more than a sweep: where it does not halve the moves in every iteration, down to d̂, it has the pile again
 // after some sweeps. Few bodies cost it little more than a sweep does: those it keeps while some step lowers E.
-// `done`: iterations.
-void change_solver(int done, double residual, Task& t, Iterate& it) {
+void change_solver(Task& t, Iterate& it) {
   constexpr int kTrial = 2, kSweeps = 20;
   constexpr std::size_t kFew = 64;  // bodies
   if (!t.system || t.island.jointed || t.p.params->solver.method != SolverMethod::automatic) return;
-  const int n = done - t.since;
+  const int n = t.iterations - t.since;
   const bool few = t.island.bodies.size() < kFew;
-  const bool fails = few ? t.system->stuck : n >= kTrial && residual > std::max(1.0, std::ldexp(16.0, -n));
+  const bool fails = few ? t.system->stuck : n >= kTrial && t.residual > std::max(1.0, std::ldexp(16.0, -n));
   if (t.newton() && fails) {
     finish_newton(t.p, t.island, *t.system, it);
     t.island.solver = SolverMethod::descent;
@@ -121,88 +156,56 @@ void change_solver(int done, double residual, Task& t, Iterate& it) {
   } else {
     return;
   }
-  t.since = done;
+  t.since = t.iterations;
 }
 
-bool sweeps_joints(const Task& t) { return t.island.solver == SolverMethod::descent && t.island.jointed; }
-
-// Below what residual an island may be at its end. Sweeps begin with moves that are far less than d̂ where the step is short,
-// and so is all their way; what rests falls by h² g and is put back. Of joints nothing is known after the first sweep.
-double tolerance_of(const Task& t, int iterations, double first) {
-  constexpr double kRounding = 1e-12;  // d̂
-  constexpr double kOfContacts = 100;  // by default they are solved to a part in 10⁴ of their way
-  const double tolerance = t.p.params->solver.tolerance;
-  if (t.island.solver != SolverMethod::descent || tolerance == 0) return tolerance;
-  if (!t.island.couplings.empty()) return 0;  // moves are short because it cannot solve them
-  const auto part = [&](double way) { return std::max(tolerance * std::min(1.0, way), kRounding); };
-  if (t.island.jointed) return iterations > 1 ? part(first) : kRounding;
-  const double h = t.p.params->h, fall = h * h * t.p.params->gravity.norm() / t.p.law.barrier.d_hat;
-  return part(kOfContacts * std::max(first, fall));
-}
-
-// Where nothing switches, the moves of `newton` shrink quadratically: after two that do, the next is about
-// now³/before². A hundred times that, to be sure. Those of sweeps over joints hardly shrink: what is still to go is their
-// sum, now/(1 − now/before).
-double next_move(const Task& t, double before, double now) {
-  if (sweeps_joints(t)) return now < before ? now / (1 - now / before) : now;
-  if (!t.newton() || !t.system->dual || !(now < 0.1 * before)) return now;
-  return std::min(now, 100 * now * (now / before) * (now / before));
-}
-
-// For the next step: the forces of the joints, and for `auto` whether `newton` handed over.
-void remember_outcome(const Task& t, const IslandReport& out, Iterate& it) {
-  if (out.solver == SolverMethod::newton) tell_forces(t.p, t.island, *t.system, it);
-  if (t.p.params->solver.method != SolverMethod::automatic || t.island.jointed) return;
-  for (const Index k : t.island.manifolds) it.manifold[k].restless = out.solver == SolverMethod::descent;
-}
-
-// After k iterations. Hits need more than what rests: what is near enough not to be made again in halves goes on. Tolerance 0
-// asks for so many and no more, where friction obeys its law.
-bool goes_on(int k, double residual, const Task& t, const Iterate& it) {
-  if (k < t.island.iterations) return true;
-  return k < t.island.most_iterations && residual <= kUnsolved &&
+// May it make more iterations? Hits need more than what rests: what is near enough not to be made again in halves goes on.
+// Tolerance 0 asks for so many and no more, where friction obeys its law.
+bool goes_on(const Task& t, const Iterate& it) {
+  if (t.iterations < t.island.iterations) return true;
+  return t.iterations < t.island.most_iterations && t.residual <= kUnsolved &&
          (t.p.params->solver.tolerance > 0 || largest_friction_error(t.p, t.island, it) > kFrictionTolerance);
 }
 
-// Iterates until the bodies move by less than `tolerance` · d̂ under friction that obeys its law, or the cap.
-void solve(Task t, Iterate& it, IslandReport& out) {
-  start(t, it);
-  bool every_body = true;
-  double moved = 0, first = 0;
-  for (int k = 0; goes_on(k, out.residual, t, it); ++k) {
-    const double gap_before = iterate(k, every_body, tolerance_of(t, k, first), t, it);
-    out.solver = t.island.solver;
-    ++out.iterations;
-    const double before = std::exchange(moved, largest_moved(t.island, it));
-    out.residual = next_move(t, before, moved);
-    if (k == 0) first = moved;
-    if (t.records) record_iteration(t, moved, gap_before, it);
-    if (t.workers.stop.requested()) {
-      out.status = StepStatus::interrupted;
-      return;
-    }
-    if (!std::isfinite(out.residual)) {
-      out.status = StepStatus::non_finite;
-      return;
-    }
-    const auto rests = [&] {
-      return t.island.solver == SolverMethod::descent && any_rests(t.island, t.memory.descent);
-    };
-    if (!(out.residual < tolerance_of(t, out.iterations, first))) {
-      every_body = false;
-    } else if ((!every_body && rests()) || !friction_settled(t, it) || !actions_settled(t, true, it)) {
-      every_body = true;  // once more, to be sure
-    } else {
-      out.status = StepStatus::converged;
-      return;
-    }
-    change_solver(out.iterations, out.residual, t, it);
-    out.solver = t.island.solver;
-  }
-  if (t.newton()) finish_newton(t.p, t.island, *t.system, it);
+// How the solve ends after its last iteration; empty: it does not. It is converged where bodies move by less than the
+// tolerance, no body was skipped in the last sweep unless the one before relaxed all, and both friction and what acts
+// along joints obey their laws. Whatever fails that is settled for the next iteration, and asked again after it.
+std::optional<StepStatus> outcome(Task& t, Iterate& it) {
+  if (t.workers.stop.requested()) return StepStatus::interrupted;
+  if (!std::isfinite(t.residual)) return StepStatus::non_finite;
+  const bool small = t.residual < tolerance_of(t);
+  const bool unsure = !t.every_body && t.sweeps() && any_rests(t.island, t.memory.descent);
+  if (small && !unsure && friction_settled(t, it) && actions_settled(t, true, it))
+    return StepStatus::converged;
+  t.every_body = small;  // once more, to be sure
+  change_solver(t, it);
+  if (!goes_on(t, it)) return StepStatus::iteration_limit;
+  return std::nullopt;
 }
 
-// Largest first, so that no thread is left with a large one at the end.
+// For the next step: the forces of the joints, and for `auto` whether `newton` handed over.
+void remember_outcome(const Task& t, Iterate& it) {
+  if (t.newton()) store_joint_forces(t.p, t.island, *t.system, it);
+  if (t.p.params->solver.method != SolverMethod::automatic || t.island.jointed) return;
+  for (const Index k : t.island.manifolds) it.manifold[k].restless = t.sweeps();
+}
+
+void solve(Task t, Iterate& it, IslandReport& out) {
+  start(t, it);
+  std::optional<StepStatus> status;
+  while (!status) {
+    iterate(t, it);
+    status = outcome(t, it);
+  }
+  if (*status == StepStatus::iteration_limit && t.newton()) finish_newton(t.p, t.island, *t.system, it);
+  remember_outcome(t, it);
+  out.solver = t.island.solver;
+  out.status = *status;
+  out.iterations = t.iterations;
+  out.residual = t.residual;
+}
+
+// Largest first, so that no thread begins a large one at the end.
 void order_by_size(const Islands& islands, std::vector<Index>& order) {
   order.resize(islands.list.size());
   std::iota(order.begin(), order.end(), 0);
@@ -295,7 +298,6 @@ void solve_islands(const Problem& p, const Islands& islands, const Workers& work
                     newton ? memory.newton[k].get() : nullptr,
                     record ? &memory.records[k] : nullptr};
     solve(task, it, out);
-    remember_outcome(task, out, it);
     if (out.status == StepStatus::interrupted) stopped = true;
   };
   std::size_t next = 0;

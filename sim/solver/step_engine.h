@@ -30,18 +30,18 @@ class StepEngine {
 
   // As step() of time_step.h, with its preconditions. It may leave the memory of contacts out of `state`, as long as
   // it has it itself for the next step: complete(). Of options.bodies_stay it may leave out where bodies are and how they
-  // move as well, which are then those of a step before; after one that left the numbers they are lost.
+  // move as well, which are then those of a step before; after one that is not finite they are lost.
   // Throws Error(bad_input), with the remedy, where it does not take the model, the parameters or what is asked of
   // the report, and Error(no_context) when the device is lost; the state is then as it was.
   virtual void step(const Model& model, const Params& params, const StepOptions& options, State& state,
                     StepReport& report) = 0;
 
-  // Puts in what step() left out. Precondition: `state` is as the last step left it, or another that is complete.
+  // Puts in what step() omitted. Precondition: `state` is that of the last step, or another that is complete.
   virtual void complete(State& state) = 0;
 
   // Whether it lets bodies of the model stay, and copy_poses() gives something then.
   virtual bool keeps_bodies(const Model&) const { return false; }
-  // Of bodies as the last step left them. Precondition: keeps_bodies(), and a step was made. Throws as step().
+  // Of bodies after the last step. Precondition: keeps_bodies(), and a step was made. Throws as step().
   virtual std::shared_ptr<const PoseCopy> copy_poses() { return nullptr; }
 
   // The model comes to an end, or another one will be where it is: to be called before.

@@ -32,7 +32,7 @@ struct StepMemory {
   EnergyMemory energy;
   std::vector<EnergyBalance> balance;  // of each island
   std::vector<std::uint8_t> again;     // per body: its island is made again in halves
-  std::vector<Index> told_joints;      // of the others
+  std::vector<Index> reported_joints;  // of the others
   std::unique_ptr<Halves> halves;      // once there were some
 };
 

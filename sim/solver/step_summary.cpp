@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "sim/solver/step_summary.h"
 
-#include "sim/joint/action.h"
-
+#include <Eigen/LU>
 #include <limits>
 
 #include "sim/body/mass_properties.h"
 #include "sim/math/extremes.h"
 #include "sim/math/levels.h"
+#include "sim/solver/couplings.h"
 #include "sim/solver/friction.h"
+#include "sim/solver/joint_set.h"
+#include "sim/solver/sissm.h"
 
 namespace pabd {
 
@@ -85,6 +87,66 @@ PABD_EACH_LEVEL void summarize_contacts(const Problem& p, const Iterate& it, boo
     }
   }
   report.max_penetration = larger(0, -report.min_gap);
+}
+
+namespace {
+
+// Half of each contact's energy for each of its two bodies: the sum over bodies is that of the contacts.
+void share_contacts(const Problem& p, const Iterate& it, std::vector<BodyReport>& out) {
+  for (const ContactManifold& manifold : it.manifold) {
+    const ContactState s = state_of(it, manifold);
+    const Lanes energy = contact_energy(p.law_of(manifold), manifold, s);
+    for (const Index i : {manifold.a, manifold.b})
+      out[i].contact_energy += 0.5 * turn_energy(p.law_of(manifold), manifold, it);
+    for (int k = 0; k < manifold.count; ++k) {
+      if (s.d[k] >= p.law.barrier.d_hat) continue;
+      for (const Index i : {manifold.a, manifold.b}) {
+        ++out[i].contacts;
+        out[i].contact_energy += 0.5 * energy[k];
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void report_bodies(const Problem& p, const Islands& islands, const std::vector<IslandReport>& solved,
+                   const Iterate& it, const SissmMemory& sissm, std::vector<BodyReport>& out) {
+  out.assign(p.model->shape.size(), {});
+  share_contacts(p, it, out);
+  for (const Index i : islands.solved) {
+    BodyReport& body = out[i];
+    body.island = islands.of[i];
+    body.solver = solved[body.island].solver;
+    if (body.solver != SolverMethod::sissm) continue;
+    body.projection_change = sissm.projected[i];
+    body.det_A = sissm.A[i].determinant();
+  }
+}
+
+void report_joints(const Problem& p, const Iterate& it, const std::vector<Vec3>& solved,
+                   std::vector<JointReport>& out) {
+  out.clear();
+  BondList list;
+  for (std::size_t k = 0; k < p.joints.model.size(); ++k) {
+    const auto number = static_cast<Index>(k);
+    const Joint& joint = p.joints[number];
+    const PlacedFrame frame = place(joint.on_i, it.pose[it.slot(joint.i)]);
+    expand_at(p, it, number, list);
+    JointReport report;
+    report.axis = frame.F.col(0);
+    // A solver that knows the force of a joint with one bond knows it better than its stretch does: that is
+    // some rounding steps of a place.
+    const bool known = list.count == 1 && !solved[k].isZero(0);
+    for (int b = 0; b < list.count; ++b) {
+      const PointBond& bond = list.bond[b];
+      const Vec3 force = known ? solved[k] : Vec3(-evaluate(p.law_of(number), bond).gradient);
+      report.force += force;
+      report.moment += (bond.y_b - frame.y).cross(force);
+    }
+    if (const Index n = coupling_of(p, number); n >= 0) report.coupling = coupling_force(p, it, n);
+    out.push_back(report);
+  }
 }
 
 }  // namespace pabd

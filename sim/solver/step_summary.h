@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that a step reports about the state it ends in.
+// What a step reports about the state it ends in: energies and gaps, and on demand each contact, body and joint.
 #pragma once
 
 #include "sim/body/state.h"
@@ -7,6 +7,9 @@
 #include "sim/solver/report.h"
 
 namespace pabd {
+
+struct Islands;
+struct SissmMemory;
 
 // Of body i with rotation R; J.
 double kinetic_energy(const Model& model, Index i, const Mat3& R, const Vec3& v, const Vec3& omega);
@@ -20,5 +23,17 @@ double spring_energy(const Model& model, const State& state);
 
 // elastic, contacts, max_penetration, min_gap, friction_excess and, if asked, contact_reports at the iterate.
 void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports, StepReport& report);
+
+// One report a body of the model, at the end of a step. Every body has its contacts; the island and what solved
+// it (`solved`, one entry an island) are there for bodies of an island, what the projection changed for those
+// that `sissm` solved.
+void report_bodies(const Problem& p, const Islands& islands, const std::vector<IslandReport>& solved,
+                   const Iterate& it, const SissmMemory& sissm, std::vector<BodyReport>& out);
+
+// One report a joint of the model, in order of number: the sums of the forces of its bonds at the iterate,
+// which are those that the step was made with where it converged. `solved`: of each joint what the solver
+// found (State::joint_force); joints with one bond report that. Pulls are none of them.
+void report_joints(const Problem& p, const Iterate& it, const std::vector<Vec3>& solved,
+                   std::vector<JointReport>& out);
 
 }  // namespace pabd

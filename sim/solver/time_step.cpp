@@ -12,27 +12,21 @@
 
 #include "sim/math/extremes.h"
 #include "sim/math/flush_denormals.h"
-#include "sim/solver/body_reports.h"
-#include "sim/solver/coloring.h"
 #include "sim/solver/contact_setup.h"
 #include "sim/solver/couplings.h"
-#include "sim/solver/damping.h"
 #include "sim/solver/energy_bound.h"
-#include "sim/solver/external.h"
 #include "sim/solver/friction.h"
 #include "sim/solver/halving.h"
 #include "sim/solver/joint_actions.h"
-#include "sim/solver/joint_reports.h"
 #include "sim/solver/joint_set.h"
 #include "sim/solver/late_contacts.h"
 #include "sim/solver/momentum.h"
 #include "sim/solver/recovery.h"
 #include "sim/solver/restitution.h"
-#include "sim/solver/runaway.h"
+#include "sim/solver/sissm.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_memory.h"
 #include "sim/solver/step_summary.h"
-#include "sim/solver/stiffness_cap.h"
 
 namespace pabd {
 namespace {
@@ -76,15 +70,12 @@ bool is_feasible(const Problem& p, const Iterate& it) {
 // who solves which island.
 void build(const StepOptions& options, const Workers& workers, StepMemory& m, StepReport& report) {
   Problem& p = m.problem;
-  leave_what_parts(p, m.iterate);
+  release_parting_contacts(p, m.iterate);
   start_recovery(p, m.iterate);
   damp_contacts(p, m.iterate);
   pulls_as_joints(*p.model, options.pulls, m.pulls);
   p.joints = {p.model->joints, m.pulls};
-  if (list_bonds(p, m.iterate, m.graph)) {
-    split_into_islands(p, m.iterate, m.islands);
-    color_bodies(p, m.islands);
-  }
+  if (list_bonds(p, m.iterate, m.graph)) find_islands(p, m.iterate, m.islands);
   if (remembers(p)) predict(p, m.islands, m.iterate, m.flight, m.second_order);
   first_iterate(p, m.iterate);
   report.capped_bonds = cap_stiffness(p, m.iterate);
@@ -103,67 +94,23 @@ void find_motion(const Problem& p, StepMemory& m) {
   if (has_second_order(p.params->solver)) let_fly(p, m.iterate, m.velocities);
 }
 
-// Of a step of second order. False: it is to be judged as any other.
-bool judge_motion(const Problem& p, const Island& island, std::size_t k, const IslandReport& report,
-                  StepMemory& m) {
-  EnergyBalance& energy = m.balance[k];
-  double& gained = m.second_order.gained[k];
-  const double before = gained_before(p, island.bodies.front());
-  gained = before + energy.rise;
-  const bool second_order = p.second_order(island.bodies.front());
-  // Euler's velocities are those of the middle of a step: T is off by about half of what it changes by.
-  if (!second_order && before == 0) gained -= std::abs(energy.sped_up);
-  if (!second_order || is_far_from_solved(report)) return false;
-  const bool gains = gains_in_all(energy, before);
-  if (may_halve(p.params->solver) && gains) {
-    gained = before;  // at most
-    for (const Index i : island.bodies) m.again[i] = 1;
-  } else if (gains) {
-    energy.rise = std::exchange(gained, 0);
-  } else {
-    energy = {};
-  }
-  return true;
-}
-
-// Which islands are to be made again, and what energy the others gained. False where an island is beyond help.
+// Which islands are to be made again. False where one is beyond help.
 bool judge(const Problem& p, const Workers& workers, StepMemory& m, StepReport& report) {
-  const bool halves = may_halve(p.params->solver), bounds = p.params->solver.projection != Projection::polar;
   m.again.assign(p.model->shape.size(), 0);
   m.balance.assign(m.islands.list.size(), {});
-  const bool moves_on = remembers(p);
-  if (moves_on) m.second_order.gained.assign(m.islands.list.size(), 0);
+  if (remembers(p)) m.second_order.gained.assign(m.islands.list.size(), 0);
   for (std::size_t k = 0; k < m.islands.list.size(); ++k) {
-    const Island& island = m.islands.list[k];
-    IslandReport& outcome = report.islands[k];
-    if (outcome.status == StepStatus::non_finite ||
-        ran_away(p, island, m.velocities, m.energy.pose, m.iterate)) {
-      outcome.status = StepStatus::non_finite;
-      if (!halves) return false;
-    } else if (moves_on && halves && ends_broken_in(p, island, m.iterate)) {
-      m.second_order.gained[k] = gained_before(p, island.bodies.front());  // at most
-      for (const Index i : island.bodies) m.again[i] = 1;
-      continue;
-    } else if (bounds) {
-      const bool solved = outcome.status == StepStatus::converged;
-      m.balance[k] = energy_balance(p, island, solved, workers, m.velocities, m.energy, m.iterate);
-      if (moves_on && judge_motion(p, island, k, outcome, m)) continue;
-    }
-    if (outcome.status == StepStatus::iteration_limit && p.friction)
-      outcome.friction_error = largest_friction_error(p, island, m.iterate, 1);
-    // Halves of a crowd end no better: other pairs are left out in each.
-    if (island.crowd && outcome.status != StepStatus::non_finite) continue;
-    if (!halves) continue;
-    const bool reserve = p.is_half && p.params->solver.halvings <= kReserve;
-    if (!(reserve ? is_far_from_solved(outcome) : ends_unsolved(outcome, m.balance[k]))) continue;
-    for (const Index i : island.bodies) m.again[i] = 1;
+    const Verdict verdict = judge_island(p, k, workers, m, report.islands[k]);
+    if (verdict == Verdict::fails) return false;
+    if (verdict == Verdict::stays) continue;
+    for (const Index i : m.islands.list[k].bodies) m.again[i] = 1;
   }
   return true;
 }
 
 bool is_made_again(const Island& island, const StepMemory& m) { return m.again[island.bodies.front()] != 0; }
 
-// What gained energy is slowed down. Worth telling is what more halves would not have taken either.
+// What gained energy is slowed down. Reported is what more halves would not have taken either.
 void bound_energy(const Problem& p, const Workers& workers, StepMemory& m, StepReport& report) {
   constexpr double kRounding = 1e-9;
   bool found_motions = false;
@@ -182,7 +129,7 @@ void bound_energy(const Problem& p, const Workers& workers, StepMemory& m, StepR
 }
 
 // The bonds of islands that are made again are no part of this step.
-void leave_out_again(const Problem& p, StepMemory& m) {
+void drop_bonds_made_again(const Problem& p, StepMemory& m) {
   const auto again = [&](Index i) { return p.movable(i) && m.again[i]; };
   std::erase_if(m.iterate.manifold,
                 [&](const ContactManifold& manifold) { return again(manifold.a) || again(manifold.b); });
@@ -199,7 +146,7 @@ void take_over(const Problem& p, StepMemory& m, State& state) {
     state.c[i] = m.iterate.pose[i].c;
     state.R[i] = m.iterate.pose[i].R;
   }
-  // Not swapped: views of these arrays go on.
+  // copy, not swap: callers hold views of these arrays
   std::copy(m.velocities.v.begin(), m.velocities.v.end(), state.v.begin());
   std::copy(m.velocities.omega.begin(), m.velocities.omega.end(), state.omega.begin());
   store_friction(p, m.iterate, state.contacts);
@@ -211,13 +158,13 @@ void take_over(const Problem& p, StepMemory& m, State& state) {
 
 // The work of drives, belts and what acts from outside on what is not made again. Precondition: the state is still that of the start.
 void count_work(const Problem& p, StepMemory& m, StepReport& report) {
-  m.told_joints.clear();
+  m.reported_joints.clear();
   for (std::size_t k = 0; k < p.joints.size(); ++k) {
     const auto [i, j] = p.joint_ends[k];
     const Index moving = p.movable(i) ? i : j;
-    if (!p.movable(moving) || !m.again[moving]) m.told_joints.push_back(static_cast<Index>(k));
+    if (!p.movable(moving) || !m.again[moving]) m.reported_joints.push_back(static_cast<Index>(k));
   }
-  report.drive_work = drive_work(p, m.iterate, m.told_joints) + surface_work(p, m.iterate);
+  report.drive_work = drive_work(p, m.iterate, m.reported_joints) + surface_work(p, m.iterate);
   for (Index i = 0; i < p.model->size(); ++i)
     if (p.movable(i) && !m.again[i]) report.drive_work += external_work(p, i, m.iterate.pose[i]);
 }
@@ -226,7 +173,7 @@ void count_work(const Problem& p, StepMemory& m, StepReport& report) {
 void summarize(const Problem& p, StepMemory& m, const StepOptions& options, const State& end,
                StepReport& report) {
   summarize_contacts(p, m.iterate, options.report_contacts, report);
-  for (const Index k : m.told_joints) {
+  for (const Index k : m.reported_joints) {
     report.elastic += energy_of_joint(p, m.iterate, k) + spring_energy(p, m.iterate, k);
     report.max_joint_error = larger(report.max_joint_error, joint_error(p, m.iterate, k));
   }
@@ -332,7 +279,7 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
   for (const Island& island : m.islands.list) {  // 6. impacts that bounce
     if (!is_made_again(island, m)) bounce(p, island, m.velocities, m.iterate);
   }
-  if (halved) leave_out_again(p, m);
+  if (halved) drop_bonds_made_again(p, m);
   count_work(p, m, report);
   take_over(p, m, state);
   summarize(p, m, options, state, report);
@@ -375,17 +322,8 @@ void step(const Model& model, const Params& params, const StepOptions& options, 
 }
 
 const char* to_string(StepStatus status) {
-  switch (status) {
-    case StepStatus::converged:
-      return "converged";
-    case StepStatus::iteration_limit:
-      return "iteration_limit";
-    case StepStatus::non_finite:
-      return "non_finite";
-    case StepStatus::interrupted:
-      return "interrupted";
-  }
-  return "?";
+  static constexpr const char* kWords[] = {"converged", "iteration_limit", "non_finite", "interrupted"};
+  return kWords[static_cast<std::size_t>(status)];
 }
 
 StepWorkspace::StepWorkspace() : memory_(std::make_unique<StepMemory>()) {}

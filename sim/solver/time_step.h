@@ -57,7 +57,7 @@ class StepWorkspace {
 
 // Advances `state` by params.h. Precondition: check_params(params) is empty, state.size() == model.size(),
 // options.pulls are of bodies of the model.
-// Never throws for physics: a step that leaves the numbers reports StepStatus::non_finite, one that was
+// Never throws for physics: a step with a result that is not finite reports StepStatus::non_finite, one that was
 // stopped StepStatus::interrupted, and both keep the state of their start. `report` is overwritten; its
 // vectors are reused.
 void step(const Model& model, const Params& params, const StepOptions& options, State& state,

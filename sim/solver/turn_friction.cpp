@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// See turn_friction.h.
 #include "sim/solver/turn_friction.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "sim/math/extremes.h"
 #include "sim/solver/friction.h"
@@ -18,10 +16,7 @@ bool against_turns(const SurfaceFriction& friction) { return friction.torsional 
 
 // What turns it in units of length: the smaller one of the two that move; m.
 double arm_of(const Problem& p, const ContactManifold& manifold) {
-  double arm = std::numeric_limits<double>::infinity();
-  for (const Index i : {manifold.a, manifold.b})
-    if (p.movable(i)) arm = std::min(arm, p.flight->radius[i]);
-  return arm;
+  return p.least_of(manifold.a, manifold.b, [&](Index i) { return p.flight->radius[i]; });
 }
 
 // Mean of its normals; world.
@@ -48,7 +43,7 @@ const ContactMemory* remembered(const Problem& p, std::uint64_t pair) {
   return last.pair == pair && last.feature == kTurnFeature ? &last : nullptr;
 }
 
-Vec3 left_of_last_step(const Problem& p, const ContactManifold& manifold) {
+Vec3 stretch_of_last_step(const Problem& p, const ContactManifold& manifold) {
   const ContactMemory* memory = remembered(p, pair_key(manifold.a, manifold.b));
   return memory ? Vec3(frame_of(manifold, p.start->R[manifold.a]) * memory->stretch) : Vec3(Vec3::Zero());
 }
@@ -74,7 +69,7 @@ void find_turn_friction(Problem& p, Iterate& it) {
     turn.a = a;
     turn.b = b;
     turn.n = normal_of(manifold, p.flight->star[a]);
-    turn.before = turns[b] - turns[a] + left_of_last_step(p, manifold);
+    turn.before = turns[b] - turns[a] + stretch_of_last_step(p, manifold);
     const double arm = arm_of(p, manifold);
     turn.arm2 = arm * arm;
     turn.length[0] = mu.torsional;
@@ -86,7 +81,7 @@ void find_turn_friction(Problem& p, Iterate& it) {
 double turn_energy_at_start(const Problem& p, const ContactLaw& law, const ContactManifold& manifold,
                             const Iterate& it) {
   const TurnFriction* turn = turn_friction_of(manifold, it);
-  return turn ? turn_energy(law, *turn, about_normal(*turn, left_of_last_step(p, manifold))) : 0;
+  return turn ? turn_energy(law, *turn, about_normal(*turn, stretch_of_last_step(p, manifold))) : 0;
 }
 
 TurnOnBody turn_on_body(const ContactLaw& law, const ContactManifold& manifold, double side,
@@ -136,10 +131,10 @@ void store_turn_friction(const Problem& p, const ContactManifold& manifold, cons
   const ContactLaw law = turning(p.law_of(manifold), *turn);
   const Vec3x u = stretch_of_turn(*turn, it.rolls());
   const Lanes kept = friction_weight(law, turn->limit, length(u)) / law.k_t;  // 1 while it sticks
-  const Vec3 left = kept[0] * lane(u, 0) + kept[1] * lane(u, 1);
-  if (left.squaredNorm() == 0) return;
+  const Vec3 kept_stretch = kept[0] * lane(u, 0) + kept[1] * lane(u, 1);
+  if (kept_stretch.squaredNorm() == 0) return;
   const std::uint64_t pair = pair_key(manifold.a, manifold.b);
-  const Vec3 stretch = frame_of(manifold, it.pose[manifold.a].R).transpose() * left;
+  const Vec3 stretch = frame_of(manifold, it.pose[manifold.a].R).transpose() * kept_stretch;
   if (!contacts.empty() && contacts.back().pair == pair && contacts.back().feature == kTurnFeature)
     contacts.pop_back();  // of several manifolds the last is as good as any: they see the same turn
   contacts.push_back({pair, kTurnFeature, stretch});

@@ -10,14 +10,14 @@ namespace pabd {
 // Does anything have it?
 bool has_turn_friction(const Model& model, const ContactParams& contact);
 
-// Fills it.turning for the manifolds, with the stretch that the last step left. Marks their bodies in p.rolls.
+// Fills it.turning for the manifolds, with the stretch of the last step. Marks their bodies in p.rolls.
 void find_turn_friction(Problem& p, Iterate& it);
 
 inline TurnFriction* turn_friction_of(const ContactManifold& manifold, Iterate& it) {
-  return manifold.turning < 0 ? nullptr : &it.turning[static_cast<std::size_t>(manifold.turning)];
+  return manifold.turning < 0 ? nullptr : &it.turning[manifold.turning];
 }
 inline const TurnFriction* turn_friction_of(const ContactManifold& manifold, const Iterate& it) {
-  return manifold.turning < 0 ? nullptr : &it.turning[static_cast<std::size_t>(manifold.turning)];
+  return manifold.turning < 0 ? nullptr : &it.turning[manifold.turning];
 }
 
 // Largest torques under the normal forces of `f`, lane by lane.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// See velocities.h.
 #include "sim/solver/velocities.h"
 
 #include "sim/body/mass_properties.h"

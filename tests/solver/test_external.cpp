@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forces and torques from outside, against closed forms (sim/solver/external.h).
+// Forces and torques from outside, against closed forms (sim/solver/free_flight.h).
 #include <catch2/catch.hpp>
 #include <cmath>
 
