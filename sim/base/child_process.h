@@ -16,8 +16,7 @@
 
 namespace pabd {
 
-// Ctrl-C in a terminal reaches this program only. When the child has ended, or is ended, all that it started
-// ends too.
+// Ctrl-C in a terminal does not reach it. When it ends, or is ended, all that it started ends too.
 class ChildProcess {
  public:
   ChildProcess() = default;

@@ -26,9 +26,8 @@ enum class ErrorKind {
   defect,         // of the program: a precondition does not hold
 };
 
-// what(): one line, "source: message", with the place (file, JSON pointer or line), what was expected, and
-// the remedy. Text of inputs in it is escaped here, for every message alike: wherever it is shown, it does
-// nothing but be read. Who decides asks kind() and source(); nobody searches the text.
+// what(): one line, "source: message", with the place (file, JSON pointer or line), what was expected, and the remedy. Text of
+// inputs in it is escaped here, so that it is safe to show anywhere. Callers decide by kind() and source(), never by the text.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(one_line(message)), kind_(kind) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must not outlive the program: temporary files and the programs that it started. Objects register them;
-// whoever has to leave without running destructors, such as a signal's handler, removes them.
+// Temporary files and child processes, registered so that code which leaves without running destructors, such as a signal
+// handler, can remove them.
 #pragma once
 
 #include <sys/types.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joints of the supplement's section 2: what joins two bodies, or a body and the world, as plain constant
-// data. What a type is, its equations and its words, is in a file of its own (sim/joint/joint_traits.h).
+// Joints of the supplement's section 2 between two bodies, or a body and the world, as constant data. Each type has a file of its
+// own with its equations and words (sim/joint/joint_traits.h).
 //
 // Frames: column 0 of F is the joint's axis n, columns 1 and 2 complete it to a right-handed frame. A
 // second axis is column 1, on j. At the start pose the two frames coincide. Angle φ: right-hand rule about n,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What there is to know of each kind of shape, once: a row of functions and words. One file a kind (box.cpp,
-// capsule.cpp, …) and one line of the table in shape_kind.cpp. Scene files, messages, generators, collision,
-// drawing, inspector and body maker ask the row.
+// Each kind of shape is a row of functions and words, in a file of its own (box.cpp, capsule.cpp, …) with one line of the table in
+// shape_kind.cpp. Scene files, messages, generators, collision, drawing, inspector and body maker ask the row.
 #pragma once
 
 #include <array>

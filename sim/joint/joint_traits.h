@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a type of joint is, beside the numbers of one joint: its equations, what it leaves free and how that is
-// measured, what a scene file says of it. Readers, writers, pictures, reports and the window ask here and know
-// no type by name. Each type is described in the file that has its equations.
+// A type of joint: its equations, what it leaves free and how that is measured, and what a scene file says of it, in one file a
+// type. Readers, writers, pictures, reports and the window ask here and know no type by name.
 #pragma once
 
 #include <span>

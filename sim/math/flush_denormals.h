@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Floating point as a step wants it, while an object of this class lives: denormal numbers are zero, both as
-// operands and as results, rounding is to nearest and nothing traps. What the thread had before comes back
-// afterwards.
+// While an object of this class lives, denormal numbers are zero, as operands and as results, rounding is to nearest and nothing
+// traps. The settings of the thread come back afterwards.
 //
-// Numbers below 2e-308 mean nothing here, but a processor handles each of them in microcode: a chain that
-// swings in a plane, where one coordinate of everything decays to nothing, takes three times as long with
-// them. Part of determinism: the result of a step must not depend on what its caller or its threads were set
-// to.
+// Processors handle each number below 2e-308 in microcode: a chain that swings in a plane, where one coordinate decays to
+// nothing, takes three times as long with them. And results must not depend on the settings of callers or threads.
 #pragma once
 
 #include <cstdint>

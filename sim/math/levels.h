@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PABD_EACH_LEVEL before a function: it is compiled for AVX2 and AVX-512, too, and the loader takes what the processor
-// has. For functions in which lanes of numbers are the work, in programs that run anywhere (all but PABD_NATIVE=ON).
+// A function with PABD_EACH_LEVEL is compiled for AVX2 and AVX-512 as well, and the loader takes what the processor has (not with
+// PABD_NATIVE=ON). For functions whose work is lanes of numbers.
 //
 // Each level gives the same bits: lanes are added and multiplied one by one wherever they lie, nothing is fused, and
 // what Eigen does is as without AVX at each. Whatever such a function calls is inlined: a lane that is handed over by

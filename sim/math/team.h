@@ -5,9 +5,8 @@
 //
 // Members work with denormals flushed (flush_denormals.h); the caller keeps its own setting.
 //
-// The caller works too and waits for no one who has not begun: on a machine with other work a loop takes no
-// longer than alone. Idle members spin for some microseconds, then sleep. (OpenMP's wait for the slowest
-// thread, spinning: measured 3 to 9 times slower with two threads than with one on a busy machine.)
+// The caller works too and never waits for a thread that has not begun, so that a loop on a busy machine takes no longer than
+// alone (with OpenMP 3 to 9 times as long). Idle members spin for some microseconds, then sleep.
 #pragma once
 
 #include <algorithm>

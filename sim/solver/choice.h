@@ -11,9 +11,9 @@ namespace pabd {
 // One system an island, kept from step to step (newton.h).
 using NewtonSystems = std::vector<std::unique_ptr<NewtonSystem>>;
 
-// Sets Island::solver, crowd and iterations. `auto` gives `newton` the islands in which a joint couples bodies, and piles that cost
-// little to factorise; `descent` the others. An island whose factorisation would cost far too much goes to
-// `descent` whatever was asked for. A large crowd gets few iterations.
+// Sets Island::solver, crowd and iterations. `auto` gives `newton` islands in which a joint couples bodies, and piles that cost
+// little to factorise; `descent` gets the others, and whatever would cost far too much to factorise. Large crowds get few
+// iterations.
 void choose_solvers(const Problem& p, const Iterate& it, Islands& islands, NewtonSystems& systems);
 
 }  // namespace pabd

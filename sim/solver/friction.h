@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Friction from step to step and from iterate to iterate: what contacts remember (Deviation D6), bounds and
-// who slides (Deviation D12).
+// Friction from step to step and from iterate to iterate: memory of contacts (Deviation D6), bounds and sliding (Deviation D12).
 //
 //   start of a step    bounds are μ f_n where the step starts: they lag by a step
 //   each iteration     bounds go towards μ f_n of the iterate; those of `newton` are unknowns of its iterations
@@ -64,7 +63,7 @@ void approach_friction_limits(const Problem& p, const Island& island, Iterate& i
 double largest_friction_error(const Problem& p, const Island& island, const Iterate& it,
                               double least_load = kLeastLoad);
 
-// Does `newton` still hold a sliding contact back (see ease_slip)?
+// Is a sliding contact still held back by its weight (`newton`, see ease_slip)?
 bool holds_back(const Problem& p, const Island& island, const Iterate& it);
 
 // Lets every pair of bodies slide whose static friction is used up to the last contact. True if one did that

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies hang together through contacts and joints.
+// Bodies that hang together through contacts and joints.
 #pragma once
 
 #include "sim/math/extremes.h"
@@ -22,7 +22,7 @@ struct Island {
   std::span<const Index> colored, first_of_color;
 };
 
-// Of its bodies in the last iteration, as far as Iterate::moved; d̂.
+// Largest Iterate::moved of its bodies; d̂.
 inline double largest_moved(const Island& island, const Iterate& it) {
   double moved = 0;
   for (const Index i : island.bodies) moved = larger(moved, it.moved[i]);

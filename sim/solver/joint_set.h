@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The joints of a step, those of the model and the pulls: energies, and derivatives for the solvers.
+// The joints of a step, those of the model and the pulls: energies and derivatives.
 #pragma once
 
 #include "sim/joint/expand.h"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of parameters: one row says everything about one of them. The scene reader and writer, --set,
-// checks, manifolds, sliders, captions, the JSON Schema and the reference in assets/README.md are read off
-// it. A new parameter is a member of a struct in params.h and a row in parameter_table.cpp.
-//
-// What is read off the table takes it as an argument, so that another table can be given.
+// The table of parameters: a new one is a member of a struct in params.h and a row in parameter_table.cpp. The scene reader and
+// writer, --set, checks, manifolds, sliders, captions, the JSON Schema and the reference in assets/README.md read the row.
 #pragma once
 
 #include <limits>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything a person tunes while a simulation runs. It may change between any two steps without rebuilding
-// the model. What each one means, its unit and its range: parameter_table.cpp, which has a row for each.
+// Everything that may change between any two steps. parameter_table.cpp has a row for each: meaning, unit, range.
 #pragma once
 
 #include <optional>
@@ -22,8 +21,8 @@ enum class SolverMethod : std::uint8_t { sissm, descent, newton, automatic };
 //             descent only
 enum class Projection : std::uint8_t { automatic, polar, weighted, tangent };
 
-// Who makes the steps (step_engine.h), where a program can choose. step() of time_step.h is the processor's and does not
-// look at it. automatic: a GPU for scenes that it takes and that are large enough for it, else the processor.
+// Who makes the steps (step_engine.h), where a program can choose; step() of time_step.h ignores it. automatic: a GPU for scenes
+// that it takes and that are large enough for it, else the processor.
 enum class SolverDevice : std::uint8_t { cpu, gpu, automatic };
 
 // euler: implicit Euler, the paper's. bdf2: of second order where motion is smooth (second_order.h).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one time step reports. Plain data: written to CSV, plotted, drawn.
+// What one time step reports.
 #pragma once
 
 #include <vector>

@@ -9,7 +9,7 @@
 
 namespace pabd {
 
-// Memory of the solvers, kept from step to step. Nothing in it influences a result.
+// Memory of the solvers, reused from step to step; it does not influence results.
 struct SolverMemory {
   NewtonSystems newton;
   DescentMemory descent;
@@ -18,9 +18,9 @@ struct SolverMemory {
   std::vector<std::vector<IterationRecord>> records;  // of each island, where they are asked for
 };
 
-// Moves the poses of all islands to the minimum of E, or as far as their iterations go. Fills report.islands,
-// and from them status, iterations and residual of the step; with `record` also the records of every
-// iteration. The same bits for every number of threads.
+// Moves the poses of all islands to the minimum of E, or as far as their iterations go. Fills report.islands and status,
+// iterations and residual of the step; with `record` also the records of every iteration. The same bits for every number of
+// threads.
 void solve_islands(const Problem& p, const Islands& islands, const Workers& workers, bool record,
                    SolverMemory& memory, Iterate& it, StepReport& report);
 

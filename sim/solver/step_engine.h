@@ -9,42 +9,42 @@
 
 namespace pabd {
 
-// Where bodies were after a step, kept by the device that made it: who knows that device draws from it, as long as it
-// likes, in any thread.
+// Where bodies were after a step, in memory of the device that made it. A renderer that knows the device draws from it, in any
+// thread.
 class PoseCopy {
  public:
   virtual ~PoseCopy() = default;
 };
 
-// What it makes differs from what step() makes by its rounding, and by no more than the tolerance of a solve. One
-// thread at a time may call it, not always the same.
+// Its steps differ from those of step() by rounding and by no more than the tolerance of a solve. To be called by one thread at
+// a time.
 class StepEngine {
  public:
   virtual ~StepEngine() = default;
 
   virtual std::string name() const = 0;  // of the device, as its driver says it
 
-  // What the first step would begin with, such as compiling for the model. Throws as step().
+  // Does what the first step would have to do, such as compiling for the model. Throws as step().
   virtual void prepare(const Model& model, const Params& params, const StepOptions& options,
                        const State& state) = 0;
 
-  // As step() of time_step.h, with its preconditions. It may leave the memory of contacts out of `state`, as long as
-  // it has it itself for the next step: complete(). Of options.bodies_stay it may leave out where bodies are and how they
-  // move as well, which are then those of a step before; after one that is not finite they are lost.
+  // As step() of time_step.h, with its preconditions, but the memory of contacts may stay with the device until complete(). With
+  // options.bodies_stay so may poses and velocities: those in `state` are then of an earlier step. After a step that is not
+  // finite they are lost.
   // Throws Error(bad_input), with the remedy, where it does not take the model, the parameters or what is asked of
   // the report, and Error(no_context) when the device is lost; the state is then as it was.
   virtual void step(const Model& model, const Params& params, const StepOptions& options, State& state,
                     StepReport& report) = 0;
 
-  // Puts in what step() omitted. Precondition: `state` is that of the last step, or another that is complete.
+  // Fills in what step() omitted. Precondition: `state` is that of the last step, or complete.
   virtual void complete(State& state) = 0;
 
-  // Whether it lets bodies of the model stay, and copy_poses() gives something then.
+  // Does it keep bodies of the model (options.bodies_stay), so that copy_poses() is not null?
   virtual bool keeps_bodies(const Model&) const { return false; }
   // Of bodies after the last step. Precondition: keeps_bodies(), and a step was made. Throws as step().
   virtual std::shared_ptr<const PoseCopy> copy_poses() { return nullptr; }
 
-  // The model comes to an end, or another one will be where it is: to be called before.
+  // To be called before the model is destroyed or replaced in place.
   virtual void forget() = 0;
 };
 

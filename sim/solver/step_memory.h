@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The memory of a step, which the next one reuses: a warm step allocates nothing. Nothing here influences a
-// result from one step to the next.
+// Memory that steps reuse, so that a warm step allocates nothing; it does not influence results.
 #pragma once
 
 #include <memory>

@@ -7,8 +7,8 @@
 
 namespace pabd {
 
-// What a thread takes at a time, some microseconds of work: bodies or contacts of a simple loop, and bodies
-// of a sweep. A colour of a pile of a thousand has a hundred bodies, and is worth sharing.
+// What a thread takes at a time, some microseconds of work: bodies or contacts of a simple loop, bodies of a sweep (a colour of
+// a pile of a thousand has a hundred).
 inline constexpr std::size_t kBlock = 64, kSweepBlock = 8;
 
 struct Workers {
