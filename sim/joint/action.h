@@ -67,20 +67,18 @@ struct SmallMotion {
 // one, and what they go beside it over h′.
 struct Coasting {
   double h;  // h′; s
-  PlacedFrame fi, fj;
+  PlacedFrames at;
   SmallMotion i, j;
 };
 
 // How far an angle, offset or length goes by small motions of its bodies, to first order; and how fast with moves (δc, δω)
 // of i and of j, which have their centres there.
-double way_of_motion(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,
-                     const SmallMotion& j);
-std::pair<Vec6, Vec6> gradient_of_way(JointMeasure::Of of, const PlacedFrame& fi, const PlacedFrame& fj,
-                                      const Vec3& c_i, const Vec3& c_j);
+double way_of_motion(JointMeasure::Of of, const PlacedFrames& at, const SmallMotion& i, const SmallMotion& j);
+std::pair<Vec6, Vec6> gradient_of_way(JointMeasure::Of of, const PlacedFrames& at, const Vec3& c_i,
+                                      const Vec3& c_j);
 
 // From `start` to where the frames stand. An angle is known up to whole turns: the one nearest to `expected`.
-double way_from(const JointMeasure& measure, double start, double expected, const PlacedFrame& fi,
-                const PlacedFrame& fj);
+double way_from(const JointMeasure& measure, double start, double expected, const PlacedFrames& at);
 
 // A step of length h that ends at `time`.
 struct ActionStart {
@@ -92,30 +90,26 @@ struct ActionStart {
 };
 // When it begins, with the frames where they stand. Precondition: the joint has an action, of which its type allows all
 // (may_be_damped, moved_measure).
-ActionStep start_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj,
-                        const ActionStart& start);
+ActionStep start_action(const Joint& joint, const PlacedFrames& at, const ActionStart& start);
 
 // Adds the bonds that W makes at the place of the frames. Their gradients are exact; their weights together are W''
 // along the way, and nothing for moves along which W stays.
-void add_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi, const PlacedFrame& fj,
-                BondList& out);
+void add_action(const Joint& joint, const ActionStep& action, const PlacedFrames& at, BondList& out);
 
 // Energy of its spring with the frames there; J.
-double spring_energy(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj);
+double spring_energy(const Joint& joint, const PlacedFrames& at);
 
 // Work of the force that W gives there on the way to there, but for that of the spring, which keeps it, and for what follows
 // the speed in a step of second order with its force at the mean speed, Δ/h; J.
-double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrame& fi,
-                      const PlacedFrame& fj);
+double work_of_action(const Joint& joint, const ActionStep& action, const PlacedFrames& at);
 
 // Fills action.ahead: the bodies are about to move so.
-void foresee_way(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, const SmallMotion& i,
-                 const SmallMotion& j, ActionStep& action);
+void foresee_way(const Joint& joint, const PlacedFrames& at, const SmallMotion& i, const SmallMotion& j,
+                 ActionStep& action);
 
 // Do its holds stand as they should where it was foreseen to go, or else there? Changes those that do not; false if any
 // did. `doubt`: by how much the place of j may still be off, so that what is no further from the corner is left as it
 // is; m. Nothing that was foreseen is in doubt.
-bool settle_action(const Joint& joint, const PlacedFrame& fi, const PlacedFrame& fj, double doubt,
-                   ActionStep& action);
+bool settle_action(const Joint& joint, const PlacedFrames& at, double doubt, ActionStep& action);
 
 }  // namespace pabd

@@ -59,6 +59,9 @@ template <class PoseOf>
 PlacedFrames place(const Joint& joint, const PoseOf& pose) {
   return {place(joint.on_i, pose(joint.i)), place(joint.on_j, pose(joint.j))};
 }
+inline PlacedFrames place(const Joint& joint, const State& state) {
+  return {place(joint.on_i, joint.i, state), place(joint.on_j, joint.j, state)};
+}
 
 // Where an angle is drawn, about the anchor of i: the directions of 0 and of +90°.
 struct AnglePlane {

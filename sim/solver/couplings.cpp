@@ -30,7 +30,7 @@ double coming(const Problem& p, const Joint& joint, const JointMeasure& measure)
     return SmallMotion{c, p.params->h * p.start->v[i], p.flight->turn[i]};
   };
   const PlacedFrames f = frames_at_start(joint, p);
-  return way_of_motion(measure.of, f.i, f.j, motion(joint.i), motion(joint.j));
+  return way_of_motion(measure.of, f, motion(joint.i), motion(joint.j));
 }
 
 double value_at_start(const Problem& p, const Joint& joint, const JointMeasure& measure) {
@@ -56,7 +56,8 @@ const JointMeasure* leading_measure(const Joint& follower, const Joint& leader) 
 double coupling_error(const Model& model, const State& state, const Joint& follower) {
   const Coordinates x = coordinates_of(model.joints, follower);
   const auto value = [&](const Joint& joint, const JointMeasure& measure) {
-    return measure.value(place(joint.on_i, joint.i, state), place(joint.on_j, joint.j, state));
+    const PlacedFrames f = place(joint, state);
+    return measure.value(f.i, f.j);
   };
   const JointCoupling& coupling = *follower.follows;
   const double error =
@@ -94,8 +95,8 @@ double coupling_error(const Problem& p, const Iterate& it, Index n) {
   const CouplingStep& step = it.coupling[n];
   const Coordinates x = coordinates_of(p, step);
   const PlacedFrames f = frames_of(x.follower, it), l = frames_of(x.leader, it);
-  return step.error + way_from(x.of_follower, step.start, step.coming, f.i, f.j) -
-         x.follower.follows->ratio * way_from(x.of_leader, step.start_leader, step.coming_leader, l.i, l.j);
+  return step.error + way_from(x.of_follower, step.start, step.coming, f) -
+         x.follower.follows->ratio * way_from(x.of_leader, step.start_leader, step.coming_leader, l);
 }
 
 double coupling_energy(const Problem& p, const Iterate& it, Index n) {
@@ -125,7 +126,7 @@ LinearCoupling linearize_coupling(const Problem& p, const Iterate& it, Index n) 
   const auto add_joint = [&](const Joint& joint, const JointMeasure& measure, double share) {
     const PlacedFrames f = frames_of(joint, it);
     const auto [of_i, of_j] =
-        gradient_of_way(measure.of, f.i, f.j, it.pose[it.slot(joint.i)].c, it.pose[it.slot(joint.j)].c);
+        gradient_of_way(measure.of, f, it.pose[it.slot(joint.i)].c, it.pose[it.slot(joint.j)].c);
     add(joint.i, share * of_i);
     add(joint.j, share * of_j);
   };

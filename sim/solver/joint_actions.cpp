@@ -28,7 +28,7 @@ std::optional<Coasting> coasting(const Problem& p, const Joint& joint) {
     return SmallMotion{p.flight->star[k].c, h * p.flight->v[k], h * p.flight->omega[k]};
   };
   const PlacedFrames at = place(joint, pose);
-  return Coasting{h, at.i, at.j, motion(joint.i), motion(joint.j)};
+  return Coasting{h, at, motion(joint.i), motion(joint.j)};
 }
 
 SmallMotion in_step(const Iterate& it, const Island& island, const std::vector<Vec6>& step, Index body) {
@@ -93,7 +93,7 @@ void start_actions(Problem& p, Iterate& it) {
     const PlacedFrames at = frames_at_start(joint, p);
     p.action_at[k] = static_cast<Index>(it.action.size());
     it.action.push_back(
-        start_action(joint, at.i, at.j,
+        start_action(joint, at,
                      {p.params->h, p.time, in_flight(p, joint.i), in_flight(p, joint.j), hold_stiffness(p, k),
                       turning_inertia(p, k, at.j.F.col(0)), coasting(p, joint)}));
   }
@@ -101,8 +101,7 @@ void start_actions(Problem& p, Iterate& it) {
 
 void foresee_actions(const Problem& p, const Island& island, const std::vector<Vec6>& step, Iterate& it) {
   each_action(p, island, it, [&](const Joint& joint, const PlacedFrames& at, ActionStep& action) {
-    foresee_way(joint, at.i, at.j, in_step(it, island, step, joint.i), in_step(it, island, step, joint.j),
-                action);
+    foresee_way(joint, at, in_step(it, island, step, joint.i), in_step(it, island, step, joint.j), action);
   });
 }
 
@@ -112,7 +111,7 @@ bool switch_actions(const Problem& p, const Island& island, bool converged, Iter
     if (island.solver != SolverMethod::newton) action.ahead.reset();
     const double doubt =
         converged ? 0 : kLeftOver * std::max(last_move(p, it, joint.i), last_move(p, it, joint.j));
-    settled = settle_action(joint, at.i, at.j, doubt, action) && settled;
+    settled = settle_action(joint, at, doubt, action) && settled;
   });
   return !settled;
 }
@@ -121,14 +120,14 @@ double spring_energy(const Problem& p, const Iterate& it, Index k) {
   const Joint& joint = p.joints[k];
   if (!joint.action) return 0;
   const PlacedFrames at = frames_of(joint, it);
-  return spring_energy(joint, at.i, at.j);
+  return spring_energy(joint, at);
 }
 
 double action_work(const Problem& p, const Iterate& it, Index k) {
   const Index place = place_of(p, k);
   if (place < 0) return 0;
   const PlacedFrames at = frames_of(p.joints[k], it);
-  return work_of_action(p.joints[k], it.action[place], at.i, at.j);
+  return work_of_action(p.joints[k], it.action[place], at);
 }
 
 }  // namespace pabd

@@ -35,8 +35,7 @@ void expand_at(const Problem& p, const Iterate& it, Index k, Index moved, const 
   };
   expand(joint, pose(joint.i), pose(joint.j), time, out);
   if (!acts || p.action_at.empty() || p.action_at[k] < 0) return;
-  add_action(joint, it.action[p.action_at[k]], place(joint.on_i, pose(joint.i)),
-             place(joint.on_j, pose(joint.j)), out);
+  add_action(joint, it.action[p.action_at[k]], place(joint, pose), out);
 }
 
 double energy_of(const BondLaw& law, const BondList& list) {

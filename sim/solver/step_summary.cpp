@@ -36,8 +36,7 @@ double potential_energy(const Model& model, const Params& params, const State& s
 double spring_energy(const Model& model, const State& state) {
   double energy = 0;
   for (const Joint& joint : model.joints) {
-    if (!joint.action) continue;
-    energy += spring_energy(joint, place(joint.on_i, joint.i, state), place(joint.on_j, joint.j, state));
+    if (joint.action) energy += spring_energy(joint, place(joint, state));
   }
   return energy;
 }

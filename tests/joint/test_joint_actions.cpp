@@ -225,7 +225,7 @@ TEST_CASE("a damper resists a small motion by its energy, and not at all one tha
     action.damping = 200;
     const auto energy = [&](const PlacedFrame& at) {
       BondList list;
-      add_action(joint, action, fi, at, list);
+      add_action(joint, action, {fi, at}, list);
       double sum = 0;
       for (int k = 0; k < list.count; ++k) sum += evaluate(joint.law, list.bond[k]).energy;
       return sum;
@@ -234,7 +234,7 @@ TEST_CASE("a damper resists a small motion by its energy, and not at all one tha
     for (const double start : {0.5, 0.4, 0.6}) {
       action.start = type == JointType::distance ? start : 0;
       BondList list;
-      add_action(joint, action, fi, fj, list);
+      add_action(joint, action, {fi, fj}, list);
       for (int way = 0; way < 6; ++way) {
         const double small = 1e-4;
         const Vec3 go = way < 3 ? small * F.col(way) : Vec3(Vec3::Zero()),
