@@ -9,7 +9,7 @@
 
 namespace pabd {
 
-// non_finite: a result is not finite, or the step threw a body out of all bounds (runaway.h).
+// From good to bad. non_finite: a result is not finite, or the step threw a body out of all bounds (runaway.h).
 enum class StepStatus : std::uint8_t { converged, iteration_limit, non_finite, interrupted };
 const char* to_string(StepStatus status);  // "converged", "iteration_limit", "non_finite", "interrupted"
 

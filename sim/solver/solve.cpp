@@ -247,18 +247,7 @@ void prepare(const Problem& p, const Islands& islands, bool record, SolverMemory
 // should have solved and did not was too dense.
 void sum_up(SolverMethod asked, const Islands& islands, StepReport& report) {
   report.status = StepStatus::converged;
-  const auto any = [&](StepStatus status) {
-    return std::any_of(report.islands.begin(), report.islands.end(),
-                       [&](const IslandReport& island) { return island.status == status; });
-  };
-  for (const StepStatus status :
-       {StepStatus::iteration_limit, StepStatus::non_finite, StepStatus::interrupted}) {
-    if (any(status)) report.status = status;
-  }
-  for (const IslandReport& island : report.islands) {
-    report.iterations = std::max(report.iterations, island.iterations);
-    report.residual = larger(report.residual, island.residual);
-  }
+  for (const IslandReport& island : report.islands) add_outcome(island, report);
   if (asked == SolverMethod::newton || asked == SolverMethod::automatic) {
     for (std::size_t k = 0; k < islands.list.size(); ++k) {
       const bool due = asked == SolverMethod::newton || islands.list[k].jointed;
@@ -276,6 +265,12 @@ void sum_up(SolverMethod asked, const Islands& islands, StepReport& report) {
 }
 
 }  // namespace
+
+void add_outcome(const IslandReport& island, StepSummary& step) {
+  step.status = std::max(step.status, island.status);
+  step.iterations = std::max(step.iterations, island.iterations);
+  step.residual = larger(step.residual, island.residual);
+}
 
 void solve_islands(const Problem& p, const Islands& islands, const Workers& workers, bool record,
                    SolverMemory& memory, Iterate& it, StepReport& report) {

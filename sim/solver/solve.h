@@ -18,6 +18,9 @@ struct SolverMemory {
   std::vector<std::vector<IterationRecord>> records;  // of each island, where they are asked for
 };
 
+// Status, iterations and residual of a step are the worst of its islands.
+void add_outcome(const IslandReport& island, StepSummary& step);
+
 // Moves the poses of all islands to the minimum of E, or as far as their iterations go. Fills report.islands and status,
 // iterations and residual of the step; with `record` also the records of every iteration. The same bits for every number of
 // threads.

@@ -234,9 +234,7 @@ bool make_again(const StepOptions& options, const Workers& workers, StepMemory& 
       island.iterations = 0;
       island.residual = 0;
     }
-    report.status = std::max(report.status, island.status);
-    report.iterations = std::max(report.iterations, island.iterations);
-    report.residual = larger(report.residual, island.residual);
+    add_outcome(island, report);
   }
   return true;
 }
