@@ -33,8 +33,7 @@ Mat3 joint_frame(JointType type, const Vec3& axis, const std::optional<Vec3>& se
 
 JointFrame frame_on(const State& state, Index body, const Vec3& anchor, const Mat3& F) {
   if (body == kWorld) return {anchor, F};
-  const auto k = static_cast<std::size_t>(body);
-  return {state.R[k].transpose() * (anchor - state.c[k]), state.R[k].transpose() * F};
+  return {state.R[body].transpose() * (anchor - state.c[body]), state.R[body].transpose() * F};
 }
 
 void attach(const State& state, const Vec3& anchor, const Mat3& F, Joint& joint) {

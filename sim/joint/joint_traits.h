@@ -47,8 +47,7 @@ inline PlacedFrame place(const JointFrame& frame, const Pose& pose) {
 // On `body`, or in the world for kWorld.
 inline PlacedFrame place(const JointFrame& frame, Index body, const State& state) {
   if (body == kWorld) return {frame.r, frame.F};
-  const auto k = static_cast<std::size_t>(body);
-  return place(frame, {state.c[k], state.R[k]});
+  return place(frame, {state.c[body], state.R[body]});
 }
 
 // Both frames of a joint, where pose(body) says that its bodies are.

@@ -157,8 +157,7 @@ void Halves::put(const Islands& islands, State& state, StepReport& report) const
   for (std::size_t k = whole; k < report.islands.size(); ++k) {
     const IslandReport& half = report.islands[k];
     const Index of = islands.of[half.first_body];  // its lowest body may have had no bond before
-    IslandReport& island =
-        report.islands[of < 0 ? static_cast<std::size_t>(ours) : static_cast<std::size_t>(of)];
+    IslandReport& island = report.islands[of < 0 ? ours : of];
     island.solver = half.solver;
     island.status = std::max(island.status, half.status);
     island.iterations = std::max(island.iterations, half.iterations);

@@ -13,8 +13,7 @@ SmallMotion still() { return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
 // As fast as the body is now: what is at rest has not begun to fall.
 SmallMotion in_flight(const Problem& p, Index body) {
   if (!p.movable(body)) return still();
-  const auto k = static_cast<std::size_t>(body);
-  return {p.start->c[k], p.params->h * p.start->v[k], p.flight->turn[k]};
+  return {p.start->c[body], p.params->h * p.start->v[body], p.flight->turn[body]};
 }
 
 // Empty by Euler.
@@ -24,8 +23,7 @@ std::optional<Coasting> coasting(const Problem& p, const Joint& joint) {
   const auto pose = [&](Index body) { return p.movable(body) ? p.flight->star[body] : p.start_pose(body); };
   const auto motion = [&](Index body) {
     if (!p.movable(body)) return still();
-    const auto k = static_cast<std::size_t>(body);
-    return SmallMotion{p.flight->star[k].c, h * p.flight->v[k], h * p.flight->omega[k]};
+    return SmallMotion{p.flight->star[body].c, h * p.flight->v[body], h * p.flight->omega[body]};
   };
   const PlacedFrames at = place(joint, pose);
   return Coasting{h, at, motion(joint.i), motion(joint.j)};
