@@ -7,6 +7,7 @@
 // writing and explaining their JSON follow from that (command_json.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,6 +42,18 @@ inline constexpr Field kSide = may("side", "which simulation", R"("b")");
 inline constexpr Field kForce = may("force", "replace a file that exists", "true");
 inline constexpr Field kGiveUp = may("force", "although something that was made here would be gone", "true");
 inline constexpr Field kOn = may("on", "or off", "false");
+
+// A command without fields.
+template <std::size_t length>
+struct Text {
+  constexpr Text(const char (&text)[length]) { std::copy_n(text, length, characters); }
+  char characters[length];
+};
+template <Text text>
+struct Plain {
+  static constexpr const char* name = text.characters;
+  void fields(auto&&) {}
+};
 
 // ---- parameters (keys and values as for --set) ----
 // A value as a person writes it, or as a slider has it.
@@ -80,24 +93,12 @@ struct ResetParams {
     f(kSide, side);
   }
 };
-struct Undo {
-  static constexpr const char* name = "undo";
-  void fields(auto&&) {}
-};
-struct Redo {
-  static constexpr const char* name = "redo";
-  void fields(auto&&) {}
-};
+struct Undo : Plain<"undo"> {};
+struct Redo : Plain<"redo"> {};
 
 // ---- time ----
-struct Play {
-  static constexpr const char* name = "play";
-  void fields(auto&&) {}
-};
-struct Pause {
-  static constexpr const char* name = "pause";
-  void fields(auto&&) {}
-};
+struct Play : Plain<"play"> {};
+struct Pause : Plain<"pause"> {};
 // Forward (negative: back) by steps.
 struct Step {
   static constexpr const char* name = "step";
@@ -118,10 +119,7 @@ struct Speed {
   }
 };
 // From the beginning, with the present parameters.
-struct Restart {
-  static constexpr const char* name = "restart";
-  void fields(auto&&) {}
-};
+struct Restart : Plain<"restart"> {};
 
 // ---- hands ----
 // Bodies or joints added or removed, here and now. `edit` is an object as in app/session/model_edit.h:
@@ -148,10 +146,7 @@ struct Pull {
     f(may("kappa", "stiffness, N/m; 0: as swings the body alone at 2 Hz", "500"), kappa);
   }
 };
-struct Release {
-  static constexpr const char* name = "release";
-  void fields(auto&&) {}
-};
+struct Release : Plain<"release"> {};
 // A ball.
 struct Shoot {
   static constexpr const char* name = "shoot";
@@ -180,10 +175,7 @@ struct Compare {
       values);
   }
 };
-struct EndCompare {
-  static constexpr const char* name = "end_compare";
-  void fields(auto&&) {}
-};
+struct EndCompare : Plain<"end_compare"> {};
 // Keeps the convergence of the present step, as that method makes it (empty: as it was made).
 struct Hold {
   static constexpr const char* name = "hold";
@@ -192,10 +184,7 @@ struct Hold {
     f(may("method", "as for solver.method, of the same step; without: as it was made", R"("sissm")"), method);
   }
 };
-struct DropHeld {
-  static constexpr const char* name = "drop_held";
-  void fields(auto&&) {}
-};
+struct DropHeld : Plain<"drop_held"> {};
 // A message, in place of those that others send.
 struct Tell {
   static constexpr const char* name = "tell";
@@ -244,10 +233,7 @@ struct Reload {
   void fields(auto&& f) { f(kGiveUp, force); }
 };
 // The scene stays as it is although its file changed; asked again when that changes again.
-struct IgnoreFile {
-  static constexpr const char* name = "ignore_file";
-  void fields(auto&&) {}
-};
+struct IgnoreFile : Plain<"ignore_file"> {};
 // The scene's file with the present parameters; with `state` the bodies as they are now.
 struct SaveScene {
   static constexpr const char* name = "save_scene";

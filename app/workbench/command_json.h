@@ -128,21 +128,42 @@ class Writer {
   CommandJson& json_;
 };
 
-// Finds the alternative of that name and fills it.
-template <class Variant, std::size_t i = 0>
-bool read_alternative(const std::string& name, const CommandJson& json, const std::string& what,
-                      Variant& out) {
-  if constexpr (i == std::variant_size_v<Variant>) {
-    return false;
+// Calls `f` with a default one of every command of the variant, in order.
+template <class Variant, class Function>
+void for_each(const Function& f) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::variant_alternative_t<i, Variant>{}), ...); }
+  (std::make_index_sequence<std::variant_size_v<Variant>>());
+}
+
+template <class T>
+inline constexpr bool is_list = false;
+template <class T>
+inline constexpr bool is_list<std::vector<T>> = true;
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+// What a field takes, in words.
+template <class T>
+std::string type_name() {
+  if constexpr (is_list<T>) {
+    return "list of " + type_name<typename T::value_type>() + "s";
+  } else if constexpr (is_optional<T>) {
+    return type_name<typename T::value_type>();
+  } else if constexpr (std::is_same_v<T, double>) {
+    return "number";
+  } else if constexpr (std::is_same_v<T, int>) {
+    return "whole number";
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return "true or false";
+  } else if constexpr (std::is_same_v<T, Side>) {
+    return R"("a" or "b")";
+  } else if constexpr (std::is_same_v<T, CommandJson>) {
+    return "any value";
   } else {
-    using C = std::variant_alternative_t<i, Variant>;
-    if (name != C::name) return read_alternative<Variant, i + 1>(name, json, what, out);
-    C c;
-    Reader reader(json, what);
-    c.fields(reader);
-    reader.check_unknown();
-    out = std::move(c);
-    return true;
+    static_assert(std::is_same_v<T, std::string> || std::is_same_v<T, command::SetValue>);
+    return "text";
   }
 }
 
@@ -153,7 +174,16 @@ bool read_alternative(const std::string& name, const CommandJson& json, const st
 template <class Variant>
 bool command_from_json(const std::string& name, const CommandJson& json, const std::string& what,
                        Variant& out) {
-  return command_json::read_alternative(name, json, what, out);
+  bool found = false;
+  command_json::for_each<Variant>([&](auto c) {
+    if (found || name != c.name) return;
+    found = true;
+    command_json::Reader reader(json, what);
+    c.fields(reader);
+    reader.check_unknown();
+    out = std::move(c);
+  });
+  return found;
 }
 
 template <class Variant>
@@ -167,97 +197,48 @@ CommandJson command_to_json(const Variant& command) {
       command);
 }
 
-namespace command_json {
-
-// What a field takes, in words.
-template <class T>
-struct TypeName;
-template <>
-struct TypeName<std::string> {
-  static std::string text() { return "text"; }
-};
-template <>
-struct TypeName<command::SetValue> : TypeName<std::string> {};
-template <>
-struct TypeName<double> {
-  static std::string text() { return "number"; }
-};
-template <>
-struct TypeName<int> {
-  static std::string text() { return "whole number"; }
-};
-template <>
-struct TypeName<bool> {
-  static std::string text() { return "true or false"; }
-};
-template <>
-struct TypeName<Side> {
-  static std::string text() { return R"("a" or "b")"; }
-};
-template <>
-struct TypeName<CommandJson> {
-  static std::string text() { return "any value"; }
-};
-template <class T>
-struct TypeName<std::optional<T>> : TypeName<T> {};
-template <class T>
-struct TypeName<std::vector<T>> {
-  static std::string text() { return "list of " + TypeName<T>::text() + "s"; }
-};
-
-}  // namespace command_json
-
 // Every command of a variant: a line with its fields, those with a default in brackets; then a line for each
 // of them with its type, its meaning and unit, and an example.
 //   set               key, value [, side] [, more]
 //       key     text    parameter, as for --set    "contact.kappa"
 template <class Variant>
 std::string command_list() {
-  return []<std::size_t... i>(std::index_sequence<i...>) {
-    std::string out;
-    const auto list = [&out](auto c) {
-      std::string fields, lines;
-      c.fields([&]<class T>(const command::Field& field, const T&) {
-        const std::string name = field.name;
-        fields += field.required ? (fields.empty() ? "" : ", ") + name
-                                 : (fields.empty() ? "[" : " [, ") + name + "]";
-        lines += fmt::format("      {:<13} {:<16} {}; e.g. {}\n", name, command_json::TypeName<T>::text(),
-                             field.help, field.example);
-      });
-      out += fields.empty() ? fmt::format("  {}\n", c.name) : fmt::format("  {:<18}{}\n", c.name, fields);
-      out += lines;
-    };
-    (list(std::variant_alternative_t<i, Variant>{}), ...);
-    return out;
-  }
-  (std::make_index_sequence<std::variant_size_v<Variant>>());
+  std::string out;
+  command_json::for_each<Variant>([&](auto c) {
+    std::string fields, lines;
+    c.fields([&]<class T>(const command::Field& field, const T&) {
+      const std::string name = field.name;
+      fields +=
+          field.required ? (fields.empty() ? "" : ", ") + name : (fields.empty() ? "[" : " [, ") + name + "]";
+      lines += fmt::format("      {:<13} {:<16} {}; e.g. {}\n", name, command_json::type_name<T>(),
+                           field.help, field.example);
+    });
+    out += fields.empty() ? fmt::format("  {}\n", c.name) : fmt::format("  {:<18}{}\n", c.name, fields);
+    out += lines;
+  });
+  return out;
 }
 
 // An object with the example of every field, or of the required ones only, for each command.
 template <class Variant>
 std::vector<CommandJson> command_examples(bool all) {
-  return [all]<std::size_t... i>(std::index_sequence<i...>) {
-    std::vector<CommandJson> out;
-    const auto add = [&](auto c) {
-      CommandJson json = {{"do", c.name}};
-      c.fields([&](const command::Field& field, const auto&) {
-        if (all || field.required) json[field.name] = CommandJson::parse(field.example);
-      });
-      out.push_back(std::move(json));
-    };
-    (add(std::variant_alternative_t<i, Variant>{}), ...);
-    return out;
-  }
-  (std::make_index_sequence<std::variant_size_v<Variant>>());
+  std::vector<CommandJson> out;
+  command_json::for_each<Variant>([&](auto c) {
+    CommandJson json = {{"do", c.name}};
+    c.fields([&](const command::Field& field, const auto&) {
+      if (all || field.required) json[field.name] = CommandJson::parse(field.example);
+    });
+    out.push_back(std::move(json));
+  });
+  return out;
 }
 
 // The names of all commands of a variant.
 template <class Variant>
 std::vector<std::string_view> command_names() {
-  return []<std::size_t... i>(std::index_sequence<i...>) {
-    return std::vector<std::string_view>{std::variant_alternative_t<i, Variant>::name...};
-  }
-  (std::make_index_sequence<std::variant_size_v<Variant>>());
+  std::vector<std::string_view> out;
+  command_json::for_each<Variant>([&](const auto& c) { out.emplace_back(c.name); });
+  return out;
 }
 
 }  // namespace pabd
