@@ -9,12 +9,23 @@
 
 #include "sim/base/error.h"
 #include "sim/base/ordered_json.h"
+#include "sim/scene/write_values.h"
 
 namespace pabd {
 namespace {
 
 std::string setting(std::string_view key, const std::string& value) {
   return fmt::format("{}.{}={}", kJointSettings, key, value);
+}
+
+OrderedJson json_of_law(const BondLaw& law) {
+  OrderedJson out;
+  add_law(law, out);
+  return out;
+}
+
+std::string text_of(const OrderedJson& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
 bool sets(const std::vector<std::string>& settings, std::string_view key) {
@@ -45,26 +56,18 @@ std::vector<std::string> take_joint_settings(std::string& patch, const std::stri
   const OrderedJson joints = json[std::string(kJointSettings)];
   if (!joints.is_object())
     throw Error(ErrorKind::bad_input, fmt::format("{}: {}: expected an object", source, kJointSettings));
-  for (const auto& [key, value] : joints.items())
-    out.push_back(setting(key, value.is_string() ? value.get<std::string>() : value.dump()));
+  for (const auto& [key, value] : joints.items()) out.push_back(setting(key, text_of(value)));
   json.erase(std::string(kJointSettings));
   patch = json.dump();
   return out;
 }
 
-bool same_law(const BondLaw& a, const BondLaw& b) {
-  const bool hard = a.potential == BondPotential::hard;
-  return a.potential == b.potential && a.kappa == b.kappa && (!hard || (a.N == b.N && a.d_hat == b.d_hat));
-}
+bool same_law(const BondLaw& a, const BondLaw& b) { return json_of_law(a) == json_of_law(b); }
 
 std::vector<std::pair<std::string, std::string>> joint_settings(const BondLaw& law) {
-  const bool hard = law.potential == BondPotential::hard;
-  const auto key = [](const char* name) { return fmt::format("{}.{}", kJointSettings, name); };
-  std::vector<std::pair<std::string, std::string>> out = {{key("potential"), hard ? "hard" : "soft"},
-                                                          {key("kappa"), OrderedJson(law.kappa).dump()}};
-  if (!hard) return out;
-  out.emplace_back(key("N"), std::to_string(law.N));
-  out.emplace_back(key("d_hat"), OrderedJson(law.d_hat).dump());
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const auto& [key, value] : json_of_law(law).items())
+    out.emplace_back(fmt::format("{}.{}", kJointSettings, key), text_of(value));
   return out;
 }
 
@@ -94,11 +97,9 @@ std::vector<std::string> joint_settings_after(const BondLaw& scene, const BondLa
 std::string patch_with_joints(const std::string& patch, const BondLaw& from, const BondLaw& to) {
   if (same_law(from, to)) return patch;
   OrderedJson json = OrderedJson::parse(patch);
-  for (const auto& [key, value] : joint_differences(from, to)) {
-    const OrderedJson number = OrderedJson::parse(value, nullptr, false);
-    json[std::string(kJointSettings)][key.substr(kJointSettings.size() + 1)] =
-        number.is_discarded() ? OrderedJson(value) : number;
-  }
+  const OrderedJson before = json_of_law(from), after = json_of_law(to);
+  for (const auto& [key, value] : after.items())
+    if (!before.contains(key) || before[key] != value) json[std::string(kJointSettings)][key] = value;
   return json.dump(2) + "\n";
 }
 
