@@ -15,7 +15,7 @@
 #include "app/cli/streams.h"
 #include "app/export/exporter.h"
 #include "app/export/session_source.h"
-#include "app/frames/past_source.h"
+#include "app/frames/frame_source.h"
 #include "app/session/recording.h"
 #include "app/session/step_at_time.h"
 #include "sim/base/counted.h"

@@ -16,10 +16,10 @@
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
 #include "app/frames/ab_painter.h"
-#include "app/frames/frame_schedule.h"
 #include "app/frames/frame_text.h"
 #include "app/frames/render_pipeline.h"
 #include "app/session/joint_settings.h"
+#include "app/session/step_at_time.h"
 #include "render/output/frame_sink.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
@@ -225,18 +225,18 @@ int render(const RenderOptions& asked) {
   AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
                     b ? b->shared_scene() : nullptr);
   painter.set_quality(parse_quality(options.quality));
-  PngText common = common_text(a.scene(),
-                               {.width = size.width,
-                                .height = size.height,
-                                .fps = options.fps,
-                                .overlay = options.overlay,
-                                .camera = camera_text(camera, options.camera),
-                                .gl_renderer = painter.gl_renderer(),
-                                .quality = options.quality,
-                                .theme = options.theme,
-                                .trails = options.trails},
-                               start.a, start.b ? &*start.b : nullptr, options.ab_view);
-  if (b) add_joints_of_b(a.scene(), start.a, b->scene(), *start.b, common);
+  PngText common =
+      common_text(a.scene(),
+                  {.width = size.width,
+                   .height = size.height,
+                   .fps = options.fps,
+                   .overlay = options.overlay,
+                   .camera = camera_text(camera, options.camera),
+                   .gl_renderer = painter.gl_renderer(),
+                   .quality = options.quality,
+                   .theme = options.theme,
+                   .trails = options.trails},
+                  start.a, start.b ? &*start.b : nullptr, options.ab_view, b ? &b->scene() : nullptr);
   if (device.a.gpu) common["Device"] = device.a.name;
   if (device.b) common["Device of B"] = device.b->name;
   if (options.resume) range.first = find_resume_frame(out, range.count, common);

@@ -15,7 +15,7 @@
 #include "app/cli/scene_lookup.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
-#include "app/frames/frame_schedule.h"
+#include "app/session/step_at_time.h"
 #include "sim/base/error.h"
 #include "sim/solver/step_summary.h"
 #include "sim/trace/trace.h"

@@ -33,7 +33,7 @@ void check_same_bodies(const Model& first, const FrameView& view) {
   throw Error(ErrorKind::bad_input,
               fmt::format("bodies come or go at t = {:.6g} s: an export has the same ones throughout; end it "
                           "before with --time, or save the scene as edited and run that",
-                          view.state.time));
+                          view.state->time));
 }
 
 Motion::Motion(std::shared_ptr<const Model> model, double fps, std::vector<TrailPoint> trails)
@@ -45,7 +45,7 @@ Motion::Motion(std::shared_ptr<const Model> model, double fps, std::vector<Trail
 
 void Motion::add(std::int64_t frame, const FrameView& view) {
   check_same_bodies(*model_, view);
-  const State& state = view.state;
+  const State& state = *view.state;
   const bool first = times_.empty();
   if (first) start_ = state.time;
   const double own = state.time - start_, nominal = static_cast<double>(frame) / fps_;

@@ -103,7 +103,7 @@ class NpzExporter : public Exporter {
 
   void add(std::int64_t, const FrameView& view) override {
     check_same_bodies(*model_, view);
-    const State& state = view.state;
+    const State& state = *view.state;
     if (rows_ > 0 && state.time <= time_.values.back()) return;
     ++rows_;
     time_.add(state.time);
@@ -184,7 +184,7 @@ class NpzExporter : public Exporter {
   // A recording keeps the forces only.
   void add_joints(const FrameView& view) {
     const std::vector<JointReport>& joints = view.report.joint_reports;
-    const std::vector<Vec3>& forces = view.state.joint_force;
+    const std::vector<Vec3>& forces = view.state->joint_force;
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t k = 0; k < joints_; ++k) {
       const bool told = joints.size() == joints_, kept = forces.size() == joints_;

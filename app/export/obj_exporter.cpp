@@ -53,7 +53,7 @@ class ObjExporter : public Exporter {
         materials_(material_path(out_)) {
     check_overwrite(materials_.string(), materials_, {setup.force, &inputs_});
     check_creatable(materials_);
-    if (const auto seen = bounding_sphere(*start.model, start.state)) {
+    if (const auto seen = bounding_sphere(*start.model, *start.state)) {
       middle_ = seen->centre;
       reach_ = kFloor * seen->radius;
     }
@@ -63,12 +63,12 @@ class ObjExporter : public Exporter {
     check_same_bodies(*model_, view);
     if (frames_++ == 0) write_materials();
     if (!sequence_) {
-      last_ = view.state;
+      last_ = *view.state;
       return;
     }
     const fs::path path = frame_path(out_, static_cast<int>(frame));
     check_overwrite(path.string(), path, {true, &inputs_});
-    write_file(path, text_of(view.state));
+    write_file(path, text_of(*view.state));
   }
 
   void finish() override {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "app/frames/frame_schedule.h"
+#include "app/session/step_at_time.h"
 
 namespace pabd {
 

@@ -86,7 +86,7 @@ void AbPainter::set_quality(const RenderQuality& quality) {
 }
 
 void AbPainter::draw(const Frame& frame, const BodiesOnDevice* on_device) {
-  const double time = frame.a.state.time;
+  const double time = frame.a.state->time;
   const FrameView* b = frame.b ? &*frame.b : nullptr;
   left_->draw(frame.a, b, frame.apart, time, on_device);
   if (right_) right_->draw(*b, &frame.a, frame.apart, time);

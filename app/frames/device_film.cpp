@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "app/frames/frame_schedule.h"
 #include "app/frames/scene_framing.h"
+#include "app/session/step_at_time.h"
 #include "render/visual/body_parts.h"
 
 namespace pabd {
@@ -46,14 +46,12 @@ DeviceFilm::DeviceFilm(GlContext& context, const Run& start, const FrameRange& r
       range_(range),
       contacts_(contacts),
       skipped_(std::move(skipped)),
-      first_step_(view_.state.step),
-      solver_(context, *view_.model, view_.state, solver_options(contacts)),
+      first_step_(view_.state->step),
+      solver_(context, *view_.model, *view_.state, solver_options(contacts)),
       bodies_(context, parts, solver_.pose_buffer(), {.late_bounds = false}),
-      sphere_(context, *view_.model, view_.state, parts, solver_.pose_buffer()) {
-  State now;
-  now.step = view_.state.step;
-  now.time = view_.state.time;
-  view_.state = std::move(now);
+      sphere_(context, *view_.model, *view_.state, parts, solver_.pose_buffer()) {
+  now_.step = view_.state->step;
+  now_.time = view_.state->time;
 }
 
 std::optional<Frame> DeviceFilm::next(const Stop& stop) {
@@ -61,6 +59,7 @@ std::optional<Frame> DeviceFilm::next(const Stop& stop) {
     const int frame = next_++;
     if (!advance_to(first_step_ + step_of_frame(frame, range_.fps, view_.params.h), stop)) return {};
     if (frame >= range_.first) {
+      view_.state = std::make_shared<const State>(now_);
       view_.history = reports_.view();
       return make_frame(frame, view_, {}, {});
     }
@@ -70,15 +69,15 @@ std::optional<Frame> DeviceFilm::next(const Stop& stop) {
 }
 
 bool DeviceFilm::advance_to(std::int64_t step, const Stop& stop) {
-  while (view_.state.step < step) {
+  while (now_.step < step) {
     if (stop()) return false;
     const StepSummary& made = solver_.step(view_.params);
     if (made.status == StepStatus::non_finite) {
       diverged_ = made;
       return false;
     }
-    view_.state.step = made.step;
-    view_.state.time = made.time;
+    now_.step = made.step;
+    now_.time = made.time;
     view_.report = {};
     static_cast<StepSummary&>(view_.report) = made;
     add_report(reports_, made);
@@ -87,7 +86,7 @@ bool DeviceFilm::advance_to(std::int64_t step, const Stop& stop) {
 }
 
 BodiesOnDevice DeviceFilm::bodies() {
-  if (contacts_ && view_.state.step > first_step_)
+  if (contacts_ && now_.step > first_step_)
     bodies_.mark_contacts(*view_.model, solver_.contact_buffers(), {.d_hat = view_.params.contact.d_hat});
   return {&bodies_, sphere_()};
 }

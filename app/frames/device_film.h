@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/frames/frame_painter.h"
-#include "app/frames/live_source.h"
+#include "app/frames/frame_source.h"
 #include "render/device/device_bodies.h"
 #include "render/device/device_solver.h"
 #include "render/device/device_sphere.h"
@@ -34,7 +34,8 @@ class DeviceFilm : public FrameSource {
              LiveSource::Skipped skipped, const BodyParts& parts);
   bool advance_to(std::int64_t step, const Stop& stop);
 
-  FrameView view_;  // of now
+  FrameView view_;  // of the last frame
+  State now_;       // a step and a time
   const FrameRange range_;
   const bool contacts_;
   const LiveSource::Skipped skipped_;

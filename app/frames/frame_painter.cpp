@@ -8,7 +8,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/frames/matte.h"
+#include "app/frames/linear_light.h"
 #include "app/frames/scene_framing.h"
 #include "app/overlay/overlay_panels.h"
 #include "render/visual/body_marks.h"
@@ -85,7 +85,7 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
       }),
       choice_(overlay),
       camera_option_(camera),
-      start_time_(first.state.time),
+      start_time_(first.state->time),
       ghost_(comparison.ghost) {
   data_.scene_name = scene_->name;
   data_.axes = choice_.marks.axes;
@@ -100,7 +100,7 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
 void FramePainter::set_camera(const FrameView& first, std::span<const Spot> spots,
                               std::size_t caption_lines) {
   followed_ = followed_body(camera_option_, *first.model);
-  if (followed_) follow_from_ = first.state.c[static_cast<std::size_t>(*followed_)];
+  if (followed_) follow_from_ = first.state->c[static_cast<std::size_t>(*followed_)];
   const PicturePart part =
       free_part(layout_panels(choice_.panels, data_, width_, height_), caption_lines, width_, height_);
   const double aspect = static_cast<double>(width_) / height_;
@@ -121,16 +121,16 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   options.inertia = choice_.marks.inertia;
   options.looks = looks_of(*scene_, *view.model);
   Vec3 way = Vec3::Zero();
-  if (followed_ && *followed_ < view.state.size() && has_finite_pose(view.state, *followed_))
-    way = view.state.c[static_cast<std::size_t>(*followed_)] - follow_from_;
+  if (followed_ && *followed_ < view.state->size() && has_finite_pose(*view.state, *followed_))
+    way = view.state->c[static_cast<std::size_t>(*followed_)] - follow_from_;
   visual_.camera = apply_camera(camera_option_, base_camera_,
                                 camera_option_.keys.empty() ? time - start_time_ : time, way);
   if (on_device) {
     show_on_device(*view.model, on_device->around, visual_);
   } else {
-    build_visual(*view.model, view.state, view.report, options, visual_);
+    build_visual(*view.model, *view.state, view.report, options, visual_);
   }
-  if (other && ghost_) add_ghost(*view.model, other->state, ghost_color(), visual_);
+  if (other && ghost_) add_ghost(*view.model, *other->state, ghost_color(), visual_);
   for (std::size_t k = 0; k < view.trails.size(); ++k)
     add_trail(view.trails[k].path, trail_color(k), visual_);
   data_.view = &view;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where pictures come from. A run as it is made, the past of one, a recording, each alone or with a second
 // run beside it: all hand out the same frames, by one rule of which step belongs to which time
-// (frame_schedule.h, app/session/step_at_time.h).
+// (app/session/step_at_time.h).
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "app/plots/figures/difference.h"
 #include "app/session/frame_view.h"
@@ -37,9 +38,98 @@ class FrameSource {
   virtual std::optional<Frame> next(const Stop& stop) = 0;
 };
 
-// Adds how far two runs are apart, where they are at a common time.
-void add_distance(const Run& a, const Run& b, DistanceList& distances);
-// Before a frame: a plot shows no more of the past than this leaves.
-void drop_old(DistanceList& distances);
+// What LiveSource and PastSource have in common: one run or two in step, with what plots and trails show of their past.
+class RunSource : public FrameSource {
+ protected:
+  struct Shown {
+    Run run;
+    TrailRecorder trails;
+    ReportList reports = {};
+
+    FrameView view() const;
+  };
+
+  RunSource(Run a, std::optional<Run> b, const TrailRecorder& trails);
+
+  // Before a frame: a plot shows no more of the past than this leaves.
+  void drop_old_distances();
+  // Where the two are at a common time.
+  void measure_distance();
+
+  Shown a_;
+  std::optional<Shown> b_;
+  DistanceList apart_;
+  int next_ = 0;  // frame
+};
+
+// Frames [first, count) are handed out; those before are simulated only.
+struct FrameRange {
+  int first = 0;
+  int count = 0;
+  double fps = 60;
+};
+
+// Frames that are simulated as they are asked for.
+class LiveSource : public RunSource {
+ public:
+  using Skipped = std::function<void(int frames, const StepSummary& step)>;
+
+  // The runs go on from where they are; no past is needed of them (kNoPast). `skipped` is told how many
+  // frames before `range.first` are made, in the thread that asks for frames.
+  // `trails`: what leaves a trail in each run, and for how long, in every step.
+  LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped = {},
+             const TrailRecorder& trails = {});
+
+  std::optional<Frame> next(const Stop& stop) override;
+
+  // The step that left the numbers, and whether it was one of the second run; none: none did.
+  struct Diverged {
+    StepSummary step;
+    bool in_b = false;
+  };
+  std::optional<Diverged> diverged() const;
+
+ private:
+  bool advance_to(std::int64_t step, const Stop& stop);
+
+  const FrameRange range_;
+  const Skipped skipped_;
+  const std::int64_t first_step_;  // a state that a run continues from may be at any step
+};
+
+// Which part of the past, in seconds of the simulation; a negative end means the first or last moment.
+struct PastRange {
+  double from = -1, to = -1;
+  double fps = 60;
+};
+
+// Which moment each frame shows. Where all steps are of the same length, those that `pabd render` shows; else
+// the last one that is not after the frame's time. T seconds have T·fps frames, one at least. Of what a device made,
+// frames show what is kept (Timeline::kept).
+std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastRange& range);
+
+// Frames of a run that was made already, in this process or in a recording: it is wound through its past.
+// They are the frames that LiveSource simulates.
+class PastSource : public RunSource {
+ public:
+  // `iterations`, `contacts`: what reports carry. The parameters of a frame are those that its last step was
+  // made with. `trails`: what leaves one, from frame to frame.
+  PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts,
+             const TrailRecorder& trails = {});
+
+  std::optional<Frame> next(const Stop& stop) override;
+
+  // These never change.
+  int count() const { return static_cast<int>(moments_.size()); }
+  // Of the simulation at a frame; s.
+  double time(int frame) const { return times_[static_cast<std::size_t>(frame)]; }
+
+ private:
+  bool go_to(std::size_t moment, const Stop& stop);
+
+  std::vector<std::size_t> moments_;
+  std::vector<double> times_;
+  std::size_t last_a_, last_b_ = 0;  // moments up to which the reports have them
+};
 
 }  // namespace pabd

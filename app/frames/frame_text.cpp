@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "app/session/joint_settings.h"
 #include "render/output/frame_sink.h"
 #include "sim/base/error.h"
 #include "sim/base/ordered_json.h"
 #include "sim/scene/tuning.h"
+#include "sim/scene/write_values.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {
@@ -29,17 +31,6 @@ std::string camera_text(const Scene& scene, const std::string& option) {
   return scene.camera ? "scene" : "auto";
 }
 
-// As in a scene file: N and d_hat belong to the hard potential.
-OrderedJson law_json(const BondLaw& law) {
-  const bool hard = law.potential == BondPotential::hard;
-  OrderedJson json = {{"potential", hard ? "hard" : "soft"}, {"kappa", law.kappa}};
-  if (hard) {
-    json["N"] = law.N;
-    json["d_hat"] = law.d_hat;
-  }
-  return json;
-}
-
 }  // namespace
 
 std::string parameters_json(const Params& params, double kappa, const BondLaw* joints) {
@@ -47,12 +38,12 @@ std::string parameters_json(const Params& params, double kappa, const BondLaw* j
   resolved.contact.kappa = kappa;
   OrderedJson json = OrderedJson::parse(params_json(resolved));
   json["solver"].erase("device");  // who made the steps has an entry of its own
-  if (joints) json["joints_default"] = law_json(*joints);
+  if (joints) add_law(*joints, json["joints_default"]);
   return dump(json);
 }
 
 PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView& a, const FrameView* b,
-                    const std::string& ab_view) {
+                    const std::string& ab_view, const Scene* scene_b) {
   OrderedJson view_json = {{"size", {facts.width, facts.height}},
                            {"fps", facts.fps},
                            {"overlay", facts.overlay},
@@ -65,27 +56,17 @@ PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView&
   PngText text = {
       {"Software", "pabd " PABD_VERSION}, {"Scene", scene.name},
       {"Scene hash", scene.hash},         {"Parameters", parameters_json(a.params, a.kappa, joints)},
-      {"Start", state_hash(a.state)},     {"View", dump(view_json)},
+      {"Start", state_hash(*a.state)},    {"View", dump(view_json)},
       {"GL_RENDERER", facts.gl_renderer},
   };
-  if (b) {
-    text["B patch"] = dump(OrderedJson::parse(patch_json(a.params, b->params)));
-    text["B parameters"] = parameters_json(b->params, b->kappa, joints);
-  }
+  if (!b) return text;
+  const BondLaw& law_b = (scene_b ? *scene_b : scene).joint_law;
+  const bool other_law = !same_law(scene.joint_law, law_b);
+  OrderedJson patch = OrderedJson::parse(patch_json(a.params, b->params));
+  if (other_law) add_law(law_b, patch["joints_default"]);
+  text["B patch"] = dump(patch);
+  text["B parameters"] = parameters_json(b->params, b->kappa, joints || other_law ? &law_b : nullptr);
   return text;
-}
-
-void add_joints_of_b(const Scene& scene_a, const FrameView& a, const Scene& scene_b, const FrameView& b,
-                     PngText& common) {
-  const auto law = [](const Scene& scene, const FrameView& of) {
-    return OrderedJson::parse(parameters_json(of.params, of.kappa, &scene.joint_law))["joints_default"];
-  };
-  const OrderedJson joints_b = law(scene_b, b);
-  if (joints_b == law(scene_a, a)) return;
-  OrderedJson patch = OrderedJson::parse(common["B patch"]);
-  patch["joints_default"] = joints_b;
-  common["B patch"] = dump(patch);
-  common["B parameters"] = parameters_json(b.params, b.kappa, &scene_b.joint_law);
 }
 
 PngText frame_text(const PngText& common, int frame, double time) {

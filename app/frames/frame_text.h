@@ -38,13 +38,11 @@ struct ViewFacts {
 std::string parameters_json(const Params& params, double kappa, const BondLaw* joints = nullptr);
 
 // What all frames of one run of `scene` have in common. `a` is what frame 0 shows of it, `b` of the second
-// run; null: there is none. `ab_view`: "side" or "ghost".
+// run; null: there is none. `ab_view`: "side" or "ghost". `scene_b`: of B, whose joints may have another law; null: the
+// same.
 PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView& a,
-                    const FrameView* b = nullptr, const std::string& ab_view = "");
-
-// To them: the law of B's joints where it is another one than A's (joint_settings.h). The frames as for common_text.
-void add_joints_of_b(const Scene& scene_a, const FrameView& a, const Scene& scene_b, const FrameView& b,
-                     PngText& common);
+                    const FrameView* b = nullptr, const std::string& ab_view = "",
+                    const Scene* scene_b = nullptr);
 
 // With the two chunks of frame `frame`; `time` in seconds.
 PngText frame_text(const PngText& common, int frame, double time);

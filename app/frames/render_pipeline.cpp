@@ -4,8 +4,8 @@
 
 #include <chrono>
 
-#include "app/frames/frame_schedule.h"
 #include "app/frames/frame_thread.h"
+#include "app/session/step_at_time.h"
 
 namespace pabd {
 namespace {
@@ -91,7 +91,7 @@ SinkOptions sink_options(const FrameView& start, const PngText& common, const Fr
   options.fps = range.fps;
   options.first_frame = first_written;
   options.about = common;
-  const double start_time = start.state.time;
+  const double start_time = start.state->time;
   const double h = start.params.h;
   // A still is the only frame that its file sees, but not the first one of the run.
   const int skipped = range.first - first_written;

@@ -10,8 +10,8 @@
 
 #include "app/frames/ab_painter.h"
 #include "app/frames/device_film.h"
+#include "app/frames/frame_source.h"
 #include "app/frames/frame_text.h"
-#include "app/frames/live_source.h"
 #include "render/output/async_sink.h"
 
 namespace pabd {

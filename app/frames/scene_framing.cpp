@@ -48,7 +48,7 @@ bool run_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start
   const double steps = std::min(seconds / params.h, kMostWork / std::max(1.0, movable));
   const int count = static_cast<int>(steps), every = std::max(1, count / kMoments);
   try {
-    ahead.restore(start.model, start.state);
+    ahead.restore(start.model, *start.state);
     ahead.set_params(params);
     double allowed = 0;  // energy that there may be; J
     for (int step = 1; step <= count; ++step) {
@@ -120,10 +120,10 @@ Camera side_of(const Scene& scene) {
 std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start,
                               double seconds) {
   const Model& model = *start.model;
-  std::vector<Spot> out = spots_of(model, start.state);
-  const auto around = bounding_sphere(model, start.state);
+  std::vector<Spot> out = spots_of(model, *start.state);
+  const auto around = bounding_sphere(model, *start.state);
   if (!(seconds > 0) || !around) return out;
-  const std::vector<std::uint8_t> seen = bodies_in_picture(model, start.state);
+  const std::vector<std::uint8_t> seen = bodies_in_picture(model, *start.state);
   Traces traces(model.shape.size());
   State end;
   if (!run_ahead(scene, start, seconds, seen, traces, end)) return out;
@@ -141,7 +141,7 @@ std::vector<Spot> scene_spots(const std::shared_ptr<const Scene>& scene, double 
   FrameView start;
   start.model = {scene, &scene->model};
   start.params = scene->params;
-  start.state = scene->initial;
+  start.state = {scene, &scene->initial};
   return spots_ahead(scene, start, seconds);
 }
 

@@ -6,18 +6,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "app/frames/linear_light.h"
 #include "app/frames/scene_framing.h"
 #include "render/output/png.h"
 #include "render/visual/build_visual.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/base/srgb.h"
 
 namespace pabd {
 namespace {
@@ -52,28 +51,6 @@ std::optional<fs::path> absolute_path_in(const char* variable) {
 }
 
 }  // namespace
-
-Image halved(const Image& image) {
-  static const std::array<double, 256> linear = [] {
-    std::array<double, 256> table{};
-    for (std::size_t k = 0; k < table.size(); ++k) table[k] = linear_from_srgb(static_cast<double>(k) / 255);
-    return table;
-  }();
-  Image half;
-  half.resize(image.width / 2, image.height / 2);
-  const auto row = static_cast<std::size_t>(image.width) * 3;
-  std::uint8_t* to = half.rgb.data();
-  for (int y = 0; y < half.height; ++y) {
-    for (int x = 0; x < half.width; ++x) {
-      const std::uint8_t* from =
-          image.rgb.data() + 2 * static_cast<std::size_t>(y) * row + 6 * static_cast<std::size_t>(x);
-      for (std::size_t c = 0; c < 3; ++c)
-        *to++ = srgb_byte(
-            (linear[from[c]] + linear[from[c + 3]] + linear[from[c + row]] + linear[from[c + row + 3]]) / 4);
-    }
-  }
-  return half;
-}
 
 Image draw_small(Renderer& renderer, const Scene& scene, const State& state, const Camera& camera, int width,
                  int height, int view) {

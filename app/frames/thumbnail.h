@@ -22,9 +22,6 @@ Image draw_small(Renderer& renderer, const Scene& scene, const State& state, con
 // The scene at its start, seen by its own camera or the one that frames it. Otherwise as draw_small.
 Image draw_thumbnail(Renderer& renderer, const Scene& scene, int view = Renderer::kViews - 1);
 
-// Half as wide and high; every pixel the mean of four in linear light. Odd last rows and columns are dropped.
-Image halved(const Image& image);
-
 // Thumbnails in files FOLDER/HASH.png. A cache: what cannot be read or written is as if it were not there,
 // and nothing throws for it. Files are written whole or not at all, so that several programs may share the
 // folder.

@@ -107,10 +107,10 @@ class BarrierPanelView final : public GuiPanel {
     // Numbers are of the parameters of now, advice is about the step that was made.
     StepReport report = run.report;
     report.kappa = run.kappa;
-    numbers_ = contact_numbers(*model_, masses_, run.params, run.state, report);
+    numbers_ = contact_numbers(*model_, masses_, run.params, *run.state, report);
     const std::span<const StepSummary> history = run.history;
     if (!held_)
-      advice_ = contact_advice(*model_, run.made_with, run.state, run.report,
+      advice_ = contact_advice(*model_, run.made_with, *run.state, run.report,
                                history.first(run.cursor + 1).last(run.alike));
   }
 

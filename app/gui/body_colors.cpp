@@ -17,14 +17,14 @@ constexpr double kGoldenPart = 0.6180339887498949;  // of the map from one part 
 
 double value_of(const RunView& run, std::size_t i, ColorQuantity quantity) {
   if (run.model->fixed[i]) return kNone;
-  if (quantity == ColorQuantity::speed) return run.state.v[i].norm();
+  if (quantity == ColorQuantity::speed) return run.state->v[i].norm();
   if (i >= run.report.body_reports.size()) return kNone;
   const BodyReport& r = run.report.body_reports[i];
   switch (quantity) {
     case ColorQuantity::projection:
       return r.projection_change;
     case ColorQuantity::energy:
-      return kinetic_energy_of(*run.model, run.state, static_cast<Index>(i)) + r.contact_energy;
+      return kinetic_energy_of(*run.model, *run.state, static_cast<Index>(i)) + r.contact_energy;
     case ColorQuantity::component:
       return r.island < 0 ? kNone : r.island;
     default:

@@ -23,10 +23,10 @@ AddBody body_at(const RunView& run, const Shape& shape, double density, const Ve
   out.position = place;
   // The top of everything that stands at this place, from above.
   double top = 0;
-  for (const Vec3& c : run.state.c) top = std::max(top, c.y());
+  for (const Vec3& c : run.state->c) top = std::max(top, c.y());
   const Vec3 sky(place.x(), std::max(top, place.y()) + 1e3, place.z());
   if (run.poses) return out;
-  const auto hit = ray_cast(*run.model, run.state, Ray{sky, -Vec3::UnitY()});
+  const auto hit = ray_cast(*run.model, *run.state, Ray{sky, -Vec3::UnitY()});
   if (hit)
     out.position.y() =
         std::max(place.y(), hit->point.y() + kAir * half_height(shape) + run.params.contact.d_hat);

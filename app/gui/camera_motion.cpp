@@ -16,10 +16,11 @@ constexpr double kOneStep = 1.5;  // in steps: less is the next one, rounded
 
 FollowedView followed_view(const Snapshot& sim, const UiState& ui) {
   FollowedView out{ui.camera, {}, Vec3::Zero()};
-  if (!ui.follow || *ui.follow >= sim.a.state.size() || !has_finite_pose(sim.a.state, *ui.follow)) return out;
+  if (!ui.follow || *ui.follow >= sim.a.state->size() || !has_finite_pose(*sim.a.state, *ui.follow))
+    return out;
   const auto i = static_cast<std::size_t>(*ui.follow);
   out.body = sim.a.model->name[i];
-  out.at = sim.a.state.c[i];
+  out.at = sim.a.state->c[i];
   return out;
 }
 
@@ -48,13 +49,13 @@ void CameraMotion::follow(const State& state, UiState& ui) {
 }
 
 void CameraMotion::move(const Snapshot& sim, UiState& ui) {
-  if (!sim.a.poses) follow(sim.a.state, ui);
+  if (!sim.a.poses) follow(*sim.a.state, ui);
   if (trails_.points() != ui.trails || scene_ != sim.scene_serial)
     trails_ = TrailRecorder(ui.trails, kTrailTime);
   scene_ = sim.scene_serial;
-  const double time = sim.a.state.time;
+  const double time = sim.a.state->time;
   const bool jumped = sim.jumps != jumps_ && time > shown_ + kOneStep * sim.a.made_with.h;
-  if (!sim.a.poses) trails_.add(*sim.a.model, sim.a.state, jumped);
+  if (!sim.a.poses) trails_.add(*sim.a.model, *sim.a.state, jumped);
   jumps_ = sim.jumps;
   shown_ = time;
   if (ui.fly && !ui.camera_keys.empty() && time != flown_to_) ui.camera = camera_at(ui.camera_keys, time);

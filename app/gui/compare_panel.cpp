@@ -142,7 +142,7 @@ class ComparePanel final : public GuiPanel {
       return;
     }
     label(fmt::format("now {} m", format_value(distance_.position, 3)));
-    const double late = 1e3 * (f.sim.a.state.time - f.sim.b->state.time);
+    const double late = 1e3 * (f.sim.a.state->time - f.sim.b->state->time);
     tooltip("Largest distance between the places of a body in A and in B, at this moment" +
             (std::abs(late) < 1e-6 ? std::string()
                                    : fmt::format("; B's steps end at other times, now {:.3g} ms {}",
@@ -170,7 +170,7 @@ class ComparePanel final : public GuiPanel {
         const auto it = std::find_if(of_a.begin(), of_a.end(), same);
         differing_.push_back({key, it == of_a.end() ? "" : it->second, value});
       }
-      distance_ = state_distance(a.state, b.state);
+      distance_ = state_distance(*a.state, *b.state);
     }
     std::vector<DistancePoint> distances;
     for (const RunDistance& d : f.sim.distances) distances.push_back({d.time, d.position, 0});
@@ -184,7 +184,7 @@ class ComparePanel final : public GuiPanel {
     thin_lines(plot_, kMostCurvePoints);
     Series cursor;
     cursor.style = SeriesStyle::level_x;
-    cursor.x = {a.state.time};
+    cursor.x = {a.state->time};
     cursor.weight = 2;
     plot_.series.push_back(std::move(cursor));
   }

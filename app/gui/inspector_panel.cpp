@@ -214,11 +214,11 @@ class InspectorPanel final : public GuiPanel {
       AddJoint joint;
       joint.type = type_;
       joint.j = number;
-      joint.anchor = joint.anchor_j = run.state.c[i] + run.state.R[i] * f.ui.selection.at;
+      joint.anchor = joint.anchor_j = run.state->c[i] + run.state->R[i] * f.ui.selection.at;
       // A rod or a spring hangs it from above.
       const double radius = bounding_radius(run.model->shape[i]);
       if (traits_of(type_).points && std::isfinite(radius)) joint.anchor.y() += 2 * radius;
-      set_axes(run.state.R[i] * f.ui.selection.normal, joint);
+      set_axes(run.state->R[i] * f.ui.selection.normal, joint);
       edit(f, joint);
     }
     ImGui::EndDisabled();

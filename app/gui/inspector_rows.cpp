@@ -57,7 +57,7 @@ OnBody contact_force(const RunView& run, Index body) {
 }
 
 void add_pose(const RunView& run, std::size_t i, InspectorRows& rows) {
-  const State& s = run.state;
+  const State& s = *run.state;
   rows.push_back({"pose", ""});
   rows.push_back({"position", in_unit(s.c[i], "m", 4), "Of the centre of mass, in the world"});
   Quat q(s.R[i]);
@@ -73,7 +73,7 @@ void add_pose(const RunView& run, std::size_t i, InspectorRows& rows) {
 
 void add_motion(const RunView& run, Index body, InspectorRows& rows) {
   const auto i = static_cast<std::size_t>(body);
-  const State& s = run.state;
+  const State& s = *run.state;
   const double mass = run.model->mass[i];
   rows.push_back({"motion and energy", ""});
   rows.push_back({"speed", in_unit(s.v[i].norm(), "m/s")});
@@ -209,9 +209,9 @@ InspectorRows body_rows(const RunView& run, Index body) {
 InspectorRows joint_rows(const RunView& run, Index number) {
   const Model& model = *run.model;
   const Joint& joint = model.joints[static_cast<std::size_t>(number)];
-  const Pose i = pose_of(run.state, joint.i), j = pose_of(run.state, joint.j);
+  const Pose i = pose_of(*run.state, joint.i), j = pose_of(*run.state, joint.j);
   BondList bonds;
-  expand(joint, i, j, run.state.time, bonds);
+  expand(joint, i, j, run.state->time, bonds);
   double error = 0, energy = 0;
   Vec3 force = Vec3::Zero();
   for (int k = 0; k < bonds.count; ++k) {

@@ -25,8 +25,8 @@ RunView mixed(const RunView& moment, const RunView& latest) {
 }  // namespace
 
 LivePicture::Drawn LivePicture::moment(const Snapshot& sim) {
-  return {sim.scene_serial, sim.a.model.get(), sim.a.state.step,
-          sim.a.state.time, sim.a.cursor,      sim.b ? sim.b->state.step : -1};
+  return {sim.scene_serial,  sim.a.model.get(), sim.a.state->step,
+          sim.a.state->time, sim.a.cursor,      sim.b ? sim.b->state->step : -1};
 }
 
 bool LivePicture::has_turn(double now) const {

@@ -161,7 +161,7 @@ Plot series_panel_of(const Snapshot& sim, const UiState& ui) {
   const RunView& a = sim.a;
   const double d_hat = a.params.contact.d_hat;
   TimePanelOptions options;
-  options.cursor = a.state.time;
+  options.cursor = a.state->time;
   options.d_hat = d_hat;
   options.marks = marks_of(sim);
   if (sim.b) {
@@ -211,7 +211,7 @@ Figure panel_figure(const std::string& panel, const Snapshot& sim, const UiState
   }
   Figure figure;
   figure.title = std::move(title);
-  figure.caption = run_caption(sim.scene->name, sim.a.state.step, sim.a.params, sim.a.kappa, true);
+  figure.caption = run_caption(sim.scene->name, sim.a.state->step, sim.a.params, sim.a.kappa, true);
   if (sim.b && panel == series_tab.name) figure.caption += "; B: κ = " + format_value(sim.b->kappa);
   plot.title.clear();
   figure.plots.push_back(std::move(plot));

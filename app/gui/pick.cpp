@@ -80,7 +80,7 @@ std::optional<PickedBody> pick_body(const RunView& run, const CameraPose& camera
                                     double x, double y) {
   if (run.poses) return std::nullopt;
   const ViewRay ray = ray_through(camera, port, x, y);
-  const auto hit = ray_cast(*run.model, run.state, Ray{ray.origin, ray.direction});
+  const auto hit = ray_cast(*run.model, *run.state, Ray{ray.origin, ray.direction});
   if (!hit) return std::nullopt;
   return PickedBody{hit->body, hit->point, hit->normal, to_pixel(camera, port, hit->point).depth};
 }
@@ -101,7 +101,7 @@ Selection pick(const RunView& run, const UiState& ui, const Viewport& port, doub
   Nearest nearest(ui, port, x, y, reach, hidden);
   if (ui.bonds) {
     for (std::size_t k = 0; k < run.model->joints.size(); ++k) {
-      const JointPoints p = joint_points(run.state, run.model->joints[k]);
+      const JointPoints p = joint_points(*run.state, run.model->joints[k]);
       const Selection what{Selection::Kind::joint, static_cast<Index>(k)};
       nearest.offer(p.on_i, what);
       nearest.offer(p.on_j, what);
@@ -117,8 +117,8 @@ Selection pick(const RunView& run, const UiState& ui, const Viewport& port, doub
   if (nearest.found().kind != Selection::Kind::none || !body) return nearest.found();
   Selection out{Selection::Kind::body, body->body};
   const auto i = static_cast<std::size_t>(body->body);
-  out.at = run.state.R[i].transpose() * (body->point - run.state.c[i]);
-  out.normal = run.state.R[i].transpose() * body->normal;
+  out.at = run.state->R[i].transpose() * (body->point - run.state->c[i]);
+  out.normal = run.state->R[i].transpose() * body->normal;
   return out;
 }
 

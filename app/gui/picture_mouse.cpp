@@ -41,10 +41,10 @@ AddJoint joint_between(const Joining& first, const RunView& run, const Selection
   const auto i = static_cast<std::size_t>(first.body), j = static_cast<std::size_t>(picked.index);
   joint.i = first.body;
   joint.j = picked.index;
-  const Vec3 clicked = run.state.c[j] + run.state.R[j] * picked.at;
-  joint.anchor = traits_of(joint.type).points ? Vec3(run.state.c[i] + run.state.R[i] * first.at) : clicked;
+  const Vec3 clicked = run.state->c[j] + run.state->R[j] * picked.at;
+  joint.anchor = traits_of(joint.type).points ? Vec3(run.state->c[i] + run.state->R[i] * first.at) : clicked;
   joint.anchor_j = clicked;
-  set_axes(run.state.R[j] * picked.normal, joint);
+  set_axes(run.state->R[j] * picked.normal, joint);
   return joint;
 }
 
@@ -106,7 +106,7 @@ bool PictureMouse::grab(const GuiLayout& layout, GuiFrame& f, const CameraPose& 
     tell(f, at.run.model->name[i] + " is fixed and cannot be pulled");
     return false;
   }
-  const Vec3 r = at.run.state.R[i].transpose() * (hit->point - at.run.state.c[i]);
+  const Vec3 r = at.run.state->R[i].transpose() * (hit->point - at.run.state->c[i]);
   grip_ = Grip{at.run.model, hit->body, r, hit->depth, at.side};
   if (!f.sim.playing) tell(f, "paused: it follows when time goes on (space)");
   pull(layout, f, camera);

@@ -77,8 +77,8 @@ void legend(const GuiFrame& f, const Rect& view) {
 void pulls(const GuiFrame& f, const RunView& run, const Rect& view) {
   for (const Pull& pull : run.pulls) {
     const auto i = static_cast<std::size_t>(pull.body);
-    if (i >= run.state.c.size()) continue;
-    const Vec3 held = run.state.c[i] + run.state.R[i] * pull.r;
+    if (i >= run.state->c.size()) continue;
+    const Vec3 held = run.state->c[i] + run.state->R[i] * pull.r;
     const PixelPoint a = to_pixel(f.ui.camera, {view.w, view.h}, held);
     const PixelPoint b = to_pixel(f.ui.camera, {view.w, view.h}, pull.target);
     if (!(a.depth > 0 && b.depth > 0)) continue;

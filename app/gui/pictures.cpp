@@ -18,7 +18,7 @@ constexpr int kLeastPicture = 16, kLargestPicture = 16384;  // pixels
 Frame frame_of(const Snapshot& sim) {
   std::optional<FrameView> b;
   if (sim.b) b = *sim.b;
-  return make_frame(static_cast<int>(sim.a.state.step), sim.a, std::move(b), {});
+  return make_frame(static_cast<int>(sim.a.state->step), sim.a, std::move(b), {});
 }
 
 // The scene with these parameters: what a picture tells of frame 0.
@@ -27,7 +27,7 @@ FrameView start_of(const std::shared_ptr<const Scene>& scene, const Params& para
   start.model = {scene, &scene->model};
   start.params = params;
   start.kappa = resolve_kappa(scene->model, params);
-  start.state = scene->initial;
+  start.state = {scene, &scene->initial};
   return start;
 }
 
@@ -35,9 +35,9 @@ FrameView start_of(const std::shared_ptr<const Scene>& scene, const Params& para
 PngText text_of(const Snapshot& sim, const ViewFacts& facts) {
   const FrameView a = start_of(sim.scene, sim.a.params);
   const FrameView b = sim.b ? start_of(sim.b->scene, sim.b->params) : FrameView{};
-  PngText common = common_text(*sim.scene, facts, a, sim.b ? &b : nullptr);
-  if (sim.b) add_joints_of_b(*sim.scene, a, *sim.b->scene, b, common);
-  return frame_text(common, static_cast<int>(sim.a.state.step), sim.a.state.time);
+  const PngText common =
+      common_text(*sim.scene, facts, a, sim.b ? &b : nullptr, "", sim.b ? sim.b->scene.get() : nullptr);
+  return frame_text(common, static_cast<int>(sim.a.state->step), sim.a.state->time);
 }
 
 ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height,

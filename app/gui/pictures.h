@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/frames/ab_painter.h"
-#include "app/frames/past_source.h"
+#include "app/frames/frame_source.h"
 #include "app/gui/ui_state.h"
 #include "app/workbench/runner.h"
 #include "render/gl/renderer.h"

@@ -113,7 +113,7 @@ void Recorder::open(const Frame& first) {
   Job& job = *job_;
   const command::Record& r = job.record;
   if (job.view) {
-    job.camera_text = camera_words(*job.view, *first.a.model, first.a.state);
+    job.camera_text = camera_words(*job.view, *first.a.model, *first.a.state);
     job.camera = parse_camera(job.camera_text);
   }
   std::vector<std::string> trails;
@@ -128,9 +128,8 @@ void Recorder::open(const Frame& first) {
                         .gl_renderer = job.painter->gl_renderer(),
                         .theme = std::string(job.overlay.theme->name),
                         .trails = std::move(trails)};
-  PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
-                               job.ab_view == AbView::side ? "side" : "ghost");
-  if (first.b) add_joints_of_b(*job.scene, first.a, *job.scene_b, *first.b, common);
+  const PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
+                                     job.ab_view == AbView::side ? "side" : "ghost", job.scene_b.get());
   SinkOptions options;
   options.width = r.width;
   options.height = r.height;

@@ -38,10 +38,10 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
   options.values = std::move(colors.values);
   options.value_range = colors.range;
   if (ui.selection.index >= 0) select(ui.selection, options);
-  build_visual(*run.model, run.state, run.report, options, out);
+  build_visual(*run.model, *run.state, run.report, options, out);
   for (const Pull& pull : run.pulls) {
     const auto i = static_cast<std::size_t>(pull.body);
-    if (i < run.state.c.size()) add_spring(pull.target, run.state.c[i] + run.state.R[i] * pull.r, out);
+    if (i < run.state->c.size()) add_spring(pull.target, run.state->c[i] + run.state->R[i] * pull.r, out);
   }
 }
 
@@ -73,7 +73,7 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<T
   }
   build(sim, Side::a, ui, visual_[0]);
   for (std::size_t k = 0; k < trails.size(); ++k) add_trail(trails[k].path, trail_color(k), visual_[0]);
-  if (sim.b && !two) add_ghost(*sim.b->model, sim.b->state, ghost_color(), visual_[0]);
+  if (sim.b && !two) add_ghost(*sim.b->model, *sim.b->state, ghost_color(), visual_[0]);
   renderer.draw_view(0, visual_[0], width, height, quality);
   if (two) {
     build(sim, Side::b, ui, visual_[1]);

@@ -34,9 +34,10 @@ OrderedJson run_json(const RunView& run) {
   for (const auto& [key, value] : run.changed) changed[key] = value;
   const StepReport& r = run.report;
   OrderedJson bodies = OrderedJson::array();
-  for (std::size_t i = 0; i < std::min(kMostBodies, run.state.c.size()); ++i) {
-    bodies.push_back(
-        {{"name", run.model->name[i]}, {"position", vec(run.state.c[i])}, {"velocity", vec(run.state.v[i])}});
+  for (std::size_t i = 0; i < std::min(kMostBodies, run.state->c.size()); ++i) {
+    bodies.push_back({{"name", run.model->name[i]},
+                      {"position", vec(run.state->c[i])},
+                      {"velocity", vec(run.state->v[i])}});
   }
   OrderedJson parting;
   if (run.parting) {
@@ -44,9 +45,9 @@ OrderedJson run_json(const RunView& run) {
     if (run.parting->differs) parting["differs"] = *run.parting->differs;
     if (run.parting->parted) parting["parted"] = *run.parting->parted;
   }
-  return {{"step", run.state.step},
-          {"time", run.state.time},
-          {"hash", state_hash(run.state)},
+  return {{"step", run.state->step},
+          {"time", run.state->time},
+          {"hash", state_hash(*run.state)},
           {"cursor", run.cursor},
           {"moments", run.history.size()},
           {"left", run.left ? run.left->size() : 0},
@@ -119,7 +120,7 @@ OrderedJson state_document(const Snapshot& sim, const UiState& ui) {
           {"a", run_json(sim.a)},
           {"b", sim.b ? run_json(*sim.b) : OrderedJson()},
           {"distances", sim.distances.size()},
-          {"distance", sim.b ? state_distance(sim.a.state, sim.b->state).position : 0},
+          {"distance", sim.b ? state_distance(*sim.a.state, *sim.b->state).position : 0},
           {"playing", sim.playing},
           {"speed", sim.speed},
           {"diverged", sim.diverged},

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <vector>
 
-#include "app/frames/thumbnail.h"
+#include "app/frames/linear_light.h"
 #include "app/sweep/collect_sheet.h"
 
 namespace pabd {

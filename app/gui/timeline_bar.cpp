@@ -172,7 +172,7 @@ void draw_kept(const GuiFrame& f) {
 
 void TimelineBar::draw(GuiFrame& f) {
   const Reports& history = f.sim.a.history;
-  const double now = f.sim.a.state.time;
+  const double now = f.sim.a.state->time;
   if (icon_button(f, "restart", "From the beginning, with the present parameters (r)"))
     f.out.send(Command(command::Restart{}));
   ImGui::SameLine();
@@ -205,7 +205,7 @@ void TimelineBar::draw(GuiFrame& f) {
                            ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x) +
                   ImGui::GetStyle().ItemSpacing.x);
   const float step_left = ImGui::GetCursorPosX();
-  muted_label(f, fmt::format("step {}", f.sim.a.state.step));
+  muted_label(f, fmt::format("step {}", f.sim.a.state->step));
   const float step_end = std::max(step_left + ImGui::CalcTextSize("step 00000").x,
                                   ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x);
   // What does not fit any more is left out.

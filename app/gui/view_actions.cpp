@@ -233,7 +233,7 @@ struct Actor {
   }
   void operator()(const command::LoadRun&) const {}
   void operator()(const command::AddCameraKey&) const {
-    add_camera_key(ui.camera_keys, {sim.a.state.time, ui.camera});
+    add_camera_key(ui.camera_keys, {sim.a.state->time, ui.camera});
     ui.keys_unsaved = true;
   }
   void operator()(const command::DropCameraKey& c) const {
@@ -260,9 +260,9 @@ struct Actor {
 
   // What is there now; with `ahead` also where the scene's bodies go from its start on.
   std::shared_ptr<const std::vector<Spot>> everything(bool ahead) const {
-    auto spots = std::make_shared<std::vector<Spot>>(spots_of(*sim.a.model, sim.a.state));
+    auto spots = std::make_shared<std::vector<Spot>>(spots_of(*sim.a.model, *sim.a.state));
     if (sim.b) {
-      const std::vector<Spot> of_b = spots_of(*sim.b->model, sim.b->state);
+      const std::vector<Spot> of_b = spots_of(*sim.b->model, *sim.b->state);
       spots->insert(spots->end(), of_b.begin(), of_b.end());
     }
     const bool as_loaded = sim.a.model->size() == sim.scene->model.size();
@@ -293,8 +293,8 @@ struct Actor {
     const auto body_sphere = [&](Index body) -> std::optional<BoundingSphere> {
       const auto i = static_cast<std::size_t>(body);
       const double radius = bounding_radius(model.shape[i]);
-      if (!std::isfinite(radius) || !has_finite_pose(sim.a.state, body)) return std::nullopt;
-      return BoundingSphere{sim.a.state.c[i], 1.5 * radius};
+      if (!std::isfinite(radius) || !has_finite_pose(*sim.a.state, body)) return std::nullopt;
+      return BoundingSphere{sim.a.state->c[i], 1.5 * radius};
     };
     const auto index = static_cast<std::size_t>(ui.selection.index);
     switch (ui.selection.kind) {
@@ -316,7 +316,7 @@ struct Actor {
       case Selection::Kind::none:
         break;
     }
-    return bounding_sphere(model, sim.a.state);
+    return bounding_sphere(model, *sim.a.state);
   }
 };
 

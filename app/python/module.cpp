@@ -12,12 +12,12 @@
 
 #include "app/cli/exit_code.h"
 #include "app/cli/scene_lookup.h"
-#include "app/frames/frame_schedule.h"
 #include "app/python/arrays.h"
 #include "app/python/figures.h"
 #include "app/python/parameter_values.h"
 #include "app/python/report_dict.h"
 #include "app/python/simulation.h"
+#include "app/session/step_at_time.h"
 #include "render/output/png.h"
 #include "sim/base/error.h"
 #include "sim/base/output_path.h"

@@ -237,11 +237,11 @@ void DeskWork::tell_events(const Snapshot& sim) {
     event_playing_ = sim.playing;
     tell({{"event", sim.playing ? "play" : "pause"}});
   }
-  if (sim.a.state.step != event_step_) {
-    event_step_ = sim.a.state.step;
+  if (sim.a.state->step != event_step_) {
+    event_step_ = sim.a.state->step;
     tell({{"event", "step"},
-          {"step", sim.a.state.step},
-          {"time", sim.a.state.time},
+          {"step", sim.a.state->step},
+          {"time", sim.a.state->time},
           {"iterations", sim.a.report.iterations},
           {"max_penetration", sim.a.report.max_penetration}});
   }

@@ -64,12 +64,10 @@ class ByteWriter {
 };
 
 // Bytes that can be read at any place: a file, or a text in memory.
-class ByteSource {
- public:
-  virtual ~ByteSource() = default;
-  virtual std::uint64_t size() const = 0;
-  // Precondition: at + n ≤ size(). Throws Error(file).
-  virtual void read(std::uint64_t at, char* to, std::size_t n) const = 0;
+struct ByteSource {
+  std::uint64_t size = 0;
+  // Precondition: at + n ≤ size. Throws Error(file).
+  std::function<void(std::uint64_t at, char* to, std::size_t n)> read;
 };
 
 class ByteReader {
@@ -115,11 +113,6 @@ class ByteReader {
     const std::size_t n = u32();
     require(n <= left() / least_bytes, "a list is longer than the file");
     return n;
-  }
-  bool flag() {
-    const std::uint8_t x = u8();
-    require(x <= 1, "a switch is neither on nor off");
-    return x == 1;
   }
 
  private:

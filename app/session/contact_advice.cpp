@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "app/session/halving_advice.h"
 #include "sim/base/counted.h"
 #include "sim/solver/halving.h"
 #include "sim/solver/parameter_table.h"
@@ -16,8 +15,14 @@
 namespace pabd {
 namespace {
 
-constexpr double kComfortable = 0.5;      // d/d̂ that the deepest contact should keep
-constexpr double kTenfold = 10;           // a bed of springs that stiffens more at once throws bodies out
+constexpr double kComfortable = 0.5;  // d/d̂ that the deepest contact should keep
+constexpr double kTenfold = 10;       // a bed of springs that stiffens more at once throws bodies out
+constexpr int kWorthAWord = 15;       // unsolved steps of those that are looked at
+// d̂ that a body still moved: with less, no picture and no reading is another one.
+constexpr double kWorthTelling = 1e-3;
+// What 80 iterations, in up to 16 parts of the step, do not solve, more of them seldom do: half the step helps more.
+constexpr int kIterationsEnough = 80;
+constexpr int kTimes = 4;
 constexpr double kManyIterations = 1000;  // beyond, another method is the better advice
 constexpr double kManySissmIterations = 200;
 
@@ -242,7 +247,7 @@ std::string parts(const StepReport& report) {
 std::optional<Advice> iteration_limit(const Model& model, const Params& params, const StepReport& report) {
   // Tolerance 0 asks for all iterations.
   if (report.status != StepStatus::iteration_limit || params.solver.tolerance == 0) return std::nullopt;
-  // What is too little for halves is news where it comes again and again (halving_advice.h).
+  // What is too little for halves is news where it comes again and again (halving_advice).
   if (may_halve(params.solver) && report.residual <= kUnsolved) return std::nullopt;
   return longer_solve(model, params, report, AdviceKind::iteration_limit,
                       fmt::format("{} {} not enough{}{}: {}", counted(report.iterations, "iteration"),
@@ -306,6 +311,35 @@ ContactNumbers contact_numbers(const Model& model, const MassRange& masses, cons
   if (masses.median > 0) numbers.stiffness_median = stiffness / masses.median;
   if (masses.heaviest > 0) numbers.stiffness_heaviest = stiffness / masses.heaviest;
   return numbers;
+}
+
+std::optional<Advice> halving_advice(const Params& params, std::span<const StepSummary> past) {
+  const SolverParams& solver = params.solver;
+  if (solver.tolerance == 0) return std::nullopt;  // that asks for all iterations
+  past = past.last(std::min(past.size(), kStepsLookedAt));
+  int unsolved = 0, deepest = 0;
+  for (const StepSummary& step : past) {
+    if (step.status != StepStatus::iteration_limit || !(step.residual > kWorthTelling)) continue;
+    ++unsolved;
+    deepest = std::max(deepest, step.halvings);
+  }
+  if (unsolved < kWorthAWord) return std::nullopt;
+  Advice advice{AdviceKind::unsolved_halves,
+                fmt::format("{} of {} ended unsolved{}", unsolved, counted(past.size(), "step"),
+                            deepest > 0 ? fmt::format(", in up to {} parts too", 1 << deepest) : ""),
+                "", "", ""};
+  const std::string few =
+      fmt::format("Too much happens in one step for {}. ", counted(solver.iterations, "iteration"));
+  if (solver.iterations < kIterationsEnough) {
+    advice.why = few + "More of them solve more of its parts.";
+    advice.key = "solver.iterations";
+    advice.value = std::to_string(kTimes * solver.iterations);
+  } else {
+    advice.why = few + "Half the time step halves every move.";
+    advice.key = "time_step";
+    advice.value = number(allowed(&Params::h, 0.5 * params.h));
+  }
+  return advice;
 }
 
 std::vector<Advice> contact_advice(const Model& model, const Params& params, const State& state,

@@ -75,8 +75,16 @@ struct Advice {
 
 // The most serious first; empty when there is nothing to say. Every suggestion passes check_params when put
 // into `params`. Where a change has to be estimated, it is meant to be clicked again if it was not enough.
-// `past`: the steps up to this one that were made with `params`, or the last of them (halving_advice.h).
+// `past`: the steps up to this one that were made with `params`, or the last of them.
 std::vector<Advice> contact_advice(const Model& model, const Params& params, const State& state,
                                    const StepReport& report, std::span<const StepSummary> past = {});
+
+// As many of the last steps are looked at for advice about many of them.
+inline constexpr std::size_t kStepsLookedAt = 60;
+
+// Of steps that are made again in halves (halving.h) and unsolved all the same, one after the other: more iterations
+// solve more of the parts, and a smaller step what many iterations do not. A hit that is halved and solved is no news.
+// `past`: steps that were made with `params`, the last one last.
+std::optional<Advice> halving_advice(const Params& params, std::span<const StepSummary> past);
 
 }  // namespace pabd

@@ -19,8 +19,9 @@ namespace pabd {
 struct FrameView {
   std::shared_ptr<const Model> model;  // null only in a view of nothing
   Params params;
-  double kappa = 0;                            // contact stiffness that params.contact.kappa comes to; J
-  State state;                                 // where `poses` has the bodies it has a step and a time only
+  double kappa = 0;  // contact stiffness that params.contact.kappa comes to; J
+  // Never null; shared with the past of the run. Where `poses` has the bodies it has a step and a time only.
+  std::shared_ptr<const State> state = std::make_shared<const State>();
   std::shared_ptr<const PoseCopy> poses = {};  // where the bodies are, if not in `state`
   StepReport report;  // of the step that led here, with what was observed; energies only where none did
   Reports history;    // of the run that it is a moment of

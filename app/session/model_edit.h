@@ -60,9 +60,9 @@ std::string sized_shapes();
 
 using ModelEdit = std::variant<AddBody, RemoveBody, AddJoint, RemoveJoint>;
 
-// Carries `edit` out on a model and a state of it. `joint_law` is for joints without a law of their own.
-// Ranges are those of scene files. Throws Error(bad_input), in one line, when it cannot be done: then nothing
-// has changed. Bodies that an edit does not touch keep every bit of their state.
+// Carries `edit` out on a model and a state of it. `joint_law` is for joints without a law of their own. Precondition:
+// its numbers are in range, as edit_from_json leaves them. Throws Error(bad_input), in one line, when it cannot be done:
+// then nothing has changed. Bodies that an edit does not touch keep every bit of their state.
 void apply_edit(const ModelEdit& edit, const BondLaw& joint_law, Model& model, State& state);
 
 // {"do": "add_body", "shape": {"type": "sphere", "radius": 0.5}, "position": [0, 3, 0]}: keys and units of a
@@ -71,6 +71,7 @@ void apply_edit(const ModelEdit& edit, const BondLaw& joint_law, Model& model, S
 //   remove_body  body
 //   add_joint    name, type, bodies, anchor (points for a distance), axis, second_axis, length; potential, kappa, N, d_hat
 //   remove_joint joint
+// Throws Error(bad_input) for an orientation that is no rotation.
 std::string to_json(const ModelEdit& edit);
 
 // Throws Error(bad_input) naming `source` and the place: unknown keys, wrong types, numbers out of range.

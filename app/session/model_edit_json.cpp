@@ -44,6 +44,9 @@ struct ToJson {
       out["density"] = body.density;
     }
     out["position"] = json_of(body.position);
+    const Mat3& R = body.orientation;
+    if ((R.transpose() * R - Mat3::Identity()).cwiseAbs().maxCoeff() >= 1e-6 || !(R.determinant() > 0))
+      throw Error(ErrorKind::bad_input, "orientation: expected a rotation");
     if (body.orientation != Mat3::Identity()) out["orientation"] = json_of_rotation(body.orientation);
     if (!body.velocity.isZero(0)) out["velocity"] = json_of(body.velocity);
     if (!body.omega.isZero(0)) out["angular_velocity"] = json_of(Vec3(body.omega * (180 / kPi)));

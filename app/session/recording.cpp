@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "app/session/record_parts.h"
@@ -26,47 +25,26 @@ namespace {
 
 constexpr std::size_t kLeastMoment = 100, kLeastText = 4, kPullBytes = 4 + 7 * 8;  // bytes at least
 
-class TextSource : public ByteSource {
- public:
-  explicit TextSource(std::string_view bytes) : bytes_(bytes) {}
-  std::uint64_t size() const override { return bytes_.size(); }
-  void read(std::uint64_t at, char* to, std::size_t n) const override {
-    std::memcpy(to, bytes_.data() + at, n);
-  }
-
- private:
-  std::string_view bytes_;
-};
-
-class FileSource : public ByteSource {
- public:
-  explicit FileSource(const std::string& path) : path_(path), file_(require_input(path, "a recording")) {
-    struct stat info;
-    if (::fstat(file_.get(), &info) != 0) fail(system_reason(errno));
-    if (!S_ISREG(info.st_mode)) fail("it is a pipe, and a recording is read twice; save it to a file");
-    size_ = static_cast<std::uint64_t>(info.st_size);
-  }
-  std::uint64_t size() const override { return size_; }
-  void read(std::uint64_t at, char* to, std::size_t n) const override {
+ByteSource file_source(const std::string& path) {
+  const auto fail = [path](const std::string& why) {
+    throw Error(ErrorKind::file, path, "cannot be read: " + why);
+  };
+  const auto file = std::make_shared<const Descriptor>(require_input(path, "a recording"));
+  struct stat info;
+  if (::fstat(file->get(), &info) != 0) fail(system_reason(errno));
+  if (!S_ISREG(info.st_mode)) fail("it is a pipe, and a recording is read twice; save it to a file");
+  const auto read = [file, fail](std::uint64_t at, char* to, std::size_t n) {
     while (n > 0) {
-      const ssize_t got = ::pread(file_.get(), to, n, static_cast<off_t>(at));
+      const ssize_t got = ::pread(file->get(), to, n, static_cast<off_t>(at));
       if (got < 0 && errno == EINTR) continue;
       if (got <= 0) fail(got < 0 ? system_reason(errno) : "it was cut off while it was read");
       at += static_cast<std::uint64_t>(got);
       to += got;
       n -= static_cast<std::size_t>(got);
     }
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& why) const {
-    throw Error(ErrorKind::file, path_, "cannot be read: " + why);
-  }
-
-  std::string path_;
-  Descriptor file_;
-  std::uint64_t size_ = 0;
-};
+  };
+  return {static_cast<std::uint64_t>(info.st_size), read};
+}
 
 // The models that edits lead to, one after the other.
 class ModelChain {
@@ -139,7 +117,7 @@ class Decoder {
     const std::size_t n = in_.count(kLeastText + 1);
     const std::uint32_t gone = in_.u32();
     in_.require(gone <= n, "edits are missing");
-    std::vector<Timeline::ForgottenEdit> list;
+    std::shared_ptr<const EditChain> chain;
     for (std::size_t k = 0; k < n; ++k) {
       const std::string text = in_.text();
       const ModelEdit edit = edit_from_json(text, "recording");
@@ -152,10 +130,11 @@ class Decoder {
       std::shared_ptr<const State> state;
       if (adds_joint) state = std::make_shared<const State>(read_state(in_, models_.size_after(edit)));
       models_.carry_out(edit, state.get());
-      list.push_back({std::move(made), std::move(state)});
+      chain =
+          std::make_shared<const EditChain>(EditChain{std::move(made), std::move(state), std::move(chain)});
     }
     in_.require(forgotten <= std::uint64_t{1} << 40, "too many moments are forgotten");
-    timeline_.set_forgotten(static_cast<std::size_t>(forgotten), std::move(list));
+    timeline_.set_forgotten(static_cast<std::size_t>(forgotten), std::move(chain));
   }
 
   void read_pulls() {
@@ -256,8 +235,8 @@ bool checksum_fits(const ByteSource& in, std::uint64_t end) {
 
 Timeline decode(const ByteSource& bytes, const std::string& source, const std::shared_ptr<const Scene>& scene,
                 std::size_t memory) {
-  ByteReader head(bytes, 0, bytes.size(), source);
-  if (bytes.size() < kRecordHeadBytes || head.raw(kRecordMagic.size()) != kRecordMagic)
+  ByteReader head(bytes, 0, bytes.size, source);
+  if (bytes.size < kRecordHeadBytes || head.raw(kRecordMagic.size()) != kRecordMagic)
     head.fail("no recording of this program; save one with 'save recording'");
   const std::uint32_t version = head.u32();
   if (version != kRecordVersion) {
@@ -267,7 +246,7 @@ Timeline decode(const ByteSource& bytes, const std::string& source, const std::s
   }
   const std::uint64_t size = head.u64();
   const std::uint64_t least = kRecordHeadBytes + kRecordChecksumBytes;
-  head.require(bytes.size() >= least && size == bytes.size() - least, "it is cut off, or too long");
+  head.require(bytes.size >= least && size == bytes.size - least, "it is cut off, or too long");
   const std::uint64_t end = kRecordHeadBytes + size;
   head.require(checksum_fits(bytes, end), "its checksum is another one");
   try {
@@ -282,12 +261,13 @@ Timeline decode(const ByteSource& bytes, const std::string& source, const std::s
 
 Timeline decode_recording(const std::string& bytes, const std::string& source,
                           const std::shared_ptr<const Scene>& scene, std::size_t memory) {
-  return decode(TextSource(bytes), source, scene, memory);
+  const auto read = [&bytes](std::uint64_t at, char* to, std::size_t n) { bytes.copy(to, n, at); };
+  return decode({bytes.size(), read}, source, scene, memory);
 }
 
 Timeline read_recording(const std::string& path, const std::shared_ptr<const Scene>& scene,
                         std::size_t memory) {
-  return decode(FileSource(path), path, scene, memory);
+  return decode(file_source(path), path, scene, memory);
 }
 
 std::optional<std::int64_t> first_difference(const Timeline& recorded, int threads) {

@@ -31,18 +31,15 @@ class Table {
 };
 
 struct Tables {
-  explicit Tables(const Timeline& timeline) : edits(timeline.forgotten_edits().size()) {
+  explicit Tables(const Timeline& timeline) {
     for (std::size_t i = 0; i < timeline.size(); ++i) {
-      const Moment& m = timeline[i];
-      params.number_of(m.params);
-      if (m.pulls) pulls.number_of(m.pulls);
-      if (m.edit) ++edits;
+      params.number_of(timeline[i].params);
+      if (timeline[i].pulls) pulls.number_of(timeline[i].pulls);
     }
   }
 
   Table<Params> params;
   Table<std::vector<Pull>> pulls;
-  std::size_t edits;
 };
 
 void write_moment(const Moment& m, bool with_state, Tables& tables, ByteWriter& out) {
@@ -58,15 +55,18 @@ void write_moment(const Moment& m, bool with_state, Tables& tables, ByteWriter& 
   if (with_state) write_state(*m.state, out);
 }
 
-void write_edits(const Timeline& timeline, const Tables& tables, ByteWriter& out) {
-  out.u32(tables.edits);
-  out.u32(timeline.forgotten_edits().size());
-  for (const auto& e : timeline.forgotten_edits()) {
-    out.text(e.made->text);
-    if (e.state) write_state(*e.state, out);
+void write_edits(const Timeline& timeline, ByteWriter& out) {
+  std::vector<const EditChain*> edits;
+  std::size_t forgotten = 0;
+  for (const EditChain* edit = timeline.edits().get(); edit; edit = edit->before.get()) edits.push_back(edit);
+  for (const EditChain* edit = timeline.forgotten_edits().get(); edit; edit = edit->before.get()) ++forgotten;
+  out.u32(edits.size());
+  out.u32(forgotten);
+  for (std::size_t k = 0; k < edits.size(); ++k) {
+    const EditChain& edit = *edits[edits.size() - 1 - k];
+    out.text(edit.made->text);
+    if (k < forgotten && edit.state) write_state(*edit.state, out);
   }
-  for (std::size_t i = 0; i < timeline.size(); ++i)
-    if (timeline[i].edit) out.text(timeline[i].edit->text);
 }
 
 void write_pulls(const Tables& tables, ByteWriter& out) {
@@ -90,7 +90,7 @@ void write_payload(const Run& run, Tables& tables, ByteWriter& out) {
   out.u64(timeline.forgotten());
   out.u32(tables.params.items().size());
   for (const auto& p : tables.params.items()) out.text(params_json(*p));
-  write_edits(timeline, tables, out);
+  write_edits(timeline, out);
   write_pulls(tables, out);
   out.u32(timeline.size());
   std::size_t written = 0;  // the last moment with its state

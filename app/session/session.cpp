@@ -24,7 +24,10 @@ Session::Session(std::shared_ptr<const Scene> scene, int threads)
 
 double Session::kappa() const { return resolve_kappa(*model_, *params_); }
 
-FrameView Session::view() const { return {model_, *params_, kappa(), state_, {}, report_, {}, {}, {}}; }
+FrameView Session::view(std::shared_ptr<const State> state) const {
+  if (!state) state = std::make_shared<const State>(state_);
+  return {model_, *params_, kappa(), std::move(state), {}, report_, {}, {}, {}};
+}
 
 void Session::solve_with(std::shared_ptr<StepEngine> engine) {
   const auto before = std::exchange(engine_, std::move(engine));
@@ -40,10 +43,12 @@ void Session::complete_state() {
 }
 
 FrameView Session::view_on_device(std::shared_ptr<const PoseCopy> poses) const {
-  State now;
-  now.step = state_.step;
-  now.time = state_.time;
-  return {model_, *params_, kappa(), std::move(now), std::move(poses), report_, {}, {}, {}};
+  auto now = std::make_shared<State>();
+  now->step = state_.step;
+  now->time = state_.time;
+  FrameView out = view(std::move(now));
+  out.poses = std::move(poses);
+  return out;
 }
 
 State Session::whole_state() const {
@@ -104,7 +109,7 @@ void Session::restore(std::shared_ptr<const Model> model, State state, StepRepor
 void Session::edit(const ModelEdit& edit) {
   complete_state();
   auto model = std::make_shared<Model>(*model_);
-  apply_edit(edit, scene_->joint_law, *model, state_);
+  apply_edit(edit_from_json(to_json(edit), "edit"), scene_->joint_law, *model, state_);
   take(std::move(model));
   options_.pulls.clear();  // their numbers may have moved
   describe_start();

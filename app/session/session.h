@@ -31,7 +31,8 @@ class Session {
   const State& state() const { return state_; }
   const StepReport& report() const { return report_; }  // of the last step; energies only before the first
   double kappa() const;                                 // resolved contact stiffness; J
-  FrameView view() const;                               // of now, without a history
+  // Of now, without a history. `state`: state() as somebody has it who shares it; null: a copy is made.
+  FrameView view(std::shared_ptr<const State> state = nullptr) const;
   // The same, with the bodies where the engine has them.
   FrameView view_on_device(std::shared_ptr<const PoseCopy> poses) const;
 
@@ -77,8 +78,8 @@ class Session {
   // Continues from another state of the same model. Throws Error(bad_input) when it does not fit the model.
   void set_state(State state);
 
-  // Continues with bodies or joints added or removed, and without pulls. Throws Error(bad_input) as
-  // apply_edit does; nothing has changed then.
+  // Continues with bodies or joints added or removed, as the JSON form of the edit says it, and without pulls. Throws
+  // Error(bad_input) as edit_from_json and apply_edit do; nothing has changed then.
   void edit(const ModelEdit& edit);
 
   // Continues from a state of `model`, as a run that is wound back does. Throws like set_state. `made`: what is known of

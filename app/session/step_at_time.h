@@ -12,14 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 
 namespace pabd {
-
-class Run;
-class Timeline;
 
 // Times are sums of steps, and steps are rounded where they are written: h = 0.0166667 and 60 frames a second
 // go together. Forgiven: a part of the time, at most a part of a step.
@@ -40,17 +35,9 @@ inline std::int64_t steps_until(double t, double h) {
   return static_cast<std::int64_t>(std::floor((t + forgiven(t, h)) / h));
 }
 
-// The moment of B's past that belongs to moment i of A's.
-std::size_t moment_in_step(const Timeline& a, std::size_t i, const Timeline& b);
-
-// B to where A went on to, as far as B has been there already.
-void rejoin(const Run& a, Run& b);
-// And from there with new steps; `made` is called after each. False when one could not be made
-// (Run::advance).
-bool follow(const Run& a, Run& b, const std::function<void()>& made = {});
-
-// Whether the steps that led A and B to where they are end at the same time, with the same number of bodies:
-// then the two states can be compared.
-bool at_common_time(const Run& a, const Run& b);
+// The step that frame f of a run from t = 0 shows: that of its time f/fps. Frame 0 is the initial state.
+inline std::int64_t step_of_frame(std::int64_t frame, double fps, double h) {
+  return steps_until(static_cast<double>(frame) / fps, h);
+}
 
 }  // namespace pabd

@@ -57,8 +57,6 @@ class DeviceSwitch {
   // Nothing is held any more, until a device is chosen again.
   void release();
 
-  void swap_engines(DeviceSwitch& other);
-
   // Of the last answer.
   const DeviceStatus& status() const { return status_; }
   // The device that is open, also while the processor makes a step; null: none.

@@ -23,6 +23,12 @@ std::size_t state_bytes(const State& state) {
          state.change.size() * sizeof(StepChange);
 }
 
+bool same_edits(const EditChain* a, const EditChain* b) {
+  for (; a != b; a = a->before.get(), b = b->before.get())
+    if (!a || !b || (a->made != b->made && a->made->text != b->made->text)) return false;
+  return true;
+}
+
 double largest_distance(const State& a, const State& b) {
   double squared = 0;
   for (std::size_t i = 0; i < std::min(a.c.size(), b.c.size()); ++i) {
@@ -31,17 +37,33 @@ double largest_distance(const State& a, const State& b) {
   return std::sqrt(squared);
 }
 
+void Timeline::count(const Moment& moment, bool comes) {
+  const std::size_t bytes = moment.state ? state_bytes(*moment.state) : 0;
+  const std::size_t gone = moment.device && !moment.state ? 1 : 0;
+  bytes_ = comes ? bytes_ + bytes : bytes_ - bytes;
+  gone_ = comes ? gone_ + gone : gone_ - gone;
+}
+
 void Timeline::add(Moment moment) {
-  if (moment.state) {
-    bytes_ += state_bytes(*moment.state);
-  } else if (moment.device) {
-    ++gone_;
+  moment.edits = empty() ? edits_before_ : back().edits;
+  if (moment.edit) {
+    moment.edits = std::make_shared<const EditChain>(
+        EditChain{moment.edit, moment.edit->adds_joint ? moment.state : nullptr, moment.edits});
   }
+  moment.pulled = (empty() ? 0 : pulled()) + (moment.pulls ? 1 : 0);
   reports_.push_back(moment.report);
-  if (moment.edit) edits_.push_back(moment.edit);
-  if (moment.pulls) ++pulled_;
-  moments_.push_back(std::move(moment));
+  moments_.push_back(std::make_shared<const Moment>(std::move(moment)));
+  count(back(), true);
   if (bytes_ > budget_) shrink();
+}
+
+// In place of the moment one with that state: others may share it.
+void Timeline::give_state(std::shared_ptr<const Moment>& moment, std::shared_ptr<const State> state) {
+  count(*moment, false);
+  auto other = std::make_shared<Moment>(*moment);
+  other->state = std::move(state);
+  moment = std::move(other);
+  count(*moment, true);
 }
 
 std::size_t Timeline::newest_of_device(std::size_t bytes) const {
@@ -54,17 +76,14 @@ bool Timeline::wants(std::int64_t step, std::size_t bytes, bool newest) const {
 }
 
 void Timeline::put_state(std::shared_ptr<const State> state) {
-  Moment& last = moments_.back();
-  bytes_ += state_bytes(*state);
-  if (last.device) --gone_;
-  last.state = std::move(state);
+  give_state(moments_.back(), std::move(state));
   if (bytes_ > budget_) shrink();
 }
 
 std::size_t Timeline::kept(std::size_t i) const {
   std::size_t from = i;
-  while (from > 0 && !moments_[from].state) --from;
-  while (from < i && !moments_[from + 1].device) ++from;
+  while (from > 0 && !moments_[from]->state) --from;
+  while (from < i && !moments_[from + 1]->device) ++from;
   return from;
 }
 
@@ -77,25 +96,25 @@ std::size_t Timeline::next_kept(std::size_t i) const {
 
 std::size_t Timeline::made_alike(std::size_t i, std::size_t most) const {
   const auto alike = [&](const Moment& m) {
-    return !m.start && (m.params == moments_[i].params || *m.params == *moments_[i].params);
+    return !m.start && (m.params == moments_[i]->params || *m.params == *moments_[i]->params);
   };
   std::size_t count = 0;
-  while (count < most && count <= i && alike(moments_[i - count])) ++count;
+  while (count < most && count <= i && alike(*moments_[i - count])) ++count;
   return count;
 }
 
 std::shared_ptr<const State> Timeline::state(std::size_t i, int threads) const {
   std::size_t kept = i;
-  while (!moments_[kept].state) --kept;
-  if (kept == i) return moments_[i].state;
-  auto state = std::make_shared<State>(*moments_[kept].state);
+  while (!moments_[kept]->state) --kept;
+  if (kept == i) return moments_[i]->state;
+  auto state = std::make_shared<State>(*moments_[kept]->state);
   StepWorkspace workspace;
   StepReport report;
   StepOptions options;
   options.threads = threads;
   for (std::size_t k = kept + 1; k <= i; ++k) {
-    options.pulls = moments_[k].pulls ? *moments_[k].pulls : std::vector<Pull>{};
-    step(*moments_[k].model, *moments_[k].params, options, *state, workspace, report);
+    options.pulls = moments_[k]->pulls ? *moments_[k]->pulls : std::vector<Pull>{};
+    step(*moments_[k]->model, *moments_[k]->params, options, *state, workspace, report);
   }
   return state;
 }
@@ -105,43 +124,34 @@ Timeline Timeline::branch(std::size_t i) {
   rest.reports_ = reports_;
   rest.reports_.drop_front(i + 1);
   reports_.truncate(i + 1);
-  for (std::size_t k = i + 1; k < moments_.size(); ++k) {
-    if (moments_[k].state) rest.bytes_ += state_bytes(*moments_[k].state);
-    if (moments_[k].edit) rest.edits_.push_back(moments_[k].edit);
-    if (moments_[k].pulls) ++rest.pulled_;
-    if (moments_[k].device && !moments_[k].state) ++rest.gone_;
-    rest.moments_.push_back(std::move(moments_[k]));
-  }
+  rest.moments_.assign(moments_.begin() + static_cast<std::ptrdiff_t>(i) + 1, moments_.end());
   moments_.resize(i + 1);
-  edits_.resize(edits_.size() - rest.edits_.size());
-  pulled_ -= rest.pulled_;
-  gone_ -= rest.gone_;
-  bytes_ -= rest.bytes_;
+  for (const auto& moment : rest.moments_) {
+    rest.count(*moment, true);
+    count(*moment, false);
+  }
   return rest;
 }
 
 std::size_t Timeline::at_time(double time) const {
-  const auto after = std::upper_bound(moments_.begin(), moments_.end(), time, [](double t, const Moment& m) {
-    return !is_reached(m.report.time, t, m.params->h);
+  const auto after = std::upper_bound(moments_.begin(), moments_.end(), time, [](double t, const auto& m) {
+    return !is_reached(m->report.time, t, m->params->h);
   });
   return after == moments_.begin() ? 0 : static_cast<std::size_t>(after - moments_.begin()) - 1;
 }
 
-std::vector<std::shared_ptr<const MadeEdit>> Timeline::edits() const {
-  std::vector<std::shared_ptr<const MadeEdit>> out;
-  for (const ForgottenEdit& edit : forgotten_edits_) out.push_back(edit.made);
-  out.insert(out.end(), edits_.begin(), edits_.end());
-  return out;
+std::shared_ptr<const EditChain> Timeline::forgotten_edits() const {
+  const Moment& first = *moments_.front();
+  return first.edit ? first.edits->before : first.edits;
 }
 
 bool Timeline::touched_after(std::size_t i) const {
-  const auto touched = [](const Moment& m) { return m.edit || m.pulls; };
-  return std::any_of(moments_.begin() + static_cast<std::ptrdiff_t>(i) + 1, moments_.end(), touched);
+  return back().edits != moments_[i]->edits || back().pulled != moments_[i]->pulled;
 }
 
-void Timeline::set_forgotten(std::size_t moments, std::vector<ForgottenEdit> edits) {
+void Timeline::set_forgotten(std::size_t moments, std::shared_ptr<const EditChain> edits) {
   forgotten_ = moments;
-  forgotten_edits_ = std::move(edits);
+  edits_before_ = std::move(edits);
 }
 
 void Timeline::shrink() {
@@ -159,45 +169,29 @@ void Timeline::shrink() {
 
 // A moment where somebody else takes over stays: no report leads to what follows.
 void Timeline::drop_between(std::int64_t stride) {
-  const std::size_t newest =
-      newest_of_device(moments_.back().state ? state_bytes(*moments_.back().state) : 0);
+  const std::size_t newest = newest_of_device(back().state ? state_bytes(*back().state) : 0);
   if (moments_.size() <= newest) return;
-  if (std::any_of(moments_.begin(), moments_.end(), [](const Moment& m) { return m.device; }))
+  if (std::any_of(moments_.begin(), moments_.end(), [](const auto& m) { return m->device; }))
     stride_ = stride;
   for (std::size_t i = 1; i + 1 < moments_.size(); ++i) {
-    Moment& m = moments_[i];
+    const Moment& m = *moments_[i];
     const std::size_t after = moments_.size() - i;
     if (!m.state || m.start || m.report.step % stride == 0) continue;
-    if (m.device ? after > newest && moments_[i + 1].device : after > kAllKept && stride <= kLongestStride)
-      drop(m);
+    if (m.device ? after > newest && moments_[i + 1]->device : after > kAllKept && stride <= kLongestStride)
+      give_state(moments_[i], nullptr);
   }
-}
-
-void Timeline::drop(Moment& moment) {
-  bytes_ -= state_bytes(*moment.state);
-  if (moment.device) ++gone_;
-  moment.state.reset();
 }
 
 // Up to the next state that is there; false when there is none.
 bool Timeline::forget_oldest() {
-  const auto stands = [](const Moment& m) { return m.state != nullptr; };
+  const auto stands = [](const auto& m) { return m->state != nullptr; };
   if (std::none_of(moments_.begin() + 1, moments_.end(), stands)) return false;
   do {
-    const Moment& m = moments_.front();
-    if (m.state) {
-      bytes_ -= state_bytes(*m.state);
-    } else if (m.device) {
-      --gone_;
-    }
-    if (m.edit) {
-      forgotten_edits_.push_back({m.edit, m.edit->adds_joint ? m.state : nullptr});
-      edits_.erase(edits_.begin());
-    }
+    count(*moments_.front(), false);
     moments_.pop_front();
     reports_.drop_front(1);
     ++forgotten_;
-  } while (!moments_.front().state);
+  } while (!moments_.front()->state);
   return true;
 }
 

@@ -47,7 +47,7 @@ void Workbench::carry_out(const command::Edit& c) {
 // In both or in none.
 Workbench::Change Workbench::make_edit(const ModelEdit& edit, const std::string& what) {
   std::shared_ptr<GivenUp> given_up;
-  if (!a_->at_end() || (b_ && !b_->at_end())) given_up = copy_runs(true, b_.has_value());
+  if (!a_->at_end() || (b_ && !b_->at_end())) given_up = heads(true, b_.has_value());
   Change change{Change::Kind::edit, Side::a, what, a_->params(), a_->params(), a_->edit(edit), nullptr, edit};
   if (b_) {
     try {
@@ -62,7 +62,7 @@ Workbench::Change Workbench::make_edit(const ModelEdit& edit, const std::string&
     }
   }
   change.given_up = std::move(given_up);
-  diverged_ = false;
+  shown_.diverged = false;
   return change;
 }
 
@@ -80,7 +80,7 @@ bool Workbench::undo_edit(const Change& change) {
     return false;
   }
   if (b_ && change.edit_b) b_->undo_edit(*change.edit_b);
-  diverged_ = false;
+  shown_.diverged = false;
   tell(Severity::note, played ? fmt::format("undone: {}; back at t = {:.4g} s, where it was made",
                                             change.what, a_->state().time)
                               : "undone: " + change.what);
@@ -105,7 +105,7 @@ void Workbench::carry_out(const command::Release&) {
 // In the past a hand starts a branch, which can be undone.
 void Workbench::pull(const std::vector<pabd::Pull>& pulls) {
   std::shared_ptr<GivenUp> given_up;
-  if (!a_->at_end()) given_up = copy_runs(true, b_.has_value());
+  if (!a_->at_end()) given_up = heads(true, b_.has_value());
   a_->set_pulls(pulls);
   if (b_ && (pulls.empty() || pulls[0].body < b_->model().size())) b_->set_pulls(pulls);
   if (given_up && a_->at_end()) keep_exchange("hand in the past", std::move(given_up));

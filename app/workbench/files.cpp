@@ -23,12 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool same_edits(const std::vector<std::shared_ptr<const MadeEdit>>& a,
-                const std::vector<std::shared_ptr<const MadeEdit>>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const auto& x, const auto& y) { return x == y || x->text == y->text; });
-}
-
 // {"key=value"}.
 std::vector<std::string> text_of(const std::vector<std::pair<std::string, std::string>>& settings) {
   std::vector<std::string> out;
@@ -54,7 +48,7 @@ std::string listed(const std::vector<std::string>& words) {
 
 // ---- what a person made ----
 
-bool Workbench::edits_saved() const { return same_edits(a_->timeline().edits(), saved_.edits); }
+bool Workbench::edits_saved() const { return same_edits(a_->timeline().edits().get(), saved_.edits.get()); }
 bool Workbench::hands_saved() const { return a_->timeline().pulled() == 0 || hands_ == saved_.hands; }
 
 void Workbench::params_are_saved(Side side) {
@@ -70,7 +64,7 @@ std::vector<std::string> Workbench::made_since_saved() const {
   std::vector<std::string> out;
   if (a_->params() != saved_.a) out.emplace_back(b_ ? "parameters of A" : "parameters");
   if (b_ && b_->params() != saved_params(Side::b)) out.emplace_back("parameters of B");
-  if (b_ && !same_law(b_->scene().joint_law, saved_.joints_b.value_or(scene_->joint_law)))
+  if (b_ && !same_law(b_->scene().joint_law, saved_.joints_b.value_or(shown_.scene->joint_law)))
     out.emplace_back("law of the joints of B");
   if (!edits_saved()) out.emplace_back("bodies and joints that were added or removed");
   if (!hands_saved()) out.emplace_back("what was pulled by hand");
@@ -80,7 +74,7 @@ std::vector<std::string> Workbench::made_since_saved() const {
 // A timeline that nobody laid hands on is not: it can be computed again.
 std::vector<std::string> Workbench::at_stake() const {
   std::vector<std::string> out = made_since_saved();
-  if (!held_.empty()) out.push_back(counted(held_.size(), "held curve", "held curves"));
+  if (!shown_.held.empty()) out.push_back(counted(shown_.held.size(), "held curve", "held curves"));
   return out;
 }
 
@@ -89,7 +83,7 @@ std::vector<std::string> Workbench::reload_loses() const {
   std::vector<std::string> out;
   const Timeline& past = a_->timeline();
   if (past.size() > 1) out.push_back(fmt::format("the timeline ({})", counted(past.size(), "moment")));
-  if (!past.edits().empty()) out.emplace_back("bodies and joints that were added or removed");
+  if (past.edits()) out.emplace_back("bodies and joints that were added or removed");
   std::size_t steps = 0;
   for (const auto* changes : {&undo_, &redo_})
     for (const Change& c : *changes) steps += c.kind != Change::Kind::parameters || c.given_up ? 1 : 0;
@@ -112,7 +106,7 @@ void Workbench::carry_out(const command::Load& c) {
   source.sets = c.sets;
   source.from = c.from;
   open(read(std::move(source)));
-  if (const auto note = thickness_note(*scene_))
+  if (const auto note = thickness_note(*shown_.scene))
     tell(note->warning ? Severity::warning : Severity::note, note->text);
 }
 
@@ -125,12 +119,12 @@ void Workbench::carry_out(const command::Reload& c) {
   }
   // Everything is made before anything is given up.
   Opened opened = read(source_);
-  const auto onto = [&](const Params& p) { return rebased(p, scene_->params, opened.scene->params); };
+  const auto onto = [&](const Params& p) { return rebased(p, shown_.scene->params, opened.scene->params); };
   const Params a = onto(a_->params());
   std::optional<Params> b;
   if (b_) b = onto(b_->params());
   std::shared_ptr<const Scene> scene_b;
-  if (b_ && !same_law(b_->scene().joint_law, scene_->joint_law))
+  if (b_ && !same_law(b_->scene().joint_law, shown_.scene->joint_law))
     scene_b = read_with_joints(opened.source, *opened.scene, opened.scene->joint_law,
                                text_of(joint_settings(b_->scene().joint_law)));
   Saved saved{onto(saved_.a), {}, saved_.joints_b, {}, 0};
@@ -147,7 +141,7 @@ void Workbench::carry_out(const command::Reload& c) {
     return out;
   };
   std::vector<Change> undo = kept(undo_), redo = kept(redo_);
-  std::vector<HeldCurve> held = std::move(held_);
+  std::vector<HeldCurve> held = std::move(shown_.held);
 
   open(std::move(opened));
   a_->set_params(a);
@@ -157,13 +151,13 @@ void Workbench::carry_out(const command::Reload& c) {
   saved_ = std::move(saved);
   undo_ = std::move(undo);
   redo_ = std::move(redo);
-  held_ = std::move(held);
+  shown_.held = std::move(held);
   measure_distance();
   tell(Severity::note, source_.path + ": loaded again");
 }
 
 void Workbench::carry_out(const command::IgnoreFile&) {
-  file_changed_ = false;
+  shown_.file_changed = false;
   try {
     source_.ignored = read_any_scene_text(source_.path, options_.may_read);
   } catch (const Error&) {  // gone or unreadable: there is nothing to load
@@ -182,7 +176,7 @@ bool Workbench::look_at_file() {
   }
   source_.written = written;
   const bool changed = text != source_.text && text != source_.ignored;
-  return std::exchange(file_changed_, changed) != changed;
+  return std::exchange(shown_.file_changed, changed) != changed;
 }
 
 Workbench::Opened Workbench::read(Source source) const {
@@ -205,19 +199,25 @@ Workbench::Opened Workbench::read(Source source) const {
 }
 
 void Workbench::open(Opened opened) {
-  opened.run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
   source_ = std::move(opened.source);
-  scene_ = std::move(opened.scene);
-  a_.emplace(std::move(opened.run));
+  shown_.scene = std::move(opened.scene);
+  begin_with(std::move(opened.run));
+  shown_.file_changed = false;
+  told_a_ = told_b_ = {};
+  ++shown_.scene_serial;
+}
+
+// Without a comparison, anything to undo and held curves.
+void Workbench::begin_with(Run run) {
+  run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
+  a_.emplace(std::move(run));
   b_.reset();
   distances_ = {};
   undo_.clear();
   redo_.clear();
-  held_.clear();
-  diverged_ = file_changed_ = false;
-  told_a_ = told_b_ = {};
-  saved_ = {a_->params(), {}, {}, {}, 0};
-  ++scene_serial_;
+  shown_.held.clear();
+  shown_.diverged = false;
+  saved_ = {a_->params(), {}, {}, a_->timeline().edits(), hands_};
 }
 
 // ---- saving ----
@@ -232,7 +232,7 @@ void Workbench::save(const std::string& path, const std::string& text, bool forc
   source_.text = text;
   source_.sets.clear();  // the file has them
   source_.written = fs::last_write_time(source_.path, ignored);
-  file_changed_ = false;
+  shown_.file_changed = false;
 }
 
 void Workbench::carry_out(const command::SaveScene& c) {
@@ -240,18 +240,19 @@ void Workbench::carry_out(const command::SaveScene& c) {
   if (c.state) {
     run.complete();
     std::string name = fs::path(c.path).stem().string();
-    if (name.empty()) name = scene_->name;
+    if (name.empty()) name = shown_.scene->name;
     save(c.path,
-         scene_to_json(run.model(), run.state(), run.params(), run.scene().joint_law, name, scene_->camera,
-                       scene_->duration, parameter_table(), scene_->looks),
+         scene_to_json(run.model(), run.state(), run.params(), run.scene().joint_law, name,
+                       shown_.scene->camera, shown_.scene->duration, parameter_table(), shown_.scene->looks),
          c.force, true);
     saved_.edits = a_->timeline().edits();
   } else {
     std::vector<std::string> sets = source_.sets;
-    if (!same_law(run.scene().joint_law, scene_->joint_law))
+    if (!same_law(run.scene().joint_law, shown_.scene->joint_law))
       for (const std::string& set : text_of(joint_settings(run.scene().joint_law))) sets.push_back(set);
     Params defaults;
-    defaults.contact.d_hat = scene_->params.contact.d_hat;  // where the text states none, it was the default
+    defaults.contact.d_hat =
+        shown_.scene->params.contact.d_hat;  // where the text states none, it was the default
     save(c.path,
          tuned_scene_text(source_.text, source_.path, sets, run.params(), parameter_table(), defaults),
          c.force, true);
@@ -268,7 +269,8 @@ void Workbench::carry_out(const command::SaveScene& c) {
 void Workbench::carry_out(const command::SavePatch& c) {
   const Run& run = run_of(c.side);
   save(c.path,
-       patch_with_joints(patch_json(scene_->params, run.params()), scene_->joint_law, run.scene().joint_law),
+       patch_with_joints(patch_json(shown_.scene->params, run.params()), shown_.scene->joint_law,
+                         run.scene().joint_law),
        c.force);
   params_are_saved(c.side);
   tell(Severity::note, "saved " + c.path);
@@ -277,13 +279,7 @@ void Workbench::carry_out(const command::SavePatch& c) {
 void Workbench::carry_out(const command::ApplyPatch& c) {
   std::string patch = read_scene_text(c.path);
   const std::vector<std::string> joints = take_joint_settings(patch, c.path);
-  if (!joints.empty() && c.side == Side::a) refuse_joints_of_a();
-  const Params after = patched(run_of(c.side).params(), patch, c.path);
-  if (c.side == Side::b) {
-    change_b("patch", after, joints);
-  } else {
-    change(c.side, "patch", after);
-  }
+  change(c.side, "patch", patched(run_of(c.side).params(), patch, c.path), joints);
   tell(Severity::note, "applied " + c.path);
 }
 
@@ -302,20 +298,13 @@ void Workbench::carry_out(const command::SaveRecording& c) {
 // Everything is made before anything is given up.
 void Workbench::carry_out(const command::LoadRecording& c) {
   check_stake(c.force);
-  Timeline past = read_recording(c.path, scene_, options_.memory);
+  Timeline past = read_recording(c.path, shown_.scene, options_.memory);
   const auto differs = first_difference(past, options_.threads);
-  Run run(scene_, options_.threads, std::move(past));
+  Run run(shown_.scene, options_.threads, std::move(past));
   run.offer(options_.devices);
-  run.observe(observe_.iterations, observe_.contacts, observe_.bodies);
-  a_.emplace(std::move(run));
-  b_.reset();
-  distances_ = {};
-  undo_.clear();
-  redo_.clear();
-  held_.clear();
-  playing_ = diverged_ = false;
-  ++jumps_;
-  saved_ = {a_->params(), {}, {}, a_->timeline().edits(), hands_};
+  begin_with(std::move(run));
+  shown_.playing = false;
+  ++shown_.jumps;
   const std::string what = fmt::format("{}: {}", c.path, counted(a_->timeline().size(), "moment"));
   if (!differs) return tell(Severity::note, what);
   tell(Severity::warning,

@@ -31,7 +31,7 @@ void Workbench::keep_exchange(const std::string& what, std::shared_ptr<GivenUp> 
 
 // Runs that were given up may take as much memory as the timeline; the newest of them always stays.
 void Workbench::thin(std::vector<Change>& changes) const {
-  const auto bytes = [](const std::optional<Run>& run) { return run ? run->timeline().bytes() : 0; };
+  const auto bytes = [](const std::optional<Head>& head) { return head ? head->timeline.bytes() : 0; };
   std::size_t used = 0;
   for (std::size_t i = changes.size(); i-- > 0;) {
     const auto& given_up = changes[i].given_up;
@@ -45,36 +45,43 @@ void Workbench::thin(std::vector<Change>& changes) const {
   }
 }
 
-std::shared_ptr<Workbench::GivenUp> Workbench::copy_runs(bool with_a, bool with_b) const {
+std::shared_ptr<Workbench::GivenUp> Workbench::heads(bool with_a, bool with_b) const {
   auto out = std::make_shared<GivenUp>();
   out->with_a = with_a;
   out->with_b = with_b;
-  if (with_a) out->a.emplace(a_->fork());
-  if (with_b && b_) out->b.emplace(b_->fork());
-  const auto touched = [](const Run& run) { return run.timeline().touched_after(run.cursor()); };
-  out->touched = (out->a && touched(*out->a)) || (out->b && touched(*out->b));
+  if (with_a) out->a = a_->head();
+  if (with_b && b_) out->b = b_->head();
+  const auto touched = [](const auto& head) { return head && head->timeline.touched_after(head->cursor); };
+  out->touched = touched(out->a) || touched(out->b);
   out->distances = distances_;
   return out;
 }
 
+// Each run goes where the other one was; of a comparison that ended, or had not begun, there is none.
 void Workbench::exchange(GivenUp& other) {
-  if (other.held) std::swap(held_, *other.held);
+  if (other.held) std::swap(shown_.held, *other.held);
   if (!other.with_a && !other.with_b) return;
-  if (other.with_a) ++jumps_;
   std::swap(distances_, other.distances);
-  if (other.with_a) std::swap(a_, other.a);
-  if (other.with_b) std::swap(b_, other.b);
-  if (other.with_a && other.a) other.a->give_device_to(&*a_);
-  if (other.with_b && other.b) other.b->give_device_to(b_ ? &*b_ : nullptr);
-  for (auto* run : {other.with_a ? &a_ : nullptr, other.with_b ? &b_ : nullptr}) {
-    if (!run || !*run) continue;
-    (*run)->observe(observe_.iterations, observe_.contacts, observe_.bodies);
-    (*run)->seek((*run)->cursor());
+  if (other.with_a) {
+    ++shown_.jumps;
+    Head now = a_->head();
+    a_->go_to(std::exchange(*other.a, std::move(now)));
+  }
+  if (other.with_b) {
+    std::optional<Head> now;
+    if (b_) now = b_->head();
+    if (!other.b) {
+      b_.reset();
+    } else {
+      if (!b_) b_.emplace(a_->fork());
+      b_->go_to(*std::move(other.b));
+    }
+    other.b = std::move(now);
   }
   // The other one comes along to that time.
   if (b_ && other.with_a != other.with_b)
     seek_to(other.with_a ? a_->cursor() : a_->timeline().at_time(b_->state().time));
-  diverged_ = false;
+  shown_.diverged = false;
 }
 
 void Workbench::carry_out(const command::Undo&) { restore(undo_, redo_, true); }
@@ -89,11 +96,11 @@ void Workbench::restore(std::vector<Change>& from, std::vector<Change>& to, bool
   Change change = from.back();
   std::shared_ptr<GivenUp> left;
   bool done = true;
-  if (change.given_up && restore_run(change, before)) {
+  if (change.given_up && restore_heads(change, before)) {
   } else if (change.kind == Kind::parameters) {
     left = restore_params(change, before);
   } else if (before) {
-    auto now = copy_runs(true, b_.has_value());
+    auto now = heads(true, b_.has_value());
     done = undo_edit(change);
     change.given_up = std::move(now);
     change.exchanged = true;
@@ -112,7 +119,7 @@ void Workbench::restore(std::vector<Change>& from, std::vector<Change>& to, bool
 }
 
 // Changes places with what the change gave up. False when that is not the way to undo it.
-bool Workbench::restore_run(Change& change, bool before) {
+bool Workbench::restore_heads(Change& change, bool before) {
   const Run& run = run_of(change.side);
   const bool stayed = run.at_end() && run.cursor() == change.at;
   if (change.kind == Change::Kind::parameters && !change.exchanged && !stayed) return false;
@@ -131,7 +138,7 @@ std::shared_ptr<Workbench::GivenUp> Workbench::restore_params(Change& change, bo
   const Params& wanted = before ? change.before : change.after;
   std::shared_ptr<GivenUp> now;
   const bool leaves = !run.at_end() && run.params() != wanted;
-  if (leaves) now = copy_runs(change.side == Side::a, change.side == Side::b);
+  if (leaves) now = heads(change.side == Side::a, change.side == Side::b);
   run.set_params(wanted);
   measure_distance();
   change.at = run.cursor();

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "app/session/contact_advice.h"
 #include "app/session/diverged.h"
-#include "app/session/halving_advice.h"
 #include "app/session/joint_settings.h"
 #include "app/session/step_at_time.h"
 #include "sim/base/error.h"
@@ -66,13 +66,29 @@ Run& Workbench::run_of(Side side) {
 }
 
 void Workbench::tell(Severity severity, const std::string& text, const std::string& about, ErrorKind kind) {
-  messages_.push_back({++message_number_, severity, text, about.empty() ? about_ : about, kind});
-  if (messages_.size() > kMostMessages) messages_.erase(messages_.begin());
+  const std::uint64_t number = shown_.messages.empty() ? 1 : shown_.messages.back().number + 1;
+  shown_.messages.push_back({number, severity, text, about.empty() ? about_ : about, kind});
+  if (shown_.messages.size() > kMostMessages) shown_.messages.erase(shown_.messages.begin());
+}
+
+// What cannot be is refused when it is asked for; what comes about by an edit or another parameter is told.
+void Workbench::check_device(const Run& run, const Params& after) const {
+  if (run.params().solver.device == after.solver.device) return;
+  if (const auto answer = run.answer(after); answer.refused)
+    throw Error(answer.kind, "solver.device", answer.why);
+}
+
+void Workbench::tell_of_device(const Run& run, const char* name, DeviceStatus& told) {
+  const DeviceStatus& now = run.device();
+  if (run.pulls() || now == told) return;
+  told = now;
+  if (run.params().solver.device == SolverDevice::gpu && !now.why.empty())
+    tell(Severity::warning, std::string(name) + "the processor makes the steps: " + now.why, "device");
 }
 
 // Where nobody asks for states; whether it is so.
 bool Workbench::let_bodies_stay() {
-  const bool may = playing_ && !observe_.states && !b_;
+  const bool may = shown_.playing && !observe_.states && !b_;
   a_->let_bodies_stay(may);
   return may;
 }
@@ -85,13 +101,13 @@ bool Workbench::advance() {
   for (auto* run : {&a_, &b_})
     if (*run) (*run)->stop_when(options_.stop);
   let_bodies_stay();
-  diverged_ = !a_->advance() || (b_ && !follow(*a_, *b_));
+  shown_.diverged = !a_->advance() || (b_ && !follow(*a_, *b_));
   tell_of_device(*a_, b_ ? "A: " : "", told_a_);
   if (b_) tell_of_device(*b_, "B: ", told_b_);
   measure_distance();
-  if (!diverged_) return true;
-  playing_ = false;
-  if (options_.stop && options_.stop()) return diverged_ = false;
+  if (!shown_.diverged) return true;
+  shown_.playing = false;
+  if (options_.stop && options_.stop()) return shown_.diverged = false;
   const bool first = a_->report().status == StepStatus::non_finite;
   const Run& run = first ? *a_ : *b_;
   const StepReport& failed = run.report();
@@ -109,11 +125,11 @@ bool Workbench::advance() {
   return false;
 }
 
-void Workbench::carry_out(const command::Play&) { playing_ = true; }
-void Workbench::carry_out(const command::Pause&) { playing_ = false; }
+void Workbench::carry_out(const command::Play&) { shown_.playing = true; }
+void Workbench::carry_out(const command::Pause&) { shown_.playing = false; }
 
 void Workbench::carry_out(const command::Step& c) {
-  playing_ = false;
+  shown_.playing = false;
   if (std::abs(static_cast<double>(c.steps)) > kMostSteps) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("step: expected at most {} steps, got {}", kMostSteps, c.steps));
@@ -128,17 +144,17 @@ void Workbench::carry_out(const command::Step& c) {
 }
 
 void Workbench::carry_out(const command::Seek& c) {
-  playing_ = false;
+  shown_.playing = false;
   if (!std::isfinite(c.time)) throw Error(ErrorKind::bad_input, "seek: expected a time in seconds");
   seek_to(a_->timeline().at_time(c.time));
 }
 
 void Workbench::seek_to(std::size_t i) {
-  ++jumps_;
+  ++shown_.jumps;
   a_->seek(i);
   if (b_) b_->seek(moment_in_step(a_->timeline(), i, b_->timeline()));
   measure_distance();
-  diverged_ = false;
+  shown_.diverged = false;
 }
 
 void Workbench::carry_out(const command::Speed& c) {
@@ -147,28 +163,29 @@ void Workbench::carry_out(const command::Speed& c) {
         ErrorKind::bad_input,
         fmt::format("speed: expected 0 (as fast as it goes) to 1000 times real time, got {}", c.factor));
   }
-  speed_ = c.factor;
+  shown_.speed = c.factor;
 }
 
 void Workbench::carry_out(const command::Restart&) {
   const Timeline& past = a_->timeline();
-  if (!past.edits().empty() || past.pulled() > 0) {
-    keep_exchange("restart", copy_runs(true, b_.has_value()));
+  if (past.edits() || past.pulled() > 0) {
+    keep_exchange("restart", heads(true, b_.has_value()));
     tell(Severity::note, "everything is as in the scene again; undo brings back what was done to the bodies");
   }
   a_->restart();
   if (b_) b_->restart();
-  diverged_ = false;
+  shown_.diverged = false;
 }
 
 void Workbench::carry_out(const command::Compare& c) {
   std::vector<std::string> values = c.values;
   const std::vector<std::string> joints = take_joint_settings(values);
   const Params params = tuned(b_ ? b_->params() : a_->params(), values);
-  if (b_) return change_b("parameters of B", params, joints);
+  if (b_) return change(Side::b, "parameters of B", params, joints);
   check_device(*a_, params);
   Run b = a_->fork();
-  if (!joints.empty()) b.continue_as(read_with_joints(source_, *scene_, scene_->joint_law, joints));
+  if (!joints.empty())
+    b.continue_as(read_with_joints(source_, *shown_.scene, shown_.scene->joint_law, joints));
   b.set_params(params);
   b_.emplace(std::move(b));
   distances_ = {};
@@ -177,11 +194,7 @@ void Workbench::carry_out(const command::Compare& c) {
 
 void Workbench::carry_out(const command::EndCompare&) {
   if (!b_) return;
-  auto given_up = std::make_shared<GivenUp>();
-  given_up->with_b = true;
-  b_->give_device_to(nullptr);
-  given_up->b.emplace(std::move(*b_));
-  given_up->distances = std::move(distances_);
+  std::shared_ptr<GivenUp> given_up = heads(false, true);
   b_.reset();
   distances_ = {};
   keep_exchange("end of the comparison", std::move(given_up));
@@ -196,24 +209,25 @@ void Workbench::carry_out(const command::Hold& c) {
   const StepReport made = as_made ? a_->report() : a_->step_with(method);
   if (made.records.empty())
     throw Error(ErrorKind::bad_input, "no step with contacts or joints led here: there is nothing to hold");
-  if (held_.size() >= kMostHeld) {
+  if (shown_.held.size() >= kMostHeld) {
     keep_held("oldest held curve");
-    held_.erase(held_.begin());
+    shown_.held.erase(shown_.held.begin());
   }
   const std::int64_t step = a_->state().step;
-  held_.push_back({fmt::format("{}, step {}", to_string(method), step), step,
-                   std::make_shared<const std::vector<IterationRecord>>(made.records), made.capped_bonds});
+  shown_.held.push_back({fmt::format("{}, step {}", to_string(method), step), step,
+                         std::make_shared<const std::vector<IterationRecord>>(made.records),
+                         made.capped_bonds});
 }
 
 void Workbench::carry_out(const command::DropHeld&) {
-  if (held_.empty()) return;
+  if (shown_.held.empty()) return;
   keep_held("held curves");
-  held_.clear();
+  shown_.held.clear();
 }
 
 void Workbench::keep_held(const std::string& what) {
   auto given_up = std::make_shared<GivenUp>();
-  given_up->held = held_;
+  given_up->held = shown_.held;
   keep_exchange(what, std::move(given_up));
 }
 
@@ -250,10 +264,8 @@ void Workbench::measure_distance() {
 
 Snapshot Workbench::snapshot() {
   if (!let_bodies_stay()) bring_bodies_back();
-  Snapshot s;
-  s.serial = ++serial_;
-  s.scene_serial = scene_serial_;
-  s.scene = scene_;
+  ++shown_.serial;
+  Snapshot s = shown_;
   s.scene_path = source_.path;
   s.scene_sets = source_.sets;
   s.a = view(*a_, changed_a_);
@@ -261,20 +273,13 @@ Snapshot Workbench::snapshot() {
     s.b = view(*b_, changed_b_);
     s.distances = distances_.view();
   }
-  s.jumps = jumps_;
-  s.playing = playing_;
-  s.speed = speed_;
-  s.diverged = diverged_;
   s.unsaved = !made_since_saved().empty();
   s.at_stake = at_stake();
   s.reload_loses = reload_loses();
-  s.file_changed = file_changed_;
   s.can_undo = !undo_.empty();
   s.can_redo = !redo_.empty();
   if (s.can_undo) s.undo_text = undo_.back().what;
   if (s.can_redo) s.redo_text = redo_.back().what;
-  s.held = held_;
-  s.messages = messages_;
   s.timeline_bytes = a_->timeline().bytes() + (b_ ? b_->timeline().bytes() : 0);
   s.timeline_budget = options_.memory;
   s.forgotten = a_->timeline().forgotten();
@@ -282,8 +287,8 @@ Snapshot Workbench::snapshot() {
 }
 
 RunView Workbench::view(const Run& run, ChangedKeys& changed) const {
-  if (changed.scene != scene_serial_ || changed.params != run.params())
-    changed = {scene_serial_, run.params(), differences(scene_->params, run.params())};
+  if (changed.scene != shown_.scene_serial || changed.params != run.params())
+    changed = {shown_.scene_serial, run.params(), differences(shown_.scene->params, run.params())};
   RunView v;
   static_cast<FrameView&>(v) = run.view();
   v.scene = run.shared_scene();
@@ -291,7 +296,7 @@ RunView Workbench::view(const Run& run, ChangedKeys& changed) const {
   v.made_with = *run.timeline()[run.cursor()].params;
   v.alike = run.timeline().made_alike(run.cursor(), kStepsLookedAt);
   v.changed = changed.keys;
-  for (const auto& one : joint_differences(scene_->joint_law, run.scene().joint_law))
+  for (const auto& one : joint_differences(shown_.scene->joint_law, run.scene().joint_law))
     v.changed.push_back(one);
   v.cursor = run.cursor();
   v.device = run.device();

@@ -38,8 +38,8 @@ class Workbench {
   // Steps that are under way end when it says true; whoever asked is not going to look at the result.
   void stop_when(std::function<bool()> stop) { options_.stop = std::move(stop); }
 
-  bool playing() const { return playing_; }
-  double speed() const { return speed_; }
+  bool playing() const { return shown_.playing; }
+  double speed() const { return shown_.speed; }
   const Run& run(Side side = Side::a) const;
   bool comparing() const { return b_.has_value(); }
 
@@ -66,7 +66,7 @@ class Workbench {
   // What a change takes away: exchanged with what is there instead when it is undone, and when it is redone.
   struct GivenUp {
     bool with_a = false, with_b = false;
-    std::optional<Run> a, b;  // as they were; none: there was none
+    std::optional<Head> a, b;  // where they were; none: there was none
     SharedList<RunDistance> distances;
     std::optional<std::vector<HeldCurve>> held;
     bool touched = false;  // edits or hands come after the present of the runs
@@ -89,7 +89,7 @@ class Workbench {
     Params a;
     std::optional<Params> b;          // else as a
     std::optional<BondLaw> joints_b;  // else as the scene has it
-    std::vector<std::shared_ptr<const MadeEdit>> edits;
+    std::shared_ptr<const EditChain> edits;
     std::uint64_t hands = 0;
   };
   struct Opened {
@@ -135,8 +135,10 @@ class Workbench {
 
   Run& run_of(Side side);
   void change(Side side, const std::string& what, const Params& after, bool more = false);
-  // B with parameters, and its joints with "joints_default.key=value" settings or as in that scene.
-  void change_b(const std::string& what, const Params& after, const std::vector<std::string>& settings);
+  // With settings of joints as well, "joints_default.key=value", which only B takes.
+  void change(Side side, const std::string& what, const Params& after,
+              const std::vector<std::string>& joints);
+  // B with the joints of that scene.
   void change_b(const std::string& what, const Params& after, std::shared_ptr<const Scene> scene);
   // `scene`, which was read from `source`, with those settings after the law `now`. Throws Error(bad_input).
   std::shared_ptr<const Scene> read_with_joints(const Source& source, const Scene& scene, const BondLaw& now,
@@ -151,9 +153,9 @@ class Workbench {
   void keep_exchange(const std::string& what, std::shared_ptr<GivenUp> given_up);
   void keep_held(const std::string& what);
   void restore(std::vector<Change>& from, std::vector<Change>& to, bool before);
-  bool restore_run(Change& change, bool before);
+  bool restore_heads(Change& change, bool before);
   std::shared_ptr<GivenUp> restore_params(Change& change, bool before);
-  std::shared_ptr<GivenUp> copy_runs(bool with_a, bool with_b) const;
+  std::shared_ptr<GivenUp> heads(bool with_a, bool with_b) const;
   void exchange(GivenUp& other);
   void thin(std::vector<Change>& changes) const;
 
@@ -169,6 +171,7 @@ class Workbench {
 
   Opened read(Source source) const;
   void open(Opened opened);
+  void begin_with(Run run);
   void check_device(const Run& run, const Params& after) const;
   void tell_of_device(const Run& run, const char* name, DeviceStatus& told);
   void seek_to(std::size_t moment);
@@ -179,22 +182,16 @@ class Workbench {
 
   WorkbenchOptions options_;
   Source source_;
-  std::shared_ptr<const Scene> scene_;
-  std::uint64_t scene_serial_ = 0, serial_ = 0, message_number_ = 0, jumps_ = 0;
+  Snapshot shown_;  // all but what snapshot() finds out
   std::optional<Run> a_, b_;
-  bool playing_ = false, diverged_ = false;
-  bool file_changed_ = false;
   Saved saved_;
   std::uint64_t hands_ = 0;  // rises with every pull
   ChangedKeys changed_a_, changed_b_;
-  double speed_ = 1;
   command::Observe observe_;
   std::vector<Change> undo_, redo_;
-  std::vector<HeldCurve> held_;
   SharedList<RunDistance> distances_;  // ascending in time
-  std::vector<Message> messages_;
-  DeviceStatus told_a_, told_b_;  // of devices, in messages
-  std::string about_;             // the command that is carried out
+  DeviceStatus told_a_, told_b_;       // of devices, in messages
+  std::string about_;                  // the command that is carried out
 };
 
 }  // namespace pabd

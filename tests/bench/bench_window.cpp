@@ -78,7 +78,7 @@ void measure(GlContext& context, const Options& options, const std::string& scen
   Viewer viewer(context, runner, window);
   viewer.send(Command(command::Play{}));
   if (options.gpu) viewer.send(Command(command::Speed{0}));
-  while (viewer.snapshot().a.state.step < 2) {  // shaders are compiled first
+  while (viewer.snapshot().a.state->step < 2) {  // shaders are compiled first
     viewer.draw(options.width, options.height, 0.02);
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
@@ -93,15 +93,15 @@ void measure(GlContext& context, const Options& options, const std::string& scen
   for (int k = -kWarm; k < options.frames || seconds_since(begin) < kLeast; ++k) {
     if (k == 0) {
       begin = Clock::now();
-      simulated = viewer.snapshot().a.state.time;
-      steps = viewer.snapshot().a.state.step;
+      simulated = viewer.snapshot().a.state->time;
+      steps = viewer.snapshot().a.state->step;
     }
     const auto start = Clock::now();
     viewer.draw(options.width, options.height, seconds_since(last));
     last = start;
     if (k >= 0) ms.push_back(1e3 * seconds_since(start));
     std::this_thread::sleep_until(start + kDisplay);
-    const std::int64_t now = viewer.snapshot().a.state.step;
+    const std::int64_t now = viewer.snapshot().a.state->step;
     if (k < 0 || now == shown) continue;
     shown = now;
     ++pictures;
@@ -109,8 +109,8 @@ void measure(GlContext& context, const Options& options, const std::string& scen
     contacts = std::max(contacts, viewer.snapshot().a.report.StepSummary::contacts);
   }
   const double took = seconds_since(begin);
-  const double time = viewer.snapshot().a.state.time;
-  const std::int64_t step = viewer.snapshot().a.state.step;
+  const double time = viewer.snapshot().a.state->time;
+  const std::int64_t step = viewer.snapshot().a.state->step;
   // What is left when nothing moves: the interface, and putting it together with the picture.
   viewer.send(Command(command::Pause{}));
   runner.settle();

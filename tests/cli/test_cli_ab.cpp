@@ -5,7 +5,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "app/frames/live_source.h"
+#include "app/frames/frame_source.h"
 #include "render/output/png.h"
 #include "sim/scene/tuning.h"
 #include "tests/cli/program.h"
@@ -178,14 +178,14 @@ TEST_CASE("B is at its last step that is not after A's time, with whatever time 
     while (const auto frame = source.next([] { return false; })) {
       REQUIRE(frame->b);
       const int k = frame->number;
-      CHECK(frame->a.state.step == k);
+      CHECK(frame->a.state->step == k);
       // ⌊k h_A / h_B⌋
       const int over = k * step_a.over * step_b.under, under = step_a.under * step_b.over;
-      CHECK(frame->b->state.step == over / under);
+      CHECK(frame->b->state->step == over / under);
       if (k > 0 && over % under == 0) common.push_back(k);
       for (; known < frame->apart.size(); ++known) {
         const pabd::DistancePoint& point = frame->apart[known];
-        CHECK(point.time == frame->a.state.time);
+        CHECK(point.time == frame->a.state->time);
         measured.push_back(k);
         CHECK((step_a.value() == step_b.value() ? point.position == 0 : point.position >= 0));
       }
@@ -199,7 +199,7 @@ TEST_CASE("steps that were rounded where they were written are in step") {
     CAPTURE(h);
     pabd::LiveSource source(two_boxes(1.0 / 60), two_boxes(h), {0, 200, 60});
     while (const auto frame = source.next([] { return false; })) {
-      CHECK(frame->b->state.step == frame->number);
+      CHECK(frame->b->state->step == frame->number);
       CHECK(frame->apart.size() == static_cast<std::size_t>(frame->number));
     }
   }

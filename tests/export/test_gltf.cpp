@@ -157,12 +157,12 @@ TEST_CASE("keys of a .glb are the poses of the run to the last bit of float") {
     REQUIRE(move.size() == 3 * frames.size());
     for (std::size_t k = 0; k < frames.size(); ++k)
       for (std::size_t x = 0; x < 3; ++x)
-        CHECK(move[3 * k + x] == static_cast<float>(frames[k].a.state.c[at][static_cast<int>(x)]));
+        CHECK(move[3 * k + x] == static_cast<float>(frames[k].a.state->c[at][static_cast<int>(x)]));
     if (turn.empty()) continue;
     ++turned;
     for (std::size_t k = 0; k < frames.size(); ++k) {
       const float* q = &turn[4 * k];
-      CHECK(rotation_error(frames[k].a.state.R[at], q[3], q[0], q[1], q[2]) < 4e-7);
+      CHECK(rotation_error(frames[k].a.state->R[at], q[3], q[0], q[1], q[2]) < 4e-7);
       if (k == 0) continue;
       const float* p = &turn[4 * k - 4];
       CHECK(p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3] > 0);  // the short way round
@@ -232,7 +232,7 @@ TEST_CASE("a trail of a .glb goes through every place of its point") {
   const auto path = floats(model, part.attributes.at("POSITION"));
   REQUIRE(path.size() == 3 * frames.size());
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    const State& state = frames[k].a.state;
+    const State& state = *frames[k].a.state;
     const Vec3 at = state.c[4] + 0.4 * state.R[4].col(0);
     for (int x = 0; x < 3; ++x)
       CHECK(path[3 * k + static_cast<std::size_t>(x)] == Approx(at[x]).margin(1e-6));

@@ -47,7 +47,7 @@ TEST_CASE("numpy reads every array of an .npz, and they are the run") {
 
   nlohmann::json exact, contacts = nlohmann::json::array();
   for (const Frame& frame : frames) {
-    const State& state = frame.a.state;
+    const State& state = *frame.a.state;
     exact["time"].push_back(state.time);
     exact["step"].push_back(state.step);
     for (std::size_t i = 0; i < state.c.size(); ++i) {

@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/frames/live_source.h"
+#include "app/frames/frame_source.h"
 #include "tests/export/export_helpers.h"
 #include "tests/support/errors.h"
 #include "tests/support/temp_folder.h"
@@ -75,7 +75,7 @@ TEST_CASE("each .obj has the bodies of its frame where they are") {
     CHECK(obj.faces > 100);
     for (const std::string& name : obj.materials)
       CHECK(library.find("newmtl " + name + "\n") != std::string::npos);
-    const State& state = frames[k].a.state;
+    const State& state = *frames[k].a.state;
     // Corners of the crate are those of the run's box.
     for (const Vec3& corner : obj.objects.at("crate")) {
       const Vec3 own = state.R[2].transpose() * (corner - state.c[2]);
@@ -101,7 +101,7 @@ TEST_CASE("frames of an export show the steps that pictures show") {
     const auto picture = pictures.next([] { return false; });
     REQUIRE(picture);
     CHECK(frame.number == picture->number);
-    CHECK(same_bits(frame.a.state, picture->a.state));
+    CHECK(same_bits(*frame.a.state, *picture->a.state));
   }
 }
 

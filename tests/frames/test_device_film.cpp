@@ -70,14 +70,14 @@ TEST_CASE("a film from the GPU's memory has the pictures and the reports of the 
   AbPainter painter = painter_of(*context, run, overlay);
   LiveSource source(std::move(solved), {}, kRange);
   const Made expected = make(source, painter, [&](const Frame& frame) {
-    REQUIRE(frame.a.state.size() == run.state().size());
+    REQUIRE(frame.a.state->size() == run.state().size());
     context->make_current();  // the engine has one of its own
     painter.draw(frame);
   });
 
   DeviceFilm film(*context, run, kRange, overlay.contacts);
   const Made actual = make(film, painter, [&](const Frame& frame) {
-    REQUIRE(frame.a.state.size() == 0);
+    REQUIRE(frame.a.state->size() == 0);
     const BodiesOnDevice bodies = film.bodies();
     painter.draw(frame, &bodies);
   });

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/frames/matte.h"
+#include "app/frames/linear_light.h"
 #include "render/output/png.h"
 #include "sim/base/srgb.h"
 

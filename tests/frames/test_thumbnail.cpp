@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "app/frames/linear_light.h"
 #include "render/output/png.h"
 #include "sim/base/error.h"
 #include "tests/support/golden.h"

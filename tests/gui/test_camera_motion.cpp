@@ -90,7 +90,7 @@ TEST_CASE("a camera that follows a body is told as it stands where that body beg
   w.ui.camera.eye = {1, 2, 6};
   w.ui.camera.target = {1, 1, 0};
   const Snapshot start = w.bench.snapshot();
-  CHECK(camera_words(followed_view(start, w.ui), *start.a.model, start.a.state) ==
+  CHECK(camera_words(followed_view(start, w.ui), *start.a.model, *start.a.state) ==
         camera_words(rounded(w.ui.camera)));
   for (std::size_t i = 0; i < start.a.model->name.size(); ++i)
     if (start.a.model->name[i] == "pen") w.ui.follow = static_cast<Index>(i);
@@ -100,7 +100,7 @@ TEST_CASE("a camera that follows a body is told as it stands where that body beg
   w.play(120);
   CHECK((w.ui.camera.eye - eye).norm() > 0.05);
   const std::string words =
-      camera_words(followed_view(w.bench.snapshot(), w.ui), *start.a.model, start.a.state);
+      camera_words(followed_view(w.bench.snapshot(), w.ui), *start.a.model, *start.a.state);
   const CameraOption option = parse_camera(words);
   CHECK(option.follow == "pen");
   REQUIRE(option.eye);

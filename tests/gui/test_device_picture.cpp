@@ -122,7 +122,7 @@ TEST_CASE("the window lets bodies stay while it plays, and has states for what t
       return viewer.snapshot().a.poses != nullptr;
     });
   };
-  const auto whole = [&] { return viewer.snapshot().a.state.size() == viewer.snapshot().a.model->size(); };
+  const auto whole = [&] { return viewer.snapshot().a.state->size() == viewer.snapshot().a.model->size(); };
   draw();
   CHECK(whole());
   viewer.send(Command(command::Speed{0}));
@@ -197,7 +197,7 @@ TEST_CASE("where pictures cannot be drawn from a device's memory, states come ba
   }));
   for (int k = 0; k < 50; ++k) {
     draw();
-    CHECK(viewer.snapshot().a.state.size() == 3);
+    CHECK(viewer.snapshot().a.state->size() == 3);
   }
   CHECK(told() == 1);
   CHECK(viewer.snapshot().playing);

@@ -60,7 +60,10 @@ TEST_CASE("the picture is never older than what is shown beside it") {
     double now = 10;
     for (std::int64_t step = 0; now < 16; ++step, ++frames) {
       auto sim = std::make_shared<Snapshot>();
-      sim->a.state.step = sim->a.report.step = step;
+      sim->a.report.step = step;
+      auto state = std::make_shared<State>(*sim->a.state);
+      state->step = step;
+      sim->a.state = std::move(state);
       sim->a.params.contact.N = static_cast<int>(step % 7) + 1;
       sim->playing = now < 15;
       ui.camera.eye.x() = now > 12 && now < 15.5 ? static_cast<float>(now) : 1.0f;  // moves
@@ -68,7 +71,7 @@ TEST_CASE("the picture is never older than what is shown beside it") {
       const auto plan = live.plan(*shown, ui, now);
       now += speed.frame;
       if (plan.draw) {
-        drawn = shown->a.state.step;
+        drawn = shown->a.state->step;
         live.took(plan, 1000 * speed.picture);
         now += speed.picture;
         ++pictures;

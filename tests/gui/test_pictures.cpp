@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "app/frames/ab_painter.h"
+#include "app/frames/frame_source.h"
 #include "app/frames/frame_text.h"
-#include "app/frames/past_source.h"
 #include "app/frames/render_pipeline.h"
 #include "app/gui/script.h"
 #include "render/output/png.h"

@@ -214,7 +214,7 @@ TEST_CASE("the file of a scene that changes while the window is open is offered,
   ScriptOptions script_options;
   script_options.folder = folder.path();
   script_options.after_frame = [&, changed = false]() mutable {
-    if (changed || viewer.snapshot().a.state.step < 20) return;
+    if (changed || viewer.snapshot().a.state->step < 20) return;
     changed = true;
     std::string other = text;
     other.replace(other.find("two boxes"), 9, "new boxes");

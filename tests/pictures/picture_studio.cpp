@@ -111,7 +111,7 @@ FrameView view_of(const StoredStep& stored) {
   view.model = std::make_shared<const Model>(stored.scene.model);
   view.params = stored.scene.params;
   view.kappa = stored.report.kappa;
-  view.state = stored.scene.initial;
+  view.state = std::make_shared<const State>(stored.scene.initial);
   view.report = stored.report;
   ReportList history;
   for (const StepSummary& step : stored.history) add_report(history, step);

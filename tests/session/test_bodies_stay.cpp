@@ -50,12 +50,12 @@ TEST_CASE("bodies that may stay on a device come back where a state is kept, and
     made.go(1);
     CAPTURE(k);
     CHECK(run.state().step == k);
-    CHECK(run.view().state.step == k);
+    CHECK(run.view().state->step == k);
     CHECK(run.report().step == k);
     away += run.bodies_stayed() ? 1 : 0;
     if (!run.bodies_stayed()) CHECK(run.state().c[0].x() == Approx(3 * h * k));
     CHECK(drawn_x(run) == Approx(3 * h * k));
-    CHECK(run.view().state.size() == 0);
+    CHECK(run.view().state->size() == 0);
   }
   CHECK(away > 150);
   CHECK(run.timeline().size() == 201);
@@ -68,7 +68,7 @@ TEST_CASE("bodies that may stay on a device come back where a state is kept, and
   CHECK(run.view().poses != nullptr);  // pictures are drawn from there still
   run.let_bodies_stay(false);
   CHECK(run.view().poses == nullptr);
-  CHECK(run.view().state.size() == 2);
+  CHECK(run.view().state->size() == 2);
   run.let_bodies_stay(true);
   made.go(1);
   // What looks at the past or changes it has them first.

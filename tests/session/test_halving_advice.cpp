@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Steps that are halved in vain: said when there are many of them, with what is measured to help; hits are no news.
-#include "app/session/halving_advice.h"
+#include "app/session/contact_advice.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -82,8 +82,8 @@ TEST_CASE("each of two simulations goes by its own parameters") {
   Snapshot s = bench.snapshot();
   CHECK(s.a.device.name == "drift");
   CHECK(s.b->device == DeviceStatus{});
-  CHECK(s.a.state.step == s.b->state.step);
-  CHECK(s.a.state.c[1] != s.b->state.c[1]);
+  CHECK(s.a.state->step == s.b->state->step);
+  CHECK(s.a.state->c[1] != s.b->state->c[1]);
   bench.apply(command::Set{"solver.device", "gpu", Side::b});
   REQUIRE(bench.advance());
   CHECK(devices->opened == 2);
@@ -143,7 +143,7 @@ TEST_CASE("the simulation's thread makes the steps on the device, and copies are
   CHECK(copies.a.state().contacts.size() == 1);
   copies.a.seek(3);
   CHECK(copies.a.state().step == 3);
-  CHECK(runner.settle()->a.state.step == 7);
+  CHECK(runner.settle()->a.state->step == 7);
 }
 
 TEST_CASE("while it plays bodies stay on a device where nobody asks for states; at rest they are there") {
@@ -159,8 +159,8 @@ TEST_CASE("while it plays bodies stay on a device where nobody asks for states; 
       REQUIRE(bench.advance());
       const Snapshot s = bench.snapshot();
       all = all && s.a.poses != nullptr;
-      CHECK((s.a.poses != nullptr) == (s.a.state.size() == 0));
-      CHECK(s.a.report.step == s.a.state.step);
+      CHECK((s.a.poses != nullptr) == (s.a.state->size() == 0));
+      CHECK(s.a.report.step == s.a.state->step);
     }
     return all;
   };
@@ -174,14 +174,14 @@ TEST_CASE("while it plays bodies stay on a device where nobody asks for states; 
   CHECK(bench.run().bodies_stayed());
   CHECK(bench.snapshot().a.poses != nullptr);
   bench.apply(command::Pause{});
-  CHECK(bench.snapshot().a.state.size() == 3);
+  CHECK(bench.snapshot().a.state->size() == 3);
   bench.apply(command::Step{5});
   CHECK_FALSE(bench.run().bodies_stayed());
   bench.apply(command::Play{});
   CHECK(stays());
   while (!bench.run().bodies_stayed()) REQUIRE(bench.advance());
   bench.apply(command::Observe{.iterations = false, .contacts = false, .states = true});
-  CHECK(bench.snapshot().a.state.size() == 3);
+  CHECK(bench.snapshot().a.state->size() == 3);
   bench.apply(command::Observe{.iterations = false, .contacts = false, .states = false});
   // A comparison takes the states of both.
   bench.apply(command::Compare{{"contact.N=9"}});
@@ -204,7 +204,7 @@ TEST_CASE("the message of a step that leaves the numbers says which moment is le
   CHECK_FALSE(bench.advance());
   const Snapshot s = bench.snapshot();
   CHECK(s.diverged);
-  CHECK(s.a.state.size() == 3);
+  CHECK(s.a.state->size() == 3);
   const std::string& text = s.messages.back().text;
   CHECK(text.find("diverged at step " + std::to_string(step + 1)) == 0);
   CHECK(text.find("the last state that was kept") != std::string::npos);

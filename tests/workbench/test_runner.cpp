@@ -53,7 +53,7 @@ TEST_CASE(
   auto s = wait_for(runner, [](const Snapshot& x) { return x.file_changed; });
   REQUIRE(s->file_changed);
   CHECK(s->scene_serial == first);
-  CHECK(s->a.state.step == 5);
+  CHECK(s->a.state->step == 5);
   CHECK(s->messages.empty());
   runner.send(command::Reload{true});
   s = runner.settle();
@@ -61,7 +61,7 @@ TEST_CASE(
   CHECK(s->messages.back().severity == Severity::error);
   CHECK(s->messages.back().about == "reload");
   CHECK_THAT(s->messages.back().text, Catch::Contains(path.string()));
-  CHECK(s->a.state.step == 5);
+  CHECK(s->a.state->step == 5);
 
   std::string renamed = good;
   const std::size_t at = renamed.find("two boxes");
@@ -98,7 +98,7 @@ TEST_CASE("copies of the runs are where the runs were, and go on by themselves")
   auto future = runner.copy_runs();
   runner.send(command::Step{-15});
   RunCopies both = future.get();
-  CHECK(runner.settle()->a.state.step == 0);
+  CHECK(runner.settle()->a.state->step == 0);
   CHECK(both.a.state().step == 15);
   REQUIRE(both.b);
   CHECK(both.b->state().step == 15);
