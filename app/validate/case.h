@@ -33,14 +33,15 @@ struct Tolerance {
 };
 
 struct Case {
-  std::string key;   // "pendulum-period"
-  std::string what;  // "a pendulum let go from the horizontal: period"
-  std::string unit;  // "1" for a plain number
+  std::string key;  // "pendulum-period"
   double published;
-  std::string source;            // whose number it is; "computed here: …" where nobody has printed it
-  std::vector<Tolerance> steps;  // coarse to fine
-  std::string x_label, y_label;  // of the figure
   std::function<Outcome(Bench&)> measure;
+  // Of the table in cases.md.
+  std::string what = {};              // "a pendulum let go from the horizontal: period"
+  std::string unit = {};              // "1" for a plain number
+  std::string source = {};            // whose number it is; "computed here: …" where nobody has printed it
+  std::vector<Tolerance> steps = {};  // coarse to fine
+  std::string x_label = {}, y_label = {};  // of the figure
 };
 
 // By subject, in the order of the table.

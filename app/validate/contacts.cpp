@@ -159,79 +159,16 @@ Outcome rocking(Bench& bench) {
 
 void add_contacts(std::vector<Case>& cases) {
   for (const int N : {2, 3, 8})
-    cases.push_back({"gap-" + std::to_string(N),
-                     "a ball of 2 kg on the barrier of order N = " + std::to_string(N) +
-                         ", κ = 0.1 J, d̂ = 10 mm: its gap",
-                     "mm",
-                     right_gap(N),
-                     "supplement S(5)",
-                     {{1.0 / 60, 1e-4}, {1.0 / 240, 1e-4}},
-                     "",
-                     "",
-                     [N](Bench& bench) { return gap_under_load(bench, N); }});
-  cases.push_back({"bounce-energy",
-                   "a ball of 1 kg that falls 50 m, e = 1: energy after 30 s",
-                   "J",
-                   490.5,
-                   "Newton: it is kept",
-                   {{1.0 / 60, 1e-6}, {1.0 / 240, 1e-6}},
-                   "time [s]",
-                   "energy [J]",
-                   bouncing_ball});
-  cases.push_back({"rebound",
-                   "a ball that falls 1 m, e = 0.7: how high it comes",
-                   "m",
-                   0.49,
-                   "Newton: e² h",
-                   {{1.0 / 60, 1e-4}, {1.0 / 240, 1e-4}, {1.0 / 1000, 1e-4}},
-                   "time [s]",
-                   "height [m]",
-                   rebound});
-  cases.push_back({"row-of-balls",
-                   "five balls in a row, e = 1, hit with 2 m/s: speed of the last",
-                   "m/s",
-                   2,
-                   "Newton, Huygens",
-                   {{1.0 / 60, 1e-9}, {1.0 / 240, 1e-9}},
-                   "",
-                   "",
-                   row_of_balls});
-  cases.push_back({"many-balls-energy",
-                   "216 balls without friction in a box: rise of their energy",
-                   "1",
-                   0,
-                   "none is made",
-                   {{1.0 / 60, 1e-9}, {1.0 / 240, 1e-9}},
-                   "time [s]",
-                   "energy above the start [1]",
-                   [](Bench& bench) { return many_balls(bench, true); }});
-  cases.push_back({"many-balls-overlap",
-                   "216 balls without friction in a box: largest overlap, in radii",
-                   "1",
-                   0,
-                   "none",
-                   {{1.0 / 60, 1e-6}, {1.0 / 240, 1e-6}},
-                   "time [s]",
-                   "overlap [radii]",
-                   [](Bench& bench) { return many_balls(bench, false); }});
-  cases.push_back({"stick-slip",
-                   "a block on a belt that sticks and slips: period",
-                   "s",
-                   stick_slip_period(),
-                   "den Hartog: friction 0.5 at rest, 0.3 in motion",
-                   {{1.0 / 240, 0.02}, {1.0 / 1000, 0.01}},
-                   "time [s]",
-                   "stretch of the spring [mm]",
-                   stick_slip});
-  cases.push_back({"rocking",
-                   "a block of 1 to 5 that rocks on its base: energy that an impact leaves",
-                   "1",
-                   std::pow(1 - 1.5 * kSlender * kSlender / (1 + kSlender * kSlender), 2),
-                   "Housner 1963: (1 − 1.5 sin² α)²",
-                   {{1.0 / 1000, 0.02}, {1.0 / 4000, 0.008}},
-                   "time [s]",
-                   "speed of rotation [rad/s]",
-                   rocking});
+    cases.push_back(
+        {"gap-" + std::to_string(N), right_gap(N), [N](Bench& bench) { return gap_under_load(bench, N); }});
+  cases.push_back({"bounce-energy", 490.5, bouncing_ball});
+  cases.push_back({"rebound", 0.49, rebound});
+  cases.push_back({"row-of-balls", 2, row_of_balls});
+  cases.push_back({"many-balls-energy", 0, [](Bench& bench) { return many_balls(bench, true); }});
+  cases.push_back({"many-balls-overlap", 0, [](Bench& bench) { return many_balls(bench, false); }});
+  cases.push_back({"stick-slip", stick_slip_period(), stick_slip});
+  cases.push_back(
+      {"rocking", std::pow(1 - 1.5 * kSlender * kSlender / (1 + kSlender * kSlender), 2), rocking});
 }
 
 }  // namespace pabd::validate

@@ -181,51 +181,11 @@ Outcome andrews(Bench& bench) {
 }  // namespace
 
 void add_linkages(std::vector<Case>& cases) {
-  cases.push_back(
-      {"andrews",
-       "Andrews' squeezing mechanism: angle of its crank after 0.03 s",
-       "rad",
-       15.81077,
-       "IFToMM benchmark A03; test set for initial value problems, Bari; Hairer and Wanner II, VII.7",
-       {{1e-5, 5e-4}, {5e-6, 1.5e-4}},
-       "time [ms]",
-       "crank angle [rad]",
-       andrews});
-  cases.push_back({"four-bars-2",
-                   "two windows of four bars: energy of a post after 10 s",
-                   "J",
-                   0,
-                   "IFToMM benchmark A02",
-                   {{1.0 / 60, 0.8}, {1.0 / 240, 0.15}, {1.0 / 1000, 5e-4}},
-                   "time [s]",
-                   "energy above the start [J]",
-                   [](Bench& bench) { return windows(bench, 2); }});
-  cases.push_back({"four-bars-40",
-                   "40 windows of four bars: energy of a post after 10 s",
-                   "J",
-                   0,
-                   "IFToMM benchmark A02",
-                   {{1.0 / 60, 0.8}, {1.0 / 240, 0.15}},
-                   "time [s]",
-                   "energy above the start [J]",
-                   [](Bench& bench) { return windows(bench, 40); }});
-  cases.push_back({"bricard",
-                   "Bricard's mechanism: time until P₃ comes back through x = 0",
-                   "s",
-                   3.743783635,
-                   "IFToMM benchmark A04; computed here from its energy along its one degree of freedom",
-                   {{1.0 / 60, 0.005}, {1.0 / 240, 5e-4}, {1.0 / 1000, 5e-5}},
-                   "time [s]",
-                   "x of P₃ [m]",
-                   bricard});
-  cases.push_back({"universal-joint",
-                   "Hooke's joint at 35°: how far the second shaft is ahead at most",
-                   "°",
-                   std::asin((1 - std::cos(kBend)) / (1 + std::cos(kBend))) / kDegree,
-                   "tan φ₂ = tan φ₁ cos β",
-                   {{1.0 / 60, 0.001}, {1.0 / 240, 0.001}},
-                   "time [s]",
-                   "second shaft ahead [°]",
+  cases.push_back({"andrews", 15.81077, andrews});
+  cases.push_back({"four-bars-2", 0, [](Bench& bench) { return windows(bench, 2); }});
+  cases.push_back({"four-bars-40", 0, [](Bench& bench) { return windows(bench, 40); }});
+  cases.push_back({"bricard", 3.743783635, bricard});
+  cases.push_back({"universal-joint", std::asin((1 - std::cos(kBend)) / (1 + std::cos(kBend))) / kDegree,
                    universal_joint});
 }
 

@@ -6,11 +6,17 @@
 #include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
 
 #include "sim/base/error.h"
 #include "sim/math/team.h"
 
 namespace pabd::validate {
+
+extern const char kCasesText[];  // cases.md, made part of the program by CMakeLists.txt
+
 namespace {
 
 std::string step_text(double h) {
@@ -28,6 +34,43 @@ std::string error_text(const Row& row) {
   return row.failure.empty() ? fmt::format("{:.1e}", row.error()) : "";
 }
 
+// "a", "b" of "a | b |".
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> cells;
+  std::istringstream in(row);
+  for (std::string cell; std::getline(in, cell, '|');) {
+    const auto first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
+    cells.push_back(first == cell.npos ? "" : cell.substr(first, last + 1 - first));
+  }
+  return cells;
+}
+
+// "1/60: 0.003, 1/240: 5e-4".
+std::vector<Tolerance> tolerances_of(const std::string& text) {
+  std::vector<Tolerance> out;
+  std::istringstream in(text);
+  for (std::string one; std::getline(in, one, ',');) {
+    const std::size_t colon = one.find(':'), slash = one.find('/');
+    const double h = slash == one.npos ? std::stod(one) : 1 / std::stod(one.substr(slash + 1));
+    out.push_back({h, std::stod(one.substr(colon + 1))});
+  }
+  return out;
+}
+
+// What cases.md says of a case.
+void describe(Case& one) {
+  const std::string_view table = kCasesText;
+  const auto at = table.find("\n| " + one.key + " |");
+  if (at == table.npos) throw std::logic_error("cases.md has no row " + one.key);
+  const auto cells = cells_of(std::string(table.substr(at + 3, table.find('\n', at + 1) - at - 3)));
+  one.what = cells.at(1);
+  one.unit = cells.at(2);
+  one.source = cells.at(3);
+  one.steps = tolerances_of(cells.at(4));
+  one.x_label = cells.at(5);
+  one.y_label = cells.at(6);
+}
+
 }  // namespace
 
 const std::vector<Case>& all_cases() {
@@ -35,6 +78,7 @@ const std::vector<Case>& all_cases() {
     std::vector<Case> all;
     for (const auto add : {add_pendulums, add_spins, add_linkages, add_rolling, add_contacts, add_structures})
       add(all);
+    for (Case& one : all) describe(one);
     return all;
   }();
   return cases;
