@@ -16,9 +16,10 @@ class GlContext {
   // old thread before. Throws Error(no_context).
   virtual void make_current() = 0;
   virtual void release() = 0;
-  virtual void* proc_address(const char* name) = 0;                  // null when the driver does not know it
-  virtual void framebuffer_size(int& width, int& height) const = 0;  // 0×0 when off-screen only
-  virtual void present() = 0;                                        // no-op when off-screen
+  virtual void* proc_address(const char* name) = 0;  // null when the driver does not know it
+  // Of the screen; 0×0 and nothing to do when off-screen only.
+  virtual void framebuffer_size(int& width, int& height) const { width = height = 0; }
+  virtual void present() {}
   virtual std::string name() const = 0;  // "EGL device 0", "EGL surfaceless", "OSMesa", "window"
   // Another one without a framebuffer that has the same buffers and fences (and textures, but no framebuffers and vertex
   // arrays), for another thread. Current nowhere, and gone before this one. What is current in the calling thread stays; of

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Headless contexts from EGL: one a device of EGL_EXT_device_enumeration, and EGL_MESA_platform_surfaceless.
+// Headless contexts from EGL, whose library is opened at run time: one a device of EGL_EXT_device_enumeration, and EGL_MESA_platform_surfaceless.
 //
 // The default display, X11, Wayland and GBM are not tried: without a display server or device files they all
 // end in EGL_NOT_INITIALIZED.
+#define EGL_EGL_PROTOTYPES 0
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "render/context/candidate.h"
-#include "render/context/egl_library.h"
+#include "render/context/shared_library.h"
 #include "sim/base/error.h"
 
 #ifndef EGL_PLATFORM_SURFACELESS_MESA
@@ -17,6 +21,105 @@
 
 namespace pabd {
 namespace {
+
+constexpr const char* kEglNames[] = {"libEGL.so.1", nullptr};
+
+struct ErrorName {
+  EGLint code;
+  const char* name;
+  const char* meaning;
+};
+
+constexpr ErrorName kErrors[] = {
+    {EGL_SUCCESS, "EGL_SUCCESS", "no error reported"},
+    {EGL_NOT_INITIALIZED, "EGL_NOT_INITIALIZED", "no driver could open this display"},
+    {EGL_BAD_ACCESS, "EGL_BAD_ACCESS",
+     "the context is current in another thread, or a device file is not accessible"},
+    {EGL_BAD_ALLOC, "EGL_BAD_ALLOC", "out of memory"},
+    {EGL_BAD_ATTRIBUTE, "EGL_BAD_ATTRIBUTE", "the driver does not know an attribute"},
+    {EGL_BAD_CONFIG, "EGL_BAD_CONFIG", "the driver does not offer this configuration"},
+    {EGL_BAD_CONTEXT, "EGL_BAD_CONTEXT", "not a context"},
+    {EGL_BAD_CURRENT_SURFACE, "EGL_BAD_CURRENT_SURFACE", "the surface is gone"},
+    {EGL_BAD_DISPLAY, "EGL_BAD_DISPLAY", "not a display"},
+    {EGL_BAD_MATCH, "EGL_BAD_MATCH", "the driver does not offer this version of OpenGL"},
+    {EGL_BAD_NATIVE_PIXMAP, "EGL_BAD_NATIVE_PIXMAP", "not a pixmap"},
+    {EGL_BAD_NATIVE_WINDOW, "EGL_BAD_NATIVE_WINDOW", "not a window"},
+    {EGL_BAD_PARAMETER, "EGL_BAD_PARAMETER", "the driver does not know this platform"},
+    {EGL_BAD_SURFACE, "EGL_BAD_SURFACE", "not a surface"},
+    {EGL_CONTEXT_LOST, "EGL_CONTEXT_LOST", "the device was reset"},
+    {EGL_BAD_DEVICE_EXT, "EGL_BAD_DEVICE_EXT", "not a device"},
+};
+
+// True when the blank-separated list holds the whole word.
+bool has_word(const char* list, const char* word) {
+  if (list == nullptr) return false;
+  const std::size_t length = std::strlen(word);
+  for (const char* at = std::strstr(list, word); at != nullptr; at = std::strstr(at + 1, word)) {
+    const bool starts = at == list || at[-1] == ' ';
+    const bool ends = at[length] == ' ' || at[length] == '\0';
+    if (starts && ends) return true;
+  }
+  return false;
+}
+
+// The functions in use, of EGL 1.4 and of extensions.
+// clang-format off
+#define PABD_EGL_CORE(X) \
+  X(PFNEGLGETPROCADDRESSPROC, GetProcAddress) X(PFNEGLGETERRORPROC, GetError) \
+  X(PFNEGLQUERYSTRINGPROC, QueryString) X(PFNEGLINITIALIZEPROC, Initialize) X(PFNEGLBINDAPIPROC, BindAPI) \
+  X(PFNEGLCHOOSECONFIGPROC, ChooseConfig) X(PFNEGLCREATECONTEXTPROC, CreateContext) \
+  X(PFNEGLDESTROYCONTEXTPROC, DestroyContext) X(PFNEGLMAKECURRENTPROC, MakeCurrent) \
+  X(PFNEGLGETCURRENTCONTEXTPROC, GetCurrentContext) \
+  X(PFNEGLCREATEPBUFFERSURFACEPROC, CreatePbufferSurface) X(PFNEGLDESTROYSURFACEPROC, DestroySurface)
+#define PABD_EGL_EXTENSIONS(X) \
+  X(PFNEGLQUERYDEVICESEXTPROC, QueryDevicesEXT) X(PFNEGLQUERYDEVICESTRINGEXTPROC, QueryDeviceStringEXT) \
+  X(PFNEGLGETPLATFORMDISPLAYEXTPROC, GetPlatformDisplayEXT)
+// clang-format on
+
+class EglLibrary {
+ public:
+  EglLibrary() : library_(kEglNames) {
+    if (!library_.is_open()) {
+      failure_ = library_.error();
+      return;
+    }
+#define PABD_LOAD(Type, name) name = library_.find<Type>("egl" #name);
+    PABD_EGL_CORE(PABD_LOAD)
+#undef PABD_LOAD
+#define PABD_MISSING(Type, name) || name == nullptr
+    if (false PABD_EGL_CORE(PABD_MISSING)) {
+#undef PABD_MISSING
+      failure_ = "libEGL.so.1 lacks functions of EGL 1.4";
+      return;
+    }
+    // Looked up whatever the extension string says: without a driver it is empty, and the calls tell more.
+#define PABD_LOAD(Type, name) name = reinterpret_cast<Type>(GetProcAddress("egl" #name));
+    PABD_EGL_EXTENSIONS(PABD_LOAD)
+#undef PABD_LOAD
+    if (GetPlatformDisplayEXT == nullptr) failure_ = "libEGL.so.1 lacks eglGetPlatformDisplayEXT";
+  }
+
+  // Empty when the library is usable, otherwise why it is not.
+  const std::string& failure() const { return failure_; }
+
+#define PABD_DECLARE(Type, name) Type name = nullptr;
+  PABD_EGL_CORE(PABD_DECLARE)
+  PABD_EGL_EXTENSIONS(PABD_DECLARE)  // null where missing
+#undef PABD_DECLARE
+
+  // "eglInitialize: 0x3001 EGL_NOT_INITIALIZED (…meaning…)" from the error that is pending in this thread.
+  std::string describe_error(const char* call) const {
+    const EGLint code = GetError();
+    for (const ErrorName& e : kErrors) {
+      if (e.code == code) return fmt::format("{} failed with {:#x} {} ({})", call, code, e.name, e.meaning);
+    }
+    return fmt::format("{} failed with {:#x}", call, code);
+  }
+
+ private:
+  SharedLibrary library_;
+  std::string failure_;
+};
 
 class EglContext final : public GlContext {
  public:
@@ -32,9 +135,9 @@ class EglContext final : public GlContext {
   ~EglContext() override {
     if (context_ != EGL_NO_CONTEXT) {
       release();
-      egl_->destroy_context(display_, context_);
+      egl_->DestroyContext(display_, context_);
     }
-    if (surface_ != EGL_NO_SURFACE) egl_->destroy_surface(display_, surface_);
+    if (surface_ != EGL_NO_SURFACE) egl_->DestroySurface(display_, surface_);
   }
 
   EglContext(const EglContext&) = delete;
@@ -60,28 +163,26 @@ class EglContext final : public GlContext {
   }
 
   void release() override {
-    if (egl_->get_current_context() == context_) {
-      egl_->make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (egl_->GetCurrentContext() == context_) {
+      egl_->MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
   }
 
   void* proc_address(const char* name) override {
-    return reinterpret_cast<void*>(egl_->get_proc_address(name));
+    return reinterpret_cast<void*>(egl_->GetProcAddress(name));
   }
-  void framebuffer_size(int& width, int& height) const override { width = height = 0; }
-  void present() override {}
   std::string name() const override { return name_; }
 
  private:
   std::string create() {
     EGLint major = 0, minor = 0;
-    if (!egl_->initialize(display_, &major, &minor)) return egl_->describe_error("eglInitialize");
-    if (!egl_->bind_api(EGL_OPENGL_API)) return egl_->describe_error("eglBindAPI");
+    if (!egl_->Initialize(display_, &major, &minor)) return egl_->describe_error("eglInitialize");
+    if (!egl_->BindAPI(EGL_OPENGL_API)) return egl_->describe_error("eglBindAPI");
     const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
                                         EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!egl_->choose_config(display_, config_attributes, &config, 1, &count)) {
+    if (!egl_->ChooseConfig(display_, config_attributes, &config, 1, &count)) {
       return egl_->describe_error("eglChooseConfig");
     }
     if (count == 0) return "the driver offers no configuration for OpenGL";
@@ -93,13 +194,13 @@ class EglContext final : public GlContext {
                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                    EGL_NONE};
-      context_ = egl_->create_context(display_, config, partner_, attributes);
+      context_ = egl_->CreateContext(display_, config, partner_, attributes);
       if (context_ != EGL_NO_CONTEXT) break;
     }
     if (context_ == EGL_NO_CONTEXT) return egl_->describe_error("eglCreateContext");
-    if (!has_word(egl_->query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+    if (!has_word(egl_->QueryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
       const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
-      surface_ = egl_->create_pbuffer_surface(display_, config, size);
+      surface_ = egl_->CreatePbufferSurface(display_, config, size);
       if (surface_ == EGL_NO_SURFACE) return egl_->describe_error("eglCreatePbufferSurface");
     }
     return {};
@@ -107,7 +208,7 @@ class EglContext final : public GlContext {
 
   bool bind() {
     // The API is a setting of the thread.
-    return egl_->bind_api(EGL_OPENGL_API) && egl_->make_current(display_, surface_, surface_, context_);
+    return egl_->BindAPI(EGL_OPENGL_API) && egl_->MakeCurrent(display_, surface_, surface_, context_);
   }
 
   std::shared_ptr<const EglLibrary> egl_;
@@ -119,7 +220,7 @@ class EglContext final : public GlContext {
 
 std::unique_ptr<GlContext> open_display(const std::shared_ptr<const EglLibrary>& egl, EGLenum platform,
                                         void* native, const std::string& name, std::string& failure) {
-  const EGLDisplay display = egl->get_platform_display(platform, native, nullptr);
+  const EGLDisplay display = egl->GetPlatformDisplayEXT(platform, native, nullptr);
   if (display == EGL_NO_DISPLAY) {
     failure = "EGL_NO_DISPLAY: " + egl->describe_error("eglGetPlatformDisplayEXT");
     return nullptr;
@@ -144,17 +245,17 @@ struct Device {
 };
 
 std::vector<Device> list_devices(const EglLibrary& egl, std::string& failure) {
-  if (egl.query_devices == nullptr) {
+  if (egl.QueryDevicesEXT == nullptr) {
     failure = "libEGL.so.1 lacks eglQueryDevicesEXT";
     return {};
   }
   EGLint count = 0;
-  if (!egl.query_devices(0, nullptr, &count)) {
+  if (!egl.QueryDevicesEXT(0, nullptr, &count)) {
     failure = egl.describe_error("eglQueryDevicesEXT");
     return {};
   }
   std::vector<EGLDeviceEXT> handles(static_cast<std::size_t>(std::max(count, 0)));
-  if (count > 0 && !egl.query_devices(count, handles.data(), &count)) {
+  if (count > 0 && !egl.QueryDevicesEXT(count, handles.data(), &count)) {
     failure = egl.describe_error("eglQueryDevicesEXT");
     return {};
   }
@@ -166,7 +267,7 @@ std::vector<Device> list_devices(const EglLibrary& egl, std::string& failure) {
   std::vector<Device> devices;
   for (std::size_t i = 0; i < handles.size(); ++i) {
     const char* extensions =
-        egl.query_device_string != nullptr ? egl.query_device_string(handles[i], EGL_EXTENSIONS) : nullptr;
+        egl.QueryDeviceStringEXT != nullptr ? egl.QueryDeviceStringEXT(handles[i], EGL_EXTENSIONS) : nullptr;
     const bool software = has_word(extensions, "EGL_MESA_device_software");
     devices.push_back(
         {handles[i], software, fmt::format("EGL device {}{}", i, software ? " (software)" : "")});

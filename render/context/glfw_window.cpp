@@ -159,9 +159,6 @@ class GlfwWindow final : public Window {
   GlContext& context() override { return *context_; }
 
   std::vector<WindowEvent> poll(double wait) override;
-  void wake() override {
-    if (!glfw_.lost()) glfwPostEmptyEvent();
-  }
 
   bool should_close() const override { return glfw_.lost() || glfwWindowShouldClose(window_) == GLFW_TRUE; }
   void keep_open() override {
@@ -180,20 +177,10 @@ class GlfwWindow final : public Window {
     return std::isfinite(x) && x > 0 ? static_cast<double>(x) : 1.0;
   }
   void size(int& width, int& height) const override { context_->framebuffer_size(width, height); }
-  void set_size(int width, int height) override {
-    if (glfw_.lost()) return;
-    // GLFW scales a window when it is made, not later.
-    const double scale = content_scale() / pixels_per_unit();
-    glfwSetWindowSize(window_, static_cast<int>(std::lround(width * scale)),
-                      static_cast<int>(std::lround(height * scale)));
-  }
   void set_title(const std::string& title) override {
     if (!glfw_.lost()) glfwSetWindowTitle(window_, title.c_str());
   }
   void set_cursor(MouseCursor cursor) override;
-  void set_swap_interval(int frames) override {
-    if (!glfw_.lost()) glfwSwapInterval(std::max(frames, 0));
-  }
 
   std::string clipboard() const override {
     const char* text = glfw_.lost() ? nullptr : glfwGetClipboardString(window_);

@@ -78,8 +78,6 @@ class OsMesaContext final : public GlContext {
   void* proc_address(const char* name) override {
     return reinterpret_cast<void*>(library_->get_proc_address(name));
   }
-  void framebuffer_size(int& width, int& height) const override { width = height = 0; }
-  void present() override {}
   std::string name() const override { return "OSMesa"; }
 
  private:

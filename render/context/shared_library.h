@@ -2,6 +2,8 @@
 // A library opened at run time.
 #pragma once
 
+#include <dlfcn.h>
+
 #include <string>
 
 namespace pabd {
@@ -10,7 +12,14 @@ namespace pabd {
 class SharedLibrary {
  public:
   // Takes the first of `names` (a null-terminated list) that opens; error() tells why none did.
-  explicit SharedLibrary(const char* const* names);
+  explicit SharedLibrary(const char* const* names) {
+    for (; *names != nullptr && handle_ == nullptr; ++names) {
+      handle_ = dlopen(*names, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+      if (handle_ != nullptr) return;
+      const char* reason = dlerror();
+      if (error_.empty()) error_ = reason != nullptr ? reason : std::string(*names) + " does not open";
+    }
+  }
 
   bool is_open() const { return handle_ != nullptr; }
   const std::string& error() const { return error_; }
@@ -18,12 +27,10 @@ class SharedLibrary {
   // The function `name`, or null.
   template <class Function>
   Function find(const char* name) const {
-    return reinterpret_cast<Function>(symbol(name));
+    return handle_ != nullptr ? reinterpret_cast<Function>(dlsym(handle_, name)) : nullptr;
   }
 
  private:
-  void* symbol(const char* name) const;
-
   void* handle_ = nullptr;
   std::string error_;
 };

@@ -65,7 +65,7 @@ struct WindowOptions {
   int display_lost_status = 1;
 };
 
-// One at a time in a process; made, used and destroyed in the main thread, except wake().
+// One at a time in a process; made, used and destroyed in the main thread.
 class Window {
  public:
   virtual ~Window() = default;
@@ -74,8 +74,6 @@ class Window {
 
   // What happened since the last call, oldest first. Waits up to `wait` seconds for the first event.
   virtual std::vector<WindowEvent> poll(double wait = 0) = 0;
-  // Ends the wait of poll() from any thread.
-  virtual void wake() = 0;
 
   // The person wants it closed, or the display is gone.
   virtual bool should_close() const = 0;
@@ -90,11 +88,8 @@ class Window {
   virtual double content_scale() const = 0;
   // Of the framebuffer; 0×0 while the window is minimised or its display lost.
   virtual void size(int& width, int& height) const = 0;
-  virtual void set_size(int width, int height) = 0;  // as in WindowOptions
   virtual void set_title(const std::string& title) = 0;
   virtual void set_cursor(MouseCursor cursor) = 0;
-  // Frames of the screen to wait for in present(); 0: none. The context must be current.
-  virtual void set_swap_interval(int frames) = 0;
 
   virtual std::string clipboard() const = 0;  // UTF-8; empty when there is no text in it
   virtual void set_clipboard(const std::string& text) = 0;
