@@ -78,8 +78,7 @@ nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, con
         {"version", ffmpeg.version},
         {"libx264", ffmpeg.h264},
         {"libvpx-vp9", ffmpeg.vp9},
-        {"h264_nvenc", ffmpeg.nvenc},
-        {"h264_vaapi", ffmpeg.vaapi}}},
+        {"h264_nvenc", ffmpeg.nvenc}}},
       {"cpu", to_json(cpu)},
       {"build", build_text()},
       {"font_bytes", font_bytes().size()},
@@ -98,12 +97,10 @@ std::string to_text(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts
                         attempt.failure.empty() ? "works" : attempt.failure);
   }
   text += fmt::format("GPU solver  {}\n", gl_solver_text(gl));
-  text += ffmpeg.found ? fmt::format(
-                             "ffmpeg      {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {} · h264_nvenc {} · "
-                             "h264_vaapi {}\n",
-                             ffmpeg.version, present(ffmpeg.h264), present(ffmpeg.vp9), present(ffmpeg.nvenc),
-                             present(ffmpeg.vaapi))
-                       : fmt::format("ffmpeg      none; {}\n", kFfmpegRemedy);
+  text += ffmpeg.found
+              ? fmt::format("ffmpeg      {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {} · h264_nvenc {}\n",
+                            ffmpeg.version, present(ffmpeg.h264), present(ffmpeg.vp9), present(ffmpeg.nvenc))
+              : fmt::format("ffmpeg      none; {}\n", kFfmpegRemedy);
   text += fmt::format("CPU         {} · {} · {} · {:.1f} GiB\n", cpu.model.empty() ? "unknown" : cpu.model,
                       counted(cpu.limits.cores, "core"), cpu.simd, cpu.memory_gib);
   text +=
@@ -129,11 +126,10 @@ int doctor(const DoctorOptions& options) {
 
 void add_doctor_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<DoctorOptions>();
-  CLI::App* command =
-      add_command(app, "doctor", "what GL, ffmpeg and CPU this machine offers, and what to install",
-                  {"pabd doctor", "pabd doctor --json"}, options->common);
-  command->add_flag("--json", options->json, "print it as JSON");
-  command->callback([options, &action] { action = [options] { return doctor(*options); }; });
+  const Command command(app, "doctor", "what GL, ffmpeg and CPU this machine offers, and what to install",
+                        {"pabd doctor", "pabd doctor --json"}, options->common);
+  command.flag(group::kOwn, "--json", options->json, "print it as JSON");
+  command.carry_out(action, options, doctor);
 }
 
 }  // namespace pabd::cli

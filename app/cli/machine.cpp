@@ -36,10 +36,10 @@ std::string proc_value(const char* file, std::string_view key) {
   return "";
 }
 
-// ffmpeg may know an encoder whose GPU is not there.
-bool encodes(VideoEncoder encoder) {
+// ffmpeg may know the encoder where no GPU is.
+bool encodes_by_nvenc() {
   VideoOptions options;
-  options.encoder = encoder;
+  options.encoder = VideoEncoder::nvenc;
   try {
     check_video_encoder(options);
   } catch (const Error&) {
@@ -86,8 +86,7 @@ FfmpegFacts find_ffmpeg() {
   const std::string encoders = capture({"ffmpeg", "-hide_banner", "-encoders"});
   facts.h264 = encoders.find(" libx264 ") != std::string::npos;
   facts.vp9 = encoders.find(" libvpx-vp9 ") != std::string::npos;
-  facts.nvenc = encoders.find(" h264_nvenc ") != std::string::npos && encodes(VideoEncoder::nvenc);
-  facts.vaapi = encoders.find(" h264_vaapi ") != std::string::npos && encodes(VideoEncoder::vaapi);
+  facts.nvenc = encoders.find(" h264_nvenc ") != std::string::npos && encodes_by_nvenc();
   return facts;
 }
 

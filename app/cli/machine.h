@@ -23,9 +23,9 @@ struct GlFacts {
 struct FfmpegFacts {
   bool found = false;
   std::string version;
-  bool h264 = false;                  // libx264, for .mp4
-  bool vp9 = false;                   // libvpx-vp9, for .webm
-  bool nvenc = false, vaapi = false;  // h264_nvenc, h264_vaapi, by a trial
+  bool h264 = false;   // libx264, for .mp4
+  bool vp9 = false;    // libvpx-vp9, for .webm
+  bool nvenc = false;  // h264_nvenc, by a trial
 };
 
 struct CpuFacts {

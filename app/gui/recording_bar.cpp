@@ -50,14 +50,14 @@ void draw_recording(GuiFrame& f, const Rect& view) {
 
 namespace {
 
-constexpr const char* kEncoders[] = {"software", "nvenc", "vaapi"};
+constexpr const char* kEncoders[] = {"software", "nvenc"};
 
 // How the file is encoded: what its kind has, the rest as if nobody had said it.
 void draw_video_fields(const GuiFrame& f, command::Record& r, const std::function<void(const char*)>& name) {
   const std::string extension = std::filesystem::path(r.path).extension().string();
   const bool mp4 = extension == ".mp4", video = mp4 || extension == ".webm";
   if (!video) r.crf = -1;
-  if (!video || r.encoder == "vaapi") r.preset.clear();
+  if (!video) r.preset.clear();
   if (!mp4) r.encoder = "software";
   if (extension != ".gif") r.loop = 0;
   if (extension == ".gif") {
@@ -80,7 +80,6 @@ void draw_video_fields(const GuiFrame& f, command::Record& r, const std::functio
   ImGui::SameLine();
   label(fmt::format("of 0 (best) to {}", defaults.most_crf));
   name("preset");
-  ImGui::BeginDisabled(r.encoder == "vaapi");
   std::vector<const char*> presets;
   for (const std::string& preset : preset_names()) presets.push_back(preset.c_str());
   const std::string preset = r.preset.empty() ? defaults.preset : r.preset;
@@ -89,7 +88,6 @@ void draw_video_fields(const GuiFrame& f, command::Record& r, const std::functio
   if (const auto i = word_combo("##preset", presets.data(), presets.size(), now, f.px(110),
                                 "Time for a smaller file: the slower, the smaller"))
     r.preset = presets[*i];
-  ImGui::EndDisabled();
   if (!mp4) return;
   ImGui::SameLine();
   label("by");
@@ -98,7 +96,7 @@ void draw_video_fields(const GuiFrame& f, command::Record& r, const std::functio
   if (const auto i =
           word_combo("##encoder", kEncoders, std::size(kEncoders),
                      static_cast<std::size_t>(encoder - std::begin(kEncoders)), f.px(110),
-                     "software: libx264; nvenc, vaapi: the encoder of the GPU, where ffmpeg has it"))
+                     "software: libx264; nvenc: the encoder of an NVIDIA GPU, where ffmpeg has it"))
     r.encoder = kEncoders[*i];
 }
 

@@ -129,7 +129,7 @@ struct Show {
   std::string what;
   bool on = true;
   void fields(auto&& f) {
-    f(need("what", "contacts, bonds, velocities, boxes, inertia, axes or scale", R"("bonds")"), what);
+    f(need("what", "contacts, bonds, velocities, boxes, axes or scale", R"("bonds")"), what);
     f(kOn, on);
   }
 };
@@ -273,7 +273,7 @@ struct Record {
     f(may("preset", "of .mp4 and .webm: time for a smaller file, ultrafast to veryslow", R"("slow")"),
       preset);
     f(may("loop", "how often a .gif is played; 0: for ever", "1"), loop);
-    f(may("encoder", "of .mp4: software, or that of the GPU: nvenc, vaapi", R"("nvenc")"), encoder);
+    f(may("encoder", "of .mp4: software, or that of an NVIDIA GPU: nvenc", R"("nvenc")"), encoder);
     f(kForce, force);
   }
 };

@@ -12,9 +12,11 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
+#include "render/output/ffmpeg_arguments.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
 
@@ -201,6 +203,36 @@ void EncoderProcess::fail(const std::string& what) {
   }
   throw Error(ErrorKind::encoder, fmt::format("{}: {} ({}): {}{}", setup_.name, what, child_.ending(),
                                               said.empty() ? "it gave no reason" : said, remedy));
+}
+
+void check_video(const std::string& name, const std::filesystem::path& file, const VideoFacts& expected,
+                 double patience) {
+  VideoFacts found;
+  Arguments command = words("ffmpeg {} -i", kQuietFfmpeg);
+  append(command, {file_argument(file)});
+  append(command,
+         words("-map 0:v:0 -c copy -f framecrc pipe:1"));  // the size of the picture, then a line a frame
+  const ChildOutcome outcome = run_child(command, patience, [&](std::string_view line) {
+    if (line.starts_with("#dimensions 0: ")) {
+      std::sscanf(std::string(line.substr(15)).c_str(), "%dx%d", &found.width, &found.height);
+    } else if (!line.empty() && line.front() != '#') {
+      ++found.frames;
+    }
+  });
+  const auto refuse = [&](const std::string& what) {
+    throw Error(
+        ErrorKind::encoder,
+        fmt::format("{}: ffmpeg ended well, but what it wrote {}; the video was not kept: is the disk "
+                    "full?",
+                    name, what));
+  };
+  if (outcome.too_slow) refuse(fmt::format("could not be read back within {:g} s", patience));
+  if (outcome.status != 0 || !outcome.errors.empty())
+    refuse("cannot be read back (" + one_line(outcome.errors) + ")");
+  if (found.frames != expected.frames || found.width != expected.width || found.height != expected.height) {
+    refuse(fmt::format("has {} of {}x{} pixels, not {} of {}x{}", counted(found.frames, "frame"), found.width,
+                       found.height, expected.frames, expected.width, expected.height));
+  }
 }
 
 std::string ffmpeg_version() {

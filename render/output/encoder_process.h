@@ -56,6 +56,17 @@ class EncoderProcess {
   Tail tail_;  // of ffmpeg's standard error; written by the listener, read after it was joined
 };
 
+struct VideoFacts {
+  int width = 0, height = 0;
+  long frames = 0;
+};
+
+// Reads the whole file as a player would, through the ffmpeg program, without unpacking pictures: asked before a video
+// gets its name. Throws Error(encoder) that begins with `name` if it holds anything but `expected`, or ffmpeg complains
+// about it or says nothing for `patience` seconds.
+void check_video(const std::string& name, const std::filesystem::path& file, const VideoFacts& expected,
+                 double patience);
+
 // The first line of "ffmpeg -version"; empty when there is no ffmpeg in PATH.
 std::string ffmpeg_version();
 

@@ -15,7 +15,6 @@
 #include "render/output/encoder_process.h"
 #include "render/output/ffmpeg_arguments.h"
 #include "render/output/sinks.h"
-#include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/child_process.h"
 #include "sim/base/descriptor.h"
@@ -55,49 +54,14 @@ class GifSink : public FrameSink {
     // Temporary files of short names beside it.
     frames_.emplace(fs::path(path_).parent_path() / "gif-frames");
     palette_.emplace(fs::path(path_).parent_path() / "gif-palette");
-    encoder_.emplace(EncoderSetup{path_,
-                                  frames_->temporary(),
-                                  options_.encoder_timeout,
-                                  {"-nostdin",
-                                   "-hide_banner",
-                                   "-nostats",
-                                   "-loglevel",
-                                   "error",
-                                   "-progress",
-                                   "pipe:1",
-                                   "-f",
-                                   "rawvideo",
-                                   "-pixel_format",
-                                   "rgb24",
-                                   "-video_size",
-                                   fmt::format("{}x{}", options.width, options.height),
-                                   "-framerate",
-                                   fmt::format("{:.10g}", fps),
-                                   "-i",
-                                   "pipe:0",
-                                   "-an",
-                                   "-filter_complex",
-                                   "[0:v]split[a][b];[b]palettegen=stats_mode=full[p]",
-                                   "-map",
-                                   "[a]",
-                                   "-c:v",
-                                   "ffv1",
-                                   "-pix_fmt",
-                                   "bgr0",
-                                   "-threads",
-                                   "4",
-                                   "-f",
-                                   "matroska",
-                                   "-y",
-                                   "file:" + frames_->temporary().string(),
-                                   "-map",
-                                   "[p]",
-                                   "-c:v",
-                                   "png",
-                                   "-f",
-                                   "image2pipe",
-                                   "-y",
-                                   "file:" + palette_->temporary().string()}});
+    Arguments list = words("{} -progress pipe:1", kQuietFfmpeg);
+    append(list, raw_input("rgb24", options.width, options.height, fps));
+    append(list, words("-filter_complex [0:v]split[a][b];[b]palettegen=stats_mode=full[p] -map [a] -c:v ffv1 "
+                       "-pix_fmt bgr0 -threads 4 -f matroska -y"));
+    append(list, {file_argument(frames_->temporary())});
+    append(list, words("-map [p] -c:v png -f image2pipe -y"));
+    append(list, {file_argument(palette_->temporary())});
+    encoder_.emplace(EncoderSetup{path_, frames_->temporary(), options_.encoder_timeout, std::move(list)});
   }
 
   void write(const Image& frame) override {
@@ -121,36 +85,16 @@ class GifSink : public FrameSink {
 
  private:
   void use_palette() {
-    const Arguments command = {"ffmpeg",
-                               "-nostdin",
-                               "-hide_banner",
-                               "-nostats",
-                               "-loglevel",
-                               "error",
-                               "-progress",
-                               "pipe:1",
-                               "-i",
-                               "file:" + frames_->temporary().string(),
-                               "-f",
-                               "png_pipe",
-                               "-i",
-                               "file:" + palette_->temporary().string(),
-                               "-filter_complex",
-                               "[0:v][1:v]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle",
-                               "-loop",
-                               loop_argument(options_.video.plays.value_or(0)),
-                               "-threads",
-                               "4",
-                               "-map_metadata",
-                               "-1",
-                               "-fflags",
-                               "+bitexact",
-                               "-flags:v",
-                               "+bitexact",
-                               "-f",
-                               "gif",
-                               "-y",
-                               "file:" + file_->temporary().string()};
+    Arguments command = words("ffmpeg {} -progress pipe:1 -i", kQuietFfmpeg);
+    append(command, {file_argument(frames_->temporary())});
+    append(command, words("-f png_pipe -i"));
+    append(command, {file_argument(palette_->temporary())});
+    append(
+        command,
+        words("-filter_complex [0:v][1:v]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle -loop {} "
+              "-threads 4 -map_metadata -1 -fflags +bitexact -flags:v +bitexact -f gif -y",
+              loop_argument(options_.video.plays.value_or(0))));
+    append(command, {file_argument(file_->temporary())});
     const ChildOutcome outcome = run_child(command, options_.encoder_timeout, [](std::string_view) {});
     if (outcome.found && outcome.status == 0 && outcome.errors.empty()) return;
     throw Error(ErrorKind::encoder,

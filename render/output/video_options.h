@@ -8,7 +8,7 @@
 
 namespace pabd {
 
-enum class VideoEncoder { software, nvenc, vaapi };
+enum class VideoEncoder { software, nvenc };
 
 struct VideoOptions {
   std::optional<int> crf;    // smaller is better and larger: .mp4 0 … 51 (18), .webm 0 … 63 (24)
@@ -28,7 +28,7 @@ VideoDefaults video_defaults(const std::string& extension);
 
 // From the fastest, with the largest files, to the slowest.
 const std::vector<std::string>& preset_names();
-// "software", "nvenc", "vaapi". Throws Error(bad_input) for another word.
+// "software", "nvenc". Throws Error(bad_input) for another word.
 VideoEncoder parse_video_encoder(const std::string& word);
 
 // Throws Error(bad_input) that begins with the option for what does not fit the kind of output: `extension` is
@@ -42,7 +42,8 @@ void check_video_encoder(const VideoOptions& options);
 // What ffmpeg is told between its input and its output, for ".mp4" and ".webm"; `fps` in 1/s.
 std::vector<std::string> video_arguments(const std::string& extension, double fps,
                                          const VideoOptions& options);
-// What comes before the input: the device of the encoder, if it has one.
-std::vector<std::string> device_arguments(const VideoOptions& options);
+
+// What is against encoding with such arguments on this machine, in one line; empty: a frame could be encoded so.
+std::string encoder_complaint(const std::vector<std::string>& codec);
 
 }  // namespace pabd

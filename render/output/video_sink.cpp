@@ -10,10 +10,8 @@
 #include <optional>
 
 #include "render/output/encoder_process.h"
-#include "render/output/extended_image.h"
 #include "render/output/ffmpeg_arguments.h"
 #include "render/output/sinks.h"
-#include "render/output/video_check.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
 
@@ -44,16 +42,12 @@ class VideoSink : public FrameSink {
     check_video_encoder(options.video);
 
     file_.emplace(path_);
-    Arguments list = {"-nostdin", "-hide_banner", "-nostats", "-loglevel", "error", "-progress", "pipe:1"};
-    append(list, device_arguments(options.video));
-    append(list,
-           {"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", fmt::format("{}x{}", width_, height_),
-            "-framerate", fmt::format("{:.10g}", options.fps), "-i", "pipe:0", "-an"});
+    Arguments list = words("{} -progress pipe:1", kQuietFfmpeg);
+    append(list, raw_input("rgb24", width_, height_, options.fps));
     append(list, video_arguments(kind, options.fps, options.video));
-    append(list, {"-threads", "4", "-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
+    append(list, words("-threads 4 -map_metadata -1 -fflags +bitexact -flags:v +bitexact"));
     append(list, metadata(options.about));
-    // "file:" so that a name with a colon is not taken for an address.
-    append(list, {"-y", "file:" + file_->temporary().string()});
+    append(list, {"-y", file_argument(file_->temporary())});
     encoder_.emplace(EncoderSetup{path_, file_->temporary(), options_.encoder_timeout, std::move(list)});
   }
 

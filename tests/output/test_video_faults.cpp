@@ -9,7 +9,6 @@
 
 #include "render/output/encoder_process.h"
 #include "render/output/frame_sink.h"
-#include "render/output/video_check.h"
 #include "tests/support/errors.h"
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/picture.h"
