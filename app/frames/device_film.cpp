@@ -30,7 +30,7 @@ bool DeviceFilm::shows_all(const Run& run, const OverlayChoice& overlay, const C
   const bool opaque = all_opaque(looks_of(run.scene(), run.model()));
   const bool plain = !overlay.bonds && !overlay.needs_iterations() &&
                      overlay.panels.needing(&OverlayPanel::contacts) == nullptr &&
-                     !overlay.marks.velocities && !overlay.marks.boxes && !overlay.marks.inertia;
+                     !overlay.marks.velocities && !overlay.marks.boxes;
   return opaque && plain && camera.follow.empty() && run.pulls() == nullptr &&
          DeviceSolver::why_not(run.model(), run.params()).empty();
 }

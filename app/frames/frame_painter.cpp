@@ -118,7 +118,6 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   options.d_hat = view.params.contact.d_hat;
   options.velocities = choice_.marks.velocities;
   options.boxes = choice_.marks.boxes;
-  options.inertia = choice_.marks.inertia;
   options.looks = looks_of(*scene_, *view.model);
   Vec3 way = Vec3::Zero();
   if (followed_ && *followed_ < view.state->size() && has_finite_pose(*view.state, *followed_))

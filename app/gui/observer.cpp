@@ -18,7 +18,7 @@ constexpr double kDoubleClick = 0.5;  // s between two presses that may be one, 
 }  // namespace
 
 bool takes_states(const Snapshot& sim, const UiState& ui) {
-  const bool marks = ui.marks.velocities || ui.marks.boxes || ui.marks.inertia;
+  const bool marks = ui.marks.velocities || ui.marks.boxes;
   const bool chosen = ui.selection.kind != Selection::Kind::none || ui.follow || ui.joining;
   return sim.b || marks || chosen || !ui.trails.empty() || ui.color != ColorQuantity::body;
 }

@@ -32,7 +32,6 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
   out.theme = ui.theme;
   options.velocities = ui.marks.velocities;
   options.boxes = ui.marks.boxes;
-  options.inertia = ui.marks.inertia;
   options.looks = looks_of(*sim.scene, *run.model);
   BodyColors colors = body_colors(sim, side, ui.color);
   options.values = std::move(colors.values);

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // See body_marks.h.
-//
-//   J          second moment about the centre of mass, body frame    kg m²
-//   J_k        its eigenvalues
-//   a_k        half axes of the ellipsoid: J_k = m/5 a_k²            m
 #include "render/visual/body_marks.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,24 +13,15 @@
 namespace pabd {
 namespace {
 
-constexpr std::uint32_t kVelocity = 0x1b4fd0, kBox = 0x2f3a4a, kInertia = 0x7a1fa2;
+constexpr std::uint32_t kVelocity = 0x1b4fd0, kBox = 0x2f3a4a;
 constexpr double kLeastArrow = 4, kArrowHead = 9;  // pixels at 720 px frame height
 constexpr double kHalfHead = 0.36;                 // half of its width, × its length
-constexpr int kEllipsePieces = 40;
 
 template <class F>
 void for_each_movable(const Model& model, const State& state, const F& f) {
   for (Index i = 0; i < model.size(); ++i) {
     if (!model.fixed[i] && has_finite_pose(state, i)) f(static_cast<std::size_t>(i));
   }
-}
-
-void add_ellipse(const Vec3& c, const Vec3& a, const Vec3& b, const Pen& pen, VisualScene& out) {
-  const auto at = [&](int k) -> Vec3 {
-    const double angle = 2 * kPi * k / kEllipsePieces;
-    return c + std::cos(angle) * a + std::sin(angle) * b;
-  };
-  for (int k = 0; k < kEllipsePieces; ++k) add_line(out, at(k), at(k + 1), pen);
 }
 
 }  // namespace
@@ -72,24 +58,6 @@ void add_boxes(const Model& model, const State& state, VisualScene& out) {
         add_line(out, a, b, pen);
       }
     }
-  });
-}
-
-void add_inertia_ellipsoids(const Model& model, const State& state, VisualScene& out) {
-  const Pen pen{srgb_color(kInertia), 1.8};
-  for_each_movable(model, state, [&](std::size_t i) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(model.J[i]);
-    const Vec3 J = eigen.eigenvalues();
-    if (!(model.mass[i] > 0) || !J.allFinite()) return;
-    std::array<Vec3, 3> half;
-    for (int k = 0; k < 3; ++k) {
-      const double squared = 5 / model.mass[i] * J[k];
-      half[static_cast<std::size_t>(k)] =
-          std::sqrt(std::max(0.0, squared)) * (state.R[i] * eigen.eigenvectors().col(k));
-    }
-    add_ellipse(state.c[i], half[0], half[1], pen, out);
-    add_ellipse(state.c[i], half[1], half[2], pen, out);
-    add_ellipse(state.c[i], half[2], half[0], pen, out);
   });
 }
 

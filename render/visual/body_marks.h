@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is shown of bodies beside their surfaces: where they go, where they went, their boxes, their inertia.
+// What is shown of bodies beside their surfaces: where they go, where they went, their boxes.
 #pragma once
 
 #include <span>
@@ -18,10 +18,6 @@ void add_velocity_arrows(const Model& model, const State& state, VisualScene& ou
 
 // The axis-aligned boxes that collision detection looks for pairs with (without the distance d̂); of movable bodies.
 void add_boxes(const Model& model, const State& state, VisualScene& out);
-
-// The solid ellipsoid of the same mass and inertia, as its three principal ellipses; of movable bodies. A box of
-// half edges a has one of half axes √(5/3) a.
-void add_inertia_ellipsoids(const Model& model, const State& state, VisualScene& out);
 
 // The path of a point, oldest first: it fades towards its beginning.
 void add_trail(std::span<const Vec3> path, const Vec4f& color, VisualScene& out);

@@ -112,7 +112,6 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
     add_contact_glyphs(model, report, options, scale, typical_weight(model), out);
   if (options.bonds) add_joint_glyphs(model, state, out);
   if (options.boxes) add_boxes(model, state, out);
-  if (options.inertia) add_inertia_ellipsoids(model, state, out);
   if (options.velocities) add_velocity_arrows(model, state, out);
   add_selection(model, state, report, options, scale, out);
   if (const auto around = bounding_sphere(model, state)) set_sphere(*around, out);

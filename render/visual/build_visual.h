@@ -29,7 +29,7 @@ struct VisualOptions {
   std::vector<BodyLook> looks;
 
   // Of bodies, in front of them (body_marks.h).
-  bool velocities = false, boxes = false, inertia = false;
+  bool velocities = false, boxes = false;
 
   // What is selected is outlined, in front of everything. Numbers that are none select nothing.
   std::optional<Index> selected_body;

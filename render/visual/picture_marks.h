@@ -8,8 +8,8 @@
 namespace pabd {
 
 struct PictureMarks {
-  bool velocities = false, boxes = false, inertia = false;  // body_marks.h
-  bool axes = false, scale = false;                         // in the corners of the picture
+  bool velocities = false, boxes = false;  // body_marks.h
+  bool axes = false, scale = false;        // in the corners of the picture
   bool operator==(const PictureMarks&) const = default;
 };
 
@@ -22,7 +22,6 @@ inline std::span<const PictureMark> picture_marks() {
   static constexpr PictureMark kMarks[] = {
       {"velocities", "arrows to where bodies would be 0.2 s later", &PictureMarks::velocities},
       {"boxes", "axis-aligned boxes of bodies, as collision detection sees them", &PictureMarks::boxes},
-      {"inertia", "ellipsoids of the same mass and inertia", &PictureMarks::inertia},
       {"axes", "the directions of x, y and z", &PictureMarks::axes},
       {"scale", "a bar of a round length, as large as in the middle of the picture", &PictureMarks::scale},
   };

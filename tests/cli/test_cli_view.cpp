@@ -41,7 +41,7 @@ TEST_CASE("trails of a still show the past; marks and themes show, and the pictu
   const double trail = share_that_differs(base, with("trail", {"--trail", "pen", "--trail", "com"}));
   CHECK(trail > 0.001);
   CHECK(trail < 0.1);
-  for (const char* mark : {"axes", "scale", "velocities", "boxes", "inertia"}) {
+  for (const char* mark : {"axes", "scale", "velocities", "boxes"}) {
     CAPTURE(mark);
     const double differs = share_that_differs(base, with(mark, {"--overlay", mark}));
     CHECK(differs > 0.0005);

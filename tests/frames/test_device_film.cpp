@@ -100,7 +100,7 @@ TEST_CASE("a film from the GPU's memory has the pictures and the reports of the 
 TEST_CASE("what a film cannot show of a run is drawn from its states") {
   const Run run(heap_of(4), 1, kNoPast);
   CHECK(DeviceFilm::shows_all(run, parse_overlay("axes,scale"), parse_camera("front")));
-  for (const char* overlay : {"bonds", "convergence", "velocities", "boxes", "inertia", "all"}) {
+  for (const char* overlay : {"bonds", "convergence", "velocities", "boxes", "all"}) {
     CAPTURE(overlay);
     CHECK_FALSE(DeviceFilm::shows_all(run, parse_overlay(overlay), {}));
   }

@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Boxes, inertia, velocities and trails against closed forms; colours that scenes give.
+// Boxes, velocities and trails against closed forms; colours that scenes give.
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "render/visual/body_marks.h"
 #include "render/visual/build_visual.h"
 #include "render/visual/palette.h"
-#include "sim/scene/random.h"
 #include "tests/support/tiny_model.h"
 
 namespace pabd::test_body_marks {
-
-TEST_CASE("the ellipsoid of a box has half axes of √(5/3) half edges, whatever its pose") {
-  Random random(7);
-  TinyModel tiny;
-  const Vec3 half(0.3, 0.7, 1.1), at(1, 2, 3);
-  const Mat3 R = random.rotation();
-  tiny.add(Box{half}, at, R);
-  VisualScene scene;
-  add_inertia_ellipsoids(tiny.model, tiny.state, scene);
-  Vec3 reach = Vec3::Zero();
-  for (const Line& line : scene.lines) {
-    const Vec3 p = R.transpose() * (line.a.cast<double>() - at);
-    reach = reach.cwiseMax(p.cwiseAbs());
-    const Vec3 unit = p.cwiseQuotient(std::sqrt(5.0 / 3) * half);
-    CHECK(unit.norm() == Approx(1).epsilon(1e-5));
-  }
-  CHECK((reach - std::sqrt(5.0 / 3) * half).norm() < 1e-5);
-}
 
 TEST_CASE("a box has twelve edges between its two corners") {
   TinyModel tiny;
