@@ -219,38 +219,30 @@ int bench(const BenchOptions& options) {
 
 void add_bench_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command =
-      add_command(app, "bench", "measure scenes: a Markdown table of times, solvers and errors, for a report",
-                  {"pabd bench", "pabd bench pyramid bridge --steps 60 --json bench.json",
-                   "pabd bench pile --time 5 --threads 1 --repeat 3",
-                   "pabd bench wall --set solver.method=newton", "pabd bench pile --device gpu --steps 100"},
-                  options->common);
-  command->add_option("SCENE", options->scenes,
-                      "scene files, or names of shipped scenes (default: all shipped ones)");
-  auto* time = command->add_option("--time", options->time, "simulated time of each scene")
-                   ->type_name("S")
-                   ->group(group::kSimulation);
-  command->add_option("--steps", options->steps, "time steps of each scene (default 300)")
-      ->type_name("N")
-      ->excludes(time)
-      ->group(group::kSimulation);
-  command
-      ->add_option("--repeat", options->repeat,
-                   "how often each scene is run; times are medians over the steps of all (default 1)")
-      ->type_name("N")
-      ->group(group::kSimulation);
-  command
-      ->add_option("--json", options->json,
-                   "write the same as JSON, SI units and ms; -: to standard output in place of the table")
-      ->type_name("JSON")
-      ->group(group::kOutput);
-  add_force_option(*command, options->force);
-  command->add_flag("--solvers", options->solvers,
-                    "measure every scene with auto, descent and newton; a second table tells what auto costs "
-                    "against the cheaper of the two");
-  add_scene_options(*command, options->common);
-  add_device_option(*command, options->device);
-  command->callback([options, &action] { action = [options] { return bench(*options); }; });
+  const Command command(
+      app, "bench", "measure scenes: a Markdown table of times, solvers and errors, for a report",
+      {"pabd bench", "pabd bench pyramid bridge --steps 60 --json bench.json",
+       "pabd bench pile --time 5 --threads 1 --repeat 3", "pabd bench wall --set solver.method=newton",
+       "pabd bench pile --device gpu --steps 100"},
+      options->common);
+  using namespace group;
+  command.argument("SCENE", options->scenes,
+                   "scene files, or names of shipped scenes (default: all shipped ones)");
+  auto* time = command.option(kSimulation, "--time", options->time, "simulated time of each scene", "S");
+  command.option(kSimulation, "--steps", options->steps, "time steps of each scene (default 300)", "N")
+      ->excludes(time);
+  command.option(kSimulation, "--repeat", options->repeat,
+                 "how often each scene is run; times are medians over the steps of all (default 1)", "N");
+  command.option(kOutput, "--json", options->json,
+                 "write the same as JSON, SI units and ms; -: to standard output in place of the table",
+                 "JSON");
+  command.force(options->force);
+  command.flag(kOwn, "--solvers", options->solvers,
+               "measure every scene with auto, descent and newton; a second table tells what auto costs "
+               "against the cheaper of the two");
+  command.simulation(options->common);
+  add_device_option(command, options->device);
+  command.carry_out(action, options, bench);
 }
 
 }  // namespace pabd::cli

@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
-// What every subcommand shares: options, and how a chosen command is carried out.
+// What the subcommands share: how they are added, their common options, and how the chosen one is carried out.
 #pragma once
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "render/context/context.h"
 #include "sim/base/available_cpus.h"
+
+namespace pabd {
+struct Scene;
+}
 
 namespace pabd::cli {
 
-// The work of the command that was chosen, set while the command line is parsed and run afterwards, so that a
-// wrong command line never starts any work. Returns the exit code.
+// The work of the chosen command, set while the command line is parsed and run afterwards, so that a wrong command line
+// never starts any work. Returns the exit code.
 using Action = std::function<int()>;
 
 struct CommonOptions {
@@ -25,37 +32,110 @@ struct CommonOptions {
   int thread_count() const;
 };
 
-// What --threads is unless given: every CPU that may be used. Whoever draws or encodes beside has threads of
-// his own: nothing waits for a thread that has not begun (sim/math/team.h), so that too many cost little.
+// What --threads is unless given: every CPU that may be used, at most 64.
 int default_threads(const CpuLimits& limits);
 
-// A subcommand with --quiet, --version and the examples in its help; `examples` are whole command lines.
-CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& description,
-                      const std::vector<std::string>& examples, CommonOptions& common);
-
-// --set and --threads, for commands that read a scene.
-void add_scene_options(CLI::App& command, CommonOptions& common);
-
-// --threads; `words`: what it is for and what it is unless given.
-void add_threads_option(CLI::App& command, int& threads, const std::string& words);
-
-// --force, beside the outputs that it is about.
-void add_force_option(CLI::App& command, bool& force);
+// Groups of options, in the order in which help shows them; any other comes before the last.
+namespace group {
+inline constexpr const char* kOwn = "Options";
+inline constexpr const char* kOutput = "Output";
+inline constexpr const char* kPicture = "Picture";
+inline constexpr const char* kVideo = "Video";
+inline constexpr const char* kSimulation = "Simulation";
+inline constexpr const char* kGeneral = "General";
+}  // namespace group
 
 // -o/--out and --force.
 struct OutputOptions {
   std::string path;
   bool force = false;
 };
-void add_output_options(CLI::App& command, OutputOptions& output, const std::string& description);
 
-// What `render` and `export` take unless it is said otherwise, and the most that is no slip of the hand.
-inline constexpr double kDefaultTime = 5;  // s
+// How many frames: --time, --frames and --fps.
+struct LengthOptions {
+  std::optional<double> time;  // s
+  std::optional<std::int64_t> frames;
+  std::optional<double> fps;  // 1/s
+};
 inline constexpr int kMostFrames = 10'000'000;
 
+// A subcommand, while its options are added to it.
+class Command {
+ public:
+  // With --version; `examples` are whole command lines.
+  Command(CLI::App& above, const std::string& name, const std::string& description,
+          const std::vector<std::string>& examples);
+  // And with --quiet.
+  Command(CLI::App& above, const std::string& name, const std::string& description,
+          const std::vector<std::string>& examples, CommonOptions& common);
+
+  CLI::App& app() const { return *app_; }
+
+  template <class T>
+  CLI::Option* argument(const char* name, T& value, const std::string& words) const {
+    return app_->add_option(name, value, words);
+  }
+  // `type`: what help calls the value: "N", "OUT.png".
+  template <class T>
+  CLI::Option* option(const char* group, const char* name, T& value, const std::string& words,
+                      const char* type) const {
+    return app_->add_option(name, value, words)->type_name(type)->group(group);
+  }
+  // One that may be given several times.
+  CLI::Option* repeated(const char* group, const char* name, std::vector<std::string>& values,
+                        const std::string& words, const char* type) const {
+    return option(group, name, values, words, type)->allow_extra_args(false);
+  }
+  // One that takes a list with commas.
+  template <class T>
+  CLI::Option* list(const char* group, const char* name, std::vector<T>& values,
+                    const std::string& words) const {
+    return option(group, name, values, words, "LIST")->delimiter(',')->allow_extra_args(false);
+  }
+  // One of several words.
+  CLI::Option* word(const char* group, const char* name, std::string& value,
+                    const std::vector<std::string>& allowed, const std::string& words,
+                    const char* type = "WORD") const {
+    return option(group, name, value, words, type)->check(CLI::IsMember(allowed));
+  }
+  CLI::Option* flag(const char* group, const char* name, bool& value, const std::string& words) const {
+    return app_->add_flag(name, value, words)->group(group);
+  }
+
+  CLI::Option* scene(std::string& scene) const;                        // the argument SCENE
+  CLI::Option* from(std::string& from) const;                          // --from, a state to start at
+  void simulation(CommonOptions& common) const;                        // --set and --threads
+  void threads(int& threads, const std::string& words) const;          // --threads alone
+  void force(bool& force) const;                                       // --force
+  void output(OutputOptions& output, const std::string& words) const;  // -o and --force
+  // --time, --frames and --fps; `time` and `fps` are their words. Returns --frames.
+  CLI::Option* length(LengthOptions& length, const std::string& time, const std::string& fps) const;
+  void backend(std::string& backend) const;  // --backend
+  void trail(std::vector<std::string>& trails, const std::string& words) const;
+  void quality(std::string& quality, const std::string& words) const;
+
+  // What the command does once everything is parsed. A command below this one that was chosen goes first.
+  template <class Options>
+  void carry_out(Action& action, const std::shared_ptr<Options>& options, int (*work)(const Options&)) const {
+    app_->callback([&action, options, work] {
+      if (!action) action = [options, work] { return work(*options); };
+    });
+  }
+
+ private:
+  CLI::App* app_;
+};
+
+// "auto", "egl" or "osmesa".
+Backend parse_backend(const std::string& name);
+
+// Frames of `length` or, where it does not say, of the scene: with_end counts the one at the end, too. Throws
+// Error(bad_input) for none or more than kMostFrames.
+std::int64_t frame_count(const LengthOptions& length, const Scene& scene, double fps, bool with_end);
+
 inline constexpr int kBytesPerMegabyte = 1'000'000;
-// "640 kB", "3.1 MB".
-std::string bytes_text(double bytes);
+// ", 3.1 MB": the size of a file that was written, for the end of a line; empty where it is not known.
+std::string file_size_text(const std::string& path);
 
 // A size as "1280x720". Throws Error(bad_input) for anything else, or outside 16 … 16384.
 struct FrameSize {
@@ -82,15 +162,16 @@ void check_range(const std::string& option, double value, double lo, double hi, 
   X(bench) \
   X(validate) \
   X(doctor) \
-  X(marks) \
   X(view) \
-  X(serve) \
-  X(completion) \
-  X(man)
+  X(serve)
 // clang-format on
 #define PABD_DECLARE(name) void add_##name##_command(CLI::App& app, Action& action);
 PABD_COMMANDS(PABD_DECLARE)
 #undef PABD_DECLARE
+// Commands below others.
+void add_plot_barrier_command(CLI::App& plot, Action& action);
+void add_plot_convergence_command(CLI::App& plot, Action& action);
+void add_sweep_collect_command(CLI::App& sweep, Action& action);
 
 // The program with its options and every subcommand; the chosen one leaves its work in `action`.
 void set_up_program(CLI::App& app, Action& action);

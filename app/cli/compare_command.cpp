@@ -19,7 +19,6 @@ struct CompareOptions {
   CommonOptions common;
   std::string actual;
   std::string expected;
-  std::string tier = "auto";
   std::string diff;
   bool json = false;
   bool force = false;
@@ -33,9 +32,7 @@ std::string renderer_of(const std::string& path) {
 }
 
 // Pictures of two known, different renderer classes may differ more; all others are held to the strict tier.
-CompareTier choose_tier(const std::string& wanted, const std::string& a, const std::string& b) {
-  if (wanted == "same") return CompareTier::same_class;
-  if (wanted == "cross") return CompareTier::cross_class;
+CompareTier tier_of(const std::string& a, const std::string& b) {
   const bool known = !a.empty() && !b.empty();
   return known && renderer_class(a) != renderer_class(b) ? CompareTier::cross_class : CompareTier::same_class;
 }
@@ -48,8 +45,7 @@ int compare(const CompareOptions& options) {
     check_overwrite("--diff " + options.diff, options.diff, {options.force, &inputs});
   const Image actual = read_png(options.actual);
   const Image expected = read_png(options.expected);
-  const CompareTier tier =
-      choose_tier(options.tier, renderer_of(options.actual), renderer_of(options.expected));
+  const CompareTier tier = tier_of(renderer_of(options.actual), renderer_of(options.expected));
   const std::string tier_name = tier == CompareTier::same_class ? "same" : "cross";
   const CompareResult result = compare_images(actual, expected, tier);
   if (!options.diff.empty()) write_png(options.diff, difference_image(actual, expected));
@@ -68,22 +64,16 @@ int compare(const CompareOptions& options) {
 
 void add_compare_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = add_command(app, "compare", "compare two PNG files; exit code 7 when they differ",
-                                  {"pabd compare actual.png expected.png --diff difference.png",
-                                   "pabd compare actual.png expected.png --tier cross --json"},
-                                  options->common);
-  command->add_option("ACTUAL", options->actual, "the picture that was made, a PNG file")->required();
-  command->add_option("EXPECTED", options->expected, "the picture that it should be, a PNG file")->required();
-  command
-      ->add_option(
-          "--tier", options->tier,
-          "same: one renderer class, nearly exact; cross: different ones; auto: from the files (default)")
-      ->type_name("TIER")
-      ->check(CLI::IsMember({"same", "cross", "auto"}));
-  command->add_option("--diff", options->diff, "write a picture of the differences")->type_name("OUT.png");
-  command->add_flag("--json", options->json, "print the measures as JSON");
-  command->add_flag("--force", options->force, "overwrite what exists");
-  command->callback([options, &action] { action = [options] { return compare(*options); }; });
+  const Command command(app, "compare", "compare two PNG files; exit code 7 when they differ",
+                        {"pabd compare actual.png expected.png --diff difference.png",
+                         "pabd compare actual.png expected.png --json"},
+                        options->common);
+  command.argument("ACTUAL", options->actual, "the picture that was made, a PNG file")->required();
+  command.argument("EXPECTED", options->expected, "the picture that it should be, a PNG file")->required();
+  command.option(group::kOutput, "--diff", options->diff, "write a picture of the differences", "OUT.png");
+  command.flag(group::kOutput, "--json", options->json, "print the measures as JSON");
+  command.force(options->force);
+  command.carry_out(action, options, compare);
 }
 
 }  // namespace pabd::cli

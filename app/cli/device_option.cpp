@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 #include "app/cli/help_text.h"
 #include "app/cli/streams.h"
@@ -55,22 +56,64 @@ DeviceCapacity asked_for(const FindCapacity& find, const char* asked) {
   return capacity;
 }
 
+// Where parameters are tuned, the remedy is one of them.
+std::string as_parameter(std::string text) {
+  const std::string option = "--device cpu";
+  for (auto at = text.find(option); at != std::string::npos; at = text.find(option))
+    text.replace(at, option.size(), "solver.device=cpu");
+  return text;
+}
+
+class GpuDevices : public StepDevices {
+ public:
+  GpuDevices(Backend backend, std::shared_ptr<SharedContext> drawing)
+      : backend_(backend), drawing_(std::move(drawing)) {}
+
+  Answer decide(const Model& model, const Params& params, const State& state) const override {
+    Answer answer;
+    try {
+      const DeviceChoice choice =
+          choose_device("", [this] { return capacity(); }, "", {{&model, &params, &state}}, {});
+      answer.device = choice.gpu;
+      if (choice.gpu) answer.name = choice.name;
+      answer.why = choice.why;
+    } catch (const Error& error) {
+      answer.why = as_parameter(error.what());
+      answer.refused = true;
+      answer.kind = error.kind();
+    }
+    return answer;
+  }
+
+  std::shared_ptr<StepEngine> open() const override {
+    return std::make_shared<SplitEngine>(backend_, drawing_.get());
+  }
+
+ private:
+  DeviceCapacity capacity() const {
+    const std::scoped_lock lock(mutex_);
+    if (!capacity_) capacity_ = DeviceEngine::capacity(backend_);
+    return *capacity_;
+  }
+
+  Backend backend_;
+  std::shared_ptr<SharedContext> drawing_;
+  mutable std::mutex mutex_;
+  mutable std::optional<DeviceCapacity> capacity_;
+};
+
 }  // namespace
 
-void add_device_option(CLI::App& command, std::string& device) {
-  command
-      .add_option(
-          "--device", device,
-          fmt::format("who makes the steps (default: what the scene says, which is cpu unless it has "
-                      "\"solver.device\"): cpu; gpu: compute shaders of OpenGL 4.3, in float, "
-                      "for contacts (what hangs on joints stays with the processor); auto: a GPU that is no "
-                      "software where it takes the "
-                      "scene and {} bodies or more move, else the processor. 'pabd doctor' tells what "
-                      "there is",
-                      kFewestOnGpu))
-      ->type_name("NAME")
-      ->group(group::kSimulation)
-      ->check(CLI::IsMember({"cpu", "gpu", "auto"}));
+CLI::Option* add_device_option(const Command& command, std::string& device) {
+  return command.word(
+      group::kSimulation, "--device", device, {"cpu", "gpu", "auto"},
+      fmt::format(
+          "who makes the steps (default: what the scene says, which is cpu unless it has "
+          "\"solver.device\"): cpu; gpu: compute shaders of OpenGL 4.3, in float, for contacts (what "
+          "hangs on joints stays with the processor); auto: a GPU that is no software where it takes "
+          "the scene and {} bodies or more move, else the processor. 'pabd doctor' tells what there is",
+          kFewestOnGpu),
+      "NAME");
 }
 
 std::string DeviceChoice::words() const {
@@ -152,6 +195,10 @@ DeviceChoices choose_devices(const std::string& option, Backend backend, const s
 void solve_by(const DeviceChoices& choices, Backend backend, Run& a, Run* b) {
   a.solve_with(choices.a.engine(backend));
   if (b != nullptr) b->solve_with((choices.b ? *choices.b : choices.a).engine(backend));
+}
+
+std::shared_ptr<const StepDevices> gpu_devices(Backend backend, std::shared_ptr<SharedContext> drawing) {
+  return std::make_shared<GpuDevices>(backend, std::move(drawing));
 }
 
 }  // namespace pabd::cli

@@ -10,6 +10,8 @@
 
 #include "app/cli/common.h"
 #include "app/session/run.h"
+#include "app/session/step_devices.h"
+#include "render/device/shared_context.h"
 #include "render/device/split_engine.h"
 
 namespace pabd::cli {
@@ -18,7 +20,7 @@ namespace pabd::cli {
 inline constexpr Index kFewestOnGpu = 10'000;
 
 // `device` stays empty where it is not given: what the scene says ("solver.device") holds.
-void add_device_option(CLI::App& command, std::string& device);
+CLI::Option* add_device_option(const Command& command, std::string& device);
 
 // One run: what is to be computed. All outlive the call.
 struct DeviceTask {
@@ -63,6 +65,10 @@ DeviceChoices choose_devices(const std::string& option, Backend backend, const s
                              const Run& a, const Run* b, const StepOptions& wanted);
 // Both have the engines that were chosen.
 void solve_by(const DeviceChoices& choices, Backend backend, Run& a, Run* b);
+
+// The GPU as what a program offers to runs that change while they are made: the window's. Looks for it when it is first
+// asked for, once. `drawing`: what who draws the run lends to it (not null).
+std::shared_ptr<const StepDevices> gpu_devices(Backend backend, std::shared_ptr<SharedContext> drawing);
 
 // Why "auto" leaves so many bodies that move to the processor; empty: it does not.
 std::string why_processor(Index moving, const DeviceCapacity& capacity);

@@ -2,13 +2,10 @@
 // pabd export: a run as a file for other programs.
 #include <fmt/format.h>
 
-#include <cmath>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "app/cli/device_option.h"
-#include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/simulation_setup.h"
@@ -31,9 +28,7 @@ struct ExportOptions {
   CommonOptions common;
   std::string scene;
   OutputOptions output;
-  std::optional<double> time;
-  std::optional<std::int64_t> frames;
-  std::optional<double> fps;  // none: 30, or of an .npz every step
+  LengthOptions length;  // --fps: 30, or of an .npz every step
   std::string quality = "good";
   std::vector<std::string> trails;
   bool all_trails = false;
@@ -63,26 +58,12 @@ std::vector<TrailPoint> trails_of(const ExportOptions& options, const Model& mod
   return points;
 }
 
-// A run of T seconds has a frame at its start and one at T: T·fps + 1.
-std::int64_t frame_count(const ExportOptions& options, const Scene& scene, double fps) {
-  if (options.frames) {
-    check_range("--frames", static_cast<double>(*options.frames), 1, static_cast<double>(kMostFrames));
-    return *options.frames;
-  }
-  const double time = options.time.value_or(scene.duration.value_or(kDefaultTime));
-  const std::string name = options.time || !scene.duration ? "--time" : "duration of the scene";
-  check_range(name, time, 0, 1e6, "s");
-  const std::int64_t frames = steps_until(time, 1 / fps) + 1;
-  check_range(fmt::format("{} × --fps", name), static_cast<double>(frames), 1,
-              static_cast<double>(kMostFrames), "frames");
-  return frames;
-}
-
 Frames live_frames(const ExportOptions& options, Session session, bool arrays) {
   Frames out;
   // Of arrays every step is a row, unless it is said otherwise.
-  out.fps = options.fps.value_or(arrays ? 1 / session.params().h : kExportFps);
-  out.count = frame_count(options, session.scene(), out.fps);
+  out.fps = options.length.fps.value_or(arrays ? 1 / session.params().h : kExportFps);
+  // A run of T seconds has a frame at its start and one at T.
+  out.count = frame_count(options.length, session.scene(), out.fps, true);
   StepOptions wanted;
   wanted.report_contacts = wanted.report_joints = arrays;
   session.report_contacts(arrays);
@@ -104,14 +85,15 @@ Frames recorded_frames(const ExportOptions& options, const std::shared_ptr<const
   Timeline past = read_recording(options.recording, scene, kRecordingMemory);
   const double h = past.back().params->h;
   Frames out;
-  out.fps = options.fps.value_or(arrays ? 1 / h : kExportFps);
+  out.fps = options.length.fps.value_or(arrays ? 1 / h : kExportFps);
   Run run(scene, options.common.thread_count(), std::move(past));
-  if (options.time) check_range("--time", *options.time, 0, 1e6, "s");
+  const std::optional<double>& time = options.length.time;
+  if (time) check_range("--time", *time, 0, 1e6, "s");
   run.seek(0);
   out.start = run.view();
   const double begin = out.start.state.time;
   // The frame at the end belongs to it, too.
-  const PastRange range{-1, options.time ? begin + *options.time : -1, out.fps};
+  const PastRange range{-1, time ? begin + *time : -1, out.fps};
   auto source = std::make_unique<PastSource>(std::move(run), std::optional<Run>{}, range, false, arrays);
   out.count = source->count();
   out.source = std::move(source);
@@ -133,17 +115,16 @@ Frames open_frames(const ExportOptions& options, bool arrays, std::shared_ptr<co
 // "wrote pyramid.glb: 151 frames of 22 bodies, 5 s at 30 a second, 0.4 MB".
 std::string written_text(const std::string& out, std::int64_t frames, Index bodies, double fps) {
   if (frames == 0) return "wrote nothing: ended before the first frame\n";
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(out, unknown);
-  const std::string bytes = unknown ? "" : ", " + bytes_text(static_cast<double>(size));
   return fmt::format("wrote {}: {} of {}, {:.4g} s at {:.4g} a second{}\n", out, counted(frames, "frame"),
-                     counted(bodies, "body", "bodies"), static_cast<double>(frames - 1) / fps, fps, bytes);
+                     counted(bodies, "body", "bodies"), static_cast<double>(frames - 1) / fps, fps,
+                     file_size_text(out));
 }
 
 int export_run(const ExportOptions& options) {
-  if (options.fps) check_range("--fps", *options.fps, 0.01, 1000, "1/s");
-  const std::string out = export_path(options.output.path);
-  const bool arrays = export_format(out) == ExportFormat::npz;
+  const auto& fps = options.length.fps;
+  if (fps) check_range("--fps", *fps, 0.01, 1000, "1/s");
+  const std::string& out = options.output.path;
+  const bool arrays = export_format(out).arrays;
   InputFiles inputs;
   std::shared_ptr<const Scene> scene;
   Frames frames = open_frames(options, arrays, scene, inputs);
@@ -178,48 +159,31 @@ int export_run(const ExportOptions& options) {
 
 void add_export_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = add_command(
-      app, "export", "simulate a scene and write it for other programs: glTF, USD, OBJ, NumPy",
+  const Command command(
+      app, "export", "simulate a scene and write it for other programs: glTF, USD, NumPy",
       {"pabd export pyramid -o pyramid.glb --time 5", "pabd export four_bar -o pen.glb --trail pen",
-       "pabd export bridge -o bridge.usda --time 3 --fps 24",
-       "pabd export pile -o 'frames/body_%04d.obj' --time 2 --quality draft",
-       "pabd export pyramid -o pyramid.npz --time 5",
+       "pabd export bridge -o bridge.usda --time 3 --fps 24", "pabd export pyramid -o pyramid.npz --time 5",
        "pabd export pyramid -o seen.glb --recording run.pabdrec"},
       options->common);
-  command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
-  add_output_options(*command, options->output,
-                     ".glb: glTF 2.0 with animation; .usda: USD with time samples; .npz: NumPy arrays of all "
-                     "states; a name with %04d and .obj, or a folder: an OBJ a frame; .obj: the last frame");
-  const auto option = [&](const char* group, const char* name, auto& value, const std::string& words,
-                          const char* type) {
-    return command->add_option(name, value, words)->type_name(type)->group(group);
-  };
   using namespace group;
-  auto* time = option(kOutput, "--time", options->time,
-                      "length (default: the duration of the scene, or 5 s; of a recording all of it)", "S");
-  auto* frames = option(kOutput, "--frames", options->frames, "number of frames instead of a length", "N")
-                     ->excludes(time);
-  option(kOutput, "--fps", options->fps, "frames a second (default 30; of an .npz every step)", "F");
-  option(kPicture, "--quality", options->quality,
-         "around round bodies draft: 16, good: 48 (default), best: 96 segments", "WORD")
-      ->check(CLI::IsMember({"draft", "good", "best"}));
-  option(kPicture, "--trail", options->trails,
-         "the path of a body's centre, of a point of it (body frame, m), or with com of the centre of mass "
-         "of all "
-         "that moves, as a line; .glb and .usda; may be given several times",
-         "BODY[@X,Y,Z]")
-      ->allow_extra_args(false);
-  command->add_flag("--trails", options->all_trails, "the paths of all movable bodies")->group(kPicture);
-  auto* from =
-      option(kSimulation, "--from", options->from, "start at a state file of this scene", "STATE.json");
-  auto* recording = option(kSimulation, "--recording", options->recording,
-                           "no new steps: a recording of this scene that 'pabd view' saved", "RUN.pabdrec")
-                        ->excludes(from)
-                        ->excludes(frames);
-  add_scene_options(*command, options->common);
-  add_device_option(*command, options->device);
-  recording->excludes(command->get_option("--device"));
-  command->callback([options, &action] { action = [options] { return export_run(*options); }; });
+  command.scene(options->scene);
+  command.output(options->output, export_help());
+  auto* frames = command.length(
+      options->length, "length (default: the duration of the scene, or 5 s; of a recording all of it)",
+      "frames a second (default 30; of an .npz every step)");
+  command.quality(options->quality, "around round bodies draft: 16, good: 48 (default), best: 96 segments");
+  command.trail(options->trails, ", as a line");
+  command.flag(kPicture, "--trails", options->all_trails, "the paths of all movable bodies");
+  auto* from = command.from(options->from);
+  command.simulation(options->common);
+  auto* device = add_device_option(command, options->device);
+  command
+      .option(kSimulation, "--recording", options->recording,
+              "no new steps: a recording of this scene that 'pabd view' saved", "RUN.pabdrec")
+      ->excludes(from)
+      ->excludes(frames)
+      ->excludes(device);
+  command.carry_out(action, options, export_run);
 }
 
 }  // namespace pabd::cli

@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "app/cli/backend_option.h"
 #include "app/cli/figure_output.h"
 #include "app/cli/simulation_setup.h"
 #include "app/frames/frame_text.h"
@@ -66,10 +65,9 @@ PictureSize rendered_size(const FigureOptions& options, PictureSize fallback) {
 }
 
 // A scene as a frame is drawn; returns the name of the driver.
-std::string render_scene(const VisualScene& scene, const PictureSize& size, const FigureOptions& options,
-                         Image& image) {
+std::string render_scene(const VisualScene& scene, const PictureSize& size, Image& image) {
   std::vector<ContextAttempt> attempts;
-  const auto context = create_headless_context(parse_backend(options.output.backend), attempts);
+  const auto context = create_headless_context(Backend::automatic, attempts);
   Renderer renderer(*context, size.width, size.height);
   Overlay overlay(
       [&](const unsigned char* rgba, int w, int h) { return renderer.upload_font_atlas(rgba, w, h); });
@@ -84,7 +82,7 @@ double aspect(const PictureSize& size) { return static_cast<double>(size.width) 
 void write_figure2(const FigureOptions& options) {
   const PictureSize size = rendered_size(options, {1600, 700});
   Image image;
-  const std::string driver = render_scene(figure2(aspect(size)), size, options, image);
+  const std::string driver = render_scene(figure2(aspect(size)), size, image);
   write_png(options.output.output.path, image,
             {{"Software", "pabd " PABD_VERSION},
              {"Caption", "The three lower pairs slider, hinge and spherical joint"},
@@ -97,7 +95,7 @@ void write_figure6(const FigureOptions& options) {
   const Session session = two_boxes(options);
   const Figure6 picture = figure6(session.model(), session.params(), session.state(), aspect(size));
   Image image;
-  const std::string driver = render_scene(picture.scene, size, options, image);
+  const std::string driver = render_scene(picture.scene, size, image);
   PngText text = common_text(session.scene(), {size.width, size.height, 0, "figure 6", "figure 6", driver},
                              session.view());
   text["Caption"] = plain_text(picture.caption);
@@ -120,15 +118,15 @@ int figure(const FigureOptions& options) {
 
 void add_figure_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<FigureOptions>();
-  CLI::App* command = add_command(
+  const Command command(
       app, "figure", "draw a figure of the paper's supplement: 1 … 7",
       {"pabd figure 1 -o barrier.svg", "pabd figure 2 -o joints.png",
        "pabd figure 7 -o convergence.png --size 1600x900", "pabd figure 7 -o - > convergence.csv"},
       options->common);
-  command->add_option("K", options->number, "number of the figure")->required();
-  add_figure_output_options(*command, options->output);
-  add_scene_options(*command, options->common);
-  command->callback([options, &action] { action = [options] { return figure(*options); }; });
+  command.argument("K", options->number, "number of the figure")->required();
+  add_figure_output_options(command, options->output);
+  command.simulation(options->common);
+  command.carry_out(action, options, figure);
 }
 
 }  // namespace pabd::cli

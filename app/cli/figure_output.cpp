@@ -7,10 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "app/cli/backend_option.h"
 #include "app/cli/streams.h"
-#include "app/overlay/overlay.h"
-#include "render/gl/renderer.h"
+#include "app/plots/raster_canvas.h"
 #include "sim/base/error.h"
 
 namespace pabd::cli {
@@ -50,19 +48,10 @@ Picture styled(const Drawing& drawing, const FigureOutputOptions& options) {
 
 void write_as_png(const Picture& picture, const Drawing& drawing, const PictureSize& size,
                   const FigureOutputOptions& options) {
-  std::vector<ContextAttempt> attempts;
-  const auto context = create_headless_context(parse_backend(options.backend), attempts);
-  Renderer renderer(*context, size.width, size.height);
-  Overlay overlay(
-      [&](const unsigned char* rgba, int w, int h) { return renderer.upload_font_atlas(rgba, w, h); });
-  renderer.draw_plain(overlay.paint(picture, size.width, size.height), Vec3f(1, 1, 1));
-  renderer.queue_read();
-  Image image;
-  renderer.fetch(image);
+  Pixels pixels = picture_to_pixels(picture, size.width, size.height);
   PngText text = drawing.text;
   text["Software"] = "pabd " PABD_VERSION;
-  text["GL_RENDERER"] = renderer.gl_renderer();
-  write_png(options.output.path, image, text);
+  write_png(options.output.path, {pixels.width, pixels.height, std::move(pixels.rgb)}, text);
 }
 
 void write_text(const std::string& text, const FigureOutputOptions& options) {
@@ -73,18 +62,14 @@ void write_text(const std::string& text, const FigureOutputOptions& options) {
 
 }  // namespace
 
-void add_figure_output_options(CLI::App& command, FigureOutputOptions& options) {
-  add_output_options(command, options.output, ".png, .svg, .pdf or .csv; - is standard output");
-  command.add_option("--format", options.format, "what -o - writes: svg, pdf or csv (default csv)")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"svg", "pdf", "csv"}));
-  command
-      .add_option("--style", options.style,
-                  "paper: on white; screen: light on dark, as the window (default paper)")
-      ->type_name("STYLE")
-      ->check(CLI::IsMember({"paper", "screen"}));
-  command.add_option("--size", options.size, "pixels (default: what suits it)")->type_name("WxH");
-  add_backend_option(command, options.backend);
+void add_figure_output_options(const Command& command, FigureOutputOptions& options) {
+  using namespace group;
+  command.output(options.output, ".png, .svg, .pdf or .csv; - is standard output");
+  command.word(kOutput, "--format", options.format, {"svg", "pdf", "csv"},
+               "what -o - writes: svg, pdf or csv (default csv)", "KIND");
+  command.word(kPicture, "--style", options.style, {"paper", "screen"},
+               "paper: on white; screen: light on dark, as the window (default paper)", "STYLE");
+  command.option(kPicture, "--size", options.size, "pixels (default: what suits it)", "WxH");
 }
 
 void check_figure_output(const FigureOutputOptions& options) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where plots go: .svg, .pdf and .csv are written directly, .png is drawn through OpenGL.
+// Where plots go: .png, .svg, .pdf or .csv.
 #pragma once
 
 #include <functional>
@@ -18,10 +18,9 @@ struct FigureOutputOptions {
       format;  // "svg", "pdf" or "csv", for standard output; empty: csv there, and from the name elsewhere
   std::string style = "paper";  // or "screen": light on dark
   std::string size;             // "1600x700"; empty: what suits the figure
-  std::string backend = "auto";
-  InputFiles inputs;  // that are never overwritten
+  InputFiles inputs;            // that are never overwritten
 };
-void add_figure_output_options(CLI::App& command, FigureOutputOptions& options);
+void add_figure_output_options(const Command& command, FigureOutputOptions& options);
 
 // Throws Error(bad_input) for a name with another ending than .png, .svg, .pdf, .csv, a file that exists without
 // --force, or one that is read: before the work.
@@ -32,7 +31,7 @@ struct Drawing {
   Picture picture;                   // on white
   PictureSize size;                  // when --size does not say
   std::function<std::string()> csv;  // may be empty: a picture without data
-  PngText text;                      // chunks of the PNG, besides Software and GL_RENDERER
+  PngText text;                      // chunks of the PNG, besides Software
   Picture screen = {};               // --style screen; empty: it is a drawing for paper
 };
 Drawing drawing_of(const Figure& figure);
@@ -42,7 +41,7 @@ bool is_png_output(const FigureOutputOptions& options);
 // The size asked for, or else `fallback`.
 PictureSize output_size(const FigureOutputOptions& options, PictureSize fallback);
 
-// Throws Error(file), Error(no_context), Error(bad_input).
+// Throws Error(file), Error(bad_input).
 void write_drawing(const Drawing& drawing, const FigureOutputOptions& options);
 
 }  // namespace pabd::cli

@@ -10,15 +10,6 @@
 
 namespace pabd::cli {
 
-// Groups of options, in the order in which help and manual pages show them; any other comes before the last.
-namespace group {
-inline constexpr const char* kOutput = "Output";
-inline constexpr const char* kPicture = "Picture";
-inline constexpr const char* kVideo = "Video";
-inline constexpr const char* kSimulation = "Simulation";
-inline constexpr const char* kGeneral = "General";
-}  // namespace group
-
 struct OptionGroup {
   std::string name;
   std::vector<const CLI::Option*> options;
@@ -39,6 +30,9 @@ std::string wrap(std::string_view text, int columns, int indent);
 
 // `path`: the words that start the command, "pabd plot barrier".
 std::string help_text(const CLI::App& command, const std::string& path, int columns);
+
+// Writes the manual pages of a command and of those below it: "pabd-plot-barrier.1". Throws Error(file).
+void write_manual(const CLI::App& command, const std::string& path, const std::string& folder);
 
 // Of the terminal that standard output is, else what COLUMNS says, else 80; 40 … 120.
 int help_columns();

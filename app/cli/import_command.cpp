@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "app/cli/common.h"
-#include "app/cli/import_notes.h"
+#include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
@@ -45,29 +45,20 @@ int import_scene(const Options& options) {
 
 }  // namespace
 
-void write_import_notes(const std::string& robot, const std::vector<ImportNote>& notes) {
-  if (notes.empty()) return;
-  write_note(fmt::format("{}: {} {} not as in the file:", robot, notes.size(),
-                         notes.size() == 1 ? "thing is" : "things are"));
-  for (const ImportNote& note : notes) write_note("  " + note.line());
-}
-
 void add_import_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = add_command(
+  const Command command(
       app, "import", "make a scene of a robot in URDF or MJCF, and list what of it a scene cannot have",
       {"pabd import robot.urdf -o robot.json", "pabd import arm.urdf -o arm.json --base fixed",
        "pabd import humanoid.xml -o humanoid.json --force"},
       options->common);
-  command->add_option("ROBOT", options->robot, "a .urdf file, or MJCF as .xml")->required();
-  add_output_options(*command, options->output, "the scene file; - is standard output");
-  command
-      ->add_option("--base", options->base,
-                   "of URDF: auto (fixed when its root is called world or has no mass), fixed or floating")
-      ->type_name("BASE")
-      ->check(CLI::IsMember({"auto", "fixed", "floating"}));
-  command->add_flag("--no-ground", options->no_ground, "of URDF that floats: no ground below it");
-  command->callback([options, &action] { action = [options] { return import_scene(*options); }; });
+  command.argument("ROBOT", options->robot, "a .urdf file, or MJCF as .xml")->required();
+  command.output(options->output, "the scene file; - is standard output");
+  command.word(group::kOwn, "--base", options->base, {"auto", "fixed", "floating"},
+               "of URDF: auto (fixed when its root is called world or has no mass), fixed or floating",
+               "BASE");
+  command.flag(group::kOwn, "--no-ground", options->no_ground, "of URDF that floats: no ground below it");
+  command.carry_out(action, options, import_scene);
 }
 
 }  // namespace pabd::cli

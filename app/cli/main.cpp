@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/cli/common.h"
+#include "app/cli/completion.h"
 #include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/report_error.h"
@@ -87,6 +88,16 @@ int run_program(int argc, char** argv) {
   CLI::App app;
   Action action;
   set_up_program(app, action);
+  // Of the shells' completion and of whoever builds the program; not in the help.
+  const std::string_view hidden = argc > 1 ? argv[1] : "";
+  if (hidden == "--complete") {
+    write_stdout(completions(app, {argv + 2, argv + argc}));
+    return 0;
+  }
+  if (hidden == "--manual" && argc == 3) {
+    write_manual(app, app.get_name(), argv[2]);
+    return 0;
+  }
 
   try {
     app.parse(argc, argv);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 
 #include "app/cli/figure_output.h"
-#include "app/cli/plot_command.h"
 #include "app/plots/figures/barrier_figure.h"
 #include "sim/base/error.h"
 #include "sim/solver/params.h"
@@ -30,35 +30,15 @@ struct PlotBarrierOptions {
   std::vector<double> gaps;
 };
 
-struct AbscissaWord {
-  const char* word;
-  BarrierAbscissa abscissa;
-};
-constexpr AbscissaWord kAbscissas[] = {{"d", BarrierAbscissa::gap},
-                                       {"d-hat", BarrierAbscissa::d_hat},
-                                       {"N", BarrierAbscissa::order},
-                                       {"kappa", BarrierAbscissa::kappa}};
+const std::map<std::string, BarrierAbscissa> kAbscissas = {{"d", BarrierAbscissa::gap},
+                                                           {"d-hat", BarrierAbscissa::d_hat},
+                                                           {"N", BarrierAbscissa::order},
+                                                           {"kappa", BarrierAbscissa::kappa}};
 
-BarrierAbscissa parse_abscissa(const std::string& word) {
-  for (const AbscissaWord& row : kAbscissas) {
-    if (word == row.word) return row.abscissa;
-  }
-  throw Error(ErrorKind::bad_input, fmt::format("--against {}: expected d, d-hat, N or kappa", word));
-}
-
-// "polynomial, log", …: the default first.
-std::string kind_words() {
-  std::string out = to_string(BarrierKind::polynomial);
-  for (const BarrierKind kind : kBarrierKinds)
-    if (kind != BarrierKind::polynomial) out += std::string(", ") + to_string(kind);
+std::map<std::string, BarrierKind> kinds_by_word() {
+  std::map<std::string, BarrierKind> out;
+  for (const BarrierKind kind : kBarrierKinds) out[to_string(kind)] = kind;
   return out;
-}
-
-BarrierKind parse_kind(const std::string& word) {
-  for (const BarrierKind kind : kBarrierKinds) {
-    if (word == to_string(kind)) return kind;
-  }
-  throw Error(ErrorKind::bad_input, fmt::format("--kind {}: expected one of {}", word, kind_words()));
 }
 
 // The limits of the scene file hold here too.
@@ -105,12 +85,12 @@ void check_values(const BarrierCurves& curves) {
 int plot_barrier(const PlotBarrierOptions& options) {
   BarrierCurves curves;
   curves.kinds.clear();
-  for (const std::string& kind : options.kinds) curves.kinds.push_back(parse_kind(kind));
+  for (const std::string& kind : options.kinds) curves.kinds.push_back(kinds_by_word().at(kind));
   curves.N = options.N;
   curves.d_hat = options.d_hat;
   curves.kappa = options.kappa;
   curves.onset = options.onset;
-  curves.abscissa = parse_abscissa(options.against);
+  curves.abscissa = kAbscissas.at(options.against);
   curves.gaps = options.gaps;
   check_values(curves);
   check_figure_output(options.output);
@@ -122,33 +102,34 @@ int plot_barrier(const PlotBarrierOptions& options) {
 
 void add_plot_barrier_command(CLI::App& plot, Action& action) {
   auto options = std::make_shared<PlotBarrierOptions>();
-  CLI::App* command = add_command(
+  const Command command(
       plot, "barrier", "barrier curves B_N and B_N' against d, or against d̂, N or κ",
       {"pabd plot barrier -o barrier.png --N 1,2,3,8 --d-hat 0.01,0.02",
        "pabd plot barrier -o barrier.svg --kind polynomial,log,even --kappa 50 --onset 0.2",
        "pabd plot barrier -o thickness.pdf --against d-hat --N 3 --d-hat 0.01 --gap 0.005,0,-0.002",
        "pabd plot barrier -o - --N 3 > barrier.csv"},
       options->common);
-  const auto list = [](CLI::Option* option, const char* type) {
-    option->delimiter(',')->allow_extra_args(false)->type_name(type);
-  };
-  list(command->add_option("--N", options->N, "highest orders (default 1,2,3,8)"), "LIST");
-  list(command->add_option("--d-hat", options->d_hat, "contact thicknesses in m (default 0.01)"), "LIST");
-  list(command->add_option("--kappa", options->kappa, "stiffnesses in J (default: plain B_N)"), "LIST");
-  list(command->add_option("--kind", options->kinds, kind_words() + " (default polynomial)"), "LIST");
-  command->add_option("--onset", options->onset, "onset width, 0 … 1 (default 0: the printed formula)")
-      ->type_name("E");
+  using group::kOwn;
+  std::vector<std::string> words;
+  for (const BarrierKind kind : kBarrierKinds) words.emplace_back(to_string(kind));
+  command.list(kOwn, "--N", options->N, "highest orders (default 1,2,3,8)");
+  command.list(kOwn, "--d-hat", options->d_hat, "contact thicknesses in m (default 0.01)");
+  command.list(kOwn, "--kappa", options->kappa, "stiffnesses in J (default: plain B_N)");
   command
-      ->add_option("--against", options->against,
-                   "what stands on the horizontal axis: d, d-hat, N or kappa; the values given for it are "
-                   "marked there (default d)")
-      ->type_name("WORD");
-  list(command->add_option("--gap", options->gaps,
-                           "with --against d-hat, N or kappa: distances d in m that curves are for (default: "
-                           "half of the first d̂, 0, and an overlap of a quarter of it)"),
-       "LIST");
-  add_figure_output_options(*command, options->output);
-  command->callback([options, &action] { action = [options] { return plot_barrier(*options); }; });
+      .list(kOwn, "--kind", options->kinds, fmt::format("{} (default polynomial)", fmt::join(words, ", ")))
+      ->check(CLI::IsMember(kinds_by_word()));
+  command.option(kOwn, "--onset", options->onset, "onset width, 0 … 1 (default 0: the printed formula)", "E");
+  command
+      .option(kOwn, "--against", options->against,
+              "what stands on the horizontal axis: d, d-hat, N or kappa; the values given for it are "
+              "marked there (default d)",
+              "WORD")
+      ->check(CLI::IsMember(kAbscissas));
+  command.list(kOwn, "--gap", options->gaps,
+               "with --against d-hat, N or kappa: distances d in m that curves are for (default: half of the "
+               "first d̂, 0, and an overlap of a quarter of it)");
+  add_figure_output_options(command, options->output);
+  command.carry_out(action, options, plot_barrier);
 }
 
 }  // namespace pabd::cli

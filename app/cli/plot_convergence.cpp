@@ -2,10 +2,10 @@
 // pabd plot convergence: how each solver converges within one step.
 #include <fmt/format.h>
 
+#include <map>
 #include <memory>
 
 #include "app/cli/figure_output.h"
-#include "app/cli/plot_command.h"
 #include "app/cli/simulation_setup.h"
 #include "app/plots/figures/convergence.h"
 #include "app/plots/figures/run_caption.h"
@@ -24,19 +24,14 @@ struct PlotConvergenceOptions {
   int iterations = 100;
 };
 
-SolverMethod parse_method(const std::string& word) {
-  for (const SolverMethod method : {SolverMethod::sissm, SolverMethod::descent, SolverMethod::newton}) {
-    if (word == to_string(method)) return method;
-  }
-  throw Error(ErrorKind::bad_input,
-              fmt::format("--method {}: expected some of sissm, descent, newton", word));
-}
+const std::map<std::string, SolverMethod> kMethods = {
+    {"sissm", SolverMethod::sissm}, {"descent", SolverMethod::descent}, {"newton", SolverMethod::newton}};
 
 int plot_convergence(const PlotConvergenceOptions& options) {
   check_range("--at-step", static_cast<double>(options.at_step), 1, 1e9);
   check_range("--iterations", options.iterations, 1, 100000);
   std::vector<SolverMethod> methods;
-  for (const std::string& word : options.methods) methods.push_back(parse_method(word));
+  for (const std::string& word : options.methods) methods.push_back(kMethods.at(word));
   check_figure_output(options.output);
 
   FigureOutputOptions output = options.output;
@@ -65,26 +60,24 @@ int plot_convergence(const PlotConvergenceOptions& options) {
 
 void add_plot_convergence_command(CLI::App& plot, Action& action) {
   auto options = std::make_shared<PlotConvergenceOptions>();
-  CLI::App* command = add_command(
-      plot, "convergence", "energy, residual, penetration and joint error per iteration of one step",
-      {"pabd plot convergence two_boxes -o convergence.png",
-       "pabd plot convergence pyramid -o c.csv --method descent --at-step 60",
-       "pabd plot convergence bridge -o bridge.svg --method descent,newton --at-step 130"},
-      options->common);
-  command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
+  const Command command(plot, "convergence",
+                        "energy, residual, penetration and joint error per iteration of one step",
+                        {"pabd plot convergence two_boxes -o convergence.png",
+                         "pabd plot convergence pyramid -o c.csv --method descent --at-step 60",
+                         "pabd plot convergence bridge -o bridge.svg --method descent,newton --at-step 130"},
+                        options->common);
+  using group::kOwn;
+  command.scene(options->scene);
   command
-      ->add_option("--method", options->methods,
-                   "sissm, descent, newton (default: the first two, with joints all)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("LIST");
-  command->add_option("--at-step", options->at_step, "which step of the run (default 1)")->type_name("K");
-  command->add_option("--iterations", options->iterations, "iterations drawn (default 100)")->type_name("N");
-  command->add_option("--from", options->from, "start at a state file of this scene")
-      ->type_name("STATE.json");
-  add_figure_output_options(*command, options->output);
-  add_scene_options(*command, options->common);
-  command->callback([options, &action] { action = [options] { return plot_convergence(*options); }; });
+      .list(kOwn, "--method", options->methods,
+            "sissm, descent, newton (default: the first two, with joints all)")
+      ->check(CLI::IsMember(kMethods));
+  command.option(kOwn, "--at-step", options->at_step, "which step of the run (default 1)", "K");
+  command.option(kOwn, "--iterations", options->iterations, "iterations drawn (default 100)", "N");
+  command.from(options->from);
+  add_figure_output_options(command, options->output);
+  command.simulation(options->common);
+  command.carry_out(action, options, plot_convergence);
 }
 
 }  // namespace pabd::cli

@@ -2,15 +2,11 @@
 // pabd render: simulate and draw without a display; video, PNG frames or raw RGB.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/cli/backend_option.h"
 #include "app/cli/device_option.h"
-#include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
 #include "app/cli/simulation_setup.h"
@@ -38,9 +34,7 @@ struct RenderOptions {
   CommonOptions common;
   std::string scene;
   OutputOptions output;
-  std::optional<double> time;
-  std::optional<std::int64_t> frames;
-  std::optional<double> wanted_fps;  // none: what suits the output
+  LengthOptions length;
   double fps = kFps;
   std::string size;  // empty: what suits the output
   std::string overlay = "none";
@@ -48,7 +42,6 @@ struct RenderOptions {
   std::string backend = "auto";
   std::string device;
   std::string from;
-  std::string timings;
   double encoder_timeout = SinkOptions{}.encoder_timeout;
   std::string ab;
   std::string ab_view = "side";
@@ -70,7 +63,7 @@ RenderQuality parse_quality(const std::string& word) {
 // With what is not said as it suits the output.
 RenderOptions completed(RenderOptions options) {
   const bool gif = std::filesystem::path(options.output.path).extension() == ".gif";
-  options.fps = options.wanted_fps.value_or(gif ? kGifFps : kFps);
+  options.fps = options.length.fps.value_or(gif ? kGifFps : kFps);
   if (options.size.empty()) options.size = gif ? kGifSize : kSize;
   options.video.encoder = parse_video_encoder(options.encoder);
   return options;
@@ -92,33 +85,10 @@ std::string written_text(const RenderOptions& options, const FrameRange& range, 
     const std::string last = frame_path(out, range.first + frames - 1).string();
     return fmt::format("wrote {}{}: {}\n", first, frames > 1 ? " … " + last : "", what);
   }
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(out, unknown);
-  const std::string bytes = unknown ? "" : ", " + bytes_text(static_cast<double>(size));
+  const std::string bytes = file_size_text(out);
   if (is_still(out)) return fmt::format("wrote {}: {}{}\n", out, options.size, bytes);
   return fmt::format("wrote {}: {}, {:.4g} s at {:g} a second{}\n", out, what, frames / options.fps,
                      options.fps, bytes);
-}
-
-// A video of T seconds has T·fps frames, the last one a frame before T. A still of T seconds shows the state
-// at T.
-int frame_count(const RenderOptions& options, const Scene& scene) {
-  if (options.frames) {
-    check_range("--frames", static_cast<double>(*options.frames), 1, kMostFrames);
-    return static_cast<int>(*options.frames);
-  }
-  const double time = options.time.value_or(scene.duration.value_or(kDefaultTime));
-  const std::string name = options.time || !scene.duration ? "--time" : "duration of the scene";
-  check_range(name, time, 0, 1e6, "s");
-  const double frames =
-      static_cast<double>(steps_until(time, 1 / options.fps)) + (is_still(options.output.path) ? 1 : 0);
-  if (frames < 1) {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("{} {}: shorter than one frame; give at least {:.4g} s, or --frames 1", name,
-                            time, 1 / options.fps));
-  }
-  check_range(fmt::format("{} × --fps", name), frames, 1, kMostFrames, "frames");
-  return static_cast<int>(frames);
 }
 
 void check_output(const RenderOptions& options) {
@@ -171,17 +141,8 @@ Run open_patched(const RenderOptions& options, const Run& a, InputFiles& inputs)
   return b;
 }
 
-std::string timings_json(const RenderResult& result) {
-  const StageTimes& times = result.times;
-  const double slowest = std::max({times.simulate, times.draw, times.encode});
-  const nlohmann::ordered_json json = {{"frames", result.frames},    {"simulate_s", times.simulate},
-                                       {"draw_s", times.draw},       {"encode_s", times.encode},
-                                       {"slowest_stage_s", slowest}, {"total_s", times.total}};
-  return json.dump(2) + "\n";
-}
-
 int render(const RenderOptions& asked) {
-  if (asked.wanted_fps) check_range("--fps", *asked.wanted_fps, 0.01, 1000, "1/s");
+  if (asked.length.fps) check_range("--fps", *asked.length.fps, 0.01, 1000, "1/s");
   const RenderOptions options = completed(asked);
   check_range("--encoder-timeout", options.encoder_timeout, 0.1, 1e6, "s");
   const FrameSize size = parse_size(options.size);
@@ -197,7 +158,9 @@ int render(const RenderOptions& asked) {
   check_ab(options, overlay, size);
   InputFiles inputs;
   Run a = open_run(options.scene, options.common, options.from, inputs);
-  FrameRange range{0, frame_count(options, a.scene()), options.fps};
+  // A video of T seconds has T·fps frames, the last one a frame before T; a still shows the state at T.
+  const auto frames = frame_count(options.length, a.scene(), options.fps, is_still(out));
+  FrameRange range{0, static_cast<int>(frames), options.fps};
   if (is_still(out)) range.first = range.count - 1;
   inputs.add(options.ab);
   if (!camera.keys.empty()) inputs.add(options.camera);
@@ -218,8 +181,6 @@ int render(const RenderOptions& asked) {
   if (b) start_b = b->view();
   const Frame start = make_frame(0, a.view(), std::move(start_b), {});
 
-  std::optional<TextOutput> timings;
-  if (!options.timings.empty()) timings.emplace("--timings", options.timings, options.output.force, inputs);
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(backend, attempts);
   AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
@@ -282,10 +243,6 @@ int render(const RenderOptions& asked) {
     diverged = source.diverged();
   }
   progress.reset();  // what follows has a line of its own
-  if (timings) {
-    timings->write(timings_json(result));
-    timings->finish();
-  }
   if (!options.common.quiet) {
     write_stderr(written_text(options, range, result.frames));
     write_stderr(fmt::format("{:.1f} s (simulating {:.1f}, drawing {:.1f}, encoding {:.1f}) · {} · {}{}\n",
@@ -301,81 +258,68 @@ int render(const RenderOptions& asked) {
 
 void add_render_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<RenderOptions>();
-  CLI::App* command =
-      add_command(app, "render", "simulate a scene and draw it, without a display",
-                  {"pabd render pyramid -o pyramid.mp4 --time 5 --overlay plots,contacts",
-                   "pabd render two_boxes -o 'frames/{frame:04}.png' --frames 120 --size 640x360 --resume",
-                   "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
-                   "pabd render bridge -o bridge.gif --time 3 --loop 1",
-                   "pabd render pile -o pile.mp4 --crf 14 --preset slow --quality best",
-                   "pabd render four_bar -o pen.mp4 --camera front,ortho --trail pen --overlay axes,scale",
-                   "pabd render stack -o ab.mp4 --ab softer.json --overlay params,series,difference",
-                   "pabd render pyramid -o - --size 640x360 | ffplay -f rawvideo -pixel_format rgb24 "
-                   "-video_size 640x360 -"},
-                  options->common);
-  command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
-  add_output_options(*command, options->output,
-                     ".mp4, .webm, .gif: video; a name with {frame:04} and .png: a PNG a frame; .png: the "
-                     "last frame; -: raw RGB to standard output");
-  const auto option = [&](const char* group, const char* name, auto& value, const std::string& words,
-                          const char* type) {
-    return command->add_option(name, value, words)->type_name(type)->group(group);
-  };
+  const Command command(
+      app, "render", "simulate a scene and draw it, without a display",
+      {"pabd render pyramid -o pyramid.mp4 --time 5 --overlay plots,contacts",
+       "pabd render two_boxes -o 'frames/{frame:04}.png' --frames 120 --size 640x360 --resume",
+       "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
+       "pabd render bridge -o bridge.gif --time 3 --loop 1",
+       "pabd render pile -o pile.mp4 --crf 14 --preset slow --quality best",
+       "pabd render four_bar -o pen.mp4 --camera front,ortho --trail pen --overlay axes,scale",
+       "pabd render stack -o ab.mp4 --ab softer.json --overlay params,series,difference",
+       "pabd render pyramid -o - --size 640x360 | ffplay -f rawvideo -pixel_format rgb24 "
+       "-video_size 640x360 -"},
+      options->common);
   using namespace group;
-  command->add_flag("--resume", options->resume, "go on with a sequence of frames that was cut short")
-      ->group(kOutput);
-  auto* time =
-      option(kOutput, "--time", options->time, "length (default: the duration of the scene, or 5 s)", "S");
-  option(kOutput, "--frames", options->frames, "number of frames instead of a length", "N")->excludes(time);
-  option(kOutput, "--fps", options->wanted_fps, "frames a second (default 60; of a .gif 20)", "F");
-  option(kOutput, "--size", options->size, "pixels (default 1280x720; of a .gif 640x360)", "WxH");
-  option(kOutput, "--timings", options->timings, "write how long each stage worked", "JSON");
+  command.scene(options->scene);
+  command.output(options->output,
+                 ".mp4, .webm, .gif: video; a name with {frame:04} and .png: a PNG a frame; .png: the last "
+                 "frame; -: raw RGB to standard output");
+  command.flag(kOutput, "--resume", options->resume, "go on with a sequence of frames that was cut short");
+  command.length(options->length, "length (default: the duration of the scene, or 5 s)",
+                 "frames a second (default 60; of a .gif 20)");
+  command.option(kOutput, "--size", options->size, "pixels (default 1280x720; of a .gif 640x360)", "WxH");
 
-  option(kPicture, "--overlay", options->overlay, "comma-separated: " + overlay_help(), "LIST");
-  option(kPicture, "--camera", options->camera, camera_help(), "VIEW");
-  option(kPicture, "--theme", options->theme, "light and background: " + theme_help(), "NAME");
-  option(kPicture, "--trail", options->trails,
-         "the path of a body's centre, of a point of it (body frame, m), or with com of the centre of mass "
-         "of all "
-         "that moves; may be given several times",
-         "BODY[@X,Y,Z]")
-      ->allow_extra_args(false);
-  option(kPicture, "--trail-time", options->trail_time, "how much of the past trails show (default 2)", "S");
-  auto* ab =
-      option(kPicture, "--ab", options->ab,
-             "beside the scene (A) the same one with changed parameters (B): a JSON merge patch of its "
-             "keys, such as {\"contact\": {\"kappa\": 50}} or {\"joints_default\": {\"kappa\": 50}}",
-             "PATCH.json");
-  option(kPicture, "--ab-view", options->ab_view, "side: side by side (default); ghost: B translucent over A",
-         "VIEW")
+  command.option(kPicture, "--overlay", options->overlay, "comma-separated: " + overlay_help(), "LIST");
+  command.option(kPicture, "--camera", options->camera, camera_help(), "VIEW");
+  command.option(kPicture, "--theme", options->theme, "light and background: " + theme_help(), "NAME");
+  command.trail(options->trails, "");
+  command.option(kPicture, "--trail-time", options->trail_time,
+                 "how much of the past trails show (default 2)", "S");
+  auto* ab = command.option(
+      kPicture, "--ab", options->ab,
+      "beside the scene (A) the same one with changed parameters (B): a JSON merge patch of its keys, such "
+      "as {\"contact\": {\"kappa\": 50}} or {\"joints_default\": {\"kappa\": 50}}",
+      "PATCH.json");
+  command
+      .option(kPicture, "--ab-view", options->ab_view,
+              "side: side by side (default); ghost: B translucent over A", "VIEW")
       ->needs(ab);
-  option(
-      kPicture, "--quality", options->quality,
-      "draft: hard shadows and jagged edges, in a fraction of the time; good (default); best: round bodies "
-      "to a tenth of a pixel",
-      "WORD")
-      ->check(CLI::IsMember({"draft", "good", "best"}));
-  add_backend_option(*command, options->backend);
+  command.quality(options->quality,
+                  "draft: hard shadows and jagged edges, in a fraction of the time; good (default); best: "
+                  "round bodies to a tenth of a pixel");
+  command.backend(options->backend);
 
-  std::string presets;
-  for (const std::string& name : preset_names()) presets += (presets.empty() ? "" : ", ") + name;
-  option(kVideo, "--crf", options->video.crf,
-         "how much may be lost, smaller is better and larger: .mp4 0 … 51 (default 18), .webm 0 … 63 "
-         "(default 24)",
-         "N");
-  option(kVideo, "--preset", options->video.preset,
-         "time for a smaller file: " + presets + " (default: .mp4 veryfast, .webm fast)", "WORD");
-  option(kVideo, "--loop", options->video.plays, "how often a .gif is played; 0: for ever (default)", "N");
-  option(kVideo, "--encoder", options->encoder,
-         "of .mp4: software: libx264 (default); nvenc, vaapi: that of the GPU, where ffmpeg has it", "WORD")
-      ->check(CLI::IsMember({"software", "nvenc", "vaapi"}));
-  option(kVideo, "--encoder-timeout", options->encoder_timeout,
-         "how long ffmpeg may make no progress before it is ended, with exit code 6 (default 60)", "S");
+  command.option(kVideo, "--crf", options->video.crf,
+                 "how much may be lost, smaller is better and larger: .mp4 0 … 51 (default 18), .webm 0 … 63 "
+                 "(default 24)",
+                 "N");
+  command.option(kVideo, "--preset", options->video.preset,
+                 fmt::format("time for a smaller file: {} (default: .mp4 veryfast, .webm fast)",
+                             fmt::join(preset_names(), ", ")),
+                 "WORD");
+  command.option(kVideo, "--loop", options->video.plays, "how often a .gif is played; 0: for ever (default)",
+                 "N");
+  command.word(kVideo, "--encoder", options->encoder, {"software", "nvenc"},
+               "of .mp4: software: libx264 (default); nvenc: that of an NVIDIA GPU, where ffmpeg has it");
+  command.option(kVideo, "--encoder-timeout", options->encoder_timeout,
+                 "how long ffmpeg may make no progress before it is ended, with exit code 6 (default 60)",
+                 "S");
 
-  option(kSimulation, "--from", options->from, "start at a state file of this scene", "STATE.json");
-  add_scene_options(*command, options->common);
-  add_device_option(*command, options->device);
-  command->callback([options, &action] { action = [options] { return render(*options); }; });
+  command.from(options->from);
+  command.simulation(options->common);
+  add_device_option(command, options->device);
+  command.carry_out(action, options, render);
 }
 
 }  // namespace pabd::cli

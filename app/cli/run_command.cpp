@@ -170,49 +170,37 @@ int run(const RunOptions& options) {
 
 void add_run_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command =
-      add_command(app, "run", "simulate a scene without drawing it",
-                  {"pabd run pyramid --time 5 --trace steps.csv --state end.json",
-                   "pabd run pyramid --from end.json --steps 60 --trace -",
-                   "pabd run two_boxes --steps 1 --iterations iterations.csv --set solver.method=sissm",
-                   "pabd run bridge --time 10 --joints joints.csv", "pabd run pile --steps 300 --profile",
-                   "pabd run pyramid --time 5 --quiet --json > summary.json",
-                   "pabd run large.json --steps 600 --device auto"},
-                  options->common);
-  command->add_option("SCENE", options->scene, "scene file, or the name of a shipped scene")->required();
-  auto* time =
-      command
-          ->add_option("--time", options->time, "simulated time (default: the duration of the scene, or 5 s)")
-          ->type_name("S")
-          ->group(group::kSimulation);
-  command->add_option("--steps", options->steps, "number of time steps")
-      ->type_name("N")
-      ->excludes(time)
-      ->group(group::kSimulation);
-  const auto output = [&](const char* name, std::string& path, const char* words, const char* type) {
-    command->add_option(name, path, words)->type_name(type)->group(group::kOutput);
-  };
-  output("--trace", options->trace, "a row a step; - is standard output", "CSV");
-  output("--iterations", options->iterations, "a row an iteration of the solver", "CSV");
-  output("--joints", options->joints, "a row a joint and step: its reaction, N and N m", "CSV");
-  output("--state", options->state, "the state at the end", "JSON");
+  const Command command(
+      app, "run", "simulate a scene without drawing it",
+      {"pabd run pyramid --time 5 --trace steps.csv --state end.json",
+       "pabd run pyramid --from end.json --steps 60 --trace -",
+       "pabd run two_boxes --steps 1 --iterations iterations.csv --set solver.method=sissm",
+       "pabd run bridge --time 10 --joints joints.csv", "pabd run pile --steps 300 --profile",
+       "pabd run pyramid --time 5 --quiet --json > summary.json",
+       "pabd run large.json --steps 600 --device auto"},
+      options->common);
+  using namespace group;
+  command.scene(options->scene);
+  auto* time = command.option(kSimulation, "--time", options->time,
+                              "simulated time (default: the duration of the scene, or 5 s)", "S");
+  command.option(kSimulation, "--steps", options->steps, "number of time steps", "N")->excludes(time);
+  command.option(kOutput, "--trace", options->trace, "a row a step; - is standard output", "CSV");
+  command.option(kOutput, "--iterations", options->iterations, "a row an iteration of the solver", "CSV");
+  command.option(kOutput, "--joints", options->joints, "a row a joint and step: its reaction, N and N m",
+                 "CSV");
+  command.option(kOutput, "--state", options->state, "the state at the end", "JSON");
   auto* profile =
-      command
-          ->add_flag("--profile", options->profile,
-                     "print where the time of the steps went, ms a step and %; rest: outputs, progress")
-          ->group(group::kOutput);
+      command.flag(kOutput, "--profile", options->profile,
+                   "print where the time of the steps went, ms a step and %; rest: outputs, progress");
   command
-      ->add_flag("--json", options->json,
-                 "print the summary at the end as one JSON document to standard output, SI units")
-      ->excludes(profile)
-      ->group(group::kOutput);
-  add_force_option(*command, options->force);
-  command->add_option("--from", options->from, "continue from a state file of this scene")
-      ->type_name("STATE.json")
-      ->group(group::kSimulation);
-  add_scene_options(*command, options->common);
-  add_device_option(*command, options->device);
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+      .flag(kOutput, "--json", options->json,
+            "print the summary at the end as one JSON document to standard output, SI units")
+      ->excludes(profile);
+  command.force(options->force);
+  command.from(options->from);
+  command.simulation(options->common);
+  add_device_option(command, options->device);
+  command.carry_out(action, options, run);
 }
 
 }  // namespace pabd::cli

@@ -20,7 +20,6 @@ struct ScenesOptions {
   CommonOptions common;
   std::string scene;
   bool json = false;
-  bool names = false;
 };
 
 struct SceneRow {
@@ -33,12 +32,6 @@ struct SceneRow {
 int scenes(const ScenesOptions& options) {
   if (!options.scene.empty()) {
     write_stdout(read_any_scene_text(find_scene(options.scene)));
-    return 0;
-  }
-  if (options.names) {
-    std::string names;
-    for (const auto& file : shipped_scenes()) names += file.stem().string() + "\n";
-    write_stdout(names);
     return 0;
   }
   std::vector<SceneRow> rows;
@@ -76,16 +69,13 @@ int scenes(const ScenesOptions& options) {
 
 void add_scenes_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<ScenesOptions>();
-  CLI::App* command = add_command(
-      app, "scenes", "list the shipped scenes, or print one",
-      {"pabd scenes", "pabd scenes --json", "pabd scenes pyramid > my_scene.json"}, options->common);
+  const Command command(app, "scenes", "list the shipped scenes, or print one",
+                        {"pabd scenes", "pabd scenes --json", "pabd scenes pyramid > my_scene.json"},
+                        options->common);
   auto* scene =
-      command->add_option("SCENE", options->scene, "print this one, to begin a scene of one's own with");
-  auto* json = command->add_flag("--json", options->json, "print the list as JSON")->excludes(scene);
-  command->add_flag("--names", options->names, "print the names alone, a line each")
-      ->excludes(scene)
-      ->excludes(json);
-  command->callback([options, &action] { action = [options] { return scenes(*options); }; });
+      command.argument("SCENE", options->scene, "print this one, to begin a scene of one's own with");
+  command.flag(group::kOwn, "--json", options->json, "print the list as JSON")->excludes(scene);
+  command.carry_out(action, options, scenes);
 }
 
 }  // namespace pabd::cli

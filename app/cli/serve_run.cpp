@@ -11,8 +11,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/cli/backend_option.h"
-#include "app/cli/gpu_devices.h"
+#include "app/cli/device_option.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/serve_setup.h"
@@ -27,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kTries = 20;  // ports
+constexpr int kPort = 8472, kTries = 20;
 
 // The folder of the visitors' files: one that stays, or a new one that goes with the object.
 class Root {
@@ -95,8 +94,8 @@ ServerOptions server_options(const ServeSetup& setup) {
   ServerOptions out;
   out.addresses = setup.addresses;
   out.hosts = setup.hosts;
-  out.port = setup.port;
-  out.tries = setup.port_given ? 1 : kTries;
+  out.port = setup.port.value_or(kPort);
+  out.tries = setup.port ? 1 : kTries;
   out.certificate = setup.certificate;
   out.key = setup.key;
   out.embed = setup.embed;

@@ -2,6 +2,7 @@
 // What 'pabd serve' was asked for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ struct ServeSetup {
   CommonOptions common;
   std::string scene = "two_boxes", backend = "auto", size = "1280x720", root, certificate, key, embed;
   std::vector<std::string> addresses, hosts;
-  int port = 8472, sessions = 1;
-  bool port_given = false, trusted = false, no_watchers = false, pause_when_alone = false, play = false;
+  std::optional<int> port;  // none: 8472, or one of the next 19
+  int sessions = 1;
+  bool trusted = false, no_watchers = false, pause_when_alone = false, play = false;
   double past = 256, idle_limit = 10;  // MB, minutes
 };
 

@@ -2,11 +2,12 @@
 // From the command line to a session.
 #include "app/cli/simulation_setup.h"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "app/cli/import_notes.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
 #include "sim/base/input_file.h"
@@ -36,6 +37,13 @@ Start open(const std::string& scene, const CommonOptions& common, const std::str
 }
 
 }  // namespace
+
+void write_import_notes(const std::string& robot, const std::vector<ImportNote>& notes) {
+  if (notes.empty()) return;
+  write_note(fmt::format("{}: {} {} not as in the file:", robot, notes.size(),
+                         notes.size() == 1 ? "thing is" : "things are"));
+  for (const ImportNote& note : notes) write_note("  " + note.line());
+}
 
 std::shared_ptr<const Scene> open_scene(const std::string& scene, const CommonOptions& common,
                                         InputFiles& inputs) {

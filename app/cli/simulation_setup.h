@@ -9,8 +9,12 @@
 #include "app/session/diverged.h"
 #include "app/session/run.h"
 #include "sim/base/output_path.h"
+#include "sim/import/notes.h"
 
 namespace pabd::cli {
+
+// What of a robot is not in its scene, a line each, to standard error.
+void write_import_notes(const std::string& robot, const std::vector<ImportNote>& notes);
 
 // Loads `scene` (file, robot or shipped name) with the overrides of --set. What is read is added to `inputs`, and
 // what of a robot is left out is said.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // pabd sweep collect: tables, pictures, a ranking and a report of what a sweep left.
-#include "app/cli/sweep_collect_command.h"
-
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -49,29 +47,23 @@ int collect(const CollectCommandOptions& options) {
 
 void add_sweep_collect_command(CLI::App& sweep, Action& action) {
   auto options = std::make_shared<CollectCommandOptions>();
-  CLI::App* command = add_command(
+  const Command command(
       sweep, "collect", "make tables, pictures, a ranking and a report of what a sweep left",
       {"pabd sweep collect out", "pabd sweep collect out -o report --x contact.d_hat --y contact.kappa",
        "pabd sweep collect out --force"},
       options->common);
-  command->add_option("DIR", options->folder, "the folder of the sweep")->type_name("FOLDER")->required();
-  command
-      ->add_option(
-          "-o,--out", options->out,
-          "folder of table.csv, .jsonl and .npy, timing.csv, ranking.txt, sheet.png, heat_*.png and .svg, "
-          "pareto.png and .svg, report.html (default DIR/collected)")
-      ->type_name("FOLDER")
-      ->group(group::kOutput);
-  add_force_option(*command, options->collect.force);
-  command
-      ->add_option("--x", options->collect.x,
-                   "parameter from left to right, by its key (default: one of the two with the most values)")
-      ->type_name("KEY")
-      ->group(group::kOutput);
-  command->add_option("--y", options->collect.y, "parameter from bottom to top")
-      ->type_name("KEY")
-      ->group(group::kOutput);
-  command->callback([options, &action] { action = [options] { return collect(*options); }; });
+  using group::kOutput;
+  command.argument("DIR", options->folder, "the folder of the sweep")->type_name("FOLDER")->required();
+  command.option(kOutput, "-o,--out", options->out,
+                 "folder of table.csv, .jsonl and .npy, timing.csv, ranking.txt, sheet.png, heat_*.png and "
+                 ".svg, pareto.png and .svg, report.html (default DIR/collected)",
+                 "FOLDER");
+  command.force(options->collect.force);
+  command.option(kOutput, "--x", options->collect.x,
+                 "parameter from left to right, by its key (default: one of the two with the most values)",
+                 "KEY");
+  command.option(kOutput, "--y", options->collect.y, "parameter from bottom to top", "KEY");
+  command.carry_out(action, options, collect);
 }
 
 }  // namespace pabd::cli

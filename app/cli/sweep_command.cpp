@@ -7,11 +7,9 @@
 #include <memory>
 
 #include "app/cli/exit_code.h"
-#include "app/cli/help_text.h"
-#include "app/cli/import_notes.h"
 #include "app/cli/scene_lookup.h"
+#include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
-#include "app/cli/sweep_collect_command.h"
 #include "app/cli/sweep_run.h"
 #include "app/sweep/job_files.h"
 #include "app/sweep/share.h"
@@ -123,76 +121,53 @@ int sweep(const SweepOptions& options) {
   return do_tasks(work, chosen);
 }
 
-void add_options(CLI::App& command, SweepOptions& options) {
-  command.add_option("PLAN", options.plan, "plan of the sweep, JSON");
-  command
-      .add_option("-o,--out", options.folder,
-                  "folder of the results, one for each task; what is done there is skipped")
-      ->type_name("FOLDER")
-      ->group(group::kOutput);
-  auto* list =
-      command.add_flag("--list", options.list, "print index and parameters of every task, and leave")
-          ->group(group::kOutput);
-  command
-      .add_flag("--json", options.json,
-                "of --list: a JSON object a line, with the hash that names its folder")
-      ->needs(list)
-      ->group(group::kOutput);
-  command
-      .add_option("--emit", options.engine,
-                  "write the file with which slurm, parallel, mpi or snakemake runs the sweep into the "
-                  "folder, and leave")
-      ->type_name("ENGINE")
-      ->check(CLI::IsMember(job_engines()))
-      ->excludes(list)
-      ->group(group::kOutput);
-  command
-      .add_flag("--force", options.force,
-                "replace the plan of a folder by another one; tasks that both have stay")
-      ->group(group::kOutput);
-  command
-      .add_option("--task", options.task,
-                  "only this one, counted from 0; \"all\"; or - for those that standard input names, one a "
-                  "line. Default: "
-                  "what SLURM_ARRAY_TASK_ID, PBS_ARRAY_INDEX, PARALLEL_SEQ (from 1), OMPI_COMM_WORLD_RANK or "
-                  "PMI_RANK "
-                  "says, else all")
-      ->type_name("I")
-      ->group(group::kSimulation);
-  command
-      .add_option("--chunk", options.chunk,
-                  "count so many tasks as one, for --task and the schedulers (default 1)")
-      ->type_name("K")
-      ->check(CLI::Range(std::size_t{1}, kMostTasks))
-      ->group(group::kSimulation);
-  command
-      .add_option("--jobs", options.jobs,
-                  "processes side by side, 1 … 1024; default: the CPUs that this process may use by its "
-                  "affinity, control "
-                  "groups and scheduler, over --threads; of one task 1")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024))
-      ->group(group::kSimulation);
-  add_threads_option(
-      command, options.common.threads,
-      "threads of the solver a task, 1 … 1024; results do not depend on it. Default: 1, of one task "
-      "SLURM_CPUS_PER_TASK");
-}
-
 }  // namespace
 
 void add_sweep_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = add_command(
+  const Command command(
       app, "sweep", "run a scene with many parameter sets, here or on a cluster",
       {"pabd sweep plan.json --list", "pabd sweep plan.json -o out", "pabd sweep plan.json -o out --task 3",
        "pabd sweep plan.json -o out --emit slurm", "pabd sweep collect out"},
       options->common);
-  add_options(*command, *options);
-  add_sweep_collect_command(*command, action);
-  command->callback([command, options, &action] {
-    if (command->get_subcommands().empty()) action = [options] { return sweep(*options); };
-  });
+  using namespace group;
+  command.argument("PLAN", options->plan, "plan of the sweep, JSON");
+  command.option(kOutput, "-o,--out", options->folder,
+                 "folder of the results, one for each task; what is done there is skipped", "FOLDER");
+  auto* list =
+      command.flag(kOutput, "--list", options->list, "print index and parameters of every task, and leave");
+  command
+      .flag(kOutput, "--json", options->json,
+            "of --list: a JSON object a line, with the hash that names its folder")
+      ->needs(list);
+  command
+      .word(kOutput, "--emit", options->engine, {job_engines().begin(), job_engines().end()},
+            "write the file with which slurm, parallel, mpi or snakemake runs the sweep into the folder, and "
+            "leave",
+            "ENGINE")
+      ->excludes(list);
+  command.flag(kOutput, "--force", options->force,
+               "replace the plan of a folder by another one; tasks that both have stay");
+  command.option(kSimulation, "--task", options->task,
+                 "only this one, counted from 0; \"all\"; or - for those that standard input names, one a "
+                 "line. Default: what SLURM_ARRAY_TASK_ID, PBS_ARRAY_INDEX, PARALLEL_SEQ (from 1), "
+                 "OMPI_COMM_WORLD_RANK or PMI_RANK says, else all",
+                 "I");
+  command
+      .option(kSimulation, "--chunk", options->chunk,
+              "count so many tasks as one, for --task and the schedulers (default 1)", "K")
+      ->check(CLI::Range(std::size_t{1}, kMostTasks));
+  command
+      .option(kSimulation, "--jobs", options->jobs,
+              "processes side by side, 1 … 1024; default: the CPUs that this process may use by its "
+              "affinity, control groups and scheduler, over --threads; of one task 1",
+              "N")
+      ->check(CLI::Range(1, 1024));
+  command.threads(options->common.threads,
+                  "threads of the solver a task, 1 … 1024; results do not depend on it. Default: 1, of one "
+                  "task SLURM_CPUS_PER_TASK");
+  add_sweep_collect_command(command.app(), action);
+  command.carry_out(action, options, sweep);
 }
 
 }  // namespace pabd::cli

@@ -109,34 +109,29 @@ int validate_all(const ValidateOptions& options) {
 
 void add_validate_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<ValidateOptions>();
-  CLI::App* command = add_command(
+  const Command command(
       app, "validate",
       "compare this program with published numbers: pendulums, tops, mechanisms, friction, impacts",
       {"pabd validate", "pabd validate --list", "pabd validate --only pendulum roll --figures figures",
        "pabd validate --json - > validate.json"},
       options->common);
-  command->add_option("--only", options->only, "cases whose key has one of these words in it (default: all)")
-      ->type_name("WORD")
-      ->group(group::kSimulation);
-  auto* list = command->add_flag("--list", options->list, "name the cases, and run none");
-  command->add_flag("--markdown", options->markdown, "the table as Markdown, for a report")
-      ->excludes(list)
-      ->group(group::kOutput);
+  using namespace group;
+  command.option(kSimulation, "--only", options->only,
+                 "cases whose key has one of these words in it (default: all)", "WORD");
+  auto* list = command.flag(kOwn, "--list", options->list, "name the cases, and run none");
+  command.flag(kOutput, "--markdown", options->markdown, "the table as Markdown, for a report")
+      ->excludes(list);
   command
-      ->add_option("--json", options->json,
-                   "write the rows as JSON; -: to standard output in place of the table")
-      ->type_name("JSON")
-      ->excludes(list)
-      ->group(group::kOutput);
+      .option(kOutput, "--json", options->json,
+              "write the rows as JSON; -: to standard output in place of the table", "JSON")
+      ->excludes(list);
   command
-      ->add_option("--figures", options->figures,
-                   "write a figure a case into this folder: ours over what is published")
-      ->type_name("DIR")
-      ->excludes(list)
-      ->group(group::kOutput);
-  add_force_option(*command, options->force);
-  add_threads_option(*command, options->common.threads, "for cases side by side (default: all CPUs)");
-  command->callback([options, &action] { action = [options] { return validate_all(*options); }; });
+      .option(kOutput, "--figures", options->figures,
+              "write a figure a case into this folder: ours over what is published", "DIR")
+      ->excludes(list);
+  command.force(options->force);
+  command.threads(options->common.threads, "for cases side by side (default: all CPUs)");
+  command.carry_out(action, options, validate_all);
 }
 
 }  // namespace pabd::cli

@@ -6,11 +6,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/cli/backend_option.h"
 #include "app/cli/device_option.h"
 #include "app/cli/exit_code.h"
-#include "app/cli/gpu_devices.h"
-#include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
@@ -218,7 +215,8 @@ int view_window(const ViewOptions& options, FrameSize size) {
   return interrupt.exit_code();
 }
 
-int view(ViewOptions options) {
+int view(const ViewOptions& asked) {
+  ViewOptions options = asked;
   if (options.actions) {
     write_stdout(action_list());
     return 0;
@@ -238,40 +236,31 @@ int view(ViewOptions options) {
 
 void add_view_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* command =
-      add_command(app, "view", "the interactive window: tune N, d̂ and κ while it runs",
-                  {"pabd view", "pabd view pyramid --set contact.N=8 --play", "pabd view sweep_out",
-                   "pabd view two_boxes --script actions.json --headless -o pictures"},
-                  options->common);
-  command->add_option(
+  const Command command(app, "view", "the interactive window: tune N, d̂ and κ while it runs",
+                        {"pabd view", "pabd view pyramid --set contact.N=8 --play", "pabd view sweep_out",
+                         "pabd view two_boxes --script actions.json --headless -o pictures"},
+                        options->common);
+  constexpr const char *kWindow = "Window", *kScripts = "Scripts";
+  command.argument(
       "SCENE", options->scene,
       "scene file, or the name of a shipped scene (default two_boxes), or the folder of a sweep");
-  constexpr const char *kWindow = "Window", *kScripts = "Scripts";
-  command->add_flag("--play", options->play, "start at once")->group(kWindow);
-  command
-      ->add_option("--size", options->size,
-                   "pixels of the window (default: as it was left, at first 1280x720)")
-      ->type_name("WxH")
-      ->group(kWindow);
-  command->add_option("--scale", options->scale, "size of everything (default: what the screen asks for)")
-      ->type_name("F")
-      ->group(kWindow);
-  command->add_option("--script", options->script, "carry out a list of actions")
-      ->type_name("JSON")
-      ->group(kScripts);
-  command->add_flag("--actions", options->actions, "list the actions of scripts and leave")->group(kScripts);
-  command->add_flag("--headless", options->headless, "no window: only the script")->group(kScripts);
-  command->add_option("-o,--out", options->out, "folder for the frames that a script writes (default: here)")
-      ->type_name("FOLDER")
-      ->group(kScripts);
-  command->add_flag("--force", options->force, "replace files that exist")->group(kScripts);
-  command->add_option("--memory", options->memory, "for states of the past (default 512)")
-      ->type_name("MB")
-      ->group(group::kSimulation);
-  add_device_option(*command, options->device);
-  add_backend_option(*command, options->backend);
-  add_scene_options(*command, options->common);
-  command->callback([options, &action] { action = [options] { return view(*options); }; });
+  command.flag(kWindow, "--play", options->play, "start at once");
+  command.option(kWindow, "--size", options->size,
+                 "pixels of the window (default: as it was left, at first 1280x720)", "WxH");
+  command.option(kWindow, "--scale", options->scale, "size of everything (default: what the screen asks for)",
+                 "F");
+  command.option(kScripts, "--script", options->script, "carry out a list of actions", "JSON");
+  command.flag(kScripts, "--actions", options->actions, "list the actions of scripts and leave");
+  command.flag(kScripts, "--headless", options->headless, "no window: only the script");
+  command.option(kScripts, "-o,--out", options->out,
+                 "folder for the frames that a script writes (default: here)", "FOLDER");
+  command.flag(kScripts, "--force", options->force, "replace files that exist");
+  command.option(group::kSimulation, "--memory", options->memory, "for states of the past (default 512)",
+                 "MB");
+  add_device_option(command, options->device);
+  command.backend(options->backend);
+  command.simulation(options->common);
+  command.carry_out(action, options, view);
 }
 
 }  // namespace pabd::cli

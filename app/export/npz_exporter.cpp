@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 // States as NumPy arrays: https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html, in a .zip without
 // compression. Every array is an entry NAME.npy; about.json says what each is.
+#include <archive.h>
+#include <archive_entry.h>
 #include <fmt/format.h>
 
-#include <cmath>
+#include <exception>
 #include <limits>
+#include <memory>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/export/exporter.h"
 #include "app/export/little_endian.h"
 #include "app/export/motion.h"
-#include "app/export/zip_file.h"
 #include "app/frames/frame_text.h"
+#include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
 #include "sim/base/ordered_json.h"
 #include "sim/body/shape_kind.h"
@@ -44,39 +48,106 @@ std::string npy_header(const char* type, const std::vector<std::size_t>& shape) 
   return out + text;
 }
 
-// One array: rows of numbers that are added, of `tail` numbers each.
-template <class T>
-struct Column {
+// A .zip that appears when it is whole, by libarchive. Its entries are not compressed, and the same entries give the
+// same bytes.
+class ZipFile {
+ public:
+  // Throws Error(file), as all of it does.
+  explicit ZipFile(const std::string& path) : file_(path), path_(path), archive_(archive_write_new()) {
+    if (archive_ == nullptr) throw std::bad_alloc();
+    try {
+      check(archive_write_set_format_zip(archive_));
+      check(archive_write_zip_set_compression_store(archive_));
+      check(archive_write_set_bytes_in_last_block(archive_, 1));  // no zeros behind the end
+      check(archive_write_open(archive_, this, nullptr, put, nullptr));
+    } catch (...) {
+      archive_write_free(archive_);
+      throw;
+    }
+  }
+  ~ZipFile() {
+    given_up_ = true;
+    if (archive_ != nullptr) archive_write_free(archive_);
+  }
+  ZipFile(const ZipFile&) = delete;
+  ZipFile& operator=(const ZipFile&) = delete;
+
+  // An entry of two parts.
+  void add(const std::string& name, std::string_view head, std::string_view rest = {}) {
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
+                                                                         archive_entry_free);
+    if (!entry) throw std::bad_alloc();
+    archive_entry_set_pathname(entry.get(), name.c_str());
+    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(head.size() + rest.size()));
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), 0644);
+    archive_entry_set_mtime(entry.get(), 0, 0);
+    check(archive_write_header(archive_, entry.get()));
+    for (std::string_view part : {head, rest}) {
+      while (!part.empty()) {
+        const la_ssize_t taken = archive_write_data(archive_, part.data(), part.size());
+        check(static_cast<long>(taken));
+        part.remove_prefix(static_cast<std::size_t>(taken));
+      }
+    }
+  }
+
+  void commit() {
+    check(archive_write_close(archive_));
+    archive_write_free(std::exchange(archive_, nullptr));
+    file_.commit();
+  }
+
+ private:
+  // Never says no: of an archive that failed libarchive (3.6) does not free the buffer. check() tells of the failure.
+  static long put(::archive*, void* self, const void* data, std::size_t size) {
+    auto& zip = *static_cast<ZipFile*>(self);
+    try {
+      if (!zip.failed_ && !zip.given_up_) zip.file_.write(data, size);
+    } catch (...) {
+      zip.failed_ = std::current_exception();
+    }
+    return static_cast<long>(size);
+  }
+
+  void check(long result) {
+    if (failed_) std::rethrow_exception(failed_);
+    if (result >= ARCHIVE_OK) return;
+    const char* reason = archive_error_string(archive_);
+    throw Error(ErrorKind::file, fmt::format("{}: the archive cannot be written: {}", path_,
+                                             reason != nullptr ? reason : "unknown reason"));
+  }
+
+  AtomicFile file_;
+  std::string path_;
+  ::archive* archive_;
+  bool given_up_ = false;
+  std::exception_ptr failed_;  // in put(), which libarchive calls
+};
+
+// What an array has a row for.
+enum class RowsOf { states, states_and_end, contacts, bodies };
+
+// One array: rows of numbers that are added.
+struct AnyColumn {
   const char* name;
+  RowsOf rows;
   std::vector<std::size_t> tail;  // shape of what stands in a row
   const char* unit;
   const char* meaning;
-  std::vector<T> values = {};
-
-  std::size_t width() const {
-    std::size_t n = 1;
-    for (const std::size_t k : tail) n *= k;
-    return n;
+  const char* type;
+  std::string bytes = {};
+};
+template <class T>
+struct Column : AnyColumn {
+  void add(T value) { append_bytes(value, bytes); }
+  void add(const Vec3& v) {
+    for (int i = 0; i < 3; ++i) add(v[i]);
   }
-  void add(T value) { values.push_back(value); }
-  void add(const Vec3& v) { values.insert(values.end(), v.data(), v.data() + 3); }
   void add(const Mat3& m) {
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) values.push_back(m(i, k));
+    for (int i = 0; i < 3; ++i) add(Vec3(m.row(i)));
   }
-
-  std::vector<std::size_t> shape(std::size_t rows) const {
-    std::vector<std::size_t> out{rows};
-    out.insert(out.end(), tail.begin(), tail.end());
-    return out;
-  }
-  void write(std::size_t rows, ZipFile& zip) const {
-    const std::string header = npy_header(kType<T>, shape(rows));
-    const std::string_view bytes = bytes_of(std::span<const T>(values));
-    zip.begin(fmt::format("{}.npy", name), header.size() + bytes.size());
-    zip.write(header);
-    zip.write(bytes);
-  }
+  std::size_t size() const { return bytes.size() / sizeof(T); }
 };
 
 class NpzExporter : public Exporter {
@@ -104,8 +175,9 @@ class NpzExporter : public Exporter {
   void add(std::int64_t, const FrameView& view) override {
     check_same_bodies(*model_, view);
     const State& state = *view.state;
-    if (rows_ > 0 && state.time <= time_.values.back()) return;
+    if (rows_ > 0 && state.time <= last_time_) return;
     ++rows_;
+    last_time_ = state.time;
     time_.add(state.time);
     step_.add(state.step);
     for (std::size_t i = 0; i < bodies_; ++i) {
@@ -127,16 +199,14 @@ class NpzExporter : public Exporter {
 
   void finish() override {
     OrderedJson arrays = OrderedJson::object();
-    const auto tell = [&](const auto& column, std::size_t rows) {
-      arrays[column.name] = {
-          {"shape", column.shape(rows)}, {"unit", column.unit}, {"meaning", column.meaning}};
-    };
-    for_each(tell);
+    for (const auto& column : columns_) {
+      arrays[column->name] = {
+          {"shape", shape(*column)}, {"unit", column->unit}, {"meaning", column->meaning}};
+    }
     about_["arrays"] = std::move(arrays);
-    const std::string text = about_.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
-    zip_.begin("about.json", text.size());
-    zip_.write(text);
-    for_each([&](const auto& column, std::size_t rows) { column.write(rows, zip_); });
+    zip_.add("about.json", about_.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
+    for (const auto& column : columns_)
+      zip_.add(fmt::format("{}.npy", column->name), npy_header(column->type, shape(*column)), column->bytes);
     zip_.commit();
   }
 
@@ -160,7 +230,7 @@ class NpzExporter : public Exporter {
 
   void add_contacts(const std::vector<ContactReport>& contacts) {
     constexpr double kBytes = 15 * sizeof(double) + 2 * sizeof(std::int32_t) + 1;  // of a contact
-    if (static_cast<double>(contact_a_.values.size() + contacts.size()) * kBytes > kMostNpzBytes) {
+    if (static_cast<double>(contact_a_.size() + contacts.size()) * kBytes > kMostNpzBytes) {
       throw Error(
           ErrorKind::bad_input,
           fmt::format("{}: more than {:.1f} GB of contacts after {} frames: take fewer --fps or less --time",
@@ -178,7 +248,7 @@ class NpzExporter : public Exporter {
       contact_sticking_.add(contact.sticking ? 1 : 0);
       contact_mu_.add(contact.mu);
     }
-    contact_offset_.add(static_cast<std::int64_t>(contact_a_.values.size()));
+    contact_offset_.add(static_cast<std::int64_t>(contact_a_.size()));
   }
 
   // A recording keeps the forces only.
@@ -194,86 +264,79 @@ class NpzExporter : public Exporter {
     }
   }
 
-  // Every array, with its number of rows.
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    visit(time_, rows_);
-    visit(step_, rows_);
-    visit(position_, rows_);
-    visit(orientation_, rows_);
-    visit(affine_, rows_);
-    visit(velocity_, rows_);
-    visit(angular_velocity_, rows_);
-    visit(kinetic_, rows_);
-    visit(potential_, rows_);
-    visit(elastic_, rows_);
-    visit(iterations_, rows_);
-    visit(contact_offset_, rows_ + 1);
-    const std::size_t contacts = contact_a_.values.size();
-    visit(contact_a_, contacts);
-    visit(contact_b_, contacts);
-    visit(contact_point_a_, contacts);
-    visit(contact_point_b_, contacts);
-    visit(contact_normal_, contacts);
-    visit(contact_gap_, contacts);
-    visit(contact_normal_force_, contacts);
-    visit(contact_friction_, contacts);
-    visit(contact_sticking_, contacts);
-    visit(contact_mu_, contacts);
-    visit(joint_force_, rows_);
-    visit(joint_moment_, rows_);
-    visit(mass_, bodies_);
-    visit(fixed_, bodies_);
+  std::vector<std::size_t> shape(const AnyColumn& column) const {
+    const std::size_t rows[] = {rows_, rows_ + 1, contact_a_.size(), bodies_};
+    std::vector<std::size_t> out{rows[static_cast<std::size_t>(column.rows)]};
+    out.insert(out.end(), column.tail.begin(), column.tail.end());
+    return out;
+  }
+
+  // Columns are written in the order in which they are declared.
+  template <class T>
+  Column<T>& column(const char* name, RowsOf rows, std::vector<std::size_t> tail, const char* unit,
+                    const char* meaning) {
+    auto made =
+        std::make_unique<Column<T>>(Column<T>{{name, rows, std::move(tail), unit, meaning, kType<T>}});
+    Column<T>& out = *made;
+    columns_.push_back(std::move(made));
+    return out;
   }
 
   std::string out_;
   ZipFile zip_;
   std::shared_ptr<const Model> model_;
   std::size_t bodies_, joints_, rows_ = 0;
+  double last_time_ = 0;
   OrderedJson about_;
   std::vector<Quat> last_;
 
-  Column<double> time_{"time", {}, "s", "of the state, since the start of the scene"};
-  Column<std::int64_t> step_{"step", {}, "", "that led to the state; 0: none"};
-  Column<double> position_{"position", {bodies_, 3}, "m", "centre of mass, world"};
-  Column<double> orientation_{"orientation",
-                              {bodies_, 4},
-                              "",
-                              "body to world, w x y z, unit; from row to row the nearer of the two signs"};
-  Column<double> affine_{
-      "A",
-      {bodies_, 3, 3},
-      "",
-      "linear part of [c A]: world = c + A r. A step ends on a rotation, exactly this one"};
-  Column<double> velocity_{"velocity", {bodies_, 3}, "m/s", "of the centre of mass, world"};
-  Column<double> angular_velocity_{"angular_velocity", {bodies_, 3}, "rad/s", "world"};
-  Column<double> kinetic_{"kinetic", {}, "J", "kinetic energy"};
-  Column<double> potential_{"potential", {}, "J", "of gravity"};
-  Column<double> elastic_{"elastic", {}, "J", "in contacts and joints"};
-  Column<std::int32_t> iterations_{"iterations", {}, "", "of the step that led to the state"};
-  Column<std::int64_t> contact_offset_{
-      "contact_offset",
-      {},
-      "",
-      "contacts of state k are rows contact_offset[k] to contact_offset[k + 1] of contact_*"};
-  Column<std::int32_t> contact_a_{"contact_a", {}, "", "number of the body that owns the normal"};
-  Column<std::int32_t> contact_b_{"contact_b", {}, "", "number of the other body"};
-  Column<double> contact_point_a_{"contact_point_a", {3}, "m", "on body a, world"};
-  Column<double> contact_point_b_{"contact_point_b", {3}, "m", "on body b, world"};
-  Column<double> contact_normal_{"contact_normal", {3}, "", "unit, from a to b, world"};
-  Column<double> contact_gap_{"contact_gap", {}, "m", "d = (point_b - point_a) . normal; negative: overlap"};
-  Column<double> contact_normal_force_{"contact_normal_force", {}, "N", "on b along the normal"};
-  Column<double> contact_friction_{"contact_friction", {3}, "N", "on b, world"};
-  Column<std::uint8_t> contact_sticking_{"contact_sticking", {}, "", "true: sticks; false: slides"};
-  Column<double> contact_mu_{"contact_mu", {}, "", "coefficient of friction of the step"};
-  Column<double> joint_force_{"joint_force",
-                              {joints_, 3},
-                              "N",
-                              "of the joint's first body on its second, world; NaN: no step told of it"};
-  Column<double> joint_moment_{
-      "joint_moment", {joints_, 3}, "N m", "the same about the anchor on the first body, world"};
-  Column<double> mass_{"mass", {}, "kg", "of each body; 0: fixed"};
-  Column<std::uint8_t> fixed_{"fixed", {}, "", "true: never moves"};
+  using Numbers = Column<double>;
+  static constexpr RowsOf kStates = RowsOf::states, kContacts = RowsOf::contacts, kBodies = RowsOf::bodies;
+  std::vector<std::unique_ptr<AnyColumn>> columns_;
+  Numbers& time_ = column<double>("time", kStates, {}, "s", "of the state, since the start of the scene");
+  Column<std::int64_t>& step_ =
+      column<std::int64_t>("step", kStates, {}, "", "that led to the state; 0: none");
+  Numbers& position_ = column<double>("position", kStates, {bodies_, 3}, "m", "centre of mass, world");
+  Numbers& orientation_ =
+      column<double>("orientation", kStates, {bodies_, 4}, "",
+                     "body to world, w x y z, unit; from row to row the nearer of the two signs");
+  Numbers& affine_ =
+      column<double>("A", kStates, {bodies_, 3, 3}, "",
+                     "linear part of [c A]: world = c + A r. A step ends on a rotation, exactly this one");
+  Numbers& velocity_ =
+      column<double>("velocity", kStates, {bodies_, 3}, "m/s", "of the centre of mass, world");
+  Numbers& angular_velocity_ = column<double>("angular_velocity", kStates, {bodies_, 3}, "rad/s", "world");
+  Numbers& kinetic_ = column<double>("kinetic", kStates, {}, "J", "kinetic energy");
+  Numbers& potential_ = column<double>("potential", kStates, {}, "J", "of gravity");
+  Numbers& elastic_ = column<double>("elastic", kStates, {}, "J", "in contacts and joints");
+  Column<std::int32_t>& iterations_ =
+      column<std::int32_t>("iterations", kStates, {}, "", "of the step that led to the state");
+  Column<std::int64_t>& contact_offset_ = column<std::int64_t>(
+      "contact_offset", RowsOf::states_and_end, {}, "",
+      "contacts of state k are rows contact_offset[k] to contact_offset[k + 1] of contact_*");
+  Column<std::int32_t>& contact_a_ =
+      column<std::int32_t>("contact_a", kContacts, {}, "", "number of the body that owns the normal");
+  Column<std::int32_t>& contact_b_ =
+      column<std::int32_t>("contact_b", kContacts, {}, "", "number of the other body");
+  Numbers& contact_point_a_ = column<double>("contact_point_a", kContacts, {3}, "m", "on body a, world");
+  Numbers& contact_point_b_ = column<double>("contact_point_b", kContacts, {3}, "m", "on body b, world");
+  Numbers& contact_normal_ = column<double>("contact_normal", kContacts, {3}, "", "unit, from a to b, world");
+  Numbers& contact_gap_ = column<double>("contact_gap", kContacts, {}, "m",
+                                         "d = (point_b - point_a) . normal; negative: overlap");
+  Numbers& contact_normal_force_ =
+      column<double>("contact_normal_force", kContacts, {}, "N", "on b along the normal");
+  Numbers& contact_friction_ = column<double>("contact_friction", kContacts, {3}, "N", "on b, world");
+  Column<std::uint8_t>& contact_sticking_ =
+      column<std::uint8_t>("contact_sticking", kContacts, {}, "", "true: sticks; false: slides");
+  Numbers& contact_mu_ =
+      column<double>("contact_mu", kContacts, {}, "", "coefficient of friction of the step");
+  Numbers& joint_force_ =
+      column<double>("joint_force", kStates, {joints_, 3}, "N",
+                     "of the joint's first body on its second, world; NaN: no step told of it");
+  Numbers& joint_moment_ = column<double>("joint_moment", kStates, {joints_, 3}, "N m",
+                                          "the same about the anchor on the first body, world");
+  Numbers& mass_ = column<double>("mass", kBodies, {}, "kg", "of each body; 0: fixed");
+  Column<std::uint8_t>& fixed_ = column<std::uint8_t>("fixed", kBodies, {}, "", "true: never moves");
 };
 
 }  // namespace

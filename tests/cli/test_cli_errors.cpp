@@ -207,12 +207,10 @@ TEST_CASE("without OpenGL: exit code 4 with what was tried; what needs none stil
   CAPTURE(render.err);
   CHECK(render.exit_code == 4);
   CHECK(is_error_line(render.err, {"EGL"}));
-  CHECK(run_pabd({"plot", "barrier", "-o", folder / "a.png", "--backend", "egl"}, without_egl()).exit_code ==
-        4);
-  CHECK(run_pabd({"figure", "6", "-o", folder / "a.png", "--backend", "egl"}, without_egl()).exit_code == 4);
   CHECK(folder.names().empty());
   CHECK(run_pabd({"run", "two_boxes", "--steps", "1", "--quiet"}, without_egl()).exit_code == 0);
-  CHECK(run_pabd({"plot", "barrier", "-o", folder / "a.svg"}, without_egl()).exit_code == 0);
+  for (const char* name : {"a.svg", "a.png", "a.pdf"})
+    CHECK(run_pabd({"plot", "barrier", "-o", folder / name}, without_egl()).exit_code == 0);
 }
 
 TEST_CASE(

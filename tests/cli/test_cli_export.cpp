@@ -40,23 +40,6 @@ TEST_CASE("every format is written under its name, the same for each number of t
   CHECK(read_text(folder / "a.npz").starts_with("PK"));
 }
 
-TEST_CASE("an .obj is the last frame, or with a number or a folder each of them") {
-  const CommandFolder folder;
-  const std::vector<std::string> three = {"--frames", "3", "--quality", "draft"};
-  REQUIRE(run_pabd(command("two_boxes", folder / "last.obj", three)).exit_code == 0);
-  CHECK(folder.names() == std::vector<std::string>{"last.mtl", "last.obj"});
-  REQUIRE(run_pabd(command("two_boxes", folder / "f/b_%02d.obj", three)).exit_code == 0);
-  REQUIRE(run_pabd(command("two_boxes", folder / "g/", three)).exit_code == 0);
-  for (const char* name : {"f/b.mtl", "f/b_00.obj", "f/b_02.obj", "g/frame.mtl", "g/frame_0002.obj"})
-    CHECK(std::filesystem::exists(folder / name));
-  CHECK_FALSE(std::filesystem::exists(folder / "f/b_03.obj"));
-  const auto faces = [](const std::string& text) { return text.substr(text.find("\no ")); };
-  CHECK((faces(read_text(folder / "last.obj")) == faces(read_text(folder / "f/b_02.obj"))));
-  const Outcome again = run_pabd(command("two_boxes", folder / "f/b_%02d.obj", three));
-  CHECK(again.exit_code == 2);
-  CHECK(is_error_line(again.err, {"b_00.obj", "--force"}));
-}
-
 TEST_CASE("what cannot be is refused in one line, before the first step") {
   const CommandFolder folder;
   write_text(folder / "scene.glb", small_scene());
@@ -68,7 +51,7 @@ TEST_CASE("what cannot be is refused in one line, before the first step") {
     CHECK(outcome.exit_code == code);
     CHECK(is_error_line(outcome.err, words));
   };
-  refused(command("pyramid", folder / "a.fbx"), 2, {"a.fbx", ".glb", ".usda", ".npz", ".obj"});
+  refused(command("pyramid", folder / "a.fbx"), 2, {"a.fbx", ".glb", ".usda", ".npz"});
   refused(command("pyramid", folder / "there.glb"), 2, {"there.glb", "--force"});
   refused(command(folder / "scene.glb", folder / "scene.glb", {"--force"}), 2, {"scene.glb"});
   refused(command("pyramid", folder / "a.glb", {"--time", "1e5", "--fps", "1000"}), 2, {"--fps", "frames"});
@@ -77,8 +60,6 @@ TEST_CASE("what cannot be is refused in one line, before the first step") {
   refused(command("pyramid", folder / "a.glb", {"--fps", "0"}), 2, {"--fps"});
   refused(command("pyramid", folder / "a.glb", {"--trail", "nobody"}), 2, {"--trail", "nobody"});
   refused(command("pyramid", folder / "a.npz", {"--trails"}), 2, {"a.npz", "--trails"});
-  refused(command("pyramid", folder / "a_%s.obj"), 2, {"%04d"});
-  refused(command("pyramid", folder / "a_{frame}.glb"), 2, {".obj"});
   refused(command("pyramid", folder / "there.glb/a.glb"), 3, {"there.glb"});
   refused(command("pyramid", folder / "a.glb", {"--recording", folder / "none.pabdrec"}), 3,
           {"none.pabdrec"});

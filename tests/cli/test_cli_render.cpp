@@ -272,20 +272,6 @@ TEST_CASE("--quality changes how smooth a picture is, and its text says so") {
   CHECK(colours(draft) < colours(good));
 }
 
-TEST_CASE("--timings tells how long each stage worked") {
-  const CommandFolder folder;
-  REQUIRE(run_pabd(render(folder / "a.mp4", {"--frames", "8", "--timings", folder / "t.json"})).exit_code ==
-          0);
-  const auto json = nlohmann::json::parse(read_text(folder / "t.json"));
-  CHECK(json["frames"] == 8);
-  const double slowest = json["slowest_stage_s"];
-  for (const char* stage : {"simulate_s", "draw_s", "encode_s"}) {
-    CHECK(json[stage].get<double>() > 0);
-    CHECK(json[stage].get<double>() <= slowest);
-  }
-  CHECK(json["total_s"].get<double>() >= slowest * 0.9);
-}
-
 TEST_CASE("a sequence that was cut short is continued byte for byte") {
   const CommandFolder whole, cut;
   const std::vector<std::string> options = {"--frames", "9", "--overlay", "all"};

@@ -43,8 +43,8 @@ TEST_CASE("the same signal twice in a moment is one request: the run ends whole"
         watched("ffmpeg \"$@\"\nstatus=$?\n> \"$HERE/over\"\nuntil [ -e \"$HERE/go\" ]; do sleep 0.01; done\n"
                 "exit $status\n"));
     const CommandFolder folder;
-    RunningPabd program({"render", "two_boxes", "--size", "64x48", "--frames", "1000000", "--timings",
-                         folder / "t.json", "-o", folder / "a.mp4"});
+    RunningPabd program(
+        {"render", "two_boxes", "--size", "64x48", "--frames", "1000000", "-o", folder / "a.mp4"});
     program.wait_until([](const std::string& err) { return err.find("frame ") != err.npos; });
     program.signal(signal);
     // Two signals that wait at the same time count as one.
@@ -56,7 +56,7 @@ TEST_CASE("the same signal twice in a moment is one request: the run ends whole"
     const Outcome outcome = program.wait();
     CAPTURE(outcome.err);
     CHECK(outcome.exit_code == code);
-    CHECK(folder.names() == std::vector<std::string>{"a.mp4", "t.json"});
+    CHECK(folder.names() == std::vector<std::string>{"a.mp4"});
     CHECK(probe_video(folder / "a.mp4").starts_with("64,48,"));
   }
 }
