@@ -4,13 +4,21 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "app/cli/common.h"
 #include "app/cli/machine.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/streams.h"
 #include "app/plots/font_data.h"
+#include "render/device/device_capacity.h"
+#include "render/gl/renderer.h"
+#include "render/output/video_options.h"
+#include "sim/base/child_process.h"
 #include "sim/base/counted.h"
+#include "sim/base/error.h"
 
 namespace pabd::cli {
 namespace {
@@ -20,8 +28,78 @@ struct DoctorOptions {
   bool json = false;
 };
 
+struct GlFacts {
+  std::vector<ContextAttempt> attempts;
+  std::string context;    // name of the one taken; empty: none
+  std::string renderer;   // GL_RENDERER
+  std::string version;    // GL_VERSION
+  DeviceCapacity solver;  // of a context that there is
+};
+
+struct FfmpegFacts {
+  bool found = false;
+  std::string version;
+  bool h264 = false;   // libx264, for .mp4
+  bool vp9 = false;    // libvpx-vp9, for .webm
+  bool nvenc = false;  // h264_nvenc, by a trial
+};
+
+constexpr double kPatience = 10;  // seconds for another program to tell about itself
 const char* const kGlRemedy = "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6";
 const char* const kFfmpegRemedy = "apt-get install ffmpeg (videos only; PNG frames and raw RGB need none)";
+
+// ffmpeg may know the encoder where no GPU is.
+bool encodes_by_nvenc() {
+  VideoOptions options;
+  options.encoder = VideoEncoder::nvenc;
+  try {
+    check_video_encoder(options);
+  } catch (const Error&) {
+    return false;
+  }
+  return true;
+}
+
+// Runs a program without a shell; its standard output, or empty when it cannot be run or fails.
+std::string capture(const std::vector<std::string>& arguments) {
+  std::string text;
+  const ChildOutcome outcome = run_child(
+      arguments, kPatience, [&](std::string_view line) { text += std::string(line) + "\n"; }, kPatience);
+  return outcome.status == 0 ? text : "";
+}
+
+GlFacts find_gl() {
+  GlFacts facts;
+  try {
+    const auto context = create_headless_context(Backend::automatic, facts.attempts);
+    context->make_current();
+    facts.context = context->name();
+    const Renderer renderer(*context, 64, 64);
+    facts.renderer = renderer.gl_renderer();
+    facts.version = renderer.gl_version();
+    facts.solver = device_capacity(*context);
+  } catch (const Error& error) {
+    if (facts.attempts.empty() || !facts.context.empty())
+      facts.attempts.push_back({facts.context, error.what()});
+    facts.context.clear();
+  }
+  return facts;
+}
+
+FfmpegFacts find_ffmpeg() {
+  FfmpegFacts facts;
+  const std::string banner = capture({"ffmpeg", "-hide_banner", "-version"});
+  facts.found = !banner.empty();
+  if (!facts.found) return facts;
+  std::istringstream words(banner);  // "ffmpeg version 5.1.6-0+deb12u1 Copyright …"
+  std::string word;
+  words >> word >> word >> facts.version;
+  const std::string encoders = capture({"ffmpeg", "-hide_banner", "-encoders"});
+  facts.h264 = encoders.find(" libx264 ") != std::string::npos;
+  facts.vp9 = encoders.find(" libvpx-vp9 ") != std::string::npos;
+  facts.nvenc = encoders.find(" h264_nvenc ") != std::string::npos && encodes_by_nvenc();
+  return facts;
+}
 
 // Two digits of it: 131072 is about 130000.
 std::int64_t rounded(std::int64_t bodies) {

@@ -5,23 +5,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 
 #include "app/cli/common.h"
-#include "render/gl/renderer.h"
-#include "render/output/video_options.h"
-#include "sim/base/child_process.h"
 #include "sim/base/counted.h"
-#include "sim/base/error.h"
 #include "sim/base/input_file.h"
 
 namespace pabd::cli {
 namespace {
 
-constexpr double kPatience = 10;  // seconds for another program to tell about itself
 constexpr std::size_t kMostProcBytes = std::size_t{1} << 24;
 
 // The value of "key : value" in a file of /proc; empty when absent.
@@ -36,59 +30,7 @@ std::string proc_value(const char* file, std::string_view key) {
   return "";
 }
 
-// ffmpeg may know the encoder where no GPU is.
-bool encodes_by_nvenc() {
-  VideoOptions options;
-  options.encoder = VideoEncoder::nvenc;
-  try {
-    check_video_encoder(options);
-  } catch (const Error&) {
-    return false;
-  }
-  return true;
-}
-
 }  // namespace
-
-std::string capture(const std::vector<std::string>& arguments) {
-  std::string text;
-  const ChildOutcome outcome = run_child(
-      arguments, kPatience, [&](std::string_view line) { text += std::string(line) + "\n"; }, kPatience);
-  return outcome.status == 0 ? text : "";
-}
-
-GlFacts find_gl() {
-  GlFacts facts;
-  try {
-    const auto context = create_headless_context(Backend::automatic, facts.attempts);
-    context->make_current();
-    facts.context = context->name();
-    const Renderer renderer(*context, 64, 64);
-    facts.renderer = renderer.gl_renderer();
-    facts.version = renderer.gl_version();
-    facts.solver = device_capacity(*context);
-  } catch (const Error& error) {
-    if (facts.attempts.empty() || !facts.context.empty())
-      facts.attempts.push_back({facts.context, error.what()});
-    facts.context.clear();
-  }
-  return facts;
-}
-
-FfmpegFacts find_ffmpeg() {
-  FfmpegFacts facts;
-  const std::string banner = capture({"ffmpeg", "-hide_banner", "-version"});
-  facts.found = !banner.empty();
-  if (!facts.found) return facts;
-  std::istringstream words(banner);  // "ffmpeg version 5.1.6-0+deb12u1 Copyright …"
-  std::string word;
-  words >> word >> word >> facts.version;
-  const std::string encoders = capture({"ffmpeg", "-hide_banner", "-encoders"});
-  facts.h264 = encoders.find(" libx264 ") != std::string::npos;
-  facts.vp9 = encoders.find(" libvpx-vp9 ") != std::string::npos;
-  facts.nvenc = encoders.find(" h264_nvenc ") != std::string::npos && encodes_by_nvenc();
-  return facts;
-}
 
 CpuFacts find_cpu() {
   CpuFacts facts;
