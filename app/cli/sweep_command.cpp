@@ -141,7 +141,7 @@ void add_sweep_command(CLI::App& app, Action& action) {
             "of --list: a JSON object a line, with the hash that names its folder")
       ->needs(list);
   command
-      .word(kOutput, "--emit", options->engine, {job_engines().begin(), job_engines().end()},
+      .word(kOutput, "--emit", options->engine, job_engines(),
             "write the file with which slurm, parallel, mpi or snakemake runs the sweep into the folder, and "
             "leave",
             "ENGINE")
