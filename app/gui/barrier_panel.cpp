@@ -7,9 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/gui/barrier_drag.h"
-#include "app/gui/contact_strip.h"
-#include "app/gui/export_button.h"
+#include "app/gui/barrier_plot.h"
 #include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
@@ -56,7 +54,7 @@ class BarrierPanelView final : public GuiPanel {
     controls(f);
     const float room = ImGui::GetContentRegionAvail().y, gap = ImGui::GetStyle().ItemSpacing.y;
     // The strip stands below d; against others only the plot of its own says how contacts are spread.
-    const bool by_gap = f.ui.barrier.against == kBarrierAbscissas[0];
+    const bool by_gap = f.ui.barrier.against == kBarrierAbscissas[0].name;
     const bool histogram = f.ui.barrier.histogram && (tall || by_gap);
     const float numbers = 2 * ImGui::GetTextLineHeightWithSpacing();
     const float least = box_height(f, tall);
@@ -88,14 +86,15 @@ class BarrierPanelView final : public GuiPanel {
       y = drag_.y();
     }
     panel_ = barrier_panel_of(f.sim, view_, x, y);
-    panel_.plot.title.clear();                                                // the tab says it
-    if (!tall && view_.histogram && view_.against == kBarrierAbscissas[0]) {  // the strip below says both
+    panel_.plot.title.clear();  // the tab says it
+    if (!tall && view_.histogram &&
+        view_.against == kBarrierAbscissas[0].name) {  // the strip below says both
       panel_.plot.x.label.clear();
       for (Series& series : panel_.plot.series) {
         if (series.crowd) series.name.clear();
       }
     }
-    if (view_.against == kBarrierAbscissas[0])
+    if (view_.against == kBarrierAbscissas[0].name)
       strip_ = contact_strip(panel_.plot.x.lo, run.params.contact.d_hat, run.report.contact_reports);
     if (serial_ == f.sim.serial) return;
     serial_ = f.sim.serial;
@@ -117,17 +116,12 @@ class BarrierPanelView final : public GuiPanel {
   void controls(GuiFrame& f) {
     command::BarrierView view = f.ui.barrier;
     bool changed = false;
-    struct Choice {
-      const char *value, *energy, *plain, *help;
-    };
-    static constexpr Choice kChoices[] = {
-        {"value", "Ψ", "B", "The potential: energy of a contact at distance d"},
-        {"slope", "Ψ′", "B′", "Its slope: minus the normal force"},
-        {"curvature", "Ψ″", "B″", "Its curvature: how stiff a contact is"}};
-    for (const Choice& c : kChoices) {
-      if (&c != kChoices) ImGui::SameLine(0, f.px(2));
-      if (toggle_button(f, view.energy ? c.energy : c.plain, view.quantity == c.value, c.help)) {
-        view.quantity = c.value;
+    static constexpr const char* kPlain[] = {"B", "B′", "B″"};
+    for (const Choice& c : kBarrierQuantities) {
+      const std::size_t i = place_in(kBarrierQuantities, c.name);
+      if (i > 0) ImGui::SameLine(0, f.px(2));
+      if (toggle_button(f, view.energy ? c.label : kPlain[i], view.quantity == c.name, c.help)) {
+        view.quantity = c.name;
         changed = true;
       }
     }
@@ -158,14 +152,11 @@ class BarrierPanelView final : public GuiPanel {
       ImGui::EndPopup();
     }
     ImGui::SameLine(0, f.px(2));
-    static constexpr const char* kAgainst[] = {"d", "d̂", "N", "κ"};
-    static_assert(std::size(kAgainst) == std::size(kBarrierAbscissas));
-    const auto now = std::find(std::begin(kBarrierAbscissas), std::end(kBarrierAbscissas), view.against);
-    if (const auto i = word_combo("##against", kAgainst, std::size(kAgainst),
-                                  static_cast<std::size_t>(now - std::begin(kBarrierAbscissas)), f.px(40),
-                                  "Against the distance d; or what a change of d̂, N or κ does at the gaps "
-                                  "that occur")) {
-      view.against = kBarrierAbscissas[*i];
+    if (const char* against =
+            choice_combo("##against", kBarrierAbscissas, view.against, f.px(40),
+                         "Against the distance d; or what a change of d̂, N or κ does at the gaps "
+                         "that occur")) {
+      view.against = against;
       changed = true;
     }
     if (changed) f.out.send(ViewCommand(view));
@@ -308,7 +299,7 @@ class BarrierPanelView final : public GuiPanel {
     ImGui::SetCursorScreenPos({end.x - bw - 0.7f * pad, at.y + 0.5f * (height - ImGui::GetFrameHeight())});
     ImGui::BeginDisabled(done);
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    if (ImGui::Button(button.c_str())) f.out.send(Command(command::Set{advice.key, advice.value}));
+    if (ImGui::Button(button.c_str())) f.out.send(command::Set{advice.key, advice.value});
     ImGui::PopStyleColor();
     ImGui::EndDisabled();
     tooltip(done ? "" : "Set it: " + advice.key + " = " + advice.value + ". " + advice.why);

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "sim/base/counted.h"
-#include "sim/body/mass_properties.h"
+#include "sim/solver/step_summary.h"
 
 namespace pabd {
 namespace {
@@ -47,13 +47,6 @@ double largest(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-double kinetic_energy_of(const Model& model, const State& state, Index body) {
-  const auto i = static_cast<std::size_t>(body);
-  if (model.fixed[i]) return 0;
-  const Vec3 w = state.R[i].transpose() * state.omega[i];
-  return 0.5 * (model.mass[i] * state.v[i].squaredNorm() + w.dot(inertia_tensor(model.J[i]) * w));
-}
 
 BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity) {
   BodyColors out;

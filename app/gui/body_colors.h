@@ -24,7 +24,4 @@ struct BodyColors {
 // 1, 2 or 5 times a power of ten, so that it rests while numbers change.
 BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity);
 
-// Kinetic energy of a body; J.
-double kinetic_energy_of(const Model& model, const State& state, Index body);
-
 }  // namespace pabd

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iterator>
 
-#include "app/gui/joint_law_row.h"
+#include "app/gui/actions.h"
+#include "app/gui/number_input.h"
 #include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
@@ -21,22 +21,21 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kDifferenceWords[] = {"distance", "gap",         "penetration",
-                                            "energies", "joint error", "contacts"};
-static_assert(std::size(kDifferenceWords) == std::size(kDifferenceViews));
-
 constexpr int kDifferingRows = 3;  // of the table before it scrolls
-
-std::size_t shown_difference(const UiState& ui) {
-  const auto it = std::find(std::begin(kDifferenceViews), std::end(kDifferenceViews), ui.difference);
-  return it == std::end(kDifferenceViews) ? 0 : static_cast<std::size_t>(it - std::begin(kDifferenceViews));
-}
 
 // "5" for "5.0"; words stay.
 std::string short_number(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   return !text.empty() && *end == 0 ? format_value(value) : text;
+}
+
+std::string key_of(const char* name) { return fmt::format("{}.{}", kJointSettings, name); }
+
+// What is so wide goes on the next line where this one is full; pixels.
+void same_line_if_room(float width) {
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
 }
 
 class ComparePanel final : public GuiPanel {
@@ -48,12 +47,12 @@ class ComparePanel final : public GuiPanel {
     }
     update(f);
     controls(f);
-    joints_.draw(f);
+    joint_law(f);
     table(f);
     now(f);
     const PlotTouch touch = plot_widget(f, "difference", plot_, ImGui::GetContentRegionAvail());
     const auto pick = read_time(f, plot_, touch);
-    if (pick && touch.pressed) f.out.send(Command(command::Seek{pick->x}));
+    if (pick && touch.pressed) f.out.send(command::Seek{pick->x});
   }
 
  private:
@@ -65,23 +64,20 @@ class ComparePanel final : public GuiPanel {
         "shown as a ghost or side by side. It starts with A's parameters: change them under Parameters, B" +
             std::string(f.sim.a.model->joints.empty() ? "." : ", and the law of its joints here."));
     ImGui::Dummy({0, f.px(4)});
-    if (ImGui::Button("Compare from here")) f.out.send(Command(command::Compare{}));
+    if (ImGui::Button("Compare from here")) f.out.send(command::Compare{});
     tooltip("B starts at this moment, where A is now");
     ImGui::SameLine();
     if (ImGui::Button("Compare from the beginning")) {
-      f.out.send(Command(command::Restart{}));
-      f.out.send(Command(command::Compare{}));
+      f.out.send(command::Restart{});
+      f.out.send(command::Compare{});
     }
     tooltip("A starts again with its present parameters, and B with it");
   }
 
   void controls(GuiFrame& f) {
-    const bool side = f.ui.side_by_side;
-    if (toggle_button(f, "Ghost", !side, "The bodies of B as translucent ones over A"))
-      f.out.send(ViewCommand(command::CompareView{"ghost"}));
+    action_toggle(f, "ghost", !f.ui.side_by_side);
     ImGui::SameLine(0, f.px(2));
-    if (toggle_button(f, "Side by side", side, "A on the left, B on the right, one camera"))
-      f.out.send(ViewCommand(command::CompareView{"side"}));
+    action_toggle(f, "side", f.ui.side_by_side);
     const float end = ImGui::CalcTextSize("End").x + 2 * ImGui::GetStyle().FramePadding.x;
     const float take = ImGui::CalcTextSize("Take B's").x + 2 * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - end - take - ImGui::GetStyle().ItemSpacing.x);
@@ -96,8 +92,59 @@ class ComparePanel final : public GuiPanel {
     tooltip(std::string("Gives A the parameters of B; one step of undo") +
             (joints ? ". The law of A's joints stays that of the scene" : ""));
     ImGui::SameLine();
-    if (ImGui::Button("End")) f.out.send(Command(command::EndCompare{}));
+    if (ImGui::Button("End")) f.out.send(command::EndCompare{});
     tooltip("Ends the comparison: B goes, A stays as it is");
+  }
+
+  // The law of B's joints, on as many lines as it needs.
+  void joint_law(GuiFrame& f) {
+    const RunView& b = *f.sim.b;
+    if (b.model->joints.empty()) return;
+    const BondLaw& law = b.scene->joint_law;
+    const bool hard = law.potential == BondPotential::hard;
+    ImGui::AlignTextToFramePadding();
+    label("B's joints");
+    tooltip(
+        "The law of all joints of B that say nothing of their own (joints_default). B goes on with it from "
+        "this "
+        "moment");
+    const float combo = combo_width("hard");
+    same_line_if_room(combo);
+    static constexpr Choice kPotentials[] = {{"soft"}, {"hard"}};
+    if (const char* word =
+            choice_combo("##potential", kPotentials, hard ? "hard" : "soft", combo,
+                         "soft: ½ κ d²; hard: the even terms of the contacts' polynomial. Another "
+                         "one has its κ found anew (auto)"))
+      f.out.send(command::Set{key_of("potential"), word, Side::b});
+    field(f, "κ", key_of("kappa"), fmt::format("{:.4g} {}", law.kappa, hard ? "J" : "N/m"), 104,
+          fmt::format("Stiffness of the joints: a number in {}, or auto. {}", hard ? "J" : "N/m",
+                      "Exact value: " + joint_settings(law)[1].second));
+    if (hard) {
+      field(f, "d̂", key_of("d_hat"), fmt::format("{:.5g} m", law.d_hat), 66,
+            "Length over which the potential of the joints rises; m");
+      field(f, "N", key_of("N"), fmt::format("{}", law.N), 34,
+            "Highest order of the potential of the joints");
+    }
+    if (same_law(law, f.sim.scene->joint_law)) return;
+    same_line_if_room(ImGui::GetFrameHeight());
+    if (icon_button(f, "reset", "The law of the scene"))
+      f.out.send(command::ResetParams{std::string(kJointSettings), Side::b});
+  }
+
+  void field(GuiFrame& f, const char* name, const std::string& key, const std::string& shown, double width,
+             const std::string& help) {
+    const float named = ImGui::CalcTextSize(ui_text(name).c_str()).x + ImGui::GetStyle().ItemInnerSpacing.x;
+    same_line_if_room(named + f.px(width));
+    ImGui::AlignTextToFramePadding();
+    muted_label(f, name);
+    ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::PushID(key.c_str());
+    const auto space = shown.find(' ');
+    const std::string unit = space == std::string::npos ? "" : shown.substr(space + 1);
+    if (const auto text = field_.draw(key, shown, f.px(width)))
+      f.out.send(command::Set{key, typed_number(*text, unit), Side::b});
+    ImGui::PopID();
+    tooltip(help);
   }
 
   void table(GuiFrame& f) const {
@@ -132,9 +179,9 @@ class ComparePanel final : public GuiPanel {
   }
 
   void now(GuiFrame& f) {
-    if (const auto i = word_combo("##what", kDifferenceWords, std::size(kDifferenceWords),
-                                  shown_difference(f.ui), f.px(104), "What of B − A is plotted over time"))
-      f.out.send(ViewCommand(command::DifferenceView{std::string(kDifferenceViews[*i])}));
+    if (const char* what = choice_combo("##what", kDifferenceViews, f.ui.difference, f.px(104),
+                                        "What of B − A is plotted over time"))
+      f.out.send(command::DifferenceView{what});
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     if (distance_.body < 0 || distance_.position == 0) {
@@ -154,7 +201,7 @@ class ComparePanel final : public GuiPanel {
   }
 
   void update(const GuiFrame& f) {
-    const std::size_t what = shown_difference(f.ui);
+    const std::size_t what = place_in(kDifferenceViews, f.ui.difference);
     if (serial_ == f.sim.serial && what_ == what) return;
     const bool numbers = serial_ != f.sim.serial;
     serial_ = f.sim.serial;
@@ -197,7 +244,7 @@ class ComparePanel final : public GuiPanel {
   std::size_t what_ = 0;
   std::vector<Difference> differing_;
   StateDistance distance_;
-  JointLawRow joints_;
+  TypedField field_;  // of the law of joints
   Plot plot_;
 };
 

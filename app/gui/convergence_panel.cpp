@@ -2,10 +2,6 @@
 // How the solver converged within the step that led to the present state, and what others make of that step.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
-#include "app/gui/export_button.h"
 #include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
@@ -15,16 +11,7 @@
 namespace pabd {
 namespace {
 
-constexpr const char* kConvergenceWords[] = {"all in one",  "E − E_end",   "energy E", "residual",
-                                             "penetration", "joint error", "‖A − R‖"};
-static_assert(std::size(kConvergenceWords) == std::size(kConvergenceViews));
-
 constexpr const char* kMethods[] = {"sissm", "descent", "newton"};
-
-std::size_t shown_convergence(const UiState& ui) {
-  const auto it = std::find(std::begin(kConvergenceViews), std::end(kConvergenceViews), ui.convergence);
-  return it == std::end(kConvergenceViews) ? 0 : static_cast<std::size_t>(it - std::begin(kConvergenceViews));
-}
 
 class ConvergencePanel final : public GuiPanel {
  public:
@@ -39,10 +26,9 @@ class ConvergencePanel final : public GuiPanel {
 
  private:
   void controls(GuiFrame& f) const {
-    const std::size_t now = shown_convergence(f.ui);
-    if (const auto i = word_combo("##what", kConvergenceWords, std::size(kConvergenceWords), now, f.px(112),
-                                  "What of every iteration is plotted"))
-      f.out.send(ViewCommand(command::ConvergenceView{std::string(kConvergenceViews[*i])}));
+    if (const char* what = choice_combo("##what", kConvergenceViews, f.ui.convergence, f.px(112),
+                                        "What of every iteration is plotted"))
+      f.out.send(command::ConvergenceView{what});
     ImGui::SameLine();
     const bool any = f.sim.a.report.step > 0 && !f.sim.a.report.records.empty();
     ImGui::BeginDisabled(!any);
@@ -61,15 +47,14 @@ class ConvergencePanel final : public GuiPanel {
     }
     if (f.sim.held.empty()) return;
     ImGui::SameLine();
-    if (ImGui::Button(fmt::format("Drop {}", f.sim.held.size()).c_str()))
-      f.out.send(Command(command::DropHeld{}));
+    if (ImGui::Button(fmt::format("Drop {}", f.sim.held.size()).c_str())) f.out.send(command::DropHeld{});
     tooltip("Forgets the curves that are kept");
   }
 
   // Curves are compared quantity by quantity.
   static void hold(GuiFrame& f, const char* method) {
-    f.out.send(Command(command::Hold{method}));
-    if (shown_convergence(f.ui) == 0) f.out.send(ViewCommand(command::ConvergenceView{"residual"}));
+    f.out.send(command::Hold{method});
+    if (f.ui.convergence == kConvergenceViews[0].name) f.out.send(command::ConvergenceView{"residual"});
   }
 
   static void status(const GuiFrame& f) {
@@ -107,16 +92,15 @@ class ConvergencePanel final : public GuiPanel {
   }
 
   void update(const GuiFrame& f) {
-    const std::size_t what = shown_convergence(f.ui);
-    if (serial_ == f.sim.serial && what_ == what) return;
+    if (serial_ == f.sim.serial && what_ == f.ui.convergence) return;
     serial_ = f.sim.serial;
-    what_ = what;
+    what_ = f.ui.convergence;
     plot_ = convergence_panel_of(f.sim, f.ui);
     thin_lines(plot_, 2000);
   }
 
   std::uint64_t serial_ = 0;
-  std::size_t what_ = 0;
+  std::string what_;
   Plot plot_;
   std::string path_;  // of the last export
 };

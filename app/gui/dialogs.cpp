@@ -16,55 +16,10 @@
 namespace pabd {
 namespace {
 
-struct Question {
-  const char* what;
-  const char* title;
-  const char* help;
-  const char* button;
-  bool writes;
-  bool named = true;  // asks for the name of a file
-};
-constexpr Question kQuestions[] = {
-    {"open", "Open a scene", "A scene file, or the name of a shipped scene", "Open", false},
-    {"save_scene", "Save scene", "The scene file with the present parameters; bodies as at its beginning",
-     "Save", true},
-    {"save_state", "Save state", "A scene file that starts with the bodies and joints as they are now",
-     "Save", true},
-    {"save_patch", "Save patch", "Only the parameters that differ from the scene", "Save", true},
-    {"apply_patch", "Apply patch", "A patch file: parameters of this or another scene", "Apply", false},
-    {"screenshot", "Screenshot", "A PNG file", "Save", true},
-    {"record", "Video", ".mp4, .webm or .gif; or a folder/{frame:04}.png for one picture a frame", "Record",
-     true},
-    {"save_recording", "Save recording", "The whole timeline: steps, hands, edits; for this scene", "Save",
-     true},
-    {"load_recording", "Load recording", "A recording of this scene; it replaces the timeline", "Load",
-     false},
-    {"save_camera", "Save camera keys", "A file that 'pabd render --camera' takes", "Save", true},
-    {"load_camera", "Load camera keys", "A file of camera keys", "Load", false},
-    {"open_sweep", "Open a sweep", "The folder that 'pabd sweep' made", "Open", false},
-    {"load_run", "Load this run from its start?", "", "Load all the same", false, false},
-    {"load_end", "Load this run as it ended?", "", "Load all the same", false, false},
-    {"reload", "Load the file again?", "Parameters that were changed here stay.", "Load again", false, false},
-    {"clear_camera", "Remove all camera keys?", "", "Remove all", false, false},
-    {"quit", "Leave?", "", "Leave without saving", false, false},
-};
-
-const Question* question(const std::string& what) {
-  const auto* found = std::find_if(std::begin(kQuestions), std::end(kQuestions),
-                                   [&](const Question& q) { return what == q.what; });
-  return found == std::end(kQuestions) ? nullptr : found;
-}
-
-std::string first_text(const std::string& what, const GuiFrame& f) {
-  const std::string name = std::filesystem::path(f.sim.scene_path).stem().string();
-  if (what == "save_scene") return name + "_tuned.json";
-  if (what == "save_state") return name + "_state.json";
-  if (what == "save_recording" || what == "load_recording") return name + ".pabdrec";
-  if (what == "save_patch") return name + "_patch.json";
-  if (what == "screenshot") return name + ".png";
-  if (what == "record") return name + ".mp4";
-  if (what == "save_camera") return name + "_camera.json";
-  return "";
+const DialogKind* dialog_kind(const std::string& name) {
+  const auto* found = std::find_if(std::begin(kDialogs), std::end(kDialogs),
+                                   [&](const DialogKind& kind) { return name == kind.name; });
+  return found == std::end(kDialogs) ? nullptr : found;
 }
 
 // What would be gone; empty: nothing.
@@ -79,31 +34,22 @@ std::string warning(const std::string& what, const GuiFrame& f) {
   return (what == "reload" ? "This gives up " : "Not saved: ") + listed(gone) + ".";
 }
 
-// Endings of the files that a dialog is about.
-std::vector<std::string> endings_of(const std::string& what) {
-  if (what == "open_sweep") return {};
-  if (what == "screenshot") return {".png"};
-  if (what == "record") return {".mp4", ".webm", ".gif", ".png"};
-  if (what == "save_recording" || what == "load_recording") return {".pabdrec"};
-  return {".json"};
-}
-
 constexpr int kFileRows = 9;  // of files that are seen at once
 
 }  // namespace
 
 void open_scene(const Snapshot& sim, const std::string& path, Outbox& out) {
   if (sim.at_stake.empty()) {
-    out.send(Command(command::Load{path, {}, false}));
+    out.send(command::Load{path, {}, false});
   } else {
-    out.send(ViewCommand(command::Ask{"open", path}));
+    out.send(command::Ask{"open", path});
   }
 }
 
 void open_dropped(const Snapshot& sim, const std::string& path, Outbox& out) {
-  const auto asks = [&](const char* what) { out.send(ViewCommand(command::Ask{what, path})); };
+  const auto asks = [&](const char* what) { out.send(command::Ask{what, path}); };
   const DroppedKind kind = kind_of_dropped(path);
-  if (kind == DroppedKind::sweep) return out.send(ViewCommand(command::OpenSweep{path}));
+  if (kind == DroppedKind::sweep) return out.send(command::OpenSweep{path});
   if (kind == DroppedKind::recording) return asks("load_recording");
   if (kind == DroppedKind::camera) return asks("load_camera");
   if (kind == DroppedKind::patch) return asks("apply_patch");
@@ -112,14 +58,17 @@ void open_dropped(const Snapshot& sim, const std::string& path, Outbox& out) {
 
 void Dialogs::start(const GuiFrame& f) {
   open_ = f.ui.dialog;
-  text_ = f.ui.dialog_text.empty() ? first_text(open_, f) : f.ui.dialog_text;
+  kind_ = dialog_kind(open_);
+  text_ = f.ui.dialog_text;
+  if (text_.empty() && kind_->first)
+    text_ = std::filesystem::path(f.sim.scene_path).stem().string() + kind_->first;
   awaited_.clear();
   refusal_.clear();
   done_ = false;
   focus_ = true;
   record_.from = record_.to = -1;
   along_keys_ = f.ui.fly && !f.ui.camera_keys.empty();
-  browse_ = !f.steady && (open_.starts_with("open") || open_ == "apply_patch" || open_.starts_with("load_"));
+  browse_ = !f.steady && kind_->use == DialogKind::reads;
   listed_.clear();
   ImGui::OpenPopup("##dialog");
 }
@@ -135,8 +84,7 @@ void Dialogs::confirm(GuiFrame& f, bool force) {
   if (open_ == "open") send(command::Load{text_, {}, force});
   if (open_ == "open_sweep") send(command::OpenSweep{text_});
   if (open_ == "load_run" || open_ == "load_end")
-    f.out.send(
-        ViewCommand(command::LoadRun{std::atoi(text_.c_str()), open_ == "load_end" ? "end" : "start", true}));
+    f.out.send(command::LoadRun{std::atoi(text_.c_str()), open_ == "load_end" ? "end" : "start", true});
   if (open_ == "save_scene") send(command::SaveScene{text_, false, force});
   if (open_ == "save_state") send(command::SaveScene{text_, true, force});
   if (open_ == "save_recording") send(command::SaveRecording{text_, force});
@@ -155,7 +103,7 @@ void Dialogs::confirm(GuiFrame& f, bool force) {
   }
   if (open_ == "clear_camera") send(command::ClearCameraKeys{});
   if (open_ == "quit") send(command::Quit{true});
-  if (open_ == "clear_camera" || open_ == "quit" || open_ == "load_run" || open_ == "load_end") done_ = true;
+  done_ = kind_->use == DialogKind::asks && open_ != "reload";
 }
 
 void Dialogs::look(const Snapshot& sim, const UiState& ui) {
@@ -203,7 +151,7 @@ void Dialogs::browser(GuiFrame& f, bool& go) {
   const std::filesystem::path folder = only_one ? f.files->folder() : folder_of_typed(text_);
   if (listed_ != folder.string()) {
     listed_ = folder.string();
-    files_ = list_files(folder, endings_of(open_));
+    files_ = list_files(folder, kind_->endings);
     if (only_one) std::erase_if(files_, [&](const FileEntry& e) { return !refusal_of_name(e.name).empty(); });
   }
   std::error_code ignored;
@@ -217,15 +165,19 @@ void Dialogs::browser(GuiFrame& f, bool& go) {
     const auto above = folder == std::filesystem::path(".") ? std::filesystem::path("..") : folder / "..";
     text_ = above.lexically_normal().string() + "/";
   }
-  for (const FileEntry& entry : files_) {
-    if (only_one && entry.folder && open_ != "open_sweep") continue;
-    const std::string shown = entry.folder ? entry.name + "/" : entry.name;
-    if (ImGui::Selectable(ui_text(shown).c_str(), !entry.folder && entry.name == own)) {
-      text_ = (only_one ? entry.name : in_folder(folder, entry.name)) + (entry.folder ? "/" : "");
+  // A click takes it.
+  const auto line = [&](const std::string& shown, const std::string& path, bool on, bool is_file) {
+    if (ImGui::Selectable(ui_text(shown).c_str(), on)) {
+      text_ = path;
       refusal_.clear();
     }
-    if (!entry.folder && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-      go = true;
+    go = go || (is_file && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
+  };
+  for (const FileEntry& entry : files_) {
+    if (only_one && entry.folder && open_ != "open_sweep") continue;
+    const std::string slash = entry.folder ? "/" : "";
+    line(entry.name + slash, (only_one ? entry.name : in_folder(folder, entry.name)) + slash,
+         !entry.folder && entry.name == own, !entry.folder);
   }
   if (files_.empty()) muted_label(f, "nothing of this kind");
   ImGui::EndChild();
@@ -235,11 +187,7 @@ void Dialogs::browser(GuiFrame& f, bool& go) {
   muted_label(f, "recently open");
   for (const std::string& path : f.ui.recent) {
     ImGui::PushID(path.c_str());
-    if (ImGui::Selectable(ui_text(std::filesystem::path(path).filename().string()).c_str(), path == text_)) {
-      text_ = path;
-      refusal_.clear();
-    }
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) go = true;
+    line(std::filesystem::path(path).filename().string(), path, path == text_, true);
     tooltip(path);
     ImGui::PopID();
   }
@@ -251,9 +199,9 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
     open_.clear();
     return;
   }
-  const Question* q = question(f.ui.dialog);
-  if (!q) return;
+  if (!dialog_kind(f.ui.dialog)) return;
   if (open_ != f.ui.dialog) start(f);
+  const bool named = kind_->use != DialogKind::asks;
   ImGui::SetNextWindowPos({0.5f * static_cast<float>(width), 0.4f * static_cast<float>(height)},
                           ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(f.px(520), static_cast<float>(width) - f.px(24)), 0});
@@ -261,10 +209,10 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
-  heading(f, q->title);
-  if (*q->help) muted_label(f, q->help);
+  heading(f, kind_->title);
+  if (*kind_->help) muted_label(f, kind_->help);
   bool go = false;
-  if (q->named) fields(f, go);
+  if (named) fields(f, go);
   const std::string gone = warning(open_, f);
   if (!gone.empty()) wrapped_label(gone);
   if (!refusal_.empty()) {
@@ -274,10 +222,10 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
   }
   ImGui::Dummy({0, f.px(2)});
   // Enter does not give up anything: that takes its own button.
-  const bool exists = q->writes && !refusal_.empty() && exists_;
-  const bool asks = q->named && !gone.empty();
+  const bool exists = kind_->use == DialogKind::writes && !refusal_.empty() && exists_;
+  const bool asks = named && !gone.empty();
   bool force = false;
-  if (!asks) go = ImGui::Button(q->button) || go;
+  if (!asks) go = ImGui::Button(kind_->button) || go;
   if (asks || exists) {
     if (asks && std::exchange(go, false)) focus_ = true;
     if (!asks) ImGui::SameLine();
@@ -285,13 +233,13 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
   }
   if (open_ == "quit" && f.sim.unsaved) {
     ImGui::SameLine();
-    if (ImGui::Button("Save first…")) f.out.send(ViewCommand(command::Ask{"save_scene"}));
+    if (ImGui::Button("Save first…")) f.out.send(command::Ask{"save_scene"});
   }
   ImGui::SameLine();
   const bool cancel = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (go) confirm(f, force);
   if (cancel || done_) {
-    f.out.send(ViewCommand(command::Ask{}));
+    f.out.send(command::Ask{});
     ImGui::CloseCurrentPopup();
     awaited_.clear();
   }

@@ -26,7 +26,8 @@ class Dialogs {
   void browser(GuiFrame& frame, bool& go);
   void confirm(GuiFrame& frame, bool force);
 
-  std::string open_;            // which one is shown
+  std::string open_;  // which one is shown
+  const DialogKind* kind_ = nullptr;
   std::string text_;            // what is typed
   std::string awaited_;         // name of the command that was confirmed; empty: nothing was
   std::uint64_t asked_ = 0;     // newest message then

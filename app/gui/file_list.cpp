@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
 
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
@@ -44,8 +45,13 @@ bool natural_less(const std::string& a, const std::string& b) {
   return left_a != left_b ? left_a < left_b : a < b;
 }
 
-std::vector<FileEntry> list_files(const fs::path& folder, const std::vector<std::string>& endings,
-                                  std::size_t most) {
+std::vector<FileEntry> list_files(const fs::path& folder, const std::string& endings, std::size_t most) {
+  const auto fits = [&](const std::string& name) {
+    std::istringstream all(endings);
+    for (std::string ending; all >> ending;)
+      if (name.ends_with(ending)) return true;
+    return false;
+  };
   std::vector<FileEntry> folders, files;
   std::error_code failed;
   for (fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, failed), end;
@@ -55,9 +61,7 @@ std::vector<FileEntry> list_files(const fs::path& folder, const std::vector<std:
     std::error_code unknown;
     if (at->is_directory(unknown)) {
       if (folders.size() < most) folders.push_back({name, true});
-    } else if (at->is_regular_file(unknown) && files.size() < most &&
-               std::any_of(endings.begin(), endings.end(),
-                           [&](const std::string& e) { return name.ends_with(e); })) {
+    } else if (at->is_regular_file(unknown) && files.size() < most && fits(name)) {
       files.push_back({name, false});
     }
   }

@@ -13,11 +13,11 @@ struct FileEntry {
   bool folder = false;
 };
 
-// Folders and then files whose names end with one of `endings` (".json"), each in the order of their names with
+// Folders and then files whose names end with one of `endings` (".mp4 .gif"), each in the order of their names with
 // numbers by value, capitals like small letters. Left out are hidden ones, what cannot be looked at, and more than
 // `most` of either kind. An empty list for a folder that cannot be read.
-std::vector<FileEntry> list_files(const std::filesystem::path& folder,
-                                  const std::vector<std::string>& endings, std::size_t most = 2000);
+std::vector<FileEntry> list_files(const std::filesystem::path& folder, const std::string& endings,
+                                  std::size_t most = 2000);
 
 // "frame2" before "frame10".
 bool natural_less(const std::string& a, const std::string& b);

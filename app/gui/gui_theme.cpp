@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See gui_theme.h.
-#include "app/gui/gui_theme.h"
-
-#include "app/plots/theme.h"
+// Colours and sizes of Dear ImGui's widgets, after the inks of the plots.
+#include "app/gui/panels.h"
 #include "render/visual/palette.h"
 
 namespace pabd {

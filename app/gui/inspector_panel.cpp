@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/body_maker.h"
+#include "app/gui/actions.h"
 #include "app/gui/inspector_rows.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
+#include "app/session/model_edit.h"
 #include "sim/base/counted.h"
 #include "sim/base/utf8.h"
+#include "sim/body/shape_kind.h"
+#include "sim/collision/ray_cast.h"
 #include "sim/joint/joint_traits.h"
 
 namespace pabd {
@@ -21,10 +24,10 @@ namespace {
 constexpr std::size_t kMostLines = 40;  // of contacts of one body
 
 void choose(GuiFrame& f, const char* kind, std::size_t number) {
-  f.out.send(ViewCommand(command::Select{kind, std::to_string(number)}));
+  f.out.send(command::Select{kind, std::to_string(number)});
 }
 
-void edit(GuiFrame& f, const ModelEdit& what) { f.out.send(Command(command::Edit{to_json(what)})); }
+void edit(GuiFrame& f, const ModelEdit& what) { f.out.send(command::Edit{to_json(what)}); }
 
 bool contains(const std::string& text, const std::string& part) {
   return lower_case(text).find(lower_case(part)) != std::string::npos;
@@ -92,6 +95,69 @@ class NameList {
   std::vector<Entry> found_;
 };
 
+constexpr double kAir = 1.05;  // between a new body and what is below it, of its half height
+
+double half_height(const Shape& shape) { return bounds(shape, Vec3::Zero(), Mat3::Identity()).hi.y(); }
+
+// The body of that shape at `place`, lifted on top of what is there.
+AddBody body_at(const RunView& run, const Shape& shape, double density, const Vec3& place) {
+  AddBody out;
+  out.shape = shape;
+  out.density = density;
+  out.position = place;
+  // The top of everything that stands at this place, from above.
+  double top = 0;
+  for (const Vec3& c : run.state->c) top = std::max(top, c.y());
+  const Vec3 sky(place.x(), std::max(top, place.y()) + 1e3, place.z());
+  if (run.poses) return out;
+  const auto hit = ray_cast(*run.model, run.state, Ray{sky, -Vec3::UnitY()});
+  if (hit)
+    out.position.y() =
+        std::max(place.y(), hit->point.y() + kAir * half_height(shape) + run.params.contact.d_hat);
+  return out;
+}
+
+// The form that makes a body where the view looks.
+class BodyMaker {
+ public:
+  void draw(GuiFrame& f) {
+    for (const ShapeKind* kind : shape_kinds()) {
+      if (!kind->make) continue;
+      if (kind != shape_kinds().front()) ImGui::SameLine(0, f.px(2));
+      if (toggle_button(f, std::string(kind->name), kind == kind_, "Shape of the new body")) kind_ = kind;
+    }
+    const auto number = [&](double& value, const std::string& format, const std::string& help, float width) {
+      ImGui::SetNextItemWidth(width);
+      ImGui::InputDouble(("##" + format).c_str(), &value, 0, 0, format.c_str());
+      tooltip(help);
+    };
+    const float all = ImGui::GetContentRegionAvail().x, gap = f.px(6);
+    int count = 0, k = 0;
+    for (const ShapeSize& size : kind_->sizes) count += size.count;
+    const float width = (all - static_cast<float>(count - 1) * gap) / static_cast<float>(count);
+    for (const ShapeSize& size : kind_->sizes) {
+      for (int part = 0; part < size.count; ++part, ++k) {
+        const std::string axis(1, "xyz"[part]), help(size.help);
+        const bool whole = size.count == 1;
+        if (k > 0) ImGui::SameLine(0, gap);
+        number(size_[static_cast<std::size_t>(k)], (whole ? std::string(size.key) : axis) + " %.3g m",
+               whole ? help : help + " " + axis, width);
+      }
+    }
+    number(density_, "density %.4g kg/m³", "Water has 1000, steel 7800", all);
+    if (ImGui::Button("Add where the view looks", {all, 0})) {
+      const AddBody body = body_at(f.sim.a, kind_->make(size_), density_, f.ui.camera.target);
+      f.out.send(command::Edit{to_json(body)});
+    }
+    tooltip("In the middle of the picture, on top of what is there");
+  }
+
+ private:
+  const ShapeKind* kind_ = shape_kinds().front();  // of those with sizes
+  Sizes size_{0.4, 0.4, 0.4};                      // m
+  double density_ = 1000;                          // kg/m³
+};
+
 class InspectorPanel final : public GuiPanel {
  public:
   void draw(GuiFrame& f) override {
@@ -115,9 +181,7 @@ class InspectorPanel final : public GuiPanel {
 
  private:
   void nothing(GuiFrame& f) {
-    ImGui::PushTextWrapPos(0);
-    muted_label(f, "Double-click a body, joint or contact in the picture, or choose one here.");
-    ImGui::PopTextWrapPos();
+    wrapped_muted_label(f, "Double-click a body, joint or contact in the picture, or choose one here.");
     heading(f, counted(f.sim.a.model->shape.size(), "body", "bodies") + ", " +
                    counted(f.sim.a.model->joints.size(), "joint"));
     list_.draw(f);
@@ -132,8 +196,7 @@ class InspectorPanel final : public GuiPanel {
       ImGui::SameLine();
       muted_label(f, "in A");
     }
-    if (ImGui::Button("Frame")) f.out.send(ViewCommand(command::FrameSelection{}));
-    tooltip("Fill the picture with it (f)");
+    action_button(f, "frame");
     ImGui::SameLine(0, f.px(4));
     if (ImGui::Button("Copy numbers")) ImGui::SetClipboardText(as_text(title, rows).c_str());
     tooltip("Everything below as text");
@@ -144,7 +207,7 @@ class InspectorPanel final : public GuiPanel {
       tooltip(remove);
     }
     ImGui::SameLine(0, f.px(4));
-    if (ImGui::Button("List")) f.out.send(ViewCommand(command::Select{"none", ""}));
+    if (ImGui::Button("List")) f.out.send(command::Select{"none", ""});
     tooltip("Back to the list of bodies and joints (Esc)");
     for (const InspectorRow& row : rows) {
       if (row.value.empty()) {
@@ -204,7 +267,7 @@ class InspectorPanel final : public GuiPanel {
     ImGui::SameLine(0, f.px(4));
     const bool waits = f.ui.joining.has_value();
     if (ImGui::Button(waits ? "double-click it…" : "Join to body…"))
-      f.out.send(ViewCommand(command::Join{waits ? "" : to_string(type_)}));
+      f.out.send(command::Join{waits ? "" : to_string(type_)});
     tooltip("Then double-click the second body where the joint shall be");
     ImGui::SameLine(0, f.px(4));
     ImGui::BeginDisabled(run.model->fixed[i] != 0);
@@ -237,9 +300,7 @@ class InspectorPanel final : public GuiPanel {
     const Model& model = *f.sim.a.model;
     const auto i = static_cast<std::size_t>(s.index);
     if (s.index < 0 || i >= f.sim.a.report.contact_reports.size()) {
-      ImGui::PushTextWrapPos(0);
-      muted_label(f, "This contact is open now: its bodies are d̂ or more apart.");
-      ImGui::PopTextWrapPos();
+      wrapped_muted_label(f, "This contact is open now: its bodies are d̂ or more apart.");
     } else {
       const std::string title =
           fmt::format("contact of {} and {}", body_title(model, s.a), body_title(model, s.b));

@@ -11,12 +11,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/body_colors.h"
 #include "render/visual/joint_glyphs.h"
 #include "sim/body/shape_kind.h"
 #include "sim/bond/point_bond.h"
 #include "sim/joint/expand.h"
 #include "sim/math/so3.h"
+#include "sim/solver/step_summary.h"
 
 namespace pabd {
 namespace {
@@ -79,7 +79,8 @@ void add_motion(const RunView& run, Index body, InspectorRows& rows) {
   rows.push_back({"speed", in_unit(s.v[i].norm(), "m/s")});
   rows.push_back({"velocity", in_unit(s.v[i], "m/s")});
   rows.push_back({"ω", in_unit(s.omega[i], "rad/s"), "Angular velocity, world"});
-  rows.push_back({"kinetic energy", in_unit(kinetic_energy_of(*run.model, s, body), "J")});
+  rows.push_back(
+      {"kinetic energy", in_unit(kinetic_energy(*run.model, body, s.R[i], s.v[i], s.omega[i]), "J")});
   rows.push_back({"potential energy", in_unit(-mass * run.params.gravity.dot(s.c[i]), "J"), "−m g·c"});
   if (!run.model->external.empty() && run.model->external[i]) {
     const ExternalForce& external = *run.model->external[i];

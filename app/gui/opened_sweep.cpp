@@ -55,9 +55,6 @@ command::Load load_of(OpenedSweep& sweep, const command::LoadRun& run) {
       std::find_if(tasks.begin(), tasks.end(), [&](const SweptTask& t) { return t.index == run.task; });
   if (task == tasks.end())
     throw Error(ErrorKind::bad_input, fmt::format("load_run: this sweep has no task {}", run.task));
-  if (run.at != "start" && run.at != "end")
-    throw Error(ErrorKind::bad_input,
-                fmt::format("load_run: \"at\": expected start or end, got {}", in_quotes(run.at)));
   if (sweep.read->scene.empty())
     throw Error(ErrorKind::bad_input, "load_run: the plan of this sweep names no scene");
   const bool end = run.at == "end";

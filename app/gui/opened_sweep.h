@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/sweep_commands.h"
+#include "app/gui/view_command.h"
 #include "app/sweep/collect_grid.h"
 #include "app/sweep/collect_ranking.h"
 

@@ -67,17 +67,10 @@ std::vector<TimeMark> marks_of(const Snapshot& sim) {
   return out;
 }
 
-std::size_t index_in(std::span<const std::string_view> words, const std::string& word) {
-  const auto it = std::find(words.begin(), words.end(), word);
-  return it == words.end() ? 0 : static_cast<std::size_t>(it - words.begin());
-}
-
 std::string ending_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
-void write_png_of(const Figure& figure, const command::ExportPlot& what, bool dark, GlContext& context) {
-  PictureSize size = default_size(figure);
-  if (what.width > 0) size.width = what.width;
-  if (what.height > 0) size.height = what.height;
+void write_png_of(const Figure& figure, const PictureSize& size, const std::string& path, bool dark,
+                  GlContext& context) {
   const PlotTheme& theme = dark ? dark_theme() : light_theme();
   Renderer renderer(context, size.width, size.height);
   Overlay overlay(
@@ -94,7 +87,7 @@ void write_png_of(const Figure& figure, const command::ExportPlot& what, bool da
   text["Software"] = "pabd " PABD_VERSION;
   text["Caption"] = plain_text(figure.caption);
   text["GL_RENDERER"] = renderer.gl_renderer();
-  write_png(what.path, image, text);
+  write_png(path, image, text);
 }
 
 }  // namespace
@@ -103,9 +96,7 @@ BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& v
                               const std::optional<PlotRange>& x, const std::optional<PlotRange>& y) {
   const RunView& run = sim.a;
   BarrierPanelOptions options;
-  options.quantity = view.quantity == "slope"       ? BarrierQuantity::slope
-                     : view.quantity == "curvature" ? BarrierQuantity::curvature
-                                                    : BarrierQuantity::value;
+  options.quantity = static_cast<BarrierQuantity>(place_in(kBarrierQuantities, view.quantity));
   options.log_y = view.log;
   options.energy = view.energy;
   options.variants = {view.printed, view.onset, view.even, view.log_barrier};
@@ -113,7 +104,7 @@ BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& v
   options.x = x;
   options.y = y;
   const auto& contacts = run.report.contact_reports;
-  const auto abscissa = static_cast<BarrierAbscissa>(index_in(kBarrierAbscissas, view.against));
+  const auto abscissa = static_cast<BarrierAbscissa>(place_in(kBarrierAbscissas, view.against));
   if (abscissa != BarrierAbscissa::gap)
     return barrier_over(run.params.contact, run.kappa, contacts, abscissa, options);
   return barrier_panel(run.params.contact, run.kappa, contacts, contact_ink, options);
@@ -130,7 +121,7 @@ std::string why_no_curve(const StepReport& report, bool on_device) {
 
 Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
   const StepReport& r = sim.a.report;
-  const std::size_t what = index_in(kConvergenceViews, ui.convergence);
+  const std::size_t what = place_in(kConvergenceViews, ui.convergence);
   Plot plot;
   if (what == 0) {
     plot = convergence_plot(r.records, !sim.a.model->joints.empty());
@@ -173,7 +164,7 @@ Plot series_panel_of(const Snapshot& sim, const UiState& ui) {
     options.name = std::string("now");
     options.other_name = std::string("before");
   }
-  const std::size_t what = index_in(kSeriesViews, ui.series);
+  const std::size_t what = place_in(kSeriesViews, ui.series);
   if (ui.series == kChosenSeries) {
     const StepQuantity *x = find_step_quantity(ui.series_x), *y = find_step_quantity(ui.series_y);
     return quantity_plot(a.history, x ? *x : step_quantities()[0], y ? *y : step_quantities()[1], options);
@@ -195,19 +186,16 @@ Figure panel_figure(const std::string& panel, const Snapshot& sim, const UiState
   if (panel == barrier_tab.name) {
     plot = barrier_panel_of(sim, ui.barrier).plot;
     title = ui.barrier.energy ? "Contact potential" : "Contact barrier";
-    if (ui.barrier.against == kBarrierAbscissas[0]) {
+    if (ui.barrier.against == kBarrierAbscissas[0].name) {
       plot.series.push_back(contact_strip_series(plot.x.lo, sim.a.params.contact.d_hat,
                                                  sim.a.report.contact_reports, contact_ink));
     }
   } else if (panel == convergence_tab.name) {
     plot = convergence_panel_of(sim, ui);
     title = "Convergence of the step";
-  } else if (panel == series_tab.name) {
+  } else {
     plot = series_panel_of(sim, ui);
     title = plot.title.empty() ? "Over time" : plot.title;
-  } else {
-    throw Error(ErrorKind::bad_input,
-                fmt::format("export_plot: {} has no plot; expected barrier, convergence or series", panel));
   }
   Figure figure;
   figure.title = std::move(title);
@@ -232,13 +220,10 @@ void export_plot(const command::ExportPlot& what, const Snapshot& sim, const UiS
   check_plot_name(what.path);
   const Figure figure = panel_figure(what.panel, sim, ui);
   const std::string ending = ending_of(what.path);
-  if (ending == ".png") {
-    write_png_of(figure, what, ui.dark, context);
-    return;
-  }
   PictureSize size = default_size(figure);
   if (what.width > 0) size.width = what.width;
   if (what.height > 0) size.height = what.height;
+  if (ending == ".png") return write_png_of(figure, size, what.path, ui.dark, context);
   write_file(what.path, ending == ".csv"   ? figure_to_csv(figure)
                         : ending == ".svg" ? figure_to_svg(figure, size.width, size.height)
                                            : picture_to_pdf(figure_picture(figure), size.width, size.height));

@@ -28,8 +28,7 @@ std::string why_no_curve(const StepReport& report, bool on_device);
 // Of the view `ui.series`.
 Plot series_panel_of(const Snapshot& sim, const UiState& ui);
 
-// A panel as a figure: with a title, and a caption that says scene, step and parameters. Throws
-// Error(bad_input) for a panel that has no plot.
+// One of kPlottingPanels as a figure: with a title, and a caption that says scene, step and parameters.
 Figure panel_figure(const std::string& panel, const Snapshot& sim, const UiState& ui);
 
 // Writes it, by the ending of the name: .csv, .svg, .pdf or .png; size 0: what suits it. Throws

@@ -9,6 +9,15 @@
 
 namespace pabd {
 
+// For `unit` pixels a pixel of an ordinary screen.
+void apply_gui_theme(ImGuiStyle& style, bool dark, double unit);
+
+// Behind the panels, linear light.
+Vec3f window_background(bool dark);
+
+// Em of ordinary text on an ordinary screen; px.
+inline constexpr double kTextSize = 13.5;
+
 // Begins the ImGui window of a part that stays where it is; ImGui::End() ends it.
 void begin_fixed(const char* id, const Rect& rect, ImGuiWindowFlags more = 0);
 // A slot with its tabs and the panel that it shows.
@@ -44,15 +53,22 @@ void draw_recording(GuiFrame& frame, const Rect& view);
 // What its dialog asks for beside the name.
 void draw_record_fields(const GuiFrame& frame, command::Record& record, bool& along_keys);
 
-// What the view menu has beside key frames: views, what else is shown, backgrounds.
-void draw_view_items(GuiFrame& frame);
-// That menu with the key frames of the camera: a button of the toolbar, and the marks of the keys on the timeline.
-void draw_camera_menu(GuiFrame& frame);
+// Marks of the camera's key frames on the timeline.
 void draw_camera_marks(const GuiFrame& frame, const std::function<float(double)>& x_of_time, float y);
 
 // "A" and "B" over the pictures of two simulations.
 void draw_compare_labels(GuiFrame& frame, const GuiLayout& layout);
 
 void draw_help(GuiFrame& frame, int width, int height);
+// All actions by their words, to be searched.
+class Palette {
+ public:
+  void draw(GuiFrame& frame, int width, int height);
+
+ private:
+  std::string text_;
+  int chosen_ = 0;
+  bool open_ = false;
+};
 
 }  // namespace pabd

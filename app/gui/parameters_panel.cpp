@@ -1,24 +1,37 @@
 // SPDX-License-Identifier: MIT
 // Everything that can be tuned while it runs: a slider and a field for the exact value each, what differs
 // from the scene marked, with a way back.
+#include "app/gui/parameters_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "app/gui/actions.h"
+#include "app/gui/number_input.h"
 #include "app/gui/panels.h"
-#include "app/gui/parameter_rows.h"
-#include "app/gui/significant.h"
-#include "app/gui/typed_number.h"
-#include "app/gui/value_slider.h"
 #include "app/gui/widgets.h"
 #include "sim/scene/thickness.h"
 #include "sim/scene/tuning.h"
 
 namespace pabd {
 namespace {
+
+std::string heading_of(const ParameterRow& row) {
+  const std::string key = row.key;
+  const auto dot = key.find('.');
+  if (dot == std::string::npos) return "World";
+  std::string heading = key.substr(0, dot);
+  if (heading[0] >= 'a' && heading[0] <= 'z') heading[0] = static_cast<char>(heading[0] - 'a' + 'A');
+  return heading;
+}
+
+int rank(const ParameterRow* row) {
+  const ParameterKind kind = kind_of(*row);
+  return kind == ParameterKind::choice ? 0 : kind == ParameterKind::vector ? 2 : 1;
+}
 
 bool is_changed(const RunView& run, const std::string& key) {
   return std::any_of(run.changed.begin(), run.changed.end(), [&](const auto& c) { return c.first == key; });
@@ -51,7 +64,7 @@ class ParametersPanel final : public GuiPanel {
         if (!row->applies || row->applies(f.sim.scene->model)) draw_row(f, run, *row);
     }
     heading(f, "Keep");
-    keep(f, run);
+    keep(f);
   }
 
  private:
@@ -62,14 +75,14 @@ class ParametersPanel final : public GuiPanel {
   void actions(GuiFrame& f, const RunView& run) {
     if (icon_button(f, "undo", f.sim.can_undo ? "Undo: " + f.sim.undo_text + " (ctrl+z)" : "Nothing to undo",
                     f.sim.can_undo))
-      f.out.send(Command(command::Undo{}));
+      carry_out(f, "undo");
     ImGui::SameLine();
     if (icon_button(f, "redo", f.sim.can_redo ? "Redo: " + f.sim.redo_text + " (ctrl+y)" : "Nothing to redo",
                     f.sim.can_redo))
-      f.out.send(Command(command::Redo{}));
+      carry_out(f, "redo");
     ImGui::SameLine();
     ImGui::BeginDisabled(run.changed.empty());
-    if (ImGui::Button("Reset all")) f.out.send(Command(command::ResetParams{"", side_}));
+    if (ImGui::Button("Reset all")) f.out.send(command::ResetParams{"", side_});
     ImGui::EndDisabled();
     tooltip("Every parameter back to what the scene says");
     ImGui::SameLine();
@@ -77,7 +90,7 @@ class ParametersPanel final : public GuiPanel {
   }
 
   void set(GuiFrame& f, const ParameterRow& row, command::SetValue value, bool more = false) {
-    f.out.send(Command(command::Set{row.key, std::move(value), side_, more}));
+    f.out.send(command::Set{row.key, std::move(value), side_, more});
   }
 
   // Name with a mark, the way back, and room for the widgets.
@@ -105,8 +118,7 @@ class ParametersPanel final : public GuiPanel {
   void end_row(GuiFrame& f, const RunView& run, const char* key) {
     if (is_changed(run, key)) {
       ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::GetFrameHeight() * 1.15f);
-      if (icon_button(f, "reset", "Back to the scene's value"))
-        f.out.send(Command(command::ResetParams{key, side_}));
+      if (icon_button(f, "reset", "Back to the scene's value")) f.out.send(command::ResetParams{key, side_});
     }
     ImGui::PopID();
   }
@@ -130,11 +142,7 @@ class ParametersPanel final : public GuiPanel {
         break;
       case ParameterKind::real:
       case ParameterKind::whole: {
-        if (typing_ == row.key) {
-          field(f, run, row, widget_width());
-        } else {
-          slider(f, run, row, widget_width());
-        }
+        field_.holds(row.key) ? field(f, run, row, widget_width()) : slider(f, run, row, widget_width());
         break;
       }
     }
@@ -179,13 +187,13 @@ class ParametersPanel final : public GuiPanel {
           dragging_);
       dragging_ = true;
     }
-    if (touch.clicked) {
-      typing_ = row.key;
-      typed_ = shown(run, row);
-      focus_ = true;
-    }
-    tooltip("Drag to change, with shift ten times finer; click to type.\nExact value: " +
-            value_text(value_of(row, run.params)) + (may_be_auto(row) ? "; a number, or auto" : ""));
+    if (touch.clicked) field_.begin(row.key, shown(run, row));
+    tooltip("Drag to change, with shift ten times finer; click to type.\n" + exact_words(run, row));
+  }
+
+  static std::string exact_words(const RunView& run, const ParameterRow& row) {
+    return "Exact value: " + value_text(value_of(row, run.params)) +
+           (may_be_auto(row) ? "; a number, or auto" : "");
   }
 
   // What the field shows: the value as it is written in a scene, with its unit.
@@ -209,60 +217,58 @@ class ParametersPanel final : public GuiPanel {
     return typed_number(text, unit_of(row, params));
   }
 
-  // The exact value. What is typed is kept here while it is being typed.
+  // The exact value.
   void field(GuiFrame& f, const RunView& run, const ParameterRow& row, float width) {
-    const bool mine = typing_ == row.key;
-    std::string text = mine ? typed_ : shown(run, row);
-    ImGui::SetNextItemWidth(width);
-    if (mine && std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
-    ImGui::InputText("##field", &text, ImGuiInputTextFlags_AutoSelectAll);
-    if (ImGui::IsItemActive()) {
-      typing_ = row.key;
-      typed_ = text;
-    }
-    if (mine && ImGui::IsItemDeactivated()) {
-      typed_ = text;  // Escape gave the text back
-      if (typed_ != shown(run, row)) set(f, row, typed(typed_, row, run.params));
-      typing_.clear();
-    }
-    tooltip("Exact value: " + value_text(value_of(row, run.params)) +
-            (may_be_auto(row) ? "; a number, or auto" : ""));
+    if (const auto text = field_.draw(row.key, shown(run, row), width))
+      set(f, row, typed(*text, row, run.params));
+    tooltip(exact_words(run, row));
   }
 
-  void keep(GuiFrame& f, const RunView&) {
-    const auto ask = [&](const char* text, const char* what, const char* help) {
-      if (ImGui::Button(text)) f.out.send(ViewCommand(command::Ask{what}));
-      tooltip(help);
-    };
-    ask("Save scene…", "save_scene", "The scene file with these parameters (ctrl+s)");
+  static void keep(GuiFrame& f) {
+    action_button(f, "save_scene");
     ImGui::SameLine();
-    ask("Save state…", "save_state", "A scene that starts with the bodies as they are now (ctrl+shift+s)");
-    ask("Save patch…", "save_patch", "Only what differs from the scene, for --ab and for other scenes");
+    action_button(f, "save_state");
+    action_button(f, "save_patch");
     ImGui::SameLine();
-    ask("Apply patch…", "apply_patch", "Parameters from a patch file");
+    action_button(f, "apply_patch");
     if (ImGui::Button("Recording…")) ImGui::OpenPopup("##recording");
     tooltip("The timeline with hands and edits, as a file");
     if (ImGui::BeginPopup("##recording")) {
-      if (ImGui::Selectable("Save the timeline… (ctrl+shift+e)"))
-        f.out.send(ViewCommand(command::Ask{"save_recording"}));
-      if (ImGui::Selectable("Load a recording… (ctrl+l)"))
-        f.out.send(ViewCommand(command::Ask{"load_recording"}));
+      if (ImGui::Selectable("Save the timeline… (ctrl+shift+e)")) carry_out(f, "save_recording");
+      if (ImGui::Selectable("Load a recording… (ctrl+l)")) carry_out(f, "load_recording");
       ImGui::EndPopup();
     }
     ImGui::SameLine();
-    if (ImGui::Button("Copy command")) f.out.send(ViewCommand(command::CopyCommand{}));
-    tooltip("'pabd render …' with these parameters and this camera, to the clipboard (ctrl+shift+c)");
+    action_button(f, "copy_command");
   }
 
   const std::vector<ParameterGroup> groups_ = parameter_groups();
   Side side_ = Side::a;
   bool dragging_ = false;  // the slider that is held has sent something already
-  bool focus_ = false;     // what is typed in gets the keyboard in the next frame
   SliderDrag drag_;
-  std::string typing_, typed_;  // key of the field that is being typed in, and its text
+  TypedField field_;
 };
 
 }  // namespace
+
+std::vector<ParameterGroup> parameter_groups(ParameterTable table) {
+  std::vector<ParameterGroup> groups;
+  for (const ParameterRow& row : table) {
+    const std::string heading = heading_of(row);
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const ParameterGroup& g) { return g.heading == heading; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {heading, {}});
+    group->rows.push_back(&row);
+  }
+  std::reverse(groups.begin(), groups.end());
+  for (ParameterGroup& group : groups) {
+    std::stable_sort(group.rows.begin(), group.rows.end(),
+                     [](const ParameterRow* a, const ParameterRow* b) { return rank(a) < rank(b); });
+  }
+  return groups;
+}
+
+std::string row_label(const ParameterRow& row) { return std::string(row.follows ? "  " : "") + row.label; }
 
 const WindowPanel parameters_tab = {.name = "parameters",
                                     .title = "Parameters",

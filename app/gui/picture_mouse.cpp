@@ -32,7 +32,7 @@ Place place_at(const GuiLayout& layout, const GuiFrame& f, double x, double y) {
 
 std::vector<double> listed(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-void tell(GuiFrame& f, const std::string& text) { f.out.send(Command(command::Tell{text, false})); }
+void tell(GuiFrame& f, const std::string& text) { f.out.send(command::Tell{text, false}); }
 
 // The joint that waited for `picked` as its second body.
 AddJoint joint_between(const Joining& first, const RunView& run, const Selection& picked) {
@@ -120,13 +120,13 @@ void PictureMouse::pull(const GuiLayout& layout, GuiFrame& f, const CameraPose& 
   const ViewRay ray = ray_through(camera, {rect.w, rect.h}, x_ - rect.x, y_ - rect.y);
   const double along = -ray.direction.dot(axes_of(camera).back);
   const Vec3 target = ray.origin + grip_->depth / along * ray.direction;
-  f.out.send(Command(command::Pull{static_cast<int>(grip_->body), listed(grip_->r), listed(target), 0}));
+  f.out.send(command::Pull{static_cast<int>(grip_->body), listed(grip_->r), listed(target), 0});
 }
 
 void PictureMouse::let_go(Outbox& out) {
   if (!grip_) return;
   grip_.reset();
-  out.send(Command(command::Release{}));
+  out.send(command::Release{});
 }
 
 void PictureMouse::shoot(const GuiLayout& layout, GuiFrame& f, const CameraPose& camera) {
@@ -161,12 +161,11 @@ void PictureMouse::select(const GuiLayout& layout, GuiFrame& f) const {
     if (found.kind != Selection::Kind::body)
       return tell(f, "that is no body; double-click one, or press Esc");
     const Joining& first = *f.ui.joining;
-    f.out.send(Command(command::Edit{to_json(joint_between(first, at.run, found))}));
-    f.out.send(ViewCommand(command::Join{""}));
+    f.out.send(command::Edit{to_json(joint_between(first, at.run, found))});
+    f.out.send(command::Join{""});
     return;
   }
-  static constexpr const char* kKinds[] = {"none", "body", "joint", "contact"};
-  command::Select select{kKinds[static_cast<std::size_t>(found.kind)],
+  command::Select select{kSelectionKinds[static_cast<std::size_t>(found.kind)].name,
                          found.kind == Selection::Kind::none ? "" : std::to_string(found.index)};
   if (found.kind == Selection::Kind::body) {
     select.at = listed(found.at);

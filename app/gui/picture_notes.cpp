@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// See picture_notes.h.
+// See picture_notes.h. The latest message is at the bottom left, where a person looks anyway: notes go by themselves,
+// the others stay until they are dismissed or something else happened. What asks for something is at the top.
 #include "app/gui/picture_notes.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/gui/body_colors.h"
 #include "app/gui/inspector_rows.h"
+#include "app/gui/panels.h"
 #include "app/gui/pictures.h"
 #include "app/gui/widgets.h"
 #include "app/overlay/imgui_canvas.h"
@@ -18,6 +21,10 @@
 
 namespace pabd {
 namespace {
+
+constexpr double kNoteSeconds = 4;
+constexpr ImGuiWindowFlags kOverPicture = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
 ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
 
@@ -128,6 +135,66 @@ void draw_picture_notes(GuiFrame& f, const GuiLayout& layout) {
          {0.5f, 0});
   }
   ImGui::GetBackgroundDrawList()->PopClipRect();
+}
+
+void MessageList::draw(GuiFrame& f, const Rect& view, double seconds, std::uint64_t read) {
+  if (f.sim.messages.empty()) return;
+  const Message& m = f.sim.messages.back();
+  if (m.number != newest_) {
+    newest_ = m.number;
+    age_ = 0;
+  }
+  age_ += seconds;
+  dismissed_ = std::max(dismissed_, read);
+  if (m.number <= dismissed_ || (m.severity == Severity::note && age_ > kNoteSeconds)) return;
+  const float width = std::min(f.px(560), static_cast<float>(view.w) - f.px(24));
+  if (width < f.px(80)) return;
+  ImGui::SetNextWindowPos(
+      {static_cast<float>(view.x) + f.px(12), static_cast<float>(view.bottom()) - f.px(12)}, ImGuiCond_Always,
+      {0, 1});
+  // As high as its words, but never higher than the picture: what does not fit is scrolled to.
+  const float most = std::max(f.px(40), static_cast<float>(view.h) - f.px(24));
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, most});
+  ImGui::Begin("##messages", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_AlwaysAutoResize | kOverPicture);
+  const Color ink = m.severity == Severity::note ? f.theme().color(2) : f.theme().color(1);
+  const ImVec2 lo = ImGui::GetWindowPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRectFullScreen();
+  list.AddRectFilled(lo, {lo.x + f.px(4), lo.y + ImGui::GetWindowHeight()}, packed(ink));
+  list.PopClipRect();
+  ImGui::PushTextWrapPos(width - f.px(44));
+  label(m.text);
+  ImGui::PopTextWrapPos();
+  ImGui::SameLine(width - f.px(34));
+  if (ImGui::Button("×")) dismissed_ = m.number;
+  tooltip("Dismiss");
+  ImGui::End();
+}
+
+// The scene's file is another one than what is open: nothing happens until a person says what.
+void draw_file_offer(GuiFrame& f, const Rect& view) {
+  if (!f.sim.file_changed) return;
+  const float width = std::min(f.px(420), static_cast<float>(view.w) - f.px(24));
+  if (width < f.px(80)) return;
+  const float top = static_cast<float>(view.y + below_recording(f));
+  ImGui::SetNextWindowPos({static_cast<float>(view.x + 0.5 * view.w), top}, ImGuiCond_Always, {0.5f, 0});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::Begin("##file_offer", nullptr, ImGuiWindowFlags_NoDecoration | kOverPicture);
+  ImGui::PushTextWrapPos(0);
+  label(std::filesystem::path(f.sim.scene_path).filename().string() + " changed on disk.");
+  muted_label(f, f.sim.reload_loses.empty()
+                     ? "Loading it again keeps the parameters that were changed here."
+                     : "Loading it again keeps the parameters that were changed here, and gives up " +
+                           listed(f.sim.reload_loses) + ".");
+  ImGui::PopTextWrapPos();
+  if (ImGui::Button("Load again")) f.out.send(command::Reload{true});
+  tooltip("The scene as it is on disk now (ctrl+r)");
+  ImGui::SameLine();
+  if (ImGui::Button("Keep this")) f.out.send(command::IgnoreFile{});
+  tooltip("The scene stays as it is here; the file stays as it is there");
+  ImGui::End();
 }
 
 }  // namespace pabd

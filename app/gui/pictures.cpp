@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Single pictures: see pictures.h.
+// See pictures.h; videos are in recorder.cpp.
 #include "app/gui/pictures.h"
 
 #include <fmt/format.h>
+#include <imgui.h>
 
+#include "app/frames/camera_keys.h"
 #include "app/frames/frame_text.h"
+#include "app/gui/panel_plots.h"
+#include "app/workbench/check_output.h"
 #include "render/output/png.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
@@ -13,6 +17,7 @@
 namespace pabd {
 namespace {
 
+constexpr std::chrono::milliseconds kVideoShare{20};        // of a frame, for a video
 constexpr int kLeastPicture = 16, kLargestPicture = 16384;  // pixels
 
 Frame frame_of(const Snapshot& sim) {
@@ -51,6 +56,38 @@ ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height
           .theme = std::string(ui.theme->name)};
 }
 
+// The frame that was composed last, into a file.
+void save_window(const std::string& path, const Snapshot& sim, const UiState& ui, Renderer& renderer) {
+  Image image;
+  renderer.queue_read();
+  renderer.fetch(image);
+  ViewFacts facts = facts_of(sim, ui, image.width, image.height, renderer.gl_renderer());
+  facts.overlay = "window";
+  write_png(path, image, text_of(sim, facts));
+}
+
+struct Keys {
+  const Snapshot& sim;
+  UiState& ui;
+
+  std::string save(const command::SaveCamera& c) const {
+    if (ui.camera_keys.empty())
+      throw Error(ErrorKind::bad_input, "save_camera: there are no camera keys; add one first");
+    check_output(c.path, c.force, sim.scene_path);
+    write_file(c.path, camera_keys_json({sim.scene->name, ui.camera_keys}));
+    ui.keys_unsaved = false;
+    return "saved " + c.path;
+  }
+  std::string load(const command::LoadCamera& c) const {
+    CameraKeys keys = read_camera_keys(c.path);
+    ui.camera_keys = std::move(keys.keys);
+    ui.keys_unsaved = false;
+    const bool same = keys.scene.empty() || keys.scene == sim.scene->name;
+    return fmt::format("{}: {} camera keys{}", c.path, ui.camera_keys.size(),
+                       same ? "" : ", made for the scene " + keys.scene);
+  }
+};
+
 }  // namespace
 
 std::string overlay_words(const UiState& ui) {
@@ -60,15 +97,6 @@ std::string overlay_words(const UiState& ui) {
     if (ui.marks.*(mark.on)) out += (out.empty() ? "" : ",") + std::string(mark.name);
   }
   return out.empty() ? "none" : out;
-}
-
-void save_window(const std::string& path, const Snapshot& sim, const UiState& ui, Renderer& renderer) {
-  Image image;
-  renderer.queue_read();
-  renderer.fetch(image);
-  ViewFacts facts = facts_of(sim, ui, image.width, image.height, renderer.gl_renderer());
-  facts.overlay = "window";
-  write_png(path, image, text_of(sim, facts));
 }
 
 std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, int width, int height,
@@ -92,11 +120,69 @@ std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, 
   return encode_png(image, text);
 }
 
-void save_scene_picture(const std::string& path, const Snapshot& sim, const UiState& ui, int width,
-                        int height, GlContext& context) {
-  check_png_name(path);
-  const std::vector<std::uint8_t> png = scene_picture(sim, ui, width, height, context);
-  write_file(path, {reinterpret_cast<const char*>(png.data()), png.size()});
+void Studio::act(const ViewCommand& command, const Snapshot& sim, UiState& ui) {
+  const Keys keys{sim, ui};
+  if (const auto* shot = std::get_if<command::Screenshot>(&command)) {
+    check_output(shot->path, shot->force, sim.scene_path);
+    waiting_.push_back(*shot);
+    ui.dialog.clear();  // the picture is of what is behind it
+  } else if (const auto* plot = std::get_if<command::ExportPlot>(&command)) {
+    check_plot_name(plot->path);
+    check_output(plot->path, plot->force, sim.scene_path);
+    static_cast<void>(panel_figure(plot->panel, sim, ui));  // that there is one
+    plots_.push_back(*plot);
+  } else if (const auto* record = std::get_if<command::Record>(&command)) {
+    check_output(record->path, record->force, sim.scene_path);
+    recorder_.start(*record, sim, ui);
+    ui.dialog.clear();
+  } else if (const auto* stop = std::get_if<command::StopRecord>(&command)) {
+    recorder_.stop(stop->keep);
+    if (!recorder_.busy()) tell_(Severity::note, "the recording was ended; no file was made");
+  } else if (const auto* save = std::get_if<command::SaveCamera>(&command)) {
+    tell_(Severity::note, keys.save(*save));
+    ui.dialog.clear();
+  } else if (const auto* load = std::get_if<command::LoadCamera>(&command)) {
+    tell_(Severity::note, keys.load(*load));
+    ui.dialog.clear();
+  }
+}
+
+void Studio::take(const command::Screenshot& shot, const Snapshot& sim, const UiState& ui, int width,
+                  int height, Renderer& renderer) {
+  try {
+    if (shot.ui) {
+      save_window(shot.path, sim, ui, renderer);
+    } else {
+      check_png_name(shot.path);
+      const auto png = scene_picture(sim, ui, shot.width > 0 ? shot.width : width,
+                                     shot.height > 0 ? shot.height : height, context_);
+      write_file(shot.path, {reinterpret_cast<const char*>(png.data()), png.size()});
+    }
+    tell_(Severity::note, "saved " + shot.path);
+  } catch (const Error& error) {
+    tell_(Severity::error, error.what());
+  }
+}
+
+void Studio::work(const Snapshot& sim, const UiState& ui, int width, int height, Renderer& renderer) {
+  ImGuiContext* const current = ImGui::GetCurrentContext();
+  // A dialog that was just closed is still on this frame.
+  const bool clear = !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (clear) {
+    for (const command::Screenshot& shot : std::exchange(waiting_, {}))
+      take(shot, sim, ui, width, height, renderer);
+  }
+  for (const command::ExportPlot& plot : std::exchange(plots_, {})) {
+    try {
+      export_plot(plot, sim, ui, context_);
+      tell_(Severity::note, "saved " + plot.path);
+    } catch (const Error& error) {
+      tell_(Severity::error, error.what());
+    }
+  }
+  if (const auto outcome = recorder_.update(kVideoShare, steady_))
+    tell_(outcome->error ? Severity::error : Severity::note, outcome->text);
+  ImGui::SetCurrentContext(current);
 }
 
 }  // namespace pabd

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Pictures and videos of what the window shows, drawn as `pabd render` draws.
+// What leaves the window as files: pictures, plots, videos, camera keys. Drawn as `pabd render` draws.
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/frames/ab_painter.h"
 #include "app/frames/frame_source.h"
@@ -20,15 +22,10 @@ namespace pabd {
 // As for `pabd render --overlay` and `--camera`, of what the view shows.
 std::string overlay_words(const UiState& ui);
 
-// The frame that was composed last, into a file.
-void save_window(const std::string& path, const Snapshot& sim, const UiState& ui, Renderer& renderer);
-
 // The scene alone, pixel for pixel what `pabd render` draws of this state with this camera; width × height
-// pixels: the bytes of a PNG, or a file. Throws Error(bad_input) for a size, Error(file).
+// pixels: the bytes of a PNG. Throws Error(bad_input) for a size.
 std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, int width, int height,
                                         GlContext& context);
-void save_scene_picture(const std::string& path, const Snapshot& sim, const UiState& ui, int width,
-                        int height, GlContext& context);
 
 // Makes a video of the past while the window goes on: in each frame as much as fits into a while.
 class Recorder {
@@ -72,6 +69,37 @@ class Recorder {
   GlContext& context_;
   Runner& runner_;
   std::unique_ptr<Job, JobDeleter> job_;
+};
+
+// What leaves the window as files, between the commands that ask for it and the frame that it needs.
+class Studio {
+ public:
+  using Tell = std::function<void(Severity severity, const std::string& text)>;
+
+  Studio(GlContext& context, Runner& runner, bool steady, Tell tell)
+      : context_(context), steady_(steady), tell_(std::move(tell)), recorder_(context, runner) {}
+
+  // Does what is its business. Throws Error when that cannot be.
+  void act(const ViewCommand& command, const Snapshot& sim, UiState& ui);
+
+  // After a frame was composed: takes the pictures of it, draws some of a video. Leaves the context's
+  // ImGui current as it was.
+  void work(const Snapshot& sim, const UiState& ui, int width, int height, Renderer& renderer);
+
+  const Recorder& recorder() const { return recorder_; }
+  // A frame will have something to do.
+  bool busy() const { return !waiting_.empty() || !plots_.empty() || recorder_.busy(); }
+
+ private:
+  void take(const command::Screenshot& shot, const Snapshot& sim, const UiState& ui, int width, int height,
+            Renderer& renderer);
+
+  GlContext& context_;
+  bool steady_;
+  Tell tell_;
+  Recorder recorder_;
+  std::vector<command::Screenshot> waiting_;
+  std::vector<command::ExportPlot> plots_;
 };
 
 }  // namespace pabd

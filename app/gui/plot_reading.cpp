@@ -3,9 +3,11 @@
 #include "app/gui/plot_reading.h"
 
 #include <fmt/format.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/plots/rich_text.h"
 
@@ -13,6 +15,13 @@ namespace pabd {
 namespace {
 
 constexpr double kPointReach = 18;  // px of an ordinary screen
+constexpr const char* kLong = "Save…";
+constexpr const char* kShort = "…";  // where the line is full
+constexpr const char* kEndings[] = {".csv", ".svg", ".pdf", ".png"};
+
+float button_width(const char* text) {
+  return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
 
 void keep(const Series& from, std::size_t i, Series& to) {
   to.x.push_back(from.x[i]);
@@ -55,6 +64,19 @@ std::string worded(const Plot& plot, const Series& series, const std::string& ca
   if (!called.empty()) name = plain_text(called);
   return fmt::format("{}: {}{}{}", name, std::isfinite(y) ? format_value(y) : "–", unit.empty() ? "" : " ",
                      unit);
+}
+
+// Without its beginning where that has no room: words differ at their end more often.
+std::string end_that_fits(const std::string& text, float width) {
+  const auto fits = [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x <= width; };
+  if (fits(text)) return text;
+  std::size_t from = 0;
+  const auto shown = [&] { return "…" + text.substr(from); };
+  while (from < text.size() && (from == 0 || !fits(shown()))) {
+    ++from;
+    while (from < text.size() && (static_cast<unsigned char>(text[from]) & 0xc0) == 0x80) ++from;
+  }
+  return shown();
 }
 
 }  // namespace
@@ -115,23 +137,6 @@ float combo_width(const char* word) {
          2 * ImGui::GetStyle().FramePadding.x;
 }
 
-namespace {
-
-// Without its beginning where that has no room: words differ at their end more often.
-std::string end_that_fits(const std::string& text, float width) {
-  const auto fits = [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x <= width; };
-  if (fits(text)) return text;
-  std::size_t from = 0;
-  const auto shown = [&] { return "…" + text.substr(from); };
-  while (from < text.size() && (from == 0 || !fits(shown()))) {
-    ++from;
-    while (from < text.size() && (static_cast<unsigned char>(text[from]) & 0xc0) == 0x80) ++from;
-  }
-  return shown();
-}
-
-}  // namespace
-
 std::optional<std::size_t> word_combo(const char* id, const char* const* words, std::size_t count,
                                       std::size_t now, float width, const char* help) {
   std::optional<std::size_t> chosen;
@@ -149,6 +154,44 @@ std::optional<std::size_t> word_combo(const char* id, const char* const* words, 
   }
   ImGui::EndCombo();
   return chosen;
+}
+
+const char* choice_combo(const char* id, std::span<const Choice> choices, std::string_view now, float width,
+                         const char* help) {
+  std::vector<const char*> words;
+  for (const Choice& choice : choices) words.push_back(label_of(choice));
+  const auto chosen = word_combo(id, words.data(), words.size(), place_in(choices, now), width, help);
+  return chosen ? choices[*chosen].name : nullptr;
+}
+
+float export_width(const GuiFrame&) { return button_width(kLong); }
+
+void export_button(GuiFrame& f, const char* panel, std::string& path) {
+  ImGui::SameLine(0, f.px(2));
+  const float end = ImGui::GetWindowContentRegionMax().x, here = ImGui::GetCursorPosX();
+  const char* text = here + button_width(kLong) <= end ? kLong : kShort;
+  ImGui::SetCursorPosX(std::max(here, end - button_width(text)));
+  if (ImGui::Button(text)) {
+    if (path.empty()) path = fmt::format("{}_{}.pdf", f.sim.scene->name, panel);
+    ImGui::OpenPopup("export");
+  }
+  tooltip("The plot as it is seen, as CSV, SVG, PDF or PNG");
+  if (!ImGui::BeginPopup("export")) return;
+  muted_label(f, "plot as a file");
+  for (const char* ending : kEndings) {
+    if (ending != kEndings[0]) ImGui::SameLine(0, f.px(2));
+    const bool on = std::filesystem::path(path).extension() == ending;
+    if (toggle_button(f, ending + 1, on, fmt::format("Changes the name to one that ends in {}", ending)))
+      path = std::filesystem::path(path).replace_extension(ending).string();
+  }
+  ImGui::SetNextItemWidth(f.px(230));
+  const bool enter = ImGui::InputText("##path", &path, ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::SameLine();
+  if (ImGui::Button("Save") || enter) {
+    f.out.send(command::ExportPlot{panel, path});
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
 }
 
 }  // namespace pabd

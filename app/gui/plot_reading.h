@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading plots of panels: long curves made short, and what is under the pointer.
+// What panels do with plots: long curves made short, what is under the pointer, lists of what is plotted, and the
+// button that writes a plot to a file.
 #pragma once
 
 #include <cstddef>
@@ -31,5 +32,14 @@ float combo_width(const char* word);
 // list is wide loses its beginning, and the tooltip has all of it.
 std::optional<std::size_t> word_combo(const char* id, const char* const* words, std::size_t count,
                                       std::size_t now, float width, const char* help);
+// The same of words that commands know: the name of the one that is chosen now; null: none is.
+const char* choice_combo(const char* id, std::span<const Choice> choices, std::string_view now, float width,
+                         const char* help);
+
+// At the right end of the present line: a button, and below it a name to be changed; sends ExportPlot. `path`
+// keeps the name that was used last; empty: one that fits is made.
+void export_button(GuiFrame& frame, const char* panel, std::string& path);
+// px that the button takes.
+float export_width(const GuiFrame& frame);
 
 }  // namespace pabd

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/gui/file_list.h"
 #include "sim/base/error.h"
 #include "sim/import/import.h"
 #include "sim/scene/guarded_scene.h"
@@ -29,19 +30,6 @@ fs::file_time_type time_of(const std::string& path) {
 MayRead mesh_rule(const FileRoot* files) {
   if (!files) return {};
   return [files](const fs::path& mesh) { files->check_mesh(mesh); };
-}
-
-std::vector<fs::path> json_files(const fs::path& folder) {
-  std::vector<fs::path> out;
-  std::error_code failure;
-  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
-       entry.increment(failure)) {
-    std::error_code ignored;
-    if (entry->path().extension() == ".json" && entry->is_regular_file(ignored)) out.push_back(entry->path());
-  }
-  std::sort(out.begin(), out.end());
-  if (out.size() > SceneList::kMostFiles) out.resize(SceneList::kMostFiles);
-  return out;
 }
 
 }  // namespace
@@ -142,7 +130,8 @@ void SceneList::look(const std::string& open_path, const std::vector<std::string
   std::vector<SceneCard> cards;
   if (!folder.empty() && !among_shipped) {
     if (!open_.empty()) add(SceneCard::Group::folder, open_, cards);
-    for (const fs::path& file : json_files(folder)) add(SceneCard::Group::folder, file, cards);
+    for (const FileEntry& file : list_files(folder, ".json", kMostFiles))
+      if (!file.folder) add(SceneCard::Group::folder, folder / file.name, cards);
   }
   std::vector<SceneCard> later;
   for (const fs::path& file : shipped) add(SceneCard::Group::shipped, file, later);

@@ -10,7 +10,6 @@
 #include <thread>
 
 #include "app/gui/script_actions.h"
-#include "app/gui/script_reader.h"
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
 #include "sim/base/error.h"
@@ -150,7 +149,7 @@ class Player {
   void act(const action::Mouse& a) {
     const Point at = Point{a.at[0], a.at[1]};
     const MouseButton button = parse_mouse_button(a.button);
-    const std::string how = !a.how.empty() ? a.how : a.to.empty() ? "move" : "drag";
+    const std::string how = a.how == "move" && !a.to.empty() ? "drag" : a.how;
     const Modifiers m = a.with.empty() ? Modifiers{} : parse_key_chord(a.with + "+a").modifiers;
     viewer_.handle(MouseMoved{at.x, at.y});
     draw();

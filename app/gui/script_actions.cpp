@@ -8,6 +8,7 @@
 
 #include "app/workbench/command_json.h"
 #include "render/context/keyboard.h"
+#include "sim/scene/document.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -22,31 +23,19 @@ void check_point(const std::vector<double>& numbers, const char* field, const st
   if (numbers.size() != 2) refuse_action(what, fmt::format("\"{}\": expected [x, y] in pixels", field));
 }
 
-void check_word(const std::string& word, std::initializer_list<std::string_view> words, const char* field,
-                const std::string& what) {
-  const std::vector<std::string_view> list(words);
-  if (std::find(list.begin(), list.end(), word) == list.end())
-    refuse_action(what, fmt::format("\"{}\": {} is not one of {}", field, in_quotes(word), one_of(list)));
-}
-
 // What is wrong with an action however the program stands.
 struct Checker {
   const std::string& what;
 
-  void operator()(const action::Key& a) const {
-    parse_key_chord(a.key);
-    check_word(a.how, {"press", "hold", "release"}, "how", what);
-  }
+  template <class A>
+  void operator()(const A&) const {}  // nothing
+  void operator()(const action::Key& a) const { parse_key_chord(a.key); }
   void operator()(const action::Mouse& a) const {
     check_point(a.at, "at", what);
     if (!a.to.empty() || a.how == "drag") check_point(a.to, "to", what);
-    if (!a.how.empty())
-      check_word(a.how, {"move", "press", "release", "click", "double_click", "drag"}, "how", what);
-    check_word(a.end, {"release", "hold"}, "end", what);
     parse_mouse_button(a.button);
     if (!a.with.empty()) parse_key_chord(a.with + "+a");
   }
-  void operator()(const action::Type&) const {}
   void operator()(const action::Window& a) const {
     if (!a.size.empty()) {
       check_point(a.size, "size", what);
@@ -56,17 +45,12 @@ struct Checker {
     if (a.scale != 0 && !(a.scale >= 0.5 && a.scale <= 4))
       refuse_action(what, "\"scale\": expected 0.5 to 4");
   }
-  void operator()(const action::Frame& a) const {
-    check_word(a.of, {"window", "left", "right_top", "right_bottom", "picture", "toolbar", "timeline"}, "of",
-               what);
-  }
   void operator()(const action::Expect& a) const { condition(a); }
   void operator()(const action::Until& a) const {
     condition(a);
     if (!(a.seconds >= 0 && a.seconds <= kLongestWait))
       refuse_action(what, fmt::format("\"seconds\": expected 0 to {}", kLongestWait));
   }
-  void operator()(const action::Print&) const {}
   void operator()(const action::Wait& a) const {
     if (a.frames < 0 || a.frames > kMostFrames)
       refuse_action(what, fmt::format("\"frames\": expected 0 to {}", kMostFrames));
@@ -97,12 +81,31 @@ AnyAction parse_action(ActionJson a, const std::string& what) {
   if (!command_from_json(name, a, what, own))
     refuse_action(what, fmt::format("there is no {}{}", in_quotes(name), did_you_mean(name, all_names())));
   try {
+    std::visit([](const auto& a) { check_words(a); }, own);
     std::visit(Checker{what}, own);
   } catch (const Error& error) {
     if (error.source() == what) throw;
     refuse_action(what, error.what());
   }
   return own;
+}
+
+std::vector<ActionJson> read_script(const std::string& json, const std::string& source) {
+  (void)parse_document(json, source);  // refuses what is not JSON, too deep or too large, with its place
+  ActionJson document = ActionJson::parse(json);  // keeps the order
+  if (document.is_object() && document.contains("actions")) document = ActionJson(document["actions"]);
+  if (!document.is_array())
+    refuse_action(source, "expected a list of actions, or an object with \"actions\"");
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    const ActionJson& a = document[i];
+    const std::string what = fmt::format("{}: action {}", source, i);
+    if (!a.is_object() || !a.contains("do") || !a["do"].is_string())
+      refuse_action(what, "expected an object with \"do\"");
+    if (a.contains(kMayFail) && !a[kMayFail].is_boolean())
+      refuse_action(what, "\"may_fail\": expected true or false");
+    (void)parse_action(a, what);
+  }
+  return {document.begin(), document.end()};
 }
 
 std::string action_list() {

@@ -19,24 +19,31 @@ using command::Field;
 using command::may;
 using command::need;
 
+inline constexpr command::Choice kKeyMotions[] = {{"press"}, {"hold"}, {"release"}};
+inline constexpr command::Choice kMouseMotions[] = {{"move"},  {"press"},        {"release"},
+                                                    {"click"}, {"double_click"}, {"drag"}};
+inline constexpr command::Choice kDragEnds[] = {{"release"}, {"hold"}};
+inline constexpr command::Choice kFrameParts[] = {{"window"},  {"left"},    {"right_top"}, {"right_bottom"},
+                                                  {"picture"}, {"toolbar"}, {"timeline"}};
+
 struct Key {
   static constexpr const char* name = "key";
   std::string key, how = "press";
   void fields(auto&& f) {
     f(need("key", "with ctrl+, shift+, alt+ before it", R"("ctrl+z")"), key);
-    f(may("how", "press (and release), hold or release", R"("hold")"), how);
+    f(may("how", kKeyMotions, R"("hold")", "a press is released at once"), how);
   }
 };
 struct Mouse {
   static constexpr const char* name = "mouse";
   std::vector<double> at, to;
-  std::string how, button = "left", with, end = "release";
+  std::string how = "move", button = "left", with, end = "release";
   double wheel = 0;
   void fields(auto&& f) {
     f(need("at", "[x, y] in pixels from the top left of the window", "[640, 360]"), at);
-    f(may("how", "move, press, release, click, double_click or drag", R"("click")"), how);
+    f(may("how", kMouseMotions, R"("click")", "with \"to\" it drags"), how);
     f(may("to", "[x, y] in pixels: where it is dragged to", "[700, 360]"), to);
-    f(may("end", "of a drag: release or hold", R"("hold")"), end);
+    f(may("end", kDragEnds, R"("hold")", "of a drag"), end);
     f(may("button", "left, middle or right", R"("right")"), button);
     f(may("with", "keys that are held meanwhile", R"("ctrl")"), with);
     f(may("wheel", "notches; up is positive", "2"), wheel);
@@ -61,7 +68,7 @@ struct Frame {
   std::string path, of = "window";
   void fields(auto&& f) {
     f(need("path", ".png file", R"("panel.png")"), path);
-    f(may("of", "window, left, right_top, right_bottom, picture, toolbar or timeline", R"("picture")"), of);
+    f(may("of", kFrameParts, R"("picture")"), of);
   }
 };
 
@@ -128,6 +135,9 @@ using AnyAction = std::variant<Command, ViewCommand, ScriptAction>;
 // Precondition: `a` is an object whose "do" is a text. Throws Error(bad_input) that begins with `what` when
 // it is no action, or one that is wrong however the program stands.
 AnyAction parse_action(nlohmann::ordered_json a, const std::string& what);
+
+// The actions of a script: a JSON list, or an object with "actions". Throws Error(bad_input) with number and place.
+std::vector<nlohmann::ordered_json> read_script(const std::string& json, const std::string& source);
 
 // Every action with its fields, their types, meanings, units and examples, for people.
 std::string action_list();

@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Quantities over time, what happened on the way, and the present moment; a click or a drag goes to a step.
 #include <algorithm>
-#include <iterator>
 #include <string>
 #include <vector>
 
-#include "app/gui/export_button.h"
 #include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
-#include "app/plots/figures/step_quantities.h"
 
 namespace pabd {
 namespace {
 
-constexpr const char* kSeriesWords[] = {"overview", "gap",        "penetration", "energies",   "joint error",
-                                        "contacts", "iterations", "ms a step",   "y against x"};
-static_assert(std::size(kSeriesWords) == std::size(kSeriesViews));
-
-std::size_t shown_series(const UiState& ui) {
-  const auto it = std::find(std::begin(kSeriesViews), std::end(kSeriesViews), ui.series);
-  return it == std::end(kSeriesViews) ? 0 : static_cast<std::size_t>(it - std::begin(kSeriesViews));
-}
-
 class SeriesPanel final : public GuiPanel {
  public:
   void draw(GuiFrame& f) override {
-    const std::size_t now = shown_series(f.ui);
-    if (const auto i = word_combo("##what", kSeriesWords, std::size(kSeriesWords), now, f.px(112),
-                                  "What of every step is plotted"))
-      send(f, std::string(kSeriesViews[*i]), f.ui.series_x, f.ui.series_y);
+    if (const char* what =
+            choice_combo("##what", kSeriesViews, f.ui.series, f.px(112), "What of every step is plotted"))
+      send(f, what, f.ui.series_x, f.ui.series_y);
     ImGui::SameLine();
     const bool chosen = f.ui.series == kChosenSeries;
     if (!chosen) hint(f);
@@ -46,21 +33,20 @@ class SeriesPanel final : public GuiPanel {
     const auto pick = read_time(f, plot_, touch, names_);
     if (!touch.held) asked_ = -1;
     if (!pick || !touch.held) return;
-    if (pick->x != asked_) f.out.send(Command(command::Seek{pick->x}));
+    if (pick->x != asked_) f.out.send(command::Seek{pick->x});
     asked_ = pick->x;
   }
 
  private:
   static void send(GuiFrame& f, const std::string& what, const std::string& x, const std::string& y) {
-    f.out.send(ViewCommand(command::SeriesView{what, x, y}));
+    f.out.send(command::SeriesView{what, x, y});
   }
 
-  static const char* words_of(const std::string& key) {
-    const StepQuantity* quantity = find_step_quantity(key);
-    return (quantity != nullptr ? *quantity : step_quantities().front()).words;
-  }
   static float longest(const GuiFrame& f) {
-    return std::max(combo_width(words_of(f.ui.series_x)), combo_width(words_of(f.ui.series_y)));
+    const auto width = [](const std::string& key) {
+      return combo_width(quantity_choices()[place_in(quantity_choices(), key)].label);
+    };
+    return std::max(width(f.ui.series_x), width(f.ui.series_y));
   }
   // For the two lists, between what is plotted and the button at the end of the line.
   static float room_beside(const GuiFrame& f) {
@@ -70,21 +56,14 @@ class SeriesPanel final : public GuiPanel {
 
   // Any number of a step against any other; below each other where `width` is too little for one of them.
   static void choose(GuiFrame& f, float width) {
-    std::vector<const char*> words;
-    std::size_t x = 0, y = 0;
-    for (const StepQuantity& quantity : step_quantities()) {
-      if (f.ui.series_x == quantity.key) x = words.size();
-      if (f.ui.series_y == quantity.key) y = words.size();
-      words.push_back(quantity.words);
-    }
-    const auto key = [](std::size_t i) { return std::string(step_quantities()[i].key); };
     const bool below = width < longest(f);
     if (below) width = ImGui::GetContentRegionAvail().x;
-    if (const auto i = word_combo("##y", words.data(), words.size(), y, width, "What stands upwards"))
-      send(f, f.ui.series, f.ui.series_x, key(*i));
+    if (const char* y = choice_combo("##y", quantity_choices(), f.ui.series_y, width, "What stands upwards"))
+      send(f, f.ui.series, f.ui.series_x, y);
     if (!below) ImGui::SameLine(0, f.px(4));
-    if (const auto i = word_combo("##x", words.data(), words.size(), x, width, "What stands to the right"))
-      send(f, f.ui.series, key(*i), f.ui.series_y);
+    if (const char* x =
+            choice_combo("##x", quantity_choices(), f.ui.series_x, width, "What stands to the right"))
+      send(f, f.ui.series, x, f.ui.series_y);
   }
 
   // A click on a point of a path goes to its step.
@@ -93,7 +72,7 @@ class SeriesPanel final : public GuiPanel {
     const Reports& history = f.sim.a.history;
     const bool own = pick && plot_.series[pick->series].style == SeriesStyle::line;
     if (own && touch.pressed && pick->index < history.size())
-      f.out.send(Command(command::Seek{history[pick->index].time}));
+      f.out.send(command::Seek{history[pick->index].time});
   }
 
   static void hint(const GuiFrame& f) {

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/view_actions.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
@@ -42,18 +41,6 @@ void read(const OrderedJson& json, const char* field, bool fits, const std::stri
   out = json[field].get<T>();
 }
 
-void read_flag(const OrderedJson& json, const char* field, const std::string& source, bool& out) {
-  read(json, field, json.contains(field) && json[field].is_boolean(), source, "true or false", out);
-}
-
-ColorQuantity color_of(const std::string& word, const std::string& source) {
-  for (const ColorQuantity q : {ColorQuantity::body, ColorQuantity::projection, ColorQuantity::speed,
-                                ColorQuantity::energy, ColorQuantity::component}) {
-    if (word == to_string(q)) return q;
-  }
-  refuse(source, "/color", "what colours say, as 'color_by' names it");
-}
-
 }  // namespace
 
 std::optional<fs::path> settings_path() {
@@ -76,7 +63,7 @@ std::string settings_json(const Settings& settings) {
                             {"open", ui.open.of},
                             {"contacts", ui.contacts},
                             {"bonds", ui.bonds},
-                            {"color", to_string(ui.color)},
+                            {"color", kColors[static_cast<std::size_t>(ui.color)].name},
                             {"width", side(settings.width)},
                             {"height", side(settings.height)},
                             {"recent", ui.recent}};
@@ -98,12 +85,16 @@ Settings parse_settings(const std::string& text, const std::string& source) {
   UiState& ui = out.ui;
   for (const auto& [field, value] :
        {std::pair<const char*, bool*>{"dark", &ui.dark}, {"contacts", &ui.contacts}, {"bonds", &ui.bonds}})
-    read_flag(json, field, source, *value);
+    read(json, field, json.contains(field) && json[field].is_boolean(), source, "true or false", *value);
   const bool scale =
       json.contains("scale") && json["scale"].is_number() && json["scale"] >= 0.5 && json["scale"] <= 4.0;
   read(json, "scale", scale, source, "0.5 to 4", ui.scale);
-  if (json.contains("color"))
-    ui.color = color_of(json["color"].is_string() ? json["color"].get<std::string>() : "", source);
+  std::string color = kColors[0].name;
+  const bool known =
+      json.contains("color") && std::any_of(std::begin(kColors), std::end(kColors),
+                                            [&](const Choice& c) { return json["color"] == c.name; });
+  read(json, "color", known, source, "what colours say, as 'color_by' names it", color);
+  ui.color = static_cast<ColorQuantity>(place_in(kColors, color));
   const auto list = [&](const char* field, std::size_t least, std::size_t most, auto fits) {
     if (!json.contains(field)) return false;
     const OrderedJson& a = json[field];

@@ -14,7 +14,6 @@
 #include "app/frames/frame_text.h"
 #include "app/gui/pictures.h"
 #include "app/gui/script.h"
-#include "app/gui/view_actions.h"
 #include "app/plots/figures/difference.h"
 #include "app/workbench/command_json.h"
 #include "sim/base/ordered_json.h"
@@ -105,7 +104,6 @@ OrderedJson sweep_json(const OpenedSweep& sweep) {
 }  // namespace
 
 OrderedJson state_document(const Snapshot& sim, const UiState& ui) {
-  static constexpr const char* kKinds[] = {"none", "body", "joint", "contact"};
   OrderedJson panels = OrderedJson::array(), camera_keys = OrderedJson::array(),
               trails = OrderedJson::array();
   for (const TrailPoint& point : ui.trails) trails.push_back(trail_words(point));
@@ -157,9 +155,10 @@ OrderedJson state_document(const Snapshot& sim, const UiState& ui) {
             {"shown", overlay_words(ui)},
             {"background", std::string(ui.theme->name)},
             {"trails", std::move(trails)},
-            {"color", to_string(ui.color)},
+            {"color", kColors[static_cast<std::size_t>(ui.color)].name},
             {"selection",
-             {{"kind", kKinds[static_cast<std::size_t>(ui.selection.kind)]}, {"index", ui.selection.index}}},
+             {{"kind", kSelectionKinds[static_cast<std::size_t>(ui.selection.kind)].name},
+              {"index", ui.selection.index}}},
             {"joining", ui.joining ? ui.joining->type : ""},
             {"side_by_side", ui.side_by_side},
             {"convergence", ui.convergence},

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Where the cells of a sweep stand in its panel, and which one is under the pointer. Without drawing.
+// Where the cells of a sweep stand in its panel, which one is under the pointer, and what it tells.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "app/gui/opened_sweep.h"
+#include "app/gui/panel.h"
+#include "app/gui/sweep_reader.h"
 #include "app/plots/heat_map.h"
 
 namespace pabd {
@@ -31,5 +33,12 @@ SweepCells sweep_cells(const CollectedSweep& sweep, const ShownSweep& shown, boo
 
 // The cell that is there; px from the top left of everything.
 std::optional<std::size_t> cell_at(const SweepCells& cells, const Point& at);
+
+// The picture of a task's end and all of its numbers, beside the panel, so that it hides no cell. `cell`: px.
+void sweep_tooltip(GuiFrame& frame, const CollectedSweep& sweep, const ShownSweep& shown,
+                   const SweptTask& task, bool loaded, const Rect& cell);
+
+// A picture, whole, in the middle of a room.
+void draw_inside(ImDrawList& list, const SweepPicture& picture, const Rect& room);
 
 }  // namespace pabd

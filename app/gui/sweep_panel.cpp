@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/actions.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
 #include "app/gui/sweep_cells.h"
-#include "app/gui/sweep_reader.h"
-#include "app/gui/sweep_tooltip.h"
 #include "app/gui/widgets.h"
 #include "app/overlay/imgui_canvas.h"
 #include "app/sweep/collect_plots.h"
@@ -51,7 +50,7 @@ class SweepPanel : public GuiPanel {
           "A sweep is a scene with many sets of parameters: pabd sweep PLAN -o DIR makes one. Open its "
           "folder "
           "to see all runs over two parameters, or drop it on the window.");
-      if (ImGui::Button("Open a sweep…")) f.out.send(ViewCommand(command::Ask{"open_sweep"}));
+      if (ImGui::Button("Open a sweep…")) carry_out(f, "open_sweep");
       return false;
     }
     if (!sweep.read) {
@@ -79,11 +78,10 @@ class SweepPanel : public GuiPanel {
     label(shortened(name, room));
     tooltip(f.ui.sweep.folder);
     ImGui::SameLine(right - side - button - gap);
-    if (ImGui::Button("Open…")) f.out.send(ViewCommand(command::Ask{"open_sweep"}));
-    tooltip("Another sweep (ctrl+shift+o)");
+    action_button(f, "open_sweep");
     ImGui::SameLine();
     if (icon_button(f, "reset", "Read the folder again: a sweep that goes on has more tasks then"))
-      f.out.send(ViewCommand(command::OpenSweep{f.ui.sweep.folder}));
+      f.out.send(command::OpenSweep{f.ui.sweep.folder});
   }
 
   void head(GuiFrame& f) const {
@@ -263,9 +261,9 @@ class SweepPanel : public GuiPanel {
   static void load(GuiFrame& f, int task) {
     const bool end = ImGui::GetIO().KeyShift;
     if (f.sim.at_stake.empty()) {
-      f.out.send(ViewCommand(command::LoadRun{task, end ? "end" : "start", false}));
+      f.out.send(command::LoadRun{task, end ? "end" : "start", false});
     } else {
-      f.out.send(ViewCommand(command::Ask{end ? "load_end" : "load_run", std::to_string(task)}));
+      f.out.send(command::Ask{end ? "load_end" : "load_run", std::to_string(task)});
     }
   }
 

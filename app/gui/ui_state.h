@@ -6,32 +6,18 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/gui/opened_sweep.h"
 #include "app/gui/view_command.h"
-#include "app/gui/window_panel.h"
 #include "app/session/trails.h"
 #include "render/visual/camera_path.h"
 #include "render/visual/framing.h"
-#include "render/visual/picture_marks.h"
-#include "render/visual/picture_theme.h"
 #include "sim/math/types.h"
 
 namespace pabd {
 
-// Words for what panels plot, in the order of their lists.
-inline constexpr std::string_view kConvergenceViews[] = {
-    "all", "energy_gap", "energy", "residual", "penetration", "joint_error", "projection_change"};
-inline constexpr std::string_view kSeriesViews[] = {"overview",   "gap",          "penetration",
-                                                    "energies",   "joint_error",  "contacts",
-                                                    "iterations", "milliseconds", "chosen"};
-inline constexpr std::size_t kMostRecent = 10;               // scenes that are remembered
-inline constexpr std::string_view kChosenSeries = "chosen";  // ui.series_y against ui.series_x
-inline constexpr std::string_view kBarrierAbscissas[] = {"d", "d_hat", "N", "kappa"};  // as BarrierAbscissa
-inline constexpr std::string_view kDifferenceViews[] = {"distance", "gap",         "penetration",
-                                                        "energies", "joint_error", "contacts"};
+inline constexpr std::size_t kMostRecent = 10;  // scenes that are remembered
 
 enum class ColorQuantity : std::uint8_t { body, projection, speed, energy, component };
 

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "app/frames/camera_keys.h"
 #include "app/gui/camera_motion.h"
 #include "app/gui/pictures.h"
 #include "app/gui/scene_view.h"
+#include "app/workbench/command_json.h"
 #include "render/visual/bounds.h"
 #include "sim/base/error.h"
 #include "sim/base/shell_quoted.h"
@@ -24,15 +24,6 @@ namespace pabd {
 namespace {
 
 constexpr double kStepBack = 1.4;  // between cut-off sides and small bodies
-
-// The one of `words` that is meant. Throws Error(bad_input) with the list.
-std::size_t one(const std::string& word, std::span<const std::string_view> words, const char* what) {
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (word == words[i]) return i;
-  }
-  throw Error(ErrorKind::bad_input,
-              fmt::format("{}: {} is not one of {}", what, in_quotes(word), one_of(words)));
-}
 
 Vec3 point(const std::vector<double>& v, const char* command, const char* what) {
   if (v.size() != 3 ||
@@ -78,14 +69,11 @@ struct Actor {
     ui.camera = pose;
   }
   void operator()(const command::LookFrom& c) const {
-    static constexpr std::string_view kViews[] = {"front", "back",   "right", "left",
-                                                  "top",   "bottom", "iso",   "scene"};
-    const std::size_t i = one(c.view, kViews, "look_from");
-    if (i == 7) {
-      look_as_scene(*sim.scene, port, ui);
-    } else {
-      frame_spots(everything(true), look_from(ui.camera, static_cast<AxisView>(i)), port, ui);
-    }
+    static constexpr AxisView kSides[] = {AxisView::front, AxisView::right, AxisView::top,   AxisView::iso,
+                                          AxisView::back,  AxisView::left,  AxisView::bottom};
+    const std::size_t i = place_in(kLookFrom, c.choice);
+    if (i == 0) return look_as_scene(*sim.scene, port, ui);
+    frame_spots(everything(true), look_from(ui.camera, kSides[i - 1]), port, ui);
   }
   void operator()(const command::Ortho& c) const {
     ui.camera.orthographic = c.on;
@@ -105,9 +93,8 @@ struct Actor {
     if (const auto sphere = selected_sphere()) ui.camera = frame_sphere(ui.camera, port, *sphere);
   }
   void operator()(const command::Select& c) const {
-    static constexpr std::string_view kKinds[] = {"none", "body", "joint", "contact"};
     Selection selection;
-    selection.kind = static_cast<Selection::Kind>(one(c.kind, kKinds, "select"));
+    selection.kind = static_cast<Selection::Kind>(place_in(kSelectionKinds, c.kind));
     if (selection.kind != Selection::Kind::none) selection.index = index_of(selection.kind, c.item, "select");
     if (!c.at.empty()) selection.at = point(c.at, "select", "at");
     if (!c.normal.empty()) selection.normal = point(c.normal, "select", "normal");
@@ -121,28 +108,20 @@ struct Actor {
     if (selection.kind != Selection::Kind::none) ui.shown[inspector_tab.slot] = &inspector_tab;
   }
   void operator()(const command::Join& c) const {
-    std::vector<std::string_view> types{""};
-    for (const JointType type : kJointTypes) types.emplace_back(to_string(type));
-    if (one(c.type, types, "join") == 0) return ui.joining.reset();
+    if (c.type.empty()) return ui.joining.reset();
     if (ui.selection.kind != Selection::Kind::body)
       throw Error(ErrorKind::bad_input, "join: select the first body, by a double-click on it");
     ui.joining = Joining{c.type, ui.selection.index, ui.selection.at};
   }
   void operator()(const command::ColorBy& c) const {
-    static constexpr std::string_view kNames[] = {"body", "projection", "speed", "energy", "component"};
-    ui.color = static_cast<ColorQuantity>(one(c.quantity, kNames, "color_by"));
+    ui.color = static_cast<ColorQuantity>(place_in(kColors, c.choice));
   }
   void operator()(const command::Show& c) const {
-    std::vector<std::string_view> what{"contacts", "bonds"};
-    for (const PictureMark& mark : picture_marks()) what.push_back(mark.name);
-    const std::size_t i = one(c.what, what, "show");
+    const std::size_t i = place_in(mark_choices(), c.what);
     (i == 0 ? ui.contacts : i == 1 ? ui.bonds : ui.marks.*(picture_marks()[i - 2].on)) = c.on;
   }
   void operator()(const command::Background& c) const {
-    std::vector<std::string_view> names;
-    for (const PictureTheme* theme : picture_themes())
-      if (!theme->transparent) names.push_back(theme->name);
-    ui.theme = picture_themes()[one(c.theme, names, "background")];
+    ui.theme = picture_themes()[place_in(kBackgrounds, c.choice)];
   }
   void operator()(const command::Trail& c) const {
     TrailPoint point = parse_trail(c.of, "trail");
@@ -154,8 +133,7 @@ struct Actor {
     if (c.on) ui.trails.push_back(point);
   }
   void operator()(const command::CompareView& c) const {
-    static constexpr std::string_view kHow[] = {"ghost", "side"};
-    const bool side = one(c.how, kHow, "compare_view") == 1;
+    const bool side = c.choice == "side";
     // Half as wide a picture wants a step back.
     const bool by_hand = !ui.framed || !same_camera(rounded(ui.camera), ui.framed->camera);
     if (sim.b && side != ui.side_by_side && by_hand)
@@ -163,51 +141,15 @@ struct Actor {
           ui.camera.target + (side ? kStepBack : 1 / kStepBack) * (ui.camera.eye - ui.camera.target);
     ui.side_by_side = side;
   }
-  void operator()(const command::BarrierView& c) const {
-    static constexpr std::string_view kWhat[] = {"value", "slope", "curvature"};
-    one(c.quantity, kWhat, "barrier_view");
-    one(c.against, kBarrierAbscissas, "barrier_view");
-    ui.barrier = c;
-  }
-  void operator()(const command::ConvergenceView& c) const {
-    one(c.quantity, kConvergenceViews, "convergence_view");
-    ui.convergence = c.quantity;
-  }
+  void operator()(const command::BarrierView& c) const { ui.barrier = c; }
+  void operator()(const command::ConvergenceView& c) const { ui.convergence = c.choice; }
   void operator()(const command::SeriesView& c) const {
-    one(c.quantity, kSeriesViews, "series_view");
-    for (const std::string& key : {c.x, c.y}) {
-      if (find_step_quantity(key)) continue;
-      throw Error(ErrorKind::bad_input,
-                  fmt::format("series_view: {}: expected one of {}", in_quotes(key), step_quantity_words()));
-    }
     ui.series = c.quantity;
     ui.series_x = c.x;
     ui.series_y = c.y;
   }
-  void operator()(const command::DifferenceView& c) const {
-    one(c.quantity, kDifferenceViews, "difference_view");
-    ui.difference = c.quantity;
-  }
+  void operator()(const command::DifferenceView& c) const { ui.difference = c.choice; }
   void operator()(const command::Ask& c) const {
-    static constexpr std::string_view kWhat[] = {"",
-                                                 "open",
-                                                 "save_scene",
-                                                 "save_state",
-                                                 "save_patch",
-                                                 "apply_patch",
-                                                 "screenshot",
-                                                 "quit",
-                                                 "record",
-                                                 "save_camera",
-                                                 "load_camera",
-                                                 "save_recording",
-                                                 "load_recording",
-                                                 "reload",
-                                                 "clear_camera",
-                                                 "open_sweep",
-                                                 "load_run",
-                                                 "load_end"};
-    one(c.what, kWhat, "ask");
     ui.dialog = c.what;
     ui.dialog_text = c.text;
   }
@@ -231,7 +173,6 @@ struct Actor {
     shown_of(*ui.sweep.read, c);
     ui.sweep.view = c;
   }
-  void operator()(const command::LoadRun&) const {}
   void operator()(const command::AddCameraKey&) const {
     add_camera_key(ui.camera_keys, {sim.a.state->time, ui.camera});
     ui.keys_unsaved = true;
@@ -249,14 +190,9 @@ struct Actor {
   }
   void operator()(const command::Fly& c) const { ui.fly = c.on; }
   void operator()(const command::Costs& c) const { ui.costs = c.on; }
-  void operator()(const command::Record&) const {}
-  void operator()(const command::StopRecord&) const {}
-  void operator()(const command::SaveCamera&) const {}
-  void operator()(const command::LoadCamera&) const {}
-  void operator()(const command::Quit&) const {}
-  void operator()(const command::Screenshot&) const {}
-  void operator()(const command::ExportPlot&) const {}
-  void operator()(const command::CopyCommand&) const {}
+  // The others need more than the state.
+  template <class C>
+  void operator()(const C&) const {}
 
   // What is there now; with `ahead` also where the scene's bodies go from its start on.
   std::shared_ptr<const std::vector<Spot>> everything(bool ahead) const {
@@ -323,12 +259,8 @@ struct Actor {
 }  // namespace
 
 void apply_view_command(const ViewCommand& command, const Snapshot& sim, const Viewport& port, UiState& ui) {
+  std::visit([](const auto& c) { check_words(c); }, command);
   std::visit(Actor{sim, port, ui}, command);
-}
-
-const char* to_string(ColorQuantity quantity) {
-  static constexpr const char* kNames[] = {"body", "projection", "speed", "energy", "component"};
-  return kNames[static_cast<std::size_t>(quantity)];
 }
 
 void remember_scene(const std::string& path, std::vector<std::string>& recent) {

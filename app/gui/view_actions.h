@@ -12,8 +12,6 @@ namespace pabd {
 // need more than the state and are left to the caller. `port` is the picture's.
 void apply_view_command(const ViewCommand& command, const Snapshot& sim, const Viewport& port, UiState& ui);
 
-const char* to_string(ColorQuantity quantity);
-
 // 'pabd render …' that makes a video of what is seen: scene, parameters, camera.
 std::string render_command(const Snapshot& sim, const UiState& ui);
 

@@ -1,30 +1,54 @@
 // SPDX-License-Identifier: MIT
-// What a person does to the view: panels, camera, colours, pictures. None of it changes a simulation. The
-// same form as app/workbench/command.h.
+// What a person does to the view: panels, camera, colours, pictures, the open sweep. None of it changes a simulation.
+// The same form as app/workbench/command.h; words to choose from: view_words.h.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "app/gui/sweep_commands.h"
-#include "app/gui/window_panel.h"
-#include "app/plots/figures/step_quantities.h"
+#include "app/gui/view_words.h"
 #include "app/workbench/command.h"
-#include "sim/body/joint.h"
 
 namespace pabd {
 
 namespace command {
 
-// Brings a panel to the front ("barrier"), or closes its column.
+// The name of a command as a template's argument.
+template <std::size_t n>
+struct Name {
+  char text[n];
+  constexpr Name(const char (&name)[n]) { std::copy_n(name, n, text); }
+};
+// A command without fields.
+template <Name word>
+struct Bare {
+  static constexpr const char* name = word.text;
+  void fields(auto&&) {}
+};
+// A command that only turns something on or off.
+template <Name word>
+struct Switch {
+  static constexpr const char* name = word.text;
+  bool on = true;
+  void fields(auto&& f) { f(kOn, on); }
+};
+// A command that is one word of a list.
+template <Name word, Name field, const auto& list, Name sample>
+struct Pick {
+  static constexpr const char* name = word.text;
+  std::string choice;
+  void fields(auto&& f) { f(need(field.text, list, sample.text), choice); }
+};
+
+// Brings a panel to the front, or closes its column.
 struct Panel {
   static constexpr const char* name = "panel";
   std::string panel;
   bool on = true;
   void fields(auto&& f) {
-    static const std::string names = panel_words();
-    f(need("panel", names.c_str(), R"("series")"), panel);
+    f(need("panel", panel_choices(), R"("series")"), panel);
     f(kOn, on);
   }
 };
@@ -33,29 +57,15 @@ struct Theme {
   bool dark = true;
   void fields(auto&& f) { f(need("dark", "else light", "false"), dark); }
 };
-// Size of texts and everything else, times what the screen asks for; 0.5 … 4.
+// Size of texts and everything else.
 struct Scale {
   static constexpr const char* name = "scale";
   double factor = 1;
   void fields(auto&& f) { f(need("factor", "0.5 to 4, times what the screen asks for", "1.5"), factor); }
 };
-struct Help {
-  static constexpr const char* name = "help";
-  bool on = true;
-  void fields(auto&& f) { f(kOn, on); }
-};
-// All commands by their words, to be searched.
-struct Palette {
-  static constexpr const char* name = "palette";
-  bool on = true;
-  void fields(auto&& f) { f(kOn, on); }
-};
-// Only the picture.
-struct HideUi {
-  static constexpr const char* name = "hide_ui";
-  bool on = true;
-  void fields(auto&& f) { f(kOn, on); }
-};
+using Help = Switch<"help">;
+using Palette = Switch<"palette">;  // all actions, to be searched
+using HideUi = Switch<"hide_ui">;   // only the picture
 struct Look {
   static constexpr const char* name = "look";
   std::vector<double> eye, target;  // three numbers each, m
@@ -66,79 +76,46 @@ struct Look {
     f(may("fov", "vertical angle of view, 1 to 170 degrees", "40"), fov);
   }
 };
-// Parallel rays, or those of an eye.
-struct Ortho {
-  static constexpr const char* name = "ortho";
-  bool on = true;
-  void fields(auto&& f) { f(kOn, on); }
-};
+using LookFrom = Pick<"look_from", "view", kLookFrom, R"("front")">;
+using Ortho = Switch<"ortho">;  // parallel rays, or those of an eye
 // The camera goes along with a body.
 struct Follow {
   static constexpr const char* name = "follow";
-  std::string body;  // name or number; empty: with none any more
+  std::string body;
   void fields(auto&& f) { f(need("body", "name or number; empty: none any more", R"("1")"), body); }
 };
-// "scene", "iso", "front", "back", "left", "right", "top", "bottom".
-struct LookFrom {
-  static constexpr const char* name = "look_from";
-  std::string view;
-  void fields(auto&& f) {
-    f(need("view", "scene, iso, front, back, left, right, top or bottom", R"("front")"), view);
-  }
-};
-// What is selected fills the view; without a selection everything.
-struct FrameSelection {
-  static constexpr const char* name = "frame_selection";
-  void fields(auto&&) {}
-};
-// `kind`: "none", "body", "joint", "contact"; `item`: number, or the name of a body or joint. Of a body also
-// where, and the normal there: body frame, three numbers each; else its centre.
+using FrameSelection =
+    Bare<"frame_selection">;  // what is selected fills the view; without a selection everything
 struct Select {
   static constexpr const char* name = "select";
   std::string kind = "body", item;
-  std::vector<double> at = {}, normal = {};
+  std::vector<double> at = {}, normal = {};  // without: the centre
   void fields(auto&& f) {
-    f(need("kind", "none, body, joint or contact", R"("body")"), kind);
+    f(need("kind", kSelectionKinds, R"("body")"), kind);
     f(may("item", "number, or the name of a body or joint", R"("1")"), item);
     f(may("at", "of a body: where; body frame, m", "[0, 0.5, 0]"), at);
     f(may("normal", "of a body: the normal there; body frame", "[0, 1, 0]"), normal);
   }
 };
-// A joint from where the selected body was picked to the body that is double-clicked next, at the place of
-// the click. `type`: as in a scene file; "" ends the wait.
+// A joint from where the selected body was picked to the body that is double-clicked next, at the place of the click.
 struct Join {
   static constexpr const char* name = "join";
   std::string type;
-  void fields(auto&& f) {
-#define PABD_WORD(name) #name ", "
-    f(need("type", PABD_JOINT_TYPES(PABD_WORD) "or empty: none after all", R"("hinge")"), type);
-#undef PABD_WORD
-  }
+  void fields(auto&& f) { f(need("type", joint_choices(), R"("hinge")", "none after all"), type); }
 };
-// "body", "projection" (‖A − R‖), "speed", "energy", "component".
-struct ColorBy {
-  static constexpr const char* name = "color_by";
-  std::string quantity;
-  void fields(auto&& f) {
-    f(need("quantity", "body, projection, speed, energy or component", R"("speed")"), quantity);
-  }
-};
-// What is drawn into the picture: "contacts", "bonds", or what picture_marks.h lists.
+using ColorBy = Pick<"color_by", "quantity", kColors, R"("speed")">;
+// What is drawn into the picture.
 struct Show {
   static constexpr const char* name = "show";
   std::string what;
   bool on = true;
   void fields(auto&& f) {
-    f(need("what", "contacts, bonds, velocities, boxes, axes or scale", R"("bonds")"), what);
+    f(need("what", mark_choices(), R"("bonds")"), what);
     f(kOn, on);
   }
 };
 // Light and background of the picture.
-struct Background {
-  static constexpr const char* name = "background";
-  std::string theme;
-  void fields(auto&& f) { f(need("theme", "studio, dark or paper", R"("paper")"), theme); }
-};
+using Background = Pick<"background", "theme", kBackgrounds, R"("paper")">;
 // The path of a point is shown from now on, or not any more.
 struct Trail {
   static constexpr const char* name = "trail";
@@ -152,22 +129,16 @@ struct Trail {
     f(kOn, on);
   }
 };
-// How a second simulation is shown: "ghost" or "side".
-struct CompareView {
-  static constexpr const char* name = "compare_view";
-  std::string how;
-  void fields(auto&& f) { f(need("how", "ghost or side", R"("side")"), how); }
-};
-// `quantity`: "value", "slope", "curvature".
+// How a second simulation is shown.
+using CompareView = Pick<"compare_view", "how", kCompareViews, R"("side")">;
 struct BarrierView {
   static constexpr const char* name = "barrier_view";
-  std::string quantity = "value";
+  std::string quantity = "value", against = "d";
   bool log = false, energy = true, printed = true, onset = false, even = false, log_barrier = false;
   bool histogram = true;
-  std::string against = "d";
   void fields(auto&& f) {
-    f(may("quantity", "value, slope or curvature", R"("slope")"), quantity);
-    f(may("against", "d, d_hat, N or kappa: what stands on the horizontal axis", R"("d_hat")"), against);
+    f(may("quantity", kBarrierQuantities, R"("slope")"), quantity);
+    f(may("against", kBarrierAbscissas, R"("d_hat")", "what stands on the horizontal axis"), against);
     f(may("log", "logarithmic axis", "true"), log);
     f(may("energy", "with κ: the energy, in J; else its shape", "false"), energy);
     f(may("printed", "the printed formula, ε = 0", "false"), printed);
@@ -178,45 +149,20 @@ struct BarrierView {
   }
   bool operator==(const BarrierView&) const = default;
 };
-// `quantity`: "all", "energy_gap", "energy", "residual", "penetration", "joint_error", "projection_change".
-struct ConvergenceView {
-  static constexpr const char* name = "convergence_view";
-  std::string quantity;
-  void fields(auto&& f) {
-    f(need("quantity", "all, energy_gap, energy, residual, penetration, joint_error or projection_change",
-           R"("residual")"),
-      quantity);
-  }
-};
-// `quantity`: "overview", "gap", "penetration", "energies", "joint_error", "contacts", "iterations",
-// "milliseconds"; or "chosen": `y` against `x`, each a number that a step tells (step_quantities.h).
+using ConvergenceView = Pick<"convergence_view", "quantity", kConvergenceViews, R"("residual")">;
 struct SeriesView {
   static constexpr const char* name = "series_view";
   std::string quantity;
   std::string x = "time", y = "kinetic";
   void fields(auto&& f) {
-    static const std::string words = step_quantity_words();
-    f(need(
-          "quantity",
-          "overview, gap, penetration, energies, joint_error, contacts, iterations, milliseconds, or chosen: "
-          "y against x",
-          R"("gap")"),
-      quantity);
-    f(may("x", words.c_str(), R"("penetration")"), x);
-    f(may("y", "as x", R"("elastic")"), y);
+    f(need("quantity", kSeriesViews, R"("gap")", "chosen is y against x"), quantity);
+    f(may("x", quantity_choices(), R"("penetration")"), x);
+    f(may("y", quantity_choices(), R"("elastic")"), y);
   }
 };
-// What of B − A is plotted: "distance", "gap", "penetration", "energies", "joint_error", "contacts".
-struct DifferenceView {
-  static constexpr const char* name = "difference_view";
-  std::string quantity;
-  void fields(auto&& f) {
-    f(need("quantity", "distance, gap, penetration, energies, joint_error or contacts", R"("energies")"),
-      quantity);
-  }
-};
-// A PNG of the window, or without `ui` of the scene alone, as `pabd render` would draw it. Size 0: that of
-// the window.
+// What of B − A is plotted.
+using DifferenceView = Pick<"difference_view", "quantity", kDifferenceViews, R"("energies")">;
+// A PNG of the window, or of the scene alone.
 struct Screenshot {
   static constexpr const char* name = "screenshot";
   std::string path;
@@ -230,30 +176,28 @@ struct Screenshot {
     f(may("height", "pixels, 16 to 16384, without panels only; 0: as the window", "360"), height);
   }
 };
-// The plot of a panel as a file, by the ending of its name. Size 0: what suits it.
+// The plot of a panel as a file, by the ending of its name.
 struct ExportPlot {
   static constexpr const char* name = "export_plot";
   std::string panel, path;
   bool force = false;
   int width = 0, height = 0;
   void fields(auto&& f) {
-    f(need("panel", "barrier, convergence or series", R"("series")"), panel);
+    f(need("panel", kPlottingPanels, R"("series")"), panel);
     f(need("path", ".csv, .svg, .pdf or .png file", R"("series.pdf")"), path);
     f(kForce, force);
     f(may("width", "pixels, 16 to 16384; 0: what suits the plot", "1000"), width);
     f(may("height", "pixels, 16 to 16384; 0: what suits the plot", "700"), height);
   }
 };
-// A video of the past as `pabd render` makes it, with the view's camera, or along the camera keys while
-// flying. `from`, `to` in seconds; negative: the first or last moment. `overlay` as for `pabd render`; empty:
-// what the view shows.
+// A video of the past as `pabd render` makes it, with the view's camera, or along the camera keys while flying.
 struct Record {
   static constexpr const char* name = "record";
   std::string path;
   double from = -1, to = -1, fps = 60;
   int width = 1280, height = 720;
   std::string overlay;
-  int crf = -1;  // negative: what suits the kind of file
+  int crf = -1;
   std::string preset;
   int loop = 0;
   std::string encoder = "software";
@@ -277,32 +221,19 @@ struct Record {
     f(kForce, force);
   }
 };
-// Ends it: with the frames that are there, or without a file.
 struct StopRecord {
   static constexpr const char* name = "stop_record";
   bool keep = true;
   void fields(auto&& f) { f(may("keep", "the frames that are there; else no file", "false"), keep); }
 };
-// The camera as it is becomes a key frame at the present time of the simulation.
-struct AddCameraKey {
-  static constexpr const char* name = "add_camera_key";
-  void fields(auto&&) {}
-};
+using AddCameraKey = Bare<"add_camera_key">;  // the camera as it is, at the present time of the simulation
 struct DropCameraKey {
   static constexpr const char* name = "drop_camera_key";
-  int index = 0;  // in order of time
+  int index = 0;
   void fields(auto&& f) { f(need("index", "number from 0, in order of time", "0"), index); }
 };
-struct ClearCameraKeys {
-  static constexpr const char* name = "clear_camera_keys";
-  void fields(auto&&) {}
-};
-// The camera follows its keys while time goes on.
-struct Fly {
-  static constexpr const char* name = "fly";
-  bool on = true;
-  void fields(auto&& f) { f(kOn, on); }
-};
+using ClearCameraKeys = Bare<"clear_camera_keys">;
+using Fly = Switch<"fly">;  // the camera follows its keys while time goes on
 // Camera keys as a file, which `pabd render --camera` takes.
 struct SaveCamera {
   static constexpr const char* name = "save_camera";
@@ -318,30 +249,54 @@ struct LoadCamera {
   std::string path;
   void fields(auto&& f) { f(need("path", "file", R"("camera.json")"), path); }
 };
-// What a frame costs, part by part.
-struct Costs {
-  static constexpr const char* name = "costs";
-  bool on = true;
-  void fields(auto&& f) { f(kOn, on); }
+using Costs = Switch<"costs">;  // what a frame costs, part by part
+// The folder of a sweep is read and shown; again when it is open already.
+struct OpenSweep {
+  static constexpr const char* name = "open_sweep";
+  std::string folder;
+  void fields(auto&& f) {
+    f(need("folder", "of 'pabd sweep', finished or not; empty: closes it", R"("sweep_out")"), folder);
+  }
 };
-// A dialog: for a file name "open", "save_scene", "save_state", "save_patch", "apply_patch",
-// "save_recording", "load_recording", "screenshot", "record", "save_camera", "load_camera", "open_sweep"; before something
-// is gone "reload", "clear_camera", "quit"; "" closes it. `text`: what it starts with.
+// What the cells of the sweep show. What is left out is chosen: the first metric, the parameters with the most values.
+struct SweepView {
+  static constexpr const char* name = "sweep_view";
+  std::string metric, x, y;
+  int slice = 0;
+  bool pictures = true;
+  void fields(auto&& f) {
+    f(may("metric", "whose colours the cells have, by its name", R"("penetration")"), metric);
+    f(may("x", "parameter from left to right, by its key", R"("contact.N")"), x);
+    f(may("y", "parameter from bottom to top, by its key", R"("contact.d_hat")"), y);
+    f(may("slice", "of the combinations of the other parameters, from 0", "1"), slice);
+    f(may("pictures", "of the ends in the cells; else colours alone", "false"), pictures);
+  }
+  bool operator==(const SweepView&) const = default;
+};
+// The scene with the parameters of a task of the open sweep.
+struct LoadRun {
+  static constexpr const char* name = "load_run";
+  int task = 0;
+  std::string at = "start";
+  bool force = false;
+  void fields(auto&& f) {
+    f(need("task", "its index", "7"), task);
+    f(may("at", kRunPlaces, R"("end")", "as the task began, or as it left it"), at);
+    f(kGiveUp, force);
+  }
+};
 struct Ask {
   static constexpr const char* name = "ask";
   std::string what, text = {};
   void fields(auto&& f) {
-    f(need("what", "open, save_scene, …: see scripts.md; empty: closes it", R"("open")"), what);
+    f(need("what", dialog_choices(), R"("open")", "the dialog; empty closes it"), what);
     f(may("text", "what it starts with", R"("stack")"), text);
   }
 };
-struct CopyCommand {
-  static constexpr const char* name = "copy_command";
-  void fields(auto&&) {}
-};
+using CopyCommand = Bare<"copy_command">;
 struct Quit {
   static constexpr const char* name = "quit";
-  bool force = false;  // although something is not saved
+  bool force = false;
   void fields(auto&& f) { f(kGiveUp, force); }
 };
 

@@ -11,23 +11,21 @@
 #include <filesystem>
 #include <map>
 
+#include "app/gui/actions.h"
 #include "app/gui/camera_motion.h"
 #include "app/gui/dialogs.h"
 #include "app/gui/frame_costs.h"
-#include "app/gui/gui_theme.h"
 #include "app/gui/imgui_input.h"
-#include "app/gui/key_table.h"
 #include "app/gui/live_picture.h"
 #include "app/gui/named_files.h"
 #include "app/gui/observer.h"
-#include "app/gui/palette.h"
 #include "app/gui/panels.h"
 #include "app/gui/pick.h"
 #include "app/gui/picture_mouse.h"
 #include "app/gui/picture_notes.h"
+#include "app/gui/pictures.h"
 #include "app/gui/scene_list.h"
 #include "app/gui/scene_view.h"
-#include "app/gui/studio.h"
 #include "app/gui/sweep_reader.h"
 #include "app/gui/view_actions.h"
 #include "app/gui/widgets.h"
@@ -78,6 +76,7 @@ struct Viewer::Impl {
   FrameCosts costs;
   GuiLayout layout;
   std::map<const WindowPanel*, std::unique_ptr<GuiPanel>> panels;
+  std::vector<std::pair<KeyChord, const UserAction*>> keys;
   TimelineBar timeline;
   MessageList messages;
   Dialogs dialogs;
@@ -112,6 +111,9 @@ struct Viewer::Impl {
     io.GetClipboardTextFn = [](void* self) { return static_cast<Impl*>(self)->clipboard_text(); };
     io.SetClipboardTextFn = [](void* self, const char* text) { static_cast<Impl*>(self)->copy(text); };
     for (const WindowPanel* panel : window_panels()) panels.emplace(panel, panel->make());
+    for (const UserAction& action : user_actions()) {
+      for (const KeyChord& chord : action.chords()) keys.emplace_back(chord, &action);
+    }
     layout = layout_gui(ui, width, height, unit(), false);
     observer.observe(*sim, ui, takes_states());
   }
@@ -189,8 +191,8 @@ struct Viewer::Impl {
     if (mouse.pulling() && key->key == Key::escape) return;  // ends the pull only
     Modifiers modifiers = key->modifiers;
     if (mouse.pulling()) modifiers.ctrl = false;  // held for the pull
-    for (const KeyBinding& binding : key_table()) {
-      if (binding.chord.key == key->key && binding.chord.modifiers == modifiers) binding.act(*sim, ui, out);
+    for (const auto& [chord, action] : keys) {
+      if (chord.key == key->key && chord.modifiers == modifiers) action->act(*sim, ui, out);
     }
   }
 
@@ -209,7 +211,7 @@ struct Viewer::Impl {
                                                          static_cast<double>(io.MousePos.y)}) &&
                               !io.WantCaptureMouse;
       mouse.handle(event, in_picture, layout, frame, ui.camera);
-      if (std::holds_alternative<CloseRequested>(event)) frame.out.send(ViewCommand(command::Quit{}));
+      if (std::holds_alternative<CloseRequested>(event)) frame.out.send(command::Quit{});
       if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
         if (!dropped->paths.empty()) open_dropped(*sim, dropped->paths.back(), frame.out);
       }

@@ -90,14 +90,13 @@ void wrapped_muted_label(const GuiFrame& frame, const std::string& text) {
 
 std::string shortened(const std::string& text, float width) {
   if (ImGui::CalcTextSize(ui_text(text).c_str()).x <= width) return text;
-  std::u32string letters = decode_text(text);
+  std::string_view left = text;
   std::string out;
   do {
-    letters.pop_back();
-    out.clear();
-    for (const char32_t c : letters) append_character(out, c);
-  } while (!letters.empty() && ImGui::CalcTextSize((out + "…").c_str()).x > width);
-  return out + "…";
+    left = without_last(left);
+    out = std::string(left) + "…";
+  } while (!left.empty() && ImGui::CalcTextSize(out.c_str()).x > width);
+  return out;
 }
 
 Rect tooltip_place(const Rect& item, Point mouse, double width, double height, const Rect& screen, double gap,

@@ -2,7 +2,6 @@
 // Requests of programs: scripts, state, pictures. See desk_work.h.
 #include "app/gui/pictures.h"
 #include "app/gui/script.h"
-#include "app/gui/script_reader.h"
 #include "app/serve/clock.h"
 #include "app/serve/desk_work.h"
 #include "render/output/png.h"

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,18 +25,34 @@ enum class Side : std::uint8_t { a, b };
 
 namespace command {
 
+// A word that a field takes.
+struct Choice {
+  const char* name;             // in commands and settings
+  const char* label = nullptr;  // in lists, rich text; null: the name
+  const char* help = nullptr;   // null: none
+};
 // A field as it is written in a script. Its type is that of the member.
 struct Field {
   const char* name;
   const char* help;     // what it means, with its unit
   const char* example;  // as JSON
   bool required = true;
+  std::span<const Choice> choices = {};  // of a text; empty: any
 };
 constexpr Field need(const char* name, const char* help, const char* example) {
   return {name, help, example};
 }
 constexpr Field may(const char* name, const char* help, const char* example) {
   return {name, help, example, false};
+}
+// A text that is one of these; `help` says more than the words.
+constexpr Field need(const char* name, std::span<const Choice> choices, const char* example,
+                     const char* help = "") {
+  return {name, help, example, true, choices};
+}
+constexpr Field may(const char* name, std::span<const Choice> choices, const char* example,
+                    const char* help = "") {
+  return {name, help, example, false, choices};
 }
 // Fields that many commands have.
 inline constexpr Field kSide = may("side", "which simulation", R"("b")");

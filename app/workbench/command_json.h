@@ -197,6 +197,20 @@ CommandJson command_to_json(const Variant& command) {
       command);
 }
 
+namespace command_json {
+
+// The words that a field takes, and what it means.
+inline std::string help_of(const command::Field& field) {
+  std::string out;
+  for (const command::Choice& choice : field.choices) {
+    const bool last = &choice == &field.choices.back();
+    out += (out.empty() ? "" : last ? " or " : ", ") + std::string(*choice.name ? choice.name : "empty");
+  }
+  return out + (out.empty() || !*field.help ? "" : ": ") + field.help;
+}
+
+}  // namespace command_json
+
 // Every command of a variant: a line with its fields, those with a default in brackets; then a line for each
 // of them with its type, its meaning and unit, and an example.
 //   set               key, value [, side] [, more]
@@ -211,7 +225,7 @@ std::string command_list() {
       fields +=
           field.required ? (fields.empty() ? "" : ", ") + name : (fields.empty() ? "[" : " [, ") + name + "]";
       lines += fmt::format("      {:<13} {:<16} {}; e.g. {}\n", name, command_json::type_name<T>(),
-                           field.help, field.example);
+                           command_json::help_of(field), field.example);
     });
     out += fields.empty() ? fmt::format("  {}\n", c.name) : fmt::format("  {:<18}{}\n", c.name, fields);
     out += lines;
@@ -231,6 +245,20 @@ std::vector<CommandJson> command_examples(bool all) {
     out.push_back(std::move(json));
   });
   return out;
+}
+
+// Throws Error(bad_input) where a text of the command is none of the words that its field takes.
+template <class C>
+void check_words(C command) {
+  command.fields([&]<class T>(const command::Field& field, const T& value) {
+    if constexpr (std::is_same_v<T, std::string>) {
+      std::vector<std::string_view> words;
+      for (const command::Choice& choice : field.choices) words.emplace_back(choice.name);
+      if (words.empty() || std::find(words.begin(), words.end(), value) != words.end()) return;
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("{}: {} is not one of {}", C::name, in_quotes(value), one_of(words)));
+    }
+  });
 }
 
 // The names of all commands of a variant.

@@ -3,8 +3,7 @@
 // of it, and one drag is one step of undo.
 #include <catch2/catch.hpp>
 
-#include "app/gui/barrier_drag.h"
-#include "app/gui/contact_strip.h"
+#include "app/gui/barrier_plot.h"
 #include "app/gui/plot_reading.h"
 #include "app/overlay/overlay_panels.h"
 

@@ -28,12 +28,12 @@ TEST_CASE("folders come first, then files of the kind, hidden ones never") {
   fs::create_directory(folder / "A");
   fs::create_directory(folder / ".git");
   std::vector<std::string> names;
-  for (const FileEntry& entry : list_files(folder.path(), {".json"}))
+  for (const FileEntry& entry : list_files(folder.path(), ".json"))
     names.push_back(entry.name + (entry.folder ? "/" : ""));
   CHECK(names == std::vector<std::string>{"A/", "z/", "a2.json", "a10.json", "b.json"});
-  CHECK(list_files(folder.path(), {".json"}, 1).size() == 2);  // one of either kind
-  CHECK(list_files(folder / "nothing", {".json"}).empty());
-  CHECK(list_files(folder / "b.json", {".json"}).empty());
+  CHECK(list_files(folder.path(), ".json", 1).size() == 2);  // one of either kind
+  CHECK(list_files(folder / "nothing", ".json").empty());
+  CHECK(list_files(folder / "b.json", ".json").empty());
 }
 
 TEST_CASE("what is typed names a folder and a file in it") {

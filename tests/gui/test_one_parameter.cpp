@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "app/gui/parameter_rows.h"
-#include "app/gui/significant.h"
+#include "app/gui/number_input.h"
+#include "app/gui/parameters_panel.h"
 #include "app/overlay/parameter_words.h"
 #include "app/plots/rich_text.h"
 #include "sim/base/error.h"

@@ -5,23 +5,22 @@
 #include <algorithm>
 #include <set>
 
-#include "app/gui/key_table.h"
-#include "app/gui/palette.h"
+#include "app/gui/actions.h"
 
 namespace pabd::test_palette {
 
 namespace {
 
-std::vector<PaletteEntry> three() {
-  return {{"Files", "open a scene", "Ctrl+O", {}},
-          {"Files", "save the scene", "", {}},
-          {"View", "from the front", "1", {}}};
+std::vector<UserAction> three() {
+  return {{"open", "Files", "ctrl+o", "open a scene", {}},
+          {"save", "Files", "", "save the scene", {}},
+          {"front", "View", "1", "from the front", {}}};
 }
 
 std::vector<std::string> found(const std::string& text) {
   const auto entries = three();
   std::vector<std::string> out;
-  for (const PaletteEntry* each : find_entries(entries, text)) out.push_back(each->words);
+  for (const UserAction* each : find_actions(entries, text)) out.push_back(each->words);
   return out;
 }
 
@@ -41,23 +40,25 @@ TEST_CASE("entries are found by the beginnings of their words, then by parts of 
   CHECK(found("   ").size() == 3);
 }
 
-TEST_CASE("the palette has every key, and every entry can be carried out and told from the others") {
-  const auto& entries = palette_entries();
+TEST_CASE(
+    "every action can be carried out, is found by its name and told from the others, and no key has two") {
   std::set<std::pair<std::string, std::string>> names;
-  for (const PaletteEntry& entry : entries) {
-    CAPTURE(entry.group, entry.words);
-    CHECK(entry.act);
-    CHECK_FALSE(entry.words.empty());
-    CHECK(names.emplace(entry.group, entry.words).second);
+  std::set<std::string> keys;
+  for (const UserAction& action : user_actions()) {
+    CAPTURE(action.group, action.words);
+    CHECK(action.act);
+    CHECK_FALSE(action.words.empty());
+    CHECK(names.emplace(action.group, action.words).second);
+    CHECK_FALSE(std::string(user_action(action.name).words).empty());
+    for (const KeyChord& chord : action.chords()) {
+      CHECK(keys.insert(chord_text(chord)).second);
+      CHECK(action.key_text().find(chord_text(chord)) != std::string::npos);
+    }
+    const auto found = find_actions(user_actions(), action.words);
+    CHECK(std::find(found.begin(), found.end(), &action) != found.end());
   }
-  for (const KeyBinding& binding : key_table()) {
-    const std::string keys = chord_text(binding.chord);
-    CAPTURE(keys, binding.help);
-    CHECK(std::count_if(entries.begin(), entries.end(), [&](const PaletteEntry& e) {
-            return e.words == binding.help && e.keys.find(keys) != std::string::npos;
-          }) == 1);
-  }
-  CHECK(entries.size() > key_table().size());  // and what has no key
+  CHECK(keys.size() > 40);
+  CHECK(names.size() > keys.size());  // and what has no key
 }
 
 TEST_CASE("keys are named as people know them") {

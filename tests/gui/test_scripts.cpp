@@ -250,9 +250,25 @@ TEST_CASE("the list of actions has every command once, with its fields") {
   CHECK_THAT(list, Catch::Contains("set               key, value [, side] [, more]\n"));
 }
 
-TEST_CASE("app/gui/actions.txt is what 'pabd view --actions' prints") {
-  // Written with: pabd view --actions > app/gui/actions.txt
-  CHECK(read_bytes(places::project() + "/app/gui/actions.txt") == action_list());
+TEST_CASE("scripts.md shows only actions that there are, with their fields, and every dialog") {
+  const std::string page = read_bytes(places::project() + "/app/gui/scripts.md");
+  std::size_t shown = 0;
+  for (std::size_t at = page.find("{\"do\":"); at != page.npos; at = page.find("{\"do\":", at + 1)) {
+    std::size_t end = page.find('}', at);
+    while (!CommandJson::accept(page.substr(at, end + 1 - at))) {
+      end = page.find('}', end + 1);
+      REQUIRE(end != page.npos);
+    }
+    const std::string text = page.substr(at, end + 1 - at);
+    INFO(text);
+    CHECK_NOTHROW(parse_action(CommandJson::parse(text), "x"));
+    ++shown;
+  }
+  CHECK(shown > 15);
+  for (const DialogKind& dialog : kDialogs) {
+    INFO(dialog.name);
+    CHECK(page.find('`' + std::string(dialog.name) + '`') != page.npos);
+  }
 }
 
 TEST_CASE("the copied command repeats what is seen") {

@@ -2,7 +2,7 @@
 // How far a drag on a bar goes, and where tooltips stand.
 #include <catch2/catch.hpp>
 
-#include "app/gui/value_slider.h"
+#include "app/gui/number_input.h"
 #include "app/gui/widgets.h"
 
 namespace pabd::test_value_slider {

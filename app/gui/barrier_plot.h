@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Taking hold of d̂ and κ on the barrier plot.
+// What a person does on the barrier plot and reads below it: d̂ and κ that are taken hold of, and contacts over d/d̂.
 //
 //   d̂   contact thickness: the upright line                      m
 //   κ   contact stiffness: a handle on the curve, Ψ = κ B_N(d)    J (log barrier: J/m²)
-//
-// While it lasts the axes stay as they were when it began: they would follow the hand otherwise.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
+#include "app/gui/panel.h"
 #include "app/plots/figures/barrier_plots.h"
 #include "app/plots/plot_layout.h"
 #include "app/workbench/command.h"
+#include "sim/solver/report.h"
 
 namespace pabd {
 
@@ -21,6 +23,7 @@ enum class BarrierGrip : std::uint8_t { none, d_hat, kappa };
 BarrierGrip barrier_grip(const BarrierPanel& panel, const PlotLayout& layout, const Point& mouse,
                          double reach);
 
+// While it lasts the axes stay as they were when it began: they would follow the hand otherwise.
 class BarrierDrag {
  public:
   bool active() const { return grip_ != BarrierGrip::none; }
@@ -46,5 +49,19 @@ class BarrierDrag {
   std::optional<double> sent_;
   bool more_ = false;
 };
+
+// How contacts are spread over d/d̂, as a low strip of bars along the distance axis of a plot: where there is no room
+// for a plot of its own.
+struct ContactStrip {
+  static constexpr int kBins = 48;  // from `lo` to d̂; deeper ones are in the first
+  std::array<int, kBins> counts{};
+  int most = 0, contacts = 0;
+  double lo = 0, d_hat = 1;  // m
+  double median = 0;         // of d/d̂
+};
+ContactStrip contact_strip(double lo, double d_hat, const std::vector<ContactReport>& contacts);
+
+// At the cursor, along the x axis (d in m) of `plot`.
+void draw_contact_strip(GuiFrame& frame, const ContactStrip& strip, const PlotLayout& plot, float height);
 
 }  // namespace pabd

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// See value_slider.h.
-#include "app/gui/value_slider.h"
+// See number_input.h.
+#include "app/gui/number_input.h"
 
-#include <imgui.h>
+#include <fmt/format.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include "app/gui/widgets.h"
 
@@ -17,7 +20,45 @@ constexpr float kLeastMove = 3;    // pixels of an ordinary screen: less is a cl
 
 double least(const SliderScale& s) { return s.lo > 0 ? s.lo : kDecades * s.hi; }
 
+struct Scaled {
+  std::string_view name, of;
+  double factor;
+};
+constexpr Scaled kScaled[] = {{"mm", "m", 1e-3},     {"cm", "m", 1e-2},        {"km", "m", 1e3},
+                              {"ms", "s", 1e-3},     {"min", "s", 60},         {"mm/s", "m/s", 1e-3},
+                              {"cm/s", "m/s", 1e-2}, {"km/h", "m/s", 1 / 3.6}, {"mJ", "J", 1e-3},
+                              {"kJ", "J", 1e3},      {"MJ", "J", 1e6},         {"mN", "N", 1e-3},
+                              {"kN", "N", 1e3},      {"kN/m", "N/m", 1e3}};
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 }  // namespace
+
+double significant(double x, int digits) {
+  if (x == 0 || !std::isfinite(x)) return x;
+  const int last =
+      static_cast<int>(std::floor(std::log10(std::abs(x)))) - digits + 1;  // power of the last digit
+  // Powers of ten up to 1e22 are exact, so that one rounding remains.
+  const double power = std::pow(10.0, std::abs(last));
+  return last < 0 ? std::round(x * power) / power : std::round(x / power) * power;
+}
+
+std::string typed_number(std::string_view text, std::string_view unit) {
+  const std::string typed(trimmed(text));
+  char* end = nullptr;
+  const double value = std::strtod(typed.c_str(), &end);
+  const auto digits = static_cast<std::size_t>(end - typed.c_str());
+  if (digits == 0) return typed.substr(0, typed.find(' '));  // "auto 12.5 J"
+  const std::string_view behind = trimmed(std::string_view(typed).substr(digits));
+  if (behind.empty() || behind == unit) return typed.substr(0, digits);
+  for (const Scaled& scaled : kScaled)
+    if (scaled.name == behind && scaled.of == unit) return fmt::format("{}", value * scaled.factor);
+  return typed;
+}
 
 double SliderScale::place(double v) const {
   if (!(hi > lo)) return 0;
@@ -75,6 +116,28 @@ SliderTouch value_slider(const GuiFrame& f, const char* id, double place, const 
                shown.c_str());
   list.PopClipRect();
   return touch;
+}
+
+void TypedField::begin(const std::string& key, const std::string& text) {
+  key_ = key;
+  text_ = text;
+  focus_ = true;
+}
+
+std::optional<std::string> TypedField::draw(const std::string& key, const std::string& shown, float width) {
+  const bool mine = holds(key);
+  std::string text = mine ? text_ : shown;
+  ImGui::SetNextItemWidth(width);
+  if (mine && std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
+  ImGui::InputText("##field", &text, ImGuiInputTextFlags_AutoSelectAll);
+  if (ImGui::IsItemActive()) {
+    key_ = key;
+    text_ = text;
+  }
+  if (!mine || !ImGui::IsItemDeactivated()) return std::nullopt;
+  key_.clear();
+  // Escape gave the text back.
+  return text != shown ? std::optional(text) : std::nullopt;
 }
 
 }  // namespace pabd

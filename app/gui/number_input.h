@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Numbers as people enter them: dragged on a wide bar, with shift ten times finer, or typed with their unit. How far a
+// drag goes and what a text means is told apart from the drawing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/gui/panel.h"
+
+namespace pabd {
+
+// x to so many significant digits: the number nearest to that decimal, as if it had been written down and read
+// again. Digits: 1 to 15; |x| from 1e-15 to 1e20, else the last bit may differ.
+double significant(double x, int digits);
+
+// What was typed into a field of that unit, as --set takes it: "5 cm" in a field of m is "0.05", "5 m" and "5" are "5".
+// What is not of that unit stays as it was typed: --set refuses it with what it expects.
+std::string typed_number(std::string_view text, std::string_view unit);
+
+// From values to places on a bar, 0 … 1, and back. A logarithmic one needs hi > 0; where it begins at 0 it covers six
+// decades.
+struct SliderScale {
+  double lo = 0, hi = 1;
+  bool logarithmic = false;
+
+  double place(double value) const;  // clamped
+  double value(double place) const;
+};
+
+// Where a drag has come to. It goes on beyond the ends, so that the mouse finds the value again where it left it.
+class SliderDrag {
+ public:
+  static constexpr double kFine = 0.1;
+
+  void begin(double place) { place_ = place; }
+  // `by`: part of the bar that the mouse moved. Returns the place, 0 … 1.
+  double move(double by, bool fine);
+
+ private:
+  double place_ = 0;
+};
+
+struct SliderTouch {
+  bool began = false;    // it was taken hold of
+  bool clicked = false;  // let go without having moved
+  bool fine = false;     // shift is held
+  double moved = 0;      // since the last frame, part of the bar
+};
+// At the cursor; `place` 0 … 1 is what is filled, `text` the value with its unit.
+SliderTouch value_slider(const GuiFrame& frame, const char* id, double place, const std::string& text,
+                         float width);
+
+// Text fields of a panel, one of which is being typed into.
+class TypedField {
+ public:
+  bool holds(const std::string& key) const { return key_ == key; }
+  // The next draw of that field gets the keyboard.
+  void begin(const std::string& key, const std::string& text);
+  // At the cursor; `shown` stands in it while nobody types. What was typed, once it is left and another text.
+  std::optional<std::string> draw(const std::string& key, const std::string& shown, float width);
+
+ private:
+  std::string key_, text_;  // of the field that is typed into
+  bool focus_ = false;
+};
+
+}  // namespace pabd
