@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What moves along with time in the view: a camera that follows a body or its keys, and trails.
+// What moves with time in the view: a camera that follows a body or its keys, and trails.
 #pragma once
 
 #include <optional>

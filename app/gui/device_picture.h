@@ -22,7 +22,7 @@ class DevicePicture {
   DevicePicture(const DevicePicture&) = delete;
   DevicePicture& operator=(const DevicePicture&) = delete;
 
-  // Whether it can draw opaque bodies of the run, as far as it is known before.
+  // Whether it can draw the bodies of the run, as far as it is known before.
   bool can_draw(const RunView& run) const;
 
   // The run's bodies and floor into the renderer's first view, `visual` has the camera and the theme. Precondition:

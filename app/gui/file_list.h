@@ -27,9 +27,8 @@ std::filesystem::path folder_of_typed(const std::string& text);
 // The same name in another folder, or another name in the same one; "." leaves the name alone.
 std::string in_folder(const std::filesystem::path& folder, const std::string& name);
 
-// What a file that was dropped on the window is, by its name and what is in it. A JSON object
-// without a format is a patch, a folder with a plan a sweep; what cannot be told is a scene, whose reader says what is
-// wrong.
+// What a dropped file is, by its name and content. A JSON object without a format is a patch, a folder with a plan a
+// sweep; anything else a scene, whose reader says what is wrong.
 enum class DroppedKind { scene, recording, camera, patch, sweep };
 DroppedKind kind_of_dropped(const std::string& path);
 

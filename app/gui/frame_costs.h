@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a frame of the window costs, part by part: milliseconds, smoothed so that they can be read.
+// What a frame of the window costs, part by part: smoothed milliseconds.
 #pragma once
 
 #include <array>

@@ -110,7 +110,7 @@ AddBody body_at(const RunView& run, const Shape& shape, double density, const Ve
   for (const Vec3& c : run.state->c) top = std::max(top, c.y());
   const Vec3 sky(place.x(), std::max(top, place.y()) + 1e3, place.z());
   if (run.poses) return out;
-  const auto hit = ray_cast(*run.model, run.state, Ray{sky, -Vec3::UnitY()});
+  const auto hit = ray_cast(*run.model, *run.state, Ray{sky, -Vec3::UnitY()});
   if (hit)
     out.position.y() =
         std::max(place.y(), hit->point.y() + kAir * half_height(shape) + run.params.contact.d_hat);
@@ -164,18 +164,9 @@ class InspectorPanel final : public GuiPanel {
     const RunView& run = f.sim.a;
     const Selection& s = f.ui.selection;
     const auto i = static_cast<std::size_t>(s.index);
-    switch (s.kind) {
-      case Selection::Kind::body:
-        if (i < run.model->shape.size()) return body(f, s.index);
-        break;
-      case Selection::Kind::joint:
-        if (i < run.model->joints.size()) return joint(f, s.index);
-        break;
-      case Selection::Kind::contact:
-        return contact(f, s);
-      case Selection::Kind::none:
-        break;
-    }
+    if (s.kind == Selection::Kind::body && i < run.model->shape.size()) return body(f, s.index);
+    if (s.kind == Selection::Kind::joint && i < run.model->joints.size()) return joint(f, s.index);
+    if (s.kind == Selection::Kind::contact) return contact(f, s);
     nothing(f);
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of a body, a joint or a contact, as rows of text: shown and copied from the same list.
+// The numbers of a body, a joint or a contact, as rows of text to show and to copy.
 #pragma once
 
 #include <string>

@@ -19,28 +19,22 @@ inline std::string named_file(const FileRoot* files, const std::string& name, Fi
   return files->file_of(name);
 }
 
-// The same of a folder.
-inline std::string named_folder(const FileRoot* files, const std::string& name) {
-  return files && !name.empty() ? files->folder_of(name) : name;
-}
-
-// `c` with the file or folder that it means, if it names one. Scenes to open are the workbench's business.
-template <class Commands>
-Commands with_named_file(Commands c, const FileRoot* files) {
+// Calls act(name, use, is_folder) for every name of a file or folder in a command. Scenes to open are the workbench's
+// business.
+template <class Commands, class Act>
+void each_file_name(Commands& command, const Act& act) {
   std::visit(
-      [&](auto& x) {
-        if constexpr (requires { x.path; }) {
+      [&]<class C>(C& c) {
+        if constexpr (requires { c.path; }) {
           // What may replace a file writes one; a recording that is loaded replaces what is in memory.
-          constexpr bool replaces = requires { x.force; };
-          constexpr bool loads = std::is_same_v<std::decay_t<decltype(x)>, command::LoadRecording>;
-          x.path = named_file(files, x.path, replaces && !loads ? FileUse::write : FileUse::read);
+          constexpr bool replaces = requires { c.force; };
+          constexpr bool loads = std::is_same_v<C, command::LoadRecording>;
+          act(c.path, replaces && !loads ? FileUse::write : FileUse::read, false);
         }
-        if constexpr (requires { x.folder; }) x.folder = named_folder(files, x.folder);
-        if constexpr (std::is_same_v<std::decay_t<decltype(x)>, command::Load>)
-          x.from = named_file(files, x.from);
+        if constexpr (requires { c.folder; }) act(c.folder, FileUse::read, true);
+        if constexpr (std::is_same_v<C, command::Load>) act(c.from, FileUse::read, false);
       },
-      c);
-  return c;
+      command);
 }
 
 }  // namespace pabd

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sweep that is open in the window, as plain data: what was read of it, and what of that is shown.
+// The sweep that is open in the window, as plain data.
 #pragma once
 
 #include <cstdint>
@@ -43,11 +43,10 @@ struct ShownSweep {
 // Throws Error(bad_input) for parameters, a metric or a slice that the sweep does not have.
 ShownSweep shown_of(const CollectedSweep& sweep, const command::SweepView& view);
 
-// What was read takes the place of what was there; what is shown of it stays where it still can.
+// Takes what was read; the view of it stays as far as it still fits.
 void take_read(OpenedSweep& sweep, std::shared_ptr<const CollectedSweep> read);
 
-// The command that loads a task; notes it as wanted. Throws Error(bad_input) when there is no such task, its files do
-// not say what it was, or there is no end where that is asked for.
+// The command that loads a task; notes it as wanted. Throws Error(bad_input) where there is none, or no end of it.
 command::Load load_of(OpenedSweep& sweep, const command::LoadRun& run);
 
 // Another scene was loaded: whether it is what load_of last asked for.

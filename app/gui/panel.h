@@ -16,7 +16,7 @@
 
 namespace pabd {
 
-// What panels and keys want done, in order.
+// Commands of panels and keys, in order.
 struct Outbox {
   std::vector<Command> commands;
   std::vector<ViewCommand> view;
@@ -28,7 +28,7 @@ struct Outbox {
 // Another scene; asks first when something that was made here would be gone.
 void open_scene(const Snapshot& sim, const std::string& path, Outbox& out);
 
-// What a person dropped on the window: the folder of a sweep, a recording, a patch, camera keys or a scene, as its name or content says.
+// A file that was dropped on the window: see DroppedKind.
 void open_dropped(const Snapshot& sim, const std::string& path, Outbox& out);
 
 class FileRoot;
@@ -37,7 +37,7 @@ class Recorder;
 class SceneList;
 class SweepReader;
 
-// What a frame is made from, for everything that draws into it.
+// What a frame is made from.
 struct GuiFrame {
   const Snapshot& sim;
   const UiState& ui;
@@ -56,7 +56,7 @@ struct GuiFrame {
   float px(double ordinary) const { return static_cast<float>(ordinary * unit); }
 };
 
-// One of the window's panels at work; what it is called and where it goes is in its WindowPanel.
+// A panel at work; its name and place are in its WindowPanel.
 class GuiPanel {
  public:
   virtual ~GuiPanel() = default;

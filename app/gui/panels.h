@@ -33,7 +33,7 @@ class TimelineBar {
   float offset_ = 0;    // from the mouse to the playhead that it holds; pixels
 };
 
-// Over the picture: what the simulation has to say, until it is read; `seconds` since the last frame.
+// Messages over the picture, until they are read; `seconds` since the last frame.
 class MessageList {
  public:
   // Messages up to `read` were read elsewhere.

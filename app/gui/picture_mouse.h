@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mouse in the picture: turning, moving and coming nearer; pulling bodies, shooting balls, selecting.
+// The mouse in the picture: moves the camera, pulls bodies, shoots balls, selects.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,7 @@ class PictureMouse {
   void handle(const WindowEvent& event, bool in_picture, const GuiLayout& layout, GuiFrame& frame,
               CameraPose& camera);
 
-  // The space bar: true when the event is one of play and pause. That is a release, unless a ball was shot
-  // meanwhile.
+  // The space bar: true when its event means play or pause, a release without a shot meanwhile.
   bool plays(const KeyChanged& space);
 
   // Selects what was double-clicked. Once a frame, after ImGui's NewFrame.

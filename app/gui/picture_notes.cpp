@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// See picture_notes.h. The latest message is at the bottom left, where a person looks anyway: notes go by themselves,
-// the others stay until they are dismissed or something else happened. What asks for something is at the top.
+// See picture_notes.h. The latest message is at the bottom left: notes disappear after a while, warnings and errors stay
+// until they are dismissed. Questions are at the top.
 #include "app/gui/picture_notes.h"
 
 #include <fmt/format.h>
@@ -152,7 +152,7 @@ void MessageList::draw(GuiFrame& f, const Rect& view, double seconds, std::uint6
   ImGui::SetNextWindowPos(
       {static_cast<float>(view.x) + f.px(12), static_cast<float>(view.bottom()) - f.px(12)}, ImGuiCond_Always,
       {0, 1});
-  // As high as its words, but never higher than the picture: what does not fit is scrolled to.
+  // As high as its words, at most as high as the picture; the rest is scrolled to.
   const float most = std::max(f.px(40), static_cast<float>(view.h) - f.px(24));
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, most});
   ImGui::Begin("##messages", nullptr,
@@ -173,7 +173,6 @@ void MessageList::draw(GuiFrame& f, const Rect& view, double seconds, std::uint6
   ImGui::End();
 }
 
-// The scene's file is another one than what is open: nothing happens until a person says what.
 void draw_file_offer(GuiFrame& f, const Rect& view) {
   if (!f.sim.file_changed) return;
   const float width = std::min(f.px(420), static_cast<float>(view.w) - f.px(24));

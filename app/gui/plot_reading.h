@@ -13,8 +13,8 @@
 
 namespace pabd {
 
-// Lines of more than `most` points keep the first, lowest, highest and last one of every piece, in order: at
-// most `most` (at least 8), the same picture, and cheap to draw however long the run.
+// Lines of more than `most` points (at least 8) keep the first, lowest, highest and last one of every piece: the same
+// picture, and cheap to draw.
 void thin_lines(Plot& plot, std::size_t most);
 
 // A ring around the point nearest to the pointer, and its numbers. `x_name`: "iteration".

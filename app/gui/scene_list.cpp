@@ -133,18 +133,14 @@ void SceneList::look(const std::string& open_path, const std::vector<std::string
     for (const FileEntry& file : list_files(folder, ".json", kMostFiles))
       if (!file.folder) add(SceneCard::Group::folder, folder / file.name, cards);
   }
-  std::vector<SceneCard> later;
-  for (const fs::path& file : shipped) add(SceneCard::Group::shipped, file, later);
+  std::vector<std::string> known;
+  for (const fs::path& file : shipped) known.push_back(clean(file));
   for (const std::string& path : recent) {
     std::error_code failure;
-    const bool listed =
-        std::any_of(later.begin(), later.end(), [&](const SceneCard& c) { return c.path == clean(path); });
+    const bool listed = std::find(known.begin(), known.end(), clean(path)) != known.end();
     if (!listed && fs::is_regular_file(path, failure)) add(SceneCard::Group::recent, path, cards);
   }
-  for (SceneCard& card : later) {
-    if (std::none_of(cards.begin(), cards.end(), [&](const SceneCard& c) { return c.path == card.path; }))
-      cards.push_back(std::move(card));
-  }
+  for (const fs::path& file : shipped) add(SceneCard::Group::shipped, file, cards);
 
   // What is known stays; the rest is read.
   std::deque<std::string> wanted;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The scenes that a person can choose from: shipped ones, those in the folder of the open one, recent ones;
-// each with a small picture of its start. Files are read in a thread of its own, pictures are drawn by the
-// window's thread, one a frame at most: nothing waits for a large scene.
+// The scenes to choose from: shipped ones, those in the folder of the open one, recent ones; each with a small picture
+// of its start. A thread reads the files, the window's thread draws at most one picture a frame.
 #pragma once
 
 #include <condition_variable>
@@ -40,15 +39,14 @@ class SceneList {
   static constexpr std::size_t kMostFiles = 300;            // of a folder
 
   using Files = std::function<std::vector<std::filesystem::path>()>;
-  // `steady`: everything is read and drawn at once, and no cache is used, so that a frame never depends on
-  // how fast that is.
+  // `steady`: everything is read and drawn at once, without the cache, so that frames do not depend on timing.
   // `files`: only those of that folder are listed beside the shipped ones; null: those beside the open scene.
   SceneList(Files shipped, bool steady, std::shared_ptr<const FileRoot> files = nullptr);
   ~SceneList();
   SceneList(const SceneList&) = delete;
   SceneList& operator=(const SceneList&) = delete;
 
-  // Looks at the folders again; what has not changed since is kept.
+  // Reads the folders again; cards of unchanged files are kept.
   void look(const std::string& open_path, const std::vector<std::string>& recent, Renderer& renderer);
   // Takes what was read, draws a picture.
   void update(Renderer& renderer);

@@ -46,13 +46,6 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
 
 }  // namespace
 
-bool SceneView::same(const Key& a, const Key& b) {
-  return a.serial == b.serial && same_camera(a.camera, b.camera) && a.width == b.width &&
-         a.height == b.height && a.contacts == b.contacts && a.bonds == b.bonds && a.side == b.side &&
-         a.color == b.color && a.selection == b.selection && a.dark == b.dark && a.quality == b.quality &&
-         a.marks == b.marks && a.theme == b.theme && a.trails == b.trails;
-}
-
 bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<Trail>& trails,
                      const GuiLayout& layout, const RenderQuality& quality, double scale, Renderer& renderer,
                      DevicePicture& device) {
@@ -61,12 +54,14 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<T
   };
   const int width = pixels(layout.views[0].w), height = pixels(layout.views[0].h);
   const bool two = sim.b && ui.side_by_side;
-  const Key key{sim.serial, rounded(ui.camera), width,   height,        ui.contacts, ui.bonds, two,
-                ui.color,   ui.selection,       ui.dark, quality.level, ui.marks,    ui.theme, ui.trails};
-  if (same(key, key_)) return false;
+  const Key key{sim.serial,   width,   height,        ui.contacts, ui.bonds, two,      ui.color,
+                ui.selection, ui.dark, quality.level, ui.marks,    ui.theme, ui.trails};
+  const Camera camera = rounded(ui.camera);
+  if (key == key_ && same_camera(camera, camera_)) return false;
   key_ = key;
+  camera_ = camera;
   if (sim.a.poses) {
-    visual_[0].camera = rounded(ui.camera);
+    visual_[0].camera = camera;
     visual_[0].theme = ui.theme;
     return device.draw(sim.a, visual_[0], width, height, quality, renderer);
   }

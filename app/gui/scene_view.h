@@ -3,6 +3,10 @@
 // them changed.
 #pragma once
 
+#include <optional>
+#include <tuple>
+#include <vector>
+
 #include "app/gui/device_picture.h"
 #include "app/gui/gui_layout.h"
 #include "app/gui/ui_state.h"
@@ -25,22 +29,12 @@ class SceneView {
   const VisualScene& scene() const { return visual_[0]; }
 
  private:
-  struct Key {
-    std::uint64_t serial = 0;
-    Camera camera;
-    int width = 0, height = 0;
-    bool contacts = false, bonds = false, side = false;
-    ColorQuantity color = ColorQuantity::body;
-    Selection selection;
-    bool dark = false;
-    Quality quality = Quality::good;
-    PictureMarks marks;
-    const PictureTheme* theme = nullptr;
-    std::vector<TrailPoint> trails;
-  };
-  static bool same(const Key& a, const Key& b);
+  // What a picture depends on beside the camera.
+  using Key = std::tuple<std::uint64_t, int, int, bool, bool, bool, ColorQuantity, Selection, bool, Quality,
+                         PictureMarks, const PictureTheme*, std::vector<TrailPoint>>;
 
-  Key key_;
+  std::optional<Key> key_;  // of the last picture; none: there is none
+  Camera camera_;
   VisualScene visual_[2];
 };
 

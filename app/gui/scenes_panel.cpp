@@ -40,14 +40,7 @@ void text_lines(ImDrawList& list, ImVec2 at, float width, int lines, ImU32 ink, 
     const char* to = font.CalcWordWrapPositionA(size / font.FontSize, from, end, width);
     if (to == from) ++to;
     std::string line(from, to);
-    if (i + 1 == lines && to < end) {
-      std::string_view left = std::string_view(from, static_cast<std::size_t>(to - from));
-      line += "…";
-      while (!left.empty() && ImGui::CalcTextSize(line.c_str()).x > width) {
-        left = without_last(left);
-        line = std::string(left) + "…";
-      }
-    }
+    if (i + 1 == lines && to < end) line = shortened(line + "…", width);
     list.AddText(at, ink, line.c_str());
     at.y += ImGui::GetTextLineHeight();
     from = to;
@@ -76,11 +69,10 @@ class ScenesPanel : public GuiPanel {
       }
     }
     if (!any) {
-      ImGui::PushTextWrapPos(0);
-      muted_label(f, wanted_.empty() ? "No scenes were found: open a file with Open… (ctrl+o), or drop one "
-                                       "on the window."
-                                     : "No scene is called that.");
-      ImGui::PopTextWrapPos();
+      wrapped_muted_label(f, wanted_.empty()
+                                 ? "No scenes were found: open a file with Open… (ctrl+o), or drop one "
+                                   "on the window."
+                                 : "No scene is called that.");
     }
     ImGui::EndChild();
   }

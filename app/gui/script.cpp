@@ -9,6 +9,7 @@
 #include <cmath>
 #include <thread>
 
+#include "app/gui/named_files.h"
 #include "app/gui/script_actions.h"
 #include "app/workbench/command_json.h"
 #include "render/output/png.h"
@@ -60,33 +61,20 @@ class Player {
   }
 
  private:
-  void take(Command& c) {
-    std::visit(
-        [this](auto& x) {
-          if constexpr (requires { x.path; }) x.path = in_folder(x.path);
-        },
-        c);
+  template <class AnyCommand>
+  void take(AnyCommand& c) {
+    each_file_name(c, [this](std::string& name, FileUse, bool) { name = in_folder(name); });
     // A scene may also be one that is shipped, or any that the command line takes.
-    if (auto* load = std::get_if<command::Load>(&c)) {
+    if constexpr (std::is_same_v<AnyCommand, Command>) {
+      auto* load = std::get_if<command::Load>(&c);
       std::error_code ignored;
-      if (std::filesystem::is_regular_file(in_folder(load->scene), ignored))
+      if (load && std::filesystem::is_regular_file(in_folder(load->scene), ignored))
         load->scene = in_folder(load->scene);
-      load->from = in_folder(load->from);
     }
     viewer_.send(c);
     settle();
   }
-  void take(ViewCommand& c) {
-    std::visit(
-        [this](auto& x) {
-          if constexpr (requires { x.path; }) x.path = in_folder(x.path);
-          if constexpr (requires { x.folder; }) x.folder = in_folder(x.folder);
-        },
-        c);
-    viewer_.send(c);
-    settle();
-  }
-  void take(const ScriptAction& a) {
+  void take(ScriptAction& a) {
     std::visit([this](const auto& x) { act(x); }, a);
   }
 

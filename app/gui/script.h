@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A script of actions: commands of the simulation and of the view, events as a person makes them, frames to
-// write, and what is expected of the state then. A JSON list, or an object with "actions":
-//
-//   {"do": "set", "key": "contact.kappa", "value": 50}     any command (workbench/command.h, view_command.h)
-//   {"do": "key", "key": "space"}                          or another action of script_actions.h
-//
-// Every action is carried out before the next: results do not depend on time. An action that is refused or
-// fails ends the script, unless it has "may_fail": true.
+// Plays a script of actions (scripts.md, script_actions.h). Every action is carried out before the next: results do
+// not depend on time. An action that is refused or fails ends the script, unless it has "may_fail": true.
 #pragma once
 
 #include <filesystem>

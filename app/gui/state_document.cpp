@@ -1,16 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The state of the tool as JSON: what scripts expect things of.
-//
-//   /scene/name, /scene/hash, /scene/bodies, /scene/joints
-//   /a/step, /a/time, /a/hash, /a/cursor, /a/moments, /a/params/contact/kappa, /a/kappa, /a/changed,
-//   /a/joints_default (law of the joints that say nothing of their own),
-//   /a/report/…, /a/bodies (of at most 100: name, position, velocity); /b the same, null without a second
-//   /distance (of A and B now, m), /distances (moments at which it is known)
-//   /playing, /speed, /diverged, /unsaved, /at_stake, /reload_loses, /file_changed, /can_undo, /can_redo,
-//   /held, /message, /messages, /ui/…
-//   /sweep: null, or of the open one /folder, /reading, /problem, /tasks and how many are /done, /diverged, /refused,
-//   /unfinished, /damaged, /columns, /rows, /slices of the grid, /x, /y (keys), /metric, /loaded (index of the run
-//   that is shown)
+// The state of the program as JSON: what scripts print and expect (scripts.md). Of at most kMostBodies bodies.
 #include "app/frames/frame_text.h"
 #include "app/gui/pictures.h"
 #include "app/gui/script.h"

@@ -205,14 +205,13 @@ class SweepPanel : public GuiPanel {
     const ImVec2 lo = ImGui::GetWindowDrawList()->GetClipRectMin(),
                  hi = ImGui::GetWindowDrawList()->GetClipRectMax();
     const Rect seen{lo.x, lo.y, hi.x - lo.x, hi.y - lo.y};
-    for (std::size_t i = 0; i < cells_.tasks.size(); ++i) {
-      const Rect cell = cell_rect(cells_.map, placed, 0, i % cells_.columns(), i / cells_.columns());
-      if (cell.overlaps(seen)) paint(f, placed, i, cell, canvas);
-    }
-    paint_heat_axes(cells_.map, placed, 0, canvas);
     const auto rect_of = [&](std::size_t i) {
       return cell_rect(cells_.map, placed, 0, i % cells_.columns(), i / cells_.columns());
     };
+    for (std::size_t i = 0; i < cells_.tasks.size(); ++i) {
+      if (rect_of(i).overlaps(seen)) paint(f, placed, i, rect_of(i), canvas);
+    }
+    paint_heat_axes(cells_.map, placed, 0, canvas);
     for (std::size_t i = 0; f.ui.sweep.loaded && i < cells_.tasks.size(); ++i) {
       if (cells_.tasks[i] == f.ui.sweep.loaded) mark_loaded(f, rect_of(i), canvas);
     }

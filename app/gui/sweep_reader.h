@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the sweep that is open and the pictures of those of its cells that are seen, in threads of its own: the
-// window never waits for a file. Of pictures that are not seen any more only the latest are kept.
+// Reads the sweep that is open and the pictures of visible cells in threads of its own. Of pictures that are not
+// visible any more only the latest are kept.
 #pragma once
 
 #include <condition_variable>
@@ -33,8 +33,8 @@ class SweepReader {
   static constexpr std::size_t kMostTasks = 20000;  // of a sweep in the window
   static constexpr std::size_t kMostPictures = 400;
 
-  // `renderer` outlives it. `steady`: everything is read at once, so that a frame never depends on how fast
-  // that is. `links`: files that are links are read.
+  // `renderer` outlives it. `steady`: everything is read at once, so that frames do not depend on timing. `links`:
+  // files that are links are read.
   SweepReader(Renderer& renderer, bool steady, bool links);
   ~SweepReader();
   SweepReader(const SweepReader&) = delete;

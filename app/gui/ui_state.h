@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything about the view that outlives a frame, as plain data. Panels read it; view commands change it, and
-// so do the mouse (camera), the flight along camera keys, and what no longer fits when bodies or scenes change.
+// The state of the view, as plain data. Panels read it; view commands, the mouse, the flight along camera keys and
+// changes of the scene write it.
 #pragma once
 
 #include <memory>
@@ -31,8 +31,7 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
-// What a command fitted into the picture. As long as nobody moves the camera, it is fitted anew when the picture has
-// another shape.
+// What a command fitted into the picture; fitted again when the picture changes its shape, until the camera moves.
 struct Framed {
   std::shared_ptr<const std::vector<Spot>> spots;
   Camera camera;      // as it was fitted
@@ -48,7 +47,7 @@ struct Joining {
 
 struct UiState {
   bool dark = true;
-  double scale = 1;  // chosen by the person, times the screen's
+  double scale = 1;  // times the screen's
   bool help = false, palette = false, hidden = false, costs = false;
   BySlot<const WindowPanel*> shown{&parameters_tab, &barrier_tab, &convergence_tab};
   BySlot<bool> open{true, true, true};
@@ -81,7 +80,6 @@ struct UiState {
   std::vector<std::string> recent;  // scenes that were open, newest first; at most kMostRecent
   bool quit = false;
 
-  // Whether that panel is to be seen.
   bool shows(const WindowPanel& panel) const {
     return !hidden && open[panel.slot] && shown[panel.slot] == &panel;
   }

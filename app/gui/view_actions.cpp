@@ -233,25 +233,17 @@ struct Actor {
       return BoundingSphere{sim.a.state->c[i], 1.5 * radius};
     };
     const auto index = static_cast<std::size_t>(ui.selection.index);
-    switch (ui.selection.kind) {
-      case Selection::Kind::body:
-        if (index < model.shape.size()) return body_sphere(ui.selection.index);
-        break;
-      case Selection::Kind::joint:
-        if (index < model.joints.size()) {
-          const Joint& joint = model.joints[index];
-          return body_sphere(joint.j != kWorld ? joint.j : joint.i);
-        }
-        break;
-      case Selection::Kind::contact:
-        if (index < sim.a.report.contact_reports.size()) {
-          const ContactReport& contact = sim.a.report.contact_reports[index];
-          return BoundingSphere{contact.y_b, 20 * sim.a.params.contact.d_hat};
-        }
-        break;
-      case Selection::Kind::none:
-        break;
+    const auto& contacts = sim.a.report.contact_reports;
+    const auto is = [&](Selection::Kind kind, std::size_t count) {
+      return ui.selection.kind == kind && index < count;
+    };
+    if (is(Selection::Kind::body, model.shape.size())) return body_sphere(ui.selection.index);
+    if (is(Selection::Kind::joint, model.joints.size())) {
+      const Joint& joint = model.joints[index];
+      return body_sphere(joint.j != kWorld ? joint.j : joint.i);
     }
+    if (is(Selection::Kind::contact, contacts.size()))
+      return BoundingSphere{contacts[index].y_b, 20 * sim.a.params.contact.d_hat};
     return bounding_sphere(model, *sim.a.state);
   }
 };

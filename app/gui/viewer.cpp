@@ -41,19 +41,6 @@ double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// As long as it lives.
-class PointerNowhere {
- public:
-  explicit PointerNowhere(ImGuiIO& io) : io_(io), where_(io.MousePos) { io.MousePos = {-FLT_MAX, -FLT_MAX}; }
-  ~PointerNowhere() { io_.MousePos = where_; }
-  PointerNowhere(const PointerNowhere&) = delete;
-  PointerNowhere& operator=(const PointerNowhere&) = delete;
-
- private:
-  ImGuiIO& io_;
-  ImVec2 where_;
-};
-
 }  // namespace
 
 struct Viewer::Impl {
@@ -140,9 +127,13 @@ struct Viewer::Impl {
 
   // Every command goes through here, so that no file is named elsewhere.
   template <class Commands, class Do>
-  void carry(const Commands& c, const Do& carry_out) {
+  void carry(Commands c, const Do& carry_out) {
+    const FileRoot* files = options.files.get();
     try {
-      carry_out(with_named_file(c, options.files.get()));
+      each_file_name(c, [&](std::string& name, FileUse use, bool is_folder) {
+        name = is_folder && files && !name.empty() ? files->folder_of(name) : named_file(files, name, use);
+      });
+      carry_out(c);
     } catch (const Error& error) {
       const std::string name = std::visit([](const auto& x) { return std::string(x.name); }, c);
       runner.send(command::Tell{error.what(), true, name, error.kind()});
@@ -367,10 +358,12 @@ void Viewer::draw(int width, int height, double seconds) {
 }
 
 void Viewer::draw_aside(int width, int height) {
-  const PointerNowhere nowhere(impl_->imgui->IO);
+  ImVec2& pointer = impl_->imgui->IO.MousePos;
+  const ImVec2 before = std::exchange(pointer, {-FLT_MAX, -FLT_MAX});
   impl_->width = width;
   impl_->height = height;
   impl_->draw(0, Impl::Hand::away);
+  pointer = before;
 }
 
 bool Viewer::button_held() const {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The window's content: takes events, draws a frame, sends commands to the simulation. Where the frame is
-// shown, on a screen or in a file, is the caller's business.
+// The window's content: takes events, draws a frame, sends commands to the simulation. The caller shows the frame.
 #pragma once
 
 #include <deque>
@@ -45,8 +44,8 @@ class Viewer {
 
   // Draws a frame of that size in pixels, `seconds` after the last one, into the renderer.
   void draw(int width, int height, double seconds);
-  // A picture of another size between two frames, in which nobody's hand is: events wait, the pointer is
-  // nowhere. Not while a button is held, as what it drags would be elsewhere.
+  // A picture of another size between two frames, without pointer and events. Precondition: no button is held, as
+  // what it drags would be elsewhere.
   void draw_aside(int width, int height);
   bool button_held() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small things that several panels use.
+// Widgets that several panels use.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,7 @@ void wrapped_label(const std::string& text);
 void wrapped_muted_label(const GuiFrame& frame, const std::string& text);
 // Cut where it would be wider than so many pixels, with "…" for the rest.
 std::string shortened(const std::string& text, float width);
-// Shows `text` while the mouse rests on the last item: beside it, or beside the mouse on what is large, so that it
-// never lies over what is aimed at.
+// Shows `text` while the mouse is on the last item: beside it, or beside the mouse on a large item.
 void tooltip(const std::string& text);
 // Where a tooltip of that size goes on a screen: below or above the item, or if that is higher than `large` above and
 // beside the mouse. Pixels.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What kinds of panels the window has: their names, places, and what they need. A new one is its file and a line
-// here; tabs, commands, settings, their help and what the simulation records for a panel are read off the table.
+// The table of panels: their names, places, and what they need. A new one is its file and a line here.
 #pragma once
 
 #include <array>
@@ -52,8 +51,8 @@ struct WindowPanel {
   const char* help;   // one line under the mouse
   Slot slot;
   std::unique_ptr<GuiPanel> (*make)();
-  bool iterations = false;  // what has to be recorded of a step while it is seen: the iterations,
-  bool contacts = false;    // the contacts
+  bool iterations = false;                       // while it is seen the iterations of a step are recorded,
+  bool contacts = false;                         // the contacts
   bool (*offered)(const UiState& ui) = nullptr;  // whether it has a tab while it is not shown; null: always
 };
 
