@@ -57,19 +57,18 @@ BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity) {
   if (sim.b) hi = std::max(hi, largest(values_of(side == Side::b ? sim.a : *sim.b, quantity)));
   if (quantity == ColorQuantity::component) {
     out.title = "bodies that hang together";
-    out.parts = true;
+    int count = 0;
     for (double& v : out.values) {
       if (!std::isfinite(v)) continue;
-      out.count = std::max(out.count, static_cast<int>(v) + 1);
+      count = std::max(count, static_cast<int>(v) + 1);
       v = std::fmod(0.25 + kGoldenPart * v, 1.0);
     }
-    out.note = out.count == 0 ? "nothing touches: no components"
-                              : counted(out.count, "component") + ", one colour each; grey: alone or fixed";
+    out.note = count == 0 ? "nothing touches: no components"
+                          : counted(count, "component") + ", one colour each; grey: alone or fixed";
     return out;
   }
   if (hi == 0 && quantity == ColorQuantity::projection) {
     out.title = out.note = "‖A − R‖ is 0: only sissm has an A";
-    out.parts = true;
     return out;
   }
   out.range =

@@ -15,8 +15,6 @@ struct BodyColors {
   std::vector<double> values;  // NaN: grey
   ValueRange range;            // the same for both simulations
   std::string title;           // with its unit
-  bool parts = false;          // colours tell parts from each other and have no order
-  int count = 0;               // of the parts
   std::string note;            // what to say in place of a bar of colours; empty: there is one
 };
 

@@ -25,9 +25,6 @@ class SceneView {
   bool draw(const Snapshot& sim, const UiState& ui, const std::vector<Trail>& trails, const GuiLayout& layout,
             const RenderQuality& quality, double scale, Renderer& renderer, DevicePicture& device);
 
-  // What was built last, for labels and picking.
-  const VisualScene& scene() const { return visual_[0]; }
-
  private:
   // What a picture depends on beside the camera.
   using Key = std::tuple<std::uint64_t, int, int, bool, bool, bool, ColorQuantity, Selection, bool, Quality,

@@ -192,9 +192,6 @@ PlotTouch plot_widget(GuiFrame& frame, const char* id, const Plot& plot, ImVec2 
   touch.hovered = ImGui::IsItemHovered();
   touch.pressed = ImGui::IsItemActivated();
   touch.held = ImGui::IsItemActive();
-  touch.clicked = touch.hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
-                  !ImGui::IsMouseDragging(ImGuiMouseButton_Left);
-  touch.double_clicked = touch.hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   const ImVec2 mouse = ImGui::GetMousePos();
   touch.mouse = {static_cast<double>(mouse.x), static_cast<double>(mouse.y)};
 

@@ -42,7 +42,7 @@ bool toggle_button(const GuiFrame& frame, const std::string& text, bool on, cons
 // What the mouse does on a plot.
 struct PlotTouch {
   PlotLayout layout;
-  bool hovered = false, pressed = false, held = false, clicked = false, double_clicked = false;
+  bool hovered = false, pressed = false, held = false;
   Point mouse;  // pixels; layout.unmap gives data
 };
 // A plot of that size (pixels) at the cursor; `id` is unique in the panel.
