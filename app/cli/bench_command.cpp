@@ -207,8 +207,7 @@ int bench(const BenchOptions& options) {
     if (options.solvers) write_stdout(choice_markdown(bench.rows()));
   }
   if (json) {
-    json->write(bench_json(head, bench.rows()).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-                "\n");
+    json->write(json_text(bench_json(head, bench.rows())));
     json->finish();
   }
   if (bench.failure()) throw *bench.failure();

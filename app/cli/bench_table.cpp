@@ -33,12 +33,6 @@ std::string solver_text(const StepCounts& counts) {
   return counts.size() == 1 ? counts.front().first : to_text(counts);
 }
 
-nlohmann::ordered_json to_json(const StepCounts& counts) {
-  auto json = nlohmann::ordered_json::object();
-  for (const auto& [name, count] : counts) json[name] = count;
-  return json;
-}
-
 // "on a GPU: NVIDIA H200", with the scenes where not all are; a line of the head.
 std::string device_line(const std::vector<BenchRow>& rows) {
   std::string device, scenes;
@@ -135,7 +129,7 @@ nlohmann::ordered_json bench_json(const BenchHead& head, const std::vector<Bench
   return {{"version", PABD_VERSION},
           {"date", head.date},
           {"build", build_text()},
-          {"cpu", cli::to_json(head.cpu)},
+          {"cpu", to_json(head.cpu)},
           {"load", head.load < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(head.load)},
           {"threads", head.threads},
           {"repeat", head.repeat},

@@ -193,10 +193,7 @@ int doctor(const DoctorOptions& options) {
   const GlFacts gl = find_gl();
   const FfmpegFacts ffmpeg = find_ffmpeg();
   const CpuFacts cpu = find_cpu();
-  write_stdout(options.json
-                   ? to_json(gl, ffmpeg, cpu).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-                         "\n"
-                   : to_text(gl, ffmpeg, cpu));
+  write_stdout(options.json ? json_text(to_json(gl, ffmpeg, cpu)) : to_text(gl, ffmpeg, cpu));
   return 0;
 }
 

@@ -155,8 +155,7 @@ int run(const RunOptions& options) {
   session.complete_state();
   outputs.finish(session);
   if (options.json) {
-    write_stdout(summary_json(session, facts).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) +
-                 "\n");
+    write_stdout(json_text(summary_json(session, facts)));
   } else if (!options.common.quiet) {
     write_stderr(summary_text(session, facts));
   }

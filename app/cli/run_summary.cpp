@@ -22,12 +22,6 @@ double ms_a_step(const RunFacts& facts) {
   return facts.steps > 0 ? 1e3 * facts.seconds / static_cast<double>(facts.steps) : 0;
 }
 
-OrderedJson counts_json(const StepCounts& counts) {
-  OrderedJson json = OrderedJson::object();
-  for (const auto& [name, count] : counts) json[name] = count;
-  return json;
-}
-
 OrderedJson times_json(const PhaseTimes& sums, std::int64_t steps) {
   const auto mean = [&](double ms) { return steps > 0 ? ms / static_cast<double>(steps) : 0; };
   return {{"detect", mean(sums.detect)},
@@ -107,8 +101,8 @@ nlohmann::ordered_json summary_json(const Session& session, const RunFacts& fact
           {"wall_time", facts.seconds},
           {"ms_a_step", ms_a_step(facts)},
           {"phases_ms", times_json(s.times, s.steps)},
-          {"solvers", counts_json(s.solvers())},
-          {"outcomes", counts_json(s.outcomes())},
+          {"solvers", to_json(s.solvers())},
+          {"outcomes", to_json(s.outcomes())},
           {"iterations_a_step", s.iterations_a_step()},
           {"contacts_a_step", s.contacts_a_step()},
           {"min_gap", or_null(std::isfinite(worst.gap), worst.gap)},

@@ -52,7 +52,7 @@ int scenes(const ScenesOptions& options) {
                       {"joints", row.joints},
                       {"description", row.description}});
     }
-    text = list.dump(2) + "\n";
+    text = json_text(list);
   } else {
     std::size_t width = 5;
     for (const SceneRow& row : rows) width = std::max(width, row.name.size());

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace pabd::cli {
 namespace {
@@ -53,6 +54,12 @@ std::string to_text(const StepCounts& counts) {
   for (const auto& [name, count] : counts)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
   return text.empty() ? "none" : text;
+}
+
+nlohmann::ordered_json to_json(const StepCounts& counts) {
+  auto json = nlohmann::ordered_json::object();
+  for (const auto& [name, count] : counts) json[name] = count;
+  return json;
 }
 
 std::string profile_text(const StepStatistics& statistics, const ProfileFacts& facts) {

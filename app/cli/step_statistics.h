@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@ namespace pabd::cli {
 // How many steps there are of each kind, most first; kinds without any are left out.
 using StepCounts = std::vector<std::pair<std::string, std::int64_t>>;
 std::string to_text(const StepCounts& counts);  // "descent 250, newton 50"
+nlohmann::ordered_json to_json(const StepCounts& counts);
 
 struct StepStatistics {
   std::int64_t steps = 0;

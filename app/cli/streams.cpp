@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 
@@ -22,6 +24,10 @@ void write_stderr(std::string_view text) {
 }
 
 void write_note(std::string_view text) { write_stderr(one_line(text) + "\n"); }
+
+std::string json_text(const nlohmann::ordered_json& document) {
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
 
 bool stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,8 @@ void write_stdout(std::string_view text);
 void write_stderr(std::string_view text);
 // A line with text that may come from an input.
 void write_note(std::string_view text);
+// A document, indented; text in it that is no UTF-8 is replaced.
+std::string json_text(const nlohmann::ordered_json& document);
 bool stderr_is_terminal();
 bool stdout_is_terminal();
 

@@ -88,7 +88,7 @@ int validate_all(const ValidateOptions& options) {
   if (options.json != "-")
     write_stdout(options.markdown ? validate::markdown_of(rows) : validate::table_of(rows));
   if (json) {
-    json->write(validate::json_of(rows).dump(2) + "\n");
+    json->write(json_text(validate::json_of(rows)));
     json->finish();
   }
   if (!options.figures.empty()) write_figures(options, cases, rows);
