@@ -246,6 +246,11 @@ step, time (s), converged, iterations, contacts, kinetic, potential, elastic, dr
 max_penetration, min_gap, max_joint_error (m), residual, friction_excess, milliseconds.)");
 }
 
+py::dict stepped(Simulation& simulation, std::int64_t count) {
+  simulation.step(count);
+  return dict_of(simulation.session().report());
+}
+
 void bind_simulation(py::module_& module) {
   py::class_<Simulation> simulation(module, "Simulation");
   simulation.def(py::init<NamedScene, int>(), "scene"_a, "threads"_a = 0)
@@ -260,19 +265,32 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly(
           "hash", [](const Simulation& s) { return state_hash(s.session().state()); },
           "Of the state: what 'pabd run' prints for the same scene, parameters and steps.")
-      .def("_step", &Simulation::step)
-      .def("_steps_until",
-           [](const Simulation& s, double time) { return steps_until(time, s.session().params().h); })
+      .def(
+          "step", [](Simulation& s, std::int64_t n) { return stepped(s, n); }, "n"_a = 1,
+          R"(Make n steps (0 to 10**9), and return the report of the last one as a dict.
+
+The interpreter's lock is released meanwhile. Ctrl-C ends it between two steps with KeyboardInterrupt; the steps that
+were made stay. Error with code 5 where the state leaves all bounds: it stays that of the step before.)")
+      .def(
+          "run",
+          [](Simulation& s, double time) { return stepped(s, steps_until(time, s.session().params().h)); },
+          "time"_a,
+          "Make the steps that the program makes in `time` seconds, and return the report of the last one.")
       .def("_parameter", [](const Simulation& s,
                             const std::string& key) { return parameter_value(s.session().params(), key); })
       .def("_set", &Simulation::set)
-      .def("_observe",
-           [](Simulation& s, std::optional<bool> contacts, std::optional<bool> joints,
-              std::optional<bool> iterations) {
-             const Observed now = s.observed();
-             s.observe({contacts.value_or(now.contacts), joints.value_or(now.joints),
-                        iterations.value_or(now.iterations)});
-           })
+      .def(
+          "observe",
+          [](Simulation& s, std::optional<bool> contacts, std::optional<bool> joints,
+             std::optional<bool> iterations) {
+            const Observed now = s.observed();
+            s.observe({contacts.value_or(now.contacts), joints.value_or(now.joints),
+                       iterations.value_or(now.iterations)});
+          },
+          py::kw_only(), "contacts"_a = py::none(), "joints"_a = py::none(), "iterations"_a = py::none(),
+          R"(What later steps put into their reports; None: as it is. At first contacts and joints.
+
+None of it changes a result; iterations cost a pass over the contacts each.)")
       .def("reset", &Simulation::reset, "Back to the start of the scene and to its parameters.")
       .def("save", &Simulation::save, "The present moment as a State, to come back to.")
       .def("restore", &Simulation::restore, "state"_a,
@@ -281,10 +299,18 @@ void bind_simulation(py::module_& module) {
           "load_state", [](Simulation& s, const std::filesystem::path& path) { s.load_state(path.string()); },
           "path"_a,
           "Go on from a state file of this scene, as 'pabd run --from' does. The history begins anew.")
-      .def("_render", [](Simulation& s, int width, int height, const std::string& camera,
-                         const std::string& overlay, const std::string& theme, const std::string& quality) {
-        return rgba_of(s.render({width, height, camera, overlay, theme, quality}));
-      });
+      .def(
+          "render",
+          [](Simulation& s, int width, int height, const std::string& camera, const std::string& overlay,
+             const std::string& theme, const std::string& quality) {
+            return rgba_of(s.render({width, height, camera, overlay, theme, quality}));
+          },
+          "width"_a = 1280, "height"_a = 720, py::kw_only(), "camera"_a = "", "overlay"_a = "none",
+          "theme"_a = "studio", "quality"_a = "good",
+          R"(A picture as 'pabd render' makes it, without a display: (height, width, 4) uint8, sRGB and opacity.
+
+camera, overlay, theme, quality: words as that command takes them ("front,ortho", "contacts,series", "dark", "draft").
+Drawing again with the same words is quick. Error with code 4 where there is no OpenGL.)");
   bind_views(simulation);
   bind_reports(simulation);
 }

@@ -134,35 +134,6 @@ class Simulation(_pabd.Simulation):
         """The Parameters of the next step: sim.params["contact.kappa"] = 50."""
         return Parameters(self)
 
-    def step(self, n=1):
-        """Make n steps (0 to 10**9), and return the report of the last one as a dict.
-
-        The interpreter's lock is released meanwhile. Ctrl-C ends it between two steps with KeyboardInterrupt; the steps
-        that were made stay. Error with code 5 where the state leaves all bounds: it stays that of the step before.
-        """
-        self._step(n)
-        return self.report
-
-    def run(self, time):
-        """Make the steps that the program makes in `time` seconds, and return the report of the last one."""
-        self._step(self._steps_until(time))
-        return self.report
-
-    def observe(self, *, contacts=None, joints=None, iterations=None):
-        """What later steps put into their reports; None: as it is. At first contacts and joints.
-
-        None of it changes a result; iterations cost a pass over the contacts each.
-        """
-        self._observe(contacts, joints, iterations)
-
-    def render(self, width=1280, height=720, *, camera="", overlay="none", theme="studio", quality="good"):
-        """A picture as 'pabd render' makes it, without a display: (height, width, 4) uint8, sRGB and opacity.
-
-        camera, overlay, theme, quality: words as that command takes them ("front,ortho", "contacts,series", "dark",
-        "draft"). Drawing again with the same words is quick. Error with code 4 where there is no OpenGL.
-        """
-        return self._render(width, height, camera, overlay, theme, quality)
-
     def plot(self):
         """The history: gaps and penetration, energies, joint error against time."""
         return _pabd.plot_history(self)
