@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/joint/action.h"
+#include "sim/solver/joint_actions.h"
 
 namespace pabd {
 namespace {
@@ -24,13 +25,8 @@ Coordinates coordinates_of(const Problem& p, const CouplingStep& coupling) {
 
 // How far it goes in free flight.
 double coming(const Problem& p, const Joint& joint, const JointMeasure& measure) {
-  const auto motion = [&](Index i) {
-    const Vec3 c = p.start_pose(i).c;
-    if (!p.movable(i)) return SmallMotion{c, Vec3::Zero(), Vec3::Zero()};
-    return SmallMotion{c, p.params->h * p.start->v[i], p.flight->turn[i]};
-  };
   const PlacedFrames f = frames_at_start(joint, p);
-  return way_of_motion(measure.of, f, motion(joint.i), motion(joint.j));
+  return way_of_motion(measure.of, f, in_flight(p, joint.i), in_flight(p, joint.j));
 }
 
 double value_at_start(const Problem& p, const Joint& joint, const JointMeasure& measure) {

@@ -10,12 +10,6 @@ namespace {
 
 SmallMotion still() { return {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}; }
 
-// As fast as the body is now: what is at rest has not begun to fall.
-SmallMotion in_flight(const Problem& p, Index body) {
-  if (!p.movable(body)) return still();
-  return {p.start->c[body], p.params->h * p.start->v[body], p.flight->turn[body]};
-}
-
 // Empty by Euler.
 std::optional<Coasting> coasting(const Problem& p, const Joint& joint) {
   if (!p.second_order(joint)) return {};
@@ -80,6 +74,11 @@ double turning_inertia(const Problem& p, Index k, const Vec3& axis) {
 }
 
 }  // namespace
+
+SmallMotion in_flight(const Problem& p, Index i) {
+  if (!p.movable(i)) return still();
+  return {p.start->c[i], p.params->h * p.start->v[i], p.flight->turn[i]};
+}
 
 void start_actions(Problem& p, Iterate& it) {
   it.action.clear();

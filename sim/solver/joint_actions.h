@@ -7,6 +7,10 @@
 
 namespace pabd {
 
+// How body i moves in the free flight of the step: as fast as it is now, since what is at rest has not begun to fall. Zero for
+// what is fixed.
+SmallMotion in_flight(const Problem& p, Index i);
+
 // At the start of a step: fills it.action and p.action_at for the joints of p.acting.
 void start_actions(Problem& p, Iterate& it);
 
