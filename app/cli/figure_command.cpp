@@ -24,6 +24,7 @@ namespace {
 struct FigureOptions {
   CommonOptions common;
   FigureOutputOptions output;
+  std::string backend = "auto";  // of figures 2 and 6
   int number = 0;
 };
 

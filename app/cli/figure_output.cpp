@@ -4,11 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <memory>
-#include <vector>
-
 #include "app/cli/streams.h"
-#include "app/plots/raster_canvas.h"
 #include "sim/base/error.h"
 
 namespace pabd::cli {
@@ -48,10 +44,9 @@ Picture styled(const Drawing& drawing, const FigureOutputOptions& options) {
 
 void write_as_png(const Picture& picture, const Drawing& drawing, const PictureSize& size,
                   const FigureOutputOptions& options) {
-  Pixels pixels = picture_to_pixels(picture, size.width, size.height);
   PngText text = drawing.text;
   text["Software"] = "pabd " PABD_VERSION;
-  write_png(options.output.path, {pixels.width, pixels.height, std::move(pixels.rgb)}, text);
+  write_png(options.output.path, picture_to_image(picture, size.width, size.height), text);
 }
 
 void write_text(const std::string& text, const FigureOutputOptions& options) {

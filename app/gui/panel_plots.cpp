@@ -9,18 +9,15 @@
 #include <filesystem>
 #include <iterator>
 
-#include "app/overlay/overlay.h"
 #include "app/overlay/overlay_panels.h"
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier_curves.h"
 #include "app/plots/figures/barrier_over.h"
-#include "app/plots/figures/convergence_plots.h"
+#include "app/plots/figures/convergence.h"
 #include "app/plots/figures/quantity_plot.h"
 #include "app/plots/figures/run_caption.h"
 #include "app/plots/figures/time_panel.h"
-#include "app/plots/figures/time_series.h"
-#include "render/gl/renderer.h"
 #include "render/output/png.h"
 #include "sim/base/atomic_file.h"
 #include "sim/base/counted.h"
@@ -69,25 +66,12 @@ std::vector<TimeMark> marks_of(const Snapshot& sim) {
 
 std::string ending_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
-void write_png_of(const Figure& figure, const PictureSize& size, const std::string& path, bool dark,
-                  GlContext& context) {
+void write_png_of(const Figure& figure, const PictureSize& size, const std::string& path, bool dark) {
   const PlotTheme& theme = dark ? dark_theme() : light_theme();
-  Renderer renderer(context, size.width, size.height);
-  Overlay overlay(
-      [&](const unsigned char* rgba, int w, int h) { return renderer.upload_font_atlas(rgba, w, h); });
-  const Picture picture = [&](Canvas& canvas, double width, double height) {
-    canvas.fill_rect({0, 0, width, height}, theme.paper, 0);
-    paint_figure(figure, width, height, canvas, theme);
-  };
-  renderer.draw_plain(overlay.paint(picture, size.width, size.height), Vec3f(1, 1, 1));
-  renderer.queue_read();
-  Image image;
-  renderer.fetch(image);
   PngText text;
   text["Software"] = "pabd " PABD_VERSION;
   text["Caption"] = plain_text(figure.caption);
-  text["GL_RENDERER"] = renderer.gl_renderer();
-  write_png(path, image, text);
+  write_png(path, picture_to_image(figure_picture(figure, theme), size.width, size.height, theme.paper), text);
 }
 
 }  // namespace
@@ -172,11 +156,7 @@ Plot series_panel_of(const Snapshot& sim, const UiState& ui) {
   if (what > 0) return time_panel(a.history, static_cast<TimeQuantity>(what - 1), options);
   Plot plot = time_series_plot(a.history, d_hat, !a.model->joints.empty(), options.other);
   // Cursor and marks as the other plots have them.
-  options.other = {};
-  options.d_hat = 0;
-  for (Series& s : time_panel({}, TimeQuantity::contacts, options).series) {
-    if (s.style == SeriesStyle::level_x) plot.series.push_back(std::move(s));
-  }
+  add_time_marks(options, plot);
   return plot;
 }
 
@@ -215,15 +195,14 @@ void check_plot_name(const std::string& path) {
               fmt::format("{}: expected a name that ends in .csv, .svg, .pdf or .png", path));
 }
 
-void export_plot(const command::ExportPlot& what, const Snapshot& sim, const UiState& ui,
-                 GlContext& context) {
+void export_plot(const command::ExportPlot& what, const Snapshot& sim, const UiState& ui) {
   check_plot_name(what.path);
   const Figure figure = panel_figure(what.panel, sim, ui);
   const std::string ending = ending_of(what.path);
   PictureSize size = default_size(figure);
   if (what.width > 0) size.width = what.width;
   if (what.height > 0) size.height = what.height;
-  if (ending == ".png") return write_png_of(figure, size, what.path, ui.dark, context);
+  if (ending == ".png") return write_png_of(figure, size, what.path, ui.dark);
   write_file(what.path, ending == ".csv"   ? figure_to_csv(figure)
                         : ending == ".svg" ? figure_to_svg(figure, size.width, size.height)
                                            : picture_to_pdf(figure_picture(figure), size.width, size.height));

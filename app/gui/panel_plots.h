@@ -33,7 +33,7 @@ Figure panel_figure(const std::string& panel, const Snapshot& sim, const UiState
 
 // Writes it, by the ending of the name: .csv, .svg, .pdf or .png; size 0: what suits it. Throws
 // Error(bad_input), Error(file). Changes the current ImGui context for a .png.
-void export_plot(const command::ExportPlot& what, const Snapshot& sim, const UiState& ui, GlContext& context);
+void export_plot(const command::ExportPlot& what, const Snapshot& sim, const UiState& ui);
 // Whether the name ends in one of these; throws Error(bad_input) else.
 void check_plot_name(const std::string& path);
 

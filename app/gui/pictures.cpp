@@ -174,7 +174,7 @@ void Studio::work(const Snapshot& sim, const UiState& ui, int width, int height,
   }
   for (const command::ExportPlot& plot : std::exchange(plots_, {})) {
     try {
-      export_plot(plot, sim, ui, context_);
+      export_plot(plot, sim, ui);
       tell_(Severity::note, "saved " + plot.path);
     } catch (const Error& error) {
       tell_(Severity::error, error.what());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/gui/window_panel.h"
-#include "app/plots/figures/step_quantities.h"
+#include "app/plots/figures/quantity_plot.h"
 #include "app/workbench/command.h"
 #include "render/visual/picture_marks.h"
 #include "render/visual/picture_theme.h"

@@ -40,33 +40,6 @@ struct FontFile {
 // Horizontal sub-pixel steps: small text needs them for even spacing, large text only pays for them.
 int oversampling(double size) { return size < 22 ? 3 : size < 44 ? 2 : 1; }
 
-// The two parts of d̂ and where the hat sits: its middle over the right stem of the d, a gap above it.
-struct DHat {
-  int d, hat;           // glyph indices
-  double hat_x, hat_y;  // shift of the hat, in font units, y up
-  int x0, y0, x1, y1;   // bounds of the whole, in font units
-};
-
-DHat compose_d_hat(const stbtt_fontinfo& info) {
-  DHat out{};
-  out.d = stbtt_FindGlyphIndex(&info, 'd');
-  out.hat = stbtt_FindGlyphIndex(&info, 0x2C6);
-  int dx0 = 0, dy0 = 0, dx1 = 0, dy1 = 0, hx0 = 0, hy0 = 0, hx1 = 0, hy1 = 0;
-  stbtt_GetGlyphBox(&info, out.d, &dx0, &dy0, &dx1, &dy1);
-  stbtt_GetGlyphBox(&info, out.hat, &hx0, &hy0, &hx1, &hy1);
-  const int em = static_cast<int>(1.0f / stbtt_ScaleForMappingEmToPixels(&info, 1.0f));
-  // The stem of the d is at its right; a hat centred there alone would stick out far, so it moves a little
-  // in.
-  const double stem = dx1 - 0.09 * em * 0.5;
-  out.hat_x = stem - 0.07 * em - 0.5 * (hx0 + hx1);
-  out.hat_y = dy1 + 0.045 * em - hy0;
-  out.x0 = std::min(dx0, static_cast<int>(std::floor(hx0 + out.hat_x)));
-  out.x1 = std::max(dx1, static_cast<int>(std::ceil(hx1 + out.hat_x)));
-  out.y0 = std::min(dy0, static_cast<int>(std::floor(hy0 + out.hat_y)));
-  out.y1 = std::max(dy1, static_cast<int>(std::ceil(hy1 + out.hat_y)));
-  return out;
-}
-
 struct PixelBox {
   int x0, y0, w, h;  // px, x oversampled; y down from the baseline
 };
@@ -181,7 +154,7 @@ void FontAtlas::bake() {
   }
   ranges.push_back(0);
 
-  const DHat glyph = compose_d_hat(face.info);
+  const DHat glyph = compose_d_hat();
   std::vector<int> rects;
   for (const int half_pixels : sizes_) {
     const double size = 0.5 * half_pixels;
@@ -214,7 +187,7 @@ void FontAtlas::bake() {
 
 void FontAtlas::add_d_hat(ImFont& font, double size, int oversample, int rect) {
   const FontFile face;
-  const DHat glyph = compose_d_hat(face.info);
+  const DHat glyph = compose_d_hat();
   const PixelBox box = d_hat_box(face.info, glyph, size, oversample);
   const double scale = size * static_cast<double>(stbtt_ScaleForMappingEmToPixels(&face.info, 1.0f));
   std::vector<unsigned char> bitmap(static_cast<std::size_t>(box.w) * static_cast<std::size_t>(box.h));

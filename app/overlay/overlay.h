@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws panels and labels over a frame, and whole figures, as Dear ImGui draw data. No window and no GL in
-// here: the data is for Renderer::draw and Renderer::draw_plain, the font atlas goes through a callback.
+// Draws panels and labels over a frame as Dear ImGui draw data. No window and no GL in here: the data is for
+// Renderer::draw and Renderer::compose, the font atlas goes through a callback.
 #pragma once
 
 #include <functional>
@@ -52,7 +52,7 @@ class Overlay {
   const ImDrawData* frame(const OverlayOptions& options, const OverlayData& data, const VisualScene* scene,
                           int width, int height);
 
-  // A figure or diagram that fills the picture: for Renderer::draw_plain on white.
+  // A picture painted as panels of a window are.
   const ImDrawData* paint(const Picture& picture, int width, int height);
 
   // Code points that some text asked for and the font does not have, for tests and diagnostics.

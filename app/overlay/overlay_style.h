@@ -7,7 +7,7 @@
 #include "app/overlay/overlay.h"
 #include "app/overlay/overlay_panel_table.h"
 #include "app/plots/plot.h"
-#include "app/plots/plot_palette.h"
+#include "app/plots/theme.h"
 #include "sim/math/types.h"
 
 namespace pabd::overlay_style {

@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
-#include "app/plots/plot_palette.h"
 #include "app/plots/rich_text.h"
+#include "app/plots/theme.h"
 
 namespace pabd {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-#include "app/plots/plot_palette.h"
+#include "app/plots/theme.h"
 
 namespace pabd {
 namespace {

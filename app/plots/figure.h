@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A figure laid out and painted, and written as SVG or CSV.
+// A figure laid out and painted, and written as SVG, PDF, pixels or CSV.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 
 #include "app/plots/canvas.h"
 #include "app/plots/plot_layout.h"
+#include "render/output/image.h"
 
 namespace pabd {
 
@@ -39,6 +40,8 @@ Picture figure_picture(Figure figure, const PlotTheme& theme = light_theme());
 std::string picture_to_svg(const Picture& picture, int width, int height, Color paper = ink::paper);
 // The same as a PDF document of one page, its font embedded; 3/4 pt a pixel. Throws Error(defect).
 std::string picture_to_pdf(const Picture& picture, int width, int height, Color paper = ink::paper);
+// The same as pixels. Throws Error(defect).
+Image picture_to_image(const Picture& picture, int width, int height, Color paper = ink::paper);
 std::string figure_to_svg(const Figure& figure, int width, int height,
                           const PlotTheme& theme = light_theme());
 

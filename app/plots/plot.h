@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pabd {
@@ -21,8 +22,8 @@ struct Axis {
   // Range; lo == hi: fitted to the data.
   double lo = 0;
   double hi = 0;
-  double min_span =
-      0;  // a fitted linear range is at least this wide: rounding noise is not blown up to full height
+  // A fitted linear range is at least this wide: rounding noise is not blown up to full height.
+  double min_span = 0;
   bool integer = false;  // ticks at whole numbers only (iterations, steps)
 };
 
@@ -50,6 +51,48 @@ struct Series {
   std::string quantity;              // in CSV after the name, where it is not that of the axis: "B/d̂² [1]"
   std::string tag;                   // written beside a level, a level_x or the last marker
 };
+
+// A reference line across the plot at y, or upright at x.
+inline Series horizontal_line(double y, std::string tag = {}) {
+  Series series;
+  series.style = SeriesStyle::level;
+  series.y = {y};
+  series.tag = std::move(tag);
+  return series;
+}
+inline Series vertical_line(double x, std::string tag = {}) {
+  Series series;
+  series.style = SeriesStyle::level_x;
+  series.x = {x};
+  series.tag = std::move(tag);
+  return series;
+}
+
+// One marker.
+inline Series marker(double x, double y, int color, std::string tag = {}) {
+  Series series;
+  series.style = SeriesStyle::markers;
+  series.color = color;
+  series.x = {x};
+  series.y = {y};
+  series.tag = std::move(tag);
+  return series;
+}
+
+// A curve with one point per element of `data`: (x(element), y(element)).
+template <class Data, class X, class Y>
+Series curve(std::string name, int color, const Data& data, const X& x, const Y& y) {
+  Series series;
+  series.name = std::move(name);
+  series.color = color;
+  series.x.reserve(data.size());
+  series.y.reserve(data.size());
+  for (const auto& element : data) {
+    series.x.push_back(x(element));
+    series.y.push_back(y(element));
+  }
+  return series;
+}
 
 // An entry of a legend that names a property of curves and not one curve: "N = 3" is a colour.
 struct PlotKey {

@@ -5,6 +5,7 @@
 #include <stb_truetype.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "app/plots/font_data.h"
@@ -119,6 +120,29 @@ double FontMetrics::advance(char32_t code_point) const {
 
 bool FontMetrics::has(char32_t code_point) const {
   return code_point == kDHat || stbtt_FindGlyphIndex(&impl_->info, static_cast<int>(code_point)) != 0;
+}
+
+DHat compose_d_hat() {
+  const unsigned char* bytes = font_bytes().data();
+  stbtt_fontinfo info;
+  if (stbtt_InitFont(&info, bytes, stbtt_GetFontOffsetForIndex(bytes, 0)) == 0)
+    throw std::logic_error("the embedded font cannot be read");
+  DHat out{};
+  out.d = stbtt_FindGlyphIndex(&info, 'd');
+  out.hat = stbtt_FindGlyphIndex(&info, 0x2C6);
+  int dx0 = 0, dy0 = 0, dx1 = 0, dy1 = 0, hx0 = 0, hy0 = 0, hx1 = 0, hy1 = 0;
+  stbtt_GetGlyphBox(&info, out.d, &dx0, &dy0, &dx1, &dy1);
+  stbtt_GetGlyphBox(&info, out.hat, &hx0, &hy0, &hx1, &hy1);
+  out.em = static_cast<int>(1.0f / stbtt_ScaleForMappingEmToPixels(&info, 1.0f));
+  // A hat centred over the stem alone would stick out far, so it moves a little in.
+  const double stem = dx1 - 0.09 * out.em * 0.5;
+  out.hat_x = stem - 0.07 * out.em - 0.5 * (hx0 + hx1);
+  out.hat_y = dy1 + 0.045 * out.em - hy0;
+  out.x0 = std::min(dx0, static_cast<int>(std::floor(hx0 + out.hat_x)));
+  out.x1 = std::max(dx1, static_cast<int>(std::ceil(hx1 + out.hat_x)));
+  out.y0 = std::min(dy0, static_cast<int>(std::floor(hy0 + out.hat_y)));
+  out.y1 = std::max(dy1, static_cast<int>(std::ceil(hy1 + out.hat_y)));
+  return out;
 }
 
 TextLayout layout_text(const FontMetrics& font, std::string_view rich, double size) {

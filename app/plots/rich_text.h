@@ -50,6 +50,15 @@ class FontMetrics {
   std::unique_ptr<Impl> impl_;
 };
 
+// The two parts of d̂: the hat stands over the right stem of the d, a gap above it.
+struct DHat {
+  int d, hat;           // glyph indices in the embedded font
+  double hat_x, hat_y;  // shift of the hat, in font units, y up
+  int x0, y0, x1, y1;   // bounds of the whole, in font units
+  int em;               // font units
+};
+DHat compose_d_hat();
+
 struct TextRun {
   std::string text;  // UTF-8, no markup
   double x, y;       // start of its baseline; px

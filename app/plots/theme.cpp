@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The two sets of inks.
+// The two themes of plots.
 #include "app/plots/theme.h"
 
 namespace pabd {
@@ -9,37 +9,43 @@ Color PlotTheme::color(int index) const {
   return palette[static_cast<std::size_t>(wrapped)];
 }
 
+Color palette_color(int index) { return light_theme().color(index); }
+
 const PlotTheme& light_theme() {
-  static const PlotTheme theme = [] {
-    PlotTheme t{ink::text,
-                ink::muted,
-                ink::axis,
-                ink::grid,
-                ink::minor_grid,
-                ink::zero_line,
-                ink::reference,
-                ink::paper,
-                ink::paper,
-                {255, 255, 255, 225},
-                {}};
-    for (int k = 0; k < kPaletteSize; ++k) t.palette[static_cast<std::size_t>(k)] = palette_color(k);
-    return t;
-  }();
+  static const PlotTheme theme{.text = ink::text,
+                               .muted = ink::muted,
+                               .axis = {75, 85, 99, 255},
+                               .grid = {31, 41, 51, 30},  // transparent: also right on panels over a picture
+                               .minor_grid = {31, 41, 51, 14},
+                               .zero_line = {31, 41, 51, 75},
+                               .reference = {107, 114, 128, 255},
+                               .paper = ink::paper,
+                               .rim = ink::paper,
+                               .legend = {255, 255, 255, 225},
+                               .palette = {{
+                                   {0x1F, 0x6F, 0xB2, 255},  // blue
+                                   {0xCC, 0x55, 0x33, 255},  // vermilion
+                                   {0x1E, 0x93, 0x73, 255},  // bluish green
+                                   {0xD9, 0x99, 0x1A, 255},  // ochre
+                                   {0xA8, 0x5F, 0x93, 255},  // reddish purple
+                                   {0x58, 0xA9, 0xD6, 255},  // sky
+                                   {0x5B, 0x64, 0x70, 255},  // slate
+                               }}};
   return theme;
 }
 
 const PlotTheme& dark_theme() {
-  static const PlotTheme theme{{230, 234, 239, 255},  // text
-                               {170, 181, 193, 255},  // muted
-                               {143, 155, 169, 255},  // axis
-                               {230, 234, 239, 34},   // grid
-                               {230, 234, 239, 15},   // minor grid
-                               {230, 234, 239, 90},   // zero line
-                               {155, 164, 176, 255},  // reference
-                               {0x1E, 0x23, 0x29, 255},
-                               {205, 212, 220, 255},  // rim: the darkest markers are the worst contacts
-                               {0x1E, 0x23, 0x29, 225},
-                               {{
+  static const PlotTheme theme{.text = {230, 234, 239, 255},
+                               .muted = {170, 181, 193, 255},
+                               .axis = {143, 155, 169, 255},
+                               .grid = {230, 234, 239, 34},
+                               .minor_grid = {230, 234, 239, 15},
+                               .zero_line = {230, 234, 239, 90},
+                               .reference = {155, 164, 176, 255},
+                               .paper = {0x1E, 0x23, 0x29, 255},
+                               .rim = {205, 212, 220, 255},  // the darkest markers are the worst contacts
+                               .legend = {0x1E, 0x23, 0x29, 225},
+                               .palette = {{
                                    {0x4F, 0x9D, 0xE8, 255},  // blue
                                    {0xF0, 0x7A, 0x56, 255},  // vermilion
                                    {0x2F, 0xB8, 0x8F, 255},  // bluish green

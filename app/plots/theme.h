@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// The inks of a plot: light ones for paper and for panels over a picture, dark ones for dark windows. Both
-// have the same hues in the same order, so that a curve keeps its colour name.
+// The colours of plots and diagrams: light ones for paper and for panels over a picture, dark ones for dark
+// windows. Both have the same hues in the same order, so that a curve keeps its colour name. People with any of the
+// common colour vision deficiencies can tell the curves apart (after the Okabe–Ito set, muted).
 //
 // Measured by tests/plots/test_theme.cpp: in the dark theme every text has a contrast of at least 4.5:1
-// against the paper, every curve 3:1 (WCAG 2.1), and curves differ for people with a colour vision
-// deficiency.
+// against the paper, every curve 3:1 (WCAG 2.1).
 #pragma once
 
 #include <array>
 
 #include "app/plots/plot.h"
-#include "app/plots/plot_palette.h"
 
 namespace pabd {
+
+inline constexpr int kPaletteSize = 7;
 
 struct PlotTheme {
   Color text, muted;
@@ -28,5 +29,13 @@ struct PlotTheme {
 
 const PlotTheme& light_theme();
 const PlotTheme& dark_theme();
+
+// Of the light theme.
+Color palette_color(int index);
+namespace ink {
+inline constexpr Color text{31, 41, 51, 255};
+inline constexpr Color muted{95, 107, 120, 255};
+inline constexpr Color paper{255, 255, 255, 255};
+}  // namespace ink
 
 }  // namespace pabd

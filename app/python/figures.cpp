@@ -15,7 +15,7 @@
 #include "app/plots/figures/convergence.h"
 #include "app/plots/figures/quantity_plot.h"
 #include "app/plots/figures/run_caption.h"
-#include "app/plots/figures/time_series.h"
+#include "app/plots/figures/time_panel.h"
 #include "app/plots/theme.h"
 #include "app/python/painter.h"
 #include "app/python/simulation.h"

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/plots/plot_palette.h"
-#include "app/plots/raster_canvas.h"
+#include "app/plots/cairo_canvas.h"
+#include "app/plots/theme.h"
 #include "render/output/png.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
@@ -54,8 +54,7 @@ class SheetPainter {
         cell(layout_.picture(column, row, grid_.rows()), slice_.tasks[row * grid_.columns() + column]);
     }
     axes();
-    Pixels pixels = canvas_.finish();
-    return {pixels.width, pixels.height, std::move(pixels.rgb)};
+    return canvas_.finish();
   }
 
  private:

@@ -8,7 +8,7 @@
 #include <functional>
 #include <utility>
 
-#include "app/plots/raster_canvas.h"
+#include "app/plots/figure.h"
 #include "app/sweep/collect_plots.h"
 #include "app/sweep/collect_report.h"
 #include "app/sweep/collect_sheet.h"
@@ -43,8 +43,7 @@ std::string png_bytes(const Image& image) {
 }
 
 std::string png_bytes(const SizedPicture& picture) {
-  Pixels pixels = picture_to_pixels(picture.picture, picture.size.width, picture.size.height);
-  return png_bytes(Image{pixels.width, pixels.height, std::move(pixels.rgb)});
+  return png_bytes(picture_to_image(picture.picture, picture.size.width, picture.size.height));
 }
 
 struct PlannedFile {

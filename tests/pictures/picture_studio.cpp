@@ -88,8 +88,8 @@ Image Studio::frame(const VisualScene& scene, const OverlayOptions& panels, cons
   return read();
 }
 
-Image Studio::picture(const Picture& picture) {
-  renderer_.draw_plain(overlay_.paint(picture, width_, height_), Vec3f(1, 1, 1));
+Image Studio::panels(const Picture& picture) {
+  renderer_.compose(width_, height_, {}, Vec3f(1, 1, 1), overlay_.paint(picture, width_, height_));
   return read();
 }
 

@@ -26,7 +26,7 @@ class Studio {
   Studio(int width, int height);
 
   Image frame(const VisualScene& scene, const OverlayOptions& panels = {}, const OverlayData& data = {});
-  Image picture(const Picture& picture);
+  Image panels(const Picture& picture);  // as a window paints them
   std::string gl_renderer() const { return renderer_.gl_renderer(); }
 
  private:

@@ -13,7 +13,6 @@
 #include "app/plots/figures/barrier_plots.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"
-#include "app/plots/figures/convergence_plots.h"
 #include "app/plots/figures/difference.h"
 #include "app/plots/figures/slider_joint.h"
 #include "app/plots/figures/spherical_joint.h"
@@ -31,6 +30,13 @@ namespace {
 
 void check(const Image& image, const std::string& name, const Studio& studio) {
   const CompareResult result = check_golden(image, name, studio.gl_renderer());
+  INFO(result.reason);
+  CHECK(result.equal);
+}
+
+// A plot or a drawing, which cairo paints.
+void check_figure(const Picture& picture, int width, int height, const std::string& name) {
+  const CompareResult result = check_golden(picture_to_image(picture, width, height), name, "cairo");
   INFO(result.reason);
   CHECK(result.equal);
 }
@@ -86,31 +92,25 @@ TEST_CASE("bodies by value, a selected one, a ghost and a spring") {
 }
 
 TEST_CASE("barrier plot") {
-  Studio studio(1200, 525);
   BarrierCurves curves;
   curves.kinds = {BarrierKind::polynomial, BarrierKind::even, BarrierKind::log};
   curves.N = {2, 3, 8};
-  check(studio.picture(figure_picture(barrier_figure(curves))), "barrier_plot", studio);
+  check_figure(figure_picture(barrier_figure(curves)), 1200, 525, "barrier_plot");
 }
 
 TEST_CASE("convergence plot") {
-  Studio studio(1500, 500);
   const Figure figure = convergence_figure(
       {{"sissm", invented_records(60, 0.85)}, {"descent", invented_records(30, 0.5)}}, Minimiser{100, 0.002});
-  check(studio.picture(figure_picture(figure)), "convergence_plot", studio);
+  check_figure(figure_picture(figure), 1500, 500, "convergence_plot");
 }
 
-TEST_CASE("figure 1") {
-  Studio studio(1200, 525);
-  check(studio.picture(figure_picture(figure1())), "figure_1", studio);
-}
+TEST_CASE("figure 1") { check_figure(figure_picture(figure1()), 1200, 525, "figure_1"); }
 
 TEST_CASE("figures 2, 3 and 4") {
   Studio wide(1200, 525);
   check(wide.frame(figure2(1200.0 / 525)), "figure_2", wide);
-  Studio studio(1200, 600);
-  check(studio.picture(figure3()), "figure_3", studio);
-  check(studio.picture(figure4()), "figure_4", studio);
+  check_figure(figure3(), 1200, 600, "figure_3");
+  check_figure(figure4(), 1200, 600, "figure_4");
 }
 
 TEST_CASE("one joint of each type with bond points and legend") {
@@ -148,10 +148,7 @@ TEST_CASE("a mechanism with all overlays, small") {
   check(studio.frame(scene, panels, data), "mechanism_overlays", studio);
 }
 
-TEST_CASE("figure 5") {
-  Studio studio(1200, 600);
-  check(studio.picture(figure5()), "figure_5", studio);
-}
+TEST_CASE("figure 5") { check_figure(figure5(), 1200, 600, "figure_5"); }
 
 TEST_CASE("panels of the window, light and dark") {
   const StoredStep stored("pyramid");
@@ -187,7 +184,7 @@ TEST_CASE("panels of the window, light and dark") {
       difference_series_plot({}, {}, DifferenceQuantity::distance, apart)};
   for (const PlotTheme* theme : {&light_theme(), &dark_theme()}) {
     Studio studio(1140, 600);
-    const Image image = studio.picture([&](Canvas& canvas, double width, double height) {
+    const Image image = studio.panels([&](Canvas& canvas, double width, double height) {
       canvas.fill_rect({0, 0, width, height}, theme->paper);
       PlotStyle style = panel_style();
       style.theme = *theme;

@@ -12,7 +12,7 @@
 #include "app/plots/figures/convergence.h"
 #include "app/plots/figures/slider_joint.h"
 #include "app/plots/figures/spherical_joint.h"
-#include "app/plots/figures/time_series.h"
+#include "app/plots/figures/time_panel.h"
 #include "sim/scene/scene.h"
 #include "tests/plots/printed_barrier.h"
 #include "tests/support/places.h"

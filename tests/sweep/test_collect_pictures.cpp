@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/plots/raster_canvas.h"
+#include "app/plots/figure.h"
 #include "app/sweep/collect_plots.h"
 #include "app/sweep/collect_sheet.h"
 #include "tests/support/errors.h"
@@ -136,8 +136,7 @@ TEST_CASE("the cells of a heat map have the colour of their value, and its axes 
   CHECK(map.value_label == "penetration [m]");
   for (const PictureSize size : {default_size(map), PictureSize{500, 360}, PictureSize{1900, 1000}}) {
     CAPTURE(size.width);
-    const Pixels pixels = picture_to_pixels(heat_map_picture(map), size.width, size.height);
-    const Image image{pixels.width, pixels.height, pixels.rgb};
+    const Image image = picture_to_image(heat_map_picture(map), size.width, size.height);
     const HeatLayout layout = layout_heat_map(map, size.width, size.height, FontMetrics());
     CHECK(layout.scale.lo == Approx(1e-2));
     CHECK(layout.scale.hi == Approx(1e4));

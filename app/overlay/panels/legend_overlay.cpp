@@ -28,7 +28,8 @@ void paint_legend(const Rect& rect, double s, const OverlayData&, Canvas& canvas
   }
   for (const double v : {-0.5, 0.0, 0.5, 1.0}) {
     const double x = bar.x + bar.w * (v - lo) / (hi - lo);
-    canvas.vertical(std::clamp(x, bar.x, bar.right() - 1), bar.bottom(), bar.bottom() + 3 * s, ink::axis, s);
+    canvas.vertical(std::clamp(x, bar.x, bar.right() - 1), bar.bottom(), bar.bottom() + 3 * s,
+                    light_theme().axis, s);
     canvas.text({x, bar.bottom() + 6 * s}, v == 0 ? "0" : format_value(v),
                 {kText * s, ink::text, AlignX::center, AlignY::top});
   }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/overlay/overlay_style.h"
-#include "app/plots/figures/time_series.h"
+#include "app/plots/figures/time_panel.h"
 
 namespace pabd {
 namespace {

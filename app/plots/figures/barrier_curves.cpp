@@ -5,12 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "app/plots/axis_ticks.h"
+#include "app/plots/figures/barrier_abscissa.h"
 #include "app/plots/figures/parameter_text.h"
-#include "app/plots/plot_palette.h"
 #include "app/plots/quantities.h"
+#include "app/plots/theme.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd {
@@ -19,63 +23,24 @@ namespace {
 constexpr double kLeft = -0.5;  // of the shown range, in d̂: penetration is half of the point
 constexpr double kRight = 1.25;
 
-struct Curve {
-  Barrier barrier;
-  std::string name;
-  SeriesStyle style = SeriesStyle::line;
-  double scale = 1;  // of value and derivative: 1/d̂² makes the log barrier comparable
-};
-
-// Samples one curve over [lo, hi]. Points the barrier does not reach (log at d ≤ 0) are infinite and break
-// the line. At d̂, where the printed derivative jumps, both sides are sampled so that the jump is drawn
-// upright.
-void add_curve(const Curve& curve, double lo, double hi, int samples, Series* value, Series* slope) {
-  const auto add = [&](double d) {
-    const BarrierValue b = evaluate(curve.barrier, d);
-    for (Series* series : {value, slope}) {
-      if (!series) continue;
-      series->x.push_back(d);
-      series->y.push_back(curve.scale * (series == value ? b.value : b.first));
-    }
-  };
-  const double d_hat = curve.barrier.d_hat;
-  double last = lo;
-  for (int k = 0; k <= samples; ++k) {
-    const double d = lo + (hi - lo) * k / samples;
-    if (last < d_hat && d > d_hat) {
-      add(std::nextafter(d_hat, lo));
-      add(d_hat);
-    }
-    add(d);
-    last = d;
-  }
+// One of value and derivative over a range of d, times `scale`: 1/d̂² makes the log barrier comparable. Where the
+// barrier is infinite (log at d ≤ 0) the line breaks.
+Series barrier_curve(std::string name, int color, const Barrier& barrier, double BarrierValue::*what,
+                     const PlotRange& x, int samples, double scale = 1) {
+  return curve(std::move(name), color,
+               barrier_samples(BarrierAbscissa::gap, x, samples, std::array{barrier.d_hat}), std::identity(),
+               [&](double d) { return scale * (evaluate(barrier, d).*what); });
 }
 
-// Range that shows whole what is finite for d ≤ 0; what is not leaves it.
-void limit_range(Axis& axis, const std::vector<Curve>& curves, double lo, bool slope) {
-  double least = 0, largest = 0;
-  const auto ends = [](const Curve& curve) { return traits_of(curve.barrier.kind).feasible_only; };
-  const bool all_end = std::all_of(curves.begin(), curves.end(), ends);
-  for (const Curve& curve : curves) {
-    if (ends(curve) && !all_end) continue;
-    const double d = ends(curve) ? 0.05 * curve.barrier.d_hat : lo;
-    const BarrierValue b = evaluate(curve.barrier, d);
-    const double v = curve.scale * (slope ? b.first : b.value);
-    if (!std::isfinite(v)) continue;
-    least = std::min(least, v);
-    largest = std::max(largest, v);
-  }
+// Range that shows what is finite from `lo` on.
+void limit_range(Axis& axis, const Barrier& barrier, double BarrierValue::*what, double lo, double scale) {
+  const double d = traits_of(barrier.kind).feasible_only ? 0.05 * barrier.d_hat : lo;
+  const double v = scale * (evaluate(barrier, d).*what);
+  const double least = std::isfinite(v) ? std::min(0.0, v) : 0,
+               largest = std::isfinite(v) ? std::max(0.0, v) : 0;
   const double room = 0.05 * (largest - least);
   axis.lo = least - room;
   axis.hi = largest + room;
-}
-
-Series vertical_at(double x, std::string name) {
-  Series series;
-  series.name = std::move(name);
-  series.x = {x};
-  series.style = SeriesStyle::level_x;
-  return series;
 }
 
 }  // namespace
@@ -98,37 +63,24 @@ Figure figure1() {
   right.y.label = axis_of_order(quantities::barrier_slope, 3);
   left.y.lo = -0.15;
   left.y.hi = 4;
-  const double lo = kLeft * d_hat, hi = kRight * d_hat;
+  const PlotRange x{kLeft * d_hat, kRight * d_hat};
   for (const int N : {1, 2, 3, 4, 8}) {
-    Series series;
-    series.name = fmt::format("N = {}", N);
-    add_curve({{BarrierKind::polynomial, N, d_hat, 1, 0}, {}, {}, 1}, lo, hi, samples, &series, nullptr);
-    left.series.push_back(std::move(series));
+    left.series.push_back(barrier_curve(fmt::format("N = {}", N), -1,
+                                        {BarrierKind::polynomial, N, d_hat, 1, 0}, &BarrierValue::value, x,
+                                        samples));
   }
-  Series limit;
-  limit.name = "−ln(d/d̂), N → ∞";
-  limit.style = SeriesStyle::dashed;
-  limit.color = 6;
-  for (int k = 1; k <= samples; ++k) {
-    const double d = d_hat * k / samples;
-    limit.x.push_back(d);
-    limit.y.push_back(-std::log(d / d_hat));
-  }
-  left.series.push_back(std::move(limit));
-  Series log;
-  log.name = "log barrier B/d̂²";
-  log.quantity = "[1]";
-  log.style = SeriesStyle::dashed;
-  log.color = 5;
-  add_curve({{BarrierKind::log, 1, d_hat, 1, 0}, {}, {}, 1 / (d_hat * d_hat)}, 0, hi, samples, &log, nullptr);
-  left.series.push_back(std::move(log));
+  left.series.push_back(curve(
+      "−ln(d/d̂), N → ∞", 6, barrier_samples(BarrierAbscissa::gap, {d_hat / samples, d_hat}, samples - 1, {}),
+      std::identity(), [](double d) { return -std::log(d / d_hat); }));
+  left.series.push_back(barrier_curve("log barrier B/d̂²", 5, {BarrierKind::log, 1, d_hat, 1, 0},
+                                      &BarrierValue::value, {0, x.hi}, samples, 1 / (d_hat * d_hat)));
+  left.series.back().quantity = "[1]";
+  for (std::size_t k = 5; k < 7; ++k) left.series[k].style = SeriesStyle::dashed;
 
   for (const double thickness : {0.005, 0.01, 0.015, 0.02}) {
-    Series series;
-    series.name = parameter_text(&ContactParams::d_hat, thickness);
-    add_curve({{BarrierKind::polynomial, 3, thickness, 1, 0}, {}, {}, 1}, -0.005, 0.0225, samples, nullptr,
-              &series);
-    right.series.push_back(std::move(series));
+    right.series.push_back(barrier_curve(parameter_text(&ContactParams::d_hat, thickness), -1,
+                                         {BarrierKind::polynomial, 3, thickness, 1, 0}, &BarrierValue::first,
+                                         {-0.005, 0.0225}, samples));
   }
   right.y.lo = -1300;
   right.y.hi = 60;
@@ -170,9 +122,8 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
   plot.title = "Contact barrier";
   const BarrierTraits& traits = traits_of(contact.barrier);
   const double d_hat = contact.d_hat;
-  Curve curve;
-  curve.barrier = {contact.barrier, contact.N, d_hat, 1, contact.onset};
-  curve.scale = one_joule(contact.barrier, d_hat);
+  const Barrier barrier{contact.barrier, contact.N, d_hat, 1, contact.onset};
+  const double scale = one_joule(contact.barrier, d_hat);
   // The range holds the deepest contact, or the usual part of the curve.
   double lo = traits.feasible_only ? 0.01 * d_hat : kLeft * d_hat;
   for (const ContactReport& report : contacts) {
@@ -188,26 +139,25 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
   };
   plot.y.label = label(quantities::barrier, quantities::log_barrier);
   plot.y_right.label = label(quantities::barrier_slope, quantities::log_barrier_slope);
-  limit_range(plot.y, {curve}, lo, false);
-  limit_range(plot.y_right, {curve}, lo, true);
-  Series value, slope, value_marks, slope_marks;
-  slope.right_axis = slope_marks.right_axis = true;
-  value.color = 0;
-  slope.color = 3;
-  add_curve(curve, lo, plot.x.hi, 300, &value, &slope);
-  value_marks.style = slope_marks.style = SeriesStyle::markers;
-  value_marks.crowd = slope_marks.crowd = true;
-  for (const ContactReport& report : contacts) {
-    if (!(report.d < d_hat)) continue;
-    const BarrierValue b = evaluate(curve.barrier, report.d);
-    for (Series* marks : {&value_marks, &slope_marks}) {
-      marks->x.push_back(report.d);
-      marks->y.push_back(curve.scale * (marks == &value_marks ? b.value : b.first));
-      marks->marker_colors.push_back(color(report.d / d_hat));
-    }
-  }
+  limit_range(plot.y, barrier, &BarrierValue::value, lo, scale);
+  limit_range(plot.y_right, barrier, &BarrierValue::first, lo, scale);
+  std::vector<double> active;
+  for (const ContactReport& report : contacts)
+    if (report.d < d_hat) active.push_back(report.d);
+  const auto add = [&](double BarrierValue::*what, int line_color, bool right) {
+    Series line = barrier_curve("", line_color, barrier, what, {lo, plot.x.hi}, 300, scale);
+    Series marks = curve("", -1, active, std::identity(),
+                         [&](double d) { return scale * (evaluate(barrier, d).*what); });
+    marks.style = SeriesStyle::markers;
+    marks.crowd = true;
+    for (const double d : active) marks.marker_colors.push_back(color(d / d_hat));
+    line.right_axis = marks.right_axis = right;
+    return std::pair(std::move(line), std::move(marks));
+  };
+  auto [value, value_marks] = add(&BarrierValue::value, 0, false);
+  auto [slope, slope_marks] = add(&BarrierValue::first, 3, true);
   plot.series = {std::move(value),       std::move(slope),
-                 vertical_at(d_hat, ""), std::move(value_marks),
+                 vertical_line(d_hat),   std::move(value_marks),
                  std::move(slope_marks), contact_strip_series(lo, d_hat, contacts, color)};
   return plot;
 }

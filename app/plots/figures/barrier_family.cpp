@@ -12,6 +12,11 @@
 namespace pabd {
 namespace barrier_family {
 
+Dim dim_of(BarrierAbscissa abscissa) {
+  constexpr Dim kDimOf[] = {gaps, thickness, orders, stiffness};
+  return kDimOf[static_cast<std::size_t>(abscissa)];
+}
+
 bool has_orders(BarrierKind k) { return traits_of(k).least_N > 0; }
 
 Family family_of(const BarrierCurves& curves) {
@@ -19,13 +24,13 @@ Family family_of(const BarrierCurves& curves) {
   BarrierCurves& in = f.in;
   if (in.kappa.empty()) in.kappa = {1.0};
   if (in.gaps.empty()) in.gaps = {0.5 * in.d_hat[0], 0, -0.25 * in.d_hat[0]};
-  const auto along = [&](BarrierAbscissa a, std::size_t n) { return in.abscissa == a ? 1 : n; };
   const bool any_orders = std::any_of(in.kinds.begin(), in.kinds.end(), has_orders);
-  f.count[orders] = any_orders ? along(BarrierAbscissa::order, in.N.size()) : 1;
-  f.count[thickness] = along(BarrierAbscissa::d_hat, in.d_hat.size());
-  f.count[gaps] = along(BarrierAbscissa::gap, in.gaps.size());
+  f.count[orders] = any_orders ? in.N.size() : 1;
+  f.count[thickness] = in.d_hat.size();
+  f.count[gaps] = in.gaps.size();
   f.count[kind] = in.kinds.size();
-  f.count[stiffness] = along(BarrierAbscissa::kappa, in.kappa.size());
+  f.count[stiffness] = in.kappa.size();
+  f.count[dim_of(in.abscissa)] = 1;
   Index5 most;  // of each in one plot
   for (std::size_t d = 0; d < kDims; ++d) {
     most[d] = 1;

@@ -28,6 +28,7 @@ struct Family {
   std::vector<std::array<std::pair<std::size_t, std::size_t>, kDims>> rows;  // begin and end of each
 };
 
+Dim dim_of(BarrierAbscissa abscissa);
 bool has_orders(BarrierKind kind);
 Family family_of(const BarrierCurves& curves);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figures/parameter_text.h"
@@ -24,7 +25,7 @@ PlotRange x_range(const Family& f) {
   const auto [least, largest] = std::minmax_element(f.in.d_hat.begin(), f.in.d_hat.end());
   switch (f.in.abscissa) {
     case BarrierAbscissa::d_hat:
-      return {0.2 * *least, 2.5 * *largest};
+      return {kLeastThickness * *least, kMostThickness * *largest};
     case BarrierAbscissa::order:
       return {0.5, std::max(12, *std::max_element(f.in.N.begin(), f.in.N.end())) + 0.5};
     case BarrierAbscissa::kappa:
@@ -37,45 +38,20 @@ PlotRange x_range(const Family& f) {
 
 BarrierValue evaluate_at(const Family& f, const Index5& at, double x) {
   const BarrierCurves& in = f.in;
-  Barrier barrier{in.kinds[at[kind]], in.N[at[orders]], in.d_hat[at[thickness]], in.kappa[at[stiffness]],
-                  in.onset};
-  double d = in.gaps[at[gaps]];
-  switch (in.abscissa) {
-    case BarrierAbscissa::gap:
-      d = x;
-      break;
-    case BarrierAbscissa::d_hat:
-      barrier.d_hat = x;
-      break;
-    case BarrierAbscissa::order:
-      barrier.N = static_cast<int>(x);
-      break;
-    case BarrierAbscissa::kappa:
-      barrier.kappa = x;
-      break;
-  }
-  const double scale = one_joule(barrier.kind, barrier.d_hat);
-  const BarrierValue b = evaluate(barrier, d);
+  const Barrier present{in.kinds[at[kind]], in.N[at[orders]], in.d_hat[at[thickness]],
+                        in.kappa[at[stiffness]], in.onset};
+  const BarrierPoint point = with_abscissa({present, in.gaps[at[gaps]]}, in.abscissa, x);
+  const double scale = one_joule(point.barrier.kind, point.barrier.d_hat);
+  const BarrierValue b = evaluate(point.barrier, point.d);
   return {scale * b.value, scale * b.first, scale * b.second};
 }
 
-// Where a curve is sampled; at d = d̂, where the printed derivative jumps, on both sides.
+// At d = d̂ the printed derivative jumps.
 std::vector<double> samples_of(const Family& f, const Index5& at, const PlotRange& x) {
-  std::vector<double> xs;
-  if (f.in.abscissa == BarrierAbscissa::order) {
-    for (int N = 1; N < x.hi; ++N) xs.push_back(N);
-    return xs;
-  }
-  for (int k = 0; k <= f.in.samples; ++k) xs.push_back(x.lo + (x.hi - x.lo) * k / f.in.samples);
-  const bool by_gap = f.in.abscissa == BarrierAbscissa::gap;
-  if (!by_gap && f.in.abscissa != BarrierAbscissa::d_hat) return xs;
-  const double jump = by_gap ? f.in.d_hat[at[thickness]] : f.in.gaps[at[gaps]];
-  if (jump > x.lo && jump < x.hi) {
-    xs.push_back(jump);
-    xs.push_back(std::nextafter(jump, by_gap ? x.lo : x.hi));
-    std::sort(xs.begin(), xs.end());
-  }
-  return xs;
+  std::vector<double> jumps;
+  if (f.in.abscissa == BarrierAbscissa::gap) jumps = {f.in.d_hat[at[thickness]]};
+  if (f.in.abscissa == BarrierAbscissa::d_hat) jumps = {f.in.gaps[at[gaps]]};
+  return barrier_samples(f.in.abscissa, x, f.in.samples, jumps);
 }
 
 // The values on the horizontal axis that curves have a marker at.
@@ -136,45 +112,29 @@ void limit_range(const Family& f, const PlotRange& x, bool slope, Axis& axis) {
   axis.hi = largest + room;
 }
 
-Series mark_of(double x, const std::string& tag, const std::string& meaning) {
-  Series series;
-  series.style = SeriesStyle::level_x;
-  series.x = {x};
-  series.tag = tag;
-  series.quantity = meaning;
-  return series;
-}
-
-// The values on the horizontal axis that are marked.
+// Lines at the values on the horizontal axis that are marked.
 void add_marks(const Family& f, Plot& plot) {
-  const auto mark = [&](double x, const std::string& text) { plot.series.push_back(mark_of(x, text, text)); };
-  switch (f.in.abscissa) {
-    case BarrierAbscissa::gap:
-      if (f.in.d_hat.size() == 1) plot.series.push_back(mark_of(f.in.d_hat[0], "d̂", "d = d̂"));
-      return;
-    case BarrierAbscissa::d_hat:
-      for (std::size_t i = 0; i < f.in.d_hat.size(); ++i) mark(f.in.d_hat[i], value_of(f, thickness, i));
-      return;
-    case BarrierAbscissa::order:
-      for (std::size_t i = 0; i < f.in.N.size(); ++i) mark(f.in.N[i], value_of(f, orders, i));
-      return;
-    case BarrierAbscissa::kappa:
-      for (std::size_t i = 0; i < f.in.kappa.size(); ++i) mark(f.in.kappa[i], value_of(f, stiffness, i));
+  const auto mark = [&](double x, const std::string& tag, const std::string& meaning) {
+    plot.series.push_back(vertical_line(x, tag));
+    plot.series.back().quantity = meaning;
+  };
+  const std::vector<double> values = marked(f);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::string text = value_of(f, dim_of(f.in.abscissa), i);
+    mark(values[i], text, text);
   }
+  if (f.in.abscissa == BarrierAbscissa::gap && f.in.d_hat.size() == 1) mark(f.in.d_hat[0], "d̂", "d = d̂");
 }
 
 // Where a curve has the marked values.
-Series points_of(const Family& f, const Index5& at, bool slope, const Series& curve) {
-  Series points;
-  points.style = SeriesStyle::markers;
-  points.color = curve.color;
-  points.weight = 0.9;
-  points.quantity = curve.name.empty() ? "marked" : curve.name + ", marked";
-  for (const double x : marked(f)) {
+Series points_of(const Family& f, const Index5& at, bool slope, const Series& of) {
+  Series points = curve("", of.color, marked(f), std::identity(), [&](double x) {
     const BarrierValue b = evaluate_at(f, at, x);
-    points.x.push_back(x);
-    points.y.push_back(slope ? b.first : b.value);
-  }
+    return slope ? b.first : b.value;
+  });
+  points.style = SeriesStyle::markers;
+  points.weight = 0.9;
+  points.quantity = of.name.empty() ? "marked" : of.name + ", marked";
   return points;
 }
 
@@ -207,11 +167,10 @@ std::string caption_of(const Family& f) {
   std::vector<std::string> parts;
   if (in.kinds.size() == 1) parts.push_back(std::string(to_string(in.kinds[0])) + " barrier");
   const bool any_orders = std::any_of(in.kinds.begin(), in.kinds.end(), has_orders);
-  const auto fixed = [&](Dim dim, BarrierAbscissa a) { return f.count[dim] == 1 && in.abscissa != a; };
-  if (any_orders && fixed(orders, BarrierAbscissa::order)) parts.push_back(value_of(f, orders, 0));
-  if (fixed(thickness, BarrierAbscissa::d_hat)) parts.push_back(value_of(f, thickness, 0));
-  if (fixed(gaps, BarrierAbscissa::gap)) parts.push_back(value_of(f, gaps, 0));
-  if (f.energy && fixed(stiffness, BarrierAbscissa::kappa)) parts.push_back(value_of(f, stiffness, 0));
+  for (const Dim dim : {orders, thickness, gaps, stiffness}) {
+    const bool applies = dim == orders ? any_orders : dim == stiffness ? f.energy : true;
+    if (applies && f.count[dim] == 1 && dim != dim_of(in.abscissa)) parts.push_back(value_of(f, dim, 0));
+  }
   const auto has_onset = [](BarrierKind k) { return traits_of(k).has_onset; };
   if (std::any_of(in.kinds.begin(), in.kinds.end(), has_onset))
     parts.push_back("onset width " + parameter_text(&ContactParams::onset, in.onset));

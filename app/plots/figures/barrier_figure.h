@@ -11,15 +11,11 @@
 // and κ B/d̂² in J; CSV says so beside its name.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "app/plots/plot.h"
-#include "sim/potential/barrier.h"
+#include "app/plots/figures/barrier_abscissa.h"
 
 namespace pabd {
-
-enum class BarrierAbscissa : std::uint8_t { gap, d_hat, order, kappa };
 
 struct BarrierCurves {
   std::vector<BarrierKind> kinds{BarrierKind::polynomial};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "app/plots/axis_ticks.h"
@@ -15,7 +16,6 @@ namespace pabd {
 namespace {
 
 constexpr int kSamples = 300;
-constexpr double kFrom = 0.2, kTo = 2.5;  // of the present d̂
 
 struct Law {
   ContactParams contact;
@@ -35,11 +35,9 @@ struct Law {
   }
 
   double height(double x, double d) const {
-    Barrier barrier{contact.barrier, contact.N, contact.d_hat, kappa,
-                    traits_of(contact.barrier).has_onset ? contact.onset : 0};
-    if (abscissa == BarrierAbscissa::d_hat) barrier.d_hat = x;
-    if (abscissa == BarrierAbscissa::order) barrier.N = static_cast<int>(x);
-    if (abscissa == BarrierAbscissa::kappa) barrier.kappa = x;
+    const Barrier present{contact.barrier, contact.N, contact.d_hat, kappa,
+                          traits_of(contact.barrier).has_onset ? contact.onset : 0};
+    Barrier barrier = with_abscissa({present, d}, abscissa, x).barrier;
     if (!options.energy) barrier.kappa = one_joule(barrier.kind, barrier.d_hat);
     return shown_of(evaluate(barrier, d), options);
   }
@@ -52,25 +50,16 @@ Axis x_axis(const Law& law) {
     case BarrierAbscissa::kappa:
       return {std::string("κ [") + kappa_unit(law.contact.barrier) + "]", false, 0, 2 * law.kappa};
     default:
-      return {quantities::thickness.axis, false, kFrom * law.contact.d_hat, kTo * law.contact.d_hat};
+      return {quantities::thickness.axis, false, kLeastThickness * law.contact.d_hat,
+              kMostThickness * law.contact.d_hat};
   }
 }
 
 std::vector<double> samples(const Law& law, const Axis& x, double d) {
-  std::vector<double> xs;
-  if (law.abscissa == BarrierAbscissa::order) {
-    for (int N = 1; N < x.hi; ++N) xs.push_back(N);
-    return xs;
-  }
-  for (int k = 0; k <= kSamples; ++k) xs.push_back(x.lo + (x.hi - x.lo) * k / kSamples);
-  if (law.abscissa == BarrierAbscissa::d_hat && d > x.lo && d < x.hi) {
-    // At d̂ = d the contact begins, at d̂ (1 − ε) = d the onset ends.
-    for (const double jump : {d, d / (1 - std::min(law.contact.onset, 0.99))}) {
-      if (jump < x.hi) xs.push_back(jump), xs.push_back(std::nextafter(jump, x.hi));
-    }
-    std::sort(xs.begin(), xs.end());
-  }
-  return xs;
+  // Against d̂: at d̂ = d the contact begins, at d̂ (1 − ε) = d the onset ends.
+  std::vector<double> jumps;
+  if (law.abscissa == BarrierAbscissa::d_hat) jumps = {d, d / (1 - std::min(law.contact.onset, 0.99))};
+  return barrier_samples(law.abscissa, {x.lo, x.hi}, kSamples, jumps);
 }
 
 }  // namespace
@@ -112,27 +101,19 @@ BarrierPanel barrier_over(const ContactParams& contact, double kappa,
   std::vector<Series> marks;
   int color = 0;
   for (const TypicalGap& gap : typical_gaps(contact.d_hat, contacts)) {
-    Series curve;
-    curve.color = color++;
-    curve.name = fmt::format("{}{}d = {} m", gap.name, gap.name.empty() ? "" : ", ", format_value(gap.d, 3));
-    curve.weight = 1.2;
-    curve.x = samples(law, plot.x, gap.d);
-    for (const double x : curve.x) {
-      const double y = law.height(x, gap.d);
-      curve.y.push_back(y);
+    Series series = curve(
+        fmt::format("{}{}d = {} m", gap.name, gap.name.empty() ? "" : ", ", format_value(gap.d, 3)), color++,
+        samples(law, plot.x, gap.d), std::identity(), [&](double x) { return law.height(x, gap.d); });
+    series.weight = 1.2;
+    for (const double y : series.y) {
       if (!std::isfinite(y) || (options.log_y && !(y > 0))) continue;
       least = std::min(least, y);
       largest = std::max(largest, y);
     }
     const double y = law.height(law.now(), gap.d);
     if (std::isfinite(y)) at_now = std::max(at_now, std::abs(y));
-    Series mark;
-    mark.style = SeriesStyle::markers;
-    mark.color = curve.color;
-    mark.x = {law.now()};
-    mark.y = {y};
-    marks.push_back(std::move(mark));
-    plot.series.push_back(std::move(curve));
+    marks.push_back(marker(law.now(), y, series.color));
+    plot.series.push_back(std::move(series));
   }
   // A thin barrier is steep: the range is that of the present value, and what it grows by for a half of it.
   if (options.y) {
@@ -145,11 +126,7 @@ BarrierPanel barrier_over(const ContactParams& contact, double kappa,
     const double room = 0.06 * (largest - least);
     if (room > 0) plot.y.lo = least - room, plot.y.hi = largest + room;
   }
-  Series now;
-  now.style = SeriesStyle::level_x;
-  now.x = {law.now()};
-  now.tag = "now";
-  plot.series.push_back(std::move(now));
+  plot.series.push_back(vertical_line(law.now(), "now"));
   for (Series& mark : marks) plot.series.push_back(std::move(mark));
   return panel;
 }

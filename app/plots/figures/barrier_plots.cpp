@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "app/plots/axis_ticks.h"
+#include "app/plots/figures/barrier_abscissa.h"
 #include "app/plots/quantities.h"
 #include "sim/solver/parameter_table.h"
 
@@ -62,20 +64,6 @@ double height(const Barrier& barrier, double d, const BarrierPanelOptions& optio
   return shown_of(evaluate(barrier, d), options);
 }
 
-// Samples over [lo, hi], and both sides of d̂ and of the onset's end, where derivatives jump.
-Series sampled(const Barrier& barrier, double lo, double hi, double scale,
-               const BarrierPanelOptions& options) {
-  Series series;
-  for (int k = 0; k <= kPanelSamples; ++k) series.x.push_back(lo + (hi - lo) * k / kPanelSamples);
-  for (const double jump : {barrier.d_hat, barrier.d_hat * (1 - barrier.onset)}) {
-    series.x.push_back(jump - 1e-12 * barrier.d_hat);
-    series.x.push_back(jump + 1e-12 * barrier.d_hat);
-  }
-  std::sort(series.x.begin(), series.x.end());
-  for (const double d : series.x) series.y.push_back(scale * height(barrier, d, options));
-  return series;
-}
-
 // Shows the curve in use whole; where it is infinite, as far as 0.02 d̂.
 PlotRange fitted_range(const Barrier& barrier, double lo, double scale, const BarrierPanelOptions& options) {
   const double d_hat = barrier.d_hat;
@@ -106,14 +94,6 @@ std::vector<double> active_gaps(double d_hat, const std::vector<ContactReport>& 
   }
   std::sort(gaps.begin(), gaps.end());
   return gaps;
-}
-
-Series upright(double x, std::string tag) {
-  Series series;
-  series.style = SeriesStyle::level_x;
-  series.x = {x};
-  series.tag = std::move(tag);
-  return series;
 }
 
 }  // namespace
@@ -166,16 +146,17 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
   plot.x = {quantities::gap.axis, false, x.lo, x.hi};
   plot.y = {barrier_label(options), options.log_y, y.lo, y.hi};
 
-  for (const Barrier& curve : curves) {
-    Series series = sampled(curve, x.lo, x.hi, scale, options);
-    const bool in_use = &curve == &curves.back();
-    series.name = name_of(curve);
-    series.color = color_of(curve);
+  for (const Barrier& barrier : curves) {
+    const double jumps[] = {barrier.d_hat, barrier.d_hat * (1 - barrier.onset)};
+    Series series = curve(name_of(barrier), color_of(barrier),
+                          barrier_samples(BarrierAbscissa::gap, x, kPanelSamples, jumps), std::identity(),
+                          [&](double d) { return scale * height(barrier, d, options); });
+    const bool in_use = &barrier == &curves.back();
     series.style = in_use ? SeriesStyle::line : SeriesStyle::dashed;
     series.weight = in_use ? 1.5 : 0.8;
     plot.series.push_back(std::move(series));
   }
-  plot.series.push_back(upright(contact.d_hat, "d̂"));
+  plot.series.push_back(vertical_line(contact.d_hat, "d̂"));
 
   Series marks;
   marks.style = SeriesStyle::markers;
@@ -209,14 +190,8 @@ BarrierPanel barrier_panel(const ContactParams& contact, double kappa,
     const double per_joule = height(current, d, options);
     if (std::isfinite(per_joule) && per_joule != 0) {
       panel.kappa = KappaHandle{d, scale * per_joule, scale * per_joule / kappa};
-      Series handle;
-      handle.style = SeriesStyle::markers;
-      handle.color = color_of(current);
-      handle.weight = 1.7;
-      handle.tag = "κ";
-      handle.x = {d};
-      handle.y = {panel.kappa->y};
-      plot.series.push_back(std::move(handle));
+      plot.series.push_back(marker(d, panel.kappa->y, color_of(current), "κ"));
+      plot.series.back().weight = 1.7;
     }
   }
   return panel;
@@ -265,10 +240,10 @@ ContactHistogram contact_histogram(const ContactParams& contact, const std::vect
                              format_value(out.median, 3));
     if (out.overlapping > 0) plot.title += fmt::format(", {} overlapping", out.overlapping);
     plot.series.push_back(std::move(bars));
-    plot.series.push_back(upright(out.median, "median"));
+    plot.series.push_back(vertical_line(out.median, "median"));
   }
   if (traits_of(contact.barrier).has_onset && contact.onset > 0) {
-    plot.series.push_back(upright(1 - contact.onset, "onset"));
+    plot.series.push_back(vertical_line(1 - contact.onset, "onset"));
   }
   return out;
 }

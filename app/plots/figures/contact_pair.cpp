@@ -2,14 +2,9 @@
 // Figure 5 of the supplement: one contact pair in the plane.
 #include "app/plots/figures/contact_pair.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "app/plots/figures/drawing_board.h"
-#include "app/plots/plot_palette.h"
 
 namespace pabd {
 namespace {
@@ -68,7 +63,6 @@ void paint_half(const ContactPair& pair, bool tangential, const Rect& area, doub
   const double across = 1.04 * std::max(hi.x() - lo.x(), (hi.y() - lo.y()) * area.w / area.h);
   const DrawingBoard panel(canvas, area, center, across, unit);
 
-  canvas.push_clip(area);
   panel.polygon(layer, kLayer, ink::edge_i, 1.2, true);
   panel.polygon(body, ink::body_i, ink::edge_i, 2);
   panel.polygon(other, ink::body_j, ink::edge_j, 2);
@@ -108,7 +102,6 @@ void paint_half(const ContactPair& pair, bool tangential, const Rect& area, doub
   panel.label(pair.y_i, "*{y}_{i}", -6, -21, ink::text, AlignX::right);
   panel.dot(pair.y_j, ink::edge_j);
   panel.label(pair.y_j, "*{y}_{j}", 17, -5);
-  canvas.pop_clip();
 }
 
 }  // namespace
@@ -119,40 +112,23 @@ ContactProjection project_contact(const Vec2& y_i, const Vec2& y_j, const Vec2& 
   return {d, y_i + d * unit, y_j - d * unit};
 }
 
-void paint_contact_pair(const ContactPair& pair, double width, double height, Canvas& canvas) {
-  const double unit = std::max(0.52, std::min(width / 1600, height / 700));  // small pictures stay readable
-  const double margin = 24 * unit, text = 62 * unit;
-  const double head =
-      paint_title(canvas, "Contact pair: normal and tangential projection", width, margin, unit);
-  const double w = (width - 3 * margin) / 2, h = height - 2 * margin - head - text;
-  const char* captions[] = {
-      "Normal: *{y}_{j}^{⊥} = *{y}_{i} + *{d} *{n}_{i},   *{d} = (*{y}_{j} − *{y}_{i}) · *{n}_{i}",
-      "Tangential: *{y}_{j}^{∥} = *{y}_{j} − *{d} *{n}_{i},   slip ‖*{y}_{j}^{∥} − *{y}_{i}‖"};
-  for (int k = 0; k < 2; ++k) {
-    const Rect area{margin + k * (w + margin), margin + head, w, h};
-    paint_half(pair, k == 1, area, unit, canvas);
-    canvas.text({area.x + 0.5 * w, area.bottom() + 0.55 * text}, captions[k],
-                {19 * unit, ink::text, AlignX::center, AlignY::middle});
-  }
+Picture figure5() {
+  Diagram diagram{
+      "Contact pair: normal and tangential projection",
+      {{"Normal: *{y}_{j}^{⊥} = *{y}_{i} + *{d} *{n}_{i},   *{d} = (*{y}_{j} − *{y}_{i}) · *{n}_{i}"},
+       {"Tangential: *{y}_{j}^{∥} = *{y}_{j} − *{d} *{n}_{i},   slip ‖*{y}_{j}^{∥} − *{y}_{i}‖"}},
+      [](std::size_t part, const Rect& area, double unit, Canvas& canvas) {
+        paint_half({}, part == 1, area, unit, canvas);
+      },
+      700};
+  return diagram_picture(std::move(diagram));
 }
 
-Picture figure5(ContactPair pair) {
-  return [pair](Canvas& canvas, double width, double height) {
-    paint_contact_pair(pair, width, height, canvas);
-  };
-}
-
-std::string contact_pair_csv(const ContactPair& pair) {
+std::string contact_pair_csv() {
+  const ContactPair pair;
   const ContactProjection at = project_contact(pair.y_i, pair.y_j, pair.n);
-  std::string out = "point,x,y\n";
-  const auto row = [&](const char* name, const Vec2& p) {
-    out += fmt::format("{},{},{}\n", name, p.x(), p.y());
-  };
-  row("y_i", pair.y_i);
-  row("y_j", pair.y_j);
-  row("y_j_normal", at.normal);
-  row("y_j_tangential", at.tangential);
-  return out;
+  return points_csv(
+      {{"y_i", pair.y_i}, {"y_j", pair.y_j}, {"y_j_normal", at.normal}, {"y_j_tangential", at.tangential}});
 }
 
 }  // namespace pabd

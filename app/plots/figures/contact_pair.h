@@ -9,7 +9,6 @@
 //   d̂         thickness of the contact layer around body i            m
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 
 #include "app/plots/figures/drawing_board.h"
@@ -35,10 +34,9 @@ struct ContactProjection {
 ContactProjection project_contact(const Vec2& y_i, const Vec2& y_j, const Vec2& n);
 
 // Left the normal projection, right the tangential one.
-void paint_contact_pair(const ContactPair& pair, double width, double height, Canvas& canvas);
-Picture figure5(ContactPair pair = {});
+Picture figure5();
 
 // The points as CSV: point,x,y.
-std::string contact_pair_csv(const ContactPair& pair = {});
+std::string contact_pair_csv();
 
 }  // namespace pabd

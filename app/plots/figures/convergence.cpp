@@ -9,13 +9,17 @@
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figures/run_caption.h"
-#include "app/plots/plot_palette.h"
 #include "app/plots/quantities.h"
 #include "sim/base/counted.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd {
 namespace {
+
+using Records = std::vector<IterationRecord>;
+
+constexpr double kRounding = 1e-14;  // part of an energy
+constexpr double kReached = 1e-12;   // the same, of two solves that end at one minimum
 
 Plot iteration_plot(std::string title, std::string label, bool log) {
   Plot plot;
@@ -27,22 +31,16 @@ Plot iteration_plot(std::string title, std::string label, bool log) {
   return plot;
 }
 
+// A curve over the iterations, which count from `first`.
 template <class Value>
-Series iteration_series(std::string name, const std::vector<IterationRecord>& records, const Value& value,
-                        int color, SeriesStyle style = SeriesStyle::line, int first = 1) {
-  Series series;
-  series.name = std::move(name);
+Series iteration_curve(std::string name, const Records& records, const Value& value, int color,
+                       SeriesStyle style = SeriesStyle::line, int first = 1) {
+  Series series = curve(
+      std::move(name), color, records,
+      [&](const IterationRecord& r) { return static_cast<double>(&r - records.data() + first); }, value);
   series.style = style;
-  series.color = color;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    series.x.push_back(static_cast<double>(i) + first);
-    series.y.push_back(value(records[i]));
-  }
   return series;
 }
-
-constexpr double kRounding = 1e-14;  // part of an energy
-constexpr double kReached = 1e-12;   // the same, of two solves that end at one minimum
 
 // E − E_min. What is within rounding of the minimum, or below it with other friction bounds, has no place on
 // a log axis.
@@ -53,7 +51,16 @@ auto energy_gap(double least) {
   };
 }
 
+double residual(const IterationRecord& r) { return r.residual; }
+double depth_before(const IterationRecord& r) { return -r.min_gap_before; }
+double depth_after(const IterationRecord& r) { return -r.min_gap_after; }
 double joint_error(const IterationRecord& r) { return r.max_joint_error; }
+
+// Where the projection changes nothing a second curve would only hide the first.
+bool projection_shows(const MethodRun& run) {
+  return std::any_of(run.records.begin(), run.records.end(),
+                     [](const IterationRecord& r) { return r.min_gap_before != r.min_gap_after; });
+}
 
 // Whether any iteration of any run has `property`.
 template <class Property>
@@ -63,16 +70,84 @@ bool any_record(const std::vector<MethodRun>& runs, const Property& property) {
   });
 }
 
-Series level(double y, std::string name) {
-  Series series;
-  series.name = std::move(name);
-  series.y = {y};
-  series.style = SeriesStyle::level;
-  return series;
+// E of the last iteration; infinite when there is none.
+double ending_energy(const Records& records) {
+  const bool known = !records.empty() && std::isfinite(records.back().energy);
+  return known ? records.back().energy : std::numeric_limits<double>::infinity();
 }
 
-// One step from `state`, with a record of every iteration.
-StepReport recorded_step(const Model& model, const Params& params, State state, int threads) {
+// The least that runs of one function end with; infinite when there are none.
+double least_ending_energy(const std::vector<MethodRun>& runs) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const MethodRun& run : runs)
+    if (run.softened == 0) least = std::min(least, ending_energy(run.records));
+  return least;
+}
+
+// What E of the run is counted from: `least`, or its own end, where its E is another function.
+double counted_from(const MethodRun& run, double least) {
+  return run.softened == 0 ? least : ending_energy(run.records);
+}
+
+struct Row {
+  const char* title;
+  const char* label;
+  bool log;
+  const char* none;
+};
+
+const Row& row_of(ConvergenceQuantity quantity) {
+  static constexpr const char* kNothing = "no iterations recorded";
+  static constexpr Row kRows[kConvergenceQuantities] = {
+      {"Energy above its end", quantities::above_end.axis, true, kNothing},
+      {"Incremental potential", quantities::incremental.axis, false, kNothing},
+      {"Residual", quantities::step_size.axis, true, kNothing},
+      {"Deepest contact", quantities::depth.axis, false, "no contacts in this step"},
+      {"Joints", quantities::joint_error.axis, true, "no joints, or no error"},
+      {"What the projection changes", quantities::projection_change.axis, true,
+       "this solver keeps its bodies rigid"}};
+  return kRows[static_cast<std::size_t>(quantity)];
+}
+
+Series quantity_curve(const MethodRun& run, ConvergenceQuantity quantity, double least, int color) {
+  const auto with = [&](const auto& value) { return iteration_curve(run.name, run.records, value, color); };
+  switch (quantity) {
+    case ConvergenceQuantity::energy_gap:
+      return with(energy_gap(counted_from(run, least)));
+    case ConvergenceQuantity::energy:
+      return with([](const IterationRecord& r) { return r.energy; });
+    case ConvergenceQuantity::residual:
+      return with(residual);
+    case ConvergenceQuantity::penetration:
+      return with(depth_after);
+    case ConvergenceQuantity::joint_error:
+      return with(joint_error);
+    case ConvergenceQuantity::projection_change:
+      break;
+  }
+  return with([](const IterationRecord& r) { return r.projection_change; });
+}
+
+Plot quantity_plot_of(ConvergenceQuantity quantity) {
+  const Row& row = row_of(quantity);
+  Plot plot = iteration_plot(row.title, row.label, row.log);
+  plot.none = row.none;
+  return plot;
+}
+
+// Of a plot of the penetration: a level, named in the legend.
+void add_minimiser(const Minimiser& minimiser, Plot& plot) {
+  if (!std::isfinite(minimiser.min_gap)) return;
+  plot.series.push_back(horizontal_line(-minimiser.min_gap));
+  plot.series.back().name = "true minimiser";
+}
+
+// One step from `state` by `method`, with a record of every iteration.
+StepReport solve_recorded(const Model& model, Params params, State state, SolverMethod method, int iterations,
+                          double tolerance, int threads) {
+  params.solver.method = method;
+  params.solver.iterations = iterations;
+  params.solver.tolerance = tolerance;
   StepWorkspace workspace;
   StepReport report;
   step(model, params, {true, false, threads}, state, workspace, report);
@@ -81,24 +156,41 @@ StepReport recorded_step(const Model& model, const Params& params, State state, 
 
 }  // namespace
 
-double ending_energy(const std::vector<IterationRecord>& records) {
-  const bool known = !records.empty() && std::isfinite(records.back().energy);
-  return known ? records.back().energy : std::numeric_limits<double>::infinity();
-}
-
-double least_ending_energy(const std::vector<MethodRun>& runs) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const MethodRun& run : runs)
-    if (run.softened == 0) least = std::min(least, ending_energy(run.records));
-  return least;
-}
-
-double counted_from(const MethodRun& run, double least) {
-  return run.softened == 0 ? least : ending_energy(run.records);
+Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
+                       const std::optional<Minimiser>& minimiser) {
+  Plot plot = quantity_plot_of(quantity);
+  const double ending = least_ending_energy(runs);
+  const double least = minimiser && minimiser->energy <= ending ? minimiser->energy : ending;
+  if (quantity == ConvergenceQuantity::energy_gap && minimiser && least == minimiser->energy) {
+    plot.title = "Energy above its minimum";
+    plot.y.label = quantities::above_least.axis;
+  }
+  // Held ones first: the present one lies on top.
+  for (std::size_t k = runs.size(); k-- > 0;) {
+    const MethodRun& run = runs[k];
+    const int color = static_cast<int>(k);
+    const double weight = k == 0 ? 1.3 : 1.0;
+    Series series = quantity_curve(run, quantity, least, color);
+    series.weight = weight;
+    if (quantity == ConvergenceQuantity::penetration && projection_shows(run)) {
+      plot.series.push_back(iteration_curve(run.name + ", before projection", run.records, depth_before,
+                                            color, SeriesStyle::dashed));
+      plot.series.back().weight = weight;
+      series.name += ", after";
+    }
+    plot.series.push_back(std::move(series));
+  }
+  const auto reference = [&](double y) {
+    if (std::isfinite(y)) plot.series.push_back(horizontal_line(y, "true minimiser"));
+  };
+  if (minimiser && quantity == ConvergenceQuantity::energy) reference(minimiser->energy);
+  if (minimiser && quantity == ConvergenceQuantity::penetration) reference(-minimiser->min_gap);
+  return plot;
 }
 
 Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser,
                           const std::string& about) {
+  using Quantity = ConvergenceQuantity;
   Figure figure;
   figure.title = "Convergence within one time step";
   const bool joints = any_record(runs, [](const IterationRecord& r) { return r.max_joint_error > 0; });
@@ -110,36 +202,29 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   const bool reached = reference && !(least < minimiser->energy - kReached * std::abs(least));
   if (reached) least = minimiser->energy;
 
-  Plot energy =
-      iteration_plot("Energy gap", reached ? quantities::above_least.axis : quantities::above_end.axis, true);
-  Plot residual = iteration_plot("Residual", quantities::step_size.axis, true);
-  Plot depth = iteration_plot("Deepest contact", quantities::depth.axis, false);
-  Plot joint = iteration_plot("Joints", quantities::joint_error.axis, true);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const MethodRun& run = runs[i];
-    const int color = static_cast<int>(i);
-    energy.series.push_back(
-        iteration_series(run.name, run.records, energy_gap(counted_from(run, least)), color));
-    residual.series.push_back(iteration_series(
-        run.name, run.records, [](const IterationRecord& r) { return r.residual; }, color));
-    joint.series.push_back(iteration_series(run.name, run.records, joint_error, color));
-    depth.series.push_back(iteration_series(
-        run.name + ", after projection", run.records,
-        [](const IterationRecord& r) { return -r.min_gap_after; }, color));
-    // Where the projection changes nothing the second curve would only hide the first.
-    const bool differs = std::any_of(run.records.begin(), run.records.end(), [](const IterationRecord& r) {
-      return r.min_gap_before != r.min_gap_after;
-    });
-    if (differs) {
-      depth.series.push_back(iteration_series(
-          run.name + ", before projection", run.records,
-          [](const IterationRecord& r) { return -r.min_gap_before; }, color, SeriesStyle::dashed));
-    } else {
-      depth.series.back().name = run.name;
+  std::vector<Quantity> shown{Quantity::energy_gap, Quantity::residual};
+  if (contacts || !joints) shown.push_back(Quantity::penetration);
+  if (joints) shown.push_back(Quantity::joint_error);
+  for (const Quantity quantity : shown) {
+    Plot plot = quantity_plot_of(quantity);
+    if (quantity == Quantity::energy_gap) {
+      plot.title = "Energy gap";
+      if (reached) plot.y.label = quantities::above_least.axis;
     }
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const MethodRun& run = runs[i];
+      const int color = static_cast<int>(i);
+      plot.series.push_back(quantity_curve(run, quantity, least, color));
+      if (quantity != Quantity::penetration || !projection_shows(run)) continue;
+      plot.series.back().name += ", after projection";
+      plot.series.push_back(iteration_curve(run.name + ", before projection", run.records, depth_before,
+                                            color, SeriesStyle::dashed));
+    }
+    if (quantity == Quantity::penetration && minimiser) add_minimiser(*minimiser, plot);
+    figure.plots.push_back(std::move(plot));
   }
-  if (minimiser && std::isfinite(minimiser->min_gap))
-    depth.series.push_back(level(-minimiser->min_gap, "true minimiser"));
+  figure.columns = figure.plots.size() == 4 ? 2 : 3;
+
   figure.caption =
       reached ? fmt::format("E_{{min}} = {} J: minimum over rigid poses, found by {}.",
                             format_value(least, 6), to_string(minimiser->method))
@@ -151,26 +236,21 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
                                   figure.caption.empty() ? "" : " ", run.name, counted(run.softened, "bond"));
   }
   if (!about.empty()) figure.caption = figure.caption.empty() ? about : about + ". " + figure.caption;
-  figure.plots = {std::move(energy), std::move(residual)};
-  if (contacts || !joints) figure.plots.push_back(std::move(depth));
-  if (joints) figure.plots.push_back(std::move(joint));
-  figure.columns = figure.plots.size() == 4 ? 2 : 3;
   return figure;
 }
 
 Plot convergence_plot(const std::vector<IterationRecord>& records, bool joints) {
   Plot plot = iteration_plot("Convergence of the last step", "", true);
-  plot.series.push_back(
-      iteration_series(quantities::above_end.axis, records, energy_gap(ending_energy(records)), 0));
-  plot.series.push_back(iteration_series(
-      quantities::residual.axis, records, [](const IterationRecord& r) { return r.residual; }, 2));
-  plot.series.push_back(iteration_series(
-      quantities::depth_before.axis, records,
-      [](const IterationRecord& r) { return r.max_penetration_before; }, 1, SeriesStyle::dashed));
-  plot.series.push_back(iteration_series(
-      quantities::depth_after.axis, records, [](const IterationRecord& r) { return r.max_penetration_after; },
-      1));
-  if (joints) plot.series.push_back(iteration_series(quantities::joints.axis, records, joint_error, 3));
+  plot.series = {
+      iteration_curve(quantities::above_end.axis, records, energy_gap(ending_energy(records)), 0),
+      iteration_curve(quantities::residual.axis, records, residual, 2),
+      iteration_curve(
+          quantities::depth_before.axis, records,
+          [](const IterationRecord& r) { return r.max_penetration_before; }, 1, SeriesStyle::dashed),
+      iteration_curve(
+          quantities::depth_after.axis, records,
+          [](const IterationRecord& r) { return r.max_penetration_after; }, 1)};
+  if (joints) plot.series.push_back(iteration_curve(quantities::joints.axis, records, joint_error, 3));
   return plot;
 }
 
@@ -178,11 +258,7 @@ std::vector<MethodRun> run_methods(const Model& model, const Params& params, con
                                    const std::vector<SolverMethod>& methods, int iterations, int threads) {
   std::vector<MethodRun> runs;
   for (const SolverMethod method : methods) {
-    Params p = params;
-    p.solver.method = method;
-    p.solver.iterations = iterations;
-    p.solver.tolerance = 0;
-    StepReport report = recorded_step(model, p, state, threads);
+    StepReport report = solve_recorded(model, params, state, method, iterations, 0, threads);
     runs.push_back({to_string(method), std::move(report.records), report.capped_bonds});
   }
   return runs;
@@ -190,13 +266,11 @@ std::vector<MethodRun> run_methods(const Model& model, const Params& params, con
 
 Minimiser find_minimiser(const Model& model, const Params& params, const State& state, int iterations,
                          int threads) {
-  Params p = params;
-  p.solver.method = model.joints.empty() ? SolverMethod::descent : SolverMethod::newton;
-  p.solver.iterations = model.joints.empty() ? iterations : std::max(1, iterations / 100);
-  p.solver.tolerance = 1e-14;
-  const StepReport report = recorded_step(model, p, state, threads);
+  const bool joints = !model.joints.empty();
   Minimiser out;
-  out.method = p.solver.method;
+  out.method = joints ? SolverMethod::newton : SolverMethod::descent;
+  const StepReport report = solve_recorded(
+      model, params, state, out.method, joints ? std::max(1, iterations / 100) : iterations, 1e-14, threads);
   if (!report.records.empty()) {
     out.energy = ending_energy(report.records);
     out.min_gap = report.records.back().min_gap_after;
@@ -204,37 +278,21 @@ Minimiser find_minimiser(const Model& model, const Params& params, const State& 
   return out;
 }
 
-namespace {
-
-// The iterates of one step by `sissm` with a projection, the first one included.
-std::vector<IterationRecord> sissm_iterates(const Model& model, Params params, const State& state,
-                                            Projection projection, int iterations, int threads) {
-  params.solver.method = SolverMethod::sissm;
-  params.solver.projection = projection;
-  params.solver.iterations = iterations;
-  params.solver.tolerance = 0;
-  StepReport report = recorded_step(model, params, state, threads);
-  report.records.insert(report.records.begin(), report.first_iterate);
-  return std::move(report.records);
-}
-
-}  // namespace
-
 Figure figure7(const Model& model, const Params& params, const State& state, int iterations, int threads) {
-  const Minimiser minimiser = find_minimiser(model, params, state, 20000, threads);
   Plot plot = iteration_plot("", quantities::depth.axis, false);
   for (const auto& [projection, color] :
        {std::pair{Projection::polar, 1}, std::pair{Projection::weighted, 0}}) {
-    const auto records = sissm_iterates(model, params, state, projection, iterations, threads);
+    Params with = params;
+    with.solver.projection = projection;
+    StepReport report = solve_recorded(model, with, state, SolverMethod::sissm, iterations, 0, threads);
+    report.records.insert(report.records.begin(), report.first_iterate);
     const std::string name = to_string(projection);
-    plot.series.push_back(iteration_series(
-        name + ", before projection", records, [](const IterationRecord& r) { return -r.min_gap_before; },
-        color, SeriesStyle::dashed, 0));
-    plot.series.push_back(iteration_series(
-        name + ", after projection", records, [](const IterationRecord& r) { return -r.min_gap_after; },
-        color, SeriesStyle::line, 0));
+    plot.series.push_back(iteration_curve(name + ", before projection", report.records, depth_before, color,
+                                          SeriesStyle::dashed, 0));
+    plot.series.push_back(iteration_curve(name + ", after projection", report.records, depth_after, color,
+                                          SeriesStyle::line, 0));
   }
-  if (std::isfinite(minimiser.min_gap)) plot.series.push_back(level(-minimiser.min_gap, "true minimiser"));
+  add_minimiser(find_minimiser(model, params, state, 20000, threads), plot);
   Figure figure;
   figure.title = "Penetration before and after the projection onto SO(3)";
   figure.caption = fmt::format(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a solver converges within one step: `pabd plot convergence`, the live panel, and figure 7 of the
-// supplement.
+// How a solver converges within one step: `pabd plot convergence`, the convergence panel, the live panel, and
+// figure 7 of the supplement.
 //
 //   E        incremental potential                                                  J
 //   E_min    its least value, from a reference solve of the same step               J
@@ -8,6 +8,7 @@
 //   residual largest step of a body in an iteration over d̂                          1
 //   −d       penetration, before the projection onto SO(3) and after it             m
 //   joint error: largest distance between points that a joint wants together        m
+//   ‖A − R‖  Frobenius norm of what the projection takes away, largest              1
 #pragma once
 
 #include <limits>
@@ -32,19 +33,28 @@ struct MethodRun {
   int softened = 0;  // bonds with less stiffness than the step's (Deviation D17): its E is another function
 };
 
-// E of the last iteration; infinite when there is none.
-double ending_energy(const std::vector<IterationRecord>& records);
-// The least that runs of one function end with; infinite when there are none.
-double least_ending_energy(const std::vector<MethodRun>& runs);
-// What E of the run is counted from: `least`, or its own end, where its E is another function.
-double counted_from(const MethodRun& run, double least);
-
 // What the true minimiser of E over rigid poses has.
 struct Minimiser {
   double energy = std::numeric_limits<double>::quiet_NaN();   // J
   double min_gap = std::numeric_limits<double>::quiet_NaN();  // m
   SolverMethod method = SolverMethod::descent;                // that found it
 };
+
+enum class ConvergenceQuantity : std::uint8_t {
+  energy_gap,
+  energy,
+  residual,
+  penetration,
+  joint_error,
+  projection_change
+};
+inline constexpr int kConvergenceQuantities = 6;
+
+// One quantity for several solves. The first run is the present one and drawn strongest, the others are held for
+// comparison; each keeps its colour, the palette's in order. E − E_end makes sense for solves of the same step only.
+// Gaps, residuals and errors are on a log axis; E and −d, which have a sign, on a linear one.
+Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
+                       const std::optional<Minimiser>& minimiser = std::nullopt);
 
 // Three plots: energy gap (log), residual (log), penetration before (dashed) and after the projection. With
 // joints, which show in the records by an error above zero, one more: the joint error (log); the penetration

@@ -6,22 +6,34 @@
 #include <cmath>
 #include <limits>
 
+#include "app/plots/figures/time_panel.h"
 #include "app/plots/quantities.h"
 #include "sim/math/so3.h"
 
 namespace pabd {
 namespace {
 
-using Value = double (*)(const StepSummary&);
-
-struct Curve {
-  const char* name;
-  int color;
-  Value value;
+struct Row {
+  const char* word;
+  const char* title;
+  const char* label;
+  TimeQuantity curves;
 };
 
+const Row& row_of(DifferenceQuantity quantity) {
+  static constexpr Row kRows[kDifferenceQuantities] = {
+      {"distance", "Distance of A and B", quantities::position.axis, {}},
+      {"gap", "Smallest gap, B − A", quantities::gap_change.axis, TimeQuantity::gap},
+      {"penetration", "Largest penetration, B − A", quantities::overlap_change.axis,
+       TimeQuantity::penetration},
+      {"energies", "Energy, B − A", quantities::energy_change.axis, TimeQuantity::energies},
+      {"joint error", "Joint error, B − A", quantities::error_change.axis, TimeQuantity::joint_error},
+      {"contacts", "Contacts, B − A", "Δ contacts", TimeQuantity::contacts}};
+  return kRows[static_cast<std::size_t>(quantity)];
+}
+
 // B − A at the times of A.
-Series difference(std::span<const StepSummary> a, std::span<const StepSummary> b, const Curve& curve) {
+Series difference(std::span<const StepSummary> a, std::span<const StepSummary> b, const TimeCurve& curve) {
   Series series;
   series.name = curve.name;
   series.color = curve.color;
@@ -33,47 +45,35 @@ Series difference(std::span<const StepSummary> a, std::span<const StepSummary> b
     const double same = 1e-9 * std::max(1.0, std::abs(at.time));
     double value = std::numeric_limits<double>::quiet_NaN();
     if (next < b.size() && b[next].time - at.time <= same) {
-      value = curve.value(b[next]);
+      value = curve.value(b[next], 0);
     } else if (next > 0 && at.time - b[next - 1].time <= same) {
-      value = curve.value(b[next - 1]);
+      value = curve.value(b[next - 1], 0);
     } else if (next > 0 && next < b.size()) {
       const StepSummary &before = b[next - 1], &after = b[next];
       const double t = (at.time - before.time) / (after.time - before.time);
-      value = (1 - t) * curve.value(before) + t * curve.value(after);
+      value = (1 - t) * curve.value(before, 0) + t * curve.value(after, 0);
     } else {
       continue;
     }
     series.x.push_back(at.time);
-    series.y.push_back(value - curve.value(at));
+    series.y.push_back(value - curve.value(at, 0));
   }
   return series;
 }
 
-Plot distance_plot(std::span<const DistancePoint> distances) {
-  Plot plot;
-  plot.title = "Distance of A and B";
-  plot.x.label = quantities::time.axis;
-  plot.y.label = quantities::position.axis;
+void add_distances(std::span<const DistancePoint> distances, Plot& plot) {
   plot.y_right.label = "angle [°]";
   plot.y.log = plot.y_right.log = true;
   plot.none = distances.empty() ? "no common time of A and B yet" : "A and B are the same";
-  Series position, angle;
-  position.name = "largest distance";
-  position.color = 1;
-  angle.name = "largest angle";
-  angle.color = 0;
-  angle.right_axis = true;
-  for (const DistancePoint& p : distances) {
-    position.x.push_back(p.time);
-    position.y.push_back(p.position);
-    angle.x.push_back(p.time);
-    angle.y.push_back(p.angle * 180 / kPi);
-  }
+  const auto time = [](const DistancePoint& p) { return p.time; };
+  plot.series.push_back(
+      curve("largest distance", 1, distances, time, [](const DistancePoint& p) { return p.position; }));
   const bool turned =
       std::any_of(distances.begin(), distances.end(), [](const DistancePoint& p) { return p.angle > 0; });
-  plot.series = {std::move(position)};
-  if (turned) plot.series.push_back(std::move(angle));
-  return plot;
+  if (!turned) return;
+  plot.series.push_back(
+      curve("largest angle", 0, distances, time, [](const DistancePoint& p) { return p.angle * 180 / kPi; }));
+  plot.series.back().right_axis = true;
 }
 
 }  // namespace
@@ -93,64 +93,25 @@ StateDistance state_distance(const State& a, const State& b) {
   return out;
 }
 
-const char* to_string(DifferenceQuantity quantity) {
-  switch (quantity) {
-    case DifferenceQuantity::distance:
-      return "distance";
-    case DifferenceQuantity::gap:
-      return "gap";
-    case DifferenceQuantity::penetration:
-      return "penetration";
-    case DifferenceQuantity::energies:
-      return "energies";
-    case DifferenceQuantity::joint_error:
-      return "joint error";
-    case DifferenceQuantity::contacts:
-      break;
-  }
-  return "contacts";
-}
+const char* to_string(DifferenceQuantity quantity) { return row_of(quantity).word; }
 
 Plot difference_series_plot(std::span<const StepSummary> a, std::span<const StepSummary> b,
                             DifferenceQuantity quantity, std::span<const DistancePoint> distances) {
-  using R = const StepSummary&;
-  if (quantity == DifferenceQuantity::distance) return distance_plot(distances);
+  const Row& row = row_of(quantity);
   Plot plot;
+  plot.title = row.title;
   plot.x.label = quantities::time.axis;
-  plot.none = "no common time of A and B";
-  std::vector<Curve> curves;
-  switch (quantity) {
-    case DifferenceQuantity::gap:
-      plot.title = "Smallest gap, B − A";
-      plot.y.label = quantities::gap_change.axis;
-      curves = {{"", 0, [](R r) { return r.min_gap; }}};
-      break;
-    case DifferenceQuantity::penetration:
-      plot.title = "Largest penetration, B − A";
-      plot.y.label = quantities::overlap_change.axis;
-      curves = {{"", 1, [](R r) { return r.max_penetration; }}};
-      break;
-    case DifferenceQuantity::energies:
-      plot.title = "Energy, B − A";
-      plot.y.label = quantities::energy_change.axis;
-      curves = {{"kinetic", 0, [](R r) { return r.kinetic; }},
-                {"potential", 2, [](R r) { return r.potential; }},
-                {"elastic", 3, [](R r) { return r.elastic; }},
-                {"total", 6, [](R r) { return r.kinetic + r.potential + r.elastic; }}};
-      break;
-    case DifferenceQuantity::joint_error:
-      plot.title = "Joint error, B − A";
-      plot.y.label = quantities::error_change.axis;
-      curves = {{"", 3, [](R r) { return r.max_joint_error; }}};
-      break;
-    default:
-      plot.title = "Contacts, B − A";
-      plot.y.label = "Δ contacts";
-      plot.y.integer = true;
-      plot.y.min_span = 4;
-      curves = {{"", 0, [](R r) { return static_cast<double>(r.contacts); }}};
+  plot.y.label = row.label;
+  if (quantity == DifferenceQuantity::distance) {
+    add_distances(distances, plot);
+    return plot;
   }
-  for (const Curve& curve : curves) plot.series.push_back(difference(a, b, curve));
+  plot.none = "no common time of A and B";
+  if (quantity == DifferenceQuantity::contacts) {
+    plot.y.integer = true;
+    plot.y.min_span = 4;
+  }
+  for (const TimeCurve& what : time_curves(row.curves)) plot.series.push_back(difference(a, b, what));
   return plot;
 }
 

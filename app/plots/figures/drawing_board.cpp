@@ -2,6 +2,8 @@
 // The pens of diagrams.
 #include "app/plots/figures/drawing_board.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace pabd {
@@ -25,9 +27,35 @@ std::vector<Vec2> round_bar(const Vec2& a, const Vec2& b, double r) {
   return out;
 }
 
-double paint_title(Canvas& canvas, std::string_view title, double width, double margin, double unit) {
-  canvas.text({0.5 * width, margin}, title, {25 * unit, ink::text, AlignX::center, AlignY::top});
-  return 48 * unit;
+Picture diagram_picture(Diagram diagram) {
+  return [diagram = std::move(diagram)](Canvas& canvas, double width, double height) {
+    // Small pictures stay readable.
+    const double unit = std::max(0.52, std::min(width / 1600, height / diagram.height));
+    const std::size_t parts = diagram.captions.size();
+    const bool one_line = diagram.captions[0].size() == 1;
+    const double margin = 24 * unit, head = 48 * unit, text = (one_line ? 62 : 92) * unit;
+    canvas.text({0.5 * width, margin}, diagram.title, {25 * unit, ink::text, AlignX::center, AlignY::top});
+    const auto count = static_cast<double>(parts);
+    const double w = (width - (count + 1) * margin) / count, h = height - 2 * margin - head - text;
+    for (std::size_t k = 0; k < parts; ++k) {
+      const Rect area{margin + static_cast<double>(k) * (w + margin), margin + head, w, h};
+      canvas.push_clip(area);
+      diagram.paint(k, area, unit, canvas);
+      canvas.pop_clip();
+      double line = one_line ? 0.55 : 0.36;  // of the height for the text
+      for (const std::string& caption : diagram.captions[k]) {
+        canvas.text({area.x + 0.5 * w, area.bottom() + line * text}, caption,
+                    {19 * unit, ink::text, AlignX::center, AlignY::middle});
+        line += 0.34;
+      }
+    }
+  };
+}
+
+std::string points_csv(std::initializer_list<std::pair<const char*, Vec2>> points) {
+  std::string out = "point,x,y\n";
+  for (const auto& [name, p] : points) out += fmt::format("{},{},{}\n", name, p.x(), p.y());
+  return out;
 }
 
 void DrawingBoard::line(const Vec2& a, const Vec2& b, Color color, double width, bool dashed) const {

@@ -4,11 +4,15 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/plots/canvas.h"
-#include "app/plots/plot_palette.h"
+#include "app/plots/theme.h"
 
 namespace pabd {
 
@@ -28,8 +32,18 @@ inline Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)};
 // Corners of the bar with round ends that reaches `r` around the segment from a to b, in order.
 std::vector<Vec2> round_bar(const Vec2& a, const Vec2& b, double r);
 
-// The title of a diagram, centred `margin` px below the top; returns the height in px that it takes.
-double paint_title(Canvas& canvas, std::string_view title, double width, double margin, double unit);
+// A diagram: its title, parts side by side, and lines of text below each part.
+struct Diagram {
+  std::string title;
+  std::vector<std::vector<std::string>> captions;  // of each part
+  std::function<void(std::size_t part, const Rect& area, double unit, Canvas& canvas)>
+      paint;            // inside `area`
+  double height = 800;  // of the picture where a unit is a pixel; its width is then 1600
+};
+Picture diagram_picture(Diagram diagram);
+
+// Points of a diagram as CSV: point,x,y.
+std::string points_csv(std::initializer_list<std::pair<const char*, Vec2>> points);
 
 // World coordinates (m, y up) to pixels. Widths and lengths of marks are in units: pixels at the size that
 // the picture is made for.

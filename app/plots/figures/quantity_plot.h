@@ -3,12 +3,24 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
 
-#include "app/plots/figures/step_quantities.h"
 #include "app/plots/figures/time_panel.h"
-#include "app/plots/plot.h"
 
 namespace pabd {
+
+struct StepQuantity {
+  const char* key;    // "joint_error": in commands and settings
+  const char* words;  // rich text, for lists
+  const char* axis;   // with unit
+  double (*value)(const StepSummary& step);
+  bool integer = false;
+};
+std::span<const StepQuantity> step_quantities();
+const StepQuantity* find_step_quantity(std::string_view key);  // null: there is none
+// "time, step, gap, …": the keys, for messages.
+std::string step_quantity_words();
 
 // One point a step, in their order. Cursor and marks of `options` are upright lines where x is the time; else
 // the step nearest to the cursor is a marker. The other run is dashed.

@@ -2,8 +2,6 @@
 // Figure 4 of the supplement: the points of a slider joint.
 #include "app/plots/figures/slider_joint.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace pabd {
@@ -85,46 +83,30 @@ SliderJointPoints slider_joint_points(const SliderJoint& joint) {
   return at;
 }
 
-void paint_slider_joint(const SliderJoint& joint, double width, double height, Canvas& canvas) {
-  const double unit = std::max(0.52, std::min(width / 1600, height / 800));  // small pictures stay readable
-  const double margin = 24 * unit, text = 92 * unit;
-  const double head = paint_title(canvas, "Slider joint with offset *{λ}", width, margin, unit);
-  const Rect area{margin, margin + head, width - 2 * margin, height - 2 * margin - head - text};
-  const double a = joint.arm;
-  const double across = std::max(10.0 * a, 4.2 * a * area.w / area.h);
-  const Vec2 center = joint.y_j0 + Vec2(2.5, 0.75) * a;
-  canvas.push_clip(area);
-  paint_points(joint, DrawingBoard(canvas, area, center, across, unit));
-  canvas.pop_clip();
-  const char* rows[] = {
-      "*{y}′_{i1} = *{y}_{i1},   *{y}′_{i2} = *{y}_{i2},   *{y}′_{j1} = *{y}_{j1} + *{λ} *{n}_{j},   "
-      "*{y}′_{j2} = *{y}_{j2} + *{λ} *{n}_{j}",
-      "*{C}_{1} = ‖*{y}′_{i1} − *{y}′_{j1}‖ = 0,   *{C}_{2} = ‖*{y}′_{i2} − *{y}′_{j2}‖ = 0"};
-  for (int row = 0; row < 2; ++row) {
-    canvas.text({0.5 * width, area.bottom() + (0.36 + 0.34 * row) * text}, rows[row],
-                {19 * unit, ink::text, AlignX::center, AlignY::middle});
-  }
+Picture figure4() {
+  Diagram diagram{
+      "Slider joint with offset *{λ}",
+      {{"*{y}′_{i1} = *{y}_{i1},   *{y}′_{i2} = *{y}_{i2},   *{y}′_{j1} = *{y}_{j1} + *{λ} *{n}_{j},   "
+        "*{y}′_{j2} = *{y}_{j2} + *{λ} *{n}_{j}",
+        "*{C}_{1} = ‖*{y}′_{i1} − *{y}′_{j1}‖ = 0,   *{C}_{2} = ‖*{y}′_{i2} − *{y}′_{j2}‖ = 0"}},
+      [](std::size_t, const Rect& area, double unit, Canvas& canvas) {
+        const SliderJoint joint;
+        const double a = joint.arm;
+        const double across = std::max(10.0 * a, 4.2 * a * area.w / area.h);
+        const Vec2 center = joint.y_j0 + Vec2(2.5, 0.75) * a;
+        paint_points(joint, DrawingBoard(canvas, area, center, across, unit));
+      }};
+  return diagram_picture(std::move(diagram));
 }
 
-Picture figure4(SliderJoint joint) {
-  return [joint](Canvas& canvas, double width, double height) {
-    paint_slider_joint(joint, width, height, canvas);
-  };
-}
-
-std::string slider_joint_csv(const SliderJoint& joint) {
-  const SliderJointPoints at = slider_joint_points(joint);
-  std::string out = "point,x,y\n";
-  const auto row = [&](const char* name, const Vec2& p) {
-    out += fmt::format("{},{},{}\n", name, p.x(), p.y());
-  };
-  row("y_i1", at.y_i1);
-  row("y_i2", at.y_i2);
-  row("y_j1", at.y_j1);
-  row("y_j2", at.y_j2);
-  row("y'_j1", at.p_j1);
-  row("y'_j2", at.p_j2);
-  return out;
+std::string slider_joint_csv() {
+  const SliderJointPoints at = slider_joint_points({});
+  return points_csv({{"y_i1", at.y_i1},
+                     {"y_i2", at.y_i2},
+                     {"y_j1", at.y_j1},
+                     {"y_j2", at.y_j2},
+                     {"y'_j1", at.p_j1},
+                     {"y'_j2", at.p_j2}});
 }
 
 }  // namespace pabd

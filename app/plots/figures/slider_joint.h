@@ -34,10 +34,9 @@ struct SliderJointPoints {
 };
 SliderJointPoints slider_joint_points(const SliderJoint& joint);
 
-void paint_slider_joint(const SliderJoint& joint, double width, double height, Canvas& canvas);
-Picture figure4(SliderJoint joint = {});
+Picture figure4();
 
 // The points as CSV: point,x,y.
-std::string slider_joint_csv(const SliderJoint& joint = {});
+std::string slider_joint_csv();
 
 }  // namespace pabd

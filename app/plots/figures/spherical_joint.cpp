@@ -2,8 +2,6 @@
 // Figure 3 of the supplement: the points of a spherical joint.
 #include "app/plots/figures/spherical_joint.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace pabd {
@@ -19,7 +17,6 @@ void paint_side(const SphericalJoint& joint, bool both, const Rect& area, double
   const double across = std::max(2.9 * reach, 2.55 * reach * area.w / area.h);
   const DrawingBoard board(canvas, area, o + Vec2(both ? 0.42 : 0.46, 0) * reach, across, unit);
 
-  canvas.push_clip(area);
   // Body i hangs below its own axis r_1, body j lies along it: bars with the anchor inside one end.
   const Vec2 e_i = turned(joint.angle_i, joint.r_1);
   const Vec2 arm_i = -1.0 * e_i;
@@ -70,7 +67,6 @@ void paint_side(const SphericalJoint& joint, bool both, const Rect& area, double
   board.label(at.y_j1, "*{y}_{j1}", 15, 10);
   board.joined_dots(o);
   board.label(o, "*{y}_{i0} = *{y}_{j0}", -half - 12, 0, ink::text, AlignX::right);
-  canvas.pop_clip();
 }
 
 }  // namespace
@@ -81,45 +77,28 @@ SphericalJointPoints spherical_joint_points(const SphericalJoint& joint) {
   return {joint.y_0 + on_i, joint.y_0 + on_j, joint.y_0 - on_i, joint.y_0 - on_j};
 }
 
-void paint_spherical_joint(const SphericalJoint& joint, double width, double height, Canvas& canvas) {
-  const double unit = std::max(0.52, std::min(width / 1600, height / 800));  // small pictures stay readable
-  const double margin = 24 * unit, text = 92 * unit;
-  const double head = paint_title(canvas, "Spherical joint whose angle *{θ} is held", width, margin, unit);
-  const double w = (width - 3 * margin) / 2, h = height - 2 * margin - head - text;
-  const char* captions[][2] = {
-      {"*{C}_{0} = ‖*{y}_{i0} − *{y}_{j0}‖ = 0,   *{C}_{1} = ‖*{y}_{i1} − *{y}_{j1}‖ = 0",
-       "*{y}_{i1} = *{y}_{i0} + *{R}_{i} *{r}_{1},   *{y}_{j1} = *{y}_{j0} + *{R}(*{θ}) *{R}_{j} *{r}_{1}"},
-      {"Two bonds a rotational degree of freedom, one each side:",
-       "*{y}_{i2} = *{y}_{i0} − *{R}_{i} *{r}_{1},   *{y}_{j2} = *{y}_{j0} − *{R}(*{θ}) *{R}_{j} *{r}_{1}"}};
-  for (int k = 0; k < 2; ++k) {
-    const Rect area{margin + k * (w + margin), margin + head, w, h};
-    paint_side(joint, k == 1, area, unit, canvas);
-    for (int row = 0; row < 2; ++row) {
-      canvas.text({area.x + 0.5 * w, area.bottom() + (0.36 + 0.34 * row) * text}, captions[k][row],
-                  {19 * unit, ink::text, AlignX::center, AlignY::middle});
-    }
-  }
+Picture figure3() {
+  Diagram diagram{
+      "Spherical joint whose angle *{θ} is held",
+      {{"*{C}_{0} = ‖*{y}_{i0} − *{y}_{j0}‖ = 0,   *{C}_{1} = ‖*{y}_{i1} − *{y}_{j1}‖ = 0",
+        "*{y}_{i1} = *{y}_{i0} + *{R}_{i} *{r}_{1},   *{y}_{j1} = *{y}_{j0} + *{R}(*{θ}) *{R}_{j} *{r}_{1}"},
+       {"Two bonds a rotational degree of freedom, one each side:",
+        "*{y}_{i2} = *{y}_{i0} − *{R}_{i} *{r}_{1},   *{y}_{j2} = *{y}_{j0} − *{R}(*{θ}) *{R}_{j} *{r}_{1}"}},
+      [](std::size_t part, const Rect& area, double unit, Canvas& canvas) {
+        paint_side({}, part == 1, area, unit, canvas);
+      }};
+  return diagram_picture(std::move(diagram));
 }
 
-Picture figure3(SphericalJoint joint) {
-  return [joint](Canvas& canvas, double width, double height) {
-    paint_spherical_joint(joint, width, height, canvas);
-  };
-}
-
-std::string spherical_joint_csv(const SphericalJoint& joint) {
+std::string spherical_joint_csv() {
+  const SphericalJoint joint;
   const SphericalJointPoints at = spherical_joint_points(joint);
-  std::string out = "point,x,y\n";
-  const auto row = [&](const char* name, const Vec2& p) {
-    out += fmt::format("{},{},{}\n", name, p.x(), p.y());
-  };
-  row("y_i0", joint.y_0);
-  row("y_j0", joint.y_0);
-  row("y_i1", at.y_i1);
-  row("y_j1", at.y_j1);
-  row("y_i2", at.y_i2);
-  row("y_j2", at.y_j2);
-  return out;
+  return points_csv({{"y_i0", joint.y_0},
+                     {"y_j0", joint.y_0},
+                     {"y_i1", at.y_i1},
+                     {"y_j1", at.y_j1},
+                     {"y_i2", at.y_i2},
+                     {"y_j2", at.y_j2}});
 }
 
 }  // namespace pabd

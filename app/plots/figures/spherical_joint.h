@@ -31,10 +31,9 @@ struct SphericalJointPoints {
 SphericalJointPoints spherical_joint_points(const SphericalJoint& joint);
 
 // Left one side, right both.
-void paint_spherical_joint(const SphericalJoint& joint, double width, double height, Canvas& canvas);
-Picture figure3(SphericalJoint joint = {});
+Picture figure3();
 
 // The points as CSV: point,x,y.
-std::string spherical_joint_csv(const SphericalJoint& joint = {});
+std::string spherical_joint_csv();
 
 }  // namespace pabd

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One quantity of a run against time, with the present moment and what happened on the way: a panel in which
-// a click goes to a step. And the same for two runs, or for what differs between them.
+// Quantities of a run against time: a panel for one quantity, with the present moment and what happened on the
+// way, and all of them in one small plot or in a figure. Reports are oldest first.
 //
 //   gap          smallest d over contacts                                      m
 //   penetration  max(0, −d)                                                    m
@@ -29,7 +29,13 @@ enum class TimeQuantity : std::uint8_t {
   milliseconds
 };
 inline constexpr int kTimeQuantities = 7;
-const char* to_string(TimeQuantity quantity);  // "gap", "penetration", … for lists
+
+struct TimeCurve {
+  const char* name;  // empty: the quantity has one curve only
+  int color;
+  double (*value)(const StepSummary& report, double zero);  // zero: where potential energy counts from
+};
+std::span<const TimeCurve> time_curves(TimeQuantity quantity);
 
 enum class MarkKind : std::uint8_t { parameter, branch, divergence };
 
@@ -48,8 +54,21 @@ struct TimePanelOptions {
   double d_hat = 0;              // m; a gap or penetration axis spans at least a tenth of it
 };
 
-// Reports oldest first. Labels of at most a dozen marks are written, the latest ones.
 Plot time_panel(std::span<const StepSummary> reports, TimeQuantity quantity,
                 const TimePanelOptions& options = {});
+
+// Adds the marks and the cursor of `options` as vertical lines. At most a dozen marks are labelled, the latest ones.
+void add_time_marks(const TimePanelOptions& options, Plot& plot);
+
+// Left: gap and penetration. Right: energies. With joints, which show by an error above zero, a third plot: that
+// error.
+Figure time_series_figure(std::span<const StepSummary> history);
+
+// Both in one small plot: penetration on the left axis (`d_hat` in m: least height of the range is d̂/10),
+// energies on the right. With `joints` their error is on the left too, and that axis logarithmic: it is
+// smaller than a penetration by orders of magnitude. Where nothing overlapped and no joint gave way, there is
+// no such axis: the energies are on the left. `other`: a second run, dashed, on the same axes.
+Plot time_series_plot(std::span<const StepSummary> history, double d_hat, bool joints = false,
+                      std::span<const StepSummary> other = {});
 
 }  // namespace pabd
