@@ -15,9 +15,8 @@ ContactShadePass::ContactShadePass(const GlFunctions& gl)
     : gl_(gl),
       clearance_(gl, "clearance", {frame_block(), shaders::instance, shaders::clearance_vert},
                  {shaders::clearance_frag}),
-      blur_(gl, "blur", {shaders::corner, shaders::blur_vert}, {shaders::blur_frag}),
+      blur_(gl, "blur", shaders::blur_vert, {shaders::blur_frag}),
       step_(blur_.uniform("step_size")),
-      array_(gl),
       maps_{GlTexture(gl), GlTexture(gl)},
       depth_(gl),
       framebuffers_{GlFramebuffer(gl), GlFramebuffer(gl)} {
@@ -27,14 +26,8 @@ ContactShadePass::ContactShadePass(const GlFunctions& gl)
   gl.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
   gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kFloorMapSize, kFloorMapSize);
   for (int i = 0; i < 2; ++i) {
-    gl.BindTexture(GL_TEXTURE_2D, maps_[i].id());
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, kFloorMapSize, kFloorMapSize, 0, GL_RED, GL_UNSIGNED_BYTE,
-                  nullptr);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    // The rim of the map is empty, so that it goes on for ever outside.
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    // The rim of the map is empty, and clamping continues it outside.
+    make_texture(gl, maps_[i], GL_R8, kFloorMapSize, kFloorMapSize, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[i].id());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, maps_[i].id(), 0);
     if (i == 0) gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
@@ -61,7 +54,6 @@ void ContactShadePass::draw(const DrawList& list, const InstanceDrawer& drawer,
   drawer.draw(list, list.floor_casters);
 
   gl_.Disable(GL_DEPTH_TEST);
-  gl_.BindVertexArray(array_.id());
   gl_.ActiveTexture(GL_TEXTURE1);
   blur_.use();
   const float tap = 0.6f * floor.blur;
@@ -69,7 +61,7 @@ void ContactShadePass::draw(const DrawList& list, const InstanceDrawer& drawer,
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[1 - i].id());
     gl_.BindTexture(GL_TEXTURE_2D, maps_[i].id());
     gl_.Uniform2f(step_, i == 0 ? tap : 0, i == 0 ? 0 : tap);
-    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+    blur_.draw();
   }
 }
 

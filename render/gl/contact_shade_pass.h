@@ -2,8 +2,6 @@
 // The soft darkness where bodies come close to the floor, which makes them stand instead of float.
 #pragma once
 
-#include <optional>
-
 #include "render/gl/frame_uniforms.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/gl_program.h"
@@ -24,9 +22,8 @@ class ContactShadePass {
  private:
   const GlFunctions& gl_;
   GlProgram clearance_;
-  GlProgram blur_;
+  ScreenProgram blur_;
   GLint step_;
-  GlVertexArray array_;
   GlTexture maps_[2];
   GlRenderbuffer depth_;
   GlFramebuffer framebuffers_[2];

@@ -18,12 +18,9 @@ static_assert(kSamples == 4, "mean() in step");
 
 EncodePass::EncodePass(const GlFunctions& gl)
     : gl_(gl),
-      several_(gl, "encoding", {shaders::corner, shaders::encode_vert},
-               {shaders::mean_of_four, shaders::encode_frag}),
-      one_(gl, "encoding of one sample", {shaders::corner, shaders::encode_vert},
-           {shaders::mean_of_one, shaders::encode_frag}),
-      array_(gl) {
-  for (const GlProgram* program : {&several_, &one_}) {
+      several_(gl, "encoding", shaders::encode_vert, {shaders::mean_of_four, shaders::encode_frag}),
+      one_(gl, "encoding of one sample", shaders::encode_vert, {shaders::mean_of_one, shaders::encode_frag}) {
+  for (const ScreenProgram* program : {&several_, &one_}) {
     program->use();
     gl.Uniform1i(program->uniform("light"), kUnit);
   }
@@ -35,9 +32,7 @@ void EncodePass::draw(const GlTexture& light, int samples) const {
   gl_.Disable(GL_CULL_FACE);
   gl_.ActiveTexture(GL_TEXTURE0 + kUnit);
   gl_.BindTexture(samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, light.id());
-  (samples > 1 ? several_ : one_).use();
-  gl_.BindVertexArray(array_.id());
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  (samples > 1 ? several_ : one_).draw();
 }
 
 }  // namespace pabd

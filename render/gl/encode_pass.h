@@ -2,7 +2,6 @@
 // The samples of a frame in linear light to its pixels in sRGB.
 #pragma once
 
-#include "render/gl/gl_objects.h"
 #include "render/gl/gl_program.h"
 
 namespace pabd {
@@ -17,8 +16,7 @@ class EncodePass {
 
  private:
   const GlFunctions& gl_;
-  GlProgram several_, one_;
-  GlVertexArray array_;
+  ScreenProgram several_, one_;
 };
 
 }  // namespace pabd

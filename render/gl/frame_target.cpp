@@ -86,14 +86,12 @@ void FrameTarget::allocate() {
   const bool several = samples_ > 1;
   const GLenum kind = several ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D;
   const auto make = [&](const GlTexture& texture, GLint format, GLenum channels, GLenum type) {
-    gl_.BindTexture(kind, texture.id());
     if (several) {
+      gl_.BindTexture(kind, texture.id());
       gl_.TexImage2DMultisample(kind, samples_, static_cast<GLenum>(format), width_, height_, GL_TRUE);
       return;
     }
-    gl_.TexImage2D(kind, 0, format, width_, height_, 0, channels, type, nullptr);
-    gl_.TexParameteri(kind, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl_.TexParameteri(kind, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    make_texture(gl_, texture, format, width_, height_, channels, type, GL_NEAREST);
   };
   make(*light_, GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT);
   make(*depth_, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT);
@@ -102,10 +100,7 @@ void FrameTarget::allocate() {
   gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, kind, depth_->id(), 0);
   GLenum status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) {
-    gl_.BindTexture(GL_TEXTURE_2D, color_->id());
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    make_texture(gl_, *color_, GL_RGBA8, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_->id(), 0);
     status = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER);

@@ -35,4 +35,17 @@ using GlTexture = GlObject<&GlFunctions::GenTextures, &GlFunctions::DeleteTextur
 using GlRenderbuffer = GlObject<&GlFunctions::GenRenderbuffers, &GlFunctions::DeleteRenderbuffers>;
 using GlFramebuffer = GlObject<&GlFunctions::GenFramebuffers, &GlFunctions::DeleteFramebuffers>;
 
+// Storage for a texture of one level, which becomes that of the active unit; `filter`: GL_NEAREST or GL_LINEAR, clamped
+// to the edge. `pixels` may be null.
+inline void make_texture(const GlFunctions& gl, const GlTexture& texture, GLint format, GLsizei width,
+                         GLsizei height, GLenum channels, GLenum type, GLint filter,
+                         const void* pixels = nullptr) {
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, channels, type, pixels);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
 }  // namespace pabd

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/gl/frame_block.h"
+#include "render/gl/shader_files.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -53,6 +54,16 @@ GlProgram::GlProgram(const GlFunctions& gl, const char* name, std::initializer_l
 }
 
 GlProgram::~GlProgram() { gl_.DeleteProgram(id_); }
+
+ScreenProgram::ScreenProgram(const GlFunctions& gl, const char* name, const ShaderPart& vertex,
+                             std::initializer_list<ShaderPart> fragment)
+    : GlProgram(gl, name, {shaders::corner, vertex}, fragment), array_(gl) {}
+
+void ScreenProgram::draw() const {
+  gl_.BindVertexArray(array_.id());
+  use();
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
 
 void bind_maps(const GlFunctions& gl, const GlProgram& program) {
   constexpr std::pair<const char*, GLint> kUnits[] = {

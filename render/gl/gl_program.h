@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "render/gl/gl_functions.h"
+#include "render/gl/gl_objects.h"
 #include "render/gl/shader_stage.h"
 
 namespace pabd {
@@ -25,9 +25,22 @@ class GlProgram {
   void use() const { gl_.UseProgram(id_); }
   GLint uniform(const char* name) const { return gl_.GetUniformLocation(id_, name); }
 
- private:
+ protected:
   const GlFunctions& gl_;
+
+ private:
   GLuint id_ = 0;
+};
+
+// A program that covers the viewport with one triangle, whose corners shaders/corner.glsl makes.
+class ScreenProgram : public GlProgram {
+ public:
+  ScreenProgram(const GlFunctions& gl, const char* name, const ShaderPart& vertex,
+                std::initializer_list<ShaderPart> fragment);
+  void draw() const;
+
+ private:
+  GlVertexArray array_;
 };
 
 // Tells a program with shaders/lighting.glsl or sun_visibility.glsl the texture units of its maps. The program must be in use.

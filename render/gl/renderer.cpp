@@ -7,7 +7,6 @@
 #include <chrono>
 #include <optional>
 
-#include "render/gl/background_pass.h"
 #include "render/gl/contact_shade_pass.h"
 #include "render/gl/device_instances.h"
 #include "render/gl/encode_pass.h"
@@ -16,6 +15,7 @@
 #include "render/gl/line_pass.h"
 #include "render/gl/outline_smoother.h"
 #include "render/gl/overlay_pass.h"
+#include "render/gl/shader_files.h"
 #include "render/gl/shadow_pass.h"
 #include "render/gl/surface_pass.h"
 #include "sim/base/available_cpus.h"
@@ -51,7 +51,7 @@ struct Renderer::Impl {
         contact_shade_pass(gl),
         surface_pass(gl),
         ground_pass(gl),
-        background_pass(gl),
+        background(gl, "background", shaders::background_vert, {frame_block(), shaders::background_frag}),
         line_pass(gl),
         encode_pass(gl),
         overlay_pass(gl),
@@ -72,6 +72,15 @@ struct Renderer::Impl {
   }
 
   void add_device(DeviceInstances& device, const InstanceFrame& frame);
+
+  // The gradient at the far plane, after everything opaque: only pixels that nothing covers are shaded.
+  void draw_background() const {
+    gl.Disable(GL_BLEND);
+    gl.DepthFunc(GL_LEQUAL);
+    gl.DepthMask(GL_FALSE);
+    background.draw();
+    gl.DepthMask(GL_TRUE);
+  }
 
   void clear(const Vec3f& color) {
     target.bind_resolved();
@@ -106,7 +115,7 @@ struct Renderer::Impl {
   ContactShadePass contact_shade_pass;
   SurfacePass surface_pass;
   GroundPass ground_pass;
-  BackgroundPass background_pass;
+  ScreenProgram background;
   LinePass line_pass;
   EncodePass encode_pass;
   OverlayPass overlay_pass;
@@ -186,7 +195,7 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   }
   lap(passes.bodies);
   ground_pass.draw(scene, shadow, floor, quality.level);
-  background_pass.draw();
+  draw_background();
   lap(passes.ground);
   surface_pass.draw_glyphs(list, drawer, quality.level);
   surface_pass.draw_transparent(list, drawer, quality.level);
@@ -264,13 +273,6 @@ void Renderer::compose(int width, int height, std::span<const ViewPlace> places,
   }
   r.draw_overlay(interface);
   r.end_frame(start);
-}
-
-void Renderer::draw_plain(const ImDrawData* overlay, const Vec3f& background) {
-  const auto start = Clock::now();
-  impl_->clear(background);
-  impl_->draw_overlay(overlay);
-  impl_->end_frame(start);
 }
 
 void Renderer::queue_read() {

@@ -67,8 +67,6 @@ class Renderer {
   // bodies, which the GPU itself places; then throws Error(no_context) where it lacks OpenGL 4.3.
   void draw(const VisualScene& scene, const ImDrawData* overlay, const RenderQuality& quality = {},
             DeviceInstances* device = nullptr);
-  // Only the overlay, over a plain background (linear RGB): plots.
-  void draw_plain(const ImDrawData* overlay, const Vec3f& background);
 
   // For windows, where the scene changes less often than the interface: draw_view() draws a scene into a
   // picture of its own, which stays until it is drawn again; compose() makes a frame of the window's size

@@ -8,15 +8,6 @@
 namespace pabd {
 namespace {
 
-void plain_texture(const GlFunctions& gl, const GlTexture& texture, GLint format, int side, GLenum channels) {
-  gl.BindTexture(GL_TEXTURE_2D, texture.id());
-  gl.TexImage2D(GL_TEXTURE_2D, 0, format, side, side, 0, channels, GL_FLOAT, nullptr);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
 constexpr int kNearUnit = 3;  // the range's, which is made of it
 
 bool is_flat_sided(Primitive primitive) {
@@ -29,9 +20,8 @@ ShadowPass::ShadowPass(const GlFunctions& gl)
     : gl_(gl),
       program_(gl, "shadow", {frame_block(), shaders::instance, shaders::shadow_vert},
                {shaders::shadow_frag}),
-      range_program_(gl, "shadow range", {shaders::corner, shaders::encode_vert},
+      range_program_(gl, "shadow range", shaders::encode_vert,
                      {frame_block(), shaders::shadow_depths, shaders::shadow_range_frag}),
-      array_(gl),
       map_(gl),
       near_(gl),
       range_(gl),
@@ -53,7 +43,7 @@ void ShadowPass::allocate(int texels) {
   texels_ = 0;
   gl_.ActiveTexture(GL_TEXTURE0);
   const auto depth_map = [&](const GlTexture& map, const GlFramebuffer& framebuffer) {
-    plain_texture(gl_, map, GL_DEPTH_COMPONENT32F, texels, GL_DEPTH_COMPONENT);
+    make_texture(gl_, map, GL_DEPTH_COMPONENT32F, texels, texels, GL_DEPTH_COMPONENT, GL_FLOAT, GL_NEAREST);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.id(), 0);
     gl_.DrawBuffer(GL_NONE);
@@ -62,7 +52,8 @@ void ShadowPass::allocate(int texels) {
   };
   depth_map(map_, framebuffer_);
   depth_map(near_, near_framebuffer_);
-  plain_texture(gl_, range_, GL_RGBA32F, texels / kRangeCell, GL_RGBA);
+  make_texture(gl_, range_, GL_RGBA32F, texels / kRangeCell, texels / kRangeCell, GL_RGBA, GL_FLOAT,
+               GL_NEAREST);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, range_framebuffer_.id());
   gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, range_.id(), 0);
   check("four-channel");
@@ -109,9 +100,7 @@ void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int te
   gl_.BindTexture(GL_TEXTURE_2D, near_.id());
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, map_.id());
-  gl_.BindVertexArray(array_.id());
-  range_program_.use();
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  range_program_.draw();
   gl_.Enable(GL_CULL_FACE);
 }
 

@@ -29,8 +29,8 @@ class ShadowPass {
   void allocate(int texels);
 
   const GlFunctions& gl_;
-  GlProgram program_, range_program_;
-  GlVertexArray array_;
+  GlProgram program_;
+  ScreenProgram range_program_;
   GlTexture map_, near_, range_;
   GlFramebuffer framebuffer_, near_framebuffer_, range_framebuffer_;
   int texels_ = 0;

@@ -16,7 +16,7 @@ constexpr int kHeight = 60;
 
 Image draw_plain(Renderer& renderer, const ImDrawData* data, const Vec3f& background) {
   Image image;
-  renderer.draw_plain(data, background);
+  renderer.compose(kWidth, kHeight, {}, background, data);
   renderer.queue_read();
   renderer.fetch(image);
   return image;

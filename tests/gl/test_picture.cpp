@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "render/gl/lighting.h"
 #include "tests/gl/drawn_scenes.h"
 #include "tests/gl/render_fixture.h"
 
@@ -47,7 +46,7 @@ Rgb floor_pixel(const Image& image, float x, float z) {
 TEST_CASE("middle grey: linear 0.2140 is level 127, cleared, drawn and blended") {
   RenderFixture f(32, 32);
   Image image;
-  f.renderer.draw_plain(nullptr, Vec3f::Constant(0.2140f));
+  f.renderer.compose(32, 32, {}, Vec3f::Constant(0.2140f), nullptr);
   f.renderer.queue_read();
   f.renderer.fetch(image);
   CHECK(std::abs(pixel(image, 16, 16).g - 127) <= 1);
@@ -68,10 +67,10 @@ TEST_CASE("the background runs from its lower to its upper colour") {
   const Image image = render(f.renderer, {});
   keep_image("background", image);
   const Rgb top = pixel(image, 8, 0), bottom = pixel(image, 8, 199);
-  CHECK(std::abs(top.r - to_srgb_byte(lighting::kBackgroundTop[0])) <= 1);
-  CHECK(std::abs(top.b - to_srgb_byte(lighting::kBackgroundTop[2])) <= 1);
-  CHECK(std::abs(bottom.r - to_srgb_byte(lighting::kBackgroundBottom[0])) <= 1);
-  CHECK(std::abs(bottom.b - to_srgb_byte(lighting::kBackgroundBottom[2])) <= 1);
+  CHECK(std::abs(top.r - to_srgb_byte(kStudioTheme.top[0])) <= 1);
+  CHECK(std::abs(top.b - to_srgb_byte(kStudioTheme.top[2])) <= 1);
+  CHECK(std::abs(bottom.r - to_srgb_byte(kStudioTheme.bottom[0])) <= 1);
+  CHECK(std::abs(bottom.b - to_srgb_byte(kStudioTheme.bottom[2])) <= 1);
 }
 
 TEST_CASE("a red flat cube covers its projected area to 1 % and is exactly red") {
@@ -130,7 +129,7 @@ TEST_CASE("a shadow takes exactly the sun's part of the floor's light") {
   const Rgb dark = floor_pixel(with, x, z), open = floor_pixel(without, x, z);
   const int dark_channels[] = {dark.r, dark.g, dark.b}, open_channels[] = {open.r, open.g, open.b};
   for (int i = 0; i < 3; ++i) {
-    const double sky = lighting::kSky[i], sun = lighting::kSun[i] * cosine;
+    const double sky = kStudioTheme.sky[i], sun = kStudioTheme.sun[i] * cosine;
     // 2 %: two levels of 8 bits. Four metres up, the cube's own contact shade is below 1e-3.
     CHECK(to_linear(dark_channels[i]) / to_linear(open_channels[i]) ==
           Approx(sky / (sky + sun)).epsilon(0.02));
@@ -142,7 +141,7 @@ TEST_CASE("a shadow takes exactly the sun's part of the floor's light") {
   CHECK(to_linear(floor_pixel(with, x - 0.9f, z).g) > middle);
   // The floor in the open has its own colour.
   const Rgb lit = floor_pixel(with, 3.37f, 2.61f);
-  CHECK(std::abs(lit.g - to_srgb_byte(lighting::kFloor[1])) <= 3);
+  CHECK(std::abs(lit.g - to_srgb_byte(kStudioTheme.floor[1])) <= 3);
 }
 
 TEST_CASE("lit faces show no acne: every pixel of a face in the sun has the same light") {

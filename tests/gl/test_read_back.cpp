@@ -33,12 +33,12 @@ TEST_CASE("two frames queued come back oldest first; a third is refused; none le
   RenderFixture f(31, 17);  // odd on purpose: no row has a friendly length
   Image image;
   CHECK_FALSE(f.renderer.fetch(image));
-  f.renderer.draw_plain(nullptr, {1, 0, 0});
+  f.renderer.compose(31, 17, {}, {1, 0, 0}, nullptr);
   f.renderer.queue_read();
-  f.renderer.draw_plain(nullptr, {0, 1, 0});
+  f.renderer.compose(31, 17, {}, {0, 1, 0}, nullptr);
   f.renderer.queue_read();
   CHECK(f.renderer.queued() == 2);
-  f.renderer.draw_plain(nullptr, {0, 0, 1});
+  f.renderer.compose(31, 17, {}, {0, 0, 1}, nullptr);
   CHECK_THROWS_AS(f.renderer.queue_read(), Error);
   REQUIRE(f.renderer.fetch(image));
   CHECK(is_plain(image, 255, 0, 0));
@@ -52,10 +52,10 @@ TEST_CASE("two frames queued come back oldest first; a third is refused; none le
 
 TEST_CASE("a queued frame keeps its size over a resize") {
   RenderFixture f(20, 10);
-  f.renderer.draw_plain(nullptr, {1, 0, 0});
+  f.renderer.compose(20, 10, {}, {1, 0, 0}, nullptr);
   f.renderer.queue_read();
   f.renderer.resize(7, 33);
-  f.renderer.draw_plain(nullptr, {0, 1, 0});
+  f.renderer.compose(7, 33, {}, {0, 1, 0}, nullptr);
   f.renderer.queue_read();
   Image image;
   REQUIRE(f.renderer.fetch(image));
@@ -106,7 +106,7 @@ TEST_CASE("sizes that cannot be: named, with a remedy") {
   CHECK(text.find("--size") != std::string::npos);
   // And the renderer can go on with a size that is fine.
   CHECK(kind_of(f, 16, 16, text) == std::nullopt);
-  f.renderer.draw_plain(nullptr, {1, 1, 1});
+  f.renderer.compose(16, 16, {}, {1, 1, 1}, nullptr);
   f.renderer.queue_read();
   Image image;
   REQUIRE(f.renderer.fetch(image));
