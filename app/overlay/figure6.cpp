@@ -64,23 +64,6 @@ PlacedShape body_of(const Model& model, const State& state, Index k) {
   return {&model.shape[at], {state.c[at], state.R[at]}};
 }
 
-// The outline of a box: glass without it is hard to see.
-void add_edges(const Box& box, const Pose& at, VisualScene& scene) {
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const double u : {-1.0, 1.0}) {
-      for (const double v : {-1.0, 1.0}) {
-        Vec3 from;
-        from[axis] = -box.half[axis];
-        from[(axis + 1) % 3] = u * box.half[(axis + 1) % 3];
-        from[(axis + 2) % 3] = v * box.half[(axis + 2) % 3];
-        Vec3 to = from;
-        to[axis] = box.half[axis];
-        add_line(scene, at.c + at.R * from, at.c + at.R * to, {kDark, 1.4, false});
-      }
-    }
-  }
-}
-
 }  // namespace
 
 Figure6 figure6(const Model& model, const Params& params, const State& state, double aspect,
@@ -105,7 +88,10 @@ Figure6 figure6(const Model& model, const Params& params, const State& state, do
   if (const auto* a = std::get_if<Box>(i.shape), *b = std::get_if<Box>(j.shape); a && b) {
     if (auto shaded = convex_solid(overlap_corners(*a, i.pose, *b, j.pose), kOverlap))
       out.scene.meshes.push_back(std::move(*shaded));
-    for (const auto& [box, body] : {std::pair{a, i}, std::pair{b, j}}) add_edges(*box, body.pose, out.scene);
+    // Glass without its outline is hard to see.
+    for (const auto& [box, body] : {std::pair{a, i}, std::pair{b, j}})
+      for (const auto& [from, to] : edges_of(*box, body.pose))
+        add_line(out.scene, from, to, {kDark, 1.4, false});
   }
 
   // Sizes in pixels of the frame, so that they suit scenes of any size.

@@ -4,25 +4,11 @@
 
 #include <memory>
 
+#include "render/visual/body_parts.h"
 #include "sim/body/convex_hull.h"
 
 namespace pabd {
 namespace {
-
-// The edges of a box, as pairs of corners in the world.
-std::vector<std::pair<Vec3, Vec3>> edges_of(const Box& box, const Pose& at) {
-  const auto corner = [&](int k) -> Vec3 {
-    const Vec3 signs(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-    return at.c + at.R * signs.cwiseProduct(box.half);
-  };
-  std::vector<std::pair<Vec3, Vec3>> edges;
-  for (int k = 0; k < 8; ++k) {
-    for (const int axis : {1, 2, 4}) {
-      if (!(k & axis)) edges.emplace_back(corner(k), corner(k | axis));
-    }
-  }
-  return edges;
-}
 
 // Adds the ends of what a segment has inside of a box.
 void clip(const std::pair<Vec3, Vec3>& edge, const Box& box, const Pose& at, std::vector<Vec3>& out) {
@@ -48,6 +34,20 @@ void clip(const std::pair<Vec3, Vec3>& edge, const Box& box, const Pose& at, std
 
 }  // namespace
 
+std::vector<std::pair<Vec3, Vec3>> edges_of(const Box& box, const Pose& at) {
+  const auto corner = [&](int k) -> Vec3 {
+    const Vec3 signs(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    return at.c + at.R * signs.cwiseProduct(box.half);
+  };
+  std::vector<std::pair<Vec3, Vec3>> edges;
+  for (int k = 0; k < 8; ++k) {
+    for (const int axis : {1, 2, 4}) {
+      if (!(k & axis)) edges.emplace_back(corner(k), corner(k | axis));
+    }
+  }
+  return edges;
+}
+
 std::vector<Vec3> overlap_corners(const Box& a, const Pose& at_a, const Box& b, const Pose& at_b) {
   std::vector<Vec3> points;
   for (const auto& edge : edges_of(a, at_a)) clip(edge, b, at_b, points);
@@ -59,23 +59,10 @@ std::optional<MeshInstances> convex_solid(const std::vector<Vec3>& points, const
   if (points.size() < 4) return std::nullopt;
   const std::shared_ptr<const HullData> hull = make_hull(points).hull;
   if (!hull) return std::nullopt;
-  auto mesh = std::make_shared<MeshData>();
-  const double size = hull->bounding_radius;
-  for (const HullFace& face : hull->faces) {
-    const auto corner = [&](int k) -> Vec3f {
-      return (hull->vertices[hull->loop[static_cast<std::size_t>(face.first + k)]] / size).cast<float>();
-    };
-    for (int k = 2; k < face.count; ++k) {
-      for (const int i : {0, k - 1, k}) {
-        mesh->corners.push_back(corner(i));
-        mesh->normals.push_back(face.normal.cast<float>());
-      }
-    }
-  }
   Instance instance{Mat4f::Identity(), color, false, false};
-  instance.transform.block<3, 3>(0, 0) *= static_cast<float>(size);
+  instance.transform.block<3, 3>(0, 0) *= static_cast<float>(hull->bounding_radius);
   instance.transform.block<3, 1>(0, 3) = hull->centroid.cast<float>();
-  return MeshInstances{mesh, hull, {instance}};
+  return MeshInstances{triangles_of(*hull), hull, {instance}};
 }
 
 }  // namespace pabd

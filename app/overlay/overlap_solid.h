@@ -11,6 +11,9 @@
 
 namespace pabd {
 
+// The edges of a box, as pairs of corners in the world.
+std::vector<std::pair<Vec3, Vec3>> edges_of(const Box& box, const Pose& at);
+
 // Points whose convex hull is the intersection of two boxes (world, m; a corner may be there more than once);
 // none when they are apart.
 std::vector<Vec3> overlap_corners(const Box& a, const Pose& at_a, const Box& b, const Pose& at_b);
