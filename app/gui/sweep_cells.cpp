@@ -16,7 +16,7 @@ namespace {
 
 // Pixels of an ordinary screen.
 constexpr double kLeastWidth = 5, kLeastHeight = 15, kMostHeight = 72;
-constexpr double kLeastPicture = 34;                 // width of a cell with a picture
+constexpr double kLeastPictureCell = 34;             // width of a cell with a picture
 constexpr double kLinePicture = 72, kLineCell = 44;  // width of the cells of a sample, which are in lines
 
 double widest(const std::vector<std::string>& names, const FontMetrics& font, double size) {
@@ -47,10 +47,10 @@ TaskGrid one_slice(const CollectedSweep& sweep, const ShownSweep& shown, double 
   return grid;
 }
 
-constexpr double kWidth = 288, kPictureHeight = 162;  // pixels of an ordinary screen
+constexpr double kTipWidth = 288, kTipPictureHeight = 162;  // pixels of an ordinary screen
 
 void picture(GuiFrame& f, const SweptTask& task) {
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size = {f.px(kWidth), f.px(kPictureHeight)};
+  const ImVec2 at = ImGui::GetCursorScreenPos(), size = {f.px(kTipWidth), f.px(kTipPictureHeight)};
   ImGui::Dummy(size);
   const Rect room{at.x, at.y, size.x, size.y};
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -95,7 +95,7 @@ SweepCells sweep_cells(const CollectedSweep& sweep, const ShownSweep& shown, boo
   layout.vertical = names > cell - 0.4 * style.tick;
   layout.room_below =
       grid.x.label.empty() ? 0 : 2 * style.gap + (layout.vertical ? names : style.tick) + line;
-  out.pictures = pictures && cell >= kLeastPicture * unit;
+  out.pictures = pictures && cell >= kLeastPictureCell * unit;
   double cell_height = std::round(cell * 9 / 16) + (out.pictures ? unit * 5 : 0);
   if (!out.pictures) {
     const double share = std::floor((height - layout.room_below) / rows);
@@ -133,12 +133,12 @@ void sweep_tooltip(GuiFrame& f, const CollectedSweep& sweep, const ShownSweep& s
   const float most = ImGui::GetIO().DisplaySize.y;
   // As high as its lines, known after a frame: placed by its middle, within the screen by ImGui.
   const bool lower = cell.y > 0.5 * static_cast<double>(most);
-  ImGui::SetNextWindowPos({std::min(right, ImGui::GetIO().DisplaySize.x - f.px(kWidth + 24)),
+  ImGui::SetNextWindowPos({std::min(right, ImGui::GetIO().DisplaySize.x - f.px(kTipWidth + 24)),
                            static_cast<float>(lower ? cell.bottom() : cell.y)},
                           ImGuiCond_Always, {0, lower ? 1.0f : 0.0f});
   ImGui::BeginTooltip();
   if (!task.picture.empty() || task.status == SweptStatus::done) picture(f, task);
-  ImGui::Dummy({f.px(kWidth), 0});
+  ImGui::Dummy({f.px(kTipWidth), 0});
   heading(f, (task.index < 0 ? "task " + task.hash : fmt::format("task {}", task.index)) +
                  (task.status == SweptStatus::done ? "" : ": " + std::string(status_word(task.status))) +
                  (loaded ? " (shown here)" : ""));
