@@ -89,16 +89,16 @@ double counted_from(const MethodRun& run, double least) {
   return run.softened == 0 ? least : ending_energy(run.records);
 }
 
-struct Row {
+struct ConvergenceRow {
   const char* title;
   const char* label;
   bool log;
   const char* none;
 };
 
-const Row& row_of(ConvergenceQuantity quantity) {
+const ConvergenceRow& row_of(ConvergenceQuantity quantity) {
   static constexpr const char* kNothing = "no iterations recorded";
-  static constexpr Row kRows[kConvergenceQuantities] = {
+  static constexpr ConvergenceRow kRows[kConvergenceQuantities] = {
       {"Energy above its end", quantities::above_end.axis, true, kNothing},
       {"Incremental potential", quantities::incremental.axis, false, kNothing},
       {"Residual", quantities::step_size.axis, true, kNothing},
@@ -129,7 +129,7 @@ Series quantity_curve(const MethodRun& run, ConvergenceQuantity quantity, double
 }
 
 Plot quantity_plot_of(ConvergenceQuantity quantity) {
-  const Row& row = row_of(quantity);
+  const ConvergenceRow& row = row_of(quantity);
   Plot plot = iteration_plot(row.title, row.label, row.log);
   plot.none = row.none;
   return plot;

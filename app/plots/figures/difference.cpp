@@ -13,15 +13,15 @@
 namespace pabd {
 namespace {
 
-struct Row {
+struct DifferenceRow {
   const char* word;
   const char* title;
   const char* label;
   TimeQuantity curves;
 };
 
-const Row& row_of(DifferenceQuantity quantity) {
-  static constexpr Row kRows[kDifferenceQuantities] = {
+const DifferenceRow& row_of(DifferenceQuantity quantity) {
+  static constexpr DifferenceRow kRows[kDifferenceQuantities] = {
       {"distance", "Distance of A and B", quantities::position.axis, {}},
       {"gap", "Smallest gap, B − A", quantities::gap_change.axis, TimeQuantity::gap},
       {"penetration", "Largest penetration, B − A", quantities::overlap_change.axis,
@@ -97,7 +97,7 @@ const char* to_string(DifferenceQuantity quantity) { return row_of(quantity).wor
 
 Plot difference_series_plot(std::span<const StepSummary> a, std::span<const StepSummary> b,
                             DifferenceQuantity quantity, std::span<const DistancePoint> distances) {
-  const Row& row = row_of(quantity);
+  const DifferenceRow& row = row_of(quantity);
   Plot plot;
   plot.title = row.title;
   plot.x.label = quantities::time.axis;
