@@ -42,7 +42,7 @@ void DeskWork::run(const desk::Run& run) {
   const auto reply = [&](const desk::Answer& answer) {
     if (run.reply) return run.reply(answer);
     if (answer.status == 200) return;
-    tell({{"t", "error"}, {"text", OrderedJson::parse(answer.body)["error"]}}, true);
+    send_text({{"t", "error"}, {"text", OrderedJson::parse(answer.body)["error"]}}, true);
   };
   OrderedJson action, printed = OrderedJson::array();
   double began = 0;

@@ -20,9 +20,9 @@ class DeskQueue {
       const std::scoped_lock lock(mutex_);
       if (merged(input)) return true;
       // Inputs about visitors are rare, or one per visitor: they are never refused.
-      const bool told =
+      const bool never_refused =
           is<desk::Arrive, desk::Scheme, desk::Depart, desk::HandOver, desk::Shown, desk::Refresh>(input);
-      if (!told && waiting_.size() >= ServedDesk::kMostInputs) return false;
+      if (!never_refused && waiting_.size() >= ServedDesk::kMostInputs) return false;
       waiting_.push_back(std::move(input));
     }
     wake_.notify_one();
@@ -78,14 +78,14 @@ class DeskQueue {
     return true;
   }
 
-  template <class Told>
-  bool renewed(const Told& told) {
+  template <class Kind>
+  bool renewed(const Kind& input) {
     const auto older = std::find_if(waiting_.begin(), waiting_.end(), [&](const DeskInput& i) {
-      const auto* one = std::get_if<Told>(&i);
-      return one && one->visitor == told.visitor;
+      const auto* one = std::get_if<Kind>(&i);
+      return one && one->visitor == input.visitor;
     });
     if (older == waiting_.end()) return false;
-    *older = told;
+    *older = input;
     return true;
   }
 

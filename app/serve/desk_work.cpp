@@ -51,12 +51,12 @@ double tenth(double x) { return std::round(10 * x) / 10; }
 }  // namespace
 
 DeskWork::DeskWork(GlContext& context, Runner& runner, const DeskOptions& options, DeskQueue& queue,
-                   const std::function<void(DeskNews)>& hear)
+                   const std::function<void(DeskNews)>& on_news)
     : context_(context),
       runner_(runner),
       options_(options),
       queue_(queue),
-      hear_(hear),
+      on_news_(on_news),
       viewer_(context, runner,
               [this, &options] {
                 ViewerOptions out;
@@ -64,21 +64,21 @@ DeskWork::DeskWork(GlContext& context, Runner& runner, const DeskOptions& option
                 out.clipboard = [this] { return clipboard_; };
                 out.set_clipboard = [this](const std::string& copied) {
                   clipboard_ = copied;
-                  tell({{"t", "clipboard"}, {"text", copied}}, true);
+                  send_text({{"t", "clipboard"}, {"text", copied}}, true);
                 };
                 out.files = options.files;
                 out.can_quit = false;
                 return out;
               }()),
       stream_([this](VisitorId to, const EncodedFrame& frame) {
-        hear_(desk::Frame{to, frame});
+        on_news_(desk::Frame{to, frame});
       }),
       width_(options.width),
       height_(options.height),
       files_(options.files->list()) {}
 
-void DeskWork::tell(const OrderedJson& json, bool control_only) {
-  hear_(desk::Text{json_line(json), control_only});
+void DeskWork::send_text(const OrderedJson& json, bool control_only) {
+  on_news_(desk::Text{json_line(json), control_only});
 }
 
 void DeskWork::resize(const desk::Resize& size) {
@@ -99,7 +99,7 @@ std::string DeskWork::refusal_of_window(int width, int height) {
 }
 
 // Releases buttons, keys and pulled bodies.
-void DeskWork::let_go() {
+void DeskWork::release_input() {
   for (const MouseButton button : {MouseButton::left, MouseButton::right, MouseButton::middle})
     viewer_.handle(MouseClicked{button, false, {}});
   viewer_.handle(FocusChanged{false});
@@ -118,16 +118,16 @@ bool DeskWork::take(DeskInput& input) {
     return false;
   } else if (const auto* arrive = std::get_if<desk::Arrive>(&input)) {
     stream_.arrive(arrive->visitor);
-    tell_scene();
-    tell_scheme();
-    tell({{"t", "cursor"}, {"cursor", word(cursor_)}}, true);
+    send_scene();
+    send_scheme();
+    send_text({{"t", "cursor"}, {"cursor", word(cursor_)}}, true);
   } else if (const auto* scheme = std::get_if<desk::Scheme>(&input)) {
     viewer_.send(ViewCommand(command::Theme{scheme->dark}));
   } else if (const auto* depart = std::get_if<desk::Depart>(&input)) {
     stream_.depart(depart->visitor);
   } else if (const auto* over = std::get_if<desk::HandOver>(&input)) {
     stream_.follow(over->controller);
-    let_go();
+    release_input();
   } else if (const auto* size = std::get_if<desk::Resize>(&input)) {
     resize(*size);
   } else if (const auto* refresh = std::get_if<desk::Refresh>(&input)) {
@@ -147,7 +147,7 @@ bool DeskWork::take(DeskInput& input) {
       viewer_.handle(FilesDropped{{viewer_.file_of(open->name)}});
       stamps_.push_back(stamp_);
     } catch (const Error& error) {
-      tell({{"t", "error"}, {"text", error.what()}}, true);
+      send_text({{"t", "error"}, {"text", error.what()}}, true);
     }
   } else if (const auto* script = std::get_if<desk::Run>(&input)) {
     run(*script);
@@ -161,7 +161,7 @@ bool DeskWork::take(DeskInput& input) {
 
 bool DeskWork::look(bool events) {
   const auto sim = runner_.latest();
-  if (events && sim->serial != event_serial_) tell_events(*sim);
+  if (events && sim->serial != event_serial_) send_events(*sim);
   event_serial_ = sim->serial;
   const bool changed = sim->serial != seen_;
   seen_ = sim->serial;
@@ -184,62 +184,62 @@ bool DeskWork::take_frame(double began) {
   Image image;
   viewer_.renderer().queue_read();
   viewer_.renderer().fetch(image);
-  tell_changes();
+  send_changes();
   const double now = seconds_now();
   return stream_.show(std::move(image), stamp_, 1000 * (now - began), now);
 }
 
-void DeskWork::tell_changes() {
+void DeskWork::send_changes() {
   if (const MouseCursor cursor = viewer_.cursor(); cursor != cursor_) {
     cursor_ = cursor;
-    tell({{"t", "cursor"}, {"cursor", word(cursor)}}, true);
+    send_text({{"t", "cursor"}, {"cursor", word(cursor)}}, true);
   }
   if (const bool wants = viewer_.wants_text(); wants != wants_text_) {
     wants_text_ = wants;
-    tell({{"t", "text_input"}, {"on", wants}}, true);
+    send_text({{"t", "text_input"}, {"on", wants}}, true);
   }
-  if (viewer_.snapshot().scene_serial != scene_) tell_scene();
-  if (viewer_.ui().dark != dark_) tell_scheme();
+  if (viewer_.snapshot().scene_serial != scene_) send_scene();
+  if (viewer_.ui().dark != dark_) send_scheme();
   const auto& messages = viewer_.snapshot().messages;
   if (messages.empty() || messages.back().number == messages_) return;
   messages_ = messages.back().number;
-  tell_files();
+  send_files();
 }
 
-void DeskWork::tell_scene() {
+void DeskWork::send_scene() {
   scene_ = viewer_.snapshot().scene_serial;
-  tell({{"t", "scene"}, {"scene", scene_name(viewer_.snapshot())}}, false);
+  send_text({{"t", "scene"}, {"scene", scene_name(viewer_.snapshot())}}, false);
 }
 
-void DeskWork::tell_scheme() {
+void DeskWork::send_scheme() {
   dark_ = viewer_.ui().dark;
-  tell({{"t", "scheme"}, {"dark", dark_}}, false);
+  send_text({{"t", "scheme"}, {"dark", dark_}}, false);
 }
 
 // Announces new and changed files.
-void DeskWork::tell_files() {
+void DeskWork::send_files() {
   std::vector<FileRoot::Entry> files = options_.files->list();
   for (const FileRoot::Entry& file : files) {
     if (std::find(files_.begin(), files_.end(), file) == files_.end())
-      tell({{"t", "file"}, {"name", file.name}, {"bytes", file.bytes}}, true);
+      send_text({{"t", "file"}, {"name", file.name}, {"bytes", file.bytes}}, true);
   }
   files_ = std::move(files);
 }
 
-void DeskWork::tell_events(const Snapshot& sim) {
-  const auto tell = [&](const OrderedJson& json) { hear_(desk::Event{json_line(json)}); };
+void DeskWork::send_events(const Snapshot& sim) {
+  const auto send = [&](const OrderedJson& json) { on_news_(desk::Event{json_line(json)}); };
   if (sim.scene_serial != event_scene_) {
     event_scene_ = sim.scene_serial;
     event_step_ = -1;
-    tell({{"event", "scene"}, {"name", sim.scene->name}, {"bodies", sim.scene->model.size()}});
+    send({{"event", "scene"}, {"name", sim.scene->name}, {"bodies", sim.scene->model.size()}});
   }
   if (sim.playing != event_playing_) {
     event_playing_ = sim.playing;
-    tell({{"event", sim.playing ? "play" : "pause"}});
+    send({{"event", sim.playing ? "play" : "pause"}});
   }
   if (sim.a.state->step != event_step_) {
     event_step_ = sim.a.state->step;
-    tell({{"event", "step"},
+    send({{"event", "step"},
           {"step", sim.a.state->step},
           {"time", sim.a.state->time},
           {"iterations", sim.a.report.iterations},
@@ -248,11 +248,11 @@ void DeskWork::tell_events(const Snapshot& sim) {
   for (const Message& m : sim.messages) {
     if (m.number <= event_messages_) continue;
     event_messages_ = m.number;
-    tell({{"event", "message"}, {"severity", word(m.severity)}, {"text", m.text}});
+    send({{"event", "message"}, {"severity", word(m.severity)}, {"text", m.text}});
   }
 }
 
-void DeskWork::tell_stats(double now) {
+void DeskWork::send_stats(double now) {
   const auto stats = stream_.stats(now);
   OrderedJson json = {{"t", "stats"}, {"fps", 0}};
   if (stats) {
@@ -264,7 +264,7 @@ void DeskWork::tell_stats(double now) {
     json["scale"] = stats->look.scale;
     json["rtt_ms"] = tenth(stats->link_ms);
   }
-  if (json != stats_) tell(json, false);
+  if (json != stats_) send_text(json, false);
   stats_ = std::move(json);
 }
 

@@ -14,9 +14,9 @@ namespace pabd {
 
 class DeskWork {
  public:
-  // Precondition: the turn is held and the context is current. `hear` receives the news.
+  // Precondition: the turn is held and the context is current. `on_news` receives the news.
   DeskWork(GlContext& context, Runner& runner, const DeskOptions& options, DeskQueue& queue,
-           const std::function<void(DeskNews)>& hear);
+           const std::function<void(DeskNews)>& on_news);
 
   // True when the window may look different now. While a script runs, urgent inputs are taken from the queue, and
   // stopping the queue ends the script. Precondition: the turn is not held.
@@ -28,7 +28,7 @@ class DeskWork {
   // Draws a frame. Precondition: the turn is held. True when it differs from the last one.
   bool draw();
 
-  void tell_stats(double now);
+  void send_stats(double now);
 
   Viewer& viewer() { return viewer_; }
   FrameStream& stream() { return stream_; }
@@ -37,23 +37,23 @@ class DeskWork {
   void resize(const desk::Resize& size);
   static std::string refusal_of_window(int width,
                                        int height);  // for a size that resize() would reduce; empty: it fits
-  void let_go();
+  void release_input();
   void run(const desk::Run& run);
   void answer(const desk::AskState& ask);
   void answer(const desk::AskPicture& ask);
   bool take_frame(double began);
-  void tell_changes();
-  void tell_files();
-  void tell_scene();
-  void tell_scheme();
-  void tell_events(const Snapshot& sim);
-  void tell(const OrderedJson& json, bool control_only);  // to the pages
+  void send_changes();
+  void send_files();
+  void send_scene();
+  void send_scheme();
+  void send_events(const Snapshot& sim);
+  void send_text(const OrderedJson& json, bool control_only);  // to the pages
 
   GlContext& context_;
   Runner& runner_;
   DeskOptions options_;
   DeskQueue& queue_;
-  const std::function<void(DeskNews)>& hear_;
+  const std::function<void(DeskNews)>& on_news_;
   std::string clipboard_;
   Viewer viewer_;
   FrameStream stream_;

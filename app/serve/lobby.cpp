@@ -73,7 +73,7 @@ std::shared_ptr<Lobby::Room> Lobby::open_room(const std::string& name) {
   const std::weak_ptr<Room> weak = room;
   room->desk = std::make_unique<ServedDesk>(desk, [this, weak, post = post_](DeskNews news) {
     post([this, weak, news = std::move(news)]() mutable {
-      if (const auto here = weak.lock()) heard(*here, std::move(news));
+      if (const auto here = weak.lock()) handle_news(*here, std::move(news));
     });
   });
   rooms_[name] = room;
@@ -134,12 +134,12 @@ std::optional<Lobby::Seat> Lobby::enter(const message::Hello& hello, Access acce
   if (controls && hello.dark && !std::exchange(here->dressed, true))
     here->desk->send(desk::Scheme{*hello.dark});
   here->desk->send(desk::Arrive{arrival->id});
-  tell_roles(*here);
+  send_roles(*here);
   return Seat{name, arrival->id};
 }
 
 // Sends each visitor its role if that changed.
-void Lobby::tell_roles(Room& room) {
+void Lobby::send_roles(Room& room) {
   const auto controller = room.roles.controller();
   if (controller != room.controller) {
     room.controller = controller;
@@ -160,7 +160,7 @@ void Lobby::tell_roles(Room& room) {
   }
 }
 
-bool Lobby::hear(const Seat& seat, ClientMessage said, VisitorLink& link) {
+bool Lobby::receive(const Seat& seat, ClientMessage said, VisitorLink& link) {
   const auto here = room(seat.session);
   if (!here) return true;
   ServedDesk& desk = *here->desk;
@@ -176,7 +176,7 @@ bool Lobby::hear(const Seat& seat, ClientMessage said, VisitorLink& link) {
   }
   if (std::holds_alternative<message::AskControl>(said)) {
     here->roles.ask(seat.visitor);
-    tell_roles(*here);
+    send_roles(*here);
     return true;
   }
   if (const auto* size = std::get_if<desk::Resize>(&said)) {
@@ -187,7 +187,7 @@ bool Lobby::hear(const Seat& seat, ClientMessage said, VisitorLink& link) {
   if (!controls) return true;
   if (std::holds_alternative<message::GiveControl>(said)) {
     here->roles.give(seat.visitor);
-    tell_roles(*here);
+    send_roles(*here);
     return true;
   }
   return std::visit(
@@ -206,10 +206,10 @@ void Lobby::leave(const Seat& seat, bool closed) {
   here->roles.leave(seat.visitor, seconds_now(), closed);
   here->desk->send(desk::Depart{seat.visitor});
   if (here->guests.empty()) here->alone_since = seconds_now();
-  tell_roles(*here);
+  send_roles(*here);
 }
 
-void Lobby::heard(Room& room, DeskNews news) {
+void Lobby::handle_news(Room& room, DeskNews news) {
   if (auto* frame = std::get_if<desk::Frame>(&news)) {
     const auto guest = room.guests.find(frame->visitor);
     if (guest == room.guests.end()) return;
@@ -248,7 +248,7 @@ bool Lobby::may_listen(const std::string& session) const {
 void Lobby::listen(const std::string& session, const std::shared_ptr<EventLink>& link) {
   const auto here = room(session);
   here->listeners.push_back(link);
-  here->desk->tell_events(true);
+  here->desk->enable_events(true);
 }
 
 std::shared_ptr<FileRoot> Lobby::files(const std::string& session) const {
@@ -266,8 +266,8 @@ void Lobby::tick(double now) {
     }
     if (std::erase_if(here->listeners, [](const auto& l) { return !l->open(); }) > 0 &&
         here->listeners.empty())
-      here->desk->tell_events(false);
-    tell_roles(*here);
+      here->desk->enable_events(false);
+    send_roles(*here);
     if (options_.sessions > 1 && here->guests.empty() && now - here->alone_since > options_.idle_limit)
       end(*here, "nobody was there for too long");
   }

@@ -68,7 +68,7 @@ class Lobby {
   std::optional<Seat> enter(const message::Hello& hello, Access access,
                             const std::shared_ptr<VisitorLink>& link);
   // Input counts only from the controller. False: the desk's queue is full.
-  bool hear(const Seat& seat, ClientMessage message, VisitorLink& link);
+  bool receive(const Seat& seat, ClientMessage message, VisitorLink& link);
   void leave(const Seat& seat,
              bool closed = false);  // `closed`: the page was closed, not only the connection lost
 
@@ -90,8 +90,8 @@ class Lobby {
   struct Room;
   std::shared_ptr<Room> open_room(const std::string& name);
   std::shared_ptr<Room> room(const std::string& session) const;
-  void heard(Room& room, DeskNews news);
-  void tell_roles(Room& room);
+  void handle_news(Room& room, DeskNews news);
+  void send_roles(Room& room);
   void end(Room& room, const std::string& why);
 
   LobbyOptions options_;

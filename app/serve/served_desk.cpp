@@ -33,7 +33,7 @@ struct LockAtEnd {
 
 struct ServedDesk::Impl {
   DeskOptions options;
-  std::function<void(DeskNews)> hear;
+  std::function<void(DeskNews)> on_news;
   DeskQueue queue;
   std::atomic<bool> events{false};
   std::shared_ptr<Runner> runner;  // stopped by the destructor
@@ -44,11 +44,11 @@ struct ServedDesk::Impl {
 
   // Used by the thread only:
   std::size_t later = std::size(kLater);
-  double changed = 0, drawn = -1e9, told = 0;
+  double changed = 0, drawn = -1e9, stats_sent = 0;
   bool owed = true;          // the last frame may be outdated
   bool was_playing = false;  // when the last visitor left
 
-  Impl(const DeskOptions& o, std::function<void(DeskNews)> h) : options(o), hear(std::move(h)) {}
+  Impl(const DeskOptions& o, std::function<void(DeskNews)> h) : options(o), on_news(std::move(h)) {}
 
   void work() {
     bool started = false;
@@ -59,7 +59,7 @@ struct ServedDesk::Impl {
       if (options.devices) shared->put_beside(*context);
       if (options.play) runner->send(command::Play{});  // now bodies can be drawn from where steps are made
       std::unique_lock turn(*options.turn);
-      DeskWork desk(*context, *runner, options, queue, hear);
+      DeskWork desk(*context, *runner, options, queue, on_news);
       turn.unlock();
       started = true;
       ready.set_value();
@@ -67,7 +67,7 @@ struct ServedDesk::Impl {
       while (!queue.stopped()) round(desk);
     } catch (const std::exception& error) {
       if (!started) ready.set_exception(std::current_exception());
-      hear(desk::Ended{error.what()});
+      on_news(desk::Ended{error.what()});
     }
   }
 
@@ -128,9 +128,9 @@ struct ServedDesk::Impl {
       if (desk.draw()) changed = std::max(changed, now - kLater[0]);
     }
     desk.stream().deliver(seconds_now());
-    if (now - told >= 1) {
-      told = now;
-      desk.tell_stats(now);
+    if (now - stats_sent >= 1) {
+      stats_sent = now;
+      desk.send_stats(now);
     }
   }
 
@@ -164,8 +164,8 @@ struct ServedDesk::Impl {
   }
 };
 
-ServedDesk::ServedDesk(const DeskOptions& options, std::function<void(DeskNews)> hear)
-    : impl_(std::make_unique<Impl>(options, std::move(hear))) {
+ServedDesk::ServedDesk(const DeskOptions& options, std::function<void(DeskNews)> on_news)
+    : impl_(std::make_unique<Impl>(options, std::move(on_news))) {
   impl_->thread = std::thread([impl = impl_.get()] { impl->work(); });
 }
 
@@ -181,6 +181,6 @@ ServedDesk::~ServedDesk() {
 }
 
 bool ServedDesk::send(DeskInput input) { return impl_->queue.push(std::move(input)); }
-void ServedDesk::tell_events(bool on) { impl_->events = on; }
+void ServedDesk::enable_events(bool on) { impl_->events = on; }
 
 }  // namespace pabd

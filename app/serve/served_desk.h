@@ -3,7 +3,7 @@
 //
 //   network                                desk's thread
 //   send(input)  ──→ bounded queue ──→ WindowEvent → Viewer::handle; Viewer::draw → FrameStream
-//   hear(news)   ←── frames for visitors that are ready, texts, the end ←─┘
+//   on_news(news)←── frames for visitors that are ready, texts, the end ←─┘
 #pragma once
 
 #include <filesystem>
@@ -44,8 +44,8 @@ class ServedDesk {
  public:
   static constexpr std::size_t kMostInputs = 4096;  // in the queue
 
-  // `hear` is called in the desk's thread; after a failure its last news is desk::Ended.
-  ServedDesk(const DeskOptions& options, std::function<void(DeskNews)> hear);
+  // `on_news` is called in the desk's thread; after a failure its last news is desk::Ended.
+  ServedDesk(const DeskOptions& options, std::function<void(DeskNews)> on_news);
   ~ServedDesk();  // interrupts the simulation and its script
   ServedDesk(const ServedDesk&) = delete;
   ServedDesk& operator=(const ServedDesk&) = delete;
@@ -56,7 +56,7 @@ class ServedDesk {
   // False: the queue is full. Successive moves of the mouse become one.
   bool send(DeskInput input);
   // Whether steps and messages are sent as events.
-  void tell_events(bool on);
+  void enable_events(bool on);
 
  private:
   struct Impl;

@@ -119,7 +119,7 @@ class WebSocketClient : public VisitorLink, public std::enable_shared_from_this<
       ClientMessage message = read_client_message(text);
       const auto* hello = std::get_if<message::Hello>(&message);
       if (!seat_ || hello) return enter(hello);
-      if (!shared_.lobby->hear(*seat_, std::move(message), *this))
+      if (!shared_.lobby->receive(*seat_, std::move(message), *this))
         close(CloseCode::too_many, "too much input waits");
     } catch (const Error& error) {
       close(CloseCode::malformed, error.what());
