@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A queue of fixed capacity between two threads of the render pipeline. A full queue holds the producer back,
-// so that a fast stage does not fill the memory with frames that a slow one has not reached yet.
+// A queue of fixed capacity between two threads of the render pipeline. A full queue blocks the producer, so that a fast
+// stage does not fill the memory.
 #pragma once
 
 #include <condition_variable>
@@ -41,7 +41,7 @@ class BoundedQueue {
     return take(lock);
   }
 
-  // Nothing more goes in; what is in may still be taken. Either side may call it, any number of times.
+  // No more items are accepted; those inside may still be taken. Either side may call it, any number of times.
   void close() {
     {
       const std::scoped_lock lock(mutex_);

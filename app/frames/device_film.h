@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames of a run that a GPU both simulates and draws, in one OpenGL context: bodies go from the solver to the picture in
-// its memory, and no state comes back.
+// Frames of a run that a GPU both simulates and draws, in one OpenGL context: no state is read back.
 #pragma once
 
 #include "app/frames/frame_painter.h"
@@ -13,20 +12,20 @@ namespace pabd {
 
 class DeviceFilm : public FrameSource {
  public:
-  // Whether the pictures show nothing but what the GPU can draw of the run by itself: opaque bodies, panels that need
-  // reports only, glyphs of contacts; from a camera that follows no body.
+  // Whether the GPU can draw all that the pictures show without reading back: opaque bodies, panels that need reports
+  // only, glyphs of contacts, from a camera that follows no body.
   static bool shows_all(const Run& run, const OverlayChoice& overlay, const CameraOption& camera);
 
-  // From where the run is. `context`: of the painter; current in all calls, and outlives this. Precondition:
-  // shows_all(). `skipped`: as LiveSource. Throws Error(no_context) where the GPU lacks room.
+  // Goes on from where the run is. `context`: of the painter; current in all calls, and outlives this. Precondition:
+  // shows_all(). `skipped`: as LiveSource. Throws Error(no_context) when the GPU lacks memory.
   DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
              LiveSource::Skipped skipped = {});
 
-  // Views of these frames have a time, but no bodies: bodies(), until the next frame is asked for.
+  // Views of these frames have a time but no bodies; bodies() has them until the next frame is asked for.
   std::optional<Frame> next(const Stop& stop) override;
   BodiesOnDevice bodies();
 
-  // The step that left the numbers; none: none did.
+  // The step that diverged, if any.
   const std::optional<StepSummary>& diverged() const { return diverged_; }
 
  private:

@@ -59,19 +59,18 @@ struct BodiesOnDevice {
 
 class FramePainter {
  public:
-  // `context` is current and outlives this. Unless the camera is given it shows all of `spots` in what panels and
-  // caption leave free, from where the scene wants to be seen. Throws Error(bad_input) when it follows a body that
-  // is none.
+  // `context` is current and outlives this. Unless the camera says where it is, it shows all of `spots` in the area that
+  // panels and caption leave free. Throws Error(bad_input) when it follows a body that does not exist.
   FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
                std::span<const Spot> spots, int width, int height, const OverlayChoice& overlay,
                const CameraOption& camera, const Comparison& comparison = {});
 
-  // Draws, and starts copying it back. `other`: the other run, or null; `apart`: how far the two are from
-  // each other. `time`: where the camera is; s. `on_device`: where the bodies are, if not in the view; nothing is drawn
-  // then that takes their places.
+  // Draws, and starts copying the picture back. `other`: the other run, or null; `apart`: how far the two are apart.
+  // `time`: of the camera; s. `on_device`: where the bodies are, if not in the view; marks that need their places are not
+  // drawn then.
   void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart, double time,
             const BodiesOnDevice* on_device = nullptr);
-  // Of the pictures that follow.
+  // Of later pictures.
   void set_quality(const RenderQuality& quality) { quality_ = quality; }
   int queued() const { return renderer_.queued() + static_cast<int>(mattes_.size()); }
   void fetch(Image& out);  // the oldest picture that was drawn; precondition: queued() > 0

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where pictures come from. A run as it is made, the past of one, a recording, each alone or with a second
-// run beside it: all hand out the same frames, by one rule of which step belongs to which time
-// (app/session/step_at_time.h).
+// Where frames come from: a run as it is simulated, the past of one, or a recording, each alone or with a second run
+// beside it. All give the same frames, by one rule of which step belongs to a time (app/session/step_at_time.h).
 #pragma once
 
 #include <functional>
@@ -33,8 +32,8 @@ class FrameSource {
 
   virtual ~FrameSource() = default;
 
-  // The next frame, in order. None after the last one, when `stop` says true (it is asked before and in every
-  // step), or when a run left the numbers; it is not to be asked for more then.
+  // The next frame, in order. None after the last one, when `stop` returns true (it is asked in every step), or when a run
+  // diverged; must not be called again then.
   virtual std::optional<Frame> next(const Stop& stop) = 0;
 };
 
@@ -51,9 +50,9 @@ class RunSource : public FrameSource {
 
   RunSource(Run a, std::optional<Run> b, const TrailRecorder& trails);
 
-  // Before a frame: a plot shows no more of the past than this leaves.
+  // Bounds the list of distances; to be called before each frame.
   void drop_old_distances();
-  // Where the two are at a common time.
+  // Adds how far the two runs are apart, if they are at a common time.
   void measure_distance();
 
   Shown a_;
@@ -74,15 +73,14 @@ class LiveSource : public RunSource {
  public:
   using Skipped = std::function<void(int frames, const StepSummary& step)>;
 
-  // The runs go on from where they are; no past is needed of them (kNoPast). `skipped` is told how many
-  // frames before `range.first` are made, in the thread that asks for frames.
-  // `trails`: what leaves a trail in each run, and for how long, in every step.
+  // The runs go on from where they are and need no past (kNoPast). `skipped` is called in the thread that asks for frames
+  // while frames before `range.first` are simulated. `trails`: what leaves a trail, in every step.
   LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped = {},
              const TrailRecorder& trails = {});
 
   std::optional<Frame> next(const Stop& stop) override;
 
-  // The step that left the numbers, and whether it was one of the second run; none: none did.
+  // The step that diverged, and whether it was one of the second run.
   struct Diverged {
     StepSummary step;
     bool in_b = false;
@@ -112,16 +110,15 @@ std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastR
 // They are the frames that LiveSource simulates.
 class PastSource : public RunSource {
  public:
-  // `iterations`, `contacts`: what reports carry. The parameters of a frame are those that its last step was
-  // made with. `trails`: what leaves one, from frame to frame.
+  // `iterations`, `contacts`: what reports contain. The parameters of a frame are those of its last step. `trails`: what
+  // leaves a trail, from frame to frame.
   PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts,
              const TrailRecorder& trails = {});
 
   std::optional<Frame> next(const Stop& stop) override;
 
-  // These never change.
   int count() const { return static_cast<int>(moments_.size()); }
-  // Of the simulation at a frame; s.
+  // Simulated time of a frame; s.
   double time(int frame) const { return times_[static_cast<std::size_t>(frame)]; }
 
  private:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thread that makes frames: it asks a source for them and keeps a few ready, so that whoever draws never
-// waits for a simulation that has time to be ahead.
+// A thread that asks a source for frames and keeps a few ready, so that simulation and drawing overlap.
 #pragma once
 
 #include <atomic>
@@ -14,20 +13,19 @@ namespace pabd {
 
 class FrameThread {
  public:
-  // Starts. `source` must outlive this and is not to be touched until stop(); `stop` is asked from the
-  // thread.
+  // Starts the thread. `source` must outlive this and must not be used until stop(); the thread calls `stop`.
   explicit FrameThread(FrameSource& source, FrameSource::Stop stop = {});
   ~FrameThread();  // as stop()
   FrameThread(const FrameThread&) = delete;
   FrameThread& operator=(const FrameThread&) = delete;
 
-  // The next frame, in order; empty when it is not ready, or with `wait` only after the last one. Throws what
-  // the source threw.
+  // The next frame, in order; empty when it is not ready, or with `wait` after the last one. Rethrows what the source
+  // threw.
   std::optional<Frame> next(bool wait);
 
   // Ends the thread, in the middle of a step if need be.
   void stop();
-  // Spent on simulating and copying, not on waiting; valid after stop(), or after next(true) was empty.
+  // Time spent in the source, without waiting; valid after stop(), or after next(true) was empty.
   double busy_seconds() const { return busy_seconds_; }
 
  private:

@@ -4,8 +4,8 @@
 //     simulating (FrameThread) → drawing (the caller's thread, which has the GL context)
 //                              → encoding and writing (AsyncSink, a thread)
 //
-// The queues between them are short: a slow stage holds back those before it. Where a GPU makes the steps and draws
-// them from its own memory, the first two are one.
+// The queues between them are short: a slow stage blocks those before it. When a GPU makes the steps and draws them from
+// its own memory, the first two stages are one.
 #pragma once
 
 #include "app/frames/ab_painter.h"
@@ -35,17 +35,16 @@ struct RenderWatch {
   std::function<void(int frames, const StepSummary& step)> progress;  // so many are simulated or drawn
 };
 
-// Renders the frames of a source and publishes the output; when that ends early or is stopped, with the
-// frames that are whole by then. Throws what a stage threw.
+// Renders the frames of a source and publishes the output, also when it is stopped early, with the frames that are
+// complete. Throws what a stage threw.
 RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink,
                            const RenderWatch& watch);
 
-// The same of a film, whose steps are made where it is drawn: in the caller's thread, between the pictures.
+// The same for a film, whose steps are made in the caller's thread between the pictures.
 RenderResult render_film(DeviceFilm& film, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch);
 
-// The sink for these frames: size, speed, and in every PNG where it came from (`common`). `start` is what
-// frame 0 shows. Frames are written from `first_written` on (0: those before `range.first` are part of the
-// run, but not of the output).
+// Options of the sink for these frames: size, speed, and the text of every PNG (`common`). `start` is what frame 0
+// shows. Frames are written from `first_written` on (0: those before `range.first` are simulated, but not written).
 SinkOptions sink_options(const FrameView& start, const PngText& common, const FrameRange& range, int width,
                          int height, int first_written = 0);
 

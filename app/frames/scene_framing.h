@@ -21,14 +21,13 @@ inline constexpr double kLookAhead = 5;
 // From which side the scene wants to be seen, and with which field of view; how far away is for framing to say.
 Camera side_of(const Scene& scene);
 
-// What is to be seen of `start` and of `seconds` after it. A run ahead finds it, with its own steps or, where they are
-// too many, longer ones; it ends early where there are many bodies: then what is still falling is told by the floor
-// below it. Bodies that leave for good count only where they start.
+// What is to be seen of `start` and of `seconds` after it, found by simulating ahead, with longer steps if there would be
+// too many. With many bodies that ends early; bodies that still fall then are shown by the floor below them. Bodies that
+// leave for good count only where they start.
 std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start,
                               double seconds);
 
-// The same of the start of a scene: whatever a run does with it later, and with which parameters, it is seen from the
-// same place.
+// The same of the start of a scene, so that all runs of it are seen from the same place.
 std::vector<Spot> scene_spots(const std::shared_ptr<const Scene>& scene, double seconds);
 inline double look_ahead_time(const Scene& scene) { return scene.duration.value_or(kLookAhead); }
 
@@ -40,7 +39,7 @@ PicturePart free_part(const PanelLayout& layout, std::size_t caption_lines, int 
 // `part`, at every time while it orbits. What the option says of eye and target is not looked at.
 Camera frame_view(const CameraOption& option, const Camera& side, std::span<const Spot> spots, double aspect,
                   const PicturePart& part);
-// The same way, but so near that a body and some of what is around it fill the part.
+// The same direction, but so near that a body and some of its surroundings fill the part.
 Camera come_near(const CameraOption& option, const Camera& framed, const Spot& body, double aspect,
                  const PicturePart& part);
 
@@ -48,8 +47,7 @@ Camera come_near(const CameraOption& option, const Camera& framed, const Spot& b
 std::vector<BodyLook> looks_of(const Scene& scene, const Model& model);
 bool all_opaque(const std::vector<BodyLook>& looks);
 
-// What a picture has beside bodies whose poses lie on a GPU; its camera and theme stay. `around`: what is to be seen of
-// those.
+// Fills `visual` with all but the bodies, whose poses are on a GPU; camera and theme stay. `around`: their extent.
 void show_on_device(const Model& model, const std::optional<BoundingSphere>& around, VisualScene& visual);
 
 // The camera of a scene at its start, for pictures without a run.

@@ -24,7 +24,7 @@
 
 namespace pabd {
 
-// Of the movable bodies; kg; 0 without any. Once a model: it sorts the masses.
+// Of the movable bodies; kg; 0 without any. Sorts the masses: call it once a model.
 struct MassRange {
   double median = 0, heaviest = 0;
 };
@@ -73,8 +73,8 @@ struct Advice {
   std::string value;  // JSON or a bare word, as for --set: "240"
 };
 
-// The most serious first; empty when there is nothing to say. Every suggestion passes check_params when put
-// into `params`. Where a change has to be estimated, it is meant to be clicked again if it was not enough.
+// The most serious first. Every suggestion passes check_params when put into `params`. Estimated changes are meant to be
+// repeated if one was not enough.
 // `past`: the steps up to this one that were made with `params`, or the last of them.
 std::vector<Advice> contact_advice(const Model& model, const Params& params, const State& state,
                                    const StepReport& report, std::span<const StepSummary> past = {});

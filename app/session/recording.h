@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run as a file: what every step was made with, what it said, and its exact state every so many steps;
-// everything between is computed again when it is wanted, to the same bits. What a device made has the states that were
-// kept of it.
+// A run as a file: what every step was made with, its report, and its exact state every so many steps; states between
+// are computed again, to the same bits. Of steps that a device made the file has all states that were kept.
 //
 //   "pabd-rec", version (u32), size of the rest without the checksum (u64)
 //   scene       hash, name, number of bodies: a recording belongs to one scene
@@ -22,8 +21,8 @@
 
 namespace pabd {
 
-// The whole timeline of a run, which is complete (Run::complete); what a branch left is not part of it. `out` gets the bytes in parts: a
-// recording may be larger than the memory.
+// The whole timeline of a run, without the future that a branch left. Precondition: Run::complete() was called. `out` gets
+// the bytes in parts: a recording may be larger than the memory.
 void write_recording(const Run& run, const std::function<void(std::string_view)>& out);
 std::string encode_recording(const Run& run);
 
@@ -33,12 +32,12 @@ std::string encode_recording(const Run& run);
 Timeline decode_recording(const std::string& bytes, const std::string& source,
                           const std::shared_ptr<const Scene>& scene, std::size_t memory);
 
-// The same from a file, of which a part at a time is held. Throws Error(file) when it cannot be read.
+// The same from a file, read in parts. Throws Error(file) when it cannot be read.
 Timeline read_recording(const std::string& path, const std::shared_ptr<const Scene>& scene,
                         std::size_t memory);
 
-// The first of the last steps whose state comes out otherwise than recorded; none when all agree. Another
-// build or machine may round differently.
+// Computes the last steps again: the first whose state differs from the recorded one; none when all agree. Another build
+// or machine may round differently.
 std::optional<std::int64_t> first_difference(const Timeline& recorded, int threads);
 
 }  // namespace pabd

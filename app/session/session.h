@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One simulation that is being run: the scene it came from, what is tuned, where the bodies are now. The
-// command line and the window send the same commands to it. No drawing and no printing in here; any number of
-// sessions may live side by side.
+// One simulation that is being run: its scene, parameters, state and scratch memory. No drawing and no printing; any
+// number of sessions may live side by side.
 #pragma once
 
 #include <memory>
@@ -41,37 +40,37 @@ class Session {
   void report_contacts(bool on) { options_.report_contacts = on; }
   void report_bodies(bool on) { options_.report_bodies = on; }
   void report_joints(bool on) { options_.report_joints = on; }
-  // For who asks for no state() between complete_state() and the next: an engine then need not bring it back.
+  // The engine may keep the bodies: state() is then valid only after complete_state().
   void let_bodies_stay(bool on) { options_.bodies_stay = on; }
 
-  // Later steps ask it now and then and end when it says true (StepOptions::stop).
+  // Later steps ask `stop` now and then and end when it returns true (StepOptions::stop).
   void stop_when(std::function<bool()> stop) { options_.stop = std::move(stop); }
 
-  // Hands on bodies in later steps, until they are set anew. Precondition: as for step().
+  // Hands on bodies in later steps. Precondition: as for step().
   void set_pulls(std::vector<Pull> pulls) { options_.pulls = std::move(pulls); }
 
-  // Later steps are made by it; null: by this processor, as unless this is called. What it throws step() throws.
-  // Precondition: it knows no model that is gone (StepEngine::forget).
+  // Later steps are made by `engine`; null (the default): by this processor. step() throws what the engine throws.
+  // Precondition: the engine has forgotten models that no longer exist (StepEngine::forget).
   void solve_with(std::shared_ptr<StepEngine> engine);
   bool has_engine() const { return engine_ != nullptr; }
   bool can_let_bodies_stay() const { return engine_ && engine_->keeps_bodies(*model_); }
   // As StepEngine::copy_poses.
   std::shared_ptr<const PoseCopy> copy_poses() { return engine_->copy_poses(); }
-  // What the engine does before the first step, before that is asked for. Throws as it does.
+  // Does ahead of time what the engine does before its first step, such as compiling. Throws as the engine does.
   void prepare();
-  // After this, state() has all that the next step depends on: an engine may leave something out of it.
+  // Fetches what the engine has left out of state().
   void complete_state();
-  // The same as a copy.
+  // A copy of the complete state.
   State whole_state() const;
 
-  // One time step. A step that left the numbers says so in its report, which knows nothing else of where it
-  // ends (NaN); that one and a step that was stopped leave the state as it was.
+  // One time step. A step that diverges (its report says so; numbers of its end are NaN) or is stopped leaves the state
+  // as it was.
   const StepReport& step();
 
   // Back to the scene's initial state and parameters.
   void reset();
 
-  // Takes effect at the next step. Throws Error(bad_input) naming the parameter; the old ones stay then.
+  // Takes effect at the next step. Throws Error(bad_input) naming the parameter; nothing has changed then.
   void set_params(const Params& params);
   void set_params(std::shared_ptr<const Params> params);  // not null; shared with whoever has them
 
@@ -82,8 +81,7 @@ class Session {
   // Error(bad_input) as edit_from_json and apply_edit do; nothing has changed then.
   void edit(const ModelEdit& edit);
 
-  // Continues from a state of `model`, as a run that is wound back does. Throws like set_state. `made`: what is known of
-  // the step that led there.
+  // Continues from a state of `model`. Throws as set_state. `made`: the report of the step that led there.
   void restore(std::shared_ptr<const Model> model, State state);
   void restore(std::shared_ptr<const Model> model, State state, StepReport made);
 

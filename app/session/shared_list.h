@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A list that grows at its end, and that others, in threads of their own, may look at as it is now: a view
-// costs the same however long the list is, and stays what it is whatever happens to the list.
+// A list that grows at its end, with immutable views for other threads. Making a view is O(1), and later changes of the
+// list do not affect it.
 //
-// Elements lie in one block, which views share. What a view may see is never written again: a list that was
-// cut short, or that is a copy, goes on in a block of its own.
+// Elements lie in one block, which views share. What a view may see is never written again: a list that was truncated, or
+// copied, continues in a block of its own.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ class SharedList {
 
   View view() const { return {block_, first_, size_}; }
 
-  // At a mean cost that does not depend on the length.
+  // Amortised O(1).
   void push_back(T value) {
     if (!own_ || first_ + size_ == room_) move_on();
     block_[first_ + size_++] = std::move(value);
@@ -75,7 +75,7 @@ class SharedList {
   }
 
  private:
-  // Into a block of its own, with room for as many again.
+  // Copies into a block of its own, with room for as many again.
   void move_on() {
     const std::size_t room = std::max<std::size_t>(16, 2 * size_);
     const std::shared_ptr<T[]> block(new T[room]);
@@ -96,7 +96,7 @@ class SharedList {
   std::shared_ptr<T[]> block_;
   std::size_t room_ = 0;  // elements in the block
   std::size_t first_ = 0, size_ = 0;
-  bool own_ = false;  // what lies behind the end is seen by nobody
+  bool own_ = false;  // no view sees what lies behind the end
 };
 
 }  // namespace pabd

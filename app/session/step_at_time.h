@@ -16,8 +16,8 @@
 
 namespace pabd {
 
-// Times are sums of steps, and steps are rounded where they are written: h = 0.0166667 and 60 frames a second
-// go together. Forgiven: a part of the time, at most a part of a step.
+// Tolerance of times: they are sums of steps that were rounded when written, and h = 0.0166667 should fit 60 frames a
+// second. A part of the time, at most a part of a step.
 inline constexpr double kForgivenOfTime = 1e-5, kForgivenOfStep = 0.1;
 
 inline double forgiven(double t, double h) {

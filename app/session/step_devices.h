@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Who makes the next step of a run, where a program offers devices beside the processor: asked for by the parameters
-// (solver.device), answered anew whenever they or the model have changed.
+// Who makes the next step of a run: the parameters (solver.device) ask for a device, and the answer is renewed whenever
+// they or the model change.
 #pragma once
 
 #include <memory>
@@ -20,15 +20,15 @@ class StepDevices {
   struct Answer {
     bool device = false;  // it makes the steps; else the processor
     std::string name;     // of the device
-    std::string why;      // the processor, in one line; empty where it was asked for
-    // A device was asked for, not left to choose: what a refusal is.
-    bool refused = false;
+    std::string why;      // the processor makes them, in one line; empty where that was asked for
+    bool refused =
+        false;  // a device was demanded (not "auto") and cannot take the model; `kind` is the error then
     ErrorKind kind = ErrorKind::bad_input;
   };
 
   virtual ~StepDevices() = default;
 
-  // For steps of the model with these parameters from that state on. Linear in the number of bodies.
+  // Who would make steps of the model from that state on. Linear in the number of bodies.
   virtual Answer decide(const Model& model, const Params& params, const State& state) const = 0;
   // Throws Error(no_context).
   virtual std::shared_ptr<StepEngine> open() const = 0;
@@ -36,38 +36,36 @@ class StepDevices {
 
 struct DeviceStatus {
   std::string name;  // of the device; empty: the processor
-  std::string why;   // the processor, where a device was asked for or might have done it; one line
+  std::string why;   // the processor makes the steps although a device was asked for; one line
   bool operator==(const DeviceStatus&) const = default;
 };
 
-// Of one run: its answer, and its device as long as that is wanted.
+// The device of one run, open as long as it is wanted.
 class DeviceSwitch {
  public:
   void offer(std::shared_ptr<const StepDevices> devices) { devices_ = std::move(devices); }
   const std::shared_ptr<const StepDevices>& offered() const { return devices_; }
 
-  // Who makes the next step: status(). `hands` are on bodies, which devices do not take: they keep what they have for
-  // afterwards.
+  // Updates status(). Steps with `hands` are the processor's; the device stays open for later ones.
   void ask(const std::shared_ptr<const Model>& model, const Params& params, const State& state, bool hands);
-  // The same, with the device open; null: the processor.
+  // As ask(), and opens the device; null: the processor.
   std::shared_ptr<StepEngine> choose(const std::shared_ptr<const Model>& model, const Params& params,
                                      const State& state, bool hands);
-  // The device failed: the processor goes on until another one than it is asked for.
+  // The device failed: the processor makes the steps until the parameters ask for the processor.
   void fail(const std::string& why);
-  // Nothing is held any more, until a device is chosen again.
+  // Closes the device.
   void release();
 
-  // Of the last answer.
   const DeviceStatus& status() const { return status_; }
-  // The device that is open, also while the processor makes a step; null: none.
+  // The open device, also while the processor makes a step; null: none.
   const std::shared_ptr<StepEngine>& engine() const { return engine_; }
-  // That the device may know.
+  // The model that the device may know.
   const std::shared_ptr<const Model>& model() const { return model_; }
 
  private:
   std::shared_ptr<const StepDevices> devices_;
   std::shared_ptr<StepEngine> engine_;
-  std::shared_ptr<const Model> model_;  // of the answer; what the engine knows stays where it is
+  std::shared_ptr<const Model> model_;  // of the answer; alive as long as the engine knows it
   Params params_;                       // of the answer
   StepDevices::Answer answer_;
   std::string failure_;

@@ -35,9 +35,8 @@ class TrailRecorder {
   TrailRecorder(std::vector<TrailPoint> points, double seconds);
 
   const std::vector<TrailPoint>& points() const { return points_; }
-  // Where the points are now. What is later or older than the recorder's time is dropped: a run may be wound back.
-  // A body that is gone ends its trail. `unseen`: the run went from the last place to this one without showing the way;
-  // the trail has a gap there.
+  // Adds where the points are now, and drops what is later (the run was wound back) or older than the recorder's time. The
+  // trail of a removed body ends. `unseen`: the way from the last place to this one was not shown; the trail has a gap.
   void add(const Model& model, const State& state, bool unseen = false);
   std::vector<Trail> trails() const;
 

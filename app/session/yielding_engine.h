@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A device that gives way: where it cannot go on, the processor makes that step and all that follow.
+// A device with a fallback: when it fails, the processor makes that step and all later ones.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace pabd {
 
 class YieldingEngine : public StepEngine {
  public:
-  // `engine` is not null; `tell` hears why it gave way, once.
+  // `engine` is not null; `tell` is called once, with the reason of the failure.
   YieldingEngine(std::shared_ptr<StepEngine> engine, std::function<void(const std::string& why)> tell)
       : engine_(std::move(engine)), tell_(std::move(tell)), name_(engine_->name()) {}
 
@@ -46,12 +46,12 @@ class YieldingEngine : public StepEngine {
   void give_way(State& state) {
     try {
       engine_->complete(state);
-    } catch (const Error&) {  // it is lost: friction begins anew
+    } catch (const Error&) {  // the memory of contacts is lost: friction starts from zero
     }
     engine_.reset();
   }
 
-  std::shared_ptr<StepEngine> engine_;  // null: it gave way
+  std::shared_ptr<StepEngine> engine_;  // null after a failure
   std::function<void(const std::string&)> tell_;
   std::string name_;
   StepWorkspace workspace_;

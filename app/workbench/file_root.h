@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one folder of a person who works on this machine from afar: what is saved and opened lies in it, and
-// nothing else is read or written, whatever name is given.
+// The one folder that a remote user may read and write, whatever name is given.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +24,7 @@ class FileRoot {
     std::int64_t changed = 0;  // ns, of the file system
     bool operator==(const Entry&) const = default;
   };
-  // What may be added to what it had at first.
+  // Limits of what may be added.
   static constexpr std::size_t kMostFiles = 1000;
   static constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Workbench in a thread of its own: commands go in, snapshots come out, and nobody waits for a slow step.
+// The Workbench in a thread of its own: commands go in, snapshots come out; the user interface never waits for a step.
 //
 //   UI thread                         simulation's thread
 //   send(command) ──→ queue ──→ Workbench::apply / advance, at the pace asked for
@@ -37,10 +37,10 @@ class Runner {
   // Carried out in order. What goes wrong becomes a message in a later snapshot.
   void send(Command command);
 
-  // The newest snapshot; never waits for a step. Throws what the thread died of.
+  // The newest snapshot; never waits for a step. Rethrows what ended the thread.
   std::shared_ptr<const Snapshot> latest();
 
-  // Ends the thread, in the middle of a step if need be; who waits in settle() or for copies goes on.
+  // Ends the thread, in the middle of a step if need be; callers that wait in settle() or for copies continue.
   void stop();
 
   // Copies of the runs, after everything sent so far; the future is broken when the thread ends before.
@@ -68,7 +68,7 @@ class Runner {
   std::condition_variable wake_, settled_;
   std::deque<Job> queue_;
   std::shared_ptr<const Snapshot> latest_;
-  bool taken_ = true;  // somebody has the latest snapshot and will want another
+  bool taken_ = true;  // the latest snapshot was taken: another one is wanted
   bool busy_ = false;
   std::atomic<bool> stop_ = false;
   std::exception_ptr failure_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the Workbench shows of itself: a copy that other threads may keep as long as they like.
+// What the Workbench shows of itself: a copy that other threads may keep.
 #pragma once
 
 #include <memory>
@@ -17,12 +17,12 @@ namespace pabd {
 
 enum class Severity : std::uint8_t { note, warning, error };
 
-// Something to tell a person, in place, in one line.
+// A line for the person at the desk.
 struct Message {
   std::uint64_t number = 0;  // rises
   Severity severity = Severity::note;
   std::string text;
-  std::string about = {};                 // name of the command that it answers; empty: of none
+  std::string about = {};                 // name of the command that it answers, if any
   ErrorKind kind = ErrorKind::bad_input;  // of an error
 };
 
@@ -38,20 +38,19 @@ struct RunDistance {
   double time, position;  // s, m
 };
 
-// One of the simulations. Its parameters are those of the next step, its history has all moments of the
-// timeline: also those after this one.
+// One of the simulations. `params` are those of the next step; `history` has all moments of the timeline, also later ones.
 struct RunView : FrameView {
-  // What it goes on with: of B with the law of its own joints (run.h, continue_as). Never null.
+  // Never null; of B with the law of its own joints (Run::continue_as).
   std::shared_ptr<const Scene> scene;
   std::size_t cursor = 0;  // which moment this is
   Params made_with;        // parameters of the step that led here
-  std::size_t alike = 0;  // of the last steps up to it, those made with the same, as far as advice looks back
-  DeviceStatus device;    // who makes the next step
-  std::size_t gone = 0;   // moments of the history that cannot be gone to (Timeline::gone)
+  std::size_t alike = 0;   // how many of the last steps were made with these (at most kStepsLookedAt)
+  DeviceStatus device;     // who makes the next step
+  std::size_t gone = 0;    // moments whose state is not known (Timeline::gone)
   // Keys that differ from the scene, with their value, also of its joints' law (joint_settings.h).
   std::vector<std::pair<std::string, std::string>> changed;
   std::vector<Pull> pulls;  // hands on bodies in the next step
-  // Of the run that the last branch left, if there is one.
+  // The future that the last branch left, if any, and where the two part.
   std::optional<Reports> left;
   std::optional<Parting> parting;
 };
@@ -65,16 +64,15 @@ struct Snapshot {
   RunView a;
   std::optional<RunView> b;
   SharedList<RunDistance>::View distances;  // of A and B at common times
-  std::uint64_t jumps = 0;                  // rises when A goes elsewhere than by steps
+  std::uint64_t jumps = 0;                  // rises when A goes to another moment than the next
   bool playing = false;
   double speed = 1;             // asked for
-  double real_time_factor = 0;  // simulated seconds a second of late; 0 when not playing
-  bool diverged = false;        // the step after this state left the numbers
+  double real_time_factor = 0;  // recent simulated seconds a second; 0 when not playing
+  bool diverged = false;        // the step after this state diverged
   bool unsaved = false;         // something was made since the scene was loaded or saved
-  // In words, what a person made that would be gone with another scene, or with the scene's file loaded
-  // again.
+  // In words: what a person made that another scene, or loading the scene's file again, would discard.
   std::vector<std::string> at_stake, reload_loses;
-  bool file_changed = false;  // the scene's file is another one than when it was loaded
+  bool file_changed = false;  // the scene's file changed since it was loaded
   bool can_undo = false, can_redo = false;
   std::string undo_text, redo_text;  // "contact.kappa"
   std::vector<HeldCurve> held;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Undo and redo: see workbench.h.
 //
-// A change at the end of the timeline is undone in place. One that gives something up (a change in the past
-// its future, the end of a comparison B) keeps that, and changes places with it. When the run has gone on
-// since a parameter was changed in the past, the parameter is undone in place all the same, and what the
-// change gave up stays a step of its own if somebody laid hands on it; else it can be computed again.
+// A change at the end of the timeline is undone in place. A change that discards something (the future of a change in the
+// past, a comparison that ends) keeps it, and undo exchanges the two. If the run has advanced since a parameter was
+// changed in the past, the parameter is undone in place, and the discarded future becomes a step of undo of its own if it
+// has edits or hands; otherwise it can be computed again.
 #include <fmt/format.h>
 
 #include "app/workbench/workbench.h"
@@ -29,7 +29,7 @@ void Workbench::keep_exchange(const std::string& what, std::shared_ptr<GivenUp> 
   redo_.clear();
 }
 
-// Runs that were given up may take as much memory as the timeline; the newest of them always stays.
+// Discarded futures may take as much memory as the timeline; the newest of them always stays.
 void Workbench::thin(std::vector<Change>& changes) const {
   const auto bytes = [](const std::optional<Head>& head) { return head ? head->timeline.bytes() : 0; };
   std::size_t used = 0;
@@ -57,7 +57,7 @@ std::shared_ptr<Workbench::GivenUp> Workbench::heads(bool with_a, bool with_b) c
   return out;
 }
 
-// Each run goes where the other one was; of a comparison that ended, or had not begun, there is none.
+// Each run goes to the head that was kept, and its own is kept instead. Without a head there was no comparison.
 void Workbench::exchange(GivenUp& other) {
   if (other.held) std::swap(shown_.held, *other.held);
   if (!other.with_a && !other.with_b) return;
@@ -78,7 +78,7 @@ void Workbench::exchange(GivenUp& other) {
     }
     other.b = std::move(now);
   }
-  // The other one comes along to that time.
+  // The other run follows to the same time.
   if (b_ && other.with_a != other.with_b)
     seek_to(other.with_a ? a_->cursor() : a_->timeline().at_time(b_->state().time));
   shown_.diverged = false;
@@ -89,7 +89,7 @@ void Workbench::carry_out(const command::Redo&) { restore(redo_, undo_, false); 
 
 void Workbench::restore(std::vector<Change>& from, std::vector<Change>& to, bool before) {
   using Kind = Change::Kind;
-  // Of a comparison that is gone for good.
+  // Changes of a comparison that no longer exists.
   while (!from.empty() && from.back().kind == Kind::parameters && from.back().side == Side::b && !b_)
     from.pop_back();
   if (from.empty()) return;
@@ -118,7 +118,7 @@ void Workbench::restore(std::vector<Change>& from, std::vector<Change>& to, bool
   thin(to);
 }
 
-// Changes places with what the change gave up. False when that is not the way to undo it.
+// Exchanges the runs with what the change discarded. False when it has to be undone in place.
 bool Workbench::restore_heads(Change& change, bool before) {
   const Run& run = run_of(change.side);
   const bool stayed = run.at_end() && run.cursor() == change.at;
@@ -132,7 +132,7 @@ bool Workbench::restore_heads(Change& change, bool before) {
   return true;
 }
 
-// In place; the result is what the change had given up, which is no part of it any more.
+// Undoes in place. The result is what the change had discarded, which is no longer part of it.
 std::shared_ptr<Workbench::GivenUp> Workbench::restore_params(Change& change, bool before) {
   Run& run = run_of(change.side);
   const Params& wanted = before ? change.before : change.after;

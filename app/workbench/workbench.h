@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The desk of the tool: one or two runs of a scene, what is undone and redone, what is held for comparison.
-// Carries out commands and makes steps; knows no threads, no clock and no drawing.
+// The desk of the tool: one or two runs of a scene, undo and redo, curves held for comparison. Carries out commands and
+// makes steps; knows no threads, no clock and no drawing.
 #pragma once
 
 #include <filesystem>
@@ -28,14 +28,13 @@ class Workbench {
   // Loads `scene` (as the command does). Throws Error.
   Workbench(const WorkbenchOptions& options, const command::Load& scene);
 
-  // Throws Error when it cannot be carried out: then nothing has changed.
+  // Throws Error when the command cannot be carried out; nothing has changed then.
   void apply(const Command& command);
 
-  // One step of everything that runs. False when that was not possible: the simulation diverged, or was
-  // stopped.
+  // One step of A, and of B up to the same time. False when a run diverged or was stopped.
   bool advance();
 
-  // Steps that are under way end when it says true; whoever asked is not going to look at the result.
+  // Steps under way end when `stop` returns true; their result is not used.
   void stop_when(std::function<bool()> stop) { options_.stop = std::move(stop); }
 
   bool playing() const { return shown_.playing; }
@@ -43,8 +42,8 @@ class Workbench {
   const Run& run(Side side = Side::a) const;
   bool comparing() const { return b_.has_value(); }
 
-  // Looks whether the scene's file is another one than what is open; what this program saved there is not.
-  // True when the answer is another one than the last time. Nothing is loaded.
+  // Checks whether the scene's file changed, other than by this program. True when the answer differs from the last one.
+  // Nothing is loaded.
   bool look_at_file();
 
   // `about`: the command that it answers.
@@ -60,16 +59,16 @@ class Workbench {
     std::vector<std::string> sets;
     std::string from;     // file of the state that it begins with; empty: the scene's own
     std::string text;     // of the file
-    std::string ignored;  // what the file may say as well without being asked about
+    std::string ignored;  // another text of the file, which the person chose to ignore
     std::filesystem::file_time_type written{};
   };
-  // What a change takes away: exchanged with what is there instead when it is undone, and when it is redone.
+  // What a change discarded: undo and redo exchange it with what is there.
   struct GivenUp {
     bool with_a = false, with_b = false;
-    std::optional<Head> a, b;  // where they were; none: there was none
+    std::optional<Head> a, b;  // where the runs were; none: there was no such run
     SharedList<RunDistance> distances;
     std::optional<std::vector<HeldCurve>> held;
-    bool touched = false;  // edits or hands come after the present of the runs
+    bool touched = false;  // the discarded future has edits or hands
   };
   struct Change {
     enum class Kind : std::uint8_t { parameters, edit, exchange };
@@ -81,8 +80,8 @@ class Workbench {
     std::shared_ptr<const MadeEdit> edit_a = nullptr, edit_b = nullptr;
     std::optional<ModelEdit> edit = {};
     std::shared_ptr<GivenUp> given_up = nullptr;
-    std::size_t at = 0;      // of parameters that gave something up: moment of the run
-    bool exchanged = false;  // it is given_up that holds what the change led to
+    std::size_t at = 0;      // moment of the run, for parameters that discarded something
+    bool exchanged = false;  // given_up holds what the change led to
   };
   // What was last saved or loaded.
   struct Saved {
