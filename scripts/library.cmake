@@ -78,7 +78,11 @@ pabd_public_library(sim ABOUT "Projective Affine Body Dynamics: scenes, time ste
     sim/joint/attach.h
     sim/math/types.h
     sim/potential/barrier.h
+    sim/scene/body_entry.h
     sim/scene/builder.h
+    sim/scene/field.h
+    sim/scene/generator_entries.h
+    sim/scene/joint_entry.h
     sim/scene/scene.h
     sim/scene/tuning.h
     sim/scene/write_scene.h

@@ -7,7 +7,6 @@
 #include "sim/body/shape_kind.h"
 #include "sim/joint/joint_traits.h"
 #include "sim/potential/barrier.h"
-#include "sim/scene/keys.h"
 #include "sim/scene/read_body.h"
 #include "sim/scene/read_joint.h"
 #include "sim/scene/text.h"
@@ -16,7 +15,7 @@
 namespace pabd {
 namespace {
 
-using keys::Key;
+using Key = std::string_view;
 
 constexpr std::array kNumberOfBody{Key("do"), Key("body")};
 constexpr std::array kNumberOfJoint{Key("do"), Key("joint")};
@@ -139,7 +138,8 @@ void refuse_key(const ObjectReader& in, Key key, JointType type) {
 AddJoint read_add_joint(const ObjectReader& in) {
   AddJoint out;
   out.name = in.name("name");
-  out.type = static_cast<JointType>(in.choice("type", joint_choices()));
+  in.require("type", one_of(joint_words()));
+  out.type = kJointTypes[type_of_entry(in, joint_words())];
   const Node ends = in.require("bodies", "two numbers of bodies, null for the world");
   if (ends.array_size() != 2) ends.fail_expected("two numbers of bodies, null for the world");
   out.i = read_end(ends.element(0));

@@ -2,7 +2,7 @@
 // See builder.h. Entries are kept as the values that a scene file would have.
 #include "sim/scene/builder.h"
 
-#include "sim/scene/builder_json.h"
+#include "sim/scene/fields.h"
 #include "sim/scene/mesh_library.h"
 #include "sim/scene/read_scene.h"
 #include "sim/scene/tuning.h"
@@ -27,7 +27,11 @@ struct SceneBuilder::Parts {
   }
 
   Json shape_of(const spec::Body& body) {
-    if (const auto* mesh = std::get_if<spec::Mesh>(&body.shape)) return json_of(*mesh);
+    if (const auto* mesh = std::get_if<spec::Mesh>(&body.shape)) {
+      Json out = json_of_entry(*mesh);
+      out["type"] = "mesh";
+      return out;
+    }
     const Shape& shape = std::get<Shape>(body.shape);
     if (const auto* hull = std::get_if<Hull>(&shape)) return {{"type", "mesh"}, {"file", enter(*hull)}};
     if (const CompoundPart* part = off_centre(shape)) return Json(json_of(part->shape));
@@ -36,9 +40,9 @@ struct SceneBuilder::Parts {
     return Json(json_of(shape));
   }
 
-  void generate(const char* type, Json entry) {
-    entry["type"] = type;
-    document["generate"].push_back(std::move(entry));
+  template <class Entry>
+  void add(const char* list, const Entry& entry) {
+    document[list].push_back(Json(json_of_entry(entry)));
   }
 
   std::string name;
@@ -55,7 +59,7 @@ SceneBuilder::SceneBuilder(SceneBuilder&&) noexcept = default;
 SceneBuilder& SceneBuilder::operator=(SceneBuilder&&) noexcept = default;
 
 void SceneBuilder::add(const spec::Body& body) {
-  Json entry = json_of(body);
+  Json entry = json_of_entry(body);
   entry["shape"] = parts_->shape_of(body);
   const auto* shape = std::get_if<Shape>(&body.shape);
   if (const CompoundPart* part = shape ? off_centre(*shape) : nullptr)
@@ -63,19 +67,17 @@ void SceneBuilder::add(const spec::Body& body) {
   parts_->document["bodies"].push_back(std::move(entry));
 }
 
-void SceneBuilder::add(const spec::Joint& joint) { parts_->document["joints"].push_back(json_of(joint)); }
+void SceneBuilder::add(const spec::Joint& joint) { parts_->add("joints", joint); }
 void SceneBuilder::add(const spec::NoCollide& pair) {
-  parts_->document["no_collide"].push_back(json_of(pair));
+  parts_->document["no_collide"].push_back(Json::array({json_of(pair.i), json_of(pair.j)}));
 }
-void SceneBuilder::add(const spec::Include& include) {
-  parts_->document["includes"].push_back(json_of(include));
-}
-void SceneBuilder::add(const spec::Stack& stack) { parts_->generate("stack", json_of(stack)); }
-void SceneBuilder::add(const spec::Wall& wall) { parts_->generate("wall", json_of(wall)); }
-void SceneBuilder::add(const spec::Pyramid& pyramid) { parts_->generate("pyramid", json_of(pyramid)); }
-void SceneBuilder::add(const spec::Pile& pile) { parts_->generate("pile", json_of(pile)); }
-void SceneBuilder::add(const spec::Chain& chain) { parts_->generate("chain", json_of(chain)); }
-void SceneBuilder::add(const spec::Net& net) { parts_->generate("net", json_of(net)); }
+void SceneBuilder::add(const spec::Include& include) { parts_->add("includes", include); }
+void SceneBuilder::add(const spec::Stack& stack) { parts_->add("generate", stack); }
+void SceneBuilder::add(const spec::Wall& wall) { parts_->add("generate", wall); }
+void SceneBuilder::add(const spec::Pyramid& pyramid) { parts_->add("generate", pyramid); }
+void SceneBuilder::add(const spec::Pile& pile) { parts_->add("generate", pile); }
+void SceneBuilder::add(const spec::Chain& chain) { parts_->add("generate", chain); }
+void SceneBuilder::add(const spec::Net& net) { parts_->add("generate", net); }
 
 Scene SceneBuilder::build() {
   Json& document = parts_->document;
@@ -84,9 +86,9 @@ Scene SceneBuilder::build() {
   document["version"] = 1;
   document["name"] = parts_->name;
   document["description"] = description;
-  document["joints_default"] = json_of(joint_law);
+  document["joints_default"] = json_of_entry(joint_law);
   document.erase("camera");
-  if (camera) document["camera"] = json_of(*camera);
+  if (camera) document["camera"] = json_of_entry(*camera);
   document.erase("duration");
   if (duration) document["duration"] = *duration;
   ReadContext context{parts_->name, {}, {}};

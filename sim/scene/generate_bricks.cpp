@@ -11,25 +11,15 @@ namespace pabd {
 
 namespace {
 
-constexpr Range kGapRange{0, 1e3, "m"};
-constexpr double kRestingGap = 0.95;  // of d̂: between levels, so that they start in light contact
-
-// What all three share.
-struct Bricks {
+// Makes the bricks of an entry that was read.
+struct BrickLayer {
+  const spec::Bricks& bricks;
   std::string prefix;
-  Vec3 size;      // edge lengths; m
-  Vec3 position;  // centre of the bottom, on the ground; m
-  double gap;     // between levels and below the first; m
-  MassSpec mass;
+  Vec3 size = *bricks.size, position = *bricks.position;
+  double gap = *bricks.gap;
 
-  Bricks(const ObjectReader& in, const GeneratorContext& context)
-      : prefix(in.name("name")),
-        size(in.vec3("size", kSizeRange, Vec3::Ones())),
-        position(in.vec3("position", kPositionRange, Vec3::Zero())),
-        gap(in.number("gap", kGapRange, kRestingGap * context.d_hat)),
-        mass(read_mass(in)) {
-    if (prefix.empty()) prefix = context.default_prefix;
-  }
+  BrickLayer(const spec::Bricks& entry, const GeneratorContext& context)
+      : bricks(entry), prefix(entry.name.empty() ? context.prefix : entry.name) {}
 
   double height_of(std::int64_t level) const {
     return position.y() + gap * static_cast<double>(level + 1) +
@@ -40,7 +30,7 @@ struct Bricks {
     BodySpec body;
     body.name = std::move(name);
     body.shape = Box{0.5 * brick_size};
-    body.mass = mass;
+    body.mass = mass_of(bricks);
     body.c = Vec3(x, height_of(level), position.z());
     return body;
   }
@@ -52,25 +42,19 @@ double half_offset(std::int64_t i, std::int64_t n) {
 
 }  // namespace
 
-void generate_stack(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
-  Bricks bricks(in, context);
-  const std::int64_t count = in.integer("count", 1, kMostBodies);
-  const double turn = in.number("rotate", {-360, 360, "degrees"}, 0) * (kPi / 180);
-  std::vector<double> masses;  // from the bottom up, repeated
-  if (const auto list = in.find("masses")) {
-    if (in.has("mass") || in.has("density"))
-      in.fail_key("masses", "expected one of mass, masses and density");
-    if (list->array_size() == 0) list->fail("expected at least one mass");
-    for (std::size_t i = 0; i < list->array_size(); ++i) {
-      masses.push_back(list->element(i).number(kMassRange));
-      in.record("masses", masses.back());
-    }
-  }
-  out.reserve(count, in);
-  for (std::int64_t level = 0; level < count; ++level) {
+void generate(const spec::Stack& entry, const GeneratorContext& context) {
+  const ObjectReader& in = context.in;
+  ModelBuilder& out = context.out;
+  const BrickLayer bricks(entry.bricks, context);
+  const double turn = *entry.rotate * (kPi / 180);
+  if (!entry.masses.empty() && (in.has("mass") || in.has("density")))
+    in.fail_key("masses", "expected one of mass, masses and density");
+  out.reserve(entry.count, in);
+  for (std::int64_t level = 0; level < entry.count; ++level) {
     BodySpec body =
         bricks.brick(fmt::format("{} {}", bricks.prefix, level), bricks.size, bricks.position.x(), level);
-    if (!masses.empty()) body.mass.mass = masses[static_cast<std::size_t>(level) % masses.size()];
+    if (!entry.masses.empty())
+      body.mass.mass = entry.masses[static_cast<std::size_t>(level) % entry.masses.size()];
     if (turn != 0) {
       body.R = Eigen::AngleAxisd(std::remainder(turn * static_cast<double>(level), 2 * kPi), Vec3::UnitY())
                    .toRotationMatrix();
@@ -79,12 +63,13 @@ void generate_stack(const ObjectReader& in, const GeneratorContext& context, Mod
   }
 }
 
-void generate_wall(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
-  const Bricks bricks(in, context);
-  const std::int64_t columns = in.integer("columns", 1, kMostBodies);
-  const std::int64_t rows = in.integer("rows", 1, kMostBodies);
-  const double spacing = in.number("spacing", kGapRange, context.d_hat);
-  const bool half_blocks = in.boolean("half_blocks", true);
+void generate(const spec::Wall& entry, const GeneratorContext& context) {
+  const ObjectReader& in = context.in;
+  ModelBuilder& out = context.out;
+  const BrickLayer bricks(entry.bricks, context);
+  const std::int64_t columns = entry.columns, rows = entry.rows;
+  const double spacing = *entry.spacing;
+  const bool half_blocks = *entry.half_blocks;
   if (half_blocks && rows > 1 && !((bricks.size.x() - spacing) / 2 >= kSizeRange.lo)) {
     in.fail(fmt::format(
         "half blocks of {} m bricks with {} m between them have no width; expected a smaller spacing, "
@@ -114,10 +99,12 @@ void generate_wall(const ObjectReader& in, const GeneratorContext& context, Mode
   }
 }
 
-void generate_pyramid(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
-  const Bricks bricks(in, context);
-  const std::int64_t base = in.integer("base", 1, 2827);  // 2827·2828/2 is just below the largest scene
-  const double pitch = bricks.size.x() + in.number("spacing", kGapRange, context.d_hat);
+void generate(const spec::Pyramid& entry, const GeneratorContext& context) {
+  const ObjectReader& in = context.in;
+  ModelBuilder& out = context.out;
+  const BrickLayer bricks(entry.bricks, context);
+  const std::int64_t base = entry.base;
+  const double pitch = bricks.size.x() + *entry.spacing;
   out.reserve(base * (base + 1) / 2, in);
   for (std::int64_t row = 0; row < base; ++row) {
     const std::int64_t n = base - row;

@@ -12,75 +12,40 @@ namespace pabd {
 
 namespace {
 
-enum class Kind { box, sphere };
-enum class Edges { none, corners, edges, top };
-
-constexpr Choice kKinds[] = {{"box", static_cast<int>(Kind::box)},
-                             {"sphere", static_cast<int>(Kind::sphere)}};
-constexpr Choice kNetJoints[] = {{"spherical", static_cast<int>(JointType::spherical)},
-                                 {"distance", static_cast<int>(JointType::distance)}};
-constexpr Choice kEdges[] = {{"none", static_cast<int>(Edges::none)},
-                             {"corners", static_cast<int>(Edges::corners)},
-                             {"edges", static_cast<int>(Edges::edges)},
-                             {"top", static_cast<int>(Edges::top)}};
-
-struct Grid {
-  std::int64_t rows, columns;
-  Edges edges;
-
-  bool fixed(std::int64_t row, std::int64_t column) const {
-    const bool row_end = row == 0 || row + 1 == rows, column_end = column == 0 || column + 1 == columns;
-    switch (edges) {
-      case Edges::none:
-        return false;
-      case Edges::corners:
-        return row_end && column_end;
-      case Edges::edges:
-        return row_end || column_end;
-      case Edges::top:
-        break;
-    }
-    return row == 0;
-  }
-};
+bool is_fixed(const spec::Net& net, std::int64_t row, std::int64_t column) {
+  const bool row_end = row == 0 || row + 1 == net.rows, column_end = column == 0 || column + 1 == net.columns;
+  if (net.fixed == "corners") return row_end && column_end;
+  if (net.fixed == "edges") return row_end || column_end;
+  return net.fixed == "top" && row == 0;
+}
 
 }  // namespace
 
-void generate_net(const ObjectReader& in, const GeneratorContext& context, ModelBuilder& out) {
-  std::string prefix = in.name("name");
-  if (prefix.empty()) prefix = context.default_prefix;
-  Grid grid;
-  grid.rows = in.integer("rows", 1, kMostBodies);
-  grid.columns = in.integer("columns", 1, kMostBodies);
-  const auto kind = static_cast<Kind>(in.choice("shape", kKinds, static_cast<int>(Kind::box)));
-  const Vec3 size = in.vec3("size", kSizeRange, Vec3::Ones());
-  const Vec3 position = in.vec3("position", kPositionRange, Vec3::Zero());
-  const double gap = in.number("gap", {0, 1e3, "m"}, context.d_hat);
-  const bool upright = in.boolean("upright", false);
-  const auto type =
-      static_cast<JointType>(in.choice("joint", kNetJoints, static_cast<int>(JointType::spherical)));
-  grid.edges = static_cast<Edges>(in.choice("fixed", kEdges, static_cast<int>(Edges::corners)));
-  const MassSpec mass = read_mass(in);
-  const bool collide = in.boolean("collide", false);
-
-  const Shape shape = kind == Kind::sphere ? Shape(Sphere{size.minCoeff() / 2}) : Shape(Box{0.5 * size});
+void generate(const spec::Net& entry, const GeneratorContext& context) {
+  const ObjectReader& in = context.in;
+  ModelBuilder& out = context.out;
+  const std::string& prefix = entry.name.empty() ? context.prefix : entry.name;
+  const Vec3& size = *entry.size;
+  const double gap = *entry.gap;
+  const JointType type = *entry.joint;
+  const Shape shape = entry.shape == "sphere" ? Shape(Sphere{size.minCoeff() / 2}) : Shape(Box{0.5 * size});
   const Vec3 across = (size.x() + gap) * Vec3::UnitX();
   const Vec3 down =
-      upright ? Vec3(-(size.y() + gap) * Vec3::UnitY()) : Vec3((size.z() + gap) * Vec3::UnitZ());
+      *entry.upright ? Vec3(-(size.y() + gap) * Vec3::UnitY()) : Vec3((size.z() + gap) * Vec3::UnitZ());
   const auto first = static_cast<Index>(out.model.name.size());
   // Both factors are at most 4e6, so that no product overflows.
-  out.reserve(grid.rows * grid.columns, in);
-  out.reserve_joints(2 * grid.rows * grid.columns, in);
-  for (std::int64_t row = 0; row < grid.rows; ++row) {
-    for (std::int64_t column = 0; column < grid.columns; ++column) {
+  out.reserve(entry.rows * entry.columns, in);
+  out.reserve_joints(2 * entry.rows * entry.columns, in);
+  for (std::int64_t row = 0; row < entry.rows; ++row) {
+    for (std::int64_t column = 0; column < entry.columns; ++column) {
       BodySpec body;
       body.name = fmt::format("{} {}.{}", prefix, row, column);
       body.shape = shape;
-      body.mass = mass;
-      body.fixed = grid.fixed(row, column);
-      body.c = position +
-               (static_cast<double>(column) - 0.5 * static_cast<double>(grid.columns - 1)) * across +
-               (static_cast<double>(row) - 0.5 * static_cast<double>(grid.rows - 1)) * down;
+      body.mass = mass_of(entry);
+      body.fixed = is_fixed(entry, row, column);
+      body.c = *entry.position +
+               (static_cast<double>(column) - 0.5 * static_cast<double>(entry.columns - 1)) * across +
+               (static_cast<double>(row) - 0.5 * static_cast<double>(entry.rows - 1)) * down;
       out.add(std::move(body), in);
     }
   }
@@ -100,13 +65,13 @@ void generate_net(const ObjectReader& in, const GeneratorContext& context, Model
     } else {
       attach(out.state, 0.5 * (y_i + y_j), Mat3::Identity(), joint);
     }
-    out.add_joint(std::move(joint), collide);
+    out.add_joint(std::move(joint), *entry.collide);
   };
-  for (std::int64_t row = 0; row < grid.rows; ++row) {
-    for (std::int64_t column = 0; column < grid.columns; ++column) {
-      const std::int64_t here = row * grid.columns + column;
-      if (column + 1 < grid.columns) join(here, here + 1);
-      if (row + 1 < grid.rows) join(here, here + grid.columns);
+  for (std::int64_t row = 0; row < entry.rows; ++row) {
+    for (std::int64_t column = 0; column < entry.columns; ++column) {
+      const std::int64_t here = row * entry.columns + column;
+      if (column + 1 < entry.columns) join(here, here + 1);
+      if (row + 1 < entry.rows) join(here, here + entry.columns);
     }
   }
 }

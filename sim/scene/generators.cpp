@@ -4,87 +4,67 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include <algorithm>
+#include <map>
 
 #include "sim/base/error.h"
-#include "sim/body/shape_kind.h"
-#include "sim/scene/keys.h"
-#include "sim/scene/read_touch.h"
-#include "sim/scene/text.h"
+#include "sim/scene/fields.h"
 
 namespace pabd {
 
-namespace {
-
-using Function = void (*)(const ObjectReader&, const GeneratorContext&, ModelBuilder&);
-
-struct Generator {
-  std::string_view type;
-  std::span<const std::string_view> keys;
-  Function function;
-};
-
-constexpr Generator kGenerators[] = {
-    {"stack", keys::stack, generate_stack},       {"wall", keys::wall, generate_wall},
-    {"pyramid", keys::pyramid, generate_pyramid}, {"pile", keys::pile, generate_pile},
-    {"chain", keys::chain, generate_chain},       {"net", keys::net, generate_net}};
-
-const Generator& find_generator(const Node& node) {
-  if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
-  Choice choices[std::size(kGenerators)];
-  std::vector<std::string_view> words;
-  for (std::size_t i = 0; i < std::size(kGenerators); ++i) {
-    choices[i] = {kGenerators[i].type, static_cast<int>(i)};
-    words.push_back(kGenerators[i].type);
-  }
-  const auto it = node.value().find("type");
-  if (it == node.value().end()) {
-    fail_at(node.context(), node.pointer() + "/type", "missing; expected " + one_of(words));
-  }
-  return kGenerators[Node(*it, node, "type").choice(choices)];
+std::span<const std::string_view> spec::generated_shape_words(bool mixed) {
+  static const std::vector<std::string_view> kWords = [] {
+    std::vector<std::string_view> out;
+    for (const ShapeKind* kind : shape_kinds())
+      if (kind->name == "box" || kind->name == "sphere" || kind->rod) out.push_back(kind->name);
+    out.emplace_back("mixed");
+    return out;
+  }();
+  return std::span(kWords).first(kWords.size() - (mixed ? 0 : 1));
 }
 
-}  // namespace
-
-bool is_rod(int kind) { return shape_kinds()[static_cast<std::size_t>(kind)]->rod != nullptr; }
-
-std::vector<Choice> generated_shapes() {
-  std::vector<Choice> out;
-  for (std::size_t k = 0; k < shape_kinds().size(); ++k) {
-    const ShapeKind& kind = *shape_kinds()[k];
-    if (kind.name == "box" || kind.name == "sphere" || kind.rod)
-      out.push_back({kind.name, static_cast<int>(k)});
-  }
-  return out;
+const ShapeKind& generated_kind(std::string_view word) {
+  const auto kinds = shape_kinds();
+  return **std::find_if(kinds.begin(), kinds.end(),
+                        [&](const ShapeKind* kind) { return kind->name == word; });
 }
 
-Shape generated_shape(int kind, const Vec3& box, double diameter, const RodSize& rod) {
-  const ShapeKind& row = *shape_kinds()[static_cast<std::size_t>(kind)];
-  if (row.rod) return row.rod(rod.length, rod.thickness);
-  if (row.name == "box") return Box{0.5 * box};
+Shape generated_shape(const ShapeKind& kind, const Vec3& box, double diameter, const RodSize& rod) {
+  if (kind.rod) return kind.rod(rod.length, rod.thickness);
+  if (kind.name == "box") return Box{0.5 * box};
   return Sphere{diameter / 2};
 }
 
 void run_generators(const ObjectReader& scene, double d_hat, bool assumed, ModelBuilder& out) {
   const auto list = scene.find("generate");
   if (!list) return;
+  std::vector<std::string_view> types;
+  for_each_generator([&](const auto& entry) { types.push_back(entry.type); });
+  std::map<std::string_view, int> used;  // how often each type was seen, so that default names differ
   const std::size_t count = list->array_size();
-  int used[std::size(kGenerators)] = {};  // how often each type was seen, so that default names differ
   for (std::size_t i = 0; i < count; ++i) {
     const Node node = list->element(i);
-    const Generator& generator = find_generator(node);
-    const ObjectReader in(node, generator.keys);
-    in.record("generate", generator.type);
-    const int n = ++used[&generator - kGenerators];
-    const std::string prefix = n == 1 ? std::string(generator.type) : fmt::format("{}{}", generator.type, n);
-    const std::size_t first = out.model.name.size();
-    try {
-      generator.function(in, {d_hat, prefix}, out);
-    } catch (const Error&) {
-      if (assumed) throw GapsInDoubt();
-      throw;
-    }
-    out.set_touch(first, read_touch(in), in);
+    const std::string_view type = types[type_of_entry(node, types)];
+    const int n = ++used[type];
+    for_each_generator([&](auto entry) {
+      if (entry.type != type) return;
+      const std::size_t first = out.model.name.size();
+      const auto keys = keys_of_entry(entry);
+      const ObjectReader in(node, keys);
+      in.record("generate", type);
+      try {
+        entry.fields(FieldReader(in, d_hat));
+        generate(entry, {in, d_hat, n == 1 ? std::string(type) : fmt::format("{}{}", type, n), out});
+      } catch (const Error&) {
+        if (assumed) throw GapsInDoubt();
+        throw;
+      }
+      if constexpr (requires { entry.bricks; }) {
+        out.set_touch(first, touch_of(entry.bricks), in);
+      } else {
+        out.set_touch(first, touch_of(entry), in);
+      }
+    });
   }
 }
 

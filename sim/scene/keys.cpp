@@ -4,107 +4,77 @@
 
 #include <algorithm>
 
-#include "sim/body/shape_kind.h"
 #include "sim/joint/joint_traits.h"
+#include "sim/scene/fields.h"
+#include "sim/scene/generators.h"
+#include "sim/scene/read_memory.h"
+#include "sim/scene/scene.h"
 
 namespace pabd {
 
-namespace {
-
-std::vector<std::string_view> keys_of(const JointTraits& joint) {
-  std::vector<std::string_view> out{"name", "type", "bodies"};
-  const auto add = [&out](bool has, std::initializer_list<std::string_view> some) {
-    if (has) out.insert(out.end(), some);
-  };
-  add(joint.points, {"points", "length"});
-  add(!joint.points, {"anchor"});
-  add(joint.axes > 0, {"axis"});
-  add(joint.axes > 1, {"second_axis"});
-  add(moved_measure(joint), {"start", "limits", "drive", "motor", "friction", "spring", "follows"});
-  add(measure_with(joint, &Joint::twist_limits), {"twist"});
-  add(turns_freely(joint), {"lead"});
-  add(joint.turn, {"drive", "axes"});
-  add(may_be_damped(joint), {"damping"});
-  add(!joint.points, {"arm", "symmetric"});
-  add(true, {"potential", "kappa", "N", "d_hat", "collide"});
-  add(!joint.points, {"anchors", "frames"});
-  return out;
+JointKeys joint_keys(JointType type) {
+  const JointTraits& traits = traits_of(type);
+  const JointMeasure* moved = moved_measure(traits);
+  return {.points = traits.points,
+          .moves = moved != nullptr,
+          .angle = moved && moved->of == JointMeasure::Of::angle,
+          .twists = measure_with(traits, &Joint::twist_limits) != nullptr,
+          .twist_free = traits.twist == Twist::free,
+          .screw = turns_freely(traits),
+          .turn = traits.turn,
+          .damped = may_be_damped(traits),
+          .torque = acts_by_torque(traits),
+          .axes = traits.axes};
 }
 
-// The last part of a key.
-std::string_view name_of(std::string_view key) { return key.substr(key.rfind('.') + 1); }
-
-// Those of parameters first, whose keys live as long as the program.
-std::vector<KeyTable> made_tables() {
-  static const std::vector<std::string_view> scene = scene_object_keys(parameter_table());
-  static const std::vector<std::vector<std::string_view>> sections = [] {
-    std::vector<std::vector<std::string_view>> all;
-    for (const std::string_view s : sections_of(parameter_table())) {
-      all.push_back(parameter_keys(s, parameter_table()));
-    }
-    return all;
-  }();
-  std::vector<KeyTable> tables{{"scene", scene}};
-  for (const std::string_view s : sections_of(parameter_table())) {
-    tables.push_back({name_of(s), sections[tables.size() - 1]});
-  }
-  return tables;
-}
-
-}  // namespace
-
-std::span<const std::string_view> joint_keys(JointType type) {
+std::span<const std::string_view> keys_of_joint(JointType type) {
   static const auto kKeys = [] {
     std::array<std::vector<std::string_view>, kJointTypes.size()> keys;
-    for (const JointType each : kJointTypes) keys[static_cast<std::size_t>(each)] = keys_of(traits_of(each));
+    for (const JointType each : kJointTypes)
+      keys[static_cast<std::size_t>(each)] = keys_of_entry(spec::Joint{.type = each});
     return keys;
   }();
   return kKeys[static_cast<std::size_t>(type)];
 }
 
-std::span<const KeyTable> key_tables() {
-  static constexpr std::array kFixed{KeyTable{"joints_default", keys::joints_default},
-                                     KeyTable{"camera", keys::camera},
-                                     KeyTable{"body", keys::body},
-                                     KeyTable{"material", keys::material},
-                                     KeyTable{"stack", keys::stack},
-                                     KeyTable{"wall", keys::wall},
-                                     KeyTable{"pyramid", keys::pyramid},
-                                     KeyTable{"pile", keys::pile},
-                                     KeyTable{"chain", keys::chain},
-                                     KeyTable{"net", keys::net},
-                                     KeyTable{"axis_angle", keys::axis_angle},
-                                     KeyTable{"euler", keys::euler},
-                                     KeyTable{"group", keys::group},
-                                     KeyTable{"include", keys::include},
-                                     KeyTable{"drive", keys::drive},
-                                     KeyTable{"twist", keys::twist},
-                                     KeyTable{"motor", keys::motor},
-                                     KeyTable{"linear_motor", keys::linear_motor},
-                                     KeyTable{"spring", keys::spring},
-                                     KeyTable{"linear_spring", keys::spring},
-                                     KeyTable{"follows", keys::follows},
-                                     KeyTable{"friction_anchor", keys::friction_anchor}};
-  static const auto kTables = [] {
-    std::vector<KeyTable> tables = made_tables();
-    tables.insert(tables.end(), kFixed.begin(), kFixed.end());
-    for (const ShapeKind* kind : shape_kinds()) {
-      if (kind->name != tables.back().object) tables.push_back({kind->name, kind->keys});
-    }
-    for (const JointType type : kJointTypes) tables.push_back({to_string(type), joint_keys(type)});
-    return tables;
-  }();
-  return kTables;
+std::vector<KeyTable> key_tables() {
+  std::vector<KeyTable> tables{{"scene", scene_object_keys(parameter_table())}};
+  for (const std::string_view section : sections_of(parameter_table()))
+    tables.push_back({section.substr(section.rfind('.') + 1), parameter_keys(section, parameter_table())});
+  const auto add = [&tables](const auto& entry) { tables.push_back({entry.object, keys_of_entry(entry)}); };
+  add(spec::Law{});
+  add(CameraDesc{});
+  add(spec::Body{});
+  add(spec::Material{});
+  add(spec::AxisAngle{});
+  add(spec::Euler{});
+  add(spec::Group{});
+  add(spec::Include{});
+  add(spec::Follows{});
+  add(FrictionAnchor{});
+  for_each_generator([&](const auto& entry) { tables.push_back({entry.type, keys_of_entry(entry)}); });
+  tables.push_back({"drive", {"value", "keys"}});
+  tables.push_back({"twist", {"limits"}});
+  tables.push_back({"motor", keys_of_entry(spec::Motor{}, true)});
+  tables.push_back({"linear_motor", keys_of_entry(spec::Motor{}, false)});
+  for (const char* object : {"spring", "linear_spring"})
+    tables.push_back({object, keys_of_entry(spec::Spring{})});
+  for (const ShapeKind* kind : shape_kinds())
+    if (kind->name != tables.back().object)
+      tables.push_back({kind->name, {kind->keys.begin(), kind->keys.end()}});
+  for (const JointType type : kJointTypes)
+    tables.push_back({to_string(type), keys_of_entry(spec::Joint{.type = type})});
+  return tables;
 }
 
 std::vector<std::string> scene_keys() {
   std::vector<std::string> out{"name", "description", "duration"};
   for (const ParameterRow& row : parameter_table()) out.emplace_back(row.key);
-  const auto add = [&out](const std::string& prefix, std::span<const std::string_view> table) {
-    for (const std::string_view key : table) out.push_back(prefix + std::string(key));
+  const auto add = [&out](const std::string& prefix, const std::vector<std::string_view>& keys) {
+    for (const std::string_view key : keys) out.push_back(prefix + std::string(key));
   };
-  add("joints_default.", keys::joints_default);
-  add("camera.", keys::camera);
+  add("joints_default.", keys_of_entry(spec::Law{}));
+  add("camera.", keys_of_entry(CameraDesc{}));
   return out;
 }
 
@@ -150,9 +120,9 @@ std::vector<std::string_view> sections_of(ParameterTable table) {
 
 std::vector<std::string_view> scene_object_keys(ParameterTable table) {
   std::vector<std::string_view> out;
-  for (const std::string_view key : keys::scene) {
-    out.push_back(key);
-    if (key != "description") continue;
+  for (const Field& field : kSceneKeys) {
+    out.push_back(field.key);
+    if (field.key != "description") continue;
     const auto parameters = parameter_keys("", table);
     out.insert(out.end(), parameters.begin(), parameters.end());
   }

@@ -1,105 +1,63 @@
 // SPDX-License-Identifier: MIT
-// Every key of a scene file, as data: the reader refuses others, messages suggest from them, the JSON Schema
-// in assets/ is tested against them, and the command line lists them for --set.
+// The keys of a scene itself, of its parameters (sim/solver/parameter_table.h) and of joints by their type: the reader
+// refuses others, and messages suggest from them. Internal to sim/scene.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "sim/body/joint.h"
+#include "sim/scene/joint_entry.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
-namespace keys {
+inline constexpr Field kDuration =
+    may("duration", "How long run and render go on when they are not told", {1e-6, 1e6, "s"}).or_else("5 s");
 
-using Key = std::string_view;
-
-// Of the scene, without those of parameters, which come after the description: see scene_object_keys.
-inline constexpr std::array scene{Key("$schema"),      Key("format"),      Key("version"),
-                                  Key("name"),         Key("description"), Key("joints_default"),
-                                  Key("bodies"),       Key("joints"),      Key("generate"),
-                                  Key("camera"),       Key("duration"),    Key("friction_anchors"),
-                                  Key("joint_forces"), Key("no_collide"),  Key("includes")};
-inline constexpr std::array joints_default{Key("potential"), Key("kappa"), Key("N"), Key("d_hat")};
-inline constexpr std::array camera{Key("eye"), Key("target"), Key("fov")};
-
-inline constexpr std::array body{Key("name"),
-                                 Key("shape"),
-                                 Key("fixed"),
-                                 Key("density"),
-                                 Key("mass"),
-                                 Key("position"),
-                                 Key("orientation"),
-                                 Key("velocity"),
-                                 Key("angular_velocity"),
-                                 Key("color"),
-                                 Key("material"),
-                                 Key("inertia"),
-                                 Key("center_of_mass"),
-                                 Key("friction"),
-                                 Key("restitution"),
-                                 Key("group"),
-                                 Key("surface_velocity"),
-                                 Key("force"),
-                                 Key("torque")};
-inline constexpr std::array material{Key("opacity"), Key("checker")};
-inline constexpr std::array stack{Key("type"),     Key("name"),    Key("count"),    Key("size"),
-                                  Key("position"), Key("density"), Key("mass"),     Key("masses"),
-                                  Key("gap"),      Key("rotate"),  Key("friction"), Key("restitution"),
-                                  Key("group")};
-inline constexpr std::array wall{Key("type"),        Key("name"),     Key("columns"),     Key("rows"),
-                                 Key("size"),        Key("position"), Key("density"),     Key("mass"),
-                                 Key("gap"),         Key("spacing"),  Key("half_blocks"), Key("friction"),
-                                 Key("restitution"), Key("group")};
-inline constexpr std::array pyramid{Key("type"),     Key("name"),     Key("base"),        Key("size"),
-                                    Key("position"), Key("density"),  Key("mass"),        Key("gap"),
-                                    Key("spacing"),  Key("friction"), Key("restitution"), Key("group")};
-inline constexpr std::array pile{Key("type"),     Key("name"),        Key("count"),   Key("shape"),
-                                 Key("size"),     Key("position"),    Key("density"), Key("mass"),
-                                 Key("vary"),     Key("columns"),     Key("spacing"), Key("seed"),
-                                 Key("friction"), Key("restitution"), Key("group")};
-
-inline constexpr std::array chain{
-    Key("type"), Key("name"),      Key("links"),   Key("shape"),    Key("size"),        Key("position"),
-    Key("gap"),  Key("direction"), Key("joint"),   Key("axis"),     Key("fixed"),       Key("density"),
-    Key("mass"), Key("end_mass"),  Key("collide"), Key("friction"), Key("restitution"), Key("group")};
-inline constexpr std::array net{
-    Key("type"),     Key("name"),    Key("rows"),     Key("columns"),     Key("shape"), Key("size"),
-    Key("position"), Key("gap"),     Key("upright"),  Key("joint"),       Key("fixed"), Key("density"),
-    Key("mass"),     Key("collide"), Key("friction"), Key("restitution"), Key("group")};
-
-inline constexpr std::array axis_angle{Key("axis"), Key("angle")};
-inline constexpr std::array euler{Key("euler"), Key("order")};
-inline constexpr std::array group{Key("group")};
-inline constexpr std::array include{Key("scene"), Key("prefix"), Key("position"), Key("orientation")};
-
-inline constexpr std::array drive{Key("value"), Key("keys")};
-inline constexpr std::array twist{Key("limits")};
-inline constexpr std::array motor{Key("torque"), Key("speed"), Key("max_torque"), Key("gain")};
-inline constexpr std::array linear_motor{Key("force"), Key("speed"), Key("max_force"), Key("gain")};
-inline constexpr std::array follows{Key("joint"), Key("ratio"), Key("offset")};
-inline constexpr std::array spring{Key("stiffness"), Key("table"), Key("rest")};
-
-// Of state files as well.
-inline constexpr std::array friction_anchor{Key("bodies"),  Key("feature"),  Key("stretch"),
-                                            Key("sliding"), Key("restless"), Key("recovers")};
-
-}  // namespace keys
+// Those of parameters come after "description".
+inline constexpr Field kSceneKeys[] = {
+    may("$schema", "Where this schema is, for editors; ignored"),
+    need("format", "Always \"pabd-scene\""),
+    need("version", "Version of the format"),
+    may("name", "Name of the scene").or_else("the file's name without ending"),
+    may("description", "One line for lists of scenes"),
+    may("joints_default", spec::Law::help),
+    may("bodies", "Bodies one by one; with generated ones at most 4,000,000"),
+    may("joints",
+        "What holds two bodies, or a body and the world, together; with generated ones at most 8,000,000"),
+    may("generate", "Generators: each stands for many bodies, which follow those of \"bodies\""),
+    may("camera",
+        "From which side the picture is taken: how far away, and what is in the middle, follows from the "
+        "bodies"),
+    kDuration,
+    may("friction_anchors",
+        "What touching contacts remember from the step before. Scenes that were saved in mid-run have it"),
+    may("joint_forces",
+        "Force of each joint on the second of its bodies in the step before; N. Scenes that were saved in "
+        "mid-run "
+        "have it"),
+    may("no_collide",
+        "Pairs that never touch each other: each of the two is the name of a body, or { \"group\": name } "
+        "for all bodies "
+        "of a group. A group twice: its bodies never touch each other. Two that a joint connects need no "
+        "entry"),
+    may("includes",
+        "Other scenes whose bodies and joints become part of this one, behind its own; at most 8 inside each "
+        "other, "
+        "1000 and 64 MiB in all")};
 
 // What a joint of that type may say.
-std::span<const std::string_view> joint_keys(JointType type);
+std::span<const std::string_view> keys_of_joint(JointType type);
 
 struct KeyTable {
   std::string_view object;  // what the keys belong to; a definition of that name is in the JSON Schema
-  std::span<const std::string_view> keys;
+  std::vector<std::string_view> keys;
 };
 
 // All tables, the scene itself first, then those of parameters.
-std::span<const KeyTable> key_tables();
+std::vector<KeyTable> key_tables();
 
 // The settings of a scene in the form that --set takes: "time_step", "contact.kappa", "camera.fov", ….
 std::vector<std::string> scene_keys();

@@ -37,16 +37,6 @@ std::size_t room_for(std::int64_t announced, std::size_t capacity) {
 
 }  // namespace
 
-MassSpec read_mass(const ObjectReader& in) {
-  if (in.has("mass") && in.has("density")) {
-    in.fail_key("mass", "a body has a mass or a density, not both; remove one of them");
-  }
-  MassSpec spec;
-  spec.mass = in.optional_number("mass", kMassRange);
-  if (!spec.mass) spec.density = in.number("density", kDensityRange, kDefaultDensity);
-  return spec;
-}
-
 Index body_of(const Node& node, const BodyNames& names, const Model& model) {
   if (!node.value().is_string()) node.fail_expected("the name of a body");
   const std::string name = node.text(100);

@@ -17,17 +17,7 @@
 
 namespace pabd {
 
-inline constexpr std::int64_t kMostBodies = 4'000'000;
-inline constexpr std::int64_t kMostJoints = 8'000'000;
-inline constexpr double kFarthest = 1e6;         // |coordinate| of a position; m
 inline constexpr double kDefaultDensity = 1000;  // kg/m³
-
-inline constexpr Range kSizeRange{1e-6, 1e6, "m"};
-inline constexpr Range kPositionRange{-kFarthest, kFarthest, "m"};
-inline constexpr Range kDensityRange{1e-6, 1e9, "kg/m³"};
-inline constexpr Range kMassRange{1e-9, 1e12, "kg"};
-inline constexpr Range kVelocityRange{-1e6, 1e6, "m/s"};
-inline constexpr Range kSpinRange{-1e7, 1e7, "degrees/s"};
 
 // Mass, or where that is empty the density, of a movable body.
 struct MassSpec {
@@ -35,8 +25,8 @@ struct MassSpec {
   double density = kDefaultDensity;  // kg/m³
 };
 
-// Reads "mass" or "density"; both together are refused.
-MassSpec read_mass(const ObjectReader& in);
+// Of an entry that was read.
+MassSpec mass_of(const auto& entry) { return {entry.mass, entry.density.value_or(kDefaultDensity)}; }
 
 // How a body touches others.
 struct TouchSpec {
@@ -44,6 +34,9 @@ struct TouchSpec {
   std::optional<double> restitution;
   std::vector<std::string> groups;  // that it is of
 };
+
+// Of an entry that was read.
+TouchSpec touch_of(const auto& entry) { return {entry.friction, entry.restitution, entry.groups}; }
 
 struct BodySpec {
   std::string name;

@@ -12,11 +12,8 @@
 #include "sim/body/convex_hull.h"
 #include "sim/body/mass_properties.h"
 #include "sim/body/shape_kind.h"
-#include "sim/scene/keys.h"
-#include "sim/scene/read_external.h"
-#include "sim/scene/read_look.h"
-#include "sim/scene/read_rotation.h"
-#include "sim/scene/read_touch.h"
+#include "sim/scene/fields.h"
+#include "sim/scene/rotation.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
@@ -26,22 +23,12 @@ namespace {
 constexpr std::string_view kMeshFile = "an OBJ, STL or PLY file";
 constexpr std::size_t kMostCorners = 4096;  // of a part; the hull has fewer
 
-// Every name of the table once, with its place there.
-std::vector<Choice> shape_choices() {
-  std::vector<Choice> out;
-  for (std::size_t k = 0; k < shape_kinds().size(); ++k) {
-    const std::string_view name = shape_kinds()[k]->name;
-    if (out.empty() || name != out.back().word) out.push_back({name, static_cast<int>(k)});
-  }
+// Every name of the table once.
+std::vector<std::string_view> shape_names() {
+  std::vector<std::string_view> out;
+  for (const ShapeKind* kind : shape_kinds())
+    if (out.empty() || kind->name != out.back()) out.push_back(kind->name);
   return out;
-}
-
-Plane read_plane(const ObjectReader& in) {
-  Plane plane{Vec3::UnitY(), 0};
-  if (const auto normal = in.find("normal")) plane.normal = normal->unit_vector();
-  in.record("normal", plane.normal);
-  plane.offset = in.number("offset", kPositionRange, 0);
-  return plane;
 }
 
 // Convex hull of one file, read and entered into the hash. What is in the file counts, not its name.
@@ -89,20 +76,12 @@ Shape read_parts(const ObjectReader& in, const Node& list, bool even) {
 Shape read_mesh(const ObjectReader& in, MeshLibrary& meshes, bool even) {
   if (const auto parts = in.find("parts")) return read_parts(in, *parts, even);
   const Node file = in.require("file", "the name of an OBJ, STL or PLY file, a list of them, or \"parts\"");
-  const double scale = in.number("scale", {1e-6, 1e6}, 1);
-  if (!file.value().is_array()) return read_hull(in, file, scale, meshes);
-  const std::size_t parts = file.array_size();
-  if (parts < 1 || parts > kMostParts) {
-    file.fail(fmt::format("{} parts; expected 1 to {} files", parts, kMostParts));
-  }
-  if (parts == 1) return read_hull(in, file.element(0), scale, meshes);
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < parts; ++k) {
-    const Node part = file.element(k);
-    read_hull(in, part, scale, meshes);
-    names.push_back(part.file_name(kMeshFile));
-  }
-  return meshes.load_parts(names, scale);
+  spec::Mesh mesh;
+  mesh.fields(FieldReader(in));
+  if (!file.value().is_array()) return read_hull(in, file, mesh.scale, meshes);
+  if (mesh.files.size() == 1) return read_hull(in, file.element(0), mesh.scale, meshes);
+  for (std::size_t k = 0; k < mesh.files.size(); ++k) read_hull(in, file.element(k), mesh.scale, meshes);
+  return meshes.load_parts(mesh.files, mesh.scale);
 }
 
 // A shape that is given by its sizes.
@@ -122,31 +101,35 @@ Shape read_sizes(const ObjectReader& in, const ShapeKind& kind) {
 }
 
 Shape read_shape(const Node& node, MeshLibrary& meshes, bool even) {
-  static const std::vector<Choice> choices = shape_choices();
-  if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
-  const auto type_it = node.value().find("type");
-  if (type_it == node.value().end()) {
-    std::vector<std::string_view> words;
-    for (const Choice& choice : choices) words.push_back(choice.word);
-    fail_at(node.context(), node.pointer() + "/type", "missing; expected " + one_of(words));
-  }
-  const Node type(*type_it, node, "type");
-  const ShapeKind& kind = *shape_kinds()[static_cast<std::size_t>(type.choice(choices))];
+  static const std::vector<std::string_view> names = shape_names();
+  const std::string_view name = names[type_of_entry(node, names)];
+  const ShapeKind& kind = **std::find_if(shape_kinds().begin(), shape_kinds().end(),
+                                         [&](const ShapeKind* row) { return row->name == name; });
   const ObjectReader in(node, kind.keys);
   in.record("type", kind.name);
   if (kind.make) return read_sizes(in, kind);
-  if (kind.name == "plane") return read_plane(in);
-  return read_mesh(in, meshes, even);
+  if (kind.name != "plane") return read_mesh(in, meshes, even);
+  spec::PlaneKeys plane;
+  plane.fields(FieldReader(in));
+  return Plane{plane.normal, plane.offset};
 }
 
+// The keys of a body; shapes come from `meshes`.
+struct BodyFields : FieldReader {
+  BodyFields(const ObjectReader& in, MeshLibrary& library) : FieldReader(in), meshes(library) {}
+  using FieldReader::operator();
+  void operator()(const Field& field, std::variant<Shape, spec::Mesh>& shape) const {
+    shape = read_shape(in_.require(field.key, "an object such as { \"type\": \"box\", \"size\": [1, 1, 1] }"),
+                       meshes, !in_.has("inertia"));
+  }
+  MeshLibrary& meshes;
+};
+
 // The second moment that belongs to "inertia": Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
-std::optional<Mat3> read_inertia(const ObjectReader& in) {
-  const auto node = in.find("inertia");
-  if (!node) return std::nullopt;
-  if (!in.has("mass")) node->fail("needs \"mass\" beside it; expected both");
-  double I[6];
-  node->numbers(I, {-1e18, 1e18, "kg m²"});
-  for (const double x : I) in.record("inertia", x);
+std::optional<Mat3> moment_of(const spec::Body& entry, const ObjectReader& in) {
+  if (!entry.inertia) return std::nullopt;
+  if (!entry.mass) in.fail_key("inertia", "needs \"mass\" beside it; expected both");
+  const std::array<double, 6>& I = *entry.inertia;
   Mat3 tensor;
   tensor << I[0], I[3], I[4], I[3], I[1], I[5], I[4], I[5], I[2];
   const Mat3 J = second_moment_of(tensor);
@@ -154,9 +137,9 @@ std::optional<Mat3> read_inertia(const ObjectReader& in) {
   const Eigen::SelfAdjointEigenSolver<Mat3> spread(J);
   const double thin = kThin * J.trace();
   if (!(thin > 0) || !(spread.eigenvalues()[0] >= -thin))
-    node->fail(
-        "no body has these moments; expected positive ones of which none is more than the other two "
-        "together");
+    in.fail_key("inertia",
+                "no body has these moments; expected positive ones of which none is more than the other two "
+                "together");
   if (spread.eigenvalues()[0] >= thin) return J;
   const Mat3& axes = spread.eigenvectors();
   return axes * spread.eigenvalues().cwiseMax(thin).asDiagonal() * axes.transpose();
@@ -174,41 +157,46 @@ void refuse_on_plane(const ObjectReader& in) {
   }
 }
 
+void refuse_on_fixed(const spec::Body& entry, const ObjectReader& in) {
+  if (!entry.velocity->isZero(0)) in.fail_key("velocity", "a fixed body does not move; expected [0, 0, 0]");
+  if (!entry.angular_velocity->isZero(0))
+    in.fail_key("angular_velocity", "a fixed body does not turn; expected [0, 0, 0]");
+  for (const std::string_view key : {"force", "torque"})
+    if (in.has(key)) in.fail_key(key, "a fixed body does not move; remove this key");
+}
+
 }  // namespace
 
 BodySpec read_body(const Node& node, std::size_t index, MeshLibrary& meshes) {
-  const ObjectReader in(node, keys::body);
-  BodySpec body;
-  body.name = in.name("name");
-  if (body.name.empty()) body.name = fmt::format("body {}", index);
-  body.shape = read_shape(in.require("shape", "an object such as { \"type\": \"box\", \"size\": [1, 1, 1] }"),
-                          meshes, !in.has("inertia"));
-  const bool plane = is_plane(body.shape);
-  if (plane) refuse_on_plane(in);
+  static const auto kKeys = keys_of_entry(spec::Body{});
+  const ObjectReader in(node, kKeys);
+  spec::Body entry;
+  entry.fields(BodyFields(in, meshes));
+  if (entry.is_ground()) refuse_on_plane(in);
+  if (entry.fixed) refuse_on_fixed(entry, in);
 
-  body.fixed = in.boolean("fixed", plane);
-  body.mass = read_mass(in);
-  body.J = read_inertia(in);
-  body.c = in.vec3("position", kPositionRange, Vec3::Zero());
-  if (const auto orientation = in.find("orientation")) {
-    body.R = read_rotation(*orientation, in, "orientation");
+  BodySpec body;
+  body.name = entry.name.empty() ? fmt::format("body {}", index) : entry.name;
+  body.shape = std::get<Shape>(entry.shape);
+  body.fixed = entry.fixed;
+  body.mass = mass_of(entry);
+  body.J = moment_of(entry, in);
+  body.c = *entry.position;
+  if (entry.orientation) body.R = rotation_of(*entry.orientation);
+  if (entry.center_of_mass) {
+    body.shape = with_centre_of_mass(body.shape, *entry.center_of_mass);
+    body.c += body.R * *entry.center_of_mass;
   }
-  if (in.find("center_of_mass")) {
-    const Vec3 com = in.vec3("center_of_mass", kPositionRange);
-    body.shape = with_centre_of_mass(body.shape, com);
-    body.c += body.R * com;
+  body.v = *entry.velocity;
+  body.omega = *entry.angular_velocity * (kPi / 180);
+  body.surface_velocity = entry.surface_velocity;
+  if (entry.force || entry.torque) body.external = ExternalForce{entry.force, entry.torque};
+  if (entry.color) body.look.color = entry.color->rgb;
+  if (entry.material) {
+    body.look.opacity = entry.material->opacity;
+    body.look.checker = entry.material->checker;
   }
-  body.v = in.vec3("velocity", kVelocityRange, Vec3::Zero());
-  body.omega = in.vec3("angular_velocity", kSpinRange, Vec3::Zero()) * (kPi / 180);
-  if (body.fixed) {
-    if (!body.v.isZero(0)) in.fail_key("velocity", "a fixed body does not move; expected [0, 0, 0]");
-    if (!body.omega.isZero(0))
-      in.fail_key("angular_velocity", "a fixed body does not turn; expected [0, 0, 0]");
-  }
-  if (in.has("surface_velocity")) body.surface_velocity = in.vec3("surface_velocity", kVelocityRange);
-  body.external = read_external(in, body.fixed);
-  body.look = read_look(in);
-  body.touch = read_touch(in);
+  body.touch = touch_of(entry);
   return body;
 }
 

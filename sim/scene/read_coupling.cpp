@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <unordered_map>
 
-#include "sim/scene/keys.h"
 #include "sim/scene/read_joint.h"
 #include "sim/scene/text.h"
 #include "sim/solver/couplings.h"
@@ -14,17 +14,24 @@
 namespace pabd {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-constexpr double kMostRatio = 1e6;
 constexpr double kTogether = 1e-6;  // rad or m: by how much joints may miss a stated offset where they start
 
 bool turns(const JointMeasure& measure) { return measure.of == JointMeasure::Of::angle; }
 
-double read_ratio(const ObjectReader& in, std::string_view key) {
-  const double ratio = in.number(key, {-kMostRatio, kMostRatio});
+void refuse_zero(const ObjectReader& in, std::string_view key, double ratio) {
   if (ratio == 0) in.fail_key(key, "is 0; expected another number, or \"fixed\" in place of the joint");
-  return ratio;
 }
+
+// The keys of "follows"; the name of the other joint enters the hash as its number.
+struct LeaderFields : FieldReader {
+  using Find = std::function<Index(const Node&)>;
+  LeaderFields(const ObjectReader& in, Find number) : FieldReader(in), find(std::move(number)) {}
+  using FieldReader::operator();
+  void operator()(const Field& field, std::string&) const {
+    in_.record(field.key, static_cast<double>(find(in_.require(field.key, "the name of another joint"))));
+  }
+  Find find;
+};
 
 class CouplingReader {
  public:
@@ -36,7 +43,7 @@ class CouplingReader {
     const Node node = list_.element(k);
     const bool follows = node.value().contains("follows"), screw = node.value().contains("lead");
     Joint& joint = out_.model.joints[first_ + k];
-    const ObjectReader in(node, joint_keys(joint.type));
+    const ObjectReader in(node, keys_of_joint(joint.type));
     const char* key = follows ? "follows" : "lead";
     if (follows && screw)
       in.fail_key("lead", "a joint follows its own angle or another joint; remove this key or \"follows\"");
@@ -45,22 +52,28 @@ class CouplingReader {
           key, fmt::format("a driven joint goes as its drive says; remove one of \"{}\" and \"drive\"", key));
     JointCoupling coupling;
     if (screw) {
+      spec::Joint entry;
+      entry.type = joint.type;
+      entry.coupling_fields(FieldReader(in));
+      refuse_zero(in, "lead", *entry.lead);
       coupling.leader = static_cast<Index>(first_ + k);
-      coupling.ratio = read_ratio(in, "lead") / (2 * kPi);
+      coupling.ratio = *entry.lead / (2 * kPi);
       if (joint.twist == Twist::locked)
         in.fail_key("lead", "its \"twist\" is locked, so that it cannot move");
       finish(coupling, {}, true, in, joint);
       return;
     }
-    const ObjectReader of(in.require("follows", "an object with \"joint\" and \"ratio\""), keys::follows);
-    const Node leader = of.require("joint", "the name of another joint");
-    coupling.leader = number_of(leader, joint);
-    of.record("joint", static_cast<double>(coupling.leader));
-    coupling.ratio = read_ratio(of, "ratio");
     const bool angle = turns(*coupled_measure(joint));
-    const auto offset = of.optional_number("offset", {-1e6, 1e6, angle ? "degrees" : "m"});
-    finish(coupling, offset ? std::optional(*offset * (angle ? kDegree : 1)) : std::nullopt, in.has("frames"),
-           of, joint);
+    static const auto kKeys = keys_of_entry(spec::Follows{});
+    const ObjectReader of(*in.find("follows"), kKeys);
+    spec::Follows entry;
+    entry.fields(
+        LeaderFields(of, [&](const Node& leader) { return coupling.leader = number_of(leader, joint); }),
+        angle);
+    refuse_zero(of, "ratio", entry.ratio);
+    coupling.ratio = entry.ratio;
+    finish(coupling, entry.offset ? std::optional(*entry.offset * (angle ? kDegree : 1)) : std::nullopt,
+           in.has("frames"), of, joint);
   }
 
  private:

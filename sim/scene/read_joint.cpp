@@ -9,9 +9,8 @@
 
 #include "sim/joint/attach.h"
 #include "sim/joint/joint_traits.h"
-#include "sim/potential/barrier.h"
-#include "sim/scene/keys.h"
-#include "sim/scene/read_rotation.h"
+#include "sim/scene/fields.h"
+#include "sim/scene/rotation.h"
 #include "sim/scene/start_pose.h"
 #include "sim/scene/text.h"
 
@@ -19,30 +18,17 @@ namespace pabd {
 
 namespace {
 
-constexpr Range kTurnsRange{-1e6, 1e6, "degrees"};  // a drive may go round many times
+BondLaw law_of(const spec::Law& law) {
+  return {.potential = *law.potential, .N = *law.N, .kappa = *law.kappa, .d_hat = *law.d_hat};
+}
 
-constexpr Choice kPotentials[] = {{"soft", static_cast<int>(BondPotential::soft)},
-                                  {"hard", static_cast<int>(BondPotential::hard)}};
-constexpr Choice kTwists[] = {{"free", static_cast<int>(Twist::free)},
-                              {"locked", static_cast<int>(Twist::locked)}};
-constexpr Choice kArms[] = {{"x", 1}, {"y", 2}, {"z", 4}, {"xy", 3}, {"xz", 5}, {"yz", 6}, {"xyz", 7}};
-
-BondLaw read_law(const ObjectReader& in, const BondLaw& defaults) {
-  BondLaw law = defaults;
-  law.potential =
-      static_cast<BondPotential>(in.choice("potential", kPotentials, static_cast<int>(law.potential)));
+// What the entry leaves out has the value of `defaults`.
+void read_law(const FieldReader& fields, const BondLaw& defaults, spec::Law& law) {
+  law = {defaults.potential, defaults.kappa, defaults.N, defaults.d_hat};
+  law.potential_field(fields);
   // A number for the other potential has another unit.
   if (law.potential != defaults.potential) law.kappa = kAutoKappa;
-  if (const auto kappa = in.find("kappa")) {
-    const Range range{1e-12, 1e18, law.potential == BondPotential::soft ? "N/m" : "J"};
-    if (!kappa->is_word("auto") && !kappa->value().is_number())
-      kappa->fail_expected(range.text() + " or \"auto\"");
-    law.kappa = kappa->is_word("auto") ? kAutoKappa : kappa->number(range);
-  }
-  in.record("kappa", law.kappa);
-  law.N = static_cast<int>(in.integer("N", 2, kMaxOrder, law.N));
-  law.d_hat = in.number("d_hat", {1e-9, 1e3, "m"}, law.d_hat);
-  return law;
+  law.number_fields(fields);
 }
 
 // What reading a joint needs of the rest of the scene.
@@ -74,144 +60,148 @@ struct Surroundings {
   }
 };
 
-Vec3 read_anchor(const ObjectReader& in) { return in.vec3("anchor", kPositionRange); }
+// The keys of a joint; its ends are numbers of bodies.
+struct JointFields : FieldReader {
+  JointFields(const ObjectReader& in, const Surroundings& scene, Joint& made)
+      : FieldReader(in), around(scene), joint(made) {}
+  using FieldReader::operator();
+  void operator()(const Field&, std::string&, std::string&) const { around.read_ends(in_, joint); }
+  const Surroundings& around;
+  Joint& joint;
+};
 
-Mat3 read_axes(const ObjectReader& in, JointType type) {
-  const int axes = traits_of(type).axes;
+Mat3 axes_of(const spec::Joint& entry, const ObjectReader& in) {
+  const int axes = traits_of(entry.type).axes;
   if (axes == 0) return Mat3::Identity();
-  const Vec3 axis = in.require("axis", "the direction of the joint's axis").unit_vector();
-  in.record("axis", axis);
-  if (axes == 1) return frame_about(axis);
-  const Node node = in.require("second_axis", "the direction of the joint's axis on the second body");
-  const Vec3 second = node.unit_vector();
-  in.record("second_axis", second);
+  if (!entry.axis) in.fail_key("axis", "missing; expected the direction of the joint's axis");
+  if (axes == 1) return frame_about(*entry.axis);
+  if (!entry.second_axis)
+    in.fail_key("second_axis", "missing; expected the direction of the joint's axis on the second body");
   constexpr double kSquare = 1e-6;  // rad
-  if (std::abs(axis.dot(second)) > kSquare) {
-    node.fail(fmt::format("it is {:.6g} degrees from \"axis\"; expected 90",
-                          std::acos(std::clamp(axis.dot(second), -1.0, 1.0)) / kDegree));
+  const double cosine = entry.axis->dot(*entry.second_axis);
+  if (std::abs(cosine) > kSquare) {
+    in.fail_key("second_axis", fmt::format("it is {:.6g} degrees from \"axis\"; expected 90",
+                                           std::acos(std::clamp(cosine, -1.0, 1.0)) / kDegree));
   }
-  return joint_frame(type, axis, second);
+  return joint_frame(entry.type, *entry.axis, entry.second_axis);
 }
 
 // Both frames at one anchor and axis; or, in a scene that was saved in mid-run, each where it stands.
-void read_place(const ObjectReader& in, const Surroundings& around, Joint& joint) {
+void put_in_place(const spec::Joint& entry, const ObjectReader& in, const State& state, Joint& joint) {
   if (!in.has("anchors") && !in.has("frames")) {
-    const Vec3 anchor = read_anchor(in);
-    return attach(around.scene.state, anchor, read_axes(in, joint.type), joint);
+    if (!entry.anchor) in.fail_key("anchor", "missing; expected an array of 3 numbers");
+    return attach(state, *entry.anchor, axes_of(entry, in), joint);
   }
   for (const std::string_view key : {"anchor", "axis", "second_axis"})
     if (in.has(key))
       in.fail_key(key, "\"anchors\" and \"frames\" say it all; remove this key or both of those");
-  const Node anchors = in.require("anchors", "two points [a, b]");
-  const Node frames = in.require("frames", "two unit quaternions [w, x, y, z]");
-  if (anchors.array_size() != 2) anchors.fail_expected("two points [a, b]");
-  if (frames.array_size() != 2) frames.fail_expected("two unit quaternions [w, x, y, z]");
+  if (entry.anchors.empty()) in.fail_key("anchors", "missing; expected two points [a, b]");
+  if (entry.frames.empty()) in.fail_key("frames", "missing; expected two unit quaternions [w, x, y, z]");
   for (const std::size_t end : {0, 1}) {
-    const Vec3 anchor = anchors.element(end).vec3(kPositionRange);
-    in.record("anchors", anchor);
-    const Node frame = frames.element(end);
-    const Mat3 F = read_rotation(frame, in, "frames");
+    in.record("anchors", entry.anchors[end]);
+    record_orientation(in, "frames", entry.frames[end]);
     (end == 0 ? joint.on_i : joint.on_j) =
-        frame_on(around.scene.state, end == 0 ? joint.i : joint.j, anchor, F);
+        frame_on(state, end == 0 ? joint.i : joint.j, entry.anchors[end], rotation_of(entry.frames[end]));
   }
 }
 
-// A joint with frames of its own may stand anywhere, and says so by them.
-std::optional<double> where_at_zero(const ObjectReader& in) {
-  return in.has("frames") ? std::nullopt : std::optional(0.0);
+void put_points(spec::Joint& entry, const ObjectReader& in, const State& state, Joint& joint) {
+  if (entry.points.empty()) in.fail_key("points", "missing; expected two points [a, b]");
+  const Vec3 &a = entry.points[0], &b = entry.points[1];
+  in.record("points", a);
+  in.record("points", b);
+  joint.on_i = frame_on(state, joint.i, a, Mat3::Identity());
+  joint.on_j = frame_on(state, joint.j, b, Mat3::Identity());
+  entry.length = (b - a).norm();
 }
 
-// "start", in the unit of the file: where the joint is moved to, from where the bodies stand.
-std::optional<double> read_start(const ObjectReader& in, const JointMeasure& measure) {
-  if (!in.has("start")) return {};
-  if (in.has("frames")) in.fail_key("start", "\"frames\" say where the joint stands; remove one of the two");
-  const bool angle = measure.of == JointMeasure::Of::angle;
-  return in.optional_number("start", angle ? kAngleRange : kPositionRange);
+template <class Value>
+Keyed<Value> in_si(const Keyed<Value>& profile, double unit) {
+  Keyed<Value> out = profile;
+  for (auto& [time, value] : out.keys) value = Value(value * unit);
+  return out;
 }
 
-void read_arms(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  joint.usual_arm = !in.has("arm");
-  joint.arm = in.number("arm", kSizeRange, default_arm(around.scene.model, joint.i, joint.j));
-  joint.symmetric = in.boolean("symmetric", true);
+// Limits must include the place where the joint starts, where it is known; in the unit of the file.
+JointRange range_of(const spec::Limits& limits, double unit, const std::optional<double>& stands_at,
+                    const Node& place) {
+  const auto [lo, hi] = limits;
+  if (stands_at && (lo > *stands_at || hi < *stands_at))
+    place.fail(
+        fmt::format("the joint is at {0} at the start, outside {1} … {2}; expected limits that include {0}",
+                    *stands_at, lo, hi));
+  return {lo * unit, hi * unit};
 }
 
-// Limits or a drive of what the joint leaves free. Returns where it starts, if it says so; rad or m.
-std::optional<double> read_motion(const ObjectReader& in, const JointMeasure& measure, Joint& joint) {
-  if (in.has("limits") && in.has("drive")) {
+JointMotor motor_of(const spec::Motor& entry, bool turns, const Node& node) {
+  JointMotor motor;
+  if (entry.force) {
+    for (const char* key : {turns ? "max_torque" : "max_force", "gain"})
+      if (node.value().contains(key))
+        fail_at(node.context(), node.pointer() + '/' + key, "goes with \"speed\"; remove this key");
+    motor.profile = *entry.force;
+    return motor;
+  }
+  motor.gives = JointMotor::Gives::speed;
+  motor.profile = in_si(*entry.speed, turns ? kDegree : 1);
+  motor.most = entry.most.value_or(motor.most);
+  motor.gain = entry.gain.value_or(motor.gain);
+  return motor;
+}
+
+void set_action(const spec::Joint& entry, const ObjectReader& in, Joint& joint) {
+  const bool turns = joint_keys(entry.type).torque;
+  const double unit = turns ? kDegree : 1;
+  for (const std::string_view key : {"motor", "damping", "friction", "spring"})
+    if (in.has(key) && in.has("drive"))
+      in.fail_key(
+          key, fmt::format("a driven joint goes as its drive says; remove one of \"{}\" and \"drive\"", key));
+  JointAction action;
+  if (entry.motor) action.motor = motor_of(*entry.motor, turns, *in.find("motor"));
+  action.damping = entry.damping.value_or(0);
+  action.friction = entry.friction.value_or(0);
+  if (entry.spring) {
+    action.spring.stiffness = entry.spring->stiffness.value_or(0);
+    action.spring.rest = unit * *entry.spring->rest;
+    for (const auto& [x, force] : entry.spring->table)
+      action.spring.table.points.emplace_back(unit * x, force);
+  }
+  if (action.motor || action.damping > 0 || action.friction > 0 || action.spring.pulls())
+    joint.action = std::move(action);
+}
+
+std::uint8_t arms_of(std::string_view axes) {
+  std::uint8_t bits = 0;
+  for (const char axis : axes) bits = static_cast<std::uint8_t>(bits | 1 << (axis - 'x'));
+  return bits;
+}
+
+// Limits, drives and what acts. A joint with frames of its own may stand anywhere, and says so by them.
+void set_motion(const spec::Joint& entry, const ObjectReader& in, Joint& joint) {
+  const JointKeys has = joint_keys(entry.type);
+  const double unit = has.angle ? kDegree : 1;
+  const bool anywhere = in.has("frames");
+  if (has.moves && in.has("limits") && in.has("drive"))
     in.fail_key("limits", "a driven joint has no limits; remove one of \"limits\" and \"drive\"");
+  if (entry.start && anywhere)
+    in.fail_key("start", "\"frames\" say where the joint stands; remove one of the two");
+  const std::optional<double> zero = anywhere ? std::nullopt : std::optional(0.0);
+  if (entry.limits)
+    joint.limits = range_of(*entry.limits, unit, entry.start ? entry.start : zero, *in.find("limits"));
+  if (entry.drive) joint.drive = in_si(*entry.drive, unit);
+  joint.twist = entry.twist.value_or(traits_of(entry.type).twist);
+  if (entry.twist_limits) {
+    const Node twist = *in.find("twist");
+    joint.twist_limits =
+        range_of(*entry.twist_limits, kDegree, zero, Node(twist.value().at("limits"), twist, "limits"));
   }
-  const bool angle = measure.of == JointMeasure::Of::angle;
-  const double unit = angle ? kDegree : 1;
-  const std::optional<double> start = read_start(in, measure);
-  if (in.has("limits")) {
-    joint.limits = read_limits(in, "limits", angle ? kAngleRange : kPositionRange, unit,
-                               start ? start : where_at_zero(in));
-  }
-  if (const auto node = in.find("drive"))
-    joint.drive = read_drive(*node, angle ? kTurnsRange : kPositionRange, unit);
-  return start ? std::optional(*start * unit) : std::nullopt;
-}
-
-void read_twist(const ObjectReader& in, Twist fallback, Joint& joint) {
-  const auto twist = in.find("twist");
-  if (twist && twist->value().is_object()) {
-    const ObjectReader limited(*twist, keys::twist);
-    joint.twist = Twist::limited;
-    joint.twist_limits = read_limits(limited, "limits", kAngleRange, kDegree, where_at_zero(in));
-  } else if (twist && !twist->value().is_string()) {
-    twist->fail_expected("\"free\", \"locked\" or { \"limits\": [lowest, highest] }");
-  } else {
-    joint.twist = static_cast<Twist>(in.choice("twist", kTwists, static_cast<int>(fallback)));
-  }
-}
-
-void read_prescribed_turn(const ObjectReader& in, Joint& joint) {
-  if (const auto drive = in.find("drive")) {
-    joint.turn = read_turn(*drive);
-    joint.arms = static_cast<std::uint8_t>(in.choice("axes", kArms, 7));
+  if (entry.turn) {
+    joint.turn = in_si(*entry.turn, kDegree);
+    joint.arms = arms_of(entry.axes);
   } else if (in.has("axes")) {
     in.fail_key("axes", "says which arms a drive holds, but there is none; add \"drive\" or remove this key");
   }
-}
-
-void read_points(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  const Node points = in.require("points", "two points [a, b]");
-  if (points.array_size() != 2) points.fail_expected("two points [a, b]");
-  const Vec3 a = points.element(0).vec3(kPositionRange), b = points.element(1).vec3(kPositionRange);
-  in.record("points", a);
-  in.record("points", b);
-  joint.on_i = frame_on(around.scene.state, joint.i, a, Mat3::Identity());
-  joint.on_j = frame_on(around.scene.state, joint.j, b, Mat3::Identity());
-  joint.length = in.number("length", {0, 1e6, "m"}, (b - a).norm());
-}
-
-// What the type of the joint asks for. Returns where it starts, if it says so; rad or m.
-std::optional<double> read_by_traits(const ObjectReader& in, const Surroundings& around, Joint& joint) {
-  const JointTraits& traits = traits_of(joint.type);
-  if (traits.points) {
-    read_points(in, around, joint);
-  } else {
-    read_place(in, around, joint);
-    read_arms(in, around, joint);
-  }
-  std::optional<double> start;
-  if (const JointMeasure* moved = moved_measure(traits)) start = read_motion(in, *moved, joint);
-  joint.twist = traits.twist;
-  if (measure_with(traits, &Joint::twist_limits)) read_twist(in, traits.twist, joint);
-  if (traits.turn) read_prescribed_turn(in, joint);
-  if (may_be_damped(traits)) read_action(in, joint);
-  return start;
-}
-
-JointType read_type(const Node& node) {
-  if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
-  const auto type = node.value().find("type");
-  if (type == node.value().end()) {
-    std::vector<std::string_view> words;
-    for (const Choice& choice : joint_choices()) words.push_back(choice.word);
-    fail_at(node.context(), node.pointer() + "/type", "missing; expected " + one_of(words));
-  }
-  return static_cast<JointType>(Node(*type, node, "type").choice(joint_choices()));
+  set_action(entry, in, joint);
 }
 
 // `list`: "joints", whose first is joint `generated` of the model.
@@ -230,21 +220,24 @@ void move_bodies(const std::vector<JointStart>& starts, std::size_t generated, c
 
 }  // namespace
 
-std::span<const Choice> joint_choices() {
-  static const auto kChoices = [] {
-    std::array<Choice, kJointTypes.size()> choices;
-    for (std::size_t k = 0; k < choices.size(); ++k)
-      choices[k] = {to_string(kJointTypes[k]), static_cast<int>(kJointTypes[k])};
-    return choices;
+std::span<const std::string_view> joint_words() {
+  static const auto kWords = [] {
+    std::array<std::string_view, kJointTypes.size()> words;
+    for (std::size_t k = 0; k < words.size(); ++k) words[k] = to_string(kJointTypes[k]);
+    return words;
   }();
-  return kChoices;
+  return kWords;
 }
 
 BondLaw read_joint_defaults(const ObjectReader& scene) {
-  BondLaw law;
-  law.kappa = kAutoKappa;
-  return with_section(scene, "joints_default", keys::joints_default,
-                      [&law](const ObjectReader& in) { return read_law(in, law); });
+  static const auto kKeys = keys_of_entry(spec::Law{});
+  return with_section(scene, "joints_default", kKeys, [](const ObjectReader& in) {
+    BondLaw usual;
+    usual.kappa = kAutoKappa;
+    spec::Law law;
+    read_law(FieldReader(in), usual, law);
+    return law_of(law);
+  });
 }
 
 void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder& out) {
@@ -259,12 +252,15 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder
   const std::size_t generated = out.model.joints.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Node node = list->element(k);
-    const JointType type = read_type(node);
-    const ObjectReader in(node, joint_keys(type));
+    spec::Joint entry;
+    entry.type = kJointTypes[type_of_entry(node, joint_words())];
+    const ObjectReader in(node, keys_of_joint(entry.type));
+    in.record("type", to_string(entry.type));
     Joint joint;
-    joint.type = type;
-    in.record("type", to_string(type));
-    joint.name = in.name("name");
+    joint.type = entry.type;
+    const JointFields fields(in, around, joint);
+    entry.place_fields(fields);
+    joint.name = entry.name;
     // Included ones may have had no name either.
     const bool named = !joint.name.empty();
     for (std::size_t n = k; !named && !seen.insert(joint.name = fmt::format("joint {}", n)).second;)
@@ -272,11 +268,25 @@ void read_joints(const ObjectReader& scene, const BodyNames& names, ModelBuilder
     if (named && !seen.insert(joint.name).second)
       in.fail_key("name", fmt::format("another joint is named {} too; expected different names",
                                       in_quotes(joint.name)));
-    around.read_ends(in, joint);
-    if (const auto start = read_by_traits(in, around, joint)) starts.push_back({generated + k, *start});
+    if (traits_of(entry.type).points) {
+      put_points(entry, in, out.state, joint);
+    } else {
+      put_in_place(entry, in, out.state, joint);
+      joint.usual_arm = !in.has("arm");
+      entry.arm = default_arm(out.model, joint.i, joint.j);
+    }
+    entry.motion_fields(fields);
+    joint.length = entry.length.value_or(joint.length);
+    joint.arm = entry.arm.value_or(joint.arm);
+    joint.symmetric = entry.symmetric.value_or(true);
+    set_motion(entry, in, joint);
+    if (entry.start)
+      starts.push_back({generated + k, *entry.start * (joint_keys(entry.type).angle ? kDegree : 1)});
     if (in.has("follows") || in.has("lead")) coupled.push_back(k);
-    joint.law = read_law(in, out.joint_law);
-    out.add_joint(std::move(joint), in.boolean("collide", false));
+    read_law(fields, out.joint_law, entry.law);
+    joint.law = law_of(entry.law);
+    fields(spec::kCollide, entry.collide, false);
+    out.add_joint(std::move(joint), entry.collide);
   }
   if (!starts.empty()) move_bodies(starts, generated, *list, out);
   if (!coupled.empty()) read_couplings(*list, generated, coupled, out);

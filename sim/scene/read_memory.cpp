@@ -4,25 +4,23 @@
 
 #include <fmt/format.h>
 
-#include "sim/scene/keys.h"
-
 namespace pabd {
 namespace {
 
 ContactMemory read_contact(const Node& node, Index count) {
-  const ObjectReader in(node, keys::friction_anchor);
-  const Node pair = in.require("bodies", "two body numbers");
-  if (pair.array_size() != 2) pair.fail_expected("two body numbers");
-  const std::int64_t a = pair.element(0).integer(0, count - 1);
-  const std::int64_t b = pair.element(1).integer(0, count - 1);
-  if (a >= b) pair.fail("expected two body numbers in rising order");
+  static const auto kKeys = keys_of_entry(FrictionAnchor{});
+  const ObjectReader in(node, kKeys);
+  FrictionAnchor entry;
+  entry.fields(FieldReader(in), count);
+  const auto [a, b] = entry.bodies;
+  if (a >= b) in.fail_key("bodies", "expected two body numbers in rising order");
   ContactMemory contact;
   contact.pair = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint64_t>(b);
-  contact.feature = static_cast<std::uint32_t>(in.integer("feature", 0, 0xffffffff));
-  contact.stretch = in.vec3("stretch", Range{});
-  contact.sliding = in.boolean("sliding", false);
-  contact.recovers = in.boolean("recovers", false);
-  contact.restless = in.boolean("restless", false);
+  contact.feature = static_cast<std::uint32_t>(entry.feature);
+  contact.stretch = entry.stretch;
+  contact.sliding = entry.sliding;
+  contact.recovers = entry.recovers;
+  contact.restless = entry.restless;
   return contact;
 }
 

@@ -7,15 +7,15 @@
 #include <optional>
 
 #include "sim/base/error.h"
+#include "sim/scene/fields.h"
 #include "sim/scene/generators.h"
-#include "sim/scene/keys.h"
 #include "sim/scene/model_builder.h"
+#include "sim/scene/no_collide.h"
 #include "sim/scene/read_body.h"
 #include "sim/scene/read_joint.h"
 #include "sim/scene/read_memory.h"
 #include "sim/scene/read_params.h"
-#include "sim/scene/read_rotation.h"
-#include "sim/scene/read_touch.h"
+#include "sim/scene/rotation.h"
 #include "sim/scene/text.h"
 #include "sim/scene/thickness.h"
 
@@ -24,7 +24,6 @@ namespace pabd {
 namespace {
 
 constexpr int kVersion = 1;
-constexpr Range kDurationRange{1e-6, 1e6, "s"};
 
 void read_bodies(const ObjectReader& scene, MeshLibrary& meshes, ModelBuilder& out) {
   const auto bodies = scene.find("bodies");
@@ -71,11 +70,10 @@ void read_settings(const ObjectReader& in, ParameterTable table, const Params& d
 std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
   const auto node = scene.find("camera");
   if (!node) return std::nullopt;
-  const ObjectReader in(*node, keys::camera);
+  static const auto kKeys = keys_of_entry(CameraDesc{});
+  const ObjectReader in(*node, kKeys);
   CameraDesc camera;
-  camera.eye = in.vec3("eye", kPositionRange);
-  camera.target = in.vec3("target", kPositionRange);
-  camera.fov = in.number("fov", {1, 170, "degrees", true}, camera.fov);
+  camera.fields(FieldReader(in));
   if (!((camera.eye - camera.target).norm() > 1e-6)) {
     in.fail_key("eye", "the camera sits on its target; expected two different points");
   }
@@ -84,7 +82,8 @@ std::optional<CameraDesc> read_camera(const ObjectReader& scene) {
 
 void read_view(const ObjectReader& in, Scene& out) {
   out.camera = read_camera(in);
-  out.duration = in.optional_number("duration", kDurationRange);
+  const FieldReader fields(in);
+  fields(kDuration, out.duration);
 }
 
 ObjectReader read_root(const Json& document, ReadContext& context, ParameterTable table) {
@@ -138,24 +137,22 @@ ModelBuilder read_included(const IncludeLibrary::Opened& opened, const std::stri
 }
 
 void read_include(const Node& node, const IncludeContext& around, ModelBuilder& out) {
-  const ObjectReader in(node, keys::include);
-  const Node file = in.require("scene", "the name of a scene file");
-  const std::string name = file.file_name("a scene file");
-  Placement placement;
-  if (const auto prefix = in.find("prefix")) placement.prefix = prefix->name();
-  in.record("prefix", placement.prefix);
-  placement.position = in.vec3("position", kPositionRange, Vec3::Zero());
-  if (const auto turned = in.find("orientation")) placement.R = read_rotation(*turned, in, "orientation");
+  static const auto kKeys = keys_of_entry(spec::Include{});
+  const ObjectReader in(node, kKeys);
+  spec::Include entry;
+  entry.fields(FieldReader(in));
+  Placement placement{entry.prefix, *entry.position};
+  if (entry.orientation) placement.R = rotation_of(*entry.orientation);
   std::optional<ModelBuilder> part;
   try {
-    const IncludeLibrary::Opened opened(around.includes, name);
+    const IncludeLibrary::Opened opened(around.includes, entry.scene);
     std::string hash;
-    part = read_included(opened, name, around, hash);
+    part = read_included(opened, entry.scene, around, hash);
     in.record("scene", hash);
   } catch (const Error& error) {
-    file.fail(error.what());
+    in.fail_key("scene", error.what());
   }
-  out.append(std::move(*part), placement, file);
+  out.append(std::move(*part), placement, *in.find("scene"));
 }
 
 void read_includes(const ObjectReader& scene, const IncludeContext& around, ModelBuilder& out) {

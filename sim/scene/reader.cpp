@@ -203,6 +203,16 @@ std::size_t Node::array_size() const {
   return value_->size();
 }
 
+std::size_t type_of_entry(const Node& node, std::span<const std::string_view> types) {
+  if (!node.value().is_object()) node.fail_expected("an object with a \"type\"");
+  const auto type = node.value().find("type");
+  if (type == node.value().end())
+    fail_at(node.context(), node.pointer() + "/type", "missing; expected " + one_of(types));
+  std::vector<Choice> choices;
+  for (std::size_t k = 0; k < types.size(); ++k) choices.push_back({types[k], static_cast<int>(k)});
+  return static_cast<std::size_t>(Node(*type, node, "type").choice(choices));
+}
+
 ObjectReader::ObjectReader(const Node& node, std::span<const std::string_view> keys) : Node(node) {
   if (!value().is_object()) fail_expected("an object");
   for (const auto& [key, unused] : value().items()) {

@@ -6,7 +6,6 @@
 // a fixed order makes that hash independent of formatting, key order and whether a default was written out.
 #pragma once
 
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -17,6 +16,7 @@
 #include "sim/base/hash.h"
 #include "sim/math/types.h"
 #include "sim/scene/document.h"
+#include "sim/scene/field.h"
 
 namespace pabd {
 
@@ -33,17 +33,6 @@ struct ReadContext {
 };
 
 [[noreturn]] void fail_at(const ReadContext& context, const std::string& pointer, std::string_view message);
-
-// Numbers lo … hi; `open` leaves out the ends. The unit is only for messages.
-struct Range {
-  double lo = -std::numeric_limits<double>::infinity();
-  double hi = std::numeric_limits<double>::infinity();
-  std::string_view unit = {};
-  bool open = false;
-
-  bool contains(double x) const { return open ? x > lo && x < hi : x >= lo && x <= hi; }
-  std::string text() const;  // "a number from 0 to 1 (m)"
-};
 
 struct Choice {
   std::string_view word;
@@ -118,6 +107,9 @@ class ObjectReader : public Node {
   void record(std::string_view key, std::string_view value) const;
   void record(std::string_view key, const Vec3& value) const;
 };
+
+// Which of `types` the "type" of an entry names, by its place there.
+std::size_t type_of_entry(const Node& node, std::span<const std::string_view> types);
 
 // A section of the scene, or an empty one that gives every default.
 template <class Function>

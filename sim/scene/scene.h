@@ -10,6 +10,7 @@
 #include "sim/body/body_look.h"
 #include "sim/body/model.h"
 #include "sim/body/state.h"
+#include "sim/scene/field.h"
 #include "sim/solver/parameter_table.h"
 
 namespace pabd {
@@ -19,6 +20,16 @@ struct CameraDesc {
   Vec3 eye{6, 4, 8};     // world; m
   Vec3 target{0, 1, 0};  // world; m
   double fov = 45;       // vertical, degrees
+
+  static constexpr const char* object = "camera";
+  static constexpr const char* help =
+      "From which side the picture is taken: how far away, and what is in the middle, follows from the "
+      "bodies";
+  void fields(auto&& f) {
+    f(need("eye", "Position of the camera", kPositionRange), eye);
+    f(need("target", "Point in the middle of the picture; not the eye itself", kPositionRange), target);
+    f(may("fov", "Vertical field of view", {1, 170, "degrees", true}), fov, 45.0);
+  }
 };
 
 struct ThinBody {

@@ -11,7 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/body/compound.h"
 #include "sim/body/mass_properties.h"
-#include "sim/scene/read_look.h"
+#include "sim/scene/read_memory.h"
 #include "sim/scene/text.h"
 #include "sim/scene/tuning.h"
 #include "sim/scene/write_joint.h"
@@ -39,15 +39,6 @@ std::vector<std::pair<Index, Index>> pairs_apart(const Model& model) {
   return out;
 }
 
-// What is said of a body's touch. A scene of its own needs no more.
-void add_touch(const Model& model, std::size_t i, OrderedJson& out) {
-  if (!model.friction.empty() && model.friction[i]) out["friction"] = json_of(*model.friction[i]);
-  if (!model.restitution.empty() && model.restitution[i]) out["restitution"] = *model.restitution[i];
-  const CollisionGroups& groups = model.groups;
-  for (std::size_t g = 0; g < groups.name.size() && !groups.of_body.empty(); ++g)
-    if ((groups.of_body[i] >> g & 1) != 0) out["group"].push_back(groups.name[g]);
-}
-
 // Entries of "no_collide".
 OrderedJson pairs_json(const Model& model) {
   OrderedJson out = OrderedJson::array();
@@ -69,37 +60,52 @@ OrderedJson pairs_json(const Model& model) {
   return out;
 }
 
-OrderedJson json_of_body(const Model& model, const State& state, std::size_t i) {
+OrderedJson json_of_body(const Model& model, const State& state, const BodyLooks& looks, std::size_t i) {
   const CompoundPart* part = off_centre(model.shape[i]);
-  OrderedJson out{{"name", model.name[i]}, {"shape", json_of(part ? part->shape : model.shape[i])}};
-  if (out["shape"].is_null()) {
+  OrderedJson shape = json_of(part ? part->shape : model.shape[i]);
+  if (shape.is_null()) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("the shape of {} comes from a mesh file, which cannot be written into a scene; "
                             "remove the body, or save only the parameters",
                             in_quotes(model.name[i])));
   }
-  add_touch(model, i, out);
-  if (!model.surface_velocity.empty() && model.surface_velocity[i])
-    out["surface_velocity"] = json_of(*model.surface_velocity[i]);
-  if (is_plane(model.shape[i])) return out;
-  if (model.fixed[i]) {
-    out["fixed"] = true;
-  } else {
-    out["mass"] = model.mass[i];
-    if (const Mat3& J = model.J[i]; !is_even(model.shape[i], model.mass[i], J)) {
-      const Mat3 I = inertia_tensor(J);
-      out["inertia"] = {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+  const auto own = [i](const auto& of_bodies) {
+    return of_bodies.empty() ? typename std::decay_t<decltype(of_bodies)>::value_type() : of_bodies[i];
+  };
+  spec::Body out{.name = model.name[i],
+                 .friction = own(model.friction),
+                 .restitution = own(model.restitution),
+                 .surface_velocity = own(model.surface_velocity)};
+  const CollisionGroups& groups = model.groups;
+  for (std::size_t g = 0; g < groups.name.size() && !groups.of_body.empty(); ++g)
+    if ((groups.of_body[i] >> g & 1) != 0) out.groups.push_back(groups.name[g]);
+  if (!is_plane(model.shape[i])) {
+    out.fixed = model.fixed[i] != 0;
+    if (!out.fixed) {
+      out.mass = model.mass[i];
+      if (const Mat3& J = model.J[i]; !is_even(model.shape[i], model.mass[i], J)) {
+        const Mat3 I = inertia_tensor(J);
+        out.inertia = {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+      }
+    }
+    out.position = part ? Vec3(state.c[i] + state.R[i] * part->offset) : state.c[i];
+    if (part) out.center_of_mass = -part->offset;
+    if (state.R[i] != Mat3::Identity()) out.orientation = orientation_of(state.R[i]);
+    if (!state.v[i].isZero(0)) out.velocity = state.v[i];
+    if (!state.omega[i].isZero(0)) out.angular_velocity = state.omega[i] * (180 / kPi);
+    if (const auto external = own(model.external)) {
+      if (external->force) out.force = keys_from(state.time, *external->force, 1);
+      if (external->torque) out.torque = keys_from(state.time, *external->torque, 1);
+    }
+    if (const auto look = looks.find(model.name[i]); look != looks.end()) {
+      if (look->second.color) out.color = spec::Color{*look->second.color};
+      if (look->second.opacity != 1 || look->second.checker)
+        out.material = {look->second.opacity, look->second.checker};
     }
   }
-  out["position"] = json_of(part ? Vec3(state.c[i] + state.R[i] * part->offset) : state.c[i]);
-  if (part) out["center_of_mass"] = json_of(Vec3(-part->offset));
-  if (state.R[i] != Mat3::Identity()) out["orientation"] = json_of_rotation(state.R[i]);
-  if (!state.v[i].isZero(0)) out["velocity"] = json_of(state.v[i]);
-  if (!state.omega[i].isZero(0)) out["angular_velocity"] = json_of(Vec3(state.omega[i] * (180 / kPi)));
-  if (model.external.empty() || !model.external[i]) return out;
-  if (const auto& force = model.external[i]->force) out["force"] = json_of_keys(*force, state.time);
-  if (const auto& torque = model.external[i]->torque) out["torque"] = json_of_keys(*torque, state.time);
-  return out;
+  OrderedJson json = json_of_entry(out);
+  json["shape"] = std::move(shape);
+  return json;
 }
 
 // A name for each joint: those that have none get the first free "joint k".
@@ -119,13 +125,12 @@ std::vector<std::string> joint_names(const Model& model) {
 }
 
 OrderedJson json_of_memory(const ContactMemory& contact) {
-  OrderedJson out{{"bodies", OrderedJson::array({contact.pair >> 32, contact.pair & 0xffffffffu})},
-                  {"feature", contact.feature},
-                  {"stretch", json_of(contact.stretch)}};
-  if (contact.sliding) out["sliding"] = true;
-  if (contact.restless) out["restless"] = true;
-  if (contact.recovers) out["recovers"] = true;
-  return out;
+  return json_of_entry(FrictionAnchor{{contact.pair >> 32, contact.pair & 0xffffffffu},
+                                      contact.feature,
+                                      contact.stretch,
+                                      contact.sliding,
+                                      contact.recovers,
+                                      contact.restless});
 }
 
 // "key": [ … ] with one entry a line.
@@ -157,25 +162,21 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
                                 OrderedJson(name).dump());
   const OrderedJson tunable = OrderedJson::parse(params_json(params, table));
   for (const auto& [key, value] : tunable.items()) out += fmt::format(",\n  \"{}\": {}", key, value.dump());
-  OrderedJson law = OrderedJson::object();
-  add_law(joint_law, law);
-  out += fmt::format(",\n  \"joints_default\": {}", law.dump());
-  out += list("bodies", model.shape.size(), [&](std::size_t i) {
-    OrderedJson body = json_of_body(model, state, i);
-    if (const auto look = looks.find(model.name[i]); look != looks.end()) add_look(look->second, body);
-    return body;
-  });
+  out += fmt::format(",\n  \"joints_default\": {}", json_of_entry(entry_of(joint_law)).dump());
+  out +=
+      list("bodies", model.shape.size(), [&](std::size_t i) { return json_of_body(model, state, looks, i); });
   if (!model.joints.empty()) {
     const std::vector<std::string> names = joint_names(model);
     std::size_t coupling = 0;
     out += list("joints", model.joints.size(), [&](std::size_t k) {
       const Joint& joint = model.joints[k];
-      OrderedJson entry = json_of_joint(model, state, joint, names[k], joint_law);
-      if (!joint.follows) return entry;
-      const double error =
-          state.coupling.empty() ? coupling_error(model, state, joint) : state.coupling[coupling++];
-      add_coupling(model, state, joint, error, names, entry);
-      return entry;
+      spec::Joint entry = entry_of(model, state, joint, names[k], joint_law);
+      if (joint.follows) {
+        const double error =
+            state.coupling.empty() ? coupling_error(model, state, joint) : state.coupling[coupling++];
+        add_coupling(model, state, joint, error, names, entry);
+      }
+      return json_of_entry(entry);
     });
   }
   if (const OrderedJson apart = pairs_json(model); !apart.empty())
@@ -189,9 +190,7 @@ std::string scene_to_json(const Model& model, const State& state, const Params& 
                 [&](std::size_t k) { return json_of(state.joint_force[k]); });
   }
   if (camera) {
-    const OrderedJson view{
-        {"eye", json_of(camera->eye)}, {"target", json_of(camera->target)}, {"fov", camera->fov}};
-    out += fmt::format(",\n  \"camera\": {}", view.dump());
+    out += fmt::format(",\n  \"camera\": {}", json_of_entry(*camera).dump());
   }
   if (duration) out += fmt::format(",\n  \"duration\": {}", OrderedJson(*duration).dump());
   out += "\n}\n";

@@ -2,16 +2,40 @@
 // See write_values.h.
 #include "sim/scene/write_values.h"
 
+#include <fmt/format.h>
+
 #include "sim/body/shape_kind.h"
+#include "sim/scene/fields.h"
 
 namespace pabd {
 OrderedJson json_of(const Vec3& v) { return OrderedJson::array({v.x(), v.y(), v.z()}); }
 
-OrderedJson json_of_rotation(const Mat3& R) {
+OrderedJson json_of(JointType type) { return to_string(type); }
+OrderedJson json_of(BondPotential potential) { return to_string(potential); }
+
+OrderedJson json_of(const spec::Color& color) {
+  const Vec3 bytes = 255 * color.rgb, whole = bytes.array().round();
+  if (whole / 255 != color.rgb) return json_of(color.rgb);
+  return fmt::format("#{:02x}{:02x}{:02x}", static_cast<int>(whole.x()), static_cast<int>(whole.y()),
+                     static_cast<int>(whole.z()));
+}
+
+OrderedJson json_of(const spec::Orientation& orientation) {
+  if (const auto* q = std::get_if<std::array<double, 4>>(&orientation)) return *q;
+  if (const auto* turn = std::get_if<spec::AxisAngle>(&orientation)) return json_of_entry(*turn);
+  return json_of_entry(std::get<spec::Euler>(orientation));
+}
+
+OrderedJson json_of(const spec::BodyOrGroup& side) {
+  if (const auto* group = std::get_if<spec::Group>(&side)) return json_of_entry(*group);
+  return std::get<std::string>(side);
+}
+
+spec::Orientation orientation_of(const Mat3& R) {
   Quat q(R);
   q.normalize();
   if (q.w() < 0) q.coeffs() = -q.coeffs();
-  return OrderedJson::array({q.w(), q.x(), q.y(), q.z()});
+  return {q.w(), q.x(), q.y(), q.z()};
 }
 
 OrderedJson json_of(const Shape& shape) {
@@ -44,12 +68,11 @@ OrderedJson json_of(const SurfaceFriction& friction) {
   return out;
 }
 
-void add_law(const BondLaw& law, OrderedJson& out) {
-  out["potential"] = law.potential == BondPotential::soft ? "soft" : "hard";
-  out["kappa"] = law.kappa;
-  if (law.potential == BondPotential::soft) return;
-  out["N"] = law.N;
-  out["d_hat"] = law.d_hat;
+spec::Law entry_of(const BondLaw& law) {
+  if (law.potential == BondPotential::soft) return {.potential = law.potential, .kappa = law.kappa};
+  return {law.potential, law.kappa, law.N, law.d_hat};
 }
+
+void add_law(const BondLaw& law, OrderedJson& out) { entry_of(law).fields(FieldWriter(out)); }
 
 }  // namespace pabd

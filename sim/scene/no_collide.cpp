@@ -1,60 +1,18 @@
 // SPDX-License-Identifier: MIT
-// See read_touch.h.
-#include "sim/scene/read_touch.h"
+// See no_collide.h.
+#include "sim/scene/no_collide.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "sim/scene/keys.h"
+#include "sim/scene/fields.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
 namespace {
 
 constexpr std::size_t kMostPairs = 8'000'000;  // as joints
-
-SurfaceFriction read_friction(const ObjectReader& body, const Node& node) {
-  const auto range_of = [](const char* key) {
-    const ParameterRange& range = find_parameter(key)->range;
-    return Range{range.lo, range.hi};
-  };
-  const Range allowed = range_of("contact.friction.static");
-  SurfaceFriction out;
-  if (node.value().is_number()) {
-    out.mu_static = out.mu_dynamic = node.number(allowed);
-    for (const char* key : {"static", "dynamic"}) body.record(key, out.mu_static);
-    return out;
-  }
-  if (!node.value().is_object())
-    node.fail_expected(allowed.text() + ", or { \"static\": …, \"dynamic\": … }");
-  const ObjectReader in(node, parameter_keys("contact.friction", parameter_table()));
-  out.mu_static = in.number("static", allowed);
-  out.mu_dynamic = in.number("dynamic", allowed, out.mu_static);
-  if (out.mu_dynamic > out.mu_static)
-    in.fail_key("dynamic", fmt::format("{} is out of range: expected a coefficient not above the static one",
-                                       out.mu_dynamic));
-  // Scenes that say nothing of them keep their hash.
-  if (in.find("torsional")) out.torsional = in.number("torsional", range_of("contact.friction.torsional"));
-  if (in.find("rolling")) out.rolling = in.number("rolling", range_of("contact.friction.rolling"));
-  return out;
-}
-
-void read_groups(const ObjectReader& body, const Node& node, std::vector<std::string>& out) {
-  const bool one = node.value().is_string();
-  if (!one && !node.value().is_array()) node.fail_expected("the name of a group, or several in brackets");
-  const std::size_t count = one ? 1 : node.array_size();
-  if (count == 0 || count > kMostGroups)
-    node.fail(fmt::format("{} groups; expected 1 to {}", count, kMostGroups));
-  for (std::size_t k = 0; k < count; ++k) {
-    const Node item = one ? node : node.element(k);
-    std::string name = item.name();
-    if (std::find(out.begin(), out.end(), name) != out.end())
-      item.fail(fmt::format("{} is there twice; expected different groups", in_quotes(name)));
-    body.record("group", name);
-    out.push_back(std::move(name));
-  }
-}
 
 // One of the two of an entry of "no_collide".
 struct Side {
@@ -69,7 +27,8 @@ struct PairReader {
   std::size_t pairs = 0;  // of bodies, so far
 
   int group(const Node& node) const {
-    const ObjectReader in(node, keys::group);
+    static const auto kKeys = keys_of_entry(spec::Group{});
+    const ObjectReader in(node, kKeys);
     const Node named = in.require("group", "the name of a group");
     const std::string name = named.name();
     const auto& all = out.model.groups.name;
@@ -113,17 +72,6 @@ struct PairReader {
 };
 
 }  // namespace
-
-TouchSpec read_touch(const ObjectReader& in) {
-  TouchSpec out;
-  if (const auto node = in.find("friction")) out.friction = read_friction(in, *node);
-  if (in.find("restitution")) {
-    const ParameterRange& range = find_parameter("contact.restitution")->range;
-    out.restitution = in.number("restitution", Range{range.lo, range.hi});
-  }
-  if (const auto node = in.find("group")) read_groups(in, *node, out.groups);
-  return out;
-}
 
 void read_no_collide(const ObjectReader& scene, const BodyNames& names, ModelBuilder& out) {
   const auto list = scene.find("no_collide");
