@@ -42,14 +42,13 @@ std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second, bool solid
       return add({narrow_plane_box});
     case both(kDeviceBox, kDeviceSphere):
       return add({narrow_box_sphere});
-    case both(kDeviceBox, kDeviceCapsule):
-      return add({narrow_side_by_side, narrow_box_capsule});
     case both(kDeviceBox, kDeviceBox):
       return add({narrow_side_by_side, narrow_box_face, narrow_box_box});
     case both(kDevicePlane, kDeviceHull):
       return add({narrow_hull, narrow_spread, narrow_plane_hull});
     case both(kDeviceSphere, kDeviceHull):
       return add({narrow_hull, narrow_hull_sphere});
+    case both(kDeviceBox, kDeviceCapsule):
     case both(kDeviceCapsule, kDeviceHull):
       return add({narrow_side_by_side, narrow_hull, narrow_hull_capsule});
     case both(kDeviceBox, kDeviceHull):

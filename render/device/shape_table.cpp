@@ -12,6 +12,7 @@
 #include "sim/body/compound.h"
 #include "sim/body/frustum.h"
 #include "sim/body/shape_kind.h"
+#include "sim/collision/hull_view.h"
 
 namespace pabd {
 namespace {
@@ -32,7 +33,7 @@ void add_vector(const Vec3& v, Words& out) {
   for (int k = 0; k < 3; ++k) out.push_back(std::bit_cast<std::uint64_t>(v[k]));
 }
 
-Words words_of(const HullData& hull) {
+Words words_of(const narrow::HullView& hull) {
   Words out;
   for (const Vec3& v : hull.vertices) add_vector(v, out);
   for (const HullFace& face : hull.faces) {
@@ -48,36 +49,11 @@ Words words_of(const HullData& hull) {
   return out;
 }
 
-void count_parts(const HullData& hull, ShapeRecord& record) {
+void count_parts(const narrow::HullView& hull, ShapeRecord& record) {
   record.vertices = static_cast<std::uint32_t>(hull.vertices.size());
   record.faces = static_cast<std::uint32_t>(hull.faces.size());
   record.corners = static_cast<std::uint32_t>(hull.loop.size());
   record.edges = static_cast<std::uint32_t>(hull.edges.size());
-}
-
-// The box of half edges 1, numbered as the CPU's narrow phase numbers a box that meets a hull (hull_view.cpp).
-HullData unit_box() {
-  constexpr std::uint16_t kLoop[24] = {1, 3, 7, 5, 0, 4, 6, 2, 2, 6, 7, 3,
-                                       0, 1, 5, 4, 4, 5, 7, 6, 0, 2, 3, 1};
-  HullData box{};
-  for (int k = 0; k < 8; ++k) box.vertices.emplace_back(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-  for (int f = 0; f < 6; ++f) {
-    box.faces.push_back({(f & 1 ? -1 : 1) * Vec3::Unit(f / 2), 1, static_cast<std::uint16_t>(4 * f), 4});
-  }
-  box.loop.assign(kLoop, kLoop + 24);
-  for (std::uint16_t here = 0; here < 24; ++here) {
-    const auto face = static_cast<std::uint16_t>(here / 4);
-    const std::uint16_t from = kLoop[here], to = kLoop[4 * face + (here + 1) % 4];
-    std::size_t e = 0;
-    while (e < box.edges.size() && !(box.edges[e].from == to && box.edges[e].to == from)) ++e;
-    if (e == box.edges.size()) {
-      box.edges.push_back({from, to, face, face});
-    } else {
-      box.edges[e].right = face;
-    }
-    box.loop_edge.push_back(static_cast<std::uint16_t>(e));
-  }
-  return box;
 }
 
 using Key = std::array<std::uint64_t, 5>;  // kind and sizes, bit by bit
@@ -91,7 +67,7 @@ struct KeyHash {
 
 class TableMaker {
  public:
-  TableMaker() : box_(unit_box()) { table_.hulls = words_of(box_); }
+  TableMaker() { table_.hulls = words_of(box_.view()); }
 
   void add(const Shape& shape) { table_.of_body.push_back(number_of(shape)); }
   ShapeTable take() { return std::move(table_); }
@@ -130,7 +106,7 @@ class TableMaker {
     ShapeRecord record{};
     std::copy(size.begin(), size.end(), record.size);
     record.kind = static_cast<std::uint32_t>(kind);
-    if (kind == kDeviceBox) count_parts(box_, record);
+    if (kind == kDeviceBox) count_parts(box_.view(), record);
     table_.shapes.push_back(record);
     return at->second;
   }
@@ -139,13 +115,13 @@ class TableMaker {
   std::uint32_t hull(const HullData& data, std::initializer_list<double> ends = {}) {
     const auto [at, is_new] = hulls_.try_emplace(&data, 0);
     if (!is_new) return at->second;
-    Words words = words_of(data);
+    Words words = words_of(narrow::view_of(data));
     for (const double end : ends) words.push_back(std::bit_cast<std::uint64_t>(end));
     const auto [same, is_first] = words_.try_emplace(std::move(words), next());
     at->second = same->second;
     if (!is_first) return at->second;
     ShapeRecord record{{data.bounding_radius, 0, 0, data.inner_radius}, kDeviceHull, 0, 0, 0, 0, 0, 0, 0};
-    count_parts(data, record);
+    count_parts(narrow::view_of(data), record);
     table_.hull_vertices = std::max(table_.hull_vertices, record.vertices);
     for (const HullFace& face : data.faces)
       table_.face_corners = std::max(table_.face_corners, std::uint32_t{face.count});
@@ -178,7 +154,8 @@ class TableMaker {
 
   std::uint32_t next() const { return static_cast<std::uint32_t>(table_.shapes.size()); }
 
-  HullData box_;
+  // Of half edges 1: every box that meets a hull is this one, scaled.
+  narrow::BoxHull box_{Vec3::Ones()};
   ShapeTable table_;
   std::unordered_map<Key, std::uint32_t, KeyHash> simple_;
   std::unordered_map<const HullData*, std::uint32_t> hulls_;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Capsule against hull, in the frame of the hull, which owns the normal. As box_capsule: the axis of the
-// capsule, the segment x(t) = p + t e, t ∈ [0, 1], meets the hull
-//   over a face    two contacts (or nearly so: a face is preferred)
-//   apart          at its nearest point, one contact, more along an edge (side_by_side)
-//   through it     and the shortest way out is across an edge
+// Capsule against hull or box, in the frame of the hull, which owns the normal.
+//
+// The capsule is its axis, the segment x(t) = p + t e, t ∈ [0, 1], swollen by its radius. Three cases, in this order:
+//   face    the segment lies over a face (or so nearly that the face is as good as any other normal): the part over
+//           the face, two contacts
+//   apart   the segment is outside: its nearest point to the hull, one contact (more along an edge: side_by_side)
+//   edge    the segment pierces the hull and the shortest way out is across an edge
 //
 //   u   direction of the segment                                                unit
 //   s   separation of the segment from the hull along a direction, negative inside    m
@@ -18,9 +20,11 @@ namespace {
 constexpr std::uint32_t kFace = 0, kNearest = 4096, kPierced = 8192, kEdgeLine = 16384;
 
 struct Query {
-  const Placed<Hull>& hull;
+  const HullView& view;
+  const Vec3& c;  // pose and number of the hull
+  const Mat3& R;
+  Index number;
   const Placed<Capsule>& capsule;
-  HullView view;
   Vec3 p, e, u;  // in the frame of the hull
   double radius, reach;
   Contacts& out;
@@ -30,7 +34,7 @@ struct Query {
   const Vec3& to(const HullEdge& edge) const { return view.vertices[edge.to]; }
   // y and n in the frame of the hull.
   void add(const Vec3& y, const Vec3& n, double d, std::uint32_t feature) const {
-    if (d < reach) add_contact(out, hull.number, capsule.number, hull.c + hull.R * y, hull.R * n, d, feature);
+    if (d < reach) add_contact(out, number, capsule.number, c + R * y, R * n, d, feature);
   }
 };
 
@@ -69,7 +73,10 @@ bool pierces(const Query& q) {
   return true;
 }
 
-// Both ends of the part of the capsule over a face; see add_face in box_capsule. Returns the smallest d.
+// Both ends of the part of the capsule that lies over a face. Returns the smallest d of the two, in reach or
+// not; kNone when nothing lies over the face. The lower end is the bottom of its cap, if that is over the
+// face. Everything else touches along the side of the cylinder, one radius off the axis: that line is clipped, or,
+// when the segment pierces the hull, the segment itself, which is sure to leave something.
 double add_face(const Query& q, int number, bool through) {
   const HullFace& face = q.view.faces[static_cast<std::size_t>(number)];
   const Vec3& n = face.normal;
@@ -215,13 +222,12 @@ void add_pierced_edge(const Query& q, const EdgeAxis& axis) {
   q.add(y, axis.n, axis.n.dot(y - a), kPierced + static_cast<std::uint32_t>(axis.edge));
 }
 
-}  // namespace
-
-void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, double reach, Contacts& out) {
-  const Vec3 centre = hull.R.transpose() * (capsule.c - hull.c), u = hull.R.transpose() * capsule.R.col(1);
+void add_capsule_contacts(const HullView& view, const Vec3& c, const Mat3& R, Index number,
+                          const Placed<Capsule>& capsule, double reach, Contacts& out) {
+  const Vec3 centre = R.transpose() * (capsule.c - c), u = R.transpose() * capsule.R.col(1);
   const Vec3 half = 0.5 * capsule.shape.length * u;
   const double radius = capsule.shape.radius;
-  const Query q{hull, capsule, view_of(*hull.shape.data), centre - half, 2 * half, u, radius, reach, out};
+  const Query q{view, c, R, number, capsule, centre - half, 2 * half, u, radius, reach, out};
 
   int face = 0;
   double by_face = -std::numeric_limits<double>::infinity();
@@ -254,6 +260,17 @@ void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, doub
     if (lowest <= bound - radius || !(edge.separation > by_face)) return;
   }
   add_pierced_edge(q, edge);
+}
+
+}  // namespace
+
+void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, double reach, Contacts& out) {
+  add_capsule_contacts(view_of(*hull.shape.data), hull.c, hull.R, hull.number, capsule, reach, out);
+}
+
+void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double reach, Contacts& out) {
+  const BoxHull storage(box.shape.half);
+  add_capsule_contacts(storage.view(), box.c, box.R, box.number, capsule, reach, out);
 }
 
 }  // namespace pabd::narrow

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hull_capsule.cpp. The axis of the capsule is p + t e, t ∈ [0, 1], of direction u, in the frame of the hull.
+// hull_capsule.cpp, of a hull or a box. The axis of the capsule is p + t e, t ∈ [0, 1], of direction u, in the frame of the hull.
 // Two over a face, then up to three along an edge.
 #define MOST_FOUND 5
 const uint NEAREST_BASE = 4096u, PIERCED_BASE = 8192u, EDGE_LINE_BASE = 16384u;
@@ -189,7 +189,7 @@ void add_pierced_edge(uint number, wide3 n) {
 }
 
 void find_contacts(wide reach) {
-  put_first(HULL);
+  put_first(kind_of(a) == int(CAPSULE) ? kind_of(b) : kind_of(a));
   the_reach = reach;
   view = view_of(a.shape);
   capsule_radius = size_of(b).x;
