@@ -13,50 +13,67 @@ std::string hull_sizes(const ShapeTable& table) {
          std::to_string(table.hull_vertices) + "\n";
 }
 
+namespace {
+
+// A pair of kinds of DeviceShape, the lower one first; the parts in the order of their functions.
+struct PairOfKinds {
+  int low, high;
+  ShaderPart room;  // MOST_FOUND: how many contacts add_contact keeps at most
+  std::vector<ShaderPart> parts;
+};
+
+const std::vector<PairOfKinds>& pairs_of_kinds() {
+  using namespace shaders;
+  static const ShaderPart one = {"room", "#define MOST_FOUND 1\n"}, two = {"room", "#define MOST_FOUND 2\n"},
+                          three = {"room", "#define MOST_FOUND 3\n"},
+                          five = {"room", "#define MOST_FOUND 5\n"},
+                          eight = {"room", "#define MOST_FOUND 8\n"},
+                          eleven = {"room", "#define MOST_FOUND 11\n"};
+  // Capsules: two ends and what is nearer. A capsule: two over a face, three along an edge. Hulls: eight over a face, three
+  // along edges.
+  static const std::vector<PairOfKinds> pairs = {
+      {kDeviceSphere, kDeviceSphere, one, {round_contact, sphere_sphere}},
+      {kDeviceSphere, kDeviceCapsule, one, {round_contact, capsule_sphere}},
+      {kDeviceCapsule, kDeviceCapsule, three, {round_contact, side_by_side, capsule_capsule}},
+      {kDeviceSphere, kDevicePlane, one, {plane_sphere}},
+      {kDeviceCapsule, kDevicePlane, two, {plane_capsule}},
+      {kDeviceBox, kDevicePlane, one, {narrow_plane_box}},
+      {kDeviceBox, kDeviceSphere, one, {box_sphere}},
+      {kDeviceBox, kDeviceCapsule, five, {side_by_side, narrow_hull, hull_distance, hull_capsule}},
+      {kDeviceBox, kDeviceBox, three, {side_by_side, box_face, box_box, narrow_kept}},
+      {kDevicePlane, kDeviceHull, eight, {narrow_hull, narrow_spread, narrow_plane_hull}},
+      {kDeviceSphere, kDeviceHull, one, {narrow_hull, hull_distance, hull_sphere}},
+      {kDeviceCapsule, kDeviceHull, five, {side_by_side, narrow_hull, hull_distance, hull_capsule}},
+      {kDeviceBox,
+       kDeviceHull,
+       eleven,
+       {side_by_side, narrow_hull, hull_distance, narrow_spread, narrow_hull_face, narrow_hull_hull}},
+      {kDeviceHull,
+       kDeviceHull,
+       eleven,
+       {side_by_side, narrow_hull, hull_distance, narrow_spread, narrow_hull_face, narrow_hull_hull}},
+  };
+  return pairs;
+}
+
+}  // namespace
+
 std::vector<ShaderPart> narrow_parts(int kind_first, int kind_second, bool solids) {
   using namespace shaders;
-  std::vector<ShaderPart> parts = {shape_table, narrow_common};
-  if (solids && (kind_first == kDeviceHull || kind_second == kDeviceHull)) parts.push_back(narrow_solid);
+  std::vector<ShaderPart> out = {shape_table, narrow_common, pair_common};
+  if (solids && (kind_first == kDeviceHull || kind_second == kDeviceHull)) out.push_back(narrow_solid);
   // A compound is one hull after the other.
-  if (kind_first == kDeviceCompound || kind_second == kDeviceCompound) parts.push_back(narrow_compound);
+  if (kind_first == kDeviceCompound || kind_second == kDeviceCompound) out.push_back(narrow_compound);
   if (kind_first == kDeviceCompound) kind_first = kDeviceHull;
   if (kind_second == kDeviceCompound) kind_second = kDeviceHull;
-  const auto add = [&](std::initializer_list<ShaderPart> more) {
-    parts.insert(parts.end(), more);
-    parts.insert(parts.end(), {narrow_found, narrow_again, narrow_measured});
-    return parts;
-  };
-  const auto both = [](int i, int j) { return kDeviceShapes * std::min(i, j) + std::max(i, j); };
-  switch (both(kind_first, kind_second)) {
-    case both(kDeviceSphere, kDeviceSphere):
-      return add({narrow_sphere_sphere});
-    case both(kDeviceSphere, kDeviceCapsule):
-      return add({narrow_capsule_sphere});
-    case both(kDeviceCapsule, kDeviceCapsule):
-      return add({narrow_side_by_side, narrow_capsule_capsule});
-    case both(kDevicePlane, kDeviceSphere):
-      return add({narrow_plane_sphere});
-    case both(kDevicePlane, kDeviceCapsule):
-      return add({narrow_plane_capsule});
-    case both(kDevicePlane, kDeviceBox):
-      return add({narrow_plane_box});
-    case both(kDeviceBox, kDeviceSphere):
-      return add({narrow_box_sphere});
-    case both(kDeviceBox, kDeviceBox):
-      return add({narrow_side_by_side, narrow_box_face, narrow_box_box});
-    case both(kDevicePlane, kDeviceHull):
-      return add({narrow_hull, narrow_spread, narrow_plane_hull});
-    case both(kDeviceSphere, kDeviceHull):
-      return add({narrow_hull, narrow_hull_sphere});
-    case both(kDeviceBox, kDeviceCapsule):
-    case both(kDeviceCapsule, kDeviceHull):
-      return add({narrow_side_by_side, narrow_hull, narrow_hull_capsule});
-    case both(kDeviceBox, kDeviceHull):
-    case both(kDeviceHull, kDeviceHull):
-      return add({narrow_side_by_side, narrow_hull, narrow_spread, narrow_hull_face, narrow_hull_hull});
-    default:
-      return {};
+  for (const auto& [low, high, room, parts] : pairs_of_kinds()) {
+    if (low != std::min(kind_first, kind_second) || high != std::max(kind_first, kind_second)) continue;
+    out.push_back(room);
+    out.insert(out.end(), parts.begin(), parts.end());
+    out.insert(out.end(), {narrow_found, narrow_again, narrow_measured});
+    return out;
   }
+  return {};
 }
 
 }  // namespace pabd

@@ -10,10 +10,22 @@
 //   all in the frame of a;   e, g  edges of a and b     m
 //   A, B normals of the faces beside e; C, D opposite normals of the faces beside g     unit
 #include "sim/collision/hull_face.h"
-#include "sim/collision/side_by_side.h"
+#include "sim/collision/pair_text.h"
 
 namespace pabd::narrow {
+namespace text {
 namespace {
+
+struct SideBySide : CommonText {
+#include "sim/collision/side_by_side.inl"
+};
+
+}  // namespace
+}  // namespace text
+
+namespace {
+
+using text::SideBySide;
 
 constexpr double kParallelSine2 = 1e-8;  // parallel edges: a face direction says the same
 constexpr double kLowest = -std::numeric_limits<double>::infinity();
@@ -98,12 +110,12 @@ BestEdge best_edge(const HullView& a, const HullView& b, const Vec3& c_b, double
   return best;
 }
 
-EdgeLine edge_line(const HullView& hull, const HullEdge& edge) {
+SideBySide::EdgeLine edge_line(const HullView& hull, const HullEdge& edge) {
   const Vec3 &from = hull.vertices[edge.from], &to = hull.vertices[edge.to];
   const double length = (to - from).norm();
   const Vec3 u = (to - from) / length;
   const Vec3 &A = hull.faces[edge.left].normal, &B = hull.faces[edge.right].normal;
-  return {0.5 * (from + to), u, 0.5 * length, {A.cross(u), u.cross(B)}};
+  return {Vec3(0.5 * (from + to)), u, 0.5 * length, Vec3(A.cross(u)), Vec3(u.cross(B))};
 }
 
 std::uint32_t edge_name(std::size_t e, std::size_t g, unsigned where) {
@@ -113,19 +125,19 @@ std::uint32_t edge_name(std::size_t e, std::size_t g, unsigned where) {
 
 // Contacts along two edges that run side by side no farther apart than `nearest`. False when there are none.
 bool add_side_contacts(const Meeting& m, std::size_t e, std::size_t g, double nearest) {
-  SidePlace place[3];
+  SideBySide sides;
   const double smallest = std::min(m.a.view.inner_radius, m.b.view.inner_radius);
-  const int count =
-      side_by_side(edge_line(m.a.view, m.a.view.edges[e]), edge_line(m.b_in_a, m.b_in_a.edges[g]),
-                   0.5 * preference(nearest, smallest), 0, place);
+  const SideBySide::EdgeLine on_a = edge_line(m.a.view, m.a.view.edges[e]),
+                             on_b = edge_line(m.b_in_a, m.b_in_a.edges[g]);
+  const int count = sides.side_by_side(on_a, on_b, 0.5 * preference(nearest, smallest), 0);
   double lowest = kNone;
-  for (int k = 0; k < count; ++k) lowest = std::min(lowest, place[k].distance);
+  for (int k = 0; k < count; ++k) lowest = std::min(lowest, sides.side_place(on_a, on_b, k).apart);
   if (!(lowest <= nearest + preference(nearest, smallest))) return false;
   for (int k = 0; k < count; ++k) {
-    const SidePlace& p = place[k];
-    if (p.distance < m.reach)
-      add_contact(m.out, m.a.number, m.b.number, m.a.c + m.a.R * p.y, m.a.R * p.n, p.distance,
-                  edge_name(e, g, p.where));
+    const SideBySide::SidePlace p = sides.side_place(on_a, on_b, k);
+    if (p.apart < m.reach)
+      add_contact(m.out, m.a.number, m.b.number, m.a.c + m.a.R * Vec3(p.y), m.a.R * Vec3(p.n), p.apart,
+                  edge_name(e, g, static_cast<unsigned>(p.where)));
   }
   return true;
 }
@@ -146,7 +158,7 @@ bool add_edge_contact(const Meeting& m, const BestEdge& best) {
   if (d > 0 && add_side_contacts(m, e, g, d)) return true;
   if (d < m.reach) {
     add_contact(m.out, m.a.number, m.b.number, m.a.c + m.a.R * (q + on_b * v), m.a.R * best.n, d,
-                edge_name(e, g, SidePlace::nearest));
+                edge_name(e, g, SideBySide::SIDE_NEAREST));
   }
   return true;
 }
@@ -179,7 +191,7 @@ bool add_side_contacts_at(const Meeting& m, bool corner_of_b, std::size_t corner
     for (std::size_t g = 0; g < other.edges.size(); ++g) {
       const Vec3 v = other.vertices[other.edges[g].to] - other.vertices[other.edges[g].from];
       const double uv = u.dot(v), uu_vv = u.squaredNorm() * v.squaredNorm();
-      if (uv * uv < (1 - kAlongSine * kAlongSine) * uu_vv) continue;
+      if (uv * uv < (1 - SideBySide::ALONG_SINE * SideBySide::ALONG_SINE) * uu_vv) continue;
       if (add_side_contacts(m, corner_of_b ? g : e, corner_of_b ? e : g, nearest)) return true;
     }
   }

@@ -77,19 +77,6 @@ MovedHull::MovedHull(const HullView& hull, const Mat3& C, const Vec3& t) : view(
   view.faces = {faces, hull.faces.size()};
 }
 
-double highest_face(const HullView& hull, const Vec3& x, int& face) {
-  double highest = -std::numeric_limits<double>::infinity();
-  face = 0;
-  for (std::size_t f = 0; f < hull.faces.size(); ++f) {
-    const double height = hull.faces[f].normal.dot(x) - hull.faces[f].offset;
-    if (height > highest) {
-      highest = height;
-      face = static_cast<int>(f);
-    }
-  }
-  return highest;
-}
-
 double nearest_point(const HullView& hull, const Vec3& x, double limit, Vec3& foot) {
   for (const HullFace& face : hull.faces) {
     const double height = face.normal.dot(x) - face.offset;

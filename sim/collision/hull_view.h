@@ -45,13 +45,6 @@ class MovedHull {
   alignas(16) std::byte faces_[kMostHullFaces * sizeof(HullFace)];
 };
 
-// A point less than this times the inner radius outside is taken for one on the surface: it is less than what a
-// face is preferred by, and a normal from so small a difference would not be exact.
-inline constexpr double kOnSurface = 5e-4;
-
-// Largest height of x above a face plane: negative inside. Ties go to the lower face.
-double highest_face(const HullView& hull, const Vec3& x, int& face);
-
 // Point of the surface nearest to x, which lies outside; returns the distance. `limit`: gives up, with a
 // value not below the limit, when x is surely that far.
 double nearest_point(const HullView& hull, const Vec3& x, double limit, Vec3& foot);

@@ -81,19 +81,6 @@ inline void replace(Contacts& out, std::size_t start, std::size_t middle) {
             out.begin() + static_cast<std::ptrdiff_t>(middle));
 }
 
-// Two round things: spheres of radius r_a and r_b about p_a and p_b. `fallback` is the unit normal for p_a =
-// p_b.
-inline void add_round_contact(Contacts& out, Index a, Index b, const Vec3& p_a, double r_a, const Vec3& p_b,
-                              double r_b, const Vec3& fallback, double reach, std::uint32_t feature) {
-  const Vec3 between = p_b - p_a;
-  const double distance = between.norm();
-  const double d = distance - r_a - r_b;
-  if (!(d < reach)) return;
-  const bool defined = distance > 1e-12 * (r_a + r_b) && distance > 0;
-  const Vec3 n = defined ? Vec3(between / distance) : fallback;
-  add_contact(out, a, b, p_b - r_b * n, n, d, feature);
-}
-
 // A face is preferred to an edge, and the face of the first body to the other one, unless the rival's
 // separation is better by this much: otherwise resting stacks would change their reference face at every
 // rounding error.
@@ -113,29 +100,5 @@ inline bool is_nearly(double separation, double other, double smallest_half) {
 }
 
 inline constexpr double kNone = std::numeric_limits<double>::infinity();  // d where there is no contact
-
-// A unit vector normal to the unit vector u: +y where u allows it.
-inline Vec3 any_normal(const Vec3& u) {
-  const Vec3 seed = std::abs(u.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX();
-  return (seed - seed.dot(u) * u).normalized();
-}
-
-// Point on the surface of a capsule towards −n, beside the point p of its axis (direction u): straight below
-// p where p is an end and its cap looks that way, else on the side of the cylinder. `cap` is +1 at the end
-// towards u, −1 at the other end, 0 between. False when neither exists (a capsule standing on its other end).
-inline bool below_axis(const Vec3& p, const Vec3& u, int cap, double radius, const Vec3& n, Vec3& y) {
-  const double slope = n.dot(u);
-  if (cap * slope < 0 || slope == 0) {
-    y = p - radius * n;
-    return true;
-  }
-  const Vec3 side = n - slope * u;
-  const double size = side.norm();
-  if (!(size > 1e-6)) return false;
-  y = p - (radius / size) * side;
-  return true;
-}
-
-inline double sign_of(double x) { return x < 0 ? -1.0 : 1.0; }
 
 }  // namespace pabd::narrow

@@ -15,7 +15,7 @@ struct Corner {
 };
 
 struct FaceQuery {
-  HullView reference, incident;
+  TextHull reference, incident;
   mat_wide3 M;  // pose of the incident hull in the frame of the reference
   wide3 m;
   wide3 c;  // pose of the reference
@@ -46,11 +46,11 @@ struct ClippedFace {
 ClippedFace clipped_face;
 
 // The face of those with vertex `lowest`, or of all (−1), that looks most nearly against n, in the hull's own frame.
-uint facing(HullView hull, wide3 n, int lowest_vertex) {
+uint facing(TextHull hull, wide3 n, int lowest_vertex) {
   uint best = 0u;
   wide lowest = NONE;
   for (uint f = 0u; f < hull.faces; ++f) {
-    HullFace face = face_of(hull, f);
+    TextFace face = face_of(hull, f);
     wide c = dot(n, face.normal);
     if (c >= lowest - wide(1e-6lf)) continue;
     bool counts = lowest_vertex < 0;
@@ -62,7 +62,7 @@ uint facing(HullView hull, wide3 n, int lowest_vertex) {
   return best;
 }
 
-int lowest_vertex(HullView hull, wide3 n) {
+int lowest_vertex(TextHull hull, wide3 n) {
   int best = 0;
   wide lowest = NONE;
   for (uint v = 0u; v < hull.vertices; ++v) {
@@ -143,7 +143,7 @@ void add_pick(int at, uint name, wide clearly) {
 // Clips that face of the incident hull to that one of the reference, for add_hull_face. Returns the smallest d over the
 // face, in reach or not; NONE when nothing of the incident face is over it.
 wide clip_hull_face(FaceQuery q, uint face, uint incident_face) {
-  HullFace top = face_of(q.reference, face), bottom = face_of(q.incident, incident_face);
+  TextFace top = face_of(q.reference, face), bottom = face_of(q.incident, incident_face);
   sides = min(int(top.count), MOST_SIDES);
   corners = min(int(bottom.count), MOST_SIDES);
   // The first corner becomes the origin.

@@ -4,8 +4,7 @@
 // Eight over a face and up to three along edges, which replace them or not.
 //
 //   C, t   pose of b in the frame of a;  C_back, t_back   pose of a in the frame of b
-HullView view_a, view_b;
-#define MOST_FOUND 11
+TextHull view_a, view_b;
 const int NEVER = MOST_FOUND + 1;
 mat_wide3 C_back;
 wide3 t, t_back;
@@ -13,7 +12,7 @@ wide smallest, the_reach;
 
 // The face of the owner that separates best from the other, which stands at (M, m) in its frame. Stops as soon as one
 // separates by the reach.
-wide best_face(HullView owner, HullView other, mat_wide3 M, wide3 m, out uint face) {
+wide best_face(TextHull owner, TextHull other, mat_wide3 M, wide3 m, out uint face) {
   wide best = -NONE;
   face = 0u;
   for (uint f = 0u; f < owner.faces; ++f) {
@@ -79,7 +78,7 @@ BestEdge best_edge(wide above) {
 }
 
 // An edge of a hull that stands at (M, m).
-EdgeLine edge_line(HullView hull, uvec4 edge, mat_wide3 M, wide3 m) {
+EdgeLine edge_line(TextHull hull, uvec4 edge, mat_wide3 M, wide3 m) {
   wide3 from = vertex_of(hull, edge.x), to = vertex_of(hull, edge.y);
   wide size = sqrt(dot(to - from, to - from));
   wide3 u = (to - from) / size;
@@ -144,7 +143,7 @@ NearestCorner nearest_corner(wide limit, uint face_a, uint face_b, out bool corn
   corner_of_b = true;
   // First the corners of b, then those of a; two corners: that of b.
   for (int turn = 0; turn < 2; ++turn) {
-    HullView hull = view_a, other = view_b;
+    TextHull hull = view_a, other = view_b;
     mat_wide3 M = C;
     wide3 m = t;
     if (turn == 1) {
@@ -179,7 +178,7 @@ NearestCorner nearest_corner(wide limit, uint face_a, uint face_b, out bool corn
 // with an edge of the other hull. False when there are none.
 bool add_along_edges(bool one_pair, BestEdge pair, bool corner_of_b, uint corner, wide nearest, int replacing) {
   bool own_b = !one_pair && corner_of_b;
-  HullView own = view_a, other = view_b;
+  TextHull own = view_a, other = view_b;
   mat_wide3 M_own = mat_wide3(1), M_other = C;
   wide3 at_own = wide3(0), at_other = t;
   if (own_b) {
@@ -255,7 +254,7 @@ void find_contacts(wide reach) {
   wide face_a = wide(0), face_b = wide(0);
   uint number_a = 0u, number_b = 0u;
   for (int side = 0; side < 2; ++side) {
-    HullView owner = view_a, other = view_b;
+    TextHull owner = view_a, other = view_b;
     mat_wide3 M = C;
     wide3 m = t;
     if (side == 1) {

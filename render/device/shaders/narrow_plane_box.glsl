@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // box_plane.cpp. Which corners touch is kept, not the contacts.
-#define MOST_FOUND 1  // none
 #define KEEPS_OTHERWISE
 uint touching_corners = 0u;  // a bit each
 
@@ -10,7 +9,6 @@ wide corner_height(uint corner) {
 }
 
 void find_contacts(wide reach) {
-  put_first(PLANE);
   touching_corners = 0u;
   for (uint corner = 0u; corner < 8u; ++corner) {
     if (corner_height(corner) < reach) touching_corners |= 1u << corner;

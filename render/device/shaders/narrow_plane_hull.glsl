@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // hull_plane.cpp.
-#define MOST_FOUND 8  // MOST_POINTS
 
 void find_contacts(wide reach) {
-  put_first(PLANE);
   wide4 plane = size_of(a);
   wide3 n = plane.xyz;
   wide centre = dot(n, b.c - a.c);
   if (!(centre - size_of(b).x < reach)) return;
-  HullView view = view_of(b.shape);
+  TextHull view = view_of(b.shape);
   wide3 up = n * b.R;
   int count = 0;
 #ifdef SOLIDS

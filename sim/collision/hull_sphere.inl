@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-// hull_sphere.cpp.
-#define MOST_FOUND 1
-
+// Sphere b against hull a, in the frame of the hull, which owns the normal. A centre inside leaves by the nearest face.
 void find_contacts(wide reach) {
-  put_first(HULL);
-  HullView view = view_of(a.shape);
-  wide radius = size_of(b).x;
+  TextHull view = hull_of(a);
+  wide radius = radius_of(b), apart = -NONE;
   wide3 p = (b.c - a.c) * a.R, n = wide3(0, 1, 0);
-  wide apart = -NONE;
   for (uint f = 0u; f < view.faces; ++f) {
     wide3 normal = normal_of(view, f);
     wide height = dot(normal, p) - offset_of(view, f, normal);
@@ -17,8 +13,8 @@ void find_contacts(wide reach) {
     }
   }
   if (!(apart - radius < reach)) return;
-  if (apart > beyond_rounding(1e-9lf) * view.inner_radius) {
-    wide3 foot;
+  if (apart > beyond_rounding(1.0e-9) * view.inner_radius) {
+    wide3 foot = p;
     wide gap = nearest_point(view, p, NONE, foot);
     if (gap > ON_SURFACE * view.inner_radius) {
       n = (p - foot) / gap;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The pairs whose contacts the CPU and the GPU find by the same text.
+#include "sim/collision/narrow_phase.h"
+
+#include "sim/collision/pair_text.h"
+
+namespace pabd::narrow {
+namespace text {
+namespace {
+
+struct SphereSphere : PairText {
+  using PairText::PairText;
+#include "sim/collision/round_contact.inl"
+#include "sim/collision/sphere_sphere.inl"
+};
+
+struct CapsuleSphere : PairText {
+  using PairText::PairText;
+#include "sim/collision/capsule_sphere.inl"
+#include "sim/collision/round_contact.inl"
+};
+
+struct CapsuleCapsule : PairText {
+  using PairText::PairText;
+#include "sim/collision/round_contact.inl"
+#include "sim/collision/side_by_side.inl"
+
+#include "sim/collision/capsule_capsule.inl"
+};
+
+struct PlaneSphere : PairText {
+  using PairText::PairText;
+#include "sim/collision/plane_sphere.inl"
+};
+
+struct PlaneCapsule : PairText {
+  using PairText::PairText;
+#include "sim/collision/plane_capsule.inl"
+};
+
+struct BoxSphere : PairText {
+  using PairText::PairText;
+#include "sim/collision/box_sphere.inl"
+};
+
+struct HullSphere : PairText {
+  using PairText::PairText;
+#include "sim/collision/hull_distance.inl"
+#include "sim/collision/hull_sphere.inl"
+};
+
+struct HullCapsule : PairText {
+  using PairText::PairText;
+#include "sim/collision/hull_distance.inl"
+#include "sim/collision/side_by_side.inl"
+
+#include "sim/collision/hull_capsule.inl"
+};
+
+// A word of GLSL, which keeps drivers from rounding otherwise.
+#define precise
+struct BoxBox : PairText {
+  using PairText::PairText;
+#include "sim/collision/side_by_side.inl"
+
+#include "sim/collision/box_face.inl"
+
+#include "sim/collision/box_box.inl"
+};
+#undef precise
+
+template <class Text, class A, class B>
+void find(const Placed<A>& a, const Placed<B>& b, double reach, Contacts& out) {
+  Text(text_body(a), text_body(b), out).find_contacts(reach);
+}
+
+}  // namespace
+}  // namespace text
+
+using namespace text;
+
+void sphere_sphere(const Placed<Sphere>& a, const Placed<Sphere>& b, double reach, Contacts& out) {
+  find<SphereSphere>(a, b, reach, out);
+}
+
+void capsule_sphere(const Placed<Capsule>& capsule, const Placed<Sphere>& sphere, double reach,
+                    Contacts& out) {
+  find<CapsuleSphere>(capsule, sphere, reach, out);
+}
+
+void capsule_capsule(const Placed<Capsule>& a, const Placed<Capsule>& b, double reach, Contacts& out) {
+  find<CapsuleCapsule>(a, b, reach, out);
+}
+
+void sphere_plane(const Placed<Plane>& plane, const Placed<Sphere>& sphere, double reach, Contacts& out) {
+  find<PlaneSphere>(plane, sphere, reach, out);
+}
+
+void capsule_plane(const Placed<Plane>& plane, const Placed<Capsule>& capsule, double reach, Contacts& out) {
+  find<PlaneCapsule>(plane, capsule, reach, out);
+}
+
+void box_sphere(const Placed<Box>& box, const Placed<Sphere>& sphere, double reach, Contacts& out) {
+  find<BoxSphere>(box, sphere, reach, out);
+}
+
+void hull_sphere(const Placed<Hull>& hull, const Placed<Sphere>& sphere, double reach, Contacts& out) {
+  find<HullSphere>(hull, sphere, reach, out);
+}
+
+void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, double reach, Contacts& out) {
+  find<HullCapsule>(hull, capsule, reach, out);
+}
+
+void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double reach, Contacts& out) {
+  const BoxHull hull(box.shape.half);
+  TextBody body = text_body(box);
+  body.hull = text_hull(hull.view());
+  HullCapsule(body, text_body(capsule), out).find_contacts(reach);
+}
+
+void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out) {
+  BoxBox pair(text_body(a), text_body(b), out);
+  pair.find_contacts(reach);
+  for (int k = 0; k < pair.kept_count; ++k) {
+    wide3 y_a, n;
+    wide d;
+    uint feature;
+    const bool of_second = pair.kept_contact(k, y_a, n, d, feature);
+    pair.add_contact_at(of_second, y_a, n, d, feature);
+  }
+}
+
+}  // namespace pabd::narrow

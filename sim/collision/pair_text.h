@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// What the texts of pairs (*.inl), which the CPU and the GPU both compile, are compiled with here: the vector types and
+// functions of GLSL in double, and the two bodies. Internal.
+//
+// A text is the body of a class derived from PairText. It is written in what C++ and GLSL have in common; on its way to
+// a shader (render/gl/write_shaders.cmake) numbers with a point become `wide`, `T&` becomes `inout T`, and
+// `static constexpr` becomes `const`. On the GPU render/device/shaders/narrow_common.glsl says the same as this file. There
+// `wide` may be float, and memory is dear: what can be computed again is not kept in arrays.
+//
+// Results are those of the same expression in Eigen, to the bit.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "sim/collision/hull_view.h"
+#include "sim/collision/narrow_phase.h"
+
+namespace pabd::narrow::text {
+
+using wide = double;
+using uint = std::uint32_t;
+
+struct wide2 {
+  wide x, y;
+  wide2() = default;
+  wide2(wide x_, wide y_) : x(x_), y(y_) {}
+};
+
+struct wide3 {
+  wide x, y, z;
+  wide3() = default;
+  wide3(wide x_, wide y_, wide z_) : x(x_), y(y_), z(z_) {}
+  wide3(const Vec3& v) : x(v.x()), y(v.y()), z(v.z()) {}
+  operator Vec3() const { return {x, y, z}; }
+};
+
+// M[k] is column k, as in GLSL. Products are Eigen's.
+struct mat_wide3 {
+  Mat3 m;
+  mat_wide3() = default;
+  mat_wide3(const Mat3& m_) : m(m_) {}
+  wide3 operator[](int k) const { return {m(0, k), m(1, k), m(2, k)}; }
+};
+
+struct uvec2 {
+  uint x, y;
+  uvec2() = default;
+  uvec2(uint x_, uint y_) : x(x_), y(y_) {}
+};
+struct uvec4 {
+  uint x, y, z, w;
+};
+
+inline wide2 operator+(const wide2& a, const wide2& b) { return {a.x + b.x, a.y + b.y}; }
+inline wide2 operator-(const wide2& a, const wide2& b) { return {a.x - b.x, a.y - b.y}; }
+inline wide2 operator/(const wide2& a, wide s) { return {a.x / s, a.y / s}; }
+inline wide dot(const wide2& a, const wide2& b) { return a.x * b.x + a.y * b.y; }
+
+inline wide3 operator-(const wide3& a) { return {-a.x, -a.y, -a.z}; }
+inline wide3 operator+(const wide3& a, const wide3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline wide3 operator-(const wide3& a, const wide3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline wide3 operator*(const wide3& a, const wide3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+inline wide3 operator*(wide s, const wide3& a) { return {s * a.x, s * a.y, s * a.z}; }
+inline wide3 operator/(const wide3& a, wide s) { return {a.x / s, a.y / s, a.z / s}; }
+inline wide3& operator+=(wide3& a, const wide3& b) { return a = a + b; }
+inline wide3& operator*=(wide3& a, wide s) { return a = s * a; }
+inline wide3& operator/=(wide3& a, wide s) { return a = a / s; }
+inline wide dot(const wide3& a, const wide3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline wide3 cross(const wide3& a, const wide3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline wide3 operator*(const mat_wide3& M, const wide3& v) { return Vec3(M.m * Vec3(v)); }
+inline wide3 operator*(const wide3& v, const mat_wide3& M) { return Vec3(M.m.transpose() * Vec3(v)); }
+inline mat_wide3 transpose(const mat_wide3& M) { return Mat3(M.m.transpose()); }
+
+using std::abs;
+using std::sqrt;
+inline int min(int a, int b) { return std::min(a, b); }
+inline int max(int a, int b) { return std::max(a, b); }
+inline wide min(wide a, wide b) { return std::min(a, b); }
+inline wide max(wide a, wide b) { return std::max(a, b); }
+inline wide clamp(wide x, wide low, wide high) { return std::clamp(x, low, high); }
+inline wide3 clamp(const wide3& v, const wide3& low, const wide3& high) {
+  const auto one = [](wide x, wide lo, wide hi) { return std::min(std::max(x, lo), hi); };
+  return {one(v.x, low.x, high.x), one(v.y, low.y, high.y), one(v.z, low.z, high.z)};
+}
+inline wide3 abs(const wide3& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
+inline wide2 abs(const wide2& v) { return {abs(v.x), abs(v.y)}; }
+
+// By a variable index.
+inline wide at(const wide3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
+inline wide3 column(const mat_wide3& M, int k) { return M[k]; }
+
+// A convex polyhedron in its own frame; its arrays are read by the functions below.
+struct TextHull {
+  HullView view;
+  uint vertices, faces, edges;
+  wide inner_radius;
+};
+struct TextFace {
+  wide3 normal;
+  wide offset;
+  uint first, count;  // its corners
+};
+inline TextHull text_hull(const HullView& view) {
+  return {view, static_cast<uint>(view.vertices.size()), static_cast<uint>(view.faces.size()),
+          static_cast<uint>(view.edges.size()), view.inner_radius};
+}
+inline wide3 vertex_of(const TextHull& hull, uint k) { return hull.view.vertices[k]; }
+inline wide3 normal_of(const TextHull& hull, uint f) { return hull.view.faces[f].normal; }
+inline wide offset_of(const TextHull& hull, uint f, const wide3&) { return hull.view.faces[f].offset; }
+inline TextFace face_of(const TextHull& hull, uint f) {
+  const HullFace& face = hull.view.faces[f];
+  return {face.normal, face.offset, face.first, face.count};
+}
+// Vertex, and the edge that leaves it.
+inline uvec2 corner_of(const TextHull& hull, const TextFace& face, uint k) {
+  const std::size_t at = face.first + (k < face.count ? k : k - face.count);
+  return {hull.view.loop[at], hull.view.loop_edge[at]};
+}
+// From, to, left, right.
+inline uvec4 edge_of(const TextHull& hull, uint e) {
+  const HullEdge& edge = hull.view.edges[e];
+  return {edge.from, edge.to, edge.left, edge.right};
+}
+
+// A body of the pair. What it is, sizes say: those of its shape are set.
+struct TextBody {
+  wide3 c;
+  mat_wide3 R;
+  Index number;
+  wide3 half;  // of a box
+  wide radius = 0, half_length = 0;
+  TextHull hull{};
+  Plane plane{};
+};
+inline const wide3& half_edges(const TextBody& box) { return box.half; }
+inline wide smallest_half(const TextBody& box) { return min(min(box.half.x, box.half.y), box.half.z); }
+inline wide radius_of(const TextBody& body) { return body.radius; }
+inline wide half_axis(const TextBody& capsule) { return capsule.half_length; }
+inline wide3 plane_normal(const TextBody& body) { return body.plane.normal; }
+inline wide height_over(const TextBody& body, const wide3& x) {
+  return dot(wide3(body.plane.normal), x) - body.plane.offset;
+}
+inline const TextHull& hull_of(const TextBody& hull) { return hull.hull; }
+
+template <class ShapeType>
+TextBody text_body(const Placed<ShapeType>& body) {
+  TextBody out{body.c, body.R, body.number, {}};
+  if constexpr (std::is_same_v<ShapeType, Box>) out.half = body.shape.half;
+  if constexpr (std::is_same_v<ShapeType, Sphere> || std::is_same_v<ShapeType, Capsule>)
+    out.radius = body.shape.radius;
+  if constexpr (std::is_same_v<ShapeType, Capsule>) out.half_length = 0.5 * body.shape.length;
+  if constexpr (std::is_same_v<ShapeType, Hull>) out.hull = text_hull(view_of(*body.shape.data));
+  if constexpr (std::is_same_v<ShapeType, Plane>) out.plane = body.shape;
+  return out;
+}
+
+inline constexpr wide NONE = kNone;  // d where there is no contact
+constexpr wide beyond_rounding(wide small) { return small; }
+
+struct CommonText {
+#include "sim/collision/pair_common.inl"
+};
+
+// The two bodies, and where their contacts go.
+struct PairText : CommonText {
+  TextBody a, b;  // a goes first, or owns the normal
+  Contacts& out;
+  mat_wide3 C;  // column j: axis j of b in the frame of a
+
+  PairText(const TextBody& first, const TextBody& second, Contacts& contacts)
+      : a(first), b(second), out(contacts), C(Mat3(a.R.m.transpose() * b.R.m)) {}
+
+  // y_b: on the surface of the body that does not own the normal n.
+  void add_contact(bool b_owns, const wide3& y_b, const wide3& n, wide d, uint feature) {
+    narrow::add_contact(out, b_owns ? b.number : a.number, b_owns ? a.number : b.number, y_b, n, d, feature);
+  }
+  // y_a: on that of the one that owns it.
+  void add_contact_at(bool b_owns, const wide3& y_a, const wide3& n, wide d, uint feature) {
+    out.push_back(
+        {b_owns ? b.number : a.number, b_owns ? a.number : b.number, y_a, y_a + d * n, n, d, feature});
+  }
+};
+
+}  // namespace pabd::narrow::text
