@@ -1,12 +1,15 @@
 # Tab completion of pabd for fish: into ~/.config/fish/completions, as pabd.fish.
 function __pabd_offers
-    set -l words (commandline -opc) (commandline -ct)
-    for line in ($words[1] --complete $words[2..-1] 2>/dev/null)
+    set -l before (commandline -opc)
+    set -l current (commandline -ct)
+    set -l program $before[1]
+    set -e before[1]
+    for line in ($program --complete $before "$current" 2>/dev/null)
         switch $line
             case \tfiles
-                __fish_complete_path (commandline -ct)
+                __fish_complete_path "$current"
             case \tfolders
-                __fish_complete_directories (commandline -ct)
+                __fish_complete_directories "$current"
             case '*'
                 echo $line
         end
