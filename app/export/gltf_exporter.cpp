@@ -113,19 +113,13 @@ int add_material(OrderedJson& document, const std::string& name, const Vec4f& co
   return push(document, "materials", std::move(out));
 }
 
-class GltfExporter : public Exporter {
+class GltfExporter : public AnimationExporter {
  public:
   GltfExporter(const std::string& out, const Scene& scene, const FrameView& start, const ExportSetup& setup)
-      : file_(out),
+      : AnimationExporter(scene, start, setup),
+        file_(out),
         out_(out),
-        name_(scene.name),
-        hash_(scene.hash),
-        model_(start.model),
-        camera_(scene_camera(scene, 16.0 / 9)),
-        bodies_(mesh_bodies(*start.model, looks_of(scene, *start.model), setup.segments)),
-        motion_(start.model, setup.fps, setup.trails) {}
-
-  void add(std::int64_t frame, const FrameView& view) override { motion_.add(frame, view); }
+        camera_(scene_camera(scene, 16.0 / 9)) {}
 
   void finish() override {
     OrderedJson document = {
@@ -315,11 +309,8 @@ class GltfExporter : public Exporter {
   }
 
   AtomicFile file_;
-  std::string out_, name_, hash_;
-  std::shared_ptr<const Model> model_;
+  std::string out_;
   Camera camera_;
-  MeshedBodies bodies_;
-  Motion motion_;
 };
 
 }  // namespace

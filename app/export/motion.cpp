@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/frames/scene_framing.h"
 #include "app/session/step_at_time.h"
 #include "render/visual/bounds.h"
 #include "sim/base/error.h"
@@ -111,5 +112,12 @@ double Motion::reach() const {
   if (keys() == 0) return 0;
   return std::min(0.5 * (hi_ - lo_).maxCoeff(), kMostFloor * first_reach_);
 }
+
+AnimationExporter::AnimationExporter(const Scene& scene, const FrameView& start, const ExportSetup& setup)
+    : name_(scene.name),
+      hash_(scene.hash),
+      model_(start.model),
+      bodies_(mesh_bodies(*start.model, looks_of(scene, *start.model), setup.segments)),
+      motion_(start.model, setup.fps, setup.trails) {}
 
 }  // namespace pabd

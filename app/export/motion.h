@@ -9,6 +9,8 @@
 #include <memory>
 #include <vector>
 
+#include "app/export/body_mesh.h"
+#include "app/export/exporter.h"
 #include "app/session/frame_view.h"
 #include "app/session/trails.h"
 #include "render/visual/visual_scene.h"
@@ -66,6 +68,19 @@ class Motion {
   std::vector<Quat> last_;
   Vec3 lo_, hi_;
   double first_reach_ = 0;
+};
+
+// What exporters of an animation keep of a run.
+class AnimationExporter : public Exporter {
+ public:
+  AnimationExporter(const Scene& scene, const FrameView& start, const ExportSetup& setup);
+  void add(std::int64_t frame, const FrameView& view) override { motion_.add(frame, view); }
+
+ protected:
+  std::string name_, hash_;  // of the scene
+  std::shared_ptr<const Model> model_;
+  MeshedBodies bodies_;
+  Motion motion_;
 };
 
 }  // namespace pabd

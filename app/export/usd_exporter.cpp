@@ -133,26 +133,18 @@ class Writer {
   int depth_ = 0;
 };
 
-class UsdExporter : public Exporter {
+class UsdExporter : public AnimationExporter {
  public:
   UsdExporter(const std::string& out, const Scene& scene, const FrameView& start, const ExportSetup& setup)
-      : out_(out),
-        scene_(scene.name),
-        hash_(scene.hash),
-        fps_(setup.fps),
-        model_(start.model),
-        bodies_(mesh_bodies(*start.model, looks_of(scene, *start.model), setup.segments)),
-        motion_(start.model, setup.fps, setup.trails) {
+      : AnimationExporter(scene, start, setup), out_(out), fps_(setup.fps) {
     for (const MeshedBody& body : bodies_.bodies) names_.push_back(prims_.unique(body.name));
   }
-
-  void add(std::int64_t frame, const FrameView& view) override { motion_.add(frame, view); }
 
   void finish() override {
     out_.line("#usda 1.0");
     out_.line("(");
     out_.line("  defaultPrim = \"World\"");
-    out_.line("  doc = {}", quoted("pabd " PABD_VERSION ", scene " + scene_ + ", hash " + hash_));
+    out_.line("  doc = {}", quoted("pabd " PABD_VERSION ", scene " + name_ + ", hash " + hash_));
     out_.line("  metersPerUnit = 1");
     out_.line("  upAxis = \"Y\"");
     out_.line("  startTimeCode = 0");
@@ -315,11 +307,7 @@ class UsdExporter : public Exporter {
   }
 
   Writer out_;
-  std::string scene_, hash_;
   double fps_;
-  std::shared_ptr<const Model> model_;
-  MeshedBodies bodies_;
-  Motion motion_;
   PrimNames prims_;
   std::vector<std::string> names_;
 };
