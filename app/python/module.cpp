@@ -30,28 +30,6 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-const char* error_word(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::bad_input:
-      return "bad_input";
-    case ErrorKind::exists:
-      return "exists";
-    case ErrorKind::file:
-      return "file";
-    case ErrorKind::no_context:
-      return "no_context";
-    case ErrorKind::diverged:
-      return "diverged";
-    case ErrorKind::encoder:
-      return "encoder";
-    case ErrorKind::images_differ:
-      return "images_differ";
-    case ErrorKind::defect:
-      return "defect";
-  }
-  return "defect";
-}
-
 // pabd.Error of the package, which has the same text.
 void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): pybind11's type
   try {
@@ -60,7 +38,7 @@ void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-v
     const py::object type = py::module_::import("pabd._pabd").attr("Error");
     const py::object raised = type(py::str(error.what()));
     raised.attr("code") = cli::exit_code(error.kind());
-    raised.attr("kind") = error_word(error.kind());
+    raised.attr("kind") = cli::word_of(error.kind()).word;
     PyErr_SetObject(type.ptr(), raised.ptr());
   }
 }
