@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 
 #include "app/cli/help_text.h"
@@ -165,6 +166,17 @@ DeviceChoice choose_device(const std::string& option, Backend backend, const std
                            const std::vector<DeviceTask>& tasks, const StepOptions& wanted) {
   return choose_device(
       option, [&] { return DeviceEngine::capacity(backend); }, source, tasks, wanted);
+}
+
+DeviceChoice prepare_on_device(const std::string& option, const std::string& source, Session& session,
+                               const StepOptions& wanted) {
+  DeviceChoice choice = choose_device(option, Backend::automatic, source,
+                                      {{&session.model(), &session.params(), &session.state()}}, wanted);
+  const auto start = std::chrono::steady_clock::now();
+  session.solve_with(choice.engine(Backend::automatic));
+  session.prepare();
+  choice.preparing = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return choice;
 }
 
 std::string DeviceChoices::words() const {

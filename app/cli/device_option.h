@@ -34,6 +34,7 @@ struct DeviceChoice {
   std::string name = "cpu";  // of the GPU, where it is one
   std::string why;           // --device auto: why the processor
   bool left_to = false;      // auto: the processor takes over where the GPU cannot go on
+  double preparing = 0;      // of prepare_on_device(): what the engine compiled before the first step took; s
 
   // For the end of a line: " · steps by NAME" or why not; empty where the processor was asked for.
   std::string words() const;
@@ -51,6 +52,10 @@ DeviceChoice choose_device(const std::string& option, const FindCapacity& find, 
                            const std::vector<DeviceTask>& tasks, const StepOptions& wanted);
 DeviceChoice choose_device(const std::string& option, Backend backend, const std::string& source,
                            const std::vector<DeviceTask>& tasks, const StepOptions& wanted);
+
+// The same for a session, which gets its engine and is ready to make the first step.
+DeviceChoice prepare_on_device(const std::string& option, const std::string& source, Session& session,
+                               const StepOptions& wanted);
 
 // Of a run, and of another one in step with it where that has another.
 struct DeviceChoices {

@@ -68,12 +68,7 @@ Frames live_frames(const ExportOptions& options, Session session, bool arrays) {
   wanted.report_contacts = wanted.report_joints = arrays;
   session.report_contacts(arrays);
   session.report_joints(arrays);
-  const DeviceChoice device =
-      choose_device(options.device, Backend::automatic, options.scene,
-                    {{&session.model(), &session.params(), &session.state()}}, wanted);
-  session.solve_with(device.engine(Backend::automatic));
-  session.prepare();
-  out.device_words = device.words();
+  out.device_words = prepare_on_device(options.device, options.scene, session, wanted).words();
   out.start = session.view();
   auto source = std::make_unique<SessionSource>(std::move(session), out.count, out.fps);
   out.live = source.get();

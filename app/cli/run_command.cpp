@@ -106,19 +106,6 @@ void check_run(const RunOptions& options) {
   }
 }
 
-// Who makes the steps, ready to make the first one.
-void solve_on_device(const RunOptions& options, Session& session, RunFacts& facts) {
-  StepOptions wanted;
-  wanted.record_iterations = !options.iterations.empty();
-  wanted.report_joints = !options.joints.empty();
-  facts.device = choose_device(options.device, Backend::automatic, options.scene,
-                               {{&session.model(), &session.params(), &session.state()}}, wanted);
-  const auto start = std::chrono::steady_clock::now();
-  session.solve_with(facts.device.engine(Backend::automatic));
-  session.prepare();
-  facts.preparing = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 int run(const RunOptions& options) {
   check_run(options);
   InputFiles inputs;
@@ -127,7 +114,10 @@ int run(const RunOptions& options) {
   const std::int64_t steps = options.steps.value_or(steps_until(time, session.params().h));
   RunFacts facts;
   facts.threads = options.common.thread_count();
-  solve_on_device(options, session, facts);
+  StepOptions wanted;
+  wanted.record_iterations = !options.iterations.empty();
+  wanted.report_joints = !options.joints.empty();
+  facts.device = prepare_on_device(options.device, options.scene, session, wanted);
   RunOutputs outputs(options, inputs);
   session.record_iterations(!options.iterations.empty());
   session.report_joints(!options.joints.empty());

@@ -32,7 +32,7 @@ OrderedJson times_json(const PhaseTimes& sums, std::int64_t steps) {
 
 std::string device_text(const RunFacts& facts) {
   return facts.device.words() +
-         (facts.device.gpu ? fmt::format(", ready after {:.1f} s", facts.preparing) : "");
+         (facts.device.gpu ? fmt::format(", ready after {:.1f} s", facts.device.preparing) : "");
 }
 
 }  // namespace

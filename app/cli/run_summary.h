@@ -33,8 +33,7 @@ struct RunFacts {
   double seconds = 0;      // that they took; wall clock
   int threads = 1;
   DeviceChoice device;
-  double preparing = 0;  // of the device, before the first step; s
-  std::string status;    // "done", "interrupted", "diverged"
+  std::string status;  // "done", "interrupted", "diverged"
   Extremes worst;
   StepStatistics statistics;
 };
