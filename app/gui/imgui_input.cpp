@@ -2,7 +2,7 @@
 // See imgui_input.h.
 #include "app/gui/imgui_input.h"
 
-#include "app/overlay/imgui_context.h"
+#include "app/overlay/imgui_canvas.h"
 
 namespace pabd {
 namespace {

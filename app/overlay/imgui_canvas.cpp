@@ -182,4 +182,14 @@ void ImGuiCanvas::push_clip(const Rect& rect) {
 
 void ImGuiCanvas::pop_clip() { list_.PopClipRect(); }
 
+ImGuiContext* new_imgui_context() {
+  ImGuiContext* context = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  return context;
+}
+
 }  // namespace pabd

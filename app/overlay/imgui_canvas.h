@@ -6,6 +6,7 @@
 #include "app/plots/canvas.h"
 
 struct ImDrawList;
+struct ImGuiContext;
 
 namespace pabd {
 
@@ -29,5 +30,8 @@ class ImGuiCanvas : public Canvas {
   FontAtlas& atlas_;
   ImDrawList& list_;
 };
+
+// A context that keeps no files and takes draw lists of any length, current; whoever asked destroys it.
+ImGuiContext* new_imgui_context();
 
 }  // namespace pabd

@@ -8,7 +8,6 @@
 
 #include "app/overlay/font_atlas.h"
 #include "app/overlay/imgui_canvas.h"
-#include "app/overlay/imgui_context.h"
 #include "app/overlay/overlay_panels.h"
 #include "app/overlay/view_marks.h"
 

@@ -21,7 +21,8 @@ enum class PictureLayer : std::uint8_t { none, contacts, bonds };
 struct OverlayPanel {
   std::string_view name = {};  // as --overlay takes it; empty: it only comes with its layer
   PanelPlace place = PanelPlace::column;
-  double width = 0, height = 0;  // px at 1280 × 720; in the column all are as wide and high as the largest
+  double width = 312,
+         height = 218;  // px at 1280 × 720; in the column all are as wide and high as the largest
   // Draws into `rect`; `scale` is of texts and lines.
   void (*paint)(const Rect& rect, double scale, const OverlayData& data, Canvas& canvas) = nullptr;
 

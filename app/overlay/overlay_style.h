@@ -17,7 +17,6 @@ inline constexpr Color kRim{0, 0, 0, 26};
 // px at scale 1
 inline constexpr double kPad = 10;
 inline constexpr double kTitle = 12, kText = 10.5;
-inline constexpr double kPlotWidth = 312, kPlotHeight = 218;
 inline constexpr double kLegendWidth = 300, kLegendHeight = 50;
 
 // Linear light as the screen shows it, sRGB.
@@ -30,6 +29,11 @@ void paint_box(const Rect& rect, double scale, Canvas& canvas);
 std::string caption_of(const OverlayData& data);
 
 void paint_small_plot(const Plot& plot, const Rect& rect, double scale, Canvas& canvas);
+// OverlayPanel::paint of a panel that is a plot.
+template <Plot (*plot_of)(const OverlayData& data)>
+void paint_plot_of(const Rect& rect, double scale, const OverlayData& data, Canvas& canvas) {
+  paint_small_plot(plot_of(data), rect, scale, canvas);
+}
 
 // Joints of the model that is shown.
 std::size_t joints_of(const OverlayData& data);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/plots/crowd.h"
 #include "app/plots/plot_layout.h"
 
 namespace pabd {
@@ -232,6 +231,35 @@ void paint_legend(const Legend& legend, const PlotStyle& style, Canvas& canvas) 
 }
 
 }  // namespace
+
+std::vector<CrowdMarker> thin_crowd(const PlotLayout& layout, const Series& series, double spacing) {
+  std::vector<CrowdMarker> out;
+  const Rect room = layout.inner.inset(-1);
+  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    const Point at = layout.map(series.x[i], series.y[i], series.right_axis);
+    if (!room.contains(at)) continue;
+    double least = spacing;
+    CrowdMarker* nearest = nullptr;
+    for (CrowdMarker& marker : out) {
+      const double distance = std::hypot(marker.at.x - at.x, marker.at.y - at.y);
+      if (distance < least) {
+        least = distance;
+        nearest = &marker;
+      }
+    }
+    if (nearest) {
+      ++nearest->count;
+    } else {
+      out.push_back({i, at, 1});
+    }
+  }
+  return out;
+}
+
+double crowd_size(std::size_t count) {
+  return std::min(0.45 * kCrowdSpacing,
+                  1 + 0.15 * std::log10(static_cast<double>(std::max<std::size_t>(count, 1))));
+}
 
 void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
   const Rect& in = layout.inner;

@@ -46,7 +46,7 @@ struct Series {
   bool right_axis = false;
   std::vector<Color> marker_colors;  // one a point or bar; empty: the colour of the series
   double weight = 1;                 // multiplies the width of the line, the size of the markers
-  bool crowd = false;                // markers: below the curves, one where many would touch (crowd.h)
+  bool crowd = false;                // markers: below the curves, one where many would touch (CrowdMarker)
   double bar_width = 0;              // in units of x
   std::string quantity;              // in CSV after the name, where it is not that of the axis: "B/d̂² [1]"
   std::string tag;                   // written beside a level, a level_x or the last marker

@@ -104,6 +104,24 @@ std::vector<std::vector<Point>> pixel_runs(const PlotLayout& layout, const Serie
 // The rectangle of bar `index`, cut off at the inside; its width or height is 0 when nothing of it is seen.
 Rect bar_rect(const PlotLayout& layout, const Series& series, std::size_t index);
 
+// Many markers in one place: thousands of contacts on a curve leave the curve in sight.
+inline constexpr double kCrowdSpacing = 3.2;  // between those that are drawn, in radii
+
+// A marker that stands for itself and for those that would touch it.
+struct CrowdMarker {
+  std::size_t index;  // of the point that it is drawn for
+  Point at;           // px
+  std::size_t count;  // of points, itself included
+};
+
+// The markers of a series inside of the plot, in its order: a point less than `spacing` px from one before it
+// is counted there and not drawn. All points are in one of the counts.
+std::vector<CrowdMarker> thin_crowd(const PlotLayout& layout, const Series& series, double spacing);
+
+// How much larger a marker is that stands for `count`: 1, and at most half of the spacing, so that they do not
+// touch.
+double crowd_size(std::size_t count);
+
 void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& style, Canvas& canvas);
 
 }  // namespace pabd

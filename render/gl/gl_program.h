@@ -2,10 +2,13 @@
 // A vertex and a fragment shader, linked.
 #pragma once
 
+#include <array>
 #include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "render/gl/gl_objects.h"
+#include "render/gl/quality.h"
 #include "render/gl/shader_stage.h"
 
 namespace pabd {
@@ -45,5 +48,37 @@ class ScreenProgram : public GlProgram {
 
 // Tells a program with shaders/lighting.glsl or sun_visibility.glsl the texture units of its maps. The program must be in use.
 void bind_maps(const GlFunctions& gl, const GlProgram& program);
+
+// What the shaders of a quality are compiled with. LIVE: in a hurry; TAGGED: things are told apart in the alpha channel;
+// KERNEL: texels across the edges of shadows.
+constexpr const char* quality_defines(Quality quality) {
+  switch (quality) {
+    case Quality::draft:
+      return "#define LIVE\n#define KERNEL 2\n";
+    case Quality::good:
+      return "#define TAGGED\n#define KERNEL 4\n";
+    case Quality::best:
+      break;
+  }
+  return "#define KERNEL 6\n";
+}
+
+// Programs that each quality has of its own, compiled when it is first asked for.
+template <class Programs>
+class PerQuality {
+ public:
+  explicit PerQuality(const GlFunctions& gl) : gl_(gl) {}
+
+  // Throws Error(no_context) when the driver refuses a shader.
+  const Programs& of(Quality quality) {
+    auto& programs = programs_[static_cast<std::size_t>(quality)];
+    if (!programs) programs.emplace(gl_, quality_defines(quality));
+    return *programs;
+  }
+
+ private:
+  const GlFunctions& gl_;
+  std::array<std::optional<Programs>, 3> programs_;
+};
 
 }  // namespace pabd

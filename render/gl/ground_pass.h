@@ -5,7 +5,6 @@
 #include "render/gl/frame_uniforms.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/gl_program.h"
-#include "render/gl/per_quality.h"
 
 namespace pabd {
 

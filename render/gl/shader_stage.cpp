@@ -3,16 +3,18 @@
 #include "render/gl/shader_stage.h"
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "render/gl/shader_log.h"
 #include "sim/base/error.h"
 
 namespace pabd {
 namespace {
+
+bool is_blank(char c) { return c == '\n' || c == '\r' || c == '\0' || c == ' '; }
 
 // The lines that name an error, where there are any: some drivers warn of a hundred things first.
 std::string errors_of(const std::string& log) {
@@ -43,6 +45,32 @@ std::string log_of(GLuint id, PFNGLGETSHADERIVPROC ask, PFNGLGETSHADERINFOLOGPRO
 }
 
 }  // namespace
+
+std::string with_file_names(std::string_view log, std::span<const SourceLines> parts) {
+  // "file:line" of a place "0:line" at the beginning of `words` and how long that is; 0 where none is.
+  const auto place = [&](std::string_view words, std::string& out) -> std::size_t {
+    if (!words.starts_with("0:") && !words.starts_with("0(")) return 0;
+    int line = 0;
+    const char* const end = std::from_chars(words.data() + 2, words.data() + words.size(), line).ptr;
+    for (const SourceLines& part : parts) {
+      if (line >= 1 && line <= part.lines) {
+        out.append(part.file).append(1, words[1]).append(std::to_string(line));
+        return static_cast<std::size_t>(end - words.data());
+      }
+      line -= part.lines;
+    }
+    return 0;
+  };
+  std::string out;
+  for (std::size_t i = 0; i < log.size();) {
+    const bool begins = i == 0 || is_blank(log[i - 1]);
+    const std::size_t taken = begins ? place(log.substr(i), out) : 0;
+    if (taken == 0) out += is_blank(log[i]) ? ' ' : log[i];
+    i += std::max<std::size_t>(1, taken);
+  }
+  out.erase(out.find_last_not_of(' ') + 1);
+  return out;
+}
 
 GLuint compile_stage(const GlFunctions& gl, const char* name, GLenum stage,
                      std::span<const ShaderPart> parts) {

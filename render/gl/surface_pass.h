@@ -4,7 +4,6 @@
 
 #include "render/gl/gl_program.h"
 #include "render/gl/instance_drawer.h"
-#include "render/gl/per_quality.h"
 
 namespace pabd {
 

@@ -106,7 +106,14 @@ struct VisualScene {
   Vec3f centre{0, 0, 0};                        // bounding sphere of what moves, for shadow and depth range
   float radius = 5;
 
-  void clear();
+  // Keeps the memory.
+  void clear() {
+    for (auto& list : instances) list.clear();
+    for (auto& mesh : meshes) mesh.instances.clear();
+    lines.clear();
+    labels.clear();
+    grounds.clear();
+  }
 };
 
 // Of the floor and its grid: that of the bodies, or of what the camera sees around its target, where they go far; m.

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "render/gl/frame_block.h"
-#include "render/gl/shader_log.h"
+#include "render/gl/shader_stage.h"
 #include "sim/base/error.h"
 #include "tests/gl/render_fixture.h"
 

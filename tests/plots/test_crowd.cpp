@@ -6,7 +6,6 @@
 #include <limits>
 #include <string>
 
-#include "app/plots/crowd.h"
 #include "app/plots/figures/run_caption.h"
 #include "app/plots/plot_layout.h"
 

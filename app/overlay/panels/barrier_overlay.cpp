@@ -30,17 +30,9 @@ Plot barrier_plot(const OverlayData& data) {
   return plot;
 }
 
-void paint_barrier(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
-  paint_small_plot(barrier_plot(data), rect, s, canvas);
-}
-
 }  // namespace
 
-const OverlayPanel barrier_overlay = {.name = "barrier",
-                                      .place = PanelPlace::column,
-                                      .width = kPlotWidth,
-                                      .height = kPlotHeight,
-                                      .paint = paint_barrier,
-                                      .contacts = true};
+const OverlayPanel barrier_overlay = {
+    .name = "barrier", .paint = paint_plot_of<barrier_plot>, .contacts = true};
 
 }  // namespace pabd

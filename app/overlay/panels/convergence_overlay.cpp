@@ -22,17 +22,9 @@ Plot convergence_plot(const OverlayData& data) {
   return plot;
 }
 
-void paint_convergence(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
-  paint_small_plot(convergence_plot(data), rect, s, canvas);
-}
-
 }  // namespace
 
-const OverlayPanel convergence_overlay = {.name = "convergence",
-                                          .place = PanelPlace::column,
-                                          .width = kPlotWidth,
-                                          .height = kPlotHeight,
-                                          .paint = paint_convergence,
-                                          .iterations = true};
+const OverlayPanel convergence_overlay = {
+    .name = "convergence", .paint = paint_plot_of<convergence_plot>, .iterations = true};
 
 }  // namespace pabd

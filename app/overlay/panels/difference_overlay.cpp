@@ -8,19 +8,15 @@ namespace {
 
 using namespace overlay_style;
 
-void paint_difference(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+Plot difference_plot(const OverlayData& data) {
   Plot plot = difference_series_plot({}, {}, DifferenceQuantity::distance, data.distances);
   plot.caption = caption_of(data);
-  paint_small_plot(plot, rect, s, canvas);
+  return plot;
 }
 
 }  // namespace
 
-const OverlayPanel difference_overlay = {.name = "difference",
-                                         .place = PanelPlace::column,
-                                         .width = kPlotWidth,
-                                         .height = kPlotHeight,
-                                         .paint = paint_difference,
-                                         .other_run = true};
+const OverlayPanel difference_overlay = {
+    .name = "difference", .paint = paint_plot_of<difference_plot>, .other_run = true};
 
 }  // namespace pabd

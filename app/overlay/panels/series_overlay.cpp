@@ -22,16 +22,8 @@ Plot time_plot(const OverlayData& data) {
   return plot;
 }
 
-void paint_series(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
-  paint_small_plot(time_plot(data), rect, s, canvas);
-}
-
 }  // namespace
 
-const OverlayPanel series_overlay = {.name = "series",
-                                     .place = PanelPlace::column,
-                                     .width = kPlotWidth,
-                                     .height = kPlotHeight,
-                                     .paint = paint_series};
+const OverlayPanel series_overlay = {.name = "series", .paint = paint_plot_of<time_plot>};
 
 }  // namespace pabd

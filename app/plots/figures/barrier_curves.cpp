@@ -12,7 +12,7 @@
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figures/barrier_abscissa.h"
-#include "app/plots/figures/parameter_text.h"
+#include "app/plots/figures/run_caption.h"
 #include "app/plots/quantities.h"
 #include "app/plots/theme.h"
 #include "sim/solver/parameter_table.h"

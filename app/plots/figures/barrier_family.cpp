@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "app/plots/axis_ticks.h"
-#include "app/plots/figures/parameter_text.h"
+#include "app/plots/figures/run_caption.h"
 
 namespace pabd {
 namespace barrier_family {

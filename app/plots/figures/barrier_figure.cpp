@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "app/plots/axis_ticks.h"
-#include "app/plots/figures/parameter_text.h"
+#include "app/plots/figures/run_caption.h"
 #include "app/plots/quantities.h"
 #include "sim/solver/parameter_table.h"
 

@@ -28,4 +28,9 @@ std::string run_caption(const std::string& scene, std::int64_t step, const Param
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string parameter_text(const ParameterMember& member, double value) {
+  const ParameterRow& row = parameter_of(member);
+  return fmt::format("{} = {}{}{}", row.symbol, format_value(value), *row.unit ? " " : "", row.unit);
+}
+
 }  // namespace pabd

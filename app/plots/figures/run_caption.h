@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What every plot of a run says about it: which scene, which step, and the parameters that matter.
+// What captions and legends say: of a run, and of a parameter.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
-#include "sim/solver/params.h"
+#include "sim/solver/parameter_table.h"
 
 namespace pabd {
 
@@ -13,5 +13,8 @@ namespace pabd {
 // orders is named in place of N; no scene: left out. `d_hat`: with d̂ and the onset too.
 std::string run_caption(const std::string& scene, std::int64_t step, const Params& params, double kappa,
                         bool d_hat = false);
+
+// A parameter and its `value` in its own unit: "d̂ = 0.01 m".
+std::string parameter_text(const ParameterMember& member, double value);
 
 }  // namespace pabd
