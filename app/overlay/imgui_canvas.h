@@ -31,7 +31,7 @@ class ImGuiCanvas : public Canvas {
   ImDrawList& list_;
 };
 
-// A context that keeps no files and takes draw lists of any length, current; whoever asked destroys it.
+// A context that keeps no files and takes draw lists of any length, current; the caller destroys it.
 ImGuiContext* new_imgui_context();
 
 }  // namespace pabd

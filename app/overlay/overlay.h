@@ -24,7 +24,7 @@ namespace pabd {
 // returns.
 struct OverlayData {
   std::string scene_name;
-  const FrameView* view = nullptr;     // its report has records and contacts if the panels want them
+  const FrameView* view = nullptr;     // its report has records and contacts if the panels need them
   const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved
 
   bool axes = false, scale = false;  // view_marks.h

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A panel of the overlay: its name, where it wants to be, what it needs, how it is painted. Each has a file in
+// A panel of the overlay: its name, its place, what it needs, how it is painted. Each has a file in
 // panels/ and a line in overlay_panel_table.h; names, help and places are read from there.
 #pragma once
 

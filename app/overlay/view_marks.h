@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tells directions and sizes in a picture: an axes cross and a scale bar.
+// Directions and sizes in a picture: an axes cross and a scale bar.
 #pragma once
 
 #include <string>

@@ -70,7 +70,7 @@ Color ink_on(Color background);
 void paint_color_bar(const Rect& bar, const AxisScale& scale, const std::function<Color(double)>& color,
                      const std::string& label, const PlotStyle& style, Canvas& canvas);
 
-// Whether values are better told apart by their ratios: all positive, and over more than a decade and a half.
+// Whether a logarithmic scale suits the values: all positive, and over more than a decade and a half.
 bool wants_log(const std::vector<double>& values);
 
 }  // namespace pabd

@@ -33,7 +33,7 @@ struct Axis {
 // how many there are at x, where markers would hide each other.
 enum class SeriesStyle : std::uint8_t { line, dashed, markers, level, level_x, bars, strip };
 
-// Patterns of lines that are told apart: solid, dashed, dotted, long dashes.
+// Patterns of lines: solid, dashed, dotted, long dashes.
 inline constexpr int kDashes = 4;
 
 struct Series {

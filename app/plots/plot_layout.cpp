@@ -36,7 +36,7 @@ void add_colors(const Plot& plot, const PlotTheme& theme, PlotLayout& layout) {
     std::vector<Color>& inks = series.right_axis ? right : left;
     if (std::find(inks.begin(), inks.end(), color) == inks.end()) inks.push_back(color);
   }
-  // Axes take the colour of their curves only where two axes have to be told apart.
+  // Axes take the colour of their curves only where there are two.
   const bool two = !left.empty() && !right.empty();
   layout.left_ink = two && left.size() == 1 ? left[0] : theme.axis;
   layout.right_ink = two && right.size() == 1 ? right[0] : theme.axis;

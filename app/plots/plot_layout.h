@@ -50,7 +50,7 @@ struct LegendEntry {
 struct Legend {
   std::vector<LegendEntry> entries;
   Rect box;            // empty without entries
-  bool boxed = false;  // over the data: wants a background
+  bool boxed = false;  // over the data: drawn on a background
   double sample = 0;   // length of the sample lines
 };
 

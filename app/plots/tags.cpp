@@ -54,8 +54,7 @@ std::string text_of(const Series& series, const PlotLayout& layout) {
   return single ? format_value(single->y, 3) : std::string();
 }
 
-// Whether a curve passes through the box, or a bar stands in it. Long series are not asked: that would cost
-// more than it is worth.
+// Whether a curve passes through the box, or a bar stands in it. Long series are skipped: the test is slow.
 bool hides_curve(const Rect& box, const Plot& plot, const PlotLayout& layout) {
   constexpr std::size_t kLong = 2000;
   for (const Series& series : plot.series) {

@@ -49,7 +49,7 @@ class ScreenProgram : public GlProgram {
 // Tells a program with shaders/lighting.glsl or sun_visibility.glsl the texture units of its maps. The program must be in use.
 void bind_maps(const GlFunctions& gl, const GlProgram& program);
 
-// What the shaders of a quality are compiled with. LIVE: in a hurry; TAGGED: things are told apart in the alpha channel;
+// What the shaders of a quality are compiled with. LIVE: fast; TAGGED: the alpha channel has a tag per thing;
 // KERNEL: texels across the edges of shadows.
 constexpr const char* quality_defines(Quality quality) {
   switch (quality) {

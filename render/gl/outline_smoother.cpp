@@ -141,7 +141,7 @@ void OutlineSmoother::encode(const std::uint16_t* pixels, int width, int height,
                                                 4 * static_cast<std::ptrdiff_t>(width)};
   for (const std::size_t pixel : touched_) {
     const Taken taken = std::exchange(taken_[pixel], {});
-    // A pixel at a steep outline has runs both ways, which tell the same: the one that says more counts.
+    // A pixel at a steep outline has runs both ways for the same edge: the stronger one counts.
     const std::size_t first = taken[kLeft] + taken[kRight] > taken[kBelow] + taken[kAbove] ? kLeft : kBelow;
     const std::uint16_t* const here = pixels + 4 * pixel;
     const int sum = taken[first] + taken[first + 1];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Smooth edges for pictures of one sample a pixel: what a renderer without a GPU draws at a fifth of the cost of four.
 //
-// Pixels carry a tag that tells things apart (a body, a face of one, 0 for what is behind). Where tags differ runs an
+// Pixels carry a tag per thing (a body, a face of one, 0 for the background). Where tags differ runs an
 // outline, a staircase of pixel sides. A run is a straight piece of it, of L pixels; the outline that it stands for leaves
 // it by half a pixel at an end where the stairs go on, and meets it in the middle:
 //

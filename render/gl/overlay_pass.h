@@ -17,7 +17,7 @@ class OverlayPass {
  public:
   explicit OverlayPass(const GlFunctions& gl);
 
-  // RGBA, 8 bits a channel. Returns the texture's id as ImGui wants it. The atlas before is freed.
+  // RGBA, 8 bits a channel. Returns the texture's id for ImGui. Frees the previous atlas.
   void* upload_font_atlas(const unsigned char* rgba, int width, int height);
   // RGB, 8 bits a channel, rows from the top. Throws Error(bad_input) for a size that the driver cannot hold.
   void* upload_texture(const unsigned char* rgb, int width, int height);

@@ -33,7 +33,7 @@ std::string errors_of(const std::string& log) {
                                          driver_remedy());
 }
 
-// The driver's words of a shader or a program, by the entry points that tell of it.
+// The driver's log of a shader or a program, by the entry points for it.
 std::string log_of(GLuint id, PFNGLGETSHADERIVPROC ask, PFNGLGETSHADERINFOLOGPROC read) {
   GLint length = 0;
   ask(id, GL_INFO_LOG_LENGTH, &length);

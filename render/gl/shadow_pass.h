@@ -8,11 +8,11 @@
 
 namespace pabd {
 
-// What kernels of more than two texels may know before they read them. The picture is the same with both.
+// What kernels of more than two texels know before they read them. The picture is the same with each.
 enum class ShadowRange {
   none,
   far_sides,   // of casters
-  both_sides,  // tells more, where bodies are flat; they are drawn once more for it
+  both_sides,  // excludes more where bodies are flat, which are drawn once more for it
 };
 
 class ShadowPass {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What bodies look like wherever they stand: for whoever places them elsewhere than on the processor. build_visual.h
+// What bodies look like in their own frames, for renderers that place them on the GPU and for exports. build_visual.h
 // draws the same from a State.
 #pragma once
 
@@ -44,7 +44,7 @@ Primitive primitive_of(SurfaceForm form);
 Vec3 scale_of(const SurfacePart& part);
 // The triangles of a hull, face by face, scaled to radius 1.
 std::shared_ptr<const MeshData> triangles_of(const HullData& hull);
-// Colour of a body as the options want it; opacity 1.
+// Colour of a body by the options; opacity 1.
 Vec4f color_of(const Model& model, const VisualOptions& options, Index body);
 
 }  // namespace pabd

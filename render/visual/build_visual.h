@@ -25,7 +25,7 @@ struct VisualOptions {
   std::vector<double> values;
   ValueRange value_range;
 
-  // How bodies want to be drawn, by number; may be shorter than the list of bodies. Values win over its colours.
+  // How bodies are drawn, by number; may be shorter than the list of bodies. Values win over its colours.
   std::vector<BodyLook> looks;
 
   // Of bodies, in front of them (body_marks.h).

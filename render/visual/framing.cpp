@@ -290,7 +290,7 @@ Camera fit_orbit(std::span<const Spot> spots, const Camera& like, double aspect,
   const double slant = level.norm();
   const double distance = slant > 1e-3 ? Vec3(eye - axis).dot(level) / (slant * slant) : best.distance;
   if (like.orthographic) {
-    // Its size is told by the distance, and its eye may be anywhere along the line of sight.
+    // The distance sets its size, and its eye may be anywhere along the line of sight.
     const Vec3 target =
         slant > 1e-3 ? Vec3(eye - distance * axes.back) : Vec3(eye - best.distance * axes.back);
     return placed(like, axes, target, best.distance, window.shift);

@@ -21,7 +21,7 @@ struct GlyphSize {
 //   offset   its line, the present offset as a bar from the anchor of i to that of j, limits as stops
 //   nothing  free: the three axes along which it holds; one point where that would be small
 //   length   between two points: a coil if soft, else a rod
-// What a type of joint leaves free is told by its traits (sim/joint/joint_traits.h).
+// The traits of a joint type say what it leaves free (sim/joint/joint_traits.h).
 // `out.camera` must be set before: dots are kept within a few pixels as it sees them, and what would be too
 // small to read is left out. A joint with a non-finite number is left out.
 void add_joint_glyphs(const Joint& joint, const Pose& i, const Pose& j, double time, const GlyphSize& size,

@@ -29,7 +29,7 @@ class PixelMeter {
   double slope_;  // tangent of a pixel's angle; of an orthographic camera its size in m
 };
 
-// From where rays come; for parallel ones a point so far away that nothing tells the difference.
+// Where rays come from; for parallel ones a point very far away.
 Vec3 eye_of(const Camera& camera);
 
 void add_line(VisualScene& out, const Vec3& a, const Vec3& b, const Pen& pen);

@@ -34,7 +34,7 @@ struct ContactKnot {
 };
 std::span<const ContactKnot> contact_knots();
 
-// One colour a type of joint, told apart by people with any of the common colour vision deficiencies.
+// One colour per joint type; people with any of the common colour vision deficiencies can distinguish them.
 Vec4f joint_color(JointType type);
 
 }  // namespace pabd

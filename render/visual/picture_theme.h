@@ -56,7 +56,7 @@ inline constexpr PictureTheme kPaperTheme{"paper",
                                           {1.0f, 1.0f, 1.0f},
                                           {1.0f, 1.0f, 1.0f}};
 
-// What is not covered is told apart by drawing it on black and on white.
+// Opacity follows from the difference between a picture on black and one on white.
 inline constexpr PictureTheme on_plain(const PictureTheme& light, float level) {
   PictureTheme out = light;
   out.name = "transparent";

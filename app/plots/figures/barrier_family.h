@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The curves of a barrier figure: every combination of the lists, and by what they are told apart.
+// The curves of a barrier figure: every combination of the lists, and what distinguishes them: colour, dashes, rows.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ void for_each_curve(const Family& f, std::size_t row, const Visit& visit) {
 }
 
 std::string value_of(const Family& family, Dim dim, std::size_t i);
-// What tells a curve from the others of the figure.
+// What distinguishes a curve from the others of the figure.
 std::string name_of(const Family& family, const Index5& at);
 // What all curves of a row have in common and those of other rows have not.
 std::string name_of_row(const Family& family, std::size_t row);

@@ -38,9 +38,9 @@ struct BarrierFigureSize {
 };
 BarrierFigureSize size_of(const BarrierCurves& curves);
 
-// Value left, derivative right. What has several values is told apart by colour, then by dashes: N before d̂
-// (or the gap) before the kind before κ. No more than can be told apart: what is left, or too long, becomes
-// rows of small multiples on the same axes. A steep curve leaves the range rather than flatten the others, as
+// Value left, derivative right. The first list with several values is distinguished by colour, the second by dashes,
+// in the order N, d̂ (or the gap), kind, κ. Further lists, and those with too many values, become rows of small
+// multiples on the same axes. A steep curve leaves the range rather than flatten the others, as
 // in figure 1 of the supplement. The values must be in the range that check_params asks for; N is ignored for
 // kinds without orders. At most kMostRows rows; abscissa κ asks for κ.
 Figure barrier_figure(const BarrierCurves& curves);

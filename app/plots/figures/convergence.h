@@ -7,7 +7,7 @@
 //   E_end    without a reference: the least value that one of the solves ends with  J
 //   residual largest step of a body in an iteration over d̂                          1
 //   −d       penetration, before the projection onto SO(3) and after it             m
-//   joint error: largest distance between points that a joint wants together        m
+//   joint error: largest distance between points that a joint holds together        m
 //   ‖A − R‖  Frobenius norm of what the projection takes away, largest              1
 #pragma once
 

@@ -17,7 +17,7 @@
 namespace pabd {
 
 // y to the top. The defaults are the shipped figure: body i is off the line, so that the points that should
-// meet can be told apart.
+// meet can be distinguished.
 struct SliderJoint {
   Vec2 y_j0{0, 0};
   double angle_j = 0.09;  // of n_j against the horizontal, rad

@@ -17,7 +17,7 @@
 namespace pabd {
 
 // y to the top. The defaults are the shipped figure: drawn before the bonds have done their work, so that the
-// points that should meet can be told apart.
+// points that should meet can be distinguished.
 struct SphericalJoint {
   Vec2 y_0{0, 0};
   Vec2 r_1{1, 0};

@@ -5,7 +5,7 @@
 //   gap          smallest d over contacts                                      m
 //   penetration  max(0, −d)                                                    m
 //   energies     kinetic, potential from its first value, elastic, total       J
-//   joint error  largest distance between points that a joint wants together   m
+//   joint error  largest distance between points that a joint holds together   m
 //   time         per step, wall clock                                          ms
 #pragma once
 
