@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -18,6 +19,36 @@ ImU32 packed(Color c) { return IM_COL32(c.r, c.g, c.b, c.a); }
 
 constexpr double kSharpTurn = 0.75;          // cosine: beyond about 40° a mitred corner would stick out
 constexpr std::size_t kLongestPiece = 8000;  // points of one draw call: indices have 16 bits
+
+// Cuts a polyline into its dashes; calls `emit` with each.
+void dash_polyline(std::span<const Point> points, double on, double off,
+                   const std::function<void(std::span<const Point>)>& emit) {
+  if (points.size() < 2) return;
+  std::vector<Point> dash{points[0]};
+  bool drawing = true;
+  double left = on;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    Point from = points[i - 1];
+    double length = std::hypot(points[i].x - from.x, points[i].y - from.y);
+    while (length > left) {
+      const double t = left / length;
+      from = {from.x + t * (points[i].x - from.x), from.y + t * (points[i].y - from.y)};
+      length -= left;
+      if (drawing) {
+        dash.push_back(from);
+        emit(dash);
+        dash.clear();
+      } else {
+        dash.assign(1, from);
+      }
+      drawing = !drawing;
+      left = drawing ? on : off;
+    }
+    left -= length;
+    if (drawing) dash.push_back(points[i]);
+  }
+  if (drawing && dash.size() > 1) emit(dash);
+}
 
 }  // namespace
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace pabd {
 
@@ -26,16 +25,6 @@ void Canvas::stroke_rect(const Rect& rect, Color color, double width) {
   fill_rect({x0, y1 - w, x1 - x0, w}, color);
   fill_rect({x0, y0 + w, w, y1 - y0 - 2 * w}, color);
   fill_rect({x1 - w, y0 + w, w, y1 - y0 - 2 * w}, color);
-}
-
-void Canvas::circle(const Point& center, double radius, const Stroke& stroke) {
-  const int n = std::clamp(static_cast<int>(std::ceil(2.5 * std::sqrt(radius) * 4)), 16, 96);
-  std::vector<Point> points;
-  for (int k = 0; k < n; ++k) {
-    const double angle = 2 * std::numbers::pi * k / n;
-    points.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)});
-  }
-  polyline(points, stroke, true);
 }
 
 void Canvas::arrow(const Point& a, const Point& b, const Stroke& stroke, double head) {
@@ -64,35 +53,6 @@ double baseline_offset(AlignY align, double size) {
       return -FontMetrics::descent * size;
   }
   return 0;
-}
-
-void dash_polyline(std::span<const Point> points, double on, double off,
-                   const std::function<void(std::span<const Point>)>& emit) {
-  if (points.size() < 2) return;
-  std::vector<Point> dash{points[0]};
-  bool drawing = true;
-  double left = on;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    Point from = points[i - 1];
-    double length = std::hypot(points[i].x - from.x, points[i].y - from.y);
-    while (length > left) {
-      const double t = left / length;
-      from = {from.x + t * (points[i].x - from.x), from.y + t * (points[i].y - from.y)};
-      length -= left;
-      if (drawing) {
-        dash.push_back(from);
-        emit(dash);
-        dash.clear();
-      } else {
-        dash.assign(1, from);
-      }
-      drawing = !drawing;
-      left = drawing ? on : off;
-    }
-    left -= length;
-    if (drawing) dash.push_back(points[i]);
-  }
-  if (drawing && dash.size() > 1) emit(dash);
 }
 
 }  // namespace pabd

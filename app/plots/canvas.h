@@ -76,7 +76,6 @@ class Canvas {
   void horizontal(double x0, double x1, double y, Color color, double width);
   void vertical(double x, double y0, double y1, Color color, double width);
   void stroke_rect(const Rect& rect, Color color, double width);
-  void circle(const Point& center, double radius, const Stroke& stroke);
   // Line from a to b with a filled head at b; `head` is its length.
   void arrow(const Point& a, const Point& b, const Stroke& stroke, double head);
 
@@ -92,9 +91,5 @@ using Picture = std::function<void(Canvas& canvas, double width, double height)>
 
 // Distance from the place of a text down to the baseline, px.
 double baseline_offset(AlignY align, double size);
-
-// Cuts a polyline into its dashes; calls `emit` with each.
-void dash_polyline(std::span<const Point> points, double on, double off,
-                   const std::function<void(std::span<const Point>)>& emit);
 
 }  // namespace pabd

@@ -125,28 +125,22 @@ void paint_caption(const std::vector<std::string>& lines, double width, double y
   }
 }
 
-void paint_figure(const Figure& figure, double width, double height, Canvas& canvas, const PlotTheme& theme) {
-  const FigureLayout layout = layout_figure(figure, width, height, canvas.font(), theme);
-  const PlotStyle& style = layout.style;
-  if (layout.title.h > 0) paint_title(figure.title, width, layout.title.y, style, canvas);
-  for (std::size_t i = 0; i < layout.cells.size(); ++i) {
-    paint_plot(figure.plots[i], layout_plot(figure.plots[i], layout.cells[i], style, canvas.font()), style,
-               canvas);
-  }
-  paint_caption(layout.caption_lines, width, layout.caption.y, style, canvas);
-}
-
 Picture figure_picture(Figure figure, const PlotTheme& theme) {
   const auto shared = std::make_shared<const Figure>(std::move(figure));
   return [shared, theme](Canvas& canvas, double width, double height) {
-    paint_figure(*shared, width, height, canvas, theme);
+    const FigureLayout layout = layout_figure(*shared, width, height, canvas.font(), theme);
+    const PlotStyle& style = layout.style;
+    if (layout.title.h > 0) paint_title(shared->title, width, layout.title.y, style, canvas);
+    for (std::size_t i = 0; i < layout.cells.size(); ++i) {
+      const Plot& plot = shared->plots[i];
+      paint_plot(plot, layout_plot(plot, layout.cells[i], style, canvas.font()), style, canvas);
+    }
+    paint_caption(layout.caption_lines, width, layout.caption.y, style, canvas);
   };
 }
 
 std::string figure_to_svg(const Figure& figure, int width, int height, const PlotTheme& theme) {
-  return picture_to_svg(
-      [&](Canvas& canvas, double w, double h) { paint_figure(figure, w, h, canvas, theme); }, width, height,
-      theme.paper);
+  return picture_to_svg(figure_picture(figure, theme), width, height, theme.paper);
 }
 
 std::string figure_to_csv(const Figure& figure) {

@@ -28,8 +28,6 @@ PictureSize default_size(const Figure& figure);
 // A small figure leaves out what would not be readable: its caption, its title, its last plots.
 FigureLayout layout_figure(const Figure& figure, double width, double height, const FontMetrics& font,
                            const PlotTheme& theme = light_theme());
-void paint_figure(const Figure& figure, double width, double height, Canvas& canvas,
-                  const PlotTheme& theme = light_theme());
 // What figures and heat maps have in the middle: a title with its top at y, and the lines of a caption from y down.
 void paint_title(const std::string& title, double width, double y, const PlotStyle& style, Canvas& canvas);
 void paint_caption(const std::vector<std::string>& lines, double width, double y, const PlotStyle& style,
