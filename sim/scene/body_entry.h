@@ -112,7 +112,7 @@ struct Mesh {
       files);
     f(may("scale", "Length of the file's unit in m", {1e-6, 1e6}), scale, 1.0);
     f(may("parts",
-          "In place of file: the corners of each convex part in m, as pabd import writes them; at most 256 "
+          "In place of file: the corners of each convex part, as pabd import writes them; at most 256 "
           "on the hull "
           "of a part. In a body with inertia the origin of these numbers is the centre of mass",
           kPositionRange),

@@ -125,7 +125,6 @@ struct Spring {
 
 // x = ratio × x of the other joint + offset; angles count in rad for the ratio.
 struct Follows {
-  static constexpr const char* object = "follows";
   static constexpr const char* help =
       "Makes the angle or offset ratio × that of another joint + offset: gears, a rack and its pinion, "
       "fingers that "

@@ -6,8 +6,6 @@
 
 #include "sim/joint/joint_traits.h"
 #include "sim/scene/fields.h"
-#include "sim/scene/generators.h"
-#include "sim/scene/read_memory.h"
 #include "sim/scene/scene.h"
 
 namespace pabd {
@@ -35,36 +33,6 @@ std::span<const std::string_view> keys_of_joint(JointType type) {
     return keys;
   }();
   return kKeys[static_cast<std::size_t>(type)];
-}
-
-std::vector<KeyTable> key_tables() {
-  std::vector<KeyTable> tables{{"scene", scene_object_keys(parameter_table())}};
-  for (const std::string_view section : sections_of(parameter_table()))
-    tables.push_back({section.substr(section.rfind('.') + 1), parameter_keys(section, parameter_table())});
-  const auto add = [&tables](const auto& entry) { tables.push_back({entry.object, keys_of_entry(entry)}); };
-  add(spec::Law{});
-  add(CameraDesc{});
-  add(spec::Body{});
-  add(spec::Material{});
-  add(spec::AxisAngle{});
-  add(spec::Euler{});
-  add(spec::Group{});
-  add(spec::Include{});
-  add(spec::Follows{});
-  add(FrictionAnchor{});
-  for_each_generator([&](const auto& entry) { tables.push_back({entry.type, keys_of_entry(entry)}); });
-  tables.push_back({"drive", {"value", "keys"}});
-  tables.push_back({"twist", {"limits"}});
-  tables.push_back({"motor", keys_of_entry(spec::Motor{}, true)});
-  tables.push_back({"linear_motor", keys_of_entry(spec::Motor{}, false)});
-  for (const char* object : {"spring", "linear_spring"})
-    tables.push_back({object, keys_of_entry(spec::Spring{})});
-  for (const ShapeKind* kind : shape_kinds())
-    if (kind->name != tables.back().object)
-      tables.push_back({kind->name, {kind->keys.begin(), kind->keys.end()}});
-  for (const JointType type : kJointTypes)
-    tables.push_back({to_string(type), keys_of_entry(spec::Joint{.type = type})});
-  return tables;
 }
 
 std::vector<std::string> scene_keys() {

@@ -51,14 +51,6 @@ inline constexpr Field kSceneKeys[] = {
 // What a joint of that type may say.
 std::span<const std::string_view> keys_of_joint(JointType type);
 
-struct KeyTable {
-  std::string_view object;  // what the keys belong to; a definition of that name is in the JSON Schema
-  std::vector<std::string_view> keys;
-};
-
-// All tables, the scene itself first, then those of parameters.
-std::vector<KeyTable> key_tables();
-
 // The settings of a scene in the form that --set takes: "time_step", "contact.kappa", "camera.fov", ….
 std::vector<std::string> scene_keys();
 
