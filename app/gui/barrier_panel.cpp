@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The barrier that contacts see, to read and to tune on: curves, every contact at its d, how the contacts are
-// spread over d/d̂, what the numbers say and what would help.
+// The barrier of the contacts: curves, a marker for each contact, their distribution over d/d̂, numbers, advice.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +22,7 @@ namespace pabd {
 namespace {
 
 constexpr double kGripReach = 8;                 // of a grip, px of an ordinary screen
-constexpr int kLinger = 40;                      // frames: warnings that come and go move nothing
+constexpr int kLinger = 40;                      // frames for which room for warnings stays
 constexpr double kTall = 430;                    // from here on there is room for everything
 constexpr double kStrip = 30, kHistogram = 150;  // heights, the same
 
@@ -53,7 +52,7 @@ class BarrierPanelView final : public GuiPanel {
     warned_ = advice_.empty() ? std::max(0, warned_ - 1) : kLinger;
     controls(f);
     const float room = ImGui::GetContentRegionAvail().y, gap = ImGui::GetStyle().ItemSpacing.y;
-    // The strip stands below d; against others only the plot of its own says how contacts are spread.
+    // The strip belongs to an axis of d; against other quantities there is only the histogram.
     const bool by_gap = f.ui.barrier.against == kBarrierAbscissas[0].name;
     const bool histogram = f.ui.barrier.histogram && (tall || by_gap);
     const float numbers = 2 * ImGui::GetTextLineHeightWithSpacing();
@@ -71,7 +70,7 @@ class BarrierPanelView final : public GuiPanel {
   }
 
  private:
-  // What costs something, once a snapshot.
+  // Once per snapshot.
   void update(const GuiFrame& f, bool tall) {
     const RunView& run = f.sim.a;
     const bool same =
@@ -103,7 +102,7 @@ class BarrierPanelView final : public GuiPanel {
       model_ = run.model;
       masses_ = mass_range(*model_);
     }
-    // Numbers are of the parameters of now, advice is about the step that was made.
+    // Numbers use the present parameters, advice those of the step that was made.
     StepReport report = run.report;
     report.kappa = run.kappa;
     numbers_ = contact_numbers(*model_, masses_, run.params, *run.state, report);

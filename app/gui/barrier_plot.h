@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person does on the barrier plot and reads below it: d̂ and κ that are taken hold of, and contacts over d/d̂.
+// Dragging d̂ and κ on the barrier plot, and the strip of contacts over d/d̂ below it.
 //
 //   d̂   contact thickness: the upright line                      m
 //   κ   contact stiffness: a handle on the curve, Ψ = κ B_N(d)    J (log barrier: J/m²)
@@ -19,11 +19,11 @@ namespace pabd {
 
 enum class BarrierGrip : std::uint8_t { none, d_hat, kappa };
 
-// What a press at `mouse` takes hold of, no more than `reach` px away. κ comes first: its handle is small.
+// What a press at `mouse` grips within `reach` px. κ comes first: its handle is small.
 BarrierGrip barrier_grip(const BarrierPanel& panel, const PlotLayout& layout, const Point& mouse,
                          double reach);
 
-// While it lasts the axes stay as they were when it began: they would follow the hand otherwise.
+// During a drag the axes keep their ranges: otherwise they would move with the pointer.
 class BarrierDrag {
  public:
   bool active() const { return grip_ != BarrierGrip::none; }
@@ -34,9 +34,8 @@ class BarrierDrag {
   // `kappa`: the resolved one, at the start.
   void begin(BarrierGrip grip, const BarrierPanel& panel, double kappa, const PlotLayout& layout,
              const Point& mouse);
-  // What to send for the pointer's place; nothing while that is what was sent last. Everything after the
-  // first goes on with it, so that a drag is one step of undo. Values have four significant digits, and stay
-  // above a hundredth of d̂ and a millionth of κ at the start: nobody means to drag them to nothing.
+  // The command for the pointer's place; none where it equals the last one. A drag is one step of undo. Values have
+  // four significant digits, and are at least a hundredth of d̂ and a millionth of κ at the start.
   std::optional<command::Set> move(const PlotLayout& layout, const Point& mouse);
   void end() { grip_ = BarrierGrip::none; }
 
@@ -50,8 +49,7 @@ class BarrierDrag {
   bool more_ = false;
 };
 
-// How contacts are spread over d/d̂, as a low strip of bars along the distance axis of a plot: where there is no room
-// for a plot of its own.
+// The distribution of contacts over d/d̂ as a low strip of bars along the distance axis, where a histogram has no room.
 struct ContactStrip {
   static constexpr int kBins = 48;  // from `lo` to d̂; deeper ones are in the first
   std::array<int, kBins> counts{};

@@ -13,7 +13,7 @@ namespace pabd {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kGoldenPart = 0.6180339887498949;  // of the map from one part to the next: never alike
+constexpr double kGoldenPart = 0.6180339887498949;  // of the colour map between neighbours
 
 double value_of(const RunView& run, std::size_t i, ColorQuantity quantity) {
   if (run.model->fixed[i]) return kNone;

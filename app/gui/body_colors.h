@@ -15,11 +15,11 @@ struct BodyColors {
   std::vector<double> values;  // NaN: grey
   ValueRange range;            // the same for both simulations
   std::string title;           // with its unit
-  std::string note;            // what to say in place of a bar of colours; empty: there is one
+  std::string note;            // in place of a colour bar; empty: there is one
 };
 
-// Empty values for ColorQuantity::body, and for what the step's report does not hold (yet). The range ends at
-// 1, 2 or 5 times a power of ten, so that it rests while numbers change.
+// Empty values for ColorQuantity::body, and where the step's report does not hold them. The range ends at 1, 2 or 5
+// times a power of ten, so that it rarely changes.
 BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity);
 
 }  // namespace pabd

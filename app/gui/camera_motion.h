@@ -11,23 +11,22 @@
 
 namespace pabd {
 
-// The view, and the body that it goes along with: its name, and where it is as the view is that.
+// The view, and the body that it follows, with the body's place for that view.
 struct FollowedView {
   CameraPose camera;
   std::string body;  // empty: none
   Vec3 at = Vec3::Zero();
 };
 FollowedView followed_view(const Snapshot& sim, const UiState& ui);
-// As for --camera, of a run that begins with that state: there the view is as far from the body as here. A body that
-// is not there is not followed.
+// As for --camera, for a run that begins with that state: the view has the same place relative to the body. A body that
+// does not exist there is not followed.
 std::string camera_words(const FollowedView& view, const Model& model, const State& start);
 
 class CameraMotion {
  public:
-  // Once a frame. The camera goes as far as the body that it follows; while time goes on it follows its keys, at rest
-  // it may be moved by hand.
+  // Once a frame. The camera moves with the body that it follows; while time goes on it flies along its keys.
   void move(const Snapshot& sim, UiState& ui);
-  // Of what ui.trails asks for, as far as it was seen: broken where the run was wound on.
+  // The trails of ui.trails, as far as they were recorded: broken where the run jumped.
   std::vector<Trail> trails() const { return trails_.trails(); }
 
  private:

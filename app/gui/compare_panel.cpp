@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two parameter sets on one scene: what differs, how far the two are apart, and how they are shown.
+// Two parameter sets on one scene: what differs, the distance between the runs, and how they are shown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string short_number(const std::string& text) {
 
 std::string key_of(const char* name) { return fmt::format("{}.{}", kJointSettings, name); }
 
-// What is so wide goes on the next line where this one is full; pixels.
+// Stays on the line if `width` pixels fit.
 void same_line_if_room(float width) {
   ImGui::SameLine();
   if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the solver converged within the step that led to the present state, and what others make of that step.
+// How the solver converged in the step that led to the present state, beside curves that are held.
 #include <fmt/format.h>
 
 #include "app/gui/panel_plots.h"

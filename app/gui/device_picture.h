@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies of a run that are drawn from the memory of the GPU that moves them: no state comes back for a picture.
+// Bodies drawn from the memory of the GPU that moves them, without reading the state back.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@ namespace pabd {
 
 class DevicePicture {
  public:
-  // `context` is current in all calls, and outlives this. One that cannot draw so draws nothing: can_draw().
+  // `context` is current in all calls, and outlives this.
   explicit DevicePicture(GlContext& context);
   ~DevicePicture();
   DevicePicture(const DevicePicture&) = delete;
@@ -25,8 +25,8 @@ class DevicePicture {
   // Whether it can draw the bodies of the run, as far as it is known before.
   bool can_draw(const RunView& run) const;
 
-  // The run's bodies and floor into the renderer's first view, `visual` has the camera and the theme. Precondition:
-  // run.poses is not null. False, and can_draw() is false from then on, where the GPU cannot: failure().
+  // The run's bodies and floor into the renderer's first view; `visual` has the camera and the theme. Precondition:
+  // run.poses is not null. False where the GPU cannot; can_draw() is false from then on, and failure() says why.
   bool draw(const RunView& run, VisualScene& visual, int width, int height, const RenderQuality& quality,
             Renderer& renderer);
 

@@ -22,7 +22,7 @@ const DialogKind* dialog_kind(const std::string& name) {
   return found == std::end(kDialogs) ? nullptr : found;
 }
 
-// What would be gone; empty: nothing.
+// What would be lost; empty: nothing.
 std::string warning(const std::string& what, const GuiFrame& f) {
   std::vector<std::string> gone;
   const bool loads = what == "open" || what == "load_recording" || what == "load_run" || what == "load_end";
@@ -121,7 +121,7 @@ void Dialogs::look(const Snapshot& sim, const UiState& ui) {
     focus_ = true;
     return;
   }
-  // What loads a scene says nothing when it went well.
+  // A scene that was loaded sends no message.
   if (sim.scene_serial > scene_ && awaited_ == command::Load::name) done_ = true;
 }
 
@@ -221,7 +221,7 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
     ImGui::PopStyleColor();
   }
   ImGui::Dummy({0, f.px(2)});
-  // Enter does not give up anything: that takes its own button.
+  // Enter does not discard anything: that takes a button of its own.
   const bool exists = kind_->use == DialogKind::writes && !refusal_.empty() && exists_;
   const bool asks = named && !gone.empty();
   bool force = false;

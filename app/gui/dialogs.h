@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dialogs that ask for a file name, or before something is gone. What is typed is only sent when it is
-// confirmed; an error stays in the dialog.
+// The dialogs (view_words.h). A command is sent when it is confirmed; an error stays in the dialog.
 #pragma once
 
 #include <string>
@@ -13,11 +12,11 @@ namespace pabd {
 
 class Dialogs {
  public:
-  // Whether what was confirmed has been answered; before messages are drawn.
+  // Looks for the answer to what was confirmed; before messages are drawn.
   void look(const Snapshot& sim, const UiState& ui);
   void draw(GuiFrame& frame, int width, int height);
 
-  // The newest message that is, or was, shown in a dialog.
+  // The newest message that was shown in a dialog.
   std::uint64_t answered() const { return answered_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a person can choose from in a folder. Knows no window.
+// The content of folders, for file dialogs; needs no window.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,15 @@ struct FileEntry {
 };
 
 // Folders and then files whose names end with one of `endings` (".mp4 .gif"), each in the order of their names with
-// numbers by value, capitals like small letters. Left out are hidden ones, what cannot be looked at, and more than
-// `most` of either kind. An empty list for a folder that cannot be read.
+// numbers by value, capitals like small letters. Without hidden and unreadable
+// ones and at most `most` of either kind; empty for a folder that cannot be read.
 std::vector<FileEntry> list_files(const std::filesystem::path& folder, const std::string& endings,
                                   std::size_t most = 2000);
 
 // "frame2" before "frame10".
 bool natural_less(const std::string& a, const std::string& b);
 
-// The folder that a name which is being typed points into: "." for a name alone.
+// The folder of a name that is being typed: "." for a name alone.
 std::filesystem::path folder_of_typed(const std::string& text);
 // The same name in another folder, or another name in the same one; "." leaves the name alone.
 std::string in_folder(const std::filesystem::path& folder, const std::string& name);

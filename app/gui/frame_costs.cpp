@@ -28,7 +28,7 @@ void FrameCosts::begin() {
     now_ = {};
     return;
   }
-  // All alike, so that the parts add up to the frame.
+  // With the same weights, so that the parts add up to the frame.
   const bool second = frame_ == 0;
   for (std::size_t i = 0; i < kParts; ++i) smooth(ms_[i], now_[i], second);
   now_ = {};
@@ -63,7 +63,6 @@ void draw_costs(GuiFrame& f, const Rect& view) {
   row("show and wait", f.costs.ms(FrameCosts::other), "ms");
   heading(f, "Simulation");
   const PhaseTimes& t = f.sim.a.report.times;
-  // One measurement in two units: the two always agree.
   const bool known = f.sim.playing && f.sim.real_time_factor > 0;
   row("steps", f.sim.real_time_factor / f.sim.a.params.h, "1/s", known);
   row("times real time", f.sim.real_time_factor, "×", known);

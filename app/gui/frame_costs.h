@@ -18,7 +18,7 @@ class FrameCosts {
 
   // Before anything of a frame.
   void begin();
-  // What was done since the last call belongs to `part`.
+  // The time since the last call belongs to `part`.
   void done(Part part);
 
   double ms(Part part) const { return ms_[part]; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where everything of the window goes. Nothing overlaps: where columns would leave the picture too little room, one
-// place has the tabs of all, below the picture of a portrait window, else beside it.
+// The layout of the window, without overlaps. Where columns would leave the picture too little room, one place has the
+// tabs of all: below the picture in a portrait window, else beside it.
 #pragma once
 
 #include <array>

@@ -13,8 +13,8 @@ namespace pabd {
 // A context for the window, current; whoever asked destroys it.
 ImGuiContext* make_gui_context();
 
-// Events of one frame: a press and a release of the same button or key in one frame would not be seen, so
-// that the second waits for the next.
+// The queue of events. Of a press and a release of the same button or key the second waits for the next frame, as Dear
+// ImGui would not see the press.
 class ImGuiInput {
  public:
   void add(const WindowEvent& event) { waiting_.push_back(event); }

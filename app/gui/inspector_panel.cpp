@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is selected, by its numbers; without a selection the list of bodies and joints.
+// The numbers of the selection; without one the list of bodies and joints.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -33,7 +33,7 @@ bool contains(const std::string& text, const std::string& part) {
   return lower_case(text).find(lower_case(part)) != std::string::npos;
 }
 
-// A line that can be clicked: a name, and something about it on the right.
+// A line to click: a name, and something about it on the right.
 bool entry(const GuiFrame& f, const std::string& id, const std::string& name, const std::string& about) {
   const bool clicked = ImGui::Selectable(id.c_str());
   ImGui::SameLine(0, 0);
@@ -44,7 +44,7 @@ bool entry(const GuiFrame& f, const std::string& id, const std::string& name, co
   return clicked;
 }
 
-// A long list with a field that filters it; only what is seen costs time.
+// A long list with a filter; only visible lines cost time.
 class NameList {
  public:
   void draw(GuiFrame& f) {

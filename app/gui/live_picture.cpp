@@ -10,7 +10,7 @@ namespace {
 constexpr double kRest = 0.3;    // s without motion, then it is drawn as well as it can be
 constexpr double kLeisure = 12;  // ms; a quicker picture is drawn in every frame
 constexpr double kShare = 0.3;   // of the time at most goes into slower ones
-// Smaller ones look bad, and are hardly quicker where there are many bodies.
+// Smaller pictures look bad, and are hardly faster with many bodies.
 constexpr double kSmallest = 0.5;
 
 // The moment of one, what a person sets of the other.
@@ -50,7 +50,7 @@ std::shared_ptr<const Snapshot> LivePicture::choose(std::shared_ptr<const Snapsh
 
 LivePicture::Plan LivePicture::plan(const Snapshot& sim, const UiState& ui, double now) {
   const Camera camera = rounded(ui.camera);
-  // A single step is no motion: it is worth a good picture.
+  // A single step is drawn at full quality.
   const bool moving = sim.playing || !same_camera(camera, camera_);
   camera_ = camera;
   if (moving) moved_ = now;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names of files in commands: the one place where the window asks whether they may be named.
+// Names of files in commands, checked against the files that a session may use.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers as people enter them: dragged on a wide bar, with shift ten times finer, or typed with their unit. How far a
-// drag goes and what a text means is told apart from the drawing.
+// Numbers as people enter them: dragged on a wide bar, with shift ten times finer, or typed with their unit. The rules
+// of dragging and reading need no window.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ struct SliderScale {
   double value(double place) const;
 };
 
-// Where a drag has come to. It goes on beyond the ends, so that the mouse finds the value again where it left it.
+// The place of a drag. It continues beyond the ends, so that the mouse meets the value again where it left it.
 class SliderDrag {
  public:
   static constexpr double kFine = 0.1;
@@ -58,7 +58,8 @@ class TypedField {
   bool holds(const std::string& key) const { return key_ == key; }
   // The next draw of that field gets the keyboard.
   void begin(const std::string& key, const std::string& text);
-  // At the cursor; `shown` stands in it while nobody types. What was typed, once it is left and another text.
+  // At the cursor, with the text `shown` unless somebody types. Returns what was typed when the field is left and
+  // the text differs.
   std::optional<std::string> draw(const std::string& key, const std::string& shown, float width);
 
  private:

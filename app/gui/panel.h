@@ -25,7 +25,7 @@ struct Outbox {
   void send(ViewCommand command) { view.push_back(std::move(command)); }
 };
 
-// Another scene; asks first when something that was made here would be gone.
+// Opens another scene; asks first when unsaved work would be lost.
 void open_scene(const Snapshot& sim, const std::string& path, Outbox& out);
 
 // A file that was dropped on the window: see DroppedKind.

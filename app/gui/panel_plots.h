@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the plots of panels show, made of a snapshot and the state of the view alone: panels draw them, and they
-// are what is written to a file.
+// The plots of panels, made from a snapshot and the state of the view: panels draw them, files contain them.
 #pragma once
 
 #include <optional>
@@ -22,7 +21,7 @@ BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& v
 // Of the view `ui.convergence`. The title says which held curves are left out; empty: none.
 Plot convergence_panel_of(const Snapshot& sim, const UiState& ui);
 
-// In place of a curve that is not there. Iterations are recorded while the window is open: a run that was loaded has none.
+// Why there is no curve: iterations are only recorded while the window is open.
 std::string why_no_curve(const StepReport& report, bool on_device);
 
 // Of the view `ui.series`.

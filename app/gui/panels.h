@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of the window that are no panels. Each fills the ImGui window that is open.
+// Parts of the window beside its panels.
 #pragma once
 
 #include <functional>
@@ -45,7 +45,7 @@ class MessageList {
   double age_ = 0;
 };
 
-// Offers to load a scene's file again when it changed on disk, and says what would be gone then.
+// Offers to load a scene's file again when it changed on disk, and says what would be lost.
 void draw_file_offer(GuiFrame& frame, const Rect& view);
 
 // How far a video is, while one is made.

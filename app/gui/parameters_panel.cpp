@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that can be tuned while it runs: a slider and a field for the exact value each, what differs
-// from the scene marked, with a way back.
+// The parameters that can be tuned while it runs, each with a slider and a field for the exact value; what differs from
+// the scene is marked and can be reset.
 #include "app/gui/parameters_panel.h"
 
 #include <fmt/format.h>

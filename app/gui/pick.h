@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is under the pointer in the picture, and what stays selected while bodies come and go.
+// What is under the pointer in the picture, and the selection when bodies are added or removed.
 #pragma once
 
 #include <optional>

@@ -7,8 +7,8 @@
 
 namespace pabd {
 
-// How far below the top of the picture nothing is written: below the legend of colours and the names of A and B. What
-// stands there while something goes on comes below one another. Pixels.
+// Distances from the top of the picture in pixels: below the legend of colours and the names of A and B come, one below
+// the other,
 double below_captions(const GuiFrame& frame);   // where the bar of a recording goes
 double below_recording(const GuiFrame& frame);  // where the offer of a changed file goes
 double below_offer(const GuiFrame& frame);      // where the note of a joint under way goes

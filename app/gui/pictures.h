@@ -27,7 +27,7 @@ std::string overlay_words(const UiState& ui);
 std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, int width, int height,
                                         GlContext& context);
 
-// Makes a video of the past while the window goes on: in each frame as much as fits into a while.
+// Makes a video of the past while the window goes on, some of it in each frame.
 class Recorder {
  public:
   struct Progress {
@@ -79,7 +79,7 @@ class Studio {
   Studio(GlContext& context, Runner& runner, bool steady, Tell tell)
       : context_(context), steady_(steady), tell_(std::move(tell)), recorder_(context, runner) {}
 
-  // Does what is its business. Throws Error when that cannot be.
+  // Carries out the commands that write or read such files. Throws Error.
   void act(const ViewCommand& command, const Snapshot& sim, UiState& ui);
 
   // After a frame was composed: takes the pictures of it, draws some of a video. Leaves the context's

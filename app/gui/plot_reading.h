@@ -28,11 +28,11 @@ std::optional<PlotPick> read_time(GuiFrame& frame, const Plot& plot, const PlotT
 
 // Wide enough for a list on which that word stands; pixels.
 float combo_width(const char* word);
-// A list of words to choose from: the index of the one that is chosen now, if one is. A word that is longer than the
-// list is wide loses its beginning, and the tooltip has all of it.
+// A list of words: the index of the one that was just chosen. A word too long for the list loses its beginning; the
+// tooltip has all of it.
 std::optional<std::size_t> word_combo(const char* id, const char* const* words, std::size_t count,
                                       std::size_t now, float width, const char* help);
-// The same of words that commands know: the name of the one that is chosen now; null: none is.
+// The same for words of commands: the name of the one that was just chosen; null: none.
 const char* choice_combo(const char* id, std::span<const Choice> choices, std::string_view now, float width,
                          const char* help);
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As people write it, without what a path may hold twice.
+// The canonical path, where there is one.
 std::string clean(const fs::path& path) {
   std::error_code failure;
   const fs::path full = fs::weakly_canonical(path, failure);
@@ -142,7 +142,7 @@ void SceneList::look(const std::string& open_path, const std::vector<std::string
   }
   for (const fs::path& file : shipped) add(SceneCard::Group::shipped, file, cards);
 
-  // What is known stays; the rest is read.
+  // Cards of unchanged files are kept; the rest is read.
   std::deque<std::string> wanted;
   std::vector<std::pair<std::string, fs::file_time_type>> written;
   for (SceneCard& card : cards) {
@@ -187,7 +187,7 @@ void SceneList::take(Found found, Renderer& renderer) {
   if (!found.card.without_picture) undrawn_.push_back(std::move(found));
 }
 
-// False when there was nothing to draw, because it was kept from an earlier run.
+// False when the picture was in the cache.
 bool SceneList::draw(Found& found, Renderer& renderer) {
   const auto card =
       std::find_if(cards_.begin(), cards_.end(), [&](const SceneCard& c) { return c.path == found.path; });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The picture in the middle: what a snapshot and the view's settings look like. Drawn again only when one of
-// them changed.
+// The picture of a snapshot in a view; drawn again only when one of them changed.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a script does beside sending commands: events as a person makes them, frames, expectations. The same
-// form as app/workbench/command.h.
+// Actions of a script beside commands: input, frames, expectations. The same form as app/workbench/command.h.
 #pragma once
 
 #include <nlohmann/json.hpp>

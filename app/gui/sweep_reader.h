@@ -45,7 +45,7 @@ class SweepReader {
     bool failed = false;
     ErrorKind kind = ErrorKind::bad_input;
   };
-  // Before a frame: begins to read what is asked for and takes what was read. Says when that came to an end.
+  // Before a frame: begins to read what is asked for and takes what was read. Returns a result when reading ended.
   std::optional<Answer> update(OpenedSweep& sweep);
 
   // Within a frame: the picture of a task's end, at most `large` 320 or else 160 pixels wide.

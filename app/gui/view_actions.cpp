@@ -125,7 +125,6 @@ struct Actor {
   }
   void operator()(const command::Trail& c) const {
     TrailPoint point = parse_trail(c.of, "trail");
-    // A number is as good as a name.
     if (!point.body.empty())
       point.body =
           sim.a.model->name[static_cast<std::size_t>(index_of(Selection::Kind::body, point.body, "trail"))];
@@ -134,7 +133,7 @@ struct Actor {
   }
   void operator()(const command::CompareView& c) const {
     const bool side = c.choice == "side";
-    // Half as wide a picture wants a step back.
+    // A picture of half the width needs more distance.
     const bool by_hand = !ui.framed || !same_camera(rounded(ui.camera), ui.framed->camera);
     if (sim.b && side != ui.side_by_side && by_hand)
       ui.camera.eye =

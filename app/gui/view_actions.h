@@ -8,8 +8,8 @@
 
 namespace pabd {
 
-// Throws Error(bad_input) when it does not fit: then nothing has changed. Screenshots, copying and quitting
-// need more than the state and are left to the caller. `port` is the picture's.
+// Throws Error(bad_input) and changes nothing when it does not fit. Screenshots, copying and quitting need more than the
+// state and are left to the caller. `port` is the picture's.
 void apply_view_command(const ViewCommand& command, const Snapshot& sim, const Viewport& port, UiState& ui);
 
 // 'pabd render …' that makes a video of what is seen: scene, parameters, camera.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame, in the order in which it comes about: see viewer.h.
+// See viewer.h.
 #include "app/gui/viewer.h"
 
 #include <fmt/format.h>
@@ -125,7 +125,7 @@ struct Viewer::Impl {
     runner.send(command::Tell{text, severity == Severity::error});
   }
 
-  // Every command goes through here, so that no file is named elsewhere.
+  // Every command is sent here, so that every name of a file is checked.
   template <class Commands, class Do>
   void carry(Commands c, const Do& carry_out) {
     const FileRoot* files = options.files.get();
@@ -245,7 +245,7 @@ struct Viewer::Impl {
     observer.observe(*sim, ui, takes_states());
   }
 
-  // What belongs to the scene starts anew with another one.
+  // The state of the view that belongs to the scene is reset with another one.
   void follow_scene(const Snapshot& before) {
     if (sim->scene_serial == scene_serial) {
       ui.selection = follow(ui.selection, before.a, sim->a);
@@ -330,10 +330,10 @@ struct Viewer::Impl {
                         static_cast<int>(std::lround(r.w)), static_cast<int>(std::lround(r.h))});
     }
     renderer.compose(width, height, places, window_background(ui.dark), ImGui::GetDrawData());
-    // Software GL does the work of a picture when it is put to use.
+    // Software GL draws when the picture is used.
     const double composing = seconds_now() - between;
     if (!drawn) plain_composing = composing;
-    // What a GPU draws by itself takes nothing from the simulation that this would give back.
+    // Pictures from GPU memory take no time from the simulation.
     if (drawn)
       live.took(plan,
                 sim->a.poses ? 0 : 1000 * (between - before + std::max(0.0, composing - plain_composing)));

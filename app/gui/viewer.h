@@ -25,7 +25,7 @@ struct ViewerOptions {
   std::function<std::vector<std::filesystem::path>()> shipped_scenes;
   std::function<std::string()> clipboard;
   std::function<void(const std::string&)> set_clipboard;
-  // The only files that commands may name, for a person at another machine; null: any.
+  // The only files that commands may name, for a session in a browser; null: any.
   std::shared_ptr<const FileRoot> files;
   bool can_quit = true;  // else the command is refused
 };
