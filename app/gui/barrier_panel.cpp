@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "app/gui/barrier_plot.h"
+#include "app/gui/number_input.h"
 #include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
@@ -26,22 +26,10 @@ constexpr int kLinger = 40;                      // frames for which room for wa
 constexpr double kTall = 430;                    // from here on there is room for everything
 constexpr double kStrip = 30, kHistogram = 150;  // heights, the same
 
-bool is_number(const std::string& text, double& value) {
-  char* end = nullptr;
-  value = std::strtod(text.c_str(), &end);
-  return end != text.c_str() && *end == 0;
-}
-
-std::string short_value(const std::string& text) {
-  double value = 0;
-  return is_number(text, value) ? format_value(value, 3) : text;
-}
-
 bool in_force(const Params& params, const Advice& advice) {
   const std::string now = tuned_value(params, advice.key);
-  double a = 0, b = 0;
-  if (is_number(now, a) && is_number(advice.value, b)) return std::abs(a - b) <= 1e-9 * std::abs(b);
-  return now == advice.value;
+  const auto a = number_of_text(now), b = number_of_text(advice.value);
+  return a && b ? std::abs(*a - *b) <= 1e-9 * std::abs(*b) : now == advice.value;
 }
 
 class BarrierPanelView final : public GuiPanel {
@@ -275,7 +263,7 @@ class BarrierPanelView final : public GuiPanel {
     const bool done = in_force(f.sim.a.params, advice);
     const std::string button = done ? "at the next step"
                                     : ui_text(fmt::format("{} = {}", symbol_of(*find_parameter(advice.key)),
-                                                          short_value(advice.value)));
+                                                          short_number(advice.value, 3)));
     const float bw = ImGui::CalcTextSize(button.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     const float wrap = width - bw - 3.5f * pad;
     const std::string what = ui_text(advice.what), why = ui_text(advice.why);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "app/gui/actions.h"
 #include "app/gui/number_input.h"
@@ -22,13 +21,6 @@ namespace pabd {
 namespace {
 
 constexpr int kDifferingRows = 3;  // of the table before it scrolls
-
-// "5" for "5.0"; words stay.
-std::string short_number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return !text.empty() && *end == 0 ? format_value(value) : text;
-}
 
 std::string key_of(const char* name) { return fmt::format("{}.{}", kJointSettings, name); }
 
@@ -171,7 +163,7 @@ class ComparePanel final : public GuiPanel {
       ImGui::TableNextRow();
       for (const std::string* text : {&d.key, &d.a, &d.b}) {
         ImGui::TableNextColumn();
-        label(short_number(*text));
+        label(short_number(*text, 4));
         tooltip(*text);
       }
     }

@@ -39,10 +39,8 @@ struct Feeder {
     for (bool& down : io.MouseDown) down = false;
     modifiers({});
   }
-  void operator()(const WindowResized&) const {}
-  void operator()(const ScaleChanged&) const {}
-  void operator()(const CloseRequested&) const {}
-  void operator()(const FilesDropped&) const {}
+  template <class Other>
+  void operator()(const Other&) const {}
 
   void modifiers(const Modifiers& m) const {
     io.KeyCtrl = m.ctrl;

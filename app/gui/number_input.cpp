@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/gui/widgets.h"
+#include "app/plots/axis_ticks.h"
 
 namespace pabd {
 namespace {
@@ -58,6 +59,17 @@ std::string typed_number(std::string_view text, std::string_view unit) {
   for (const Scaled& scaled : kScaled)
     if (scaled.name == behind && scaled.of == unit) return fmt::format("{}", value * scaled.factor);
   return typed;
+}
+
+std::optional<double> number_of_text(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end != text.c_str() && *end == 0 ? std::optional(value) : std::nullopt;
+}
+
+std::string short_number(const std::string& text, int digits) {
+  const auto value = number_of_text(text);
+  return value ? format_value(*value, digits) : text;
 }
 
 double SliderScale::place(double v) const {

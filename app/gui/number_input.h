@@ -19,6 +19,11 @@ double significant(double x, int digits);
 // What is not of that unit stays as it was typed: --set refuses it with what it expects.
 std::string typed_number(std::string_view text, std::string_view unit);
 
+// The number that the whole text is, if it is one.
+std::optional<double> number_of_text(const std::string& text);
+// A value as text for a narrow place: of a number so many digits, words as they are.
+std::string short_number(const std::string& text, int digits);
+
 // From values to places on a bar, 0 … 1, and back. A logarithmic one needs hi > 0; where it begins at 0 it covers six
 // decades.
 struct SliderScale {

@@ -66,28 +66,6 @@ void save_window(const std::string& path, const Snapshot& sim, const UiState& ui
   write_png(path, image, text_of(sim, facts));
 }
 
-struct Keys {
-  const Snapshot& sim;
-  UiState& ui;
-
-  std::string save(const command::SaveCamera& c) const {
-    if (ui.camera_keys.empty())
-      throw Error(ErrorKind::bad_input, "save_camera: there are no camera keys; add one first");
-    check_output(c.path, c.force, sim.scene_path);
-    write_file(c.path, camera_keys_json({sim.scene->name, ui.camera_keys}));
-    ui.keys_unsaved = false;
-    return "saved " + c.path;
-  }
-  std::string load(const command::LoadCamera& c) const {
-    CameraKeys keys = read_camera_keys(c.path);
-    ui.camera_keys = std::move(keys.keys);
-    ui.keys_unsaved = false;
-    const bool same = keys.scene.empty() || keys.scene == sim.scene->name;
-    return fmt::format("{}: {} camera keys{}", c.path, ui.camera_keys.size(),
-                       same ? "" : ", made for the scene " + keys.scene);
-  }
-};
-
 }  // namespace
 
 std::string overlay_words(const UiState& ui) {
@@ -121,7 +99,6 @@ std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, 
 }
 
 void Studio::act(const ViewCommand& command, const Snapshot& sim, UiState& ui) {
-  const Keys keys{sim, ui};
   if (const auto* shot = std::get_if<command::Screenshot>(&command)) {
     check_output(shot->path, shot->force, sim.scene_path);
     waiting_.push_back(*shot);
@@ -139,10 +116,20 @@ void Studio::act(const ViewCommand& command, const Snapshot& sim, UiState& ui) {
     recorder_.stop(stop->keep);
     if (!recorder_.busy()) tell_(Severity::note, "the recording was ended; no file was made");
   } else if (const auto* save = std::get_if<command::SaveCamera>(&command)) {
-    tell_(Severity::note, keys.save(*save));
+    if (ui.camera_keys.empty())
+      throw Error(ErrorKind::bad_input, "save_camera: there are no camera keys; add one first");
+    check_output(save->path, save->force, sim.scene_path);
+    write_file(save->path, camera_keys_json({sim.scene->name, ui.camera_keys}));
+    ui.keys_unsaved = false;
+    tell_(Severity::note, "saved " + save->path);
     ui.dialog.clear();
   } else if (const auto* load = std::get_if<command::LoadCamera>(&command)) {
-    tell_(Severity::note, keys.load(*load));
+    CameraKeys keys = read_camera_keys(load->path);
+    ui.camera_keys = std::move(keys.keys);
+    ui.keys_unsaved = false;
+    const bool same = keys.scene.empty() || keys.scene == sim.scene->name;
+    tell_(Severity::note, fmt::format("{}: {} camera keys{}", load->path, ui.camera_keys.size(),
+                                      same ? "" : ", made for the scene " + keys.scene));
     ui.dialog.clear();
   }
 }
