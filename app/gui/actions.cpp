@@ -69,7 +69,7 @@ void remove_selected(const Snapshot&, const UiState& ui, Outbox& out) {
 // Panels, colours and speeds: one action a row of their tables.
 void add_rows(std::vector<UserAction>& out) {
   for (const WindowPanel* panel : window_panels())
-    out.push_back({panel->name, "Panels", "", fmt::format("{} ({})", lower_case(panel->help), panel->title),
+    out.push_back({"panel", "Panels", "", fmt::format("{} ({})", lower_case(panel->help), panel->title),
                    sends(command::Panel{panel->name, true})});
   for (const Slot slot : kSlots) {
     static constexpr const char* kPlaces[] = {"at the left", "top right", "bottom right"};
@@ -115,8 +115,8 @@ const std::vector<UserAction>& user_actions() {
   static const std::vector<UserAction> table = [] {
     std::vector<UserAction> out = {
         {"play", "Time", "space", "play, pause", toggle_play},
-        {"forward", "Time", "right", "one step forward", sends(command::Step{1})},
-        {"back", "Time", "left", "one step back", sends(command::Step{-1})},
+        {"step", "Time", "right", "one step forward", sends(command::Step{1})},
+        {"step_back", "Time", "left", "one step back", sends(command::Step{-1})},
         {"ten_forward", "Time", "shift+right", "ten steps forward", sends(command::Step{10})},
         {"ten_back", "Time", "shift+left", "ten steps back", sends(command::Step{-10})},
         {"first", "Time", "home", "to the beginning", sends(command::Seek{-1e9})},

@@ -114,6 +114,7 @@ void SceneList::add(SceneCard::Group group, const fs::path& file, std::vector<Sc
   card.group = group;
   card.path = path;
   card.name = file.stem().string();
+  card.written = time_of(path);
   out.push_back(std::move(card));
 }
 
@@ -130,8 +131,9 @@ void SceneList::look(const std::string& open_path, const std::vector<std::string
   std::vector<SceneCard> cards;
   if (!folder.empty() && !among_shipped) {
     if (!open_.empty()) add(SceneCard::Group::folder, open_, cards);
-    for (const FileEntry& file : list_files(folder, ".json", kMostFiles))
-      if (!file.folder) add(SceneCard::Group::folder, folder / file.name, cards);
+    std::size_t count = 0;
+    for (const FileEntry& file : list_files(folder, ".json"))
+      if (!file.folder && ++count <= kMostFiles) add(SceneCard::Group::folder, folder / file.name, cards);
   }
   std::vector<std::string> known;
   for (const fs::path& file : shipped) known.push_back(clean(file));
@@ -144,26 +146,23 @@ void SceneList::look(const std::string& open_path, const std::vector<std::string
 
   // Cards of unchanged files are kept; the rest is read.
   std::deque<std::string> wanted;
-  std::vector<std::pair<std::string, fs::file_time_type>> written;
   for (SceneCard& card : cards) {
-    written.emplace_back(card.path, time_of(card.path));
-    const auto old = std::find_if(cards_.begin(), cards_.end(),
-                                  [&](const SceneCard& c) { return c.path == card.path && c.read; });
-    const bool same = std::find(written_.begin(), written_.end(), written.back()) != written_.end();
-    if (old != cards_.end() && same) {
-      const SceneCard::Group group = card.group;
-      card = *old;
-      card.group = group;
-      old->picture = nullptr;
-    } else {
+    const auto old = std::find_if(cards_.begin(), cards_.end(), [&](const SceneCard& c) {
+      return c.path == card.path && c.read && c.written == card.written;
+    });
+    if (old == cards_.end()) {
       wanted.push_back(card.path);
+      continue;
     }
+    const SceneCard::Group group = card.group;
+    card = *old;
+    card.group = group;
+    old->picture = nullptr;
   }
   for (const SceneCard& old : cards_) {
     if (old.picture) renderer.free_texture(old.picture);
   }
   cards_ = std::move(cards);
-  written_ = std::move(written);
   {
     const std::scoped_lock lock(mutex_);
     wanted_ = std::move(wanted);
@@ -183,6 +182,7 @@ void SceneList::take(Found found, Renderer& renderer) {
   found.card.group = card->group;
   found.card.path = card->path;
   found.card.name = card->name;
+  found.card.written = card->written;
   *card = found.card;
   if (!found.card.without_picture) undrawn_.push_back(std::move(found));
 }

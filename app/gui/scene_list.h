@@ -22,10 +22,11 @@ namespace pabd {
 struct SceneCard {
   enum class Group : std::uint8_t { folder, recent, shipped };
   Group group = Group::shipped;
-  std::string path;         // absolute
-  std::string name;         // of the file, without .json
-  std::string description;  // one line; may be empty
-  std::string error;        // why it cannot be opened; empty: it can
+  std::string path;                         // absolute
+  std::string name;                         // of the file, without .json
+  std::string description;                  // one line; may be empty
+  std::string error;                        // why it cannot be opened; empty: it can
+  std::filesystem::file_time_type written;  // when the file was last changed
   std::size_t bodies = 0, joints = 0;
   bool read = false;             // the above is known
   void* picture = nullptr;       // texture; null: none yet, or none at all
@@ -75,7 +76,6 @@ class SceneList {
   ThumbnailCache cache_;
   std::string open_;
   std::vector<SceneCard> cards_;
-  std::vector<std::pair<std::string, std::filesystem::file_time_type>> written_;  // of each card's file
   std::deque<Found> undrawn_;
 
   mutable std::mutex mutex_;

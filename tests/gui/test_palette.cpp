@@ -49,7 +49,7 @@ TEST_CASE(
     CHECK(action.act);
     CHECK_FALSE(action.words.empty());
     CHECK(names.emplace(action.group, action.words).second);
-    CHECK_FALSE(std::string(user_action(action.name).words).empty());
+    if (*action.keys || *action.button) CHECK(&user_action(action.name) == &action);
     for (const KeyChord& chord : action.chords()) {
       CHECK(keys.insert(chord_text(chord)).second);
       CHECK(action.key_text().find(chord_text(chord)) != std::string::npos);
@@ -57,6 +57,7 @@ TEST_CASE(
     const auto found = find_actions(user_actions(), action.words);
     CHECK(std::find(found.begin(), found.end(), &action) != found.end());
   }
+  for (const Choice& from : kLookFrom) CHECK(user_action(from.name).group == std::string("View"));
   CHECK(keys.size() > 40);
   CHECK(names.size() > keys.size());  // and what has no key
 }
