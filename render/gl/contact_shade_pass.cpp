@@ -43,17 +43,13 @@ void ContactShadePass::draw(const DrawList& list, const InstanceDrawer& drawer,
   if (!floor.exists) return;
   gl_.Viewport(0, 0, kFloorMapSize, kFloorMapSize);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[0].id());
-  gl_.Disable(GL_BLEND);
-  gl_.Disable(GL_CULL_FACE);
-  gl_.Enable(GL_DEPTH_TEST);
-  gl_.DepthFunc(GL_LESS);
-  gl_.DepthMask(GL_TRUE);
+  gl_.set({.cull = false});
   gl_.ClearColor(0, 0, 0, 0);
   gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   clearance_.use();
   drawer.draw(list, list.floor_casters);
 
-  gl_.Disable(GL_DEPTH_TEST);
+  gl_.set({.depth_test = false, .cull = false});
   gl_.ActiveTexture(GL_TEXTURE1);
   blur_.use();
   const float tap = 0.6f * floor.blur;

@@ -27,9 +27,7 @@ EncodePass::EncodePass(const GlFunctions& gl)
 }
 
 void EncodePass::draw(const GlTexture& light, int samples) const {
-  gl_.Disable(GL_BLEND);
-  gl_.Disable(GL_DEPTH_TEST);
-  gl_.Disable(GL_CULL_FACE);
+  gl_.set({.depth_test = false, .cull = false});
   gl_.ActiveTexture(GL_TEXTURE0 + kUnit);
   gl_.BindTexture(samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, light.id());
   (samples > 1 ? several_ : one_).draw();

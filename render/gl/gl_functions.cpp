@@ -29,6 +29,15 @@ GLint GlFunctions::integer(GLenum name) const {
   return value;
 }
 
+void GlFunctions::set(const DrawState& state) const {
+  const auto turn = [&](GLenum what, bool on) { on ? Enable(what) : Disable(what); };
+  turn(GL_DEPTH_TEST, state.depth_test);
+  turn(GL_CULL_FACE, state.cull);
+  turn(GL_BLEND, state.blend);
+  DepthFunc(state.depth);
+  DepthMask(state.write_depth ? GL_TRUE : GL_FALSE);
+}
+
 void GlFunctions::forget_errors() const {
   constexpr int kKinds = 16;  // each kind has one flag; a context that is lost never ends to say so
   for (int i = 0; i < kKinds && GetError() != GL_NO_ERROR; ++i) {

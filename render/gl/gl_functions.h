@@ -44,6 +44,15 @@
 
 namespace pabd {
 
+// How triangles are drawn. Every pass sets all of it and relies on nothing that another left.
+struct DrawState {
+  bool depth_test = true;
+  GLenum depth = GL_LESS;
+  bool write_depth = true;
+  bool cull = true;    // back faces
+  bool blend = false;  // with the blend function that the pass sets
+};
+
 struct GlFunctions {
   // Throws Error(no_context) naming the first function that the driver lacks.
   explicit GlFunctions(GlContext& context);
@@ -54,6 +63,8 @@ struct GlFunctions {
 
   std::string string(GLenum name) const;  // glGetString, never null
   GLint integer(GLenum name) const;
+
+  void set(const DrawState& state) const;
 
   void forget_errors() const;  // of what was done before
   // Throws Error(no_context) with the error's name if one is pending. `doing` says what was being done.

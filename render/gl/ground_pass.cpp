@@ -67,12 +67,8 @@ GroundPass::GroundPass(const GlFunctions& gl) : gl_(gl), programs_(gl), array_(g
 
 void GroundPass::draw(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor,
                       Quality quality) {
-  gl_.Disable(GL_BLEND);
-  gl_.Disable(GL_CULL_FACE);
-  gl_.DepthFunc(GL_LESS);
-  gl_.DepthMask(GL_TRUE);
+  gl_.set({.cull = false});
   for (const Ground& ground : scene.grounds) draw_one(scene, shadow, floor, ground, programs_.of(quality));
-  gl_.Enable(GL_CULL_FACE);
 }
 
 void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, const FloorVolume& floor,

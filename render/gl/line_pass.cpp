@@ -49,10 +49,7 @@ void LinePass::draw(const std::vector<Line>& lines) {
   const auto total = static_cast<GLsizei>(packed_.size());
   if (total == 0) return;
 
-  gl_.Enable(GL_BLEND);
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // alpha is a tag
-  gl_.Disable(GL_CULL_FACE);
-  gl_.DepthMask(GL_FALSE);
   gl_.BindVertexArray(array_.id());
   gl_.BindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   program_.use();
@@ -61,15 +58,11 @@ void LinePass::draw(const std::vector<Line>& lines) {
     gl_.BufferData(GL_ARRAY_BUFFER,
                    static_cast<GLsizeiptr>(static_cast<std::size_t>(count) * sizeof(GpuLine)),
                    packed_.data() + first, GL_STREAM_DRAW);
-    gl_.DepthFunc(depth);
+    gl_.set({.depth = depth, .write_depth = false, .cull = false, .blend = true});
     gl_.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
   };
   draw(0, behind, GL_LEQUAL);
   draw(behind, total - behind, GL_ALWAYS);
-  gl_.DepthMask(GL_TRUE);
-  gl_.DepthFunc(GL_LESS);
-  gl_.Enable(GL_CULL_FACE);
-  gl_.Disable(GL_BLEND);
 }
 
 }  // namespace pabd

@@ -98,9 +98,7 @@ void OverlayPass::draw(const ImDrawData& data, int width, int height) const {
       }
     }
   }
-  gl_.Disable(GL_DEPTH_TEST);
-  gl_.Disable(GL_CULL_FACE);
-  gl_.Enable(GL_BLEND);
+  gl_.set({.depth_test = false, .cull = false, .blend = true});
   gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.ActiveTexture(GL_TEXTURE0);
@@ -142,7 +140,6 @@ void OverlayPass::draw(const ImDrawData& data, int width, int height) const {
     }
   }
   gl_.Disable(GL_SCISSOR_TEST);
-  gl_.Disable(GL_BLEND);
 }
 
 }  // namespace pabd

@@ -75,11 +75,8 @@ struct Renderer::Impl {
 
   // The gradient at the far plane, after everything opaque: only pixels that nothing covers are shaded.
   void draw_background() const {
-    gl.Disable(GL_BLEND);
-    gl.DepthFunc(GL_LEQUAL);
-    gl.DepthMask(GL_FALSE);
+    gl.set({.depth = GL_LEQUAL, .write_depth = false});
     background.draw();
-    gl.DepthMask(GL_TRUE);
   }
 
   void clear(const Vec3f& color) {
@@ -180,9 +177,7 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   lap(passes.contact_shade);
 
   into.bind_for_drawing();
-  gl.Enable(GL_DEPTH_TEST);
-  gl.Enable(GL_CULL_FACE);
-  gl.DepthMask(GL_TRUE);
+  gl.set({});
   gl.Clear(GL_DEPTH_BUFFER_BIT);  // the background covers whatever colour is left
   shadow_pass.bind_maps();
   contact_shade_pass.bind_map();

@@ -65,12 +65,7 @@ void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int te
   allocate(texels);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   gl_.Viewport(0, 0, texels, texels);
-  gl_.Enable(GL_DEPTH_TEST);
-  gl_.DepthFunc(GL_LESS);
-  gl_.DepthMask(GL_TRUE);
-  gl_.Enable(GL_CULL_FACE);
-  gl_.CullFace(GL_BACK);
-  gl_.Disable(GL_BLEND);
+  gl_.set({});
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   program_.use();
   drawer.draw(list, list.casters);
@@ -94,14 +89,12 @@ void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int te
 
   gl_.BindFramebuffer(GL_FRAMEBUFFER, range_framebuffer_.id());
   gl_.Viewport(0, 0, texels / kRangeCell, texels / kRangeCell);
-  gl_.Disable(GL_DEPTH_TEST);
-  gl_.Disable(GL_CULL_FACE);
+  gl_.set({.depth_test = false, .cull = false});
   gl_.ActiveTexture(GL_TEXTURE0 + kNearUnit);
   gl_.BindTexture(GL_TEXTURE_2D, near_.id());
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, map_.id());
   range_program_.draw();
-  gl_.Enable(GL_CULL_FACE);
 }
 
 void ShadowPass::bind_maps() const {

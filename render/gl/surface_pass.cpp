@@ -18,6 +18,8 @@ namespace pabd {
 namespace {
 
 constexpr float kGhost = 0.5f;  // of its opacity keeps what shows through a body
+// Of what is drawn where something nearer hides it.
+constexpr DrawState kHidden{.depth = GL_GREATER, .write_depth = false, .blend = true};
 
 bool is_cube(Primitive primitive) { return primitive == Primitive::cube; }
 bool is_mesh(Primitive primitive) { return primitive == Primitive::mesh; }
@@ -78,7 +80,6 @@ void SurfacePass::draw_lit(const DrawList& list, const BatchRange& range, const 
 
 // Opacity is the alpha of the only colour that a shader gives, or of the second: then the first one's is its tag.
 void SurfacePass::blend(Quality quality) const {
-  gl_.Enable(GL_BLEND);
   if (quality == Quality::good) {
     gl_.BlendFuncSeparate(GL_SRC1_ALPHA, GL_ONE_MINUS_SRC1_ALPHA, GL_ONE, GL_ZERO);
   } else {
@@ -87,9 +88,7 @@ void SurfacePass::blend(Quality quality) const {
 }
 
 void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer, Quality quality) {
-  gl_.Disable(GL_BLEND);
-  gl_.DepthFunc(GL_LESS);
-  gl_.DepthMask(GL_TRUE);
+  gl_.set({});
   draw_lit(list, list.bodies, drawer, programs_.of(quality));
 }
 
@@ -98,8 +97,7 @@ void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer
   if (list.glyphs.begin == list.glyphs.end && (device == nullptr || device->classes.empty())) return;
   const Program& glyphs = programs_.of(quality).glyphs;
   blend(quality);
-  gl_.DepthFunc(GL_GREATER);
-  gl_.DepthMask(GL_FALSE);
+  gl_.set(kHidden);
   const auto draw = [&](float opacity) {
     gl_.Uniform1f(glyphs.opacity, opacity);
     // Discs lie in the very surfaces that they mark: a little nearer, so that they win.
@@ -111,16 +109,13 @@ void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer
   };
   glyphs.program.use();
   draw(kGhost);
-  gl_.Disable(GL_BLEND);
-  gl_.DepthFunc(GL_LESS);
-  gl_.DepthMask(GL_TRUE);
+  gl_.set({});
   draw(1);
 }
 
 void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& drawer, Quality quality) {
   const Programs& programs = programs_.of(quality);
   blend(quality);
-  gl_.DepthMask(GL_FALSE);
   if (list.ghosts.begin < list.ghosts.end) {
     const auto set_opacity = [&](float opacity) {
       for (const Program* program : {&programs.cubes, &programs.round}) {
@@ -128,18 +123,16 @@ void SurfacePass::draw_transparent(const DrawList& list, const InstanceDrawer& d
         gl_.Uniform1f(program->opacity, opacity);
       }
     };
-    gl_.DepthFunc(GL_GREATER);
+    gl_.set(kHidden);
     set_opacity(kGhost);
     draw_lit(list, list.ghosts, drawer, programs);
     set_opacity(1);
   }
-  gl_.DepthFunc(GL_LESS);
+  gl_.set({.write_depth = false, .blend = true});
   // Batch by batch: the order of the list is the order of depth.
   for (std::size_t i = list.transparent.begin; i < list.transparent.end; ++i) {
     draw_lit(list, {i, i + 1}, drawer, programs);
   }
-  gl_.Disable(GL_BLEND);
-  gl_.DepthMask(GL_TRUE);
 }
 
 }  // namespace pabd
