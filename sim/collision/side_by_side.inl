@@ -27,7 +27,7 @@ struct SidePlace {
 static constexpr wide ALONG_SINE = 0.2;  // of the angle up to which two lines run side by side
 
 int side_where;  // of the places that side_by_side found last, four bits each
-wide3 side_t, side_apart;
+wide3 side_t = wide3(0, 0, 0), side_apart = wide3(0, 0, 0);
 
 bool runs_along(wide3 u, wide3 v) {
   wide3 w = cross(u, v);
