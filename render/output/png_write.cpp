@@ -87,7 +87,7 @@ void check(const Image& image, const PngText& text) {
 
 using Bytes = std::vector<std::uint8_t>;
 
-void append(Bytes& out, std::string_view text) { out.insert(out.end(), text.begin(), text.end()); }
+void append_bytes(Bytes& out, std::string_view text) { out.insert(out.end(), text.begin(), text.end()); }
 
 void append_big_endian(Bytes& out, std::uint32_t value) {
   for (const int shift : {24, 16, 8, 0}) out.push_back(static_cast<std::uint8_t>(value >> shift));
@@ -97,8 +97,8 @@ void append_big_endian(Bytes& out, std::uint32_t value) {
 void append_chunk(Bytes& out, std::string_view type, std::string_view data) {
   append_big_endian(out, static_cast<std::uint32_t>(data.size()));
   const std::size_t begin = out.size();
-  append(out, type);
-  append(out, data);
+  append_bytes(out, type);
+  append_bytes(out, data);
   append_big_endian(out, checksum(out.data() + begin, out.size() - begin));
 }
 
