@@ -14,7 +14,7 @@
 namespace pabd {
 namespace {
 
-constexpr std::size_t kMostSizes = 24;  // text sizes kept when the frame size changes
+constexpr std::size_t kMostTextSizes = 24;  // text sizes kept when the frame size changes
 constexpr int kMostPasses = 4;          // sizes first, then characters that only those fonts can miss
 
 }  // namespace
@@ -46,7 +46,7 @@ struct Overlay::Impl {
 
   const ImDrawData* draw(int w, int h, const std::function<void(Canvas&)>& paint) {
     ImGui::SetCurrentContext(context);
-    if ((w != width || h != height) && atlas.size_count() > kMostSizes) atlas.forget_sizes();
+    if ((w != width || h != height) && atlas.size_count() > kMostTextSizes) atlas.forget_sizes();
     width = w;
     height = h;
     ImGuiIO& io = ImGui::GetIO();
