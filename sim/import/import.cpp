@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// See import.h. In the order: XML, robot, plan of a scene, its text, which is read back: what comes out does load.
+// See import.h. In the order: XML, robot, plan of a scene, its text. What comes out does load.
 #include "sim/import/import.h"
 
 #include <fmt/format.h>
@@ -66,11 +66,36 @@ std::string import_urdf_or_mjcf(const XmlElement& root, XmlFiles& files, RobotMe
   words.ground = urdf && options.ground && robot.links.front().free;
   if (words.ground) notes.add("the root floats, above a ground that the format does not have", "", 0);
   if (urdf && !robot.links.front().free) notes.add("the root is fixed to the world", "", 0);
-  // Writing adds notes too, and the description has them all.
-  scene_text(plan, words, notes);
-  words.description = describe(file, notes.all());
-  ImportNotes again;
-  return scene_text(plan, words, again);
+  words.description = [&] { return describe(file, notes.all()); };
+  return scene_text(plan, words, notes);
+}
+
+// A robot as a scene whose text was not read yet.
+ImportedScene convert(const std::string& text, const std::string& name, const fs::path& folder,
+                      const ImportOptions& options, const MayRead& may_read) {
+  XmlFiles files(may_read);
+  RobotMeshes meshes(may_read);
+  ImportNotes notes;
+  const XmlElement root = files.parse(text, name, folder);
+  ImportedScene out;
+  out.text = import_urdf_or_mjcf(root, files, meshes, notes, options, name);
+  out.notes = notes.all();
+  out.files = meshes.files();
+  const auto read = files.names();
+  out.files.insert(out.files.end(), read.begin(), read.end());
+  return out;
+}
+
+void check_loads(const ImportedScene& scene, const std::string& name) {
+  try {
+    parse_scene(scene.text, "its scene", {});
+  } catch (const Error& error) {
+    throw Error(error.kind(), name, fmt::format("cannot be a scene: {}", error.what()));
+  }
+}
+
+std::string robot_text(const fs::path& file) {
+  return read_file(file, kMostXmlBytes, "a robot in URDF or MJCF");
 }
 
 }  // namespace
@@ -82,28 +107,14 @@ bool is_robot_file(const fs::path& file) {
 
 ImportedScene import_robot_text(const std::string& text, const std::string& name, const fs::path& folder,
                                 const ImportOptions& options, const MayRead& may_read) {
-  XmlFiles files(may_read);
-  RobotMeshes meshes(may_read);
-  ImportNotes notes;
-  const XmlElement root = files.parse(text, name, folder);
-  ImportedScene out;
-  out.text = import_urdf_or_mjcf(root, files, meshes, notes, options, name);
-  out.notes = notes.all();
-  out.files = meshes.files();
-  const auto read = files.names();
-  out.files.insert(out.files.end(), read.begin(), read.end());
-  try {
-    parse_scene(out.text, "its scene", {});
-  } catch (const Error& error) {
-    throw Error(error.kind(), name, fmt::format("cannot be a scene: {}", error.what()));
-  }
+  ImportedScene out = convert(text, name, folder, options, may_read);
+  check_loads(out, name);
   return out;
 }
 
 ImportedScene import_robot(const fs::path& file, const ImportOptions& options, const MayRead& may_read) {
   if (may_read) may_read(file);
-  const std::string text = read_file(file, kMostXmlBytes, "a robot in URDF or MJCF");
-  return import_robot_text(text, file.string(), file.parent_path(), options, may_read);
+  return import_robot_text(robot_text(file), file.string(), file.parent_path(), options, may_read);
 }
 
 std::string read_any_scene_text(const fs::path& file, const MayRead& may_read) {
@@ -128,8 +139,13 @@ Scene load_any_scene(const fs::path& file, const std::vector<std::string>& overr
                      std::vector<ImportNote>* notes) {
   Scene scene;
   if (is_robot_file(file)) {
-    const ImportedScene imported = import_robot(file);
-    scene = parse_scene(imported.text, file.string(), file.parent_path(), overrides);
+    const ImportedScene imported = convert(robot_text(file), file.string(), file.parent_path(), {}, {});
+    try {
+      scene = parse_scene(imported.text, file.string(), file.parent_path(), overrides);
+    } catch (const Error&) {
+      check_loads(imported, file.string());  // it is not what was set
+      throw;
+    }
     if (notes != nullptr) *notes = imported.notes;
     scene.files = imported.files;
   } else {

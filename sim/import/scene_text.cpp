@@ -12,7 +12,7 @@
 #include "sim/body/compound.h"
 #include "sim/body/convex_hull.h"
 #include "sim/joint/attach.h"
-#include "sim/scene/write_values.h"
+#include "sim/scene/fields.h"
 
 namespace pabd {
 namespace {
@@ -36,10 +36,8 @@ Mat3 y_to_z() {
 }
 
 // Zeros that are not quite are no information.
-OrderedJson clean(const Vec3& v, double scale) {
-  OrderedJson out = OrderedJson::array();
-  for (const double x : v) out.push_back(std::abs(x) < 1e-15 * scale ? 0.0 : x);
-  return out;
+Vec3 clean(const Vec3& v, double scale) {
+  return v.unaryExpr([scale](double x) { return std::abs(x) < 1e-15 * scale ? 0.0 : x; });
 }
 
 // Its matter is spread evenly: the centre of mass of hulls is where they are made to have it.
@@ -106,39 +104,43 @@ std::optional<SurfaceFriction> largest_friction(const ScenePlan& plan) {
   return most;
 }
 
-// `friction` is what the scene says for all.
-OrderedJson json_of_body(const BodyPlan& body, const std::optional<SurfaceFriction>& friction) {
-  OrderedJson out{{"name", body.name}};
-  if (!body.ghost && body.friction && in_range(*body.friction) != *friction)
-    out["friction"] = json_of(in_range(*body.friction));
-  const Mat3 W = upright();
-  if (body.kind == GeomKind::plane) {
-    const Vec3 n = W * body.R.col(2);
-    out["shape"] = {{"type", "plane"}, {"normal", clean(n, 1)}, {"offset", n.dot(W * body.c)}};
-    return out;
-  }
-  const Placed placed = place(body);
-  out["shape"] = placed.shape;
-  if (body.fixed) {
-    out["fixed"] = true;
-  } else {
-    out["mass"] = body.mass;
-    const Mat3& I = placed.I;
-    if (!body.even) out["inertia"] = {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
-  }
-  out["position"] = clean(W * placed.c, std::max(placed.c.norm(), 1e-3));
-  if (!body.centre.isZero(0)) {
-    out["position"] = json_of(Vec3(W * (body.c + body.R * body.centre)));
-    out["center_of_mass"] = json_of(Vec3(-(placed.R.transpose() * (body.R * body.centre))));
-  }
-  out["orientation"] = json_of_rotation(W * placed.R);
-  if (body.color) out["color"] = json_of(*body.color);
-  if (body.hidden) out["material"] = {{"opacity", 0}};
+OrderedJson with_shape(const spec::Body& body, const OrderedJson& shape) {
+  OrderedJson out = json_of_entry(body);
+  out["shape"] = shape;
   return out;
 }
 
+// `friction` is what the scene says for all.
+OrderedJson json_of_body(const BodyPlan& body, const std::optional<SurfaceFriction>& friction) {
+  spec::Body out{.name = body.name, .fixed = body.fixed};
+  if (!body.ghost && body.friction && in_range(*body.friction) != *friction)
+    out.friction = in_range(*body.friction);
+  const Mat3 W = upright();
+  if (body.kind == GeomKind::plane) {
+    out.fixed = false;  // as it always is
+    const Vec3 n = W * body.R.col(2);
+    return with_shape(out,
+                      {{"type", "plane"}, {"normal", json_of(clean(n, 1))}, {"offset", n.dot(W * body.c)}});
+  }
+  const Placed placed = place(body);
+  if (!body.fixed) {
+    out.mass = body.mass;
+    const Mat3& I = placed.I;
+    if (!body.even) out.inertia = {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};
+  }
+  out.position = clean(W * placed.c, std::max(placed.c.norm(), 1e-3));
+  if (!body.centre.isZero(0)) {
+    out.position = W * (body.c + body.R * body.centre);
+    out.center_of_mass = -(placed.R.transpose() * (body.R * body.centre));
+  }
+  out.orientation = orientation_of(W * placed.R);
+  if (body.color) out.color = spec::Color{*body.color};
+  if (body.hidden) out.material = spec::Material{.opacity = 0};
+  return with_shape(out, placed.shape);
+}
+
 // A hinge's limits are within half a turn of 0.
-void add_range(const JointPlan& joint, double unit, OrderedJson& out, ImportNotes& notes) {
+void add_range(const JointPlan& joint, double unit, spec::Joint& out, ImportNotes& notes) {
   if (!joint.range) return;
   double lo = joint.range->first / unit, hi = joint.range->second / unit;
   if (joint.kind == RobotJointKind::hinge) {
@@ -147,11 +149,11 @@ void add_range(const JointPlan& joint, double unit, OrderedJson& out, ImportNote
     lo = std::max(lo, -kMostTurn);
     hi = std::min(hi, kMostTurn);
   }
-  out["limits"] = {lo, hi};
+  out.limits = {lo, hi};
 }
 
 // `unit` of the joint's angle or offset.
-void add_action(const JointPlan& joint, double unit, OrderedJson& out, ImportNotes& notes) {
+void add_action(const JointPlan& joint, double unit, spec::Joint& out, ImportNotes& notes) {
   const RobotAction& action = joint.action;
   if (!action.any()) return;
   if (joint.target) {
@@ -160,67 +162,62 @@ void add_action(const JointPlan& joint, double unit, OrderedJson& out, ImportNot
     return;
   }
   const bool slides = joint.kind == RobotJointKind::slide;
-  if (action.force) {
-    out["motor"] = {{slides ? "force" : "torque", *action.force}};
-  } else if (action.speed) {
-    out["motor"] = {{"speed", *action.speed / unit}, {"gain", action.gain}};
-    if (action.most) out["motor"][slides ? "max_force" : "max_torque"] = *action.most;
-  }
-  if (action.damping > 0) out["damping"] = action.damping;
-  if (action.friction > 0) out["friction"] = action.friction;
+  if (action.force)
+    out.motor = spec::Motor{.force = Profile{{{0, *action.force}}}};
+  else if (action.speed)
+    out.motor =
+        spec::Motor{.speed = Profile{{{0, *action.speed / unit}}}, .most = action.most, .gain = action.gain};
+  if (action.damping > 0) out.damping = action.damping;
+  if (action.friction > 0) out.friction = action.friction;
   if (action.stiffness == 0) return;
   const double rest = action.rest / unit;
   if (!slides && std::abs(rest) > kMostTurn)
     return notes.add("spring of a joint rests beyond ±180°: not taken", joint.place.file, joint.place.line);
-  out["spring"] = {{"stiffness", action.stiffness}, {"rest", rest}};
+  out.spring = {action.stiffness, rest};
 }
 
-OrderedJson json_of_joint(const JointPlan& joint, const ScenePlan& plan, ImportNotes& notes) {
+spec::Joint entry_of(const JointPlan& joint, const ScenePlan& plan, ImportNotes& notes) {
   const Mat3 W = upright();
-  const auto body = [&](int k) -> OrderedJson {
-    if (k == kNoBody) return nullptr;
-    return plan.bodies[static_cast<std::size_t>(k)].name;
+  const auto body = [&](int k) {
+    return k == kNoBody ? std::string() : plan.bodies[static_cast<std::size_t>(k)].name;
   };
   const bool hinge = joint.kind == RobotJointKind::hinge, ball = joint.kind == RobotJointKind::ball;
-  OrderedJson out{{"name", joint.name},
-                  {"type", joint.weld ? "fixed"
-                           : ball     ? "spherical"
-                           : hinge    ? "hinge"
-                                      : "slider"},
-                  {"bodies", {body(joint.i), body(joint.j)}}};
+  spec::Joint out{.type = joint.weld ? JointType::fixed
+                          : ball     ? JointType::spherical
+                          : hinge    ? JointType::hinge
+                                     : JointType::slider,
+                  .i = body(joint.i),
+                  .j = body(joint.j),
+                  .name = joint.name};
   const Vec3 anchor = W * joint.anchor, axis = W * joint.axis;
-  if (joint.arm > 0 && (joint.weld || !ball)) out["arm"] = joint.arm;
+  if (joint.arm > 0 && (joint.weld || !ball)) out.arm = joint.arm;
   if (joint.weld || ball) {
-    out["anchor"] = clean(anchor, 1);
+    out.anchor = clean(anchor, 1);
     add_action(joint, 1, out, notes);
     return out;
   }
   const double unit = hinge ? kDegree : 1;
   if (joint.start == 0) {
-    out["anchor"] = clean(anchor, 1);
-    out["axis"] = clean(axis, 1);
+    out.anchor = clean(anchor, 1);
+    out.axis = clean(axis, 1);
   } else {
     const Mat3 F = frame_about(axis);
     const Mat3 back =
         hinge ? Eigen::AngleAxisd(-joint.start, axis).toRotationMatrix() : Mat3(Mat3::Identity());
     const Vec3 from = hinge ? anchor : Vec3(anchor - joint.start * axis);
-    out["anchors"] = {clean(from, 1), clean(anchor, 1)};
-    out["frames"] = {json_of_rotation(back * F), json_of_rotation(F)};
+    out.anchors = {clean(from, 1), clean(anchor, 1)};
+    out.frames = {orientation_of(back * F), orientation_of(F)};
   }
   if (joint.target) {
     const double target = *joint.target / unit, start = joint.start / unit;
-    if (target == start)
-      out["drive"] = {{"value", target}};
-    else
-      out["drive"] = {{"keys", {{0.0, start}, {0.5, target}}}};
+    out.drive = target == start ? Profile{{{0, target}}} : Profile{{{0, start}, {0.5, target}}};
   } else {
     add_range(joint, unit, out, notes);
   }
   add_action(joint, unit, out, notes);
   if (const auto& follow = joint.follows)
-    out["follows"] = {{"joint", plan.joints[static_cast<std::size_t>(follow->leader)].name},
-                      {"ratio", follow->ratio},
-                      {"offset", follow->offset / unit}};
+    out.follows = {plan.joints[static_cast<std::size_t>(follow->leader)].name, follow->ratio,
+                   follow->offset / unit};
   return out;
 }
 
@@ -231,14 +228,6 @@ OrderedJson stiffness(const ScenePlan& plan, const SceneWords& words, double d_h
   const double carried = kCarried * words.gravity.norm() * d_hat;
   const double kappa = plan.heaviest * std::max(dead, carried);
   return OrderedJson::parse(fmt::format("{:.3g}", std::clamp(kappa, 1e-12, 1e18)));
-}
-
-template <class EntryOf>
-void list(const char* key, std::size_t count, const EntryOf& entry_of, std::string& out) {
-  if (count == 0) return;
-  out += fmt::format(",\n  \"{}\": [", key);
-  for (std::size_t k = 0; k < count; ++k) out += (k == 0 ? "\n    " : ",\n    ") + entry_of(k).dump();
-  out += "\n  ]";
 }
 
 }  // namespace
@@ -258,7 +247,7 @@ std::string scene_text(const ScenePlan& plan, const SceneWords& words, ImportNot
   const auto has_own = [](const OrderedJson& body) { return body.contains("friction"); };
   if (std::any_of(bodies.begin(), bodies.end(), has_own)) contact["friction_rule"] = "max";
   std::vector<OrderedJson> joints;
-  for (const JointPlan& joint : plan.joints) joints.push_back(json_of_joint(joint, plan, notes));
+  for (const JointPlan& joint : plan.joints) joints.push_back(json_of_entry(entry_of(joint, plan, notes)));
   std::vector<OrderedJson> apart;
   for (const auto& [a, b] : plan.apart)
     apart.push_back(OrderedJson::array(
@@ -271,14 +260,10 @@ std::string scene_text(const ScenePlan& plan, const SceneWords& words, ImportNot
   std::string out = fmt::format(
       "{{\n  \"format\": \"pabd-scene\",\n  \"version\": 1,\n  \"name\": {},\n  \"description\": {},\n"
       "  \"gravity\": {},\n  \"time_step\": {},\n  \"contact\": {}",
-      OrderedJson(words.name).dump(), OrderedJson(words.description).dump(),
-      clean(upright() * words.gravity, 1).dump(), OrderedJson(words.time_step).dump(), contact.dump());
-  list(
-      "bodies", bodies.size(), [&](std::size_t k) { return bodies[k]; }, out);
-  list(
-      "joints", joints.size(), [&](std::size_t k) { return joints[k]; }, out);
-  list(
-      "no_collide", apart.size(), [&](std::size_t k) { return apart[k]; }, out);
+      OrderedJson(words.name).dump(), OrderedJson(words.description()).dump(),
+      json_of(clean(upright() * words.gravity, 1)).dump(), OrderedJson(words.time_step).dump(),
+      contact.dump());
+  out += list_text("bodies", bodies) + list_text("joints", joints) + list_text("no_collide", apart);
   return out + "\n}\n";
 }
 

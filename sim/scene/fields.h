@@ -200,6 +200,8 @@ class FieldWriter : public NoRules {
       out = field.may_be_auto && value == kAutoKappa ? OrderedJson("auto") : OrderedJson(value);
     } else if constexpr (Entry<Value>) {
       out = json_of_entry(value, field.turns);
+    } else if constexpr (requires { value.keys; }) {
+      out = field.or_constant && value.keys.size() == 1 ? json_of(value.keys[0].second) : json_of(value);
     } else {
       out = json_of(value);
     }

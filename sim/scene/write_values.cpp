@@ -68,6 +68,14 @@ OrderedJson json_of(const SurfaceFriction& friction) {
   return out;
 }
 
+std::string list_text(const char* key, const std::vector<OrderedJson>& entries) {
+  if (entries.empty()) return {};
+  std::string out = fmt::format(",\n  \"{}\": [", key);
+  for (const OrderedJson& entry : entries)
+    out += (&entry == entries.data() ? "\n    " : ",\n    ") + entry.dump();
+  return out + "\n  ]";
+}
+
 spec::Law entry_of(const BondLaw& law) {
   if (law.potential == BondPotential::soft) return {.potential = law.potential, .kappa = law.kappa};
   return {law.potential, law.kappa, law.N, law.d_hat};

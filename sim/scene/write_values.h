@@ -42,6 +42,9 @@ OrderedJson json_of(const Shape& shape);
 // A number where it is no more than that.
 OrderedJson json_of(const SurfaceFriction& friction);
 
+// `,` and "key": [ … ] with one entry a line; nothing without entries.
+std::string list_text(const char* key, const std::vector<OrderedJson>& entries);
+
 // As much as says the same: N and d_hat of hard bonds only.
 spec::Law entry_of(const BondLaw& law);
 // Adds its keys.
