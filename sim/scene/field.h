@@ -47,17 +47,17 @@ inline constexpr Range kBodyCountRange{1, kMostBodies};
 
 // What may stand under a key. The form of its value is that of the member it belongs to.
 struct Field {
-  std::string_view key;
-  std::string_view help;  // one sentence or more, without the last full stop
-  Range range = {};       // of its numbers
+  std::string_view key = {};
+  std::string_view help = {};  // one sentence or more, without the last full stop
+  Range range = {};            // of its numbers
   bool required = false;
-  bool of_type = true;         // false: entries of this type do not have it
-  bool direction = false;      // three numbers of any length but 0, read as a unit vector
-  bool may_be_auto = false;    // kAutoKappa stands as "auto"
-  bool or_constant = false;    // a quantity over time may stand as one value
-  bool turns = false;          // what is in it acts about an axis, rather than along one
-  std::string_view otherwise;  // where it is left out, when that is no constant: "as at the start"
-  std::string_view file;       // "a scene file": a text that names one
+  bool of_type = true;              // false: entries of this type do not have it
+  bool direction = false;           // three numbers of any length but 0, read as a unit vector
+  bool may_be_auto = false;         // kAutoKappa stands as "auto"
+  bool or_constant = false;         // a quantity over time may stand as one value
+  bool turns = false;               // what is in it acts about an axis, rather than along one
+  std::string_view otherwise = {};  // where it is left out, when that is no constant: "as at the start"
+  std::string_view file = {};       // "a scene file": a text that names one
   std::span<const std::string_view> words = {};  // the only texts or enumerators that may stand here
 
   template <class T>

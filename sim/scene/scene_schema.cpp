@@ -418,6 +418,19 @@ std::string printed(const OrderedJson& json, std::size_t indent) {
   return out + '\n' + std::string(indent, ' ') + (json.is_object() ? '}' : ']');
 }
 
+// A row for each key, and for those of objects inside.
+std::string rows(const OrderedJson& object, const std::string& prefix) {
+  std::string out;
+  for (const auto& [key, property] : object["properties"].items()) {
+    const OrderedJson usual = property.value("default", OrderedJson());
+    out += fmt::format("| `{}{}` | {} | {} | {} |\n", prefix, key, in_words(property),
+                       usual.is_null() ? "" : fmt::format("`{}`", usual.dump()),
+                       property.value("description", ""));
+    if (property.contains("properties")) out += rows(property, prefix + key + ".");
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string scene_schema() { return printed(SceneSchema().make(), 0) + "\n"; }
@@ -426,14 +439,8 @@ std::string key_reference() {
   const OrderedJson schema = SceneSchema().make();
   std::string out = "# Keys of scene files\n";
   const auto add = [&out](std::string_view title, const OrderedJson& object) {
-    out += fmt::format("\n## {}\n\n{}\n\n| key | value | default | |\n|---|---|---|---|\n", title,
-                       object["description"].get<std::string>());
-    for (const auto& [key, property] : object["properties"].items()) {
-      const OrderedJson usual = property.value("default", OrderedJson());
-      out += fmt::format("| `{}` | {} | {} | {} |\n", key, in_words(property),
-                         usual.is_null() ? "" : fmt::format("`{}`", usual.dump()),
-                         property.value("description", ""));
-    }
+    out += fmt::format("\n## {}\n\n{}\n\n| key | value | default | |\n|---|---|---|---|\n{}", title,
+                       object["description"].get<std::string>(), rows(object, ""));
   };
   add("The scene itself", schema);
   for (const auto& [name, object] : schema["$defs"].items())
