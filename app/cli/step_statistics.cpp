@@ -14,7 +14,7 @@ double a_step(double sum, std::int64_t steps) { return steps > 0 ? sum / static_
 
 // Those that there are, most first.
 template <typename Kind>
-StepCounts counted(const std::array<std::int64_t, 4>& counts) {
+StepCounts counts_of(const std::array<std::int64_t, 4>& counts) {
   StepCounts found;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (counts[k] > 0) found.emplace_back(to_string(static_cast<Kind>(k)), counts[k]);
@@ -45,9 +45,9 @@ double StepStatistics::contacts_a_step() const {
                 steps - statuses[static_cast<std::size_t>(StepStatus::non_finite)]);
 }
 
-StepCounts StepStatistics::solvers() const { return counted<SolverMethod>(methods); }
+StepCounts StepStatistics::solvers() const { return counts_of<SolverMethod>(methods); }
 
-StepCounts StepStatistics::outcomes() const { return counted<StepStatus>(statuses); }
+StepCounts StepStatistics::outcomes() const { return counts_of<StepStatus>(statuses); }
 
 std::string to_text(const StepCounts& counts) {
   std::string text;

@@ -38,9 +38,7 @@ template <class Fill>
 void AsyncSink::add(const Fill& fill) {
   std::unique_lock lock(mutex_);
   if (ending_) throw Error(ErrorKind::defect, "a frame was written after the end of the output");
-  const auto start = clock::now();
   changed_.wait(lock, [this] { return count_ < ring_.size() || failure_; });
-  waiting_ms_ += ms_since(start);
   if (failure_) std::rethrow_exception(failure_);
   Image& slot = ring_[(first_ + count_) % ring_.size()];
   // Only this thread adds frames, and the worker does not look at a slot before it is counted.
@@ -72,14 +70,11 @@ void AsyncSink::finish() {
     ending_ = true;
   }
   changed_.notify_all();
-  const auto start = clock::now();
   worker_.join();
   const auto joined = clock::now();
-  waiting_ms_ += ms_since(start);
   if (failure_) std::rethrow_exception(failure_);
   inner_->finish();
   busy_ms_ += ms_since(joined);
-  waiting_ms_ += ms_since(joined);
 }
 
 void AsyncSink::work() {
@@ -110,11 +105,6 @@ void AsyncSink::work() {
 double AsyncSink::busy_ms() const {
   const std::lock_guard lock(mutex_);
   return busy_ms_;
-}
-
-double AsyncSink::waiting_ms() const {
-  const std::lock_guard lock(mutex_);
-  return waiting_ms_;
 }
 
 }  // namespace pabd

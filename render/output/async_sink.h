@@ -27,8 +27,7 @@ class AsyncSink : public FrameSink {
   bool has_room() const;                    // write() would not wait
   void finish() override;                   // writes what waits, then finishes the inner sink
 
-  double busy_ms() const;     // time that the inner sink worked, so far
-  double waiting_ms() const;  // time that write() and finish() waited for it
+  double busy_ms() const;  // time that the inner sink worked, so far
 
  private:
   void work();
@@ -43,7 +42,6 @@ class AsyncSink : public FrameSink {
   bool dropping_ = false;  // what waits is not wanted any more
   std::exception_ptr failure_;
   double busy_ms_ = 0;
-  double waiting_ms_ = 0;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::thread worker_;
