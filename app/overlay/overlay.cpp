@@ -15,7 +15,7 @@ namespace pabd {
 namespace {
 
 constexpr std::size_t kMostTextSizes = 24;  // text sizes kept when the frame size changes
-constexpr int kMostPasses = 4;          // sizes first, then characters that only those fonts can miss
+constexpr int kMostPasses = 4;              // sizes first, then characters that only those fonts can miss
 
 }  // namespace
 

@@ -190,7 +190,7 @@ Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity q
 
 Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser,
                           const std::string& about) {
-  using Quantity = ConvergenceQuantity;
+  using Shown = ConvergenceQuantity;
   Figure figure;
   figure.title = "Convergence within one time step";
   const bool joints = any_record(runs, [](const IterationRecord& r) { return r.max_joint_error > 0; });
@@ -202,12 +202,12 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   const bool reached = reference && !(least < minimiser->energy - kReached * std::abs(least));
   if (reached) least = minimiser->energy;
 
-  std::vector<Quantity> shown{Quantity::energy_gap, Quantity::residual};
-  if (contacts || !joints) shown.push_back(Quantity::penetration);
-  if (joints) shown.push_back(Quantity::joint_error);
-  for (const Quantity quantity : shown) {
+  std::vector<Shown> shown{Shown::energy_gap, Shown::residual};
+  if (contacts || !joints) shown.push_back(Shown::penetration);
+  if (joints) shown.push_back(Shown::joint_error);
+  for (const Shown quantity : shown) {
     Plot plot = quantity_plot_of(quantity);
-    if (quantity == Quantity::energy_gap) {
+    if (quantity == Shown::energy_gap) {
       plot.title = "Energy gap";
       if (reached) plot.y.label = quantities::above_least.axis;
     }
@@ -215,12 +215,12 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
       const MethodRun& run = runs[i];
       const int color = static_cast<int>(i);
       plot.series.push_back(quantity_curve(run, quantity, least, color));
-      if (quantity != Quantity::penetration || !projection_shows(run)) continue;
+      if (quantity != Shown::penetration || !projection_shows(run)) continue;
       plot.series.back().name += ", after projection";
       plot.series.push_back(iteration_curve(run.name + ", before projection", run.records, depth_before,
                                             color, SeriesStyle::dashed));
     }
-    if (quantity == Quantity::penetration && minimiser) add_minimiser(*minimiser, plot);
+    if (quantity == Shown::penetration && minimiser) add_minimiser(*minimiser, plot);
     figure.plots.push_back(std::move(plot));
   }
   figure.columns = figure.plots.size() == 4 ? 2 : 3;
