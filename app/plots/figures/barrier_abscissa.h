@@ -14,7 +14,7 @@ namespace pabd {
 enum class BarrierAbscissa : std::uint8_t { gap, d_hat, order, kappa };
 
 // Of d̂, where the axis is d̂: from and to.
-inline constexpr double kLeastThickness = 0.2, kMostThickness = 2.5;
+inline constexpr double kThinnest = 0.2, kThickest = 2.5;
 
 struct BarrierPoint {
   Barrier barrier;

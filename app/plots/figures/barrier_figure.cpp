@@ -25,7 +25,7 @@ PlotRange x_range(const Family& f) {
   const auto [least, largest] = std::minmax_element(f.in.d_hat.begin(), f.in.d_hat.end());
   switch (f.in.abscissa) {
     case BarrierAbscissa::d_hat:
-      return {kLeastThickness * *least, kMostThickness * *largest};
+      return {kThinnest * *least, kThickest * *largest};
     case BarrierAbscissa::order:
       return {0.5, std::max(12, *std::max_element(f.in.N.begin(), f.in.N.end())) + 0.5};
     case BarrierAbscissa::kappa:

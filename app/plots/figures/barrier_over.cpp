@@ -50,8 +50,8 @@ Axis x_axis(const Law& law) {
     case BarrierAbscissa::kappa:
       return {std::string("κ [") + kappa_unit(law.contact.barrier) + "]", false, 0, 2 * law.kappa};
     default:
-      return {quantities::thickness.axis, false, kLeastThickness * law.contact.d_hat,
-              kMostThickness * law.contact.d_hat};
+      return {quantities::thickness.axis, false, kThinnest * law.contact.d_hat,
+              kThickest * law.contact.d_hat};
   }
 }
 
