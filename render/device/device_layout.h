@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kLevels = 16, kColors = 128;
 inline constexpr std::uint32_t kShares = 3, kSweepLists = kShares * kColors;  // as in device_layout.glsl
 inline constexpr std::uint32_t kTwoKinds = kDeviceShapes * kDeviceShapes;     // of shapes, in either order
 
-// The barriers of shaders/device_barrier.glsl. Any other one is refused.
+// Those that barrier_sum of shaders/device_barrier.glsl knows. Any other one is refused.
 inline constexpr std::array kDeviceBarriers = {BarrierKind::polynomial, BarrierKind::even,
                                                BarrierKind::quadratic};
 constexpr bool is_on_device(BarrierKind kind) {

@@ -22,10 +22,11 @@ constexpr double kUnsettledSweeps = 0.5;
 constexpr double kRiseOfFloats = 1e-4;
 
 constexpr const char* kSingle =
-    "#define real float\n#define real3 vec3\n#define real4 vec4\n#define mat_real3 mat3\n"
+    "#define real float\n#define lane float\n#define real3 vec3\n#define real4 vec4\n#define mat_real3 mat3\n"
     "#define EPSILON real(1.2e-7lf)\n";
 constexpr const char* kTwofold =
-    "#define real double\n#define real3 dvec3\n#define real4 dvec4\n#define mat_real3 dmat3\n"
+    "#define real double\n#define lane double\n#define real3 dvec3\n#define real4 dvec4\n#define mat_real3 "
+    "dmat3\n"
     "#define EPSILON real(2.2e-16lf)\n";
 
 class Compiler {
@@ -141,7 +142,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
     return compile("pairs", {"COUNTERS", "KINDS", "BOUNDS", "CELLS", "PAIR_FIRST", "PAIRS", "PLANES"}, more,
                    {device_cells}, device_pairs_comp);
   };
-  const std::vector<ShaderPart> contact = {device_barrier, device_contact};
+  const std::vector<ShaderPart> contact = {barrier_sums, device_barrier, device_contact};
   return {
       .clear = compile("zeros", {"VALUES"}, "", {}, device_clear_comp),
       .fly = compile("free flight",
@@ -160,7 +161,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
       .place = compile("contacts",
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",
                         "END_FIRST", "KEPT_PAIRS", "KEPT_STRETCH", "KEPT_FEATURE"},
-                       "", {device_barrier, device_recovery, device_memory}, device_place_comp),
+                       "", {barrier_sums, device_barrier, device_recovery, device_memory}, device_place_comp),
       .fill_ends = lists_of_contacts(compile, "#define PASS 0\n"),
       .sort_ends = lists_of_contacts(compile, "#define PASS 1\n"),
       .scan = {scan("0"), scan("1"), scan("2")},
@@ -207,7 +208,7 @@ ComputeProgram make_sweep_program(const ComputeFunctions& gl, Precision precisio
   return compile(
       "sweep",
       {"COUNTERS", "KINDS", "FLIGHTS", "PLACES", "CONTACTS", "GRIPS", "END_FIRST", "ENDS", "COLORS", "STEPS"},
-      threads + "#define ACCESS restrict\n", {device_barrier, device_contact, device_inertia},
+      threads + "#define ACCESS restrict\n", {barrier_sums, device_barrier, device_contact, device_inertia},
       device_sweep_comp, sharing.group(share));
 }
 

@@ -12,15 +12,7 @@ struct even {
 
   template <class T>
   [[gnu::always_inline]] static PowerSum<T> sum(const Barrier& b, T u) {
-    const T zero = u - u;
-    T value = zero, first = zero, second = zero;
-    const T u2 = u * u;
-    for (int m = b.N / 2; m >= 1; --m) {
-      value = value * u2 + 1.0 / (2 * m);
-      first = first * u2 + 1;
-      second = second * u2 + (2 * m - 1);
-    }
-    return {value * u2, first * u, second};
+    return BarrierSums<T>::even_sum(u, b.N);
   }
 
   // For κ = 1 J: the sum over odd k of −(1/d̂)(1 − x)ᵏ, x = d/d̂, expanded by the binomial theorem: even powers of

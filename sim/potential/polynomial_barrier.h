@@ -11,18 +11,9 @@ struct polynomial {
   static constexpr BarrierTraits traits{
       .help = "the paper's polynomial", .least_N = 1, .has_onset = true, .has_split = true};
 
-  // Horner in u, no division by d. Precondition: u ≥ 0.
   template <class T>
   [[gnu::always_inline]] static PowerSum<T> sum(const Barrier& b, T u) {
-    const T zero = u - u;
-    T value = zero, first = zero, second = zero;
-    for (int n = b.N; n >= 2; --n) {
-      value = value * u + 1.0 / n;
-      first = first * u + 1;
-      second = second * u + (n - 1);
-    }
-    const PowerSum<T> ramp = onset_term(u, b.onset);
-    return {ramp.value + value * u * u, ramp.first + first * u, ramp.second + second};
+    return BarrierSums<T>::polynomial_sum(u, b.N, b.onset);
   }
 
   // S(6) for κ = 1 J, x = d/d̂. Erratum E1: every non-zero binomial, so φ⁻ keeps the last term for odd N.

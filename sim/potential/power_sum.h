@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // B as a function of u = 1 − d/d̂, with two derivatives with respect to u, for one distance or for four of
-// them (T = double or Lanes); and what barriers share of it.
+// them (T = double or Lanes).
 #pragma once
 
 #include "sim/math/lanes.h"
@@ -9,17 +9,13 @@
 namespace pabd {
 
 template <class T>
-struct PowerSum {
-  T value, first, second;
+struct BarrierSums {
+  using lane = T;
+  using wide = double;
+#include "sim/potential/barrier_sums.inl"
 };
 
-// Huber form of u: u²/(2ε) for u < ε, u − ε/2 above.
 template <class T>
-[[gnu::always_inline]] inline PowerSum<T> onset_term(T u, double onset) {
-  const T zero = u - u, one = zero + 1;
-  if (onset == 0) return {u, one, zero};
-  return {select(u < onset, u * u * (0.5 / onset), u - 0.5 * onset), select(u < onset, u * (1 / onset), one),
-          select(u < onset, one * (1 / onset), zero)};
-}
+using PowerSum = typename BarrierSums<T>::BarrierSum;
 
 }  // namespace pabd

@@ -19,10 +19,7 @@ struct quadratic {
 
   template <class T>
   [[gnu::always_inline]] static PowerSum<T> sum(const Barrier& b, T u) {
-    const PowerSum<T> slope = onset_term(u, b.onset);  // B′ is the Huber form of u
-    const T past = 0.5 * u * u - (0.5 * b.onset) * u + b.onset * b.onset / 6;
-    if (b.onset == 0) return {past, slope.value, slope.first};
-    return {select(u < b.onset, u * u * u * (1 / (6 * b.onset)), past), slope.value, slope.first};
+    return BarrierSums<T>::quadratic_sum(u, b.onset);
   }
 };
 
