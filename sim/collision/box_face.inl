@@ -102,15 +102,16 @@ bool edge_runs_on(IncidentFace face, int edge, int side, wide turn) {
 }
 
 uint name_of(IncidentFace face, Corner p, int line_in, wide h_x, wide h_y, wide snap2, wide turn) {
-  int edge = min(p.line, line_in) & 3, side = max(p.line, line_in) & 3;
-  uint name = uint(8 + edge * 4 + side) | (edge_runs_on(face, edge, side, turn) ? RUNS_ON : 0u);
   // The first that it is at, incident corners before those of the reference.
-  for (int v = 7; v >= 0; --v) {
+  uint name = NAME;
+  for (int v = 0; v < 8 && name == NAME; ++v) {
     wide3 corner = wide3((v & 1) != 0 ? -h_x : h_x, (v & 2) != 0 ? -h_y : h_y, 0);
     if (v < 4) corner = incident_corner(face, v);
     if (distance2(p.p, corner.x, corner.y) <= snap2) name = uint(v);
   }
-  return name;
+  if (name != NAME) return name;
+  int edge = min(p.line, line_in) & 3, side = max(p.line, line_in) & 3;
+  return uint(8 + edge * 4 + side) | (edge_runs_on(face, edge, side, turn) ? RUNS_ON : 0u);
 }
 
 // The first of a name, unless a later one is clearly deeper.

@@ -70,8 +70,9 @@ struct BoxBox : PairText {
 #undef precise
 
 template <class Text, class A, class B>
-void find(const Placed<A>& a, const Placed<B>& b, double reach, Contacts& out) {
-  Text(text_body(a), text_body(b), out).find_contacts(reach);
+void find(const Placed<A>& a, const Placed<B>& b, double reach, Contacts& out,
+          const HullView* hull = nullptr) {
+  Text(text_body(a, hull), text_body(b), out).find_contacts(reach);
 }
 
 }  // namespace
@@ -105,18 +106,19 @@ void box_sphere(const Placed<Box>& box, const Placed<Sphere>& sphere, double rea
 }
 
 void hull_sphere(const Placed<Hull>& hull, const Placed<Sphere>& sphere, double reach, Contacts& out) {
-  find<HullSphere>(hull, sphere, reach, out);
+  const HullView view = view_of(*hull.shape.data);
+  find<HullSphere>(hull, sphere, reach, out, &view);
 }
 
 void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, double reach, Contacts& out) {
-  find<HullCapsule>(hull, capsule, reach, out);
+  const HullView view = view_of(*hull.shape.data);
+  find<HullCapsule>(hull, capsule, reach, out, &view);
 }
 
 void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double reach, Contacts& out) {
   const BoxHull hull(box.shape.half);
-  TextBody body = text_body(box);
-  body.hull = text_hull(hull.view());
-  HullCapsule(body, text_body(capsule), out).find_contacts(reach);
+  const HullView view = hull.view();
+  find<HullCapsule>(box, capsule, reach, out, &view);
 }
 
 void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out) {

@@ -91,7 +91,10 @@ inline wide3 abs(const wide3& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
 inline wide2 abs(const wide2& v) { return {abs(v.x), abs(v.y)}; }
 
 // By a variable index.
-inline wide at(const wide3& v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
+inline wide at(const wide3& v, int k) {
+  constexpr wide wide3::*kPlace[] = {&wide3::x, &wide3::y, &wide3::z};
+  return v.*kPlace[k];
+}
 inline wide3 column(const mat_wide3& M, int k) { return M[k]; }
 
 // A convex polyhedron in its own frame; its arrays are read by the functions below.
@@ -127,35 +130,35 @@ inline uvec4 edge_of(const TextHull& hull, uint e) {
   return {edge.from, edge.to, edge.left, edge.right};
 }
 
-// A body of the pair. What it is, sizes say: those of its shape are set.
+// A body of the pair, with what its shape has of these.
 struct TextBody {
   wide3 c;
   mat_wide3 R;
   Index number;
-  wide3 half;  // of a box
+  const HullView* hull = nullptr;
+  const Plane* plane = nullptr;
+  wide3 half = {0, 0, 0};  // of a box
   wide radius = 0, half_length = 0;
-  TextHull hull{};
-  Plane plane{};
 };
 inline const wide3& half_edges(const TextBody& box) { return box.half; }
 inline wide smallest_half(const TextBody& box) { return min(min(box.half.x, box.half.y), box.half.z); }
 inline wide radius_of(const TextBody& body) { return body.radius; }
 inline wide half_axis(const TextBody& capsule) { return capsule.half_length; }
-inline wide3 plane_normal(const TextBody& body) { return body.plane.normal; }
+inline wide3 plane_normal(const TextBody& body) { return body.plane->normal; }
 inline wide height_over(const TextBody& body, const wide3& x) {
-  return dot(wide3(body.plane.normal), x) - body.plane.offset;
+  return dot(wide3(body.plane->normal), x) - body.plane->offset;
 }
-inline const TextHull& hull_of(const TextBody& hull) { return hull.hull; }
+inline TextHull hull_of(const TextBody& body) { return text_hull(*body.hull); }
 
+// `hull`: of a hull, or of a box that is to be one.
 template <class ShapeType>
-TextBody text_body(const Placed<ShapeType>& body) {
-  TextBody out{body.c, body.R, body.number, {}};
+TextBody text_body(const Placed<ShapeType>& body, const HullView* hull = nullptr) {
+  TextBody out{body.c, body.R, body.number, hull};
   if constexpr (std::is_same_v<ShapeType, Box>) out.half = body.shape.half;
+  if constexpr (std::is_same_v<ShapeType, Plane>) out.plane = &body.shape;
   if constexpr (std::is_same_v<ShapeType, Sphere> || std::is_same_v<ShapeType, Capsule>)
     out.radius = body.shape.radius;
   if constexpr (std::is_same_v<ShapeType, Capsule>) out.half_length = 0.5 * body.shape.length;
-  if constexpr (std::is_same_v<ShapeType, Hull>) out.hull = text_hull(view_of(*body.shape.data));
-  if constexpr (std::is_same_v<ShapeType, Plane>) out.plane = body.shape;
   return out;
 }
 
