@@ -24,7 +24,9 @@ double value_of(const RunView& run, std::size_t i, ColorQuantity quantity) {
     case ColorQuantity::projection:
       return r.projection_change;
     case ColorQuantity::energy:
-      return kinetic_energy_of(*run.model, *run.state, static_cast<Index>(i)) + r.contact_energy;
+      return kinetic_energy(*run.model, static_cast<Index>(i), run.state->R[i], run.state->v[i],
+                            run.state->omega[i]) +
+             r.contact_energy;
     case ColorQuantity::component:
       return r.island < 0 ? kNone : r.island;
     default:
